@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+/// What is positive, said once for the whole project.
+///
+/// Units: mm, N, MPa, rad, s. Creepages are per unit of rolled distance, spin creepage is 1/mm.
+///
+/// Track frame (x, y, z): x the rolling direction, y to the right, z down; right-handed.
+///
+/// Contact frame (x, s, n) at a point of the rail's surface: the track frame turned about x by the
+/// inclination delta,
+///     e_s = (cos delta, sin delta),  e_n = (-sin delta, cos delta)   in (y, z),
+/// so that s runs along the rail's profile and n points INTO the rail. On the top of the rail delta = 0 and
+/// (x, s, n) = (x, y, z); at the gauge corner of a right-hand rail delta < 0.
+///
+/// Traction p: exerted by the wheel on the rail's surface, in the contact frame, MPa. p_n >= 0 is pressure.
+/// Displacement difference u = u_wheel - u_rail. Its influence numbers A are positive definite with u = -A p.
+/// Undeformed distance h along n (h > 0 apart), approach q > 0 moves the wheel towards the rail along z:
+///     e = h - q cos(delta) - u_n = h - q cos(delta) + (A p)_n >= 0.
+/// Rigid slip w: velocity of the wheel's surface over the rail's, over the rolling speed:
+///     w_x = xi - phi s,  w_s = eta + phi x    on a plane (xi, eta, phi: creepage as Kalker defines it).
+/// Slip S over one step of rolled distance dx: S(x) = w dx + u(x) - u(x + dx) (Kalker 1990, eq. 1.65 ff.):
+/// the particle now at x was at x + dx.
+/// Friction drags the rail along with the wheel: p_t = +mu p_n S / |S|. Hence for small creepage
+///     Fx = c^2 G C11 xi, Fy = c^2 G (C22 eta + c C23 phi), Mz = c^3 G (-C23 eta + c C33 phi):
+/// the forces on the rail, opposite to Kalker's forces on the wheel.
+/// Force balance (track frame, on the rail, dS the element's area):
+///     Fx = sum p_x dS, Fy = sum (p_s cos delta - p_n sin delta) dS, Fz = sum (p_n cos delta + p_s sin delta) dS.
+///
+/// A body's own frame (x, s, n) has n INTO that body and is right-handed. For the rail it is the contact
+/// frame. The wheel's is the contact frame turned by pi about x: (x, -s, -n).
+namespace bem_contact {
+
+/// Components of the contact frame, in the order of every array that has them.
+enum Component : int { component_x = 0, component_s = 1, component_n = 2 };
+
+/// Parity in x of an influence number A_ij(x): +1 even, -1 odd (odd when exactly one of i, j is longitudinal).
+constexpr int parity(int i, int j) { return (i == component_x) != (j == component_x) ? -1 : 1; }
+
+/// A point or vector of a cross-section (y, z), mm.
+struct Point2 {
+  double y = 0;
+  double z = 0;
+};
+
+constexpr Point2 operator+(Point2 a, Point2 b) { return {a.y + b.y, a.z + b.z}; }
+constexpr Point2 operator-(Point2 a, Point2 b) { return {a.y - b.y, a.z - b.z}; }
+constexpr Point2 operator*(double c, Point2 a) { return {c * a.y, c * a.z}; }
+constexpr double dot(Point2 a, Point2 b) { return a.y * b.y + a.z * b.z; }
+inline double norm(Point2 a) { return std::hypot(a.y, a.z); }
+
+/// Tangent e_s and normal e_n (into the body) for the inclination delta.
+inline Point2 tangent_of(double delta) { return {std::cos(delta), std::sin(delta)}; }
+inline Point2 normal_of(double delta) { return {-std::sin(delta), std::cos(delta)}; }
+
+} // namespace bem_contact

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bem_contact {
+
+/// An error a user can act on. what() reads "<problem> (<why it is one>) <what to do>".
+class Error : public std::runtime_error {
+public:
+  Error(std::string_view problem, std::string_view why, std::string_view what_to_do);
+};
+
+/// The input is wrong: a file, a key, a value, or two inputs that do not fit. Programs exit with 2.
+class InputError : public Error {
+public:
+  using Error::Error;
+};
+
+/// The input is fine and no certified solution was found within the bounds. Programs exit with 3.
+class ConvergenceError : public Error {
+public:
+  using Error::Error;
+};
+
+/// The candidates most like `word`, best first, at most `most` of them; none that is hardly like it.
+std::vector<std::string> nearest_names(std::string_view word, std::span<const std::string> candidates,
+                                       std::size_t most = 3);
+
+} // namespace bem_contact

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "bem_contact/base/material.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bem_contact {
+
+/// A scene file (TOML). Two kinds: "wheel_rail" (profiles, positions, forces) and "patch" (one contact
+/// problem given directly). Keys and members have the same names. Paths are relative to the file's folder.
+struct SceneFile {
+  std::string kind = "wheel_rail";
+  std::filesystem::path folder; ///< not a key: where relative paths start
+
+  struct Side { ///< [rail], [wheel]
+    std::string profile;        ///< standard name or file (wheel_rail)
+    Material material;          ///< [rail.material], [wheel.material]
+    std::string influence;      ///< influence file; "" where only half-space numbers are used
+    std::string structural = "removed"; ///< structural compliance: included | removed
+  };
+  Side rail, wheel;             ///< in a patch: the lower and the upper body
+
+  struct Position {             ///< [position], wheel_rail
+    double lateral = 0;         ///< lateral displacement of the wheelset, mm, positive to the right
+    double gauge = 1435;        ///< mm
+    double gauge_height = 14;   ///< below the top of the rail, mm
+    double back_to_back = 1360; ///< mm
+    double cant = 0;            ///< rail inclination towards the track centre, rad
+    double roll = 0;            ///< wheelset roll, rad
+    double wheel_radius = 460;  ///< nominal, at the tape circle, mm
+  } position;
+
+  struct Load {                 ///< [load]; exactly one of the two
+    double force = 0;           ///< vertical (patch: normal) force, N; 0: not given
+    double approach = 0;        ///< mm; used when has_approach
+    bool has_approach = false, has_force = false;
+  } load;
+
+  struct Motion {               ///< [motion]; creepages at the contact reference point
+    bool frictionless = false;
+    double friction = 0.3;
+    double xi = 0, eta = 0, phi = 0; ///< wheel_rail: spin from the geometry is added to phi; phi in 1/mm
+    std::string slip_table;          ///< patch: CSV file with columns ix, is, wx, ws instead of creepages
+  } motion;
+
+  struct Grid {                 ///< [grid]
+    double dx = 0.5, ds = 0.2;  ///< mm
+    int mx = 0, ms = 0;         ///< patch: size; wheel_rail: 0 = from the undeformed distance
+    bool plane_strain = false;  ///< patch: mx = 1, infinitely long along x, forces per mm
+    double s_from = 0, s_to = 0; ///< wheel_rail: rows wanted on the rail's arc length; both 0 = automatic
+  } grid;
+
+  struct Gap {                  ///< [gap], patch
+    double a = 0, b = 0, c = 0; ///< h = a x^2 + b s^2 + c x s
+    std::string table;          ///< CSV file with columns ix, is, h instead
+  } gap;
+
+  struct Strip {                ///< [strip], patch: a curved strip
+    double radius = 0;          ///< constant radius of the lower surface (> 0 convex, < 0 concave), 0: flat
+    double upper_radius = 0;    ///< radius of the upper body, for the gap and its stations
+    double rail_s0 = 0, wheel_s0 = 0; ///< stations of the influence files at the middle of the grid
+    std::string inclination;    ///< CSV file with columns is, delta instead of radius
+  } strip;
+
+  struct Solver {               ///< [solver]
+    std::string model = "auto"; ///< auto | halfspace | fem
+    double tolerance = 1e-8;
+    int max_outer = 50;
+  } solver;
+};
+
+SceneFile read_scene_file(const std::filesystem::path& file);
+SceneFile parse_scene_file(std::string_view toml, std::string_view source_name = "text");
+std::string default_scene_file();
+
+} // namespace bem_contact

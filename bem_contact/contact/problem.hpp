@@ -1,0 +1,93 @@
+#pragma once
+
+#include "bem_contact/influence/influence_numbers.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// Regular grid of the potential contact: element (ix, is) has its centre at (x0 + ix dx, row is), is
+/// element is * mx + ix of every field below ("field": [ms][mx], row-major, x fastest).
+struct ContactGrid {
+  int mx = 0, ms = 0;
+  double dx = 0, ds = 0; ///< mm
+  double x0 = 0;         ///< centre of the first column, mm
+
+  int size() const { return mx * ms; }
+  double x(int ix) const { return x0 + ix * dx; }
+};
+
+/// Position and inclination of the middle of one row on the rail's surface (contact or track frame, mm, rad).
+struct ContactRow {
+  double s = 0;     ///< arc length along the rail profile
+  Point2 position;  ///< (y, z)
+  double delta = 0; ///< inclination
+};
+
+enum class LoadKind { approach, force };
+
+/// One contact problem. Signs: base/conventions.hpp.
+struct ContactProblem {
+  ContactGrid grid;
+  std::vector<ContactRow> rows;      ///< ms of them
+  InfluenceNumbers numbers;          ///< of the pair, grid.mx + 1 offsets, grid.ms rows
+  std::vector<double> gap;           ///< undeformed distance along n at approach 0, mm; field
+  LoadKind load = LoadKind::force;
+  double approach = 0;               ///< q along z, mm (load == approach)
+  double force = 0;                  ///< Fz, N (load == force); per mm of length in plane strain
+  bool tangential = true;            ///< false: frictionless
+  double friction = 0.3;             ///< Coulomb's mu
+  std::vector<double> slip_x, slip_s; ///< rigid slip w, per unit of rolled distance; fields (steady rolling)
+};
+
+enum class ElementState : unsigned char { exterior, adhesion, slip };
+
+/// Violations computed from the tractions alone, by a path that shares nothing with the solver; each is
+/// relative and the result holds when worst() <= 1e-6.
+struct Certificate {
+  double pressure = 0;        ///< largest -p_n, over pmax
+  double penetration = 0;     ///< largest -e, over the approach scale
+  double complementarity = 0; ///< largest p_n e, over pmax times the approach scale
+  double friction_cone = 0;   ///< largest |p_t| - mu p_n, over mu pmax
+  double adhesion = 0;        ///< largest |S| where |p_t| < mu p_n, over the slip scale
+  double slip_direction = 0;  ///< largest deviation of p_t from mu p_n S/|S| where it slips, over mu pmax
+  double force_balance = 0;   ///< |Fz - prescribed| over prescribed
+  double tolerance = 1e-6;
+  double discretisation = -1; ///< estimated relative discretisation error of the total force; < 0: not estimated
+
+  double worst() const;
+  bool holds() const { return worst() <= tolerance; }
+};
+
+struct PatchSummary {
+  double fn = 0, fx = 0, fs = 0; ///< N, sums over the patch of p dS in the local frames
+  double approach = 0;           ///< largest q cos(delta) - h in the patch, mm
+  double pmax = 0;               ///< MPa
+  double area = 0;               ///< mm^2
+  int contact = 0, adhesion = 0, slip = 0; ///< element counts
+  double x = 0, s = 0;           ///< centre of pressure
+};
+
+struct ContactResult {
+  std::vector<double> px, ps, pn;        ///< tractions on the rail, MPa; fields
+  std::vector<double> slip_x, slip_s;    ///< S/dx, slip per unit of rolled distance; fields
+  std::vector<double> deformed_distance; ///< e, mm; field
+  std::vector<ElementState> state;       ///< field
+  double approach = 0;                   ///< q, mm
+  double Fx = 0, Fy = 0, Fz = 0;         ///< on the rail, frame of the rows, N
+  double Mz = 0;                         ///< about the origin of (x, y), N mm
+  std::vector<PatchSummary> patches;     ///< connected areas of contact, largest force first
+  Certificate certificate;
+
+  bool converged = false;        ///< certificate.holds()
+  std::string normal_solver;     ///< which one finished
+  std::string tangential_solver;
+  int outer_iterations = 0, normal_iterations = 0, tangential_iterations = 0;
+  std::string remark;            ///< why a solver of the chain gave up, or "" 
+};
+
+/// Throws InputError unless sizes agree and all values are finite and in range.
+void validate(const ContactProblem& problem);
+
+} // namespace bem_contact

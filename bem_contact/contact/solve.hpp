@@ -1,0 +1,21 @@
+#pragma once
+
+#include "bem_contact/contact/problem.hpp"
+
+namespace bem_contact {
+
+struct SolverOptions {
+  double tolerance = 1e-8;     ///< of the solvers; the certificate asks for 1e-6
+  int max_outer = 50;          ///< normal-tangential (Panagiotopoulos) iterations
+  int max_normal = 200;        ///< active-set changes
+  int max_tangential = 100;    ///< Newton steps; the sweeps have ten times as many
+};
+
+/// Solves the normal problem or steady rolling. No contact: a result with zero force and no patches.
+/// Does not throw for lack of convergence: the result says `converged == false` and why.
+ContactResult solve(const ContactProblem& problem, const SolverOptions& options = {});
+
+/// The independent check: direct sums over the influence numbers, nothing of the solver's operator.
+Certificate certify(const ContactProblem& problem, const ContactResult& result);
+
+} // namespace bem_contact

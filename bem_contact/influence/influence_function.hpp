@@ -1,0 +1,76 @@
+#pragma once
+
+#include "bem_contact/base/conventions.hpp"
+#include "bem_contact/base/material.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// The body is the same all along x (a rail), or all around its axle (a wheel).
+enum class Invariance { prismatic, revolution };
+
+/// What is done about the body's motion as a whole (the deflection of its support, web and foot or hub).
+///   included: the body is held as the file says (`held`), all compliance counts;
+///   removed:  every section's remote part (`remote`) has no mean displacement and no mean rotation.
+enum class StructuralCompliance { included, removed };
+
+/// One station: an element of the contact strip, `width` long along s, infinitely long along x.
+struct Station {
+  double s = 0;     ///< arc length of its centre on the profile, mm
+  Point2 position;  ///< of its centre, section frame, mm
+  double delta = 0; ///< inclination at its centre, rad, body's own frame
+};
+
+/// The influence function of one body: the kernel g_ij(k; s_I, s_J).
+///
+/// A traction of component j on station J with amplitude 1 MPa, varying along x as cos(kx), gives the
+/// displacement i of station I, averaged over its width; how it varies along x is said under `kernel`.
+/// Frame: the body's own (x, s, n), n into the body, turned to the inclination of each station.
+///
+/// kernel[k][3 I + i][3 J + j], row-major, mm/MPa, symmetric to the last bit in (3 I + i, 3 J + j):
+///   load p_j cos kx, j in {s, n}:  u_x = g_xj sin kx,  u_i = g_ij cos kx  (i in {s, n});
+///   load p_x cos kx:               u_x = g_xx cos kx,  u_i = -g_ix sin kx (i in {s, n}).
+/// On a body of revolution x = R_ref theta, k = n / R_ref, and the unit load is 1 MPa per REFERENCE area
+/// (R_ref dtheta ds): that is what keeps Maxwell-Betti exact without weights.
+///
+/// The remote section: for each wavenumber six generalised displacements of the part of the section that
+/// lies far from the strip (area means: u_x, u_y, u_z, rotations about x, y, z: see data/INFLUENCE_FORMAT.md)
+/// for each load, remote[k][6][3 NS], and for unit generalised loads on itself, remote_self[k][6][6].
+/// `removed` is g - remote^T remote_self^-1 remote, again symmetric and positive.
+struct InfluenceFunction {
+  std::string body;             ///< name of the body, e.g. "rail 60E1"
+  std::string profile;          ///< name of the profile curve
+  std::uint64_t profile_digest = 0;
+  Material material;
+  std::string held;             ///< how the body is held, in words
+  std::string method;           ///< "harmonic" or "solid3d", with degree and mesh in words
+  Invariance invariance = Invariance::prismatic;
+  double reference_radius = 0;  ///< R_ref, mm (revolution only)
+  double half_period = 0;       ///< L, mm: wavenumbers of the series are n pi / L (revolution: pi R_ref)
+
+  double station_width = 0;     ///< ds, mm
+  std::vector<Station> stations; ///< NS of them, equally spaced, ascending in s
+
+  std::vector<double> wavenumber; ///< NK values, 1/mm, ascending, the first is 0
+  std::vector<double> kernel;      ///< NK x 3NS x 3NS
+  std::vector<double> remote;      ///< NK x 6 x 3NS
+  std::vector<double> remote_self; ///< NK x 6 x 6
+
+  /// What the file says of its own error, each relative to the self number (largest over components).
+  double betti_error = 0;        ///< asymmetry before the storage step
+  double reaction_error = 0;     ///< | reaction - load | / load at k = 0
+  double estimated_error = 0;    ///< from the wavenumber sampling and a coarser companion run; < 0: not estimated
+
+  std::size_t station_count() const { return stations.size(); }
+  std::size_t wavenumber_count() const { return wavenumber.size(); }
+};
+
+/// Throws InputError unless sizes agree, all numbers are finite, stations and wavenumbers ascend, the
+/// kernel is symmetric and its diagonal is positive.
+void validate(const InfluenceFunction& function);
+
+} // namespace bem_contact

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "bem_contact/base/conventions.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// A point of a profile curve. `delta` is continuous along the curve (unwrapped).
+struct CurvePoint {
+  double s = 0;           ///< arc length, mm
+  Point2 position;        ///< (y, z), mm, in the profile's own frame
+  double delta = 0;       ///< inclination of the tangent, rad
+  double curvature = 0;   ///< d(delta)/ds, 1/mm; positive where the body is convex (1/R on a disc)
+};
+
+/// A profile as one arc-length curve in the section's own frame (y, z): y to the right (field side of a
+/// right-hand rail or wheel), z down.
+///
+/// It is walked so that the material lies on the side of e_n = (-sin delta, cos delta):
+/// a rail from the gauge side (-y) to the field side (+y), delta = 0 on the top;
+/// a wheel from the field side (+y) to the flange back (-y), delta near pi on the tread.
+/// s = 0 is at y = 0 (rail top centre, wheel tape circle) where the curve passes y = 0, else at its start.
+class ProfileCurve {
+public:
+  /// A curve through points: an interpolating spline in chord length; kinks sharper than `kink_angle`
+  /// (rad) stay corners. Points are in the walking order given above.
+  /// Throws InputError for fewer than 3 points, NaN, or doubled points.
+  static ProfileCurve through_points(std::string name, std::span<const Point2> points,
+                                     double kink_angle = 0.3);
+
+  const std::string& name() const { return name_; }
+  double s_begin() const { return s_begin_; }
+  double s_end() const { return s_end_; }
+
+  /// Position, tangent and curvature at arc length s. Throws InputError when s is off the curve by more
+  /// than 1e-9 mm.
+  CurvePoint at(double s) const;
+
+  /// The point of the curve nearest to `p` (global search, then Newton to 1e-12 mm).
+  CurvePoint nearest(Point2 p) const;
+
+  /// 64-bit digest of the geometry (positions to 1e-6 mm at 256 equal steps); tells one profile from another.
+  std::uint64_t digest() const;
+};
+
+} // namespace bem_contact

@@ -1,0 +1,34 @@
+# Debian 12's packages; tools/install_packages names them all.
+find_package(PkgConfig REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+pkg_check_modules(FFTW3 REQUIRED IMPORTED_TARGET fftw3)
+pkg_check_modules(OPENBLAS REQUIRED IMPORTED_TARGET openblas)
+
+# Only bem_contact/influence sees HDF5. It is the serial library in every build: deal.II brings the
+# OpenMPI one, and Debian gives the two different symbol versions, so that both may live in one
+# process as long as the room is linked as a shared library of its own.
+pkg_check_modules(HDF5_SERIAL REQUIRED IMPORTED_TARGET hdf5-serial)
+
+find_file(TOMLPLUSPLUS_HEADER toml++/toml.h)
+if(NOT TOMLPLUSPLUS_HEADER)
+  message(FATAL_ERROR "toml++ was not found (the case files are TOML); run tools/install_packages")
+endif()
+
+if(CONFORMAL_TESTS)
+  find_package(GTest REQUIRED)
+  find_package(rapidcheck REQUIRED)
+  include(GoogleTest)
+endif()
+
+if(CONFORMAL_WITH_FEM)
+  find_package(MPI REQUIRED COMPONENTS CXX)
+  find_package(deal.II 9.4 REQUIRED)
+  find_library(GMSH_LIBRARY gmsh REQUIRED)
+  find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
+  find_library(DMUMPS_LIBRARY dmumps REQUIRED)
+  find_path(MUMPS_INCLUDE_DIR dmumps_c.h REQUIRED)
+endif()

@@ -1,0 +1,37 @@
+# One CMake target a room. Every room is compiled with the project's root as its only include
+# directory, so an include line names its room: #include "bem_contact/base/error.hpp".
+
+add_library(conformal_options INTERFACE)
+target_include_directories(conformal_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(conformal_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
+if(CONFORMAL_SANITIZE)
+  target_compile_options(conformal_options INTERFACE -fsanitize=address,undefined
+                         -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(conformal_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# conformal_room(<target> [SHARED] SOURCES ... [ROOMS ...] [LIBRARIES ...])
+#   ROOMS      rooms whose headers this room's headers include (the arrows of the design)
+#   LIBRARIES  third-party targets, private to the room
+function(conformal_room target)
+  cmake_parse_arguments(ARG "SHARED" "" "SOURCES;ROOMS;LIBRARIES" ${ARGN})
+  if(ARG_SHARED)
+    add_library(${target} SHARED ${ARG_SOURCES})
+  else()
+    add_library(${target} STATIC ${ARG_SOURCES})
+  endif()
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_link_libraries(${target} PUBLIC conformal_options ${ARG_ROOMS} PRIVATE ${ARG_LIBRARIES})
+endfunction()
+
+# conformal_test(<name> SOURCES ... ROOMS ... [LIBRARIES ...]): one GoogleTest program a room.
+function(conformal_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;ROOMS;LIBRARIES" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE conformal_options ${ARG_ROOMS} ${ARG_LIBRARIES}
+                        GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE
+    CONFORMAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    CONFORMAL_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endfunction()
