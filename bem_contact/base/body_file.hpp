@@ -23,7 +23,7 @@ struct BodyFile {
     double station_width = 0.2;    ///< mm; (to - from) / station_width must be whole
   } strip;
   struct Mesh {
-    int elements_per_station = 1;  ///< element edges per station on the strip
+    int elements_per_station = 2;  ///< element edges per station on the strip
     double grading = 0.3;          ///< h <= h_strip + grading * distance from the strip
     double largest = 15;           ///< mm
   } mesh;
