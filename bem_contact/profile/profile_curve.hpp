@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/base/conventions.hpp"
+#include "bem_contact/profile/curve_piece.hpp"
 
 #include <cstdint>
 #include <span>
@@ -11,10 +12,10 @@ namespace bem_contact {
 
 /// A point of a profile curve. `delta` is continuous along the curve (unwrapped).
 struct CurvePoint {
-  double s = 0;           ///< arc length, mm
-  Point2 position;        ///< (y, z), mm, in the profile's own frame
-  double delta = 0;       ///< inclination of the tangent, rad
-  double curvature = 0;   ///< d(delta)/ds, 1/mm; positive where the body is convex (1/R on a disc)
+  double s = 0;         ///< arc length, mm
+  Point2 position;      ///< (y, z), mm, in the profile's own frame
+  double delta = 0;     ///< inclination of the tangent, rad
+  double curvature = 0; ///< d(delta)/ds, 1/mm; positive where the body is convex (1/R on a disc)
 };
 
 /// A profile as one arc-length curve in the section's own frame (y, z): y to the right (field side of a
@@ -26,8 +27,13 @@ struct CurvePoint {
 /// s = 0 is at y = 0 (rail top centre, wheel tape circle) where the curve passes y = 0, else at its start.
 class ProfileCurve {
 public:
-  /// A curve through points: an interpolating spline in chord length; kinks sharper than `kink_angle`
-  /// (rad) stay corners. Points are in the walking order given above.
+  /// A curve of pieces in walking order. Each piece is translated to the end of the one before it, so that
+  /// the curve is continuous in position while tangent and curvature stay what the pieces say.
+  static ProfileCurve from_pieces(std::string name, std::vector<CurvePiece> pieces);
+
+  /// A curve through points: an interpolating cubic spline (not-a-knot) in chord length; where the chords
+  /// turn by more than `kink_angle` (rad) and by more than twice as much as at both neighbours (so that a
+  /// coarsely sampled arc is no kink) a corner stays. Points are in the walking order given above.
   /// Throws InputError for fewer than 3 points, NaN, or doubled points.
   static ProfileCurve through_points(std::string name, std::span<const Point2> points,
                                      double kink_angle = 0.3);
@@ -36,8 +42,8 @@ public:
   double s_begin() const { return s_begin_; }
   double s_end() const { return s_end_; }
 
-  /// Position, tangent and curvature at arc length s. Throws InputError when s is off the curve by more
-  /// than 1e-9 mm.
+  /// Position, tangent and curvature at arc length s; at a joint those of the piece that begins. Throws
+  /// InputError when s is off the curve by more than 1e-9 mm.
   CurvePoint at(double s) const;
 
   /// The point of the curve nearest to `p` (global search, then Newton to 1e-12 mm).
@@ -45,6 +51,14 @@ public:
 
   /// 64-bit digest of the geometry (positions to 1e-6 mm at 256 equal steps); tells one profile from another.
   std::uint64_t digest() const;
+
+private:
+  ProfileCurve() = default;
+  const CurvePiece& piece_at(double s) const;
+
+  std::string name_;
+  double s_begin_ = 0, s_end_ = 0;
+  std::vector<CurvePiece> pieces_; ///< in walking order, at least one
 };
 
 } // namespace bem_contact

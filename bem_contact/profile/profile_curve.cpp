@@ -1,0 +1,143 @@
+#include "bem_contact/profile/profile_curve.hpp"
+
+#include "bem_contact/base/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace bem_contact {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double to_branch(double angle, double near) {
+  return angle + 2 * pi * std::round((near - angle) / (2 * pi));
+}
+
+void translate(CurvePiece& piece, Point2 by) {
+  piece.start = piece.start + by;
+  piece.middle = piece.middle + by;
+  piece.y[0] += by.y;
+  piece.z[0] += by.z;
+}
+
+/// Arc length from the curve's start to its first crossing of y = 0; 0 where there is none.
+double length_to_axis(const std::vector<CurvePiece>& pieces) {
+  for (const CurvePiece& piece : pieces) {
+    double low = 0, high = piece.length;
+    const double at_low = point_on(piece, low).position.y;
+    const double at_high = point_on(piece, high).position.y;
+    if (std::abs(at_low) < 1e-12)
+      return piece.s0;
+    if (at_low * at_high > 0)
+      continue;
+    for (int i = 0; i < 100 && high - low > 1e-14 * piece.length; ++i) {
+      const double middle = (low + high) / 2;
+      (point_on(piece, middle).position.y * at_low > 0 ? low : high) = middle;
+    }
+    return piece.s0 + (low + high) / 2;
+  }
+  return 0;
+}
+
+} // namespace
+
+ProfileCurve ProfileCurve::from_pieces(std::string name, std::vector<CurvePiece> pieces) {
+  if (pieces.empty())
+    throw InputError(fmt::format("profile '{}' is empty", name), "a curve needs at least one piece",
+                     "Give its pieces.");
+  // The chord tells which way the curve is walked, hence the branch of delta: near 0 on a rail, near pi on
+  // a wheel.
+  const CurvePiece& last = pieces.back();
+  const Point2 chord = point_on(last, last.length).position - pieces.front().start;
+  double branch = std::atan2(chord.z, chord.y);
+  if (branch <= -pi / 2)
+    branch += 2 * pi;
+  Point2 end = pieces.front().start;
+  double s = 0;
+  for (CurvePiece& piece : pieces) {
+    translate(piece, end - piece.start);
+    piece.delta0 = to_branch(piece.delta0, branch);
+    piece.s0 = s;
+    const PiecePoint far = point_on(piece, piece.length);
+    end = far.position;
+    branch = far.delta;
+    s += piece.length;
+  }
+  ProfileCurve curve;
+  curve.name_ = std::move(name);
+  const double origin = length_to_axis(pieces);
+  for (CurvePiece& piece : pieces)
+    piece.s0 -= origin;
+  curve.s_begin_ = -origin;
+  curve.s_end_ = s - origin;
+  curve.pieces_ = std::move(pieces);
+  return curve;
+}
+
+const CurvePiece& ProfileCurve::piece_at(double s) const {
+  const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), s,
+                                      [](double value, const CurvePiece& piece) { return value < piece.s0; });
+  return after == pieces_.begin() ? pieces_.front() : *(after - 1);
+}
+
+CurvePoint ProfileCurve::at(double s) const {
+  constexpr double slack = 1e-9;
+  if (!(s >= s_begin_ - slack && s <= s_end_ + slack))
+    throw InputError(fmt::format("arc length s = {} mm is off the profile '{}'", s, name_),
+                     fmt::format("the profile runs from {:.6g} to {:.6g} mm", s_begin_, s_end_),
+                     "Ask for a point on the profile.");
+  s = std::clamp(s, s_begin_, s_end_);
+  const CurvePiece& piece = piece_at(s);
+  const PiecePoint p = point_on(piece, s - piece.s0);
+  return {s, p.position, p.delta, p.curvature};
+}
+
+CurvePoint ProfileCurve::nearest(Point2 p) const {
+  if (!(std::isfinite(p.y) && std::isfinite(p.z)))
+    throw InputError(fmt::format("no point of the profile '{}' is nearest to ({}, {})", name_, p.y, p.z),
+                     "coordinates must be finite", "Check where they come from.");
+  // |p - middle| bounds the distance to a piece from above, |p - middle| - length/2 from below.
+  double bound = std::numeric_limits<double>::infinity();
+  for (const CurvePiece& piece : pieces_)
+    bound = std::min(bound, norm(p - piece.middle));
+  const CurvePiece* best = nullptr;
+  double best_along = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const CurvePiece& piece : pieces_) {
+    if (norm(p - piece.middle) - piece.length / 2 > std::min(bound, least))
+      continue;
+    const double along = nearest_on(piece, p);
+    const double distance = norm(p - point_on(piece, along).position);
+    if (distance < least) {
+      least = distance;
+      best = &piece;
+      best_along = along;
+    }
+  }
+  const PiecePoint point = point_on(*best, best_along);
+  return {best->s0 + best_along, point.position, point.delta, point.curvature};
+}
+
+std::uint64_t ProfileCurve::digest() const {
+  std::uint64_t hash = 14695981039346656037ull; // FNV-1a
+  const auto add = [&hash](double value) {
+    auto bits = static_cast<std::uint64_t>(std::llround(value * 1e6));
+    for (int byte = 0; byte < 8; ++byte, bits >>= 8)
+      hash = (hash ^ (bits & 0xff)) * 1099511628211ull;
+  };
+  constexpr int steps = 256;
+  for (int i = 0; i <= steps; ++i) {
+    const Point2 p = at(s_begin_ + (s_end_ - s_begin_) * i / steps).position;
+    add(p.y);
+    add(p.z);
+  }
+  return hash;
+}
+
+} // namespace bem_contact

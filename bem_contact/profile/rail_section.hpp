@@ -1,0 +1,34 @@
+#pragma once
+
+#include "bem_contact/base/conventions.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace bem_contact {
+
+/// A line or circular arc of a section's outline, (y, z) in mm: y to the right, z down, z = 0 on the top.
+struct SectionPiece {
+  Point2 from, to;
+  double radius = 0; ///< 0: a line; > 0: convex, < 0: concave (the arc is shorter than half a circle)
+};
+
+/// The right half (y >= 0) of a rail's whole outline, walked from the top centre over head, web and foot to
+/// the base centre, so that the material lies on the side of e_n. EN 13674-1; names: 60E1, 60E2.
+/// Throws InputError for 54E1, of which only the head is known here, and for unknown names.
+std::vector<SectionPiece> rail_section(std::string_view name);
+
+/// The right half of the head alone: top, gauge corner and flank, down to the under-head fillet (54E1: to
+/// 30 mm below the top). Names: 60E1, 60E2, 54E1. All joints are tangent.
+std::vector<SectionPiece> rail_head(std::string_view name);
+
+/// Of a section symmetric about z, from its right half.
+struct SectionProperties {
+  double area = 0;     ///< mm^2
+  double centroid = 0; ///< height of the centroid above the lowest point of the outline, mm
+  double Ix = 0;       ///< second moment about the horizontal axis through the centroid, mm^4
+  double Iy = 0;       ///< second moment about the vertical axis of symmetry, mm^4
+};
+SectionProperties section_properties(const std::vector<SectionPiece>& right_half);
+
+} // namespace bem_contact

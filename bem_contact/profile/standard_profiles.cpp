@@ -1,0 +1,84 @@
+#include "bem_contact/profile/standard_profiles.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/rail_section.hpp"
+#include "bem_contact/profile/s1002.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace bem_contact {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+ProfileCurve rail_head_profile(std::string_view name) {
+  const std::vector<SectionPiece> right = rail_head(name);
+  std::vector<CurvePiece> pieces;
+  const auto add = [&pieces](Point2 from, Point2 to, double radius) {
+    pieces.push_back(arc_piece(from, to, radius == 0 ? 0 : 1 / radius));
+  };
+  const auto mirrored = [](Point2 p) { return Point2{-p.y, p.z}; };
+  for (auto piece = right.rbegin(); piece != right.rend(); ++piece)
+    add(mirrored(piece->to), mirrored(piece->from), piece->radius);
+  for (const SectionPiece& piece : right)
+    add(piece.from, piece.to, piece.radius);
+  return ProfileCurve::from_pieces(std::string(name), std::move(pieces));
+}
+
+/// The lower half of a circle, in two quarters so that a joint, exact, lies at the lowest point.
+ProfileCurve lower_half_circle(std::string name, double radius, bool upper_body) {
+  const double quarter = pi / 2 * radius;
+  const Point2 start{upper_body ? radius : -radius, 0}, lowest{0, radius};
+  const double curvature = (upper_body ? 1 : -1) / radius;
+  return ProfileCurve::from_pieces(std::move(name),
+                                   {arc_piece(start, pi / 2, curvature, quarter),
+                                    arc_piece(lowest, upper_body ? pi : 0, curvature, quarter)});
+}
+
+} // namespace
+
+std::span<const std::string> standard_profile_names() {
+  static const std::array<std::string, 4> names{"60E1", "60E2", "54E1", "S1002"};
+  return names;
+}
+
+bool is_standard_profile(std::string_view name) {
+  const auto names = standard_profile_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+ProfileCurve standard_profile(std::string_view name) {
+  if (name == "S1002")
+    return s1002_profile();
+  if (is_standard_profile(name))
+    return rail_head_profile(name);
+  const auto like = nearest_names(name, standard_profile_names());
+  throw InputError(fmt::format("unknown profile '{}'", name),
+                   fmt::format("built in are {}", fmt::join(standard_profile_names(), ", ")),
+                   like.empty() ? "Use one of these or the path of a profile file."
+                                : fmt::format("Did you mean {}?", fmt::join(like, " or ")));
+}
+
+ProfileCurve body_profile(const BodyFile& file) {
+  const auto& body = file.body;
+  if (body.kind == "rail" || body.kind == "wheel")
+    return standard_profile(body.profile);
+  if (body.kind == "disc")
+    return lower_half_circle(fmt::format("disc R {}", body.radius), body.radius, true);
+  if (body.kind == "bore")
+    return lower_half_circle(fmt::format("bore R {}", body.radius), body.radius, false);
+  if (body.kind == "block")
+    return ProfileCurve::from_pieces(
+        fmt::format("block {}", body.size),
+        {line_piece({-body.size, 0}, {0, 0}), line_piece({0, 0}, {body.size, 0})});
+  throw InputError(fmt::format("unknown kind of body '{}'", body.kind),
+                   "known are rail, wheel, block, disc and bore", "Use one of these.");
+}
+
+} // namespace bem_contact

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "bem_contact/base/body_file.hpp"
+#include "bem_contact/profile/profile_curve.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace bem_contact {
+
+/// 60E1, 60E2, 54E1 (EN 13674-1, head down to the under-head fillet; 54E1 to 30 mm below the top) and S1002
+/// (EN 13715, flange tip at y = -55). Throws InputError for any other name, with the nearest ones.
+///
+/// S1002: tangent and curvature are exactly the standard's in each zone. At the zones' joints the standard's
+/// formulas jump in z, by 1.2e-4 mm at y = -35, 3.7e-5 mm at y = -26 and less than 1e-6 mm elsewhere; each
+/// zone is translated to the end of the one before it (from the tread outwards), so positions deviate from
+/// the formulas by up to 8.2e-5 mm beyond y = -26 and by nothing on the tread.
+ProfileCurve standard_profile(std::string_view name);
+bool is_standard_profile(std::string_view name);
+std::span<const std::string> standard_profile_names();
+
+/// The contact curve of a body, in its section's frame.
+///   rail, wheel: the profile named (a standard or a file)
+///   disc:  the lower half of a circle about the origin, walked as an upper body: s = 0 at (0, radius)
+///          where delta = pi, curvature +1/radius
+///   bore:  the lower half of a circle about the origin, walked as a lower body: s = 0 at (0, radius) where
+///          delta = 0, curvature -1/radius; the material lies outside the circle
+///   block: the line z = 0 from y = -size to size, material below
+ProfileCurve body_profile(const BodyFile& body);
+
+} // namespace bem_contact
