@@ -1,0 +1,57 @@
+#pragma once
+
+#include "fem_influence/section_operator.hpp"
+#include "fem_influence/strip.hpp"
+
+namespace bem_contact::fem {
+
+/// Radius at which a wheel's angle is measured as a length: x = R_ref theta, r = R_ref + z, mm.
+inline constexpr double wheel_reference_radius = 460.0;
+
+double reference_radius_of(const BodyFile& body); ///< 0 for prismatic bodies
+double half_period_of(const BodyFile& body);      ///< L, mm
+
+struct Timing {
+  double assembly = 0, analysis = 0, factorization = 0, solve = 0, sampling = 0; ///< seconds
+  Timing& operator+=(const Timing& other);
+};
+
+/// What one wavenumber gives; layout as in InfluenceFunction.
+struct WavenumberResult {
+  std::vector<double> kernel;      ///< 3NS x 3NS, symmetrised
+  std::vector<double> remote;      ///< 6 x 3NS
+  std::vector<double> remote_self; ///< 6 x 6
+  double betti_error = 0;          ///< largest |g_ab - g_ba| / sqrt(g_aa g_bb) before symmetrising
+  double reaction_error = 0;       ///< at k = 0: largest |reaction + load| / load over the rigid motions
+};
+
+/// The section's problem for any wavenumber: with F the stations' functionals and r the remote ones,
+///     kernel = F^T K^-1 F / ds, remote = r^T K^-1 F, remote_self = ds r^T K^-1 r.
+/// The unit generalised load of remote_self is ds times a unit, as a unit traction on a station is: so
+/// kernel - remote^T remote_self^-1 remote is the kernel with the six means of the remote section held at 0.
+class HarmonicSolver {
+public:
+  HarmonicSolver(const Section& section, const BodyFile& body, const ProfileCurve& curve);
+
+  const std::vector<Station>& stations() const { return stations_; }
+  std::size_t unknowns() const { return unknowns_; }
+  WavenumberResult at(double wavenumber);
+  const Timing& timing() const { return timing_; }
+
+private:
+  std::vector<double> held_motion_reactions(std::size_t column, std::span<const double> solution) const;
+
+  double reference_radius_ = 0, width_ = 0;
+  std::vector<Station> stations_;
+  SectionOperator operator_;
+  std::vector<int> unknown_; ///< of degree of freedom 3 node + component; -1: held
+  std::size_t unknowns_ = 0;
+  std::vector<std::size_t> entry_; ///< into operator_.value, of each entry of the solver's matrix
+  SparseColumns loads_;            ///< stations' functionals, full numbering
+  SparseColumns rhs_;              ///< stations', then remote functionals, unknowns only
+  std::vector<std::vector<double>> rigid_, rigid_reaction_;
+  std::unique_ptr<MumpsSolver> solver_;
+  Timing timing_;
+};
+
+} // namespace bem_contact::fem

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace bem_contact::fem {
+
+/// Columns of a sparse matrix: entries column_begin[c] .. column_begin[c+1]-1, rows from 0.
+struct SparseColumns {
+  std::vector<std::size_t> column_begin{0};
+  std::vector<int> row;
+  std::vector<double> value;
+
+  std::size_t columns() const { return column_begin.size() - 1; }
+};
+
+/// Direct solver of symmetric positive definite matrices of one pattern (MUMPS on one process; MPI must be
+/// initialised). The pattern is analysed once; every factorize() replaces the factors.
+class MumpsSolver {
+public:
+  /// One triangle: row[e], column[e] from 0; repeated entries are added.
+  MumpsSolver(int size, std::span<const int> row, std::span<const int> column);
+  ~MumpsSolver();
+  MumpsSolver(const MumpsSolver&) = delete;
+  MumpsSolver& operator=(const MumpsSolver&) = delete;
+
+  /// Throws InputError where the matrix is not positive definite, Error where memory is short.
+  void factorize(std::span<const double> value);
+
+  /// Solves in blocks and hands over each column: use(column, solution).
+  void solve(const SparseColumns& rhs, const std::function<void(std::size_t, std::span<const double>)>& use);
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace bem_contact::fem

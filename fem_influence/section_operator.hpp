@@ -1,0 +1,37 @@
+#pragma once
+
+#include "bem_contact/base/material.hpp"
+#include "fem_influence/section.hpp"
+
+#include <array>
+#include <vector>
+
+namespace bem_contact::fem {
+
+/// K(k) = K0 + k K1 + k^2 K2, real and symmetric, of the displacement
+///     u_x = U sin kx, u_y = V cos kx, u_z = W cos kx
+/// on the section (per unit length, or per unit of R_ref theta). Degree of freedom 3 node + component.
+/// Stored: the blocks (a, b), a <= b, of neighbouring nodes; each 3 x 3, row-major.
+struct SectionOperator {
+  std::vector<std::size_t> row_begin; ///< nodes + 1
+  std::vector<int> column;            ///< ascending within a row, the first is the diagonal
+  std::array<std::vector<double>, 3> value;
+
+  std::size_t node_count() const { return row_begin.empty() ? 0 : row_begin.size() - 1; }
+  /// K(k) u over all degrees of freedom.
+  std::vector<double> apply(double k, std::span<const double> u) const;
+};
+
+/// Strains of a prism (reference_radius == 0):
+///     e_xx = k U, g_xy = U_y - k V, g_xz = U_z - k W, e_yy = V_y, e_zz = W_z, g_yz = V_z + W_y.
+/// Of a body of revolution with r = R_ref + z, rho = r / R_ref, k = n / R_ref, weight rho dA:
+///     e_xx = (k/rho) U + W/r, g_xy = U_y - (k/rho) V, g_xz = U_z - U/r - (k/rho) W, the rest as above.
+/// Throws InputError when a point of a body of revolution lies on or beyond the axle (r <= 0).
+SectionOperator assemble(const Section& section, const Material& material, double reference_radius);
+
+/// Nodal values [3 node + component] of the body's rigid motions that belong to wavenumber k.
+/// A prism, k = 0: translations x, y, z and the rotation about x.
+/// Revolution: k = 0: along the axle and about it; k = 1/R_ref: across the axle (z) and tilting.
+std::vector<std::vector<double>> rigid_motions(std::span<const Point2> nodes, double reference_radius, int n);
+
+} // namespace bem_contact::fem
