@@ -1,0 +1,106 @@
+#include "bem_contact/influence/influence_function.hpp"
+
+#include "bem_contact/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace bem_contact {
+namespace {
+
+[[noreturn]] void refuse(const std::string& problem, const std::string& why) {
+  throw InputError("the influence function is not valid: " + problem, why,
+                   "compute the influence file again");
+}
+
+void require(bool holds, const std::string& problem, const std::string& why) {
+  if (!holds)
+    refuse(problem, why);
+}
+
+void require_length(std::span<const double> values, std::size_t expected, const std::string& name) {
+  require(values.size() == expected, name + " has the wrong size",
+          std::to_string(values.size()) + " numbers where its tables ask for " + std::to_string(expected));
+}
+
+void require_finite(std::span<const double> values, const std::string& name) {
+  const auto bad = std::find_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); });
+  if (bad != values.end())
+    refuse(name + " is not finite", "entry " + std::to_string(bad - values.begin()));
+}
+
+void validate_metadata(const InfluenceFunction& f) {
+  require(std::isfinite(f.material.shear_modulus) && f.material.shear_modulus > 0,
+          "its shear modulus is not positive", std::to_string(f.material.shear_modulus) + " MPa");
+  require(f.material.poisson >= 0 && f.material.poisson < 0.5, "its Poisson ratio is outside [0, 0.5)",
+          std::to_string(f.material.poisson));
+  require(std::isfinite(f.half_period) && f.half_period > 0, "its half period is not positive",
+          std::to_string(f.half_period) + " mm");
+  require(std::isfinite(f.betti_error) && std::isfinite(f.reaction_error) && std::isfinite(f.estimated_error),
+          "one of its error estimates is not finite", "betti, reaction or estimated error");
+  if (f.invariance == Invariance::revolution) {
+    require(std::isfinite(f.reference_radius) && f.reference_radius > 0,
+            "its reference radius is not positive", std::to_string(f.reference_radius) + " mm");
+    const double half_turn = std::numbers::pi * f.reference_radius;
+    require(std::abs(f.half_period - half_turn) <= 1e-9 * half_turn,
+            "the half period of a body of revolution is not half a turn",
+            std::to_string(f.half_period) + " mm, pi times its reference radius is " +
+                std::to_string(half_turn));
+  }
+}
+
+void validate_stations(const InfluenceFunction& f) {
+  require(!f.stations.empty(), "it has no stations", "the strip is empty");
+  require(std::isfinite(f.station_width) && f.station_width > 0, "its station width is not positive",
+          std::to_string(f.station_width) + " mm");
+  for (std::size_t i = 0; i < f.stations.size(); ++i) {
+    const Station& station = f.stations[i];
+    const std::string name = "station " + std::to_string(i);
+    const std::array<double, 4> values = {station.s, station.position.y, station.position.z, station.delta};
+    require_finite(values, name);
+    const double expected = f.stations.front().s + static_cast<double>(i) * f.station_width;
+    require(std::abs(station.s - expected) <= 1e-6 * f.station_width, "its stations are not equally spaced",
+            name + " is at s = " + std::to_string(station.s) + " mm, not " + std::to_string(expected));
+  }
+}
+
+void validate_kernel(const InfluenceFunction& f) {
+  const std::size_t n = 3 * f.station_count();
+  for (std::size_t k = 0; k < f.wavenumber_count(); ++k) {
+    const double* g = f.kernel.data() + k * n * n;
+    const std::string at = "at wavenumber " + std::to_string(f.wavenumber[k]) + " 1/mm";
+    for (std::size_t row = 0; row < n; ++row) {
+      require(g[row * n + row] > 0, "its kernel's diagonal is not positive",
+              at + ", row " + std::to_string(row));
+      for (std::size_t column = 0; column < row; ++column)
+        require(g[row * n + column] == g[column * n + row], "its kernel is not symmetric",
+                at + ", row " + std::to_string(row) + ", column " + std::to_string(column));
+    }
+  }
+}
+
+} // namespace
+
+void validate(const InfluenceFunction& f) {
+  validate_metadata(f);
+  validate_stations(f);
+  require(!f.wavenumber.empty(), "it has no wavenumbers", "the kernel is empty");
+  require_finite(f.wavenumber, "its wavenumber table");
+  require(f.wavenumber.front() == 0, "its first wavenumber is not 0",
+          std::to_string(f.wavenumber.front()) + " 1/mm");
+  for (std::size_t k = 1; k < f.wavenumber.size(); ++k)
+    require(f.wavenumber[k] > f.wavenumber[k - 1], "its wavenumbers do not ascend",
+            "entry " + std::to_string(k));
+  const std::size_t n = 3 * f.station_count(), nk = f.wavenumber_count();
+  require_length(f.kernel, nk * n * n, "its kernel");
+  require_length(f.remote, nk * 6 * n, "its table of remote motions");
+  require_length(f.remote_self, nk * 36, "its table of the remote section's own compliance");
+  require_finite(f.kernel, "its kernel");
+  require_finite(f.remote, "its table of remote motions");
+  require_finite(f.remote_self, "its table of the remote section's own compliance");
+  validate_kernel(f);
+}
+
+} // namespace bem_contact
