@@ -1,0 +1,105 @@
+#include "bem_contact/wheelset/pair_numbers.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/halfspace/resample.hpp"
+#include "bem_contact/influence/influence_file.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace bem_contact {
+
+namespace {
+
+std::optional<InfluenceFunction> read_side(const SceneFile& scene, const SceneFile::Side& side) {
+  if (side.influence.empty())
+    return std::nullopt;
+  InfluenceFunction function = read_influence_file(scene.folder / side.influence);
+  require_material(function, side.material);
+  return function;
+}
+
+std::pair<double, double> strip_of(const InfluenceFunction& f) {
+  const double half = 0.5 * f.station_width;
+  return {f.stations.front().s - half, f.stations.back().s + half};
+}
+
+/// Rows of equal width on the rail are a hair shorter or longer on the wheel: allow 1 % of a row.
+bool inside(const std::optional<InfluenceFunction>& f, double s, double ds) {
+  if (!f)
+    return true;
+  const auto [from, to] = strip_of(*f);
+  return s - 0.49 * ds >= from && s + 0.49 * ds <= to;
+}
+
+InfluenceNumbers expand_side(const InfluenceFunction& function, const SceneFile::Side& side,
+                             const PreparedContact& contact, const std::vector<double>& row_s) {
+  const ContactGrid& grid = contact.problem.grid;
+  const bool plane_strain = contact.plane_strain;
+  ExpandOptions options;
+  options.dx = plane_strain ? 0.0 : grid.dx;
+  options.offsets = plane_strain ? 1 : grid.mx + 1;
+  options.structural =
+      side.structural == "included" ? StructuralCompliance::included : StructuralCompliance::removed;
+  options.contact_radius = function.invariance == Invariance::revolution ? contact.contact_radius : 0.0;
+  return halfspace::resample(function, options, row_s, grid.ds);
+}
+
+} // namespace
+
+PairFiles read_pair_files(const SceneFile& scene) {
+  return {read_side(scene, scene.rail), read_side(scene, scene.wheel)};
+}
+
+InfluenceNumbers halfspace_pair(const SceneFile& scene, const PreparedContact& contact) {
+  const ContactGrid& grid = contact.problem.grid;
+  const auto one = [&](const Material& material) {
+    // The approach of plane strain is relative to a point this far away; forces and pressures do not depend
+    // on it.
+    constexpr double reference_distance = 100.0;
+    return contact.plane_strain
+               ? halfspace::plane_strain_numbers(material, grid.ds, grid.ms, reference_distance)
+               : halfspace::numbers(material, grid.dx, grid.ds, grid.mx + 1, grid.ms);
+  };
+  return halfspace::combine(one(scene.rail.material), one(scene.wheel.material));
+}
+
+InfluenceNumbers fem_pair(const SceneFile& scene, const PairFiles& files, const PreparedContact& contact) {
+  if (!files.complete())
+    throw InputError("The finite-element model needs influence functions of both bodies",
+                     !files.rail && !files.wheel ? "the scene names none"
+                     : files.rail                ? "the scene names none for the wheel"
+                                                 : "the scene names none for the rail",
+                     "Give rail.influence and wheel.influence, or ask for the half-space model.");
+  require_strips(files, contact);
+  return halfspace::combine(expand_side(*files.rail, scene.rail, contact, contact.rail_s),
+                            expand_side(*files.wheel, scene.wheel, contact, contact.wheel_s));
+}
+
+void require_strips(const PairFiles& files, const PreparedContact& contact) {
+  const double half = 0.49 * contact.problem.grid.ds;
+  const auto side = [&](const std::optional<InfluenceFunction>& f, const std::vector<double>& s) {
+    if (!f || s.empty())
+      return;
+    const auto [lo, hi] = std::ranges::minmax(s);
+    require_strip(*f, lo - half, hi + half);
+  };
+  side(files.rail, contact.rail_s);
+  side(files.wheel, contact.wheel_s);
+}
+
+std::pair<int, int> covered_rows(const PairFiles& files, const PreparedContact& contact) {
+  const double ds = contact.problem.grid.ds;
+  int first = 0, last = static_cast<int>(contact.rail_s.size()) - 1;
+  const auto good = [&](int i) {
+    return inside(files.rail, contact.rail_s[i], ds) && inside(files.wheel, contact.wheel_s[i], ds);
+  };
+  while (first <= last && !good(first))
+    ++first;
+  while (last >= first && !good(last))
+    --last;
+  return {first, last};
+}
+
+} // namespace bem_contact

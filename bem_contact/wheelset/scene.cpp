@@ -1,0 +1,345 @@
+#include "bem_contact/wheelset/scene.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/wheelset/pair_numbers.hpp"
+#include "bem_contact/wheelset/wheel_rail_scene.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace bem_contact {
+
+namespace {
+
+constexpr double halfspace_tolerance = 0.01; // of pmax, for the automatic choice
+constexpr int most_growths = 6;
+
+class Stopwatch {
+public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The scene made ready: a contact that can be rebuilt on a larger grid (wheel_rail) or not (patch).
+struct Stage {
+  const SceneFile* scene = nullptr;
+  PairFiles files;
+  std::optional<WheelRailScene> wheel_rail;
+  PreparedContact contact;
+  PhaseSeconds seconds;
+  bool needs_strips = false; ///< every row must lie on the strips of the influence files
+
+  ReferencePoint reference() const {
+    if (wheel_rail)
+      return wheel_rail->reference;
+    return {};
+  }
+};
+
+Stage prepare(const SceneFile& scene, bool needs_strips) {
+  const Stopwatch watch;
+  Stage stage{&scene, {}, {}, {}, {}, needs_strips};
+  if (scene.kind == "wheel_rail") {
+    stage.wheel_rail = place_wheel_rail(scene);
+    stage.files = read_pair_files(scene);
+    if (stage.files.rail)
+      require_profile(*stage.files.rail, stage.wheel_rail->pair.rail.name(),
+                      stage.wheel_rail->pair.rail.digest());
+    if (stage.files.wheel)
+      require_profile(*stage.files.wheel, stage.wheel_rail->pair.wheel.name(),
+                      stage.wheel_rail->pair.wheel.digest());
+    stage.wheel_rail->plan = plan_wheel_rail(*stage.wheel_rail, scene, stage.files);
+    stage.contact = prepare_wheel_rail(*stage.wheel_rail, scene);
+    // The estimate is generous: give up rows off the strips, as long as the contact does not need them.
+    if (needs_strips && scene.grid.s_from == scene.grid.s_to && scene.grid.ms == 0) {
+      const auto [first, last] = covered_rows(stage.files, stage.contact);
+      GridPlan& plan = stage.wheel_rail->plan;
+      const int deepest =
+          static_cast<int>(std::lround((stage.wheel_rail->reference.s - plan.s(0)) / plan.ds));
+      if (first <= deepest && deepest <= last && (first > 0 || last + 1 < plan.rows)) {
+        plan.first += first;
+        plan.rows = last - first + 1;
+        stage.contact = prepare_wheel_rail(*stage.wheel_rail, scene);
+      }
+    }
+  } else {
+    stage.files = read_pair_files(scene);
+    stage.contact = prepare_patch(scene);
+  }
+  if (needs_strips)
+    require_strips(stage.files, stage.contact);
+  ContactProblem& problem = stage.contact.problem;
+  problem.load = scene.load.has_approach ? LoadKind::approach : LoadKind::force;
+  problem.approach = scene.load.has_approach ? scene.load.approach : 0.0;
+  problem.force = scene.load.has_approach ? 0.0 : scene.load.force;
+  stage.seconds.geometry = watch.seconds();
+  return stage;
+}
+
+/// Sides of the grid that the contact touches.
+struct Touched {
+  bool first_row = false, last_row = false, columns = false;
+
+  bool any() const { return first_row || last_row || columns; }
+};
+
+Touched touched_edges(const ContactGrid& grid, const ContactResult& result) {
+  Touched out;
+  for (int is = 0; is < grid.ms; ++is)
+    for (int ix = 0; ix < grid.mx; ++ix) {
+      if (result.state.empty() || result.state[is * grid.mx + ix] == ElementState::exterior)
+        continue;
+      out.first_row |= is == 0;
+      out.last_row |= is == grid.ms - 1;
+      out.columns |= ix == 0 || ix == grid.mx - 1;
+    }
+  return out;
+}
+
+void grow(Stage& stage, const Touched& touched) {
+  const Stopwatch watch;
+  GridPlan& plan = stage.wheel_rail->plan;
+  const int more_rows = std::max(4, plan.rows / 4);
+  if (touched.first_row)
+    plan.first -= more_rows;
+  plan.rows += (touched.first_row ? more_rows : 0) + (touched.last_row ? more_rows : 0);
+  if (touched.columns)
+    plan.columns += 2 * std::max(2, plan.columns / 8);
+  const ContactProblem before = std::move(stage.contact.problem);
+  stage.contact = prepare_wheel_rail(*stage.wheel_rail, *stage.scene);
+  if (stage.needs_strips) {
+    // Up to the end of the strip; where it ends at the contact already, the scene is refused.
+    const auto [first, last] = covered_rows(stage.files, stage.contact);
+    const int after = plan.rows - 1 - last;
+    if ((touched.first_row && first >= more_rows) || (touched.last_row && after >= more_rows))
+      require_strips(stage.files, stage.contact);
+    plan.first += first;
+    plan.rows = last - first + 1;
+    stage.contact = prepare_wheel_rail(*stage.wheel_rail, *stage.scene);
+  }
+  stage.contact.problem.load = before.load;
+  stage.contact.problem.approach = before.approach;
+  stage.contact.problem.force = before.force;
+  stage.seconds.geometry += watch.seconds();
+}
+
+SceneResult solve_once(Stage& stage, bool fem, bool tangential) {
+  SceneResult out;
+  out.model = fem ? "fem" : "halfspace";
+  ContactProblem& problem = stage.contact.problem;
+  const Stopwatch numbers;
+  problem.numbers =
+      fem ? fem_pair(*stage.scene, stage.files, stage.contact) : halfspace_pair(*stage.scene, stage.contact);
+  out.seconds.numbers = numbers.seconds();
+  const Stopwatch solving;
+  const bool asked = problem.tangential;
+  problem.tangential = asked && tangential;
+  out.result = solve(
+      problem, {.tolerance = stage.scene->solver.tolerance, .max_outer = stage.scene->solver.max_outer});
+  problem.tangential = asked;
+  problem.numbers = {};
+  out.seconds.solve = solving.seconds();
+  out.problem = problem;
+  return out;
+}
+
+std::string edge_warning(const Touched& touched) {
+  return fmt::format(
+      "the contact reaches the edge of the grid ({}{}{}): the area beyond it is taken as bodiless",
+      touched.columns ? "along x" : "",
+      touched.columns && (touched.first_row || touched.last_row) ? " and " : "",
+      touched.first_row || touched.last_row ? "along s" : "");
+}
+
+/// Solves on a grid that grows until the contact lies inside.
+SceneResult solve_grown(Stage& stage, bool fem, bool tangential) {
+  PhaseSeconds spent;
+  for (int round = 0;; ++round) {
+    SceneResult out = solve_once(stage, fem, tangential);
+    spent.numbers += out.seconds.numbers;
+    spent.solve += out.seconds.solve;
+    out.seconds = spent;
+    const Touched touched = touched_edges(out.problem.grid, out.result);
+    if (!touched.any())
+      return out;
+    if (!stage.wheel_rail) {
+      const bool along_x = touched.columns && out.problem.grid.mx > 1;
+      const bool along_s = (touched.first_row || touched.last_row) && out.problem.grid.ms > 1;
+      if (along_x || along_s)
+        out.warnings.push_back(
+            edge_warning({along_s && touched.first_row, along_s && touched.last_row, along_x}));
+      return out;
+    }
+    if (round == most_growths)
+      throw InputError("The contact does not fit on a potential contact of any reasonable size",
+                       fmt::format("it still reaches the edge of {} x {} elements", out.problem.grid.mx,
+                                   out.problem.grid.ms),
+                       "Give a smaller force or larger elements (grid.dx, grid.ds).");
+    grow(stage, touched);
+  }
+}
+
+void finish(SceneResult& out, const Stage& stage) {
+  out.reference = stage.reference();
+  out.moment = out.result.Mz + out.reference.position.y * out.result.Fx;
+  if (stage.wheel_rail || stage.files.complete())
+    out.wheel_s = stage.contact.wheel_s;
+  if (stage.wheel_rail) {
+    const ContactProblem& problem = out.problem;
+    std::tie(out.rail_profile, out.wheel_profile) =
+        profiles_near(*stage.wheel_rail, problem.rows.front().s, problem.rows.back().s);
+  } else {
+    for (const ContactRow& row : out.problem.rows) {
+      const double gap =
+          out.problem.gap[(&row - out.problem.rows.data()) * out.problem.grid.mx + out.problem.grid.mx / 2];
+      out.rail_profile.push_back(row.position);
+      if (gap < excluded_gap)
+        out.wheel_profile.push_back(row.position - gap * normal_of(row.delta));
+    }
+  }
+  out.seconds.geometry = stage.seconds.geometry;
+}
+
+/// Largest turn of the normal within one connected run of rows in contact, rad.
+double turn_of_contact(const SceneResult& solved) {
+  const ContactGrid& grid = solved.problem.grid;
+  double largest = 0, lo = 0, hi = 0;
+  bool inside = false;
+  for (int is = 0; is < grid.ms; ++is) {
+    bool contact = false;
+    for (int ix = 0; ix < grid.mx && !solved.result.state.empty(); ++ix)
+      contact |= solved.result.state[is * grid.mx + ix] != ElementState::exterior;
+    const double delta = solved.problem.rows[is].delta;
+    lo = contact && inside ? std::min(lo, delta) : delta;
+    hi = contact && inside ? std::max(hi, delta) : delta;
+    inside = contact;
+    if (contact)
+      largest = std::max(largest, hi - lo);
+  }
+  return largest;
+}
+
+std::string turn_text(double turn) {
+  return fmt::format(
+      "the normal turns by {:.1f} degrees within the patch, for which half-space theory is predicted "
+      "to miss the largest pressure by {:.1f} %",
+      turn * 180 / std::numbers::pi, 100 * predicted_halfspace_error(turn));
+}
+
+} // namespace
+
+double predicted_halfspace_error(double turn) {
+  return 0.6 * 0.25 * turn * turn;
+}
+
+SceneResult solve_scene(const SceneFile& scene, const std::string& wanted) {
+  const Stopwatch watch;
+  const std::string model = wanted.empty() ? scene.solver.model : wanted;
+  if (model != "auto" && model != "halfspace" && model != "fem")
+    throw InputError(fmt::format("There is no model '{}'", model), "the models are auto, halfspace and fem",
+                     "Choose one of them.");
+  Stage stage = prepare(scene, model == "fem");
+  SceneResult out;
+  PhaseSeconds probe;
+  if (model == "auto") {
+    SceneResult normal = solve_grown(stage, false, false);
+    probe = normal.seconds;
+    const double turn = turn_of_contact(normal);
+    const bool concentrated = predicted_halfspace_error(turn) <= halfspace_tolerance;
+    const bool fem = !concentrated && stage.files.complete();
+    if (fem)
+      stage = prepare(scene, true);
+    out = solve_grown(stage, fem, true);
+    out.reason = turn_text(turn);
+    if (!concentrated && !fem) {
+      out.reason += ": more than the 1 % allowed, but the scene names no influence files of both bodies";
+      out.warnings.push_back("the finite-element model is needed here: " + out.reason);
+    } else {
+      out.reason += fem ? ": more than the 1 % allowed" : ": within the 1 % allowed";
+    }
+  } else {
+    out = solve_grown(stage, model == "fem", true);
+    out.reason = "asked for";
+  }
+  finish(out, stage);
+  out.seconds.numbers += probe.numbers;
+  out.seconds.solve += probe.solve;
+  out.seconds.total = watch.seconds();
+  return out;
+}
+
+Comparison compare_scene(const SceneFile& scene) {
+  const Stopwatch watch;
+  Stage stage = prepare(scene, true);
+  Comparison out;
+  const ContactProblem asked = stage.contact.problem;
+  for (int round = 0;; ++round) {
+    // Both on one grid: where either grows, both are solved again.
+    out.fem = solve_grown(stage, true, true);
+    const int size = stage.contact.problem.grid.size();
+    ContactProblem& problem = stage.contact.problem;
+    if (asked.load == LoadKind::approach) {
+      problem.load = LoadKind::force;
+      problem.force = out.fem.result.Fz;
+    }
+    out.halfspace = solve_grown(stage, false, true);
+    if (stage.contact.problem.grid.size() == size)
+      break;
+    stage.contact.problem.load = asked.load;
+    stage.contact.problem.force = asked.force;
+    if (round == most_growths)
+      throw ConvergenceError("The two models found no common grid", "each needs another potential contact",
+                             "Give grid.s_from and grid.s_to.");
+  }
+  finish(out.fem, stage);
+  finish(out.halfspace, stage);
+  out.fem.reason = out.halfspace.reason = "compared at equal vertical force";
+  out.fem.seconds.total = out.halfspace.seconds.total = watch.seconds();
+  return out;
+}
+
+std::vector<std::string> check_scene(const SceneFile& scene) {
+  const Stage stage = prepare(scene, scene.solver.model == "fem");
+  const ContactProblem& problem = stage.contact.problem;
+  std::vector<std::string> lines;
+  lines.push_back(fmt::format("kind: {}", scene.kind));
+  if (stage.wheel_rail)
+    std::ranges::copy(describe(*stage.wheel_rail), std::back_inserter(lines));
+  lines.push_back(problem.load == LoadKind::force ? fmt::format("load: vertical force {:g} N", problem.force)
+                                                  : fmt::format("load: approach {:g} mm", problem.approach));
+  lines.push_back(
+      fmt::format("grid: {} x {} elements of {:g} x {:g} mm, s = {:.3f} .. {:.3f} mm, inclination "
+                  "{:.2f} .. {:.2f} degrees",
+                  problem.grid.mx, problem.grid.ms, problem.grid.dx, problem.grid.ds, problem.rows.front().s,
+                  problem.rows.back().s, problem.rows.front().delta * 180 / std::numbers::pi,
+                  problem.rows.back().delta * 180 / std::numbers::pi));
+  lines.push_back(problem.tangential ? fmt::format("friction: {:g}, steady rolling", problem.friction)
+                                     : std::string("friction: none"));
+  const auto side = [&](const char* name, const std::optional<InfluenceFunction>& f,
+                        const std::vector<double>& s) {
+    if (!f) {
+      lines.push_back(fmt::format("{}: no influence file", name));
+      return;
+    }
+    const auto [lo, hi] = std::ranges::minmax(s);
+    lines.push_back(fmt::format(
+        "{}: influence file of '{}', strip s = {:.2f} .. {:.2f} mm; rows need {:.2f} .. {:.2f} mm", name,
+        f->body, f->stations.front().s - f->station_width / 2, f->stations.back().s + f->station_width / 2,
+        lo - problem.grid.ds / 2, hi + problem.grid.ds / 2));
+  };
+  side("rail", stage.files.rail, stage.contact.rail_s);
+  side("wheel", stage.files.wheel, stage.contact.wheel_s);
+  lines.push_back(
+      fmt::format("model: {}{}", scene.solver.model,
+                  stage.wheel_rail ? "; by the estimate " + turn_text(stage.wheel_rail->estimate.turn) : ""));
+  return lines;
+}
+
+} // namespace bem_contact

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "bem_contact/base/scene_file.hpp"
+#include "bem_contact/contact/problem.hpp"
+#include "bem_contact/contact/solve.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// Where approach, creepages and moments refer to: the deepest point (wheel_rail) or the middle of the grid
+/// (patch).
+struct ReferencePoint {
+  Point2 position;  ///< on the rail, frame of the rows, mm
+  double s = 0;     ///< arc length on the rail, mm
+  double delta = 0; ///< rad
+};
+
+/// Wall-clock seconds by phase.
+struct PhaseSeconds {
+  double geometry = 0; ///< files, profiles, contact search, undeformed distance
+  double numbers = 0;  ///< influence numbers
+  double solve = 0;
+  double total = 0;
+};
+
+/// One scene solved with one model.
+struct SceneResult {
+  std::string model;  ///< "halfspace" | "fem"
+  std::string reason; ///< why this model, in a sentence
+  ContactProblem
+      problem; ///< grid, rows (wheel_rail: track frame), undeformed distance, rigid slip; numbers left out
+  ContactResult result;
+  ReferencePoint reference;
+  double moment = 0;           ///< Mz about the vertical axis through the reference point, N mm
+  std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none
+  std::vector<Point2> rail_profile, wheel_profile; ///< near the contact at approach 0, frame of the rows, mm
+  std::vector<std::string> warnings;
+  PhaseSeconds seconds;
+};
+
+/// Both models at equal vertical force (a prescribed approach is turned into the force that fem finds for
+/// it).
+struct Comparison {
+  SceneResult halfspace, fem;
+};
+
+/// `model`: "auto", "halfspace" or "fem"; "" takes the scene's own.
+/// auto solves the normal problem with half-space numbers; where the turn of the normal within the patch
+/// predicts an error of pmax above 1 % it goes on to fem, if there are influence files.
+/// A wheel_rail grid grows until the contact lies inside; throws InputError where the strip of an influence
+/// file ends before. Throws InputError for wrong input; lack of convergence is in the result.
+SceneResult solve_scene(const SceneFile& scene, const std::string& model = "");
+Comparison compare_scene(const SceneFile& scene);
+
+/// What would be solved, line by line, after everything short of the solve has been checked.
+/// Throws what solve_scene would throw.
+std::vector<std::string> check_scene(const SceneFile& scene);
+
+/// Predicted relative error of half-space theory in pmax for a patch within which the normal turns by `turn`
+/// rad: 0.6 (turn/2)^2. Half-space theory against Persson (1964), plane strain, is 0.39 (turn/2)^2 low from
+/// 10 to 45 degrees, against the sphere in its seat 0.66 to 0.61 (turn/2)^2.
+double predicted_halfspace_error(double turn);
+
+} // namespace bem_contact

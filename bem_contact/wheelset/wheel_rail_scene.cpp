@@ -1,0 +1,104 @@
+#include "bem_contact/wheelset/wheel_rail_scene.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/profile_file.hpp"
+#include "bem_contact/wheelset/rigid_slip.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace bem_contact {
+
+namespace {
+
+std::vector<Point2> track_points(const ProfileCurve& curve, const Pose& pose, double from, double to) {
+  from = std::max(from, curve.s_begin());
+  to = std::min(to, curve.s_end());
+  std::vector<Point2> points;
+  const int n = std::max(2, static_cast<int>((to - from) / 0.1));
+  for (int i = 0; i <= n; ++i)
+    points.push_back(pose.to_track(curve.at(i == n ? to : from + (to - from) * i / n).position));
+  return points;
+}
+
+} // namespace
+
+WheelRailScene place_wheel_rail(const SceneFile& scene) {
+  WheelRailScene out{place(scene.position, load_profile(scene.rail.profile, ProfileSide::rail, scene.folder),
+                           load_profile(scene.wheel.profile, ProfileSide::wheel, scene.folder)),
+                     {},
+                     {},
+                     {},
+                     {}};
+  out.touch = lower_to_touch(out.pair);
+  const TouchPoint& deepest = out.touch.front();
+  out.reference = {deepest.position, deepest.rail_s, deepest.delta};
+  out.estimate = estimate_contact(out.pair, scene.rail.material, scene.wheel.material, scene.load.force,
+                                  scene.load.approach, scene.load.has_approach);
+  return out;
+}
+
+GridPlan plan_wheel_rail(const WheelRailScene& placed, const SceneFile& scene, const PairFiles& files) {
+  const double origin = files.rail ? files.rail->stations.front().s : 0.5 * scene.grid.ds;
+  return plan_grid(placed.estimate, scene.grid, origin);
+}
+
+PreparedContact prepare_wheel_rail(const WheelRailScene& placed, const SceneFile& scene) {
+  const GridPlan& plan = placed.plan;
+  PreparedContact out;
+  ContactProblem& problem = out.problem;
+  problem.grid = {plan.columns, plan.rows, plan.dx, plan.ds, -0.5 * (plan.columns - 1) * plan.dx};
+  problem.rows = rail_rows(placed.pair, plan);
+
+  // Symmetric in x: half of the columns are computed.
+  const int half = (plan.columns + 1) / 2;
+  std::vector<double> x(half);
+  for (int ix = 0; ix < half; ++ix)
+    x[ix] = problem.grid.x(ix);
+  const std::vector<double> gap = undeformed_distance(placed.pair, problem.rows, x);
+  problem.gap.resize(problem.grid.size());
+  for (int is = 0; is < plan.rows; ++is)
+    for (int ix = 0; ix < plan.columns; ++ix)
+      problem.gap[is * plan.columns + ix] = gap[is * half + std::min(ix, plan.columns - 1 - ix)];
+
+  problem.friction = scene.motion.friction;
+  problem.tangential = !scene.motion.frictionless && scene.motion.friction > 0;
+  if (problem.tangential)
+    set_rigid_slip(problem, placed.pair, placed.reference.position, placed.reference.delta,
+                   {scene.motion.xi, scene.motion.eta, scene.motion.phi});
+
+  for (const ContactRow& row : problem.rows)
+    out.rail_s.push_back(row.s);
+  out.wheel_s = wheel_stations(placed.pair, problem.rows);
+  const CurvePoint at_contact = placed.pair.wheel.at(placed.touch.front().wheel_s);
+  out.contact_radius = placed.pair.wheel_radius + at_contact.position.z;
+  return out;
+}
+
+std::pair<std::vector<Point2>, std::vector<Point2>> profiles_near(const WheelRailScene& placed, double s_from,
+                                                                  double s_to) {
+  constexpr double margin = 12;
+  const WheelOnRail& pair = placed.pair;
+  const auto wheel_near = [&](double s) {
+    return pair.wheel.nearest(pair.wheel_pose.to_section(pair.rail_at(s).position)).s;
+  };
+  const auto [lo, hi] = std::minmax({wheel_near(s_from), wheel_near(s_to)});
+  return {track_points(pair.rail, pair.rail_pose, s_from - margin, s_to + margin),
+          track_points(pair.wheel, pair.wheel_pose, lo - margin, hi + margin)};
+}
+
+std::vector<std::string> describe(const WheelRailScene& placed) {
+  std::vector<std::string> lines;
+  for (const TouchPoint& p : placed.touch)
+    if (p.distance < 1.0)
+      lines.push_back(fmt::format(
+          "touch point: rail s = {:.3f} mm, wheel s = {:.3f} mm, y = {:.3f} mm, z = {:.3f} mm, "
+          "inclination {:.2f} degrees, vertical distance {:.4f} mm",
+          p.rail_s, p.wheel_s, p.position.y, p.position.z, p.delta * 180 / std::numbers::pi, p.distance));
+  lines.push_back(fmt::format("estimate: approach {:.4f} mm, vertical force {:.0f} N",
+                              placed.estimate.approach, placed.estimate.force));
+  return lines;
+}
+
+} // namespace bem_contact
