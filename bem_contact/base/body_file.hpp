@@ -4,35 +4,39 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace bem_contact {
 
 /// A body file (TOML): all that mesh_body and fem_influence need to know of one body. Both read the same
 /// file. Keys and members have the same names: [strip] station_width is `strip.station_width`.
 struct BodyFile {
+  std::filesystem::path folder; ///< not a key: where a relative profile path starts
+
   struct Body {
-    std::string kind = "rail";     ///< rail | wheel | block | disc | bore
-    std::string profile = "60E1";  ///< rail: 60E1, 60E2, 54E1 or a file; wheel: S1002 or a file; else unused
-    double radius = 10;            ///< disc, bore: radius of the contact surface, mm
-    double size = 100;             ///< block, bore: half width and depth of the block, mm
+    std::string kind = "rail";    ///< rail | wheel | block | disc | bore
+    std::string profile = "60E1"; ///< rail: 60E1, 60E2, 54E1 or a file; wheel: S1002 (its default) or a file
+    double radius = 10;           ///< disc, bore: radius of the contact surface, mm
+    double size = 100;            ///< block, bore: half width and depth of the block, mm
   } body;
-  Material material;               ///< [material] shear_modulus, poisson
+  Material material; ///< [material] shear_modulus, poisson
   struct Strip {
-    double from = -45;             ///< arc length on the profile, mm
+    double from = -45; ///< arc length on the profile, mm
     double to = -20;
-    double station_width = 0.2;    ///< mm; (to - from) / station_width must be whole
+    double station_width = 0.2; ///< mm; (to - from) / station_width must be whole
   } strip;
   struct Mesh {
-    int elements_per_station = 2;  ///< element edges per station on the strip
-    double grading = 0.3;          ///< h <= h_strip + grading * distance from the strip
-    double largest = 15;           ///< mm
+    int elements_per_station = 2; ///< element edges per station on the strip
+    double grading = 0.3;         ///< h <= h_strip + grading * distance from the strip
+    double largest = 15;          ///< mm
   } mesh;
   struct Harmonic {
-    int degree = 3;                ///< of the finite elements
-    double half_period = 600;      ///< L of the Fourier series, mm; a wheel uses pi * 460 whatever is said
-    double shortest_dx = 0.2;      ///< shortest element length along x that the file must serve: k_max = 10/dx
-    int samples_per_decade = 7;    ///< wavenumbers per decade above the lowest harmonics
-    double remote_distance = 0;    ///< what is farther from the strip is the remote section; 0: half of the largest
+    int degree = 3;             ///< of the finite elements
+    double half_period = 600;   ///< L of the Fourier series, mm; a wheel uses pi * 460 whatever is said
+    double shortest_dx = 0.2;   ///< shortest element length along x that the file must serve: k_max = 10/dx
+    int samples_per_decade = 7; ///< wavenumbers per decade above the lowest harmonics
+    double remote_distance =
+        0; ///< what is farther from the strip is the remote section; 0: half of the largest
   } harmonic;
 };
 

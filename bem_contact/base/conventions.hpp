@@ -27,7 +27,8 @@
 ///     Fx = c^2 G C11 xi, Fy = c^2 G (C22 eta + c C23 phi), Mz = c^3 G (-C23 eta + c C33 phi):
 /// the forces on the rail, opposite to Kalker's forces on the wheel.
 /// Force balance (track frame, on the rail, dS the element's area):
-///     Fx = sum p_x dS, Fy = sum (p_s cos delta - p_n sin delta) dS, Fz = sum (p_n cos delta + p_s sin delta) dS.
+///     Fx = sum p_x dS, Fy = sum (p_s cos delta - p_n sin delta) dS,
+///     Fz = sum (p_n cos delta + p_s sin delta) dS.
 ///
 /// A body's own frame (x, s, n) has n INTO that body and is right-handed. For the rail it is the contact
 /// frame. The wheel's is the contact frame turned by pi about x: (x, -s, -n).
@@ -36,8 +37,11 @@ namespace bem_contact {
 /// Components of the contact frame, in the order of every array that has them.
 enum Component : int { component_x = 0, component_s = 1, component_n = 2 };
 
-/// Parity in x of an influence number A_ij(x): +1 even, -1 odd (odd when exactly one of i, j is longitudinal).
-constexpr int parity(int i, int j) { return (i == component_x) != (j == component_x) ? -1 : 1; }
+/// Parity in x of an influence number A_ij(x): +1 even, -1 odd (odd when exactly one of i, j is
+/// longitudinal).
+constexpr int parity(int i, int j) {
+  return (i == component_x) != (j == component_x) ? -1 : 1;
+}
 
 /// A point or vector of a cross-section (y, z), mm.
 struct Point2 {
@@ -45,14 +49,28 @@ struct Point2 {
   double z = 0;
 };
 
-constexpr Point2 operator+(Point2 a, Point2 b) { return {a.y + b.y, a.z + b.z}; }
-constexpr Point2 operator-(Point2 a, Point2 b) { return {a.y - b.y, a.z - b.z}; }
-constexpr Point2 operator*(double c, Point2 a) { return {c * a.y, c * a.z}; }
-constexpr double dot(Point2 a, Point2 b) { return a.y * b.y + a.z * b.z; }
-inline double norm(Point2 a) { return std::hypot(a.y, a.z); }
+constexpr Point2 operator+(Point2 a, Point2 b) {
+  return {a.y + b.y, a.z + b.z};
+}
+constexpr Point2 operator-(Point2 a, Point2 b) {
+  return {a.y - b.y, a.z - b.z};
+}
+constexpr Point2 operator*(double c, Point2 a) {
+  return {c * a.y, c * a.z};
+}
+constexpr double dot(Point2 a, Point2 b) {
+  return a.y * b.y + a.z * b.z;
+}
+inline double norm(Point2 a) {
+  return std::hypot(a.y, a.z);
+}
 
 /// Tangent e_s and normal e_n (into the body) for the inclination delta.
-inline Point2 tangent_of(double delta) { return {std::cos(delta), std::sin(delta)}; }
-inline Point2 normal_of(double delta) { return {-std::sin(delta), std::cos(delta)}; }
+inline Point2 tangent_of(double delta) {
+  return {std::cos(delta), std::sin(delta)};
+}
+inline Point2 normal_of(double delta) {
+  return {-std::sin(delta), std::cos(delta)};
+}
 
 } // namespace bem_contact

@@ -15,13 +15,13 @@ struct SceneFile {
   std::string kind = "wheel_rail";
   std::filesystem::path folder; ///< not a key: where relative paths start
 
-  struct Side { ///< [rail], [wheel]
-    std::string profile;        ///< standard name or file (wheel_rail)
-    Material material;          ///< [rail.material], [wheel.material]
-    std::string influence;      ///< influence file; "" where only half-space numbers are used
+  struct Side {                         ///< [rail], [wheel]
+    std::string profile;                ///< standard name or file (wheel_rail)
+    Material material;                  ///< [rail.material], [wheel.material]
+    std::string influence;              ///< influence file; "" where only half-space numbers are used
     std::string structural = "removed"; ///< structural compliance: included | removed
   };
-  Side rail, wheel;             ///< in a patch: the lower and the upper body
+  Side rail, wheel; ///< in a patch: the lower and the upper body
 
   struct Position {             ///< [position], wheel_rail
     double lateral = 0;         ///< lateral displacement of the wheelset, mm, positive to the right
@@ -33,23 +33,23 @@ struct SceneFile {
     double wheel_radius = 460;  ///< nominal, at the tape circle, mm
   } position;
 
-  struct Load {                 ///< [load]; exactly one of the two
-    double force = 0;           ///< vertical (patch: normal) force, N; 0: not given
-    double approach = 0;        ///< mm; used when has_approach
+  struct Load {          ///< [load]; exactly one of the two
+    double force = 0;    ///< vertical (patch: normal) force, N; 0: not given
+    double approach = 0; ///< mm; used when has_approach
     bool has_approach = false, has_force = false;
   } load;
 
-  struct Motion {               ///< [motion]; creepages at the contact reference point
+  struct Motion { ///< [motion]; creepages at the contact reference point
     bool frictionless = false;
     double friction = 0.3;
     double xi = 0, eta = 0, phi = 0; ///< wheel_rail: spin from the geometry is added to phi; phi in 1/mm
     std::string slip_table;          ///< patch: CSV file with columns ix, is, wx, ws instead of creepages
   } motion;
 
-  struct Grid {                 ///< [grid]
-    double dx = 0.5, ds = 0.2;  ///< mm
-    int mx = 0, ms = 0;         ///< patch: size; wheel_rail: 0 = from the undeformed distance
-    bool plane_strain = false;  ///< patch: mx = 1, infinitely long along x, forces per mm
+  struct Grid {                  ///< [grid]
+    double dx = 0.5, ds = 0.2;   ///< mm
+    int mx = 0, ms = 0;          ///< patch: size; wheel_rail: 0 = from the undeformed distance
+    bool plane_strain = false;   ///< patch: mx = 1, infinitely long along x, forces per mm
     double s_from = 0, s_to = 0; ///< wheel_rail: rows wanted on the rail's arc length; both 0 = automatic
   } grid;
 
@@ -58,11 +58,11 @@ struct SceneFile {
     std::string table;          ///< CSV file with columns ix, is, h instead
   } gap;
 
-  struct Strip {                ///< [strip], patch: a curved strip
-    double radius = 0;          ///< constant radius of the lower surface (> 0 convex, < 0 concave), 0: flat
-    double upper_radius = 0;    ///< radius of the upper body, for the gap and its stations
+  struct Strip {             ///< [strip], patch: a curved strip
+    double radius = 0;       ///< constant radius of the lower surface (> 0 convex, < 0 concave), 0: flat
+    double upper_radius = 0; ///< radius of the upper body, for the gap and its stations
     double rail_s0 = 0, wheel_s0 = 0; ///< stations of the influence files at the middle of the grid
-    std::string inclination;    ///< CSV file with columns is, delta instead of radius
+    std::string inclination;          ///< CSV file with columns is, delta instead of radius
   } strip;
 
   struct Solver {               ///< [solver]

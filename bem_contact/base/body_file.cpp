@@ -1,0 +1,120 @@
+#include "bem_contact/base/body_file.hpp"
+
+#include "bem_contact/base/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace bem_contact {
+
+namespace {
+
+Schema schema_of(BodyFile& f) {
+  Schema s("body file");
+  s.kind_is("body.kind");
+  s.add("body.kind", f.body.kind,
+        {.doc = "Kind of body", .choices = {"rail", "wheel", "block", "disc", "bore"}});
+  s.add("body.profile", f.body.profile,
+        {.doc = "Rail: 60E1, 60E2, 54E1 or a profile file; wheel: S1002 (its default) or a profile file",
+         .kinds = {"rail", "wheel"}});
+  s.add("body.radius", f.body.radius,
+        {.doc = "Radius of the contact surface", .unit = "mm", .above = 0, .kinds = {"disc", "bore"}});
+  s.add("body.size", f.body.size,
+        {.doc = "Half width and depth of the block", .unit = "mm", .above = 0, .kinds = {"block", "bore"}});
+
+  s.add("material.shear_modulus", f.material.shear_modulus, {.doc = "G", .unit = "MPa", .above = 0});
+  s.add("material.poisson", f.material.poisson, {.doc = "Poisson's ratio", .at_least = 0, .below = 0.5});
+
+  s.add("strip.from", f.strip.from,
+        {.doc = "The contact strip begins here, arc length on the profile", .unit = "mm"});
+  s.add("strip.to", f.strip.to, {.doc = "The contact strip ends here", .unit = "mm"});
+  s.add("strip.station_width", f.strip.station_width,
+        {.doc = "Width of a station; it must divide the strip", .unit = "mm", .above = 0});
+
+  s.add("mesh.elements_per_station", f.mesh.elements_per_station,
+        {.doc = "Element edges per station on the strip", .at_least = 1, .at_most = 16});
+  s.add(
+      "mesh.grading", f.mesh.grading,
+      {.doc = "Element size grows by this much per mm of distance from the strip", .above = 0, .at_most = 2});
+  s.add("mesh.largest", f.mesh.largest, {.doc = "Largest element size", .unit = "mm", .above = 0});
+
+  s.add("harmonic.degree", f.harmonic.degree,
+        {.doc = "Degree of the finite elements", .at_least = 1, .at_most = 4});
+  s.add(
+      "harmonic.half_period", f.harmonic.half_period,
+      {.doc = "Half period of the Fourier series along x; a wheel uses pi times its radius whatever is said",
+       .unit = "mm",
+       .above = 0});
+  s.add("harmonic.shortest_dx", f.harmonic.shortest_dx,
+        {.doc = "Shortest element length along x that the file must serve", .unit = "mm", .above = 0});
+  s.add("harmonic.samples_per_decade", f.harmonic.samples_per_decade,
+        {.doc = "Wavenumbers per decade above the lowest harmonics", .at_least = 2, .at_most = 100});
+  s.add("harmonic.remote_distance", f.harmonic.remote_distance,
+        {.doc = "What is farther from the strip is the remote section; 0: half of the largest distance",
+         .unit = "mm",
+         .at_least = 0});
+  return s;
+}
+
+void cross_check(const BodyFile& f, const Schema& s) {
+  const auto& strip = f.strip;
+  const double width = strip.to - strip.from;
+  if (!(width > 0))
+    s.refuse(s.has("strip.to") ? "strip.to" : "strip.from",
+             fmt::format("the strip runs from {} to {} mm", strip.from, strip.to),
+             "Give strip.to greater than strip.from.");
+  constexpr double most_stations = 2000; // 9 GB of kernel at 32 wavenumbers
+  const double stations = width / strip.station_width;
+  const double whole = std::max(1.0, std::round(stations));
+  if (stations > most_stations)
+    s.refuse("strip.station_width",
+             fmt::format("that makes {:.0f} stations, at most 2000 are served", stations),
+             "Use wider stations or a shorter strip.");
+  if (std::abs(stations - whole) > 1e-6)
+    s.refuse("strip.station_width",
+             fmt::format("it does not divide the strip of {:.10g} mm: {:.6g} stations", width, stations),
+             fmt::format("Use {:.10g} for {:.0f} stations, or move strip.from or strip.to.", width / whole,
+                         whole));
+
+  const auto& body = f.body;
+  if (f.body.profile.empty())
+    s.refuse("body.profile", "the name is empty", "Name a standard profile or a profile file.");
+  if (body.kind == "bore" && !(body.size > body.radius))
+    s.refuse("body.size", fmt::format("the bore of radius {} mm does not fit into the block", body.radius),
+             "Give a size greater than the radius.");
+  const double reach = body.kind == "block"                         ? body.size
+                       : body.kind == "disc" || body.kind == "bore" ? std::numbers::pi / 2 * body.radius
+                                                                    : 0;
+  if (reach > 0 && (strip.from < -reach || strip.to > reach))
+    s.refuse(
+        strip.from < -reach ? "strip.from" : "strip.to",
+        fmt::format("the contact surface of this {} runs from {:.6g} to {:.6g} mm", body.kind, -reach, reach),
+        "Give a strip inside it.");
+}
+
+} // namespace
+
+BodyFile parse_body_file(std::string_view toml, std::string_view source_name) {
+  BodyFile file;
+  Schema schema = schema_of(file);
+  schema.read(toml, source_name);
+  if (file.body.kind == "wheel" && !schema.has("body.profile"))
+    file.body.profile = "S1002";
+  cross_check(file, schema);
+  return file;
+}
+
+BodyFile read_body_file(const std::filesystem::path& path) {
+  BodyFile file = parse_body_file(read_text_file(path.string(), "body file"), path.string());
+  file.folder = path.parent_path();
+  return file;
+}
+
+std::string default_body_file() {
+  BodyFile file;
+  return schema_of(file).print();
+}
+
+} // namespace bem_contact

@@ -1,0 +1,215 @@
+#include "bem_contact/base/scene_file.hpp"
+
+#include "bem_contact/base/schema.hpp"
+
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+const std::vector<std::string> wheel_rail{"wheel_rail"}, patch{"patch"};
+
+void add_side(Schema& s, const std::string& name, const std::string& role, SceneFile::Side& side,
+              const std::string& standards) {
+  s.add(name + ".profile", side.profile, {.doc = role + ": " + standards + " or a profile file"});
+  s.add(name + ".influence", side.influence,
+        {.doc = "Influence file (HDF5); empty where only half-space numbers are used"});
+  s.add(name + ".structural", side.structural,
+        {.doc = "Deflection of the body as a whole (web and foot, or hub)",
+         .choices = {"removed", "included"}});
+  s.add(name + ".material.shear_modulus", side.material.shear_modulus,
+        {.doc = "G", .unit = "MPa", .above = 0});
+  s.add(name + ".material.poisson", side.material.poisson,
+        {.doc = "Poisson's ratio", .at_least = 0, .below = 0.5});
+}
+
+void add_position(Schema& s, SceneFile::Position& p) {
+  s.add("position.lateral", p.lateral,
+        {.doc = "Lateral displacement of the wheelset, positive to the right",
+         .unit = "mm",
+         .kinds = wheel_rail});
+  s.add("position.gauge", p.gauge, {.doc = "Track gauge", .unit = "mm", .above = 0, .kinds = wheel_rail});
+  s.add("position.gauge_height", p.gauge_height,
+        {.doc = "Depth below the top of the rail where the gauge is taken",
+         .unit = "mm",
+         .above = 0,
+         .kinds = wheel_rail});
+  s.add("position.back_to_back", p.back_to_back,
+        {.doc = "Distance between the flange backs", .unit = "mm", .above = 0, .kinds = wheel_rail});
+  s.add("position.cant", p.cant,
+        {.doc = "Inclination of the rail towards the track centre (1:40 is 0.025)",
+         .unit = "rad",
+         .at_least = -0.5,
+         .at_most = 0.5,
+         .kinds = wheel_rail});
+  s.add(
+      "position.roll", p.roll,
+      {.doc = "Roll of the wheelset", .unit = "rad", .at_least = -0.5, .at_most = 0.5, .kinds = wheel_rail});
+  s.add("position.wheel_radius", p.wheel_radius,
+        {.doc = "Nominal wheel radius, at the tape circle", .unit = "mm", .above = 0, .kinds = wheel_rail});
+}
+
+Schema schema_of(SceneFile& f) {
+  Schema s("scene file");
+  s.kind_is("kind");
+  s.add("kind", f.kind,
+        {.doc = "A wheel on a rail, or one contact problem given directly",
+         .choices = {"wheel_rail", "patch"}});
+  add_side(s, "rail", "The rail (patch: the lower body)", f.rail, "60E1, 60E2, 54E1");
+  add_side(s, "wheel", "The wheel (patch: the upper body)", f.wheel, "S1002");
+  add_position(s, f.position);
+
+  s.add("load.force", f.load.force,
+        {.doc = "Vertical (patch: normal) force, plane strain: per mm; either this or load.approach",
+         .unit = "N",
+         .above = 0,
+         .given = &f.load.has_force});
+  s.add("load.approach", f.load.approach,
+        {.doc = "Approach of the bodies; either this or load.force",
+         .unit = "mm",
+         .given = &f.load.has_approach});
+
+  s.add("motion.frictionless", f.motion.frictionless,
+        {.doc = "No friction at all: the normal problem alone"});
+  s.add("motion.friction", f.motion.friction, {.doc = "Coulomb's coefficient of friction", .at_least = 0});
+  s.add("motion.xi", f.motion.xi, {.doc = "Longitudinal creepage, wheel over rail"});
+  s.add("motion.eta", f.motion.eta, {.doc = "Lateral creepage"});
+  s.add("motion.phi", f.motion.phi,
+        {.doc = "Spin creepage; in wheel_rail that of the geometry is added", .unit = "1/mm"});
+  s.add("motion.slip_table", f.motion.slip_table,
+        {.doc = "CSV file with columns ix, is, wx, ws (rigid slip) instead of creepages", .kinds = patch});
+
+  s.add("grid.dx", f.grid.dx, {.doc = "Element length along x", .unit = "mm", .above = 0});
+  s.add("grid.ds", f.grid.ds, {.doc = "Element width along s", .unit = "mm", .above = 0});
+  s.add("grid.mx", f.grid.mx,
+        {.doc = "Elements along x; 0 (wheel_rail only): from the undeformed distance",
+         .at_least = 0,
+         .at_most = 4096});
+  s.add("grid.ms", f.grid.ms,
+        {.doc = "Elements along s; 0 (wheel_rail only): from the undeformed distance",
+         .at_least = 0,
+         .at_most = 4096});
+  s.add("grid.plane_strain", f.grid.plane_strain,
+        {.doc = "One element infinitely long along x (mx = 1), forces per mm", .kinds = patch});
+  s.add("grid.s_from", f.grid.s_from,
+        {.doc = "First row on the rail's arc length; s_from = s_to = 0: automatic",
+         .unit = "mm",
+         .kinds = wheel_rail});
+  s.add("grid.s_to", f.grid.s_to,
+        {.doc = "Last row on the rail's arc length", .unit = "mm", .kinds = wheel_rail});
+
+  s.add("gap.a", f.gap.a,
+        {.doc = "Undeformed distance h = a x^2 + b s^2 + c x s", .unit = "1/mm", .kinds = patch});
+  s.add("gap.b", f.gap.b, {.doc = "See gap.a", .unit = "1/mm", .kinds = patch});
+  s.add("gap.c", f.gap.c, {.doc = "See gap.a", .unit = "1/mm", .kinds = patch});
+  s.add("gap.table", f.gap.table,
+        {.doc = "CSV file with columns ix, is, h instead of a, b, c", .kinds = patch});
+
+  s.add("strip.radius", f.strip.radius,
+        {.doc = "Radius of the lower surface along s, > 0 convex, < 0 concave, 0 flat",
+         .unit = "mm",
+         .kinds = patch});
+  s.add("strip.upper_radius", f.strip.upper_radius,
+        {.doc = "Radius of the upper surface along s, for the gap and its stations; 0 flat",
+         .unit = "mm",
+         .kinds = patch});
+  s.add("strip.rail_s0", f.strip.rail_s0,
+        {.doc = "Arc length in the lower body's influence file at the middle of the grid",
+         .unit = "mm",
+         .kinds = patch});
+  s.add("strip.wheel_s0", f.strip.wheel_s0,
+        {.doc = "Arc length in the upper body's influence file at the middle of the grid",
+         .unit = "mm",
+         .kinds = patch});
+  s.add("strip.inclination", f.strip.inclination,
+        {.doc = "CSV file with columns is, delta instead of radius", .kinds = patch});
+
+  s.add("solver.model", f.solver.model,
+        {.doc = "Influence numbers of the half-space, of the bodies, or the cheapest that serves",
+         .choices = {"auto", "halfspace", "fem"}});
+  s.add("solver.tolerance", f.solver.tolerance,
+        {.doc = "Relative tolerance of the iterations", .above = 0, .at_most = 1e-3});
+  s.add("solver.max_outer", f.solver.max_outer,
+        {.doc = "Most outer iterations between the normal and the tangential problem", .at_least = 1});
+  return s;
+}
+
+void check_load(const SceneFile& f, const Schema& s) {
+  if (f.load.has_force && f.load.has_approach)
+    s.refuse("load.approach", "load.force is given too", "Give exactly one of load.force and load.approach.");
+  if (!f.load.has_force && !f.load.has_approach)
+    s.refuse("load", "neither force nor approach is given", "Give load.force or load.approach.");
+}
+
+void check_motion(const SceneFile& f, const Schema& s) {
+  if (!f.motion.frictionless && f.motion.friction == 0)
+    s.refuse("motion.friction", "zero friction leaves nothing to roll on",
+             "Set motion.frictionless = true for the normal problem alone, or give friction > 0.");
+  if (!f.motion.slip_table.empty() && (f.motion.xi != 0 || f.motion.eta != 0 || f.motion.phi != 0))
+    s.refuse("motion.slip_table", "creepages are given too", "Give either the table or xi, eta and phi.");
+}
+
+void check_patch(const SceneFile& f, const Schema& s) {
+  if (f.grid.mx < 1)
+    s.refuse("grid.mx", "a patch needs its number of elements along x", "Give grid.mx >= 1.");
+  if (f.grid.ms < 1)
+    s.refuse("grid.ms", "a patch needs its number of elements along s", "Give grid.ms >= 1.");
+  if (f.grid.plane_strain && f.grid.mx != 1)
+    s.refuse("grid.mx", "plane strain has one element, infinitely long along x", "Give grid.mx = 1.");
+  if (!f.gap.table.empty() && (f.gap.a != 0 || f.gap.b != 0 || f.gap.c != 0))
+    s.refuse("gap.table", "quadratic coefficients are given too", "Give either the table or a, b and c.");
+  if (!f.strip.inclination.empty() && f.strip.radius != 0)
+    s.refuse("strip.inclination", "strip.radius is given too", "Give either the table or the radius.");
+}
+
+void check_wheel_rail(const SceneFile& f, const Schema& s) {
+  if (f.rail.profile.empty())
+    s.refuse("rail.profile", "a wheel on a rail needs the rail's profile",
+             "Give for instance profile = \"60E1\".");
+  if (f.wheel.profile.empty())
+    s.refuse("wheel.profile", "a wheel on a rail needs the wheel's profile",
+             "Give for instance profile = \"S1002\".");
+  if (f.position.back_to_back >= f.position.gauge)
+    s.refuse("position.back_to_back", fmt::format("the gauge is only {} mm", f.position.gauge),
+             "Give a distance between the flange backs smaller than the gauge.");
+  if ((f.grid.s_from != 0 || f.grid.s_to != 0) && f.grid.s_to <= f.grid.s_from)
+    s.refuse("grid.s_to", fmt::format("the rows would run from {} to {} mm", f.grid.s_from, f.grid.s_to),
+             "Give s_to greater than s_from, or leave both out.");
+}
+
+} // namespace
+
+SceneFile parse_scene_file(std::string_view toml, std::string_view source_name) {
+  SceneFile file;
+  Schema schema = schema_of(file);
+  schema.read(toml, source_name);
+  check_load(file, schema);
+  check_motion(file, schema);
+  if (file.kind == "patch")
+    check_patch(file, schema);
+  else
+    check_wheel_rail(file, schema);
+  if (file.solver.model == "fem" && file.rail.influence.empty() && file.wheel.influence.empty())
+    schema.refuse("solver.model", "no influence file is given",
+                  "Give rail.influence and wheel.influence, or use model = \"halfspace\".");
+  return file;
+}
+
+SceneFile read_scene_file(const std::filesystem::path& path) {
+  SceneFile file = parse_scene_file(read_text_file(path.string(), "scene file"), path.string());
+  file.folder = path.parent_path();
+  return file;
+}
+
+std::string default_scene_file() {
+  SceneFile file;
+  file.rail.profile = "60E1";
+  file.wheel.profile = "S1002";
+  file.load.force = 1e5;
+  Schema schema = schema_of(file);
+  file.load.has_force = true; // declared keys start as not given; the printed scene must be complete
+  return schema.print();
+}
+
+} // namespace bem_contact

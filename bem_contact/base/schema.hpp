@@ -1,0 +1,80 @@
+#pragma once
+
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace bem_contact {
+
+/// What is said of one key of a case file besides its name, type and default.
+struct KeyRule {
+  std::string doc;       ///< one line
+  std::string unit = {}; ///< "" for none
+  double at_least = -std::numeric_limits<double>::infinity();
+  double above = -std::numeric_limits<double>::infinity();
+  double at_most = std::numeric_limits<double>::infinity();
+  double below = std::numeric_limits<double>::infinity();
+  std::vector<std::string> choices = {}; ///< of a text; empty: any
+  std::vector<std::string> kinds = {};   ///< kinds of file the key belongs to; empty: all
+  bool* given = nullptr;                 ///< set to whether the file has the key
+};
+
+/// The schema of a TOML case file, bound to the members of one struct: one add() a key declares its name,
+/// type, default (the member's value), unit, range and documentation, and is all that parsing, checking and
+/// printing know of it.
+class Schema {
+public:
+  /// `title`: what the file is, as in "a body file".
+  explicit Schema(std::string title) : title_(std::move(title)) {}
+
+  /// `path` is "table.key" or "key"; keys of one table are added one after the other.
+  void add(std::string path, double& value, KeyRule rule) {
+    add_key(std::move(path), &value, std::move(rule));
+  }
+  void add(std::string path, int& value, KeyRule rule) { add_key(std::move(path), &value, std::move(rule)); }
+  void add(std::string path, bool& value, KeyRule rule) { add_key(std::move(path), &value, std::move(rule)); }
+  void add(std::string path, std::string& value, KeyRule rule) {
+    add_key(std::move(path), &value, std::move(rule));
+  }
+  /// The text key that tells the kind of file (KeyRule::kinds).
+  void kind_is(std::string path) { kind_path_ = std::move(path); }
+
+  /// Sets the bound members. Throws InputError naming source, line and key: not TOML, unknown key or table
+  /// (with the nearest names), wrong type, not finite, out of range, a key of another kind of file.
+  void read(std::string_view toml, std::string_view source_name);
+
+  /// For checks across keys, after read(): whether the file has the key, and InputError at its line.
+  bool has(std::string_view path) const { return lines_.contains(std::string(path)); }
+  [[noreturn]] void refuse(std::string_view path, std::string_view why, std::string_view what_to_do) const;
+
+  /// Every key with its bound value, documented, as valid TOML. Keys of other kinds and keys whose `given`
+  /// is false are commented out.
+  std::string print() const;
+
+private:
+  using Target = std::variant<double*, int*, bool*, std::string*>;
+  struct Key {
+    std::string path;
+    Target target;
+    KeyRule rule;
+  };
+  void add_key(std::string path, Target target, KeyRule rule);
+  const Key* find(std::string_view path) const;
+  bool belongs(const Key& key) const;
+  void check(const Key& key) const;
+  std::string where(std::string_view path) const;
+  [[noreturn]] void refuse_unknown(const std::string& path, bool is_table) const;
+
+  std::string title_, kind_path_, source_;
+  std::vector<Key> keys_;
+  std::map<std::string, int> lines_; ///< of the keys and tables that the file has
+  friend struct SchemaReader;
+};
+
+/// The whole text of a file. Throws InputError when it cannot be read.
+std::string read_text_file(const std::string& file, std::string_view what);
+
+} // namespace bem_contact
