@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace bem_contact {
+
+/// One dataset of doubles, row-major. Attributes "unit" and "description" say what it is.
+struct H5Dataset {
+  std::vector<std::size_t> shape;
+  std::vector<double> values;
+  std::string unit, description;
+};
+
+using H5Attribute = std::variant<std::string, double>;
+
+/// A whole small HDF5 file. Names are paths ("fem/p_n"); groups come into being with them. The attribute
+/// "fem/model" is the attribute "model" of the group "fem", "model" one of the file.
+struct H5Table {
+  std::map<std::string, H5Dataset> datasets;
+  std::map<std::string, H5Attribute> attributes;
+};
+
+/// Writes under a temporary name beside `file` and renames when complete: `file` is whole or absent.
+/// Throws InputError where it cannot be written.
+void write_h5(const std::filesystem::path& file, const H5Table& table);
+
+/// Reads every dataset of numbers and every attribute (of the file and its groups) that is text or a number.
+/// Throws InputError for a missing file or one that is not whole HDF5.
+H5Table read_h5(const std::filesystem::path& file);
+
+} // namespace bem_contact
