@@ -30,21 +30,30 @@ enum class LoadKind { approach, force };
 /// One contact problem. Signs: base/conventions.hpp.
 struct ContactProblem {
   ContactGrid grid;
-  std::vector<ContactRow> rows;      ///< ms of them
-  InfluenceNumbers numbers;          ///< of the pair, grid.mx + 1 offsets, grid.ms rows
-  std::vector<double> gap;           ///< undeformed distance along n at approach 0, mm; field
+  std::vector<ContactRow> rows; ///< ms of them
+  InfluenceNumbers numbers;     ///< of the pair, grid.mx + 1 offsets, grid.ms rows
+  std::vector<double> gap;      ///< undeformed distance along n at approach 0, mm; field
   LoadKind load = LoadKind::force;
-  double approach = 0;               ///< q along z, mm (load == approach)
-  double force = 0;                  ///< Fz, N (load == force); per mm of length in plane strain
-  bool tangential = true;            ///< false: frictionless
-  double friction = 0.3;             ///< Coulomb's mu
+  double approach = 0;                ///< q along z, mm (load == approach)
+  double force = 0;                   ///< Fz, N (load == force); per mm of length in plane strain
+  bool tangential = true;             ///< false: frictionless
+  double friction = 0.3;              ///< Coulomb's mu
   std::vector<double> slip_x, slip_s; ///< rigid slip w, per unit of rolled distance; fields (steady rolling)
+
+  /// One element, infinitely long along x: mx = 1, numbers of one offset and dx = 0, no friction; forces per
+  /// mm.
+  bool plane_strain() const { return numbers.dx == 0; }
+  double element_area() const { return plane_strain() ? grid.ds : grid.dx * grid.ds; } ///< mm^2
+  bool has_friction() const { return tangential && friction > 0; }
 };
 
 enum class ElementState : unsigned char { exterior, adhesion, slip };
 
 /// Violations computed from the tractions alone, by a path that shares nothing with the solver; each is
-/// relative and the result holds when worst() <= 1e-6.
+/// relative and the result holds when worst() <= 1e-6. Coulomb's law leaves an element in contact two states;
+/// it counts under the one it is nearer to (`adhesion` or `slip_direction`). Scales: pmax; the approach scale
+/// is the largest elastic displacement |(A p)_n| in contact; the slip scale is the largest of the rigid slip
+/// w dx and of the elastic slip over one step in contact. Without friction the cone is |p_t| over pmax.
 struct Certificate {
   double pressure = 0;        ///< largest -p_n, over pmax
   double penetration = 0;     ///< largest -e, over the approach scale
@@ -54,19 +63,20 @@ struct Certificate {
   double slip_direction = 0;  ///< largest deviation of p_t from mu p_n S/|S| where it slips, over mu pmax
   double force_balance = 0;   ///< |Fz - prescribed| over prescribed
   double tolerance = 1e-6;
-  double discretisation = -1; ///< estimated relative discretisation error of the total force; < 0: not estimated
+  double discretisation = -1; ///< of the normal force at the approach found, relative: the difference to the
+                              ///< same problem on elements twice as large; < 0: not estimated
 
   double worst() const;
   bool holds() const { return worst() <= tolerance; }
 };
 
 struct PatchSummary {
-  double fn = 0, fx = 0, fs = 0; ///< N, sums over the patch of p dS in the local frames
-  double approach = 0;           ///< largest q cos(delta) - h in the patch, mm
-  double pmax = 0;               ///< MPa
-  double area = 0;               ///< mm^2
+  double fn = 0, fx = 0, fs = 0;           ///< N, sums over the patch of p dS in the local frames
+  double approach = 0;                     ///< largest q cos(delta) - h in the patch, mm
+  double pmax = 0;                         ///< MPa
+  double area = 0;                         ///< mm^2
   int contact = 0, adhesion = 0, slip = 0; ///< element counts
-  double x = 0, s = 0;           ///< centre of pressure
+  double x = 0, s = 0;                     ///< centre of pressure
 };
 
 struct ContactResult {
@@ -80,11 +90,12 @@ struct ContactResult {
   std::vector<PatchSummary> patches;     ///< connected areas of contact, largest force first
   Certificate certificate;
 
-  bool converged = false;        ///< certificate.holds()
-  std::string normal_solver;     ///< which one finished
+  bool touches_border = false; ///< contact at an edge of the grid: the potential contact is too small
+  bool converged = false;      ///< certificate.holds()
+  std::string normal_solver;   ///< which one finished
   std::string tangential_solver;
   int outer_iterations = 0, normal_iterations = 0, tangential_iterations = 0;
-  std::string remark;            ///< why a solver of the chain gave up, or "" 
+  std::string remark; ///< why a solver of the chain gave up, or ""
 };
 
 /// Throws InputError unless sizes agree and all values are finite and in range.

@@ -5,10 +5,10 @@
 namespace bem_contact {
 
 struct SolverOptions {
-  double tolerance = 1e-8;     ///< of the solvers; the certificate asks for 1e-6
-  int max_outer = 50;          ///< normal-tangential (Panagiotopoulos) iterations
-  int max_normal = 200;        ///< active-set changes
-  int max_tangential = 100;    ///< Newton steps; the sweeps have ten times as many
+  double tolerance = 1e-8;  ///< of the solvers; the certificate asks for 1e-6
+  int max_outer = 50;       ///< normal-tangential (Panagiotopoulos) iterations
+  int max_normal = 200;     ///< active-set changes
+  int max_tangential = 100; ///< Newton steps; the sweeps have ten times as many
 };
 
 /// Solves the normal problem or steady rolling. No contact: a result with zero force and no patches.

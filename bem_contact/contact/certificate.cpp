@@ -1,0 +1,163 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/solve.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace bem_contact {
+namespace {
+
+/// u_i = (A p)_i in columns 0 .. mx (one ahead of the grid), by direct summation over the numbers.
+std::array<std::vector<double>, 3> displacements(const ContactProblem& problem, const ContactResult& result) {
+  const auto& [mx, ms, dx, ds, x0] = problem.grid;
+  const InfluenceNumbers& a = problem.numbers;
+  const int columns = mx + (a.offsets > mx ? 1 : 0);
+  const std::array<const std::vector<double>*, 3> p{&result.px, &result.ps, &result.pn};
+  std::array<std::vector<double>, 3> u;
+  u.fill(std::vector<double>(static_cast<std::size_t>(columns) * ms, 0.0));
+  for (int j = 0; j < 3; ++j)
+    for (int row_j = 0; row_j < ms; ++row_j) {
+      const double* load = p[j]->data() + static_cast<std::size_t>(row_j) * mx;
+      int from = 0, to = mx;
+      while (from < to && load[from] == 0)
+        ++from;
+      while (to > from && load[to - 1] == 0)
+        --to;
+      if (from == to)
+        continue;
+      for (int i = 0; i < 3; ++i)
+        for (int row_i = 0; row_i < ms; ++row_i)
+          for (int m = -(to - 1); m < columns - from; ++m) { // x_I - x_J in elements
+            const double number = (m < 0 ? parity(i, j) : 1) * a.at(std::abs(m), row_i, i, row_j, j);
+            double* target = u[i].data() + static_cast<std::size_t>(row_i) * columns + m;
+            const int begin = std::max(from, -m), end = std::min(to, columns - m);
+            for (int ix = begin; ix < end; ++ix)
+              target[ix] += number * load[ix];
+          }
+    }
+  return u;
+}
+
+void require_fields(const ContactProblem& problem, const ContactResult& result) {
+  const std::size_t n = problem.grid.size();
+  if (result.px.size() != n || result.ps.size() != n || result.pn.size() != n)
+    throw InputError("the result does not belong to the problem",
+                     "its fields have another size than the grid",
+                     "certify a result with the problem that it solves");
+}
+
+void check_normal(const ContactProblem& problem, const ContactResult& result, const std::vector<double>& u_n,
+                  int columns, Certificate& certificate) {
+  const auto& [mx, ms, dx, ds, x0] = problem.grid;
+  const double q = problem.load == LoadKind::approach ? problem.approach : result.approach;
+  double pmax = 0, scale = 0, remote_scale = std::abs(q), lowest_p = 0, lowest_e = 0, product = 0;
+  for (int is = 0; is < ms; ++is)
+    for (int ix = 0; ix < mx; ++ix) {
+      const int i = is * mx + ix;
+      const double p = result.pn[i], u = u_n[static_cast<std::size_t>(is) * columns + ix];
+      const double e = problem.gap[i] - q * std::cos(problem.rows[is].delta) + u;
+      pmax = std::max(pmax, p);
+      remote_scale = std::max(remote_scale, std::abs(problem.gap[i]));
+      if (p > 0)
+        scale = std::max(scale, std::abs(u));
+      lowest_p = std::max(lowest_p, -p);
+      lowest_e = std::max(lowest_e, -e);
+      product = std::max(product, std::abs(p * e));
+      if (!std::isfinite(p) || !std::isfinite(e))
+        lowest_p = std::numeric_limits<double>::infinity();
+    }
+  if (scale == 0)
+    scale = remote_scale;
+  const auto relative = [](double value, double to) { return value > 0 ? value / to : 0.0; };
+  certificate.pressure = relative(lowest_p, pmax);
+  certificate.penetration = relative(lowest_e, scale);
+  certificate.complementarity = relative(product, pmax * scale);
+}
+
+void check_friction(const ContactProblem& problem, const ContactResult& result,
+                    const std::array<std::vector<double>, 3>& u, int columns, Certificate& certificate) {
+  const auto& [mx, ms, dx, ds, x0] = problem.grid;
+  const double mu = problem.has_friction() ? problem.friction : 0.0;
+  const double pmax = *std::max_element(result.pn.begin(), result.pn.end());
+  const double traction_scale = mu > 0 ? mu * pmax : pmax;
+  const auto relative = [](double value, double to) { return value > 0 ? value / to : 0.0; };
+  double cone = 0;
+  for (int i = 0; i < mx * ms; ++i) {
+    const double shear = std::hypot(result.px[i], result.ps[i]);
+    cone = std::max(cone, shear - mu * result.pn[i]);
+    if (!std::isfinite(shear))
+      cone = std::numeric_limits<double>::infinity();
+  }
+  certificate.friction_cone = relative(cone, traction_scale);
+  if (mu == 0)
+    return;
+  struct Slip {
+    double x, s, bound;
+    int element;
+  };
+  std::vector<Slip> slips;
+  double self = 0;
+  for (int row = 0; row < ms; ++row)
+    self = std::max(self, problem.numbers.at(0, row, component_n, row, component_n));
+  double scale = 1e-12 * pmax * self; // rounding of the displacements
+  for (int is = 0; is < ms; ++is)
+    for (int ix = 0; ix < mx; ++ix) {
+      const int i = is * mx + ix;
+      if (!(result.pn[i] > 0))
+        continue;
+      const std::size_t at = static_cast<std::size_t>(is) * columns + ix;
+      const double rigid_x = problem.slip_x[i] * dx, rigid_s = problem.slip_s[i] * dx;
+      const double elastic_x = u[component_x][at + 1] - u[component_x][at];
+      const double elastic_s = u[component_s][at + 1] - u[component_s][at];
+      slips.push_back({rigid_x + elastic_x, rigid_s + elastic_s, mu * result.pn[i], i});
+      scale = std::max({scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s)});
+    }
+  // Coulomb's law leaves two states; each element counts in the one it is nearer to
+  for (const Slip& slip : slips) {
+    const double length = std::hypot(slip.x, slip.s);
+    if (length == 0)
+      continue;
+    const double adhesion = length / scale;
+    const double direction = std::hypot(result.px[slip.element] - slip.bound * slip.x / length,
+                                        result.ps[slip.element] - slip.bound * slip.s / length) /
+                             traction_scale;
+    double& quantity = adhesion <= direction ? certificate.adhesion : certificate.slip_direction;
+    quantity = std::max(quantity, std::min(adhesion, direction));
+  }
+}
+
+} // namespace
+
+double Certificate::worst() const {
+  double worst = 0;
+  for (const double v :
+       {pressure, penetration, complementarity, friction_cone, adhesion, slip_direction, force_balance}) {
+    if (std::isnan(v))
+      return std::numeric_limits<double>::infinity();
+    worst = std::max(worst, v);
+  }
+  return worst;
+}
+
+Certificate certify(const ContactProblem& problem, const ContactResult& result) {
+  require_fields(problem, result);
+  Certificate certificate;
+  const auto u = displacements(problem, result);
+  const int columns = static_cast<int>(u[0].size()) / problem.grid.ms;
+  check_normal(problem, result, u[component_n], columns, certificate);
+  check_friction(problem, result, u, columns, certificate);
+  if (problem.load == LoadKind::force) {
+    double force = 0;
+    for (int i = 0; i < problem.grid.size(); ++i) {
+      const double delta = problem.rows[i / problem.grid.mx].delta;
+      force += (result.pn[i] * std::cos(delta) + result.ps[i] * std::sin(delta)) * problem.element_area();
+    }
+    const double missing = std::abs(force - problem.force);
+    certificate.force_balance = problem.force > 0 ? missing / problem.force : missing;
+  }
+  return certificate;
+}
+
+} // namespace bem_contact

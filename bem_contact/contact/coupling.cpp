@@ -1,0 +1,170 @@
+#include "bem_contact/contact/coupling.hpp"
+
+#include <Eigen/QR>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <optional>
+
+namespace bem_contact::contact {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+std::span<const double> view(const VectorXd& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+std::span<double> view(VectorXd& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+
+/// Numbers below this fraction of the self number are rounding.
+constexpr double rounding = 1e-13;
+
+bool numbers_couple(const InfluenceNumbers& a, double self) {
+  for (int m = 0; m < a.offsets; ++m)
+    for (int row_i = 0; row_i < a.rows; ++row_i)
+      for (int row_j = 0; row_j < a.rows; ++row_j)
+        for (const int c : {component_x, component_s})
+          if (std::max(std::abs(a.at(m, row_i, c, row_j, component_n)),
+                       std::abs(a.at(m, row_i, component_n, row_j, c))) > rounding * self)
+            return true;
+  return false;
+}
+
+/// Fixed-point iteration v = G(v) by Anderson's method, with a short memory.
+class Anderson {
+public:
+  VectorXd next(const VectorXd& v, const VectorXd& residual) {
+    if (!best_ || residual.norm() < *best_)
+      best_ = residual.norm();
+    else if (residual.norm() > 5 * *best_) { // leave the memory behind, and walk slowly
+      history_.clear();
+      return v + 0.3 * residual;
+    }
+    history_.push_back({v, residual});
+    if (history_.size() > 5)
+      history_.pop_front();
+    const Eigen::Index columns = static_cast<Eigen::Index>(history_.size()) - 1;
+    if (columns == 0)
+      return v + residual;
+    MatrixXd dv(v.size(), columns), dr(v.size(), columns);
+    for (Eigen::Index k = 0; k < columns; ++k) {
+      dv.col(k) = history_[k + 1].v - history_[k].v;
+      dr.col(k) = history_[k + 1].residual - history_[k].residual;
+    }
+    const VectorXd weights = dr.colPivHouseholderQr().solve(residual);
+    return v + residual - (dv + dr) * weights;
+  }
+
+private:
+  struct Turn {
+    VectorXd v, residual;
+  };
+  std::deque<Turn> history_;
+  std::optional<double> best_;
+};
+
+struct Shear {
+  TangentialSystem system;
+  VectorXd rigid; ///< w dx
+  std::optional<StripOperator> normal_from_shear, shear_from_normal;
+};
+
+TangentialTask make_task(const ContactProblem& problem, const Shear& shear, const VectorXd& pn,
+                         double floor) {
+  TangentialTask task{problem.friction * pn, shear.rigid, {}, floor};
+  for (int i = 0; i < pn.size(); ++i)
+    if (pn[i] > 0)
+      task.contact.push_back(i);
+  if (shear.shear_from_normal) {
+    VectorXd step(2 * pn.size());
+    shear.shear_from_normal->apply_step(view(pn), view(step));
+    task.drive -= step;
+  }
+  return task;
+}
+
+} // namespace
+
+Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options) {
+  const int n = problem.grid.size();
+  const NormalSystem system(problem.grid, problem.numbers, problem.rows, problem.element_area());
+  const VectorXd gap = Eigen::Map<const VectorXd>(problem.gap.data(), n);
+  Solution solution;
+  solution.from_shear = VectorXd::Zero(n);
+  solution.shear.p = VectorXd::Zero(2 * n);
+  solution.shear.slip = VectorXd::Zero(2 * n);
+  solution.shear.solver = "none";
+  solution.shear.converged = true;
+
+  VectorXd sine(n);
+  for (int i = 0; i < n; ++i)
+    sine[i] = std::sin(problem.rows[i / problem.grid.mx].delta);
+  std::optional<Shear> shear;
+  bool coupled = false, numbers_do = false;
+  if (problem.has_friction()) {
+    shear.emplace(Shear{TangentialSystem(problem), VectorXd(2 * n), {}, {}});
+    for (int i = 0; i < n; ++i) {
+      shear->rigid[i] = problem.slip_x[i] * problem.grid.dx;
+      shear->rigid[n + i] = problem.slip_s[i] * problem.grid.dx;
+    }
+    numbers_do = numbers_couple(problem.numbers, system.self);
+    if (numbers_do) {
+      const std::vector<int> tangential{component_x, component_s}, normal{component_n};
+      shear->normal_from_shear.emplace(problem.numbers, problem.grid.mx, normal, tangential);
+      shear->shear_from_normal.emplace(problem.numbers, problem.grid.mx, tangential, normal);
+    }
+    coupled = numbers_do || (problem.load == LoadKind::force && sine.cwiseAbs().maxCoeff() > rounding);
+  }
+
+  // v: the displacement (A p_t)_n of each element, and the shear's part of the force as a displacement
+  const double force_to_length =
+      problem.load == LoadKind::force && problem.force > 0 ? gap.cwiseAbs().maxCoeff() / problem.force : 0.0;
+  VectorXd v = VectorXd::Zero(n + 1);
+  Anderson anderson;
+  bool settled = false;
+  for (int turn = 0; turn < options.max_outer && !settled; ++turn) {
+    ++solution.outer_iterations;
+    const double shear_force = force_to_length > 0 ? v[n] / force_to_length : 0.0;
+    solution.normal.remark.clear();
+    solve_normal(system, gap + v.head(n), {problem.load, problem.approach, problem.force - shear_force},
+                 options, solution.normal);
+    if (!shear)
+      break;
+    solution.slip_floor = 1e-12 * solution.normal.p.maxCoeff() * system.self;
+    const TangentialTask task = make_task(problem, *shear, solution.normal.p, solution.slip_floor);
+    solve_tangential(shear->system, task, options, solution.shear);
+    if (!coupled)
+      break;
+    VectorXd next = VectorXd::Zero(n + 1);
+    if (numbers_do) {
+      VectorXd u(n);
+      shear->normal_from_shear->apply(view(solution.shear.p), view(u));
+      next.head(n) = u;
+    }
+    const double force = sine.dot(solution.shear.p.tail(n)) * problem.element_area();
+    next[n] = force * force_to_length;
+    solution.from_shear = next.head(n);
+    const VectorXd residual = next - v;
+    const double scale = system.apply(solution.normal.p).cwiseAbs().maxCoeff();
+    settled =
+        residual.head(n).cwiseAbs().maxCoeff() <= 10 * options.tolerance * scale &&
+        (force_to_length == 0 || std::abs(force - shear_force) <= 10 * options.tolerance * problem.force);
+    if (!settled)
+      v = anderson.next(v, residual);
+  }
+  solution.distance =
+      gap + solution.from_shear - solution.normal.approach * system.cosine + system.apply(solution.normal.p);
+  solution.remark =
+      solution.normal.remark + (solution.normal.remark.empty() ? "" : "; ") + solution.shear.remark;
+  if (coupled && !settled)
+    solution.remark +=
+        fmt::format("normal and tangential problem did not settle in {} turns; ", solution.outer_iterations);
+  return solution;
+}
+
+} // namespace bem_contact::contact

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "bem_contact/contact/friction.hpp"
+#include "bem_contact/contact/normal.hpp"
+
+namespace bem_contact::contact {
+
+struct Solution {
+  NormalState normal;
+  TangentialState shear;
+  Eigen::VectorXd from_shear; ///< (A p_t)_n, mm; field
+  Eigen::VectorXd distance;   ///< e, mm; field
+  double slip_floor = 0;      ///< mm
+  int outer_iterations = 0;
+  std::string remark;
+};
+
+/// Normal and tangential problem in turn (Panagiotopoulos 1975) until the displacement along n and the force
+/// that the shear tractions contribute stand still; the turns are accelerated after Anderson 1965.
+/// Once through where shear does not act on the normal problem.
+Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options);
+
+} // namespace bem_contact::contact

@@ -1,0 +1,84 @@
+#include "bem_contact/contact/friction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bem_contact::contact {
+
+using Eigen::VectorXd;
+
+StepNumbers::StepNumbers(const InfluenceNumbers& numbers, int mx)
+    : mx_(mx), ms_(numbers.rows),
+      values_(static_cast<std::size_t>(numbers.rows) * numbers.rows * 4 * (2 * mx - 1)) {
+  std::size_t position = 0;
+  for (int row_i = 0; row_i < ms_; ++row_i)
+    for (int row_j = 0; row_j < ms_; ++row_j)
+      for (int c = 0; c < 2; ++c)
+        for (int d = 0; d < 2; ++d) {
+          const auto a = [&](int m) {
+            return (m < 0 ? parity(c, d) : 1) * numbers.at(std::abs(m), row_i, c, row_j, d);
+          };
+          for (int m = mx - 1; m > -mx; --m)
+            values_[position++] = a(m) - a(m + 1);
+        }
+}
+
+TangentialSystem::TangentialSystem(const ContactProblem& the_problem)
+    : problem(&the_problem),
+      tt(the_problem.numbers, the_problem.grid.mx, {component_x, component_s}, {component_x, component_s}),
+      stiffness(the_problem.grid.size()) {
+  const auto& [mx, ms, dx, ds, x0] = problem->grid;
+  const InfluenceNumbers& a = problem->numbers;
+  for (int is = 0; is < ms; ++is) {
+    double mean = 0;
+    for (const int c : {component_x, component_s})
+      mean += 0.5 * (a.at(0, is, c, is, c) - a.at(1, is, c, is, c));
+    stiffness.segment(is * mx, mx).setConstant(1 / mean);
+  }
+}
+
+VectorXd TangentialSystem::displacement(const VectorXd& p) const {
+  VectorXd u(p.size());
+  tt.apply({p.data(), static_cast<std::size_t>(p.size())}, {u.data(), static_cast<std::size_t>(u.size())});
+  return u;
+}
+
+VectorXd TangentialSystem::step(const VectorXd& p) const {
+  VectorXd u(p.size());
+  tt.apply_step({p.data(), static_cast<std::size_t>(p.size())},
+                {u.data(), static_cast<std::size_t>(u.size())});
+  return u;
+}
+
+const StepNumbers& TangentialSystem::step_numbers() const {
+  if (!step_numbers_)
+    step_numbers_.emplace(problem->numbers, problem->grid.mx);
+  return *step_numbers_;
+}
+
+double coulomb_violation(const TangentialSystem& system, const TangentialTask& task, const VectorXd& p,
+                         const VectorXd& slip) {
+  const int n = system.size();
+  double largest_slip = task.slip_floor;
+  for (const int i : task.contact) {
+    const double rigid_x = system.problem->slip_x[i] * system.problem->grid.dx;
+    const double rigid_s = system.problem->slip_s[i] * system.problem->grid.dx;
+    largest_slip = std::max(
+        {largest_slip, std::hypot(rigid_x, rigid_s), std::hypot(slip[i] - rigid_x, slip[n + i] - rigid_s)});
+  }
+  const double largest_bound = task.bound.maxCoeff();
+  double worst = 0;
+  for (const int i : task.contact) {
+    const double s = std::hypot(slip[i], slip[n + i]);
+    const double cone = std::hypot(p[i], p[n + i]) - task.bound[i];
+    worst = std::max(worst, cone / largest_bound);
+    if (s <= 0)
+      continue;
+    const double direction =
+        std::hypot(p[i] - task.bound[i] * slip[i] / s, p[n + i] - task.bound[i] * slip[n + i] / s);
+    worst = std::max(worst, std::min(s / largest_slip, direction / largest_bound));
+  }
+  return worst;
+}
+
+} // namespace bem_contact::contact

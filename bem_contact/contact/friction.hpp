@@ -1,0 +1,80 @@
+#pragma once
+
+#include "bem_contact/contact/operator.hpp"
+#include "bem_contact/contact/solve.hpp"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bem_contact::contact {
+
+/// The numbers B = A(x_I - x_J) - A(x_I + dx - x_J) of steady rolling, tangential components, unrolled for
+/// dot products along x: for rows I, J and components c, d the 2 mx - 1 values of offset mx-1 .. -(mx-1).
+class StepNumbers {
+public:
+  StepNumbers(const InfluenceNumbers& numbers, int mx);
+
+  /// Value at [ix'] is B_cd of the element (ix, row_i) under a load at (ix', row_j).
+  const double* line(int ix, int row_i, int c, int row_j, int d) const {
+    return &values_[(((static_cast<std::size_t>(row_i) * ms_ + row_j) * 2 + c) * 2 + d) * (2 * mx_ - 1) +
+                    mx_ - 1 - ix];
+  }
+
+private:
+  int mx_, ms_;
+  std::vector<double> values_;
+};
+
+/// Steady rolling on a grid; vectors are fields of two components, [2][ms][mx].
+class TangentialSystem {
+public:
+  TangentialSystem(const ContactProblem& problem);
+
+  int size() const { return problem->grid.size(); }
+  Eigen::VectorXd displacement(const Eigen::VectorXd& p) const; ///< A_tt p, mm
+  Eigen::VectorXd step(const Eigen::VectorXd& p) const;         ///< B_tt p, mm
+  const StepNumbers& step_numbers() const;                      ///< made when first asked for
+
+  const ContactProblem* problem;
+  StripOperator tt;
+  Eigen::VectorXd stiffness; ///< 1 / mean of B_xx, B_ss of the element itself, MPa/mm; field of one component
+
+private:
+  mutable std::optional<StepNumbers> step_numbers_;
+};
+
+/// |p_t| <= bound; S = drive - B_tt p; stick or slip along S.
+struct TangentialTask {
+  Eigen::VectorXd bound;    ///< mu p_n, MPa; field
+  Eigen::VectorXd drive;    ///< w dx - (B p_n)_t, mm
+  std::vector<int> contact; ///< elements with p_n > 0
+  double slip_floor = 0;    ///< mm: slip below this is rounding
+};
+
+struct TangentialState {
+  Eigen::VectorXd p, slip; ///< p_t, MPa; S = drive - B p, mm
+  int iterations = 0;
+  bool converged = false;
+  double violation = 0;
+  std::string solver, remark;
+};
+
+/// The largest violation of Coulomb's law: of the cone, and of the nearer of adhesion (|S| over the largest
+/// slip) and slip (p_t against mu p_n S/|S|, over mu pmax).
+double coulomb_violation(const TangentialSystem& system, const TangentialTask& task, const Eigen::VectorXd& p,
+                         const Eigen::VectorXd& slip);
+
+/// Newton on p = Proj(p + r S) (semi-smooth; Hueber, Stadler, Wohlmuth 2008, for given p_n).
+void newton(const TangentialSystem&, const TangentialTask&, const SolverOptions&, TangentialState&);
+/// Gauss-Seidel from the leading edge, element by element (SteadyGS: Vollebregt 2010).
+void sweeps(const TangentialSystem&, const TangentialTask&, double tolerance, int most, TangentialState&);
+/// Rolls on from the present tractions, `steps` columns with p_n held: each step is a convex problem.
+void roll_on(const TangentialSystem&, const TangentialTask&, const SolverOptions&, int steps,
+             TangentialState&);
+/// Newton; then sweeps; then rolling on and Newton again.
+void solve_tangential(const TangentialSystem&, const TangentialTask&, const SolverOptions&, TangentialState&);
+
+} // namespace bem_contact::contact

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "bem_contact/contact/operator.hpp"
+#include "bem_contact/contact/solve.hpp"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace bem_contact::contact {
+
+/// What stays the same over the outer iterations. Fields are [ms][mx].
+struct NormalSystem {
+  NormalSystem(const ContactGrid& grid, const InfluenceNumbers& numbers, std::span<const ContactRow> rows,
+               double element_area);
+
+  Eigen::VectorXd apply(const Eigen::VectorXd& p) const;
+
+  ContactGrid grid;
+  const InfluenceNumbers* numbers; ///< of the problem, which outlives this
+  StripOperator nn;
+  Eigen::VectorXd cosine;  ///< cos(delta) of each element
+  double element_area = 0; ///< mm^2
+  double self = 0;         ///< largest self number, mm/MPa
+};
+
+struct NormalLoad {
+  LoadKind kind = LoadKind::force;
+  double approach = 0; ///< q, mm
+  double force = 0;    ///< sum p_n cos(delta) dS, N
+};
+
+struct NormalState {
+  Eigen::VectorXd p; ///< MPa; zero outside the contact
+  double approach = 0;
+  std::vector<char> active;
+  int iterations = 0;
+  bool converged = false;
+  std::string solver, remark;
+};
+
+/// min 1/2 p'A p + (gap - q cos)'p over p >= 0; q is given, or the multiplier of the force balance.
+/// `gap` contains all displacements but those of p_n. Starts from state.active when that is not empty.
+///
+/// Primal-dual active set (Hintermueller, Ito, Kunisch 2002); the linear systems by Cholesky or by conjugate
+/// gradients with the FFT. Where the sets cycle: MPRGP, inside a bracketing of q when the force is given.
+void solve_normal(const NormalSystem& system, const Eigen::VectorXd& gap, const NormalLoad& load,
+                  const SolverOptions& options, NormalState& state);
+
+/// min 1/2 p'A p - b'p over p >= 0 by MPRGP (Dostal, Schoeberl 2005): converges for every positive definite
+/// A. Returns the number of products; stops when the projected gradient is below tolerance * scale.
+int solve_mprgp(const NormalSystem& system, const Eigen::VectorXd& b, double tolerance, int most,
+                Eigen::VectorXd& p, bool& converged);
+
+/// MPRGP, with the approach found by bracketing when the force is given.
+void solve_normal_safely(const NormalSystem& system, const Eigen::VectorXd& gap, const NormalLoad& load,
+                         const SolverOptions& options, NormalState& state);
+
+} // namespace bem_contact::contact

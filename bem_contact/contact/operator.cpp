@@ -1,0 +1,188 @@
+#include "bem_contact/contact/operator.hpp"
+
+#include <Eigen/Dense>
+#include <fftw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+
+namespace bem_contact::contact {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// FFTW's planner is not thread-safe; its execution is.
+std::mutex& planner() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+struct FreeBuffer {
+  void operator()(double* p) const { fftw_free(p); }
+};
+using Buffer = std::unique_ptr<double[], FreeBuffer>;
+
+Buffer make_buffer(std::size_t n) {
+  Buffer buffer(fftw_alloc_real(std::max<std::size_t>(n, 1)));
+  std::fill_n(buffer.get(), n, 0.0);
+  return buffer;
+}
+
+struct DestroyPlan {
+  void operator()(fftw_plan plan) const {
+    const std::lock_guard lock(planner());
+    fftw_destroy_plan(plan);
+  }
+};
+using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, DestroyPlan>;
+
+/// The smallest length >= n whose prime factors are 2, 3 and 5.
+int good_length(int n) {
+  for (;; ++n) {
+    int rest = n;
+    for (const int prime : {2, 3, 5})
+      while (rest % prime == 0)
+        rest /= prime;
+    if (rest == 1)
+      return n;
+  }
+}
+
+} // namespace
+
+struct StripOperator::Impl {
+  int mx = 0, ms = 0, length = 0, frequencies = 0, lines_in = 0, lines_out = 0;
+  std::vector<int> outputs, inputs;
+  std::vector<double> spectrum; ///< [frequency], column-major lines_out x lines_in
+  Buffer space_in, re_in, im_in, re_out, im_out, space_out;
+  Plan forward, backward;
+
+  void apply(std::span<const double> p) const;
+};
+
+StripOperator::StripOperator(const InfluenceNumbers& numbers, int mx, std::vector<int> outputs,
+                             std::vector<int> inputs)
+    : impl_(std::make_unique<Impl>()) {
+  Impl& o = *impl_;
+  o.mx = mx;
+  o.ms = numbers.rows;
+  o.length = good_length(2 * mx + 1);
+  o.frequencies = o.length / 2 + 1;
+  o.outputs = std::move(outputs);
+  o.inputs = std::move(inputs);
+  o.lines_in = o.ms * static_cast<int>(o.inputs.size());
+  o.lines_out = o.ms * static_cast<int>(o.outputs.size());
+
+  // The spectra of all pairs of rows at once: one product with the cosines (or sines) of the offsets.
+  const int used = std::min(numbers.offsets, mx + 1);
+  RowMajor cosines(o.frequencies, used), sines(o.frequencies, used);
+  for (int k = 0; k < o.frequencies; ++k)
+    for (int m = 0; m < used; ++m) {
+      // the product is reduced first: large arguments would cost digits
+      const long reduced = (static_cast<long>(k) * m) % o.length;
+      const double angle = 2.0 * std::numbers::pi * static_cast<double>(reduced) / o.length;
+      cosines(k, m) = m == 0 ? 1.0 : 2.0 * std::cos(angle);
+      sines(k, m) = -2.0 * std::sin(angle);
+    }
+  const std::size_t block = static_cast<std::size_t>(o.lines_out) * o.lines_in;
+  o.spectrum.resize(block * o.frequencies);
+  RowMajor values(used, o.ms * o.ms), transformed;
+  for (std::size_t a = 0; a < o.outputs.size(); ++a)
+    for (std::size_t b = 0; b < o.inputs.size(); ++b) {
+      const int i = o.outputs[a], j = o.inputs[b];
+      for (int m = 0; m < used; ++m)
+        for (int row_i = 0; row_i < o.ms; ++row_i)
+          for (int row_j = 0; row_j < o.ms; ++row_j)
+            values(m, row_j * o.ms + row_i) = numbers.at(m, row_i, i, row_j, j);
+      transformed.noalias() = (parity(i, j) > 0 ? cosines : sines) * values;
+      const double sign = parity(i, j) < 0 && i == component_x ? -1.0 : 1.0;
+      for (int k = 0; k < o.frequencies; ++k)
+        for (int row_j = 0; row_j < o.ms; ++row_j) {
+          const double* from = &transformed(k, row_j * o.ms);
+          double* to = &o.spectrum[block * k + (b * o.ms + row_j) * o.lines_out + a * o.ms];
+          std::transform(from, from + o.ms, to, [sign](double v) { return sign * v; });
+        }
+    }
+
+  const auto spectral = [&o](int lines) { return static_cast<std::size_t>(lines) * o.frequencies; };
+  o.space_in = make_buffer(static_cast<std::size_t>(o.lines_in) * o.length);
+  o.space_out = make_buffer(static_cast<std::size_t>(o.lines_out) * o.length);
+  o.re_in = make_buffer(spectral(o.lines_in));
+  o.im_in = make_buffer(spectral(o.lines_in));
+  o.re_out = make_buffer(spectral(o.lines_out));
+  o.im_out = make_buffer(spectral(o.lines_out));
+  const std::lock_guard lock(planner());
+  // spectra lie frequency by frequency, lines contiguous, for the products
+  const fftw_iodim in_dims{o.length, 1, o.lines_in}, in_many{o.lines_in, o.length, 1};
+  o.forward.reset(fftw_plan_guru_split_dft_r2c(1, &in_dims, 1, &in_many, o.space_in.get(), o.re_in.get(),
+                                               o.im_in.get(), FFTW_ESTIMATE));
+  const fftw_iodim out_dims{o.length, o.lines_out, 1}, out_many{o.lines_out, 1, o.length};
+  o.backward.reset(fftw_plan_guru_split_dft_c2r(1, &out_dims, 1, &out_many, o.re_out.get(), o.im_out.get(),
+                                                o.space_out.get(), FFTW_ESTIMATE));
+}
+
+StripOperator::~StripOperator() = default;
+StripOperator::StripOperator(StripOperator&&) noexcept = default;
+StripOperator& StripOperator::operator=(StripOperator&&) noexcept = default;
+
+/// Leaves u of columns 0 .. mx, times the transform's length, in space_out.
+void StripOperator::Impl::apply(std::span<const double> p) const {
+  for (int line = 0; line < lines_in; ++line) {
+    double* to = &space_in[static_cast<std::size_t>(line) * length];
+    std::copy_n(&p[static_cast<std::size_t>(line) * mx], mx, to);
+    std::fill(to + mx, to + length, 0.0);
+  }
+  fftw_execute(forward.get());
+
+  using Column = Eigen::Map<Eigen::VectorXd>;
+  Eigen::VectorXd turned_re(ms);
+  for (int k = 0; k < frequencies; ++k) {
+    double* re = &re_in[static_cast<std::size_t>(k) * lines_in];
+    double* im = &im_in[static_cast<std::size_t>(k) * lines_in];
+    for (std::size_t b = 0; b < inputs.size(); ++b)
+      if (inputs[b] == component_x) { // times i
+        Column r(re + b * ms, ms), m(im + b * ms, ms);
+        turned_re = -m;
+        m = r;
+        r = turned_re;
+      }
+    const Eigen::Map<const Eigen::MatrixXd> matrix(
+        &spectrum[static_cast<std::size_t>(k) * lines_out * lines_in], lines_out, lines_in);
+    Column u_re(&re_out[static_cast<std::size_t>(k) * lines_out], lines_out);
+    Column u_im(&im_out[static_cast<std::size_t>(k) * lines_out], lines_out);
+    u_re.noalias() = matrix * Column(re, lines_in);
+    u_im.noalias() = matrix * Column(im, lines_in);
+    for (std::size_t a = 0; a < outputs.size(); ++a)
+      if (outputs[a] == component_x) { // times -i
+        turned_re = u_im.segment(a * ms, ms);
+        u_im.segment(a * ms, ms) = -u_re.segment(a * ms, ms);
+        u_re.segment(a * ms, ms) = turned_re;
+      }
+  }
+  fftw_execute(backward.get());
+}
+
+void StripOperator::apply(std::span<const double> p, std::span<double> u) const {
+  const Impl& o = *impl_;
+  o.apply(p);
+  const double scale = 1.0 / o.length;
+  for (int line = 0; line < o.lines_out; ++line)
+    for (int ix = 0; ix < o.mx; ++ix)
+      u[static_cast<std::size_t>(line) * o.mx + ix] =
+          scale * o.space_out[static_cast<std::size_t>(line) * o.length + ix];
+}
+
+void StripOperator::apply_step(std::span<const double> p, std::span<double> u) const {
+  const Impl& o = *impl_;
+  o.apply(p);
+  const double scale = 1.0 / o.length;
+  for (int line = 0; line < o.lines_out; ++line) {
+    const double* v = &o.space_out[static_cast<std::size_t>(line) * o.length];
+    for (int ix = 0; ix < o.mx; ++ix)
+      u[static_cast<std::size_t>(line) * o.mx + ix] = scale * (v[ix] - v[ix + 1]);
+  }
+}
+
+} // namespace bem_contact::contact

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "bem_contact/influence/influence_numbers.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace bem_contact::contact {
+
+/// u = A p on the grid [ms][mx], for some components: block Toeplitz in x, full in s. FFT in x, one real
+/// (outputs * ms) x (inputs * ms) matrix a frequency: a longitudinal traction multiplied by i (and likewise
+/// the displacement) makes the even and the odd numbers real alike.
+///
+/// Fields are component-major: component c of element (ix, is) at (c * ms + is) * mx + ix, in the order of
+/// `inputs` and `outputs`. One object serves one thread at a time.
+class StripOperator {
+public:
+  StripOperator(const InfluenceNumbers& numbers, int mx, std::vector<int> outputs, std::vector<int> inputs);
+  ~StripOperator();
+  StripOperator(StripOperator&&) noexcept;
+  StripOperator& operator=(StripOperator&&) noexcept;
+
+  /// u(x), inputs * ms * mx values to outputs * ms * mx values.
+  void apply(std::span<const double> p, std::span<double> u) const;
+
+  /// u(x) - u(x + dx): minus the change of the displacement difference over one step of steady rolling.
+  /// Needs numbers of mx + 1 offsets.
+  void apply_step(std::span<const double> p, std::span<double> u) const;
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace bem_contact::contact

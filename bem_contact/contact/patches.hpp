@@ -1,0 +1,15 @@
+#pragma once
+
+#include "bem_contact/contact/problem.hpp"
+
+#include <vector>
+
+namespace bem_contact::contact {
+
+/// Connected areas (8 neighbours) of result.state != exterior, largest force first.
+std::vector<PatchSummary> find_patches(const ContactProblem& problem, const ContactResult& result);
+
+/// True where contact reaches an edge of the grid: the potential contact is too small.
+bool touches_border(const ContactGrid& grid, const std::vector<ElementState>& state);
+
+} // namespace bem_contact::contact

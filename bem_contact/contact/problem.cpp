@@ -1,0 +1,116 @@
+#include "bem_contact/contact/problem.hpp"
+
+#include "bem_contact/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace bem_contact {
+namespace {
+
+void require(bool holds, const std::string& problem, const std::string& why, const std::string& what_to_do) {
+  if (!holds)
+    throw InputError(problem, why, what_to_do);
+}
+
+void require_field(const std::vector<double>& field, const ContactGrid& grid, const std::string& name) {
+  require(field.size() == static_cast<std::size_t>(grid.size()), "the " + name + " does not fit the grid",
+          std::to_string(field.size()) + " values for " + std::to_string(grid.mx) + " x " +
+              std::to_string(grid.ms) + " elements",
+          "give one value for each element, x fastest");
+  const auto bad = std::find_if(field.begin(), field.end(), [](double v) { return !std::isfinite(v); });
+  require(bad == field.end(), "the " + name + " is not a number everywhere",
+          "element " + std::to_string(bad - field.begin()), "give finite values");
+}
+
+bool agree(double a, double b) {
+  return std::abs(a - b) <= 1e-9 * std::abs(b);
+}
+
+void validate_numbers(const ContactProblem& problem) {
+  const auto& [offsets, rows, dx, ds, values] = problem.numbers;
+  const ContactGrid& grid = problem.grid;
+  require(rows == grid.ms, "the influence numbers do not fit the grid",
+          std::to_string(rows) + " rows of numbers for " + std::to_string(grid.ms) + " rows of elements",
+          "compute them for the rows of the grid");
+  require(agree(ds, grid.ds), "the influence numbers do not fit the grid",
+          "their ds is " + std::to_string(ds) + " mm, the grid's " + std::to_string(grid.ds),
+          "compute them for the elements of the grid");
+  if (problem.plane_strain()) {
+    require(grid.mx == 1 && offsets == 1, "plane strain has one element along x", "numbers with dx = 0",
+            "set mx = 1 and offsets = 1");
+    require(!problem.tangential || problem.friction == 0, "rolling needs elements along x",
+            "the influence numbers are of plane strain",
+            "set tangential = false, or use numbers with dx > 0");
+  } else {
+    require(agree(dx, grid.dx), "the influence numbers do not fit the grid",
+            "their dx is " + std::to_string(dx) + " mm, the grid's " + std::to_string(grid.dx),
+            "compute them for the elements of the grid");
+    require(offsets > grid.mx, "the influence numbers do not reach across the grid",
+            std::to_string(offsets) + " offsets for " + std::to_string(grid.mx) + " columns",
+            "compute mx + 1 offsets");
+  }
+  const std::size_t n = 3 * static_cast<std::size_t>(rows);
+  require(values.size() == static_cast<std::size_t>(offsets) * n * n, "the influence numbers are incomplete",
+          std::to_string(values.size()) + " values", "give offsets x (3 rows) x (3 rows) of them");
+  require(std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }),
+          "an influence number is not finite", "NaN or infinity among them",
+          "recompute the influence numbers");
+  // Positive definiteness itself is too dear to check; these two are what breaks it in practice.
+  double largest = 0, asymmetry = 0;
+  for (std::size_t a = 0; a < n; ++a) {
+    const double self = values[a * n + a];
+    require(self > 0, "a self influence number is not positive",
+            "row " + std::to_string(a / 3) + ", component " + std::to_string(a % 3),
+            "check the sign convention: u = -A p with A positive definite");
+    largest = std::max(largest, self);
+    for (std::size_t b = 0; b < a; ++b) {
+      const int sign = parity(static_cast<int>(a % 3), static_cast<int>(b % 3));
+      asymmetry = std::max(asymmetry, std::abs(values[a * n + b] - sign * values[b * n + a]));
+    }
+  }
+  require(asymmetry <= 1e-6 * largest, "the influence numbers violate Maxwell-Betti",
+          "asymmetry " + std::to_string(asymmetry / largest) + " of the largest self number",
+          "use displacements averaged over the element");
+}
+
+} // namespace
+
+void validate(const ContactProblem& problem) {
+  const ContactGrid& grid = problem.grid;
+  require(grid.mx > 0 && grid.ms > 0, "the grid is empty",
+          std::to_string(grid.mx) + " x " + std::to_string(grid.ms) + " elements", "set mx and ms above 0");
+  require(std::isfinite(grid.ds) && grid.ds > 0 && std::isfinite(grid.dx) && std::isfinite(grid.x0) &&
+              (grid.dx > 0 || problem.plane_strain()),
+          "the elements have no size", "dx, ds must be above 0 and x0 finite", "set dx and ds in mm");
+  require(problem.rows.size() == static_cast<std::size_t>(grid.ms), "the rows do not fit the grid",
+          std::to_string(problem.rows.size()) + " rows for ms = " + std::to_string(grid.ms),
+          "give the middle of each row");
+  for (const ContactRow& row : problem.rows)
+    require(std::isfinite(row.s) && std::isfinite(row.position.y) && std::isfinite(row.position.z) &&
+                std::isfinite(row.delta),
+            "a row of the grid is not finite", "row " + std::to_string(&row - problem.rows.data()),
+            "give finite s, position and inclination");
+  validate_numbers(problem);
+  require_field(problem.gap, grid, "undeformed distance");
+  if (problem.load == LoadKind::approach)
+    require(std::isfinite(problem.approach), "the approach is not finite", "NaN or infinity",
+            "give it in mm");
+  else {
+    require(std::isfinite(problem.force) && problem.force >= 0, "the force is not a force",
+            std::to_string(problem.force) + " N", "give Fz >= 0 in N");
+    require(std::any_of(problem.rows.begin(), problem.rows.end(),
+                        [](const ContactRow& row) { return std::cos(row.delta) > 1e-6; }),
+            "no row can carry a vertical force", "every row is inclined by 90 degrees or more",
+            "prescribe the approach, or turn the frame");
+  }
+  if (problem.tangential) {
+    require(std::isfinite(problem.friction) && problem.friction >= 0, "the friction coefficient is not one",
+            std::to_string(problem.friction), "give mu >= 0");
+    require_field(problem.slip_x, grid, "rigid slip along x");
+    require_field(problem.slip_s, grid, "rigid slip along s");
+  }
+}
+
+} // namespace bem_contact

@@ -1,0 +1,95 @@
+#include "bem_contact/contact/solve.hpp"
+
+#include "bem_contact/contact/coupling.hpp"
+#include "bem_contact/contact/discretisation.hpp"
+#include "bem_contact/contact/patches.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bem_contact {
+namespace {
+
+using Eigen::VectorXd;
+
+/// Adhesion or slip by the law itself: the state whose equation the element fulfils better.
+ElementState friction_state(double slip, double slip_scale, double deviation, double traction_scale) {
+  return slip / slip_scale <= deviation / traction_scale ? ElementState::adhesion : ElementState::slip;
+}
+
+void fill_fields(const ContactProblem& problem, const contact::Solution& solution, ContactResult& result) {
+  const int n = problem.grid.size();
+  const bool friction = problem.has_friction();
+  const auto field = [n](const VectorXd& v, int component) {
+    return std::vector<double>(v.data() + component * n, v.data() + (component + 1) * n);
+  };
+  result.pn = field(solution.normal.p, 0);
+  result.px = field(solution.shear.p, 0);
+  result.ps = field(solution.shear.p, 1);
+  result.deformed_distance = field(solution.distance, 0);
+  result.slip_x.assign(n, 0.0);
+  result.slip_s.assign(n, 0.0);
+  result.state.assign(n, ElementState::exterior);
+  const double pmax = solution.normal.p.size() > 0 ? solution.normal.p.maxCoeff() : 0;
+  double slip_scale = 1e-300;
+  if (friction)
+    for (int i = 0; i < n; ++i)
+      if (result.pn[i] > 0)
+        slip_scale = std::max({slip_scale, solution.slip_floor,
+                               std::hypot(problem.slip_x[i], problem.slip_s[i]) * problem.grid.dx});
+  for (int i = 0; i < n; ++i) {
+    if (!(result.pn[i] > 0))
+      continue;
+    result.state[i] = ElementState::slip; // without friction surfaces slip freely
+    if (!friction)
+      continue;
+    const double sx = solution.shear.slip[i], ss = solution.shear.slip[n + i], slip = std::hypot(sx, ss);
+    result.slip_x[i] = sx / problem.grid.dx;
+    result.slip_s[i] = ss / problem.grid.dx;
+    const double bound = problem.friction * result.pn[i];
+    const double deviation =
+        slip > 0 ? std::hypot(result.px[i] - bound * sx / slip, result.ps[i] - bound * ss / slip) : bound;
+    result.state[i] = friction_state(slip, slip_scale, deviation, problem.friction * pmax);
+  }
+}
+
+void sum_forces(const ContactProblem& problem, ContactResult& result) {
+  const double area = problem.element_area();
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    const ContactRow& row = problem.rows[i / problem.grid.mx];
+    const double cosine = std::cos(row.delta), sine = std::sin(row.delta);
+    const double fx = result.px[i] * area;
+    const double fy = (result.ps[i] * cosine - result.pn[i] * sine) * area;
+    result.Fx += fx;
+    result.Fy += fy;
+    result.Fz += (result.pn[i] * cosine + result.ps[i] * sine) * area;
+    result.Mz += problem.grid.x(i % problem.grid.mx) * fy - row.position.y * fx;
+  }
+}
+
+} // namespace
+
+ContactResult solve(const ContactProblem& problem, const SolverOptions& options) {
+  validate(problem);
+  const contact::Solution solution = contact::solve_coupled(problem, options);
+  ContactResult result;
+  fill_fields(problem, solution, result);
+  result.approach = solution.normal.approach;
+  sum_forces(problem, result);
+  result.patches = contact::find_patches(problem, result);
+  result.touches_border = contact::touches_border(problem.grid, result.state);
+  result.certificate = certify(problem, result);
+  result.certificate.discretisation = contact::estimate_discretisation(
+      problem, result, {solution.from_shear.data(), static_cast<std::size_t>(solution.from_shear.size())},
+      options);
+  result.converged = result.certificate.holds();
+  result.normal_solver = solution.normal.solver;
+  result.tangential_solver = solution.shear.solver;
+  result.outer_iterations = solution.outer_iterations;
+  result.normal_iterations = solution.normal.iterations;
+  result.tangential_iterations = solution.shear.iterations;
+  result.remark = solution.remark;
+  return result;
+}
+
+} // namespace bem_contact

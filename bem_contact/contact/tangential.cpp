@@ -1,0 +1,41 @@
+#include "bem_contact/contact/friction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace bem_contact::contact {
+
+void solve_tangential(const TangentialSystem& system, const TangentialTask& task,
+                      const SolverOptions& options, TangentialState& state) {
+  const int n = system.size();
+  if (state.p.size() != 2 * n)
+    state.p = Eigen::VectorXd::Zero(2 * n);
+  state.remark.clear();
+  if (task.contact.empty()) {
+    state.p.setZero();
+    state.slip = task.drive;
+    state.converged = true;
+    state.solver = "none";
+    return;
+  }
+  const Eigen::VectorXd start = state.p;
+  newton(system, task, options, state);
+  if (state.converged)
+    return;
+
+  state.p = start;
+  sweeps(system, task, options.tolerance, 10 * options.max_tangential, state);
+  if (state.converged)
+    return;
+  state.remark += fmt::format("sweeps: violation {:.1e} left; ", state.violation);
+
+  roll_on(system, task, options, 4 * system.problem->grid.mx, state);
+  if (state.converged)
+    return;
+  state.remark += fmt::format("rolling on: violation {:.1e} left; ", state.violation);
+  newton(system, task, options, state);
+  state.solver = "rolling on, then " + state.solver;
+}
+
+} // namespace bem_contact::contact
