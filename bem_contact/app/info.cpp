@@ -1,0 +1,63 @@
+#include "bem_contact/app/info.hpp"
+
+#include "bem_contact/app/result_file.hpp"
+#include "bem_contact/influence/influence_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <numbers>
+
+namespace bem_contact::app {
+
+namespace {
+
+std::string describe_result(const H5Table& table) {
+  std::string out = "A result of bem_contact\n";
+  for (const auto& [name, value] : table.attributes)
+    out += std::holds_alternative<std::string>(value)
+               ? fmt::format("  {}: {}\n", name, std::get<std::string>(value))
+               : fmt::format("  {}: {:g}\n", name, std::get<double>(value));
+  out += "Datasets\n";
+  for (const auto& [name, data] : table.datasets)
+    out += fmt::format("  {} [{}] {}: {}\n", name, fmt::join(data.shape, "]["), data.unit, data.description);
+  return out;
+}
+
+std::string describe_influence(const InfluenceFunction& f) {
+  const double half = 0.5 * f.station_width;
+  const auto degrees = [](double rad) { return rad * 180 / std::numbers::pi; };
+  std::string out = "Influence functions of one body\n";
+  out += fmt::format("  body: {}; profile: {} (digest {:016x})\n", f.body, f.profile, f.profile_digest);
+  out += fmt::format("  material: shear modulus {:g} MPa, Poisson's ratio {:g}\n", f.material.shear_modulus,
+                     f.material.poisson);
+  out += f.invariance == Invariance::prismatic
+             ? std::string("  the body is the same all along x\n")
+             : fmt::format("  the body is the same all around its axle, reference radius {:g} mm\n",
+                           f.reference_radius);
+  out += fmt::format("  held: {}\n  method: {}\n", f.held, f.method);
+  out += fmt::format(
+      "  strip: {} stations {:g} mm wide, s = {:.3f} .. {:.3f} mm, inclination {:.2f} .. {:.2f} degrees\n",
+      f.station_count(), f.station_width, f.stations.front().s - half, f.stations.back().s + half,
+      degrees(f.stations.front().delta), degrees(f.stations.back().delta));
+  out += fmt::format(
+      "  {} wavenumbers, 0 .. {:g} 1/mm; half period {:g} mm; shortest element along x {:.3g} mm\n",
+      f.wavenumber_count(), f.wavenumber.back(), f.half_period,
+      f.wavenumber.back() > 0 ? 10 / f.wavenumber.back() : 0.0);
+  out += fmt::format("  Maxwell-Betti {:.1e}, reaction against load {:.1e}, estimated error {}\n",
+                     f.betti_error, f.reaction_error,
+                     f.estimated_error < 0 ? std::string("not given")
+                                           : fmt::format("{:.2e} of self", f.estimated_error));
+  return out;
+}
+
+} // namespace
+
+std::string describe_file(const std::filesystem::path& file) {
+  const H5Table table = read_h5(file);
+  const auto format = table.attributes.find("format");
+  if (format != table.attributes.end() && format->second == H5Attribute(std::string(result_format)))
+    return describe_result(table);
+  return describe_influence(read_influence_file(file));
+}
+
+} // namespace bem_contact::app

@@ -1,0 +1,140 @@
+#include "bem_contact/app/info.hpp"
+#include "bem_contact/app/report.hpp"
+#include "bem_contact/app/result_file.hpp"
+#include "bem_contact/app/vtk_file.hpp"
+#include "bem_contact/base/error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+namespace {
+
+using namespace bem_contact;
+
+enum ExitCode { success = 0, wrong_input = 2, no_convergence = 3 };
+
+struct Arguments {
+  std::string file, model, output, vtk;
+  bool json = false, print_default = false;
+};
+
+/// A remark and a warning for each that a person would want to know of; 0 only where the certificate holds.
+ExitCode verdict(const SceneResult& r) {
+  for (const std::string& warning : r.warnings)
+    spdlog::warn("{}", warning);
+  if (r.result.certificate.holds())
+    return success;
+  spdlog::error(
+      "The {} result is not a solution (its worst violation is {:.1e}, {:.0e} is allowed; {}) Coarsen the "
+      "grid, lower solver.tolerance, or raise solver.max_outer.",
+      r.model, r.result.certificate.worst(), r.result.certificate.tolerance, r.result.remark);
+  return no_convergence;
+}
+
+ExitCode run_solve(const Arguments& arguments) {
+  const SceneFile scene = read_scene_file(arguments.file);
+  const SceneResult result = solve_scene(scene, arguments.model);
+  if (!arguments.output.empty()) {
+    const std::array results{&result};
+    write_h5(arguments.output, app::to_table(results, arguments.file));
+  }
+  if (!arguments.vtk.empty())
+    app::write_vts(arguments.vtk, result);
+  fmt::print("{}", arguments.json ? app::to_json(result).dump(2) + "\n" : app::to_text(result));
+  return verdict(result);
+}
+
+ExitCode run_compare(const Arguments& arguments) {
+  const SceneFile scene = read_scene_file(arguments.file);
+  const Comparison comparison = compare_scene(scene);
+  if (!arguments.output.empty()) {
+    const std::array results{&comparison.halfspace, &comparison.fem};
+    write_h5(arguments.output, app::to_table(results, arguments.file));
+  }
+  if (!arguments.vtk.empty()) {
+    app::write_vts(arguments.vtk + "_halfspace.vts", comparison.halfspace);
+    app::write_vts(arguments.vtk + "_fem.vts", comparison.fem);
+  }
+  fmt::print("{}", arguments.json ? app::to_json(comparison).dump(2) + "\n" : app::to_text(comparison));
+  return std::max(verdict(comparison.halfspace), verdict(comparison.fem));
+}
+
+ExitCode run_check(const Arguments& arguments) {
+  for (const std::string& line : check_scene(read_scene_file(arguments.file)))
+    fmt::print("{}\n", line);
+  return success;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  spdlog::set_default_logger(spdlog::stderr_color_mt("bem_contact"));
+  spdlog::set_pattern("%^%l%$: %v");
+
+  Arguments arguments;
+  CLI::App cli{"Conformal wheel-rail contact by the boundary element method"};
+  cli.require_subcommand(0, 1);
+  cli.add_flag("--print-default", arguments.print_default,
+               "Print a scene file with every key, its default and unit");
+
+  CLI::App* solve = cli.add_subcommand("solve", "Solve a scene");
+  solve->add_option("scene", arguments.file, "Scene file (TOML)")->required();
+  solve->add_option("--model", arguments.model, "Influence numbers; the scene's own choice if not given")
+      ->check(CLI::IsMember({"auto", "halfspace", "fem"}));
+  solve->add_flag("--json", arguments.json, "Print one JSON object on standard output");
+  solve->add_option("-o,--output", arguments.output, "Result file (HDF5)");
+  solve->add_option("--vtk", arguments.vtk, "Surface with the result for ParaView (.vts)");
+
+  CLI::App* compare = cli.add_subcommand("compare", "Solve a scene with both models at equal vertical force");
+  compare->add_option("scene", arguments.file, "Scene file (TOML)")->required();
+  compare->add_flag("--json", arguments.json, "Print one JSON object on standard output");
+  compare->add_option("-o,--output", arguments.output, "Result file (HDF5)");
+  compare->add_option("--vtk-prefix", arguments.vtk,
+                      "Write PREFIX_halfspace.vts and PREFIX_fem.vts for ParaView");
+
+  CLI::App* check =
+      cli.add_subcommand("check", "Check a scene, its files and what would be solved; solve nothing");
+  check->add_option("scene", arguments.file, "Scene file (TOML)")->required();
+
+  CLI::App* info = cli.add_subcommand("info", "Describe an influence file or a result file");
+  info->add_option("file", arguments.file, "HDF5 file")->required();
+
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = cli.exit(error, std::cerr, std::cerr);
+    return code == 0 ? success : wrong_input;
+  }
+
+  try {
+    if (arguments.print_default) {
+      fmt::print("{}", default_scene_file());
+      return success;
+    }
+    if (*solve)
+      return run_solve(arguments);
+    if (*compare)
+      return run_compare(arguments);
+    if (*check)
+      return run_check(arguments);
+    if (*info) {
+      fmt::print("{}", app::describe_file(arguments.file));
+      return success;
+    }
+    fmt::print(stderr, "{}", cli.help());
+    return wrong_input;
+  } catch (const ConvergenceError& error) {
+    spdlog::error("{}", error.what());
+    return no_convergence;
+  } catch (const Error& error) {
+    spdlog::error("{}", error.what());
+    return wrong_input;
+  } catch (const std::exception& error) {
+    spdlog::error("Something this program did not foresee: {}", error.what());
+    return wrong_input;
+  }
+}

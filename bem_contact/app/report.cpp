@@ -1,0 +1,206 @@
+#include "bem_contact/app/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+namespace bem_contact::app {
+
+namespace {
+
+using nlohmann::json;
+
+struct Counts {
+  int contact = 0, adhesion = 0, slip = 0;
+};
+
+Counts counts_of(const SceneResult& r) {
+  Counts c;
+  for (const PatchSummary& p : r.result.patches) {
+    c.contact += p.contact;
+    c.adhesion += p.adhesion;
+    c.slip += p.slip;
+  }
+  return c;
+}
+
+json certificate_json(const Certificate& c) {
+  return {{"pressure", c.pressure},
+          {"penetration", c.penetration},
+          {"complementarity", c.complementarity},
+          {"friction_cone", c.friction_cone},
+          {"adhesion", c.adhesion},
+          {"slip_direction", c.slip_direction},
+          {"force_balance", c.force_balance},
+          {"worst", c.worst()},
+          {"tolerance", c.tolerance},
+          {"holds", c.holds()},
+          {"discretisation", c.discretisation < 0 ? json(nullptr) : json(c.discretisation)}};
+}
+
+/// One line of the comparison: name, unit, how to get it.
+struct Quantity {
+  const char *name, *unit;
+  double (*get)(const SceneResult&);
+};
+
+constexpr Quantity quantities[] = {
+    {"pmax", "MPa", [](const SceneResult& r) { return largest_pressure(r); }},
+    {"area", "mm2", [](const SceneResult& r) { return contact_area(r); }},
+    {"approach", "mm", [](const SceneResult& r) { return r.result.approach; }},
+    {"Fx", "N", [](const SceneResult& r) { return r.result.Fx; }},
+    {"Fy", "N", [](const SceneResult& r) { return r.result.Fy; }},
+    {"Fz", "N", [](const SceneResult& r) { return r.result.Fz; }},
+    {"Mz", "N mm", [](const SceneResult& r) { return r.moment; }},
+    {"contact", "elements", [](const SceneResult& r) { return double(counts_of(r).contact); }},
+    {"adhesion", "elements", [](const SceneResult& r) { return double(counts_of(r).adhesion); }},
+    {"slip", "elements", [](const SceneResult& r) { return double(counts_of(r).slip); }},
+};
+
+std::string number(double v) {
+  const double a = std::abs(v);
+  if (v == std::round(v) && a < 1e9)
+    return fmt::format("{:.0f}", v);
+  return a >= 1e5 ? fmt::format("{:.0f}", v) : a >= 1 ? fmt::format("{:.2f}", v) : fmt::format("{:.5g}", v);
+}
+
+std::string difference(double halfspace, double fem) {
+  return halfspace == 0 ? "-" : fmt::format("{:+.2f} %", 100 * (fem - halfspace) / std::abs(halfspace));
+}
+
+std::string reference_text(const SceneResult& r) {
+  return fmt::format(
+      "reference point: s = {:.3f} mm, y = {:.3f} mm, z = {:.3f} mm, inclination {:.2f} degrees\n",
+      r.reference.s, r.reference.position.y, r.reference.position.z,
+      r.reference.delta * 180 / std::numbers::pi);
+}
+
+} // namespace
+
+double largest_pressure(const SceneResult& r) {
+  double largest = 0;
+  for (const PatchSummary& p : r.result.patches)
+    largest = std::max(largest, p.pmax);
+  return largest;
+}
+
+double contact_area(const SceneResult& r) {
+  double area = 0;
+  for (const PatchSummary& p : r.result.patches)
+    area += p.area;
+  return area;
+}
+
+json to_json(const SceneResult& r) {
+  json patches = json::array();
+  for (const PatchSummary& p : r.result.patches)
+    patches.push_back({{"Fn", p.fn},
+                       {"Fx", p.fx},
+                       {"Fs", p.fs},
+                       {"approach", p.approach},
+                       {"pmax", p.pmax},
+                       {"area", p.area},
+                       {"contact", p.contact},
+                       {"adhesion", p.adhesion},
+                       {"slip", p.slip},
+                       {"x", p.x},
+                       {"s", p.s}});
+  const ContactGrid& grid = r.problem.grid;
+  return {{"model", r.model},
+          {"reason", r.reason},
+          {"converged", r.result.converged},
+          {"patches", patches},
+          {"totals", {{"Fx", r.result.Fx}, {"Fy", r.result.Fy}, {"Fz", r.result.Fz}, {"Mz", r.moment}}},
+          {"approach", r.result.approach},
+          {"pmax", largest_pressure(r)},
+          {"area", contact_area(r)},
+          {"reference",
+           {{"s", r.reference.s},
+            {"y", r.reference.position.y},
+            {"z", r.reference.position.z},
+            {"delta", r.reference.delta}}},
+          {"grid",
+           {{"mx", grid.mx},
+            {"ms", grid.ms},
+            {"dx", grid.dx},
+            {"ds", grid.ds},
+            {"s_from", r.problem.rows.front().s},
+            {"s_to", r.problem.rows.back().s}}},
+          {"certificate", certificate_json(r.result.certificate)},
+          {"solvers",
+           {{"normal", r.result.normal_solver},
+            {"tangential", r.result.tangential_solver},
+            {"outer_iterations", r.result.outer_iterations},
+            {"normal_iterations", r.result.normal_iterations},
+            {"tangential_iterations", r.result.tangential_iterations},
+            {"remark", r.result.remark}}},
+          {"warnings", r.warnings},
+          {"seconds",
+           {{"geometry", r.seconds.geometry},
+            {"numbers", r.seconds.numbers},
+            {"solve", r.seconds.solve},
+            {"total", r.seconds.total}}}};
+}
+
+json to_json(const Comparison& c) {
+  json differences = json::object();
+  for (const Quantity& q : quantities) {
+    const double halfspace = q.get(c.halfspace), fem = q.get(c.fem);
+    differences[q.name] = halfspace == 0 ? json(nullptr) : json((fem - halfspace) / std::abs(halfspace));
+  }
+  return {{"halfspace", to_json(c.halfspace)}, {"fem", to_json(c.fem)}, {"difference", differences}};
+}
+
+std::string to_text(const SceneResult& r) {
+  std::string out = fmt::format("model: {} ({})\n", r.model, r.reason);
+  out += reference_text(r);
+  if (r.result.patches.empty())
+    out += "no contact: all forces are zero\n";
+  else
+    out += fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10} {:>9} {:>9} {:>8} {:>8} {:>6}\n", "patch", "Fn N",
+                       "Fx N", "Fs N", "approach", "pmax MPa", "area mm2", "contact", "adhesion", "slip");
+  int i = 0;
+  for (const PatchSummary& p : r.result.patches)
+    out += fmt::format("{:>5} {:>11.1f} {:>11.1f} {:>11.1f} {:>10.5f} {:>9.1f} {:>9.2f} {:>8} {:>8} {:>6}\n",
+                       ++i, p.fn, p.fx, p.fs, p.approach, p.pmax, p.area, p.contact, p.adhesion, p.slip);
+  out +=
+      fmt::format("on the rail: Fx {:.1f} N, Fy {:.1f} N, Fz {:.1f} N, Mz {:.1f} N mm; approach {:.5f} mm\n",
+                  r.result.Fx, r.result.Fy, r.result.Fz, r.moment, r.result.approach);
+  const Certificate& c = r.result.certificate;
+  out += fmt::format("certificate: worst violation {:.1e} of {:.0e} allowed, {}", c.worst(), c.tolerance,
+                     c.holds() ? "holds" : "DOES NOT HOLD");
+  out += c.discretisation < 0
+             ? "\n"
+             : fmt::format("; discretisation error about {:.1f} %\n", 100 * c.discretisation);
+  if (!r.result.remark.empty())
+    out += fmt::format("solver: {}\n", r.result.remark);
+  out += fmt::format("seconds: geometry {:.2f}, influence numbers {:.2f}, solve {:.2f}, total {:.2f}\n",
+                     r.seconds.geometry, r.seconds.numbers, r.seconds.solve, r.seconds.total);
+  return out;
+}
+
+std::string to_text(const Comparison& c) {
+  const ContactGrid& grid = c.fem.problem.grid;
+  std::string out = reference_text(c.fem);
+  out += fmt::format("{} x {} elements of {:g} x {:g} mm, vertical force on both {:.1f} N\n\n", grid.mx,
+                     grid.ms, grid.dx, grid.ds, c.fem.result.Fz);
+  out += fmt::format("{:<12} {:<9} {:>14} {:>14} {:>12}\n", "", "", "half-space", "FEM", "difference");
+  for (const Quantity& q : quantities) {
+    const double halfspace = q.get(c.halfspace), fem = q.get(c.fem);
+    out += fmt::format("{:<12} {:<9} {:>14} {:>14} {:>12}\n", q.name, q.unit, number(halfspace), number(fem),
+                       difference(halfspace, fem));
+  }
+  out += fmt::format("{:<12} {:<9} {:>14} {:>14}\n", "patches", "", c.halfspace.result.patches.size(),
+                     c.fem.result.patches.size());
+  out += fmt::format("{:<12} {:<9} {:>14.1e} {:>14.1e}\n", "certificate", "worst",
+                     c.halfspace.result.certificate.worst(), c.fem.result.certificate.worst());
+  out += fmt::format("{:<12} {:<9} {:>14.2f} {:>14.2f}\n", "seconds", "numbers", c.halfspace.seconds.numbers,
+                     c.fem.seconds.numbers);
+  out += fmt::format("{:<12} {:<9} {:>14.2f} {:>14.2f}\n", "", "solve", c.halfspace.seconds.solve,
+                     c.fem.seconds.solve);
+  return out;
+}
+
+} // namespace bem_contact::app

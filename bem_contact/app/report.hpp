@@ -1,0 +1,26 @@
+#pragma once
+
+#include "bem_contact/wheelset/scene.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace bem_contact::app {
+
+/// Largest pressure of all patches, MPa, and their area, mm^2.
+double largest_pressure(const SceneResult& result);
+double contact_area(const SceneResult& result);
+
+/// The object that --json prints. Lengths mm, forces N, moments N mm, pressures MPa, angles rad. Totals are
+/// the forces on the rail in the track frame (patch: the frame of the rows), Mz about the vertical axis
+/// through the reference point.
+nlohmann::json to_json(const SceneResult& result);
+/// {"halfspace": ..., "fem": ..., "difference": ...}, the differences as fem minus half-space over half-space
+/// (null where half-space gives zero).
+nlohmann::json to_json(const Comparison& comparison);
+
+/// The same for people.
+std::string to_text(const SceneResult& result);
+std::string to_text(const Comparison& comparison);
+
+} // namespace bem_contact::app

@@ -1,0 +1,106 @@
+#include "bem_contact/app/result_file.hpp"
+
+#include "bem_contact/app/report.hpp"
+
+#include <algorithm>
+
+namespace bem_contact::app {
+
+namespace {
+
+H5Dataset field(const ContactGrid& grid, std::vector<double> values, std::string unit,
+                std::string description) {
+  values.resize(grid.size(), 0.0); // a frictionless result has no slip
+  return {{static_cast<std::size_t>(grid.ms), static_cast<std::size_t>(grid.mx)},
+          std::move(values),
+          std::move(unit),
+          std::move(description)};
+}
+
+H5Dataset line(std::vector<double> values, std::string unit, std::string description) {
+  const std::size_t n = values.size();
+  return {{n}, std::move(values), std::move(unit), std::move(description)};
+}
+
+H5Dataset points(const std::vector<Point2>& line, std::string description) {
+  H5Dataset out{{line.size(), 2}, {}, "mm", std::move(description)};
+  for (const Point2& p : line)
+    out.values.insert(out.values.end(), {p.y, p.z});
+  return out;
+}
+
+void add_result(H5Table& table, const SceneResult& r) {
+  const ContactGrid& grid = r.problem.grid;
+  const std::string group = r.model + "/";
+  const ContactResult& c = r.result;
+  table.datasets[group + "p_x"] = field(grid, c.px, "MPa", "traction on the rail along x");
+  table.datasets[group + "p_s"] = field(grid, c.ps, "MPa", "traction on the rail along s");
+  table.datasets[group + "p_n"] = field(grid, c.pn, "MPa", "pressure");
+  table.datasets[group + "slip_x"] = field(grid, c.slip_x, "1", "slip along x per unit of rolled distance");
+  table.datasets[group + "slip_s"] = field(grid, c.slip_s, "1", "slip along s per unit of rolled distance");
+  table.datasets[group + "deformed_distance"] = field(grid, c.deformed_distance, "mm", "deformed distance");
+  std::vector<double> state(c.state.size());
+  std::ranges::transform(c.state, state.begin(), [](ElementState e) { return double(e); });
+  table.datasets[group + "state"] = field(grid, state, "1", "0 exterior, 1 adhesion, 2 slip");
+
+  auto& a = table.attributes;
+  a[group + "model"] = r.model;
+  a[group + "reason"] = r.reason;
+  a[group + "Fx_N"] = c.Fx;
+  a[group + "Fy_N"] = c.Fy;
+  a[group + "Fz_N"] = c.Fz;
+  a[group + "Mz_Nmm"] = r.moment;
+  a[group + "approach_mm"] = c.approach;
+  a[group + "pmax_MPa"] = largest_pressure(r);
+  a[group + "area_mm2"] = contact_area(r);
+  a[group + "patches"] = double(c.patches.size());
+  a[group + "certificate_worst"] = c.certificate.worst();
+  a[group + "certificate_tolerance"] = c.certificate.tolerance;
+  a[group + "certificate_holds"] = c.certificate.holds() ? 1.0 : 0.0;
+  a[group + "seconds"] = r.seconds.numbers + r.seconds.solve;
+}
+
+} // namespace
+
+H5Table to_table(std::span<const SceneResult* const> results, const std::string& scene) {
+  H5Table table;
+  const SceneResult& first = *results.front();
+  const ContactProblem& problem = first.problem;
+  const ContactGrid& grid = problem.grid;
+  std::vector<double> x, s, y, z, delta;
+  for (int ix = 0; ix < grid.mx; ++ix)
+    x.push_back(grid.x(ix));
+  for (const ContactRow& row : problem.rows) {
+    s.push_back(row.s);
+    y.push_back(row.position.y);
+    z.push_back(row.position.z);
+    delta.push_back(row.delta);
+  }
+  table.datasets["x"] = line(x, "mm", "middle of the columns, rolling direction");
+  table.datasets["s"] = line(s, "mm", "middle of the rows, arc length along the rail");
+  table.datasets["y"] = line(y, "mm", "middle of the rows, to the right (track frame)");
+  table.datasets["z"] = line(z, "mm", "middle of the rows, down (track frame)");
+  table.datasets["delta"] = line(delta, "rad", "inclination of the rows");
+  if (!first.wheel_s.empty())
+    table.datasets["wheel_s"] = line(first.wheel_s, "mm", "arc length along the wheel opposite the rows");
+  table.datasets["gap"] = field(grid, problem.gap, "mm", "undeformed distance along the rail's normal");
+  table.datasets["rail_profile"] = points(first.rail_profile, "rail near the contact: y, z");
+  table.datasets["wheel_profile"] = points(first.wheel_profile, "wheel near the contact at approach 0: y, z");
+
+  auto& a = table.attributes;
+  a["format"] = std::string(result_format);
+  a["scene"] = scene;
+  a["frame"] = std::string("x rolling direction, y right, z down; s along the rail, n into the rail");
+  a["dx_mm"] = grid.dx;
+  a["ds_mm"] = grid.ds;
+  a["friction"] = problem.tangential ? problem.friction : 0.0;
+  a["reference_s_mm"] = first.reference.s;
+  a["reference_y_mm"] = first.reference.position.y;
+  a["reference_z_mm"] = first.reference.position.z;
+  a["reference_delta_rad"] = first.reference.delta;
+  for (const SceneResult* r : results)
+    add_result(table, *r);
+  return table;
+}
+
+} // namespace bem_contact::app
