@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/rail_section.hpp"
+#include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/s1002.hpp"
 
 #include <fmt/format.h>
@@ -68,7 +69,8 @@ ProfileCurve standard_profile(std::string_view name) {
 ProfileCurve body_profile(const BodyFile& file) {
   const auto& body = file.body;
   if (body.kind == "rail" || body.kind == "wheel")
-    return standard_profile(body.profile);
+    return named_profile(body.profile, body.kind == "rail" ? ProfileKind::rail : ProfileKind::wheel,
+                         file.folder);
   if (body.kind == "disc")
     return lower_half_circle(fmt::format("disc R {}", body.radius), body.radius, true);
   if (body.kind == "bore")

@@ -1,0 +1,218 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/profile_formats.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace bem_contact {
+
+namespace {
+
+constexpr double crowded = 0.01;                         // mm; nearer points carry rounding, not shape
+constexpr double zig_zag = 100 * std::numbers::pi / 180; // no profile turns so sharply between two chords
+constexpr double repairable_share = 0.05;                // of the points may be dropped as zig-zag
+constexpr double repairable_loop = 1;                    // mm
+
+double turn_at(const std::vector<Point2>& p, std::size_t i) {
+  const Point2 a = p[i] - p[i - 1], b = p[i + 1] - p[i];
+  return std::abs(std::atan2(a.y * b.z - a.z * b.y, dot(a, b)));
+}
+
+double path_length(const std::vector<Point2>& p) {
+  double sum = 0;
+  for (std::size_t i = 1; i < p.size(); ++i)
+    sum += norm(p[i] - p[i - 1]);
+  return sum;
+}
+
+/// The first point where the walk turns back, if any.
+std::optional<std::size_t> first_zig_zag(const std::vector<Point2>& p) {
+  for (std::size_t i = 1; i + 1 < p.size(); ++i)
+    if (turn_at(p, i) > zig_zag)
+      return i;
+  return std::nullopt;
+}
+
+void mend_units(std::vector<Point2>& points, const std::string& source) {
+  const auto [low, high] =
+      std::minmax_element(points.begin(), points.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
+  double width = high->y - low->y;
+  if (width >= 0.02 && width <= 0.3) {
+    spdlog::warn("{}: {:.4g} wide: taken as metres", source, width);
+    for (Point2& p : points)
+      p = 1000 * p;
+    width *= 1000;
+  }
+  if (!(width >= 10 && width <= 300))
+    throw InputError(fmt::format("{}: the profile is {:.4g} mm wide", source, width),
+                     "no rail or wheel is; the unit is neither mm nor m, or the columns are not y and z",
+                     "Convert it to mm.");
+}
+
+/// Drops points nearer than `crowded` to the one before; the last point stays.
+void drop_crowded(std::vector<Point2>& points, const std::string& source) {
+  std::vector<Point2> kept;
+  for (const Point2 p : points)
+    if (kept.empty() || norm(p - kept.back()) >= crowded)
+      kept.push_back(p);
+  if (norm(points.back() - kept.back()) > 0 && kept.size() > 1)
+    kept.back() = points.back();
+  if (kept.size() < points.size())
+    spdlog::warn("{}: {} doubled or crowded points dropped (nearer than {} mm)", source,
+                 points.size() - kept.size(), crowded);
+  points = std::move(kept);
+}
+
+/// Drops single stray points, each the one whose absence shortens the walk most.
+bool drop_stray(std::vector<Point2>& points, const std::string& source) {
+  std::vector<Point2> mended = points;
+  const auto most =
+      static_cast<std::size_t>(std::max(1.0, repairable_share * static_cast<double>(points.size())));
+  while (const auto at = first_zig_zag(mended)) {
+    if (points.size() - mended.size() >= most || mended.size() <= 4)
+      return false;
+    std::size_t drop = *at;
+    double shortest = path_length(mended);
+    for (std::size_t i = *at - 1; i <= *at + 1; ++i) {
+      std::vector<Point2> without = mended;
+      without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+      // An end point always shortens the walk: it is dropped only where nothing else helps.
+      const bool end = i == 0 || i + 1 == mended.size();
+      if (const double length = path_length(without) + (end ? 1e-3 * shortest : 0); length < shortest) {
+        shortest = length;
+        drop = i;
+      }
+    }
+    mended.erase(mended.begin() + static_cast<std::ptrdiff_t>(drop));
+  }
+  spdlog::warn("{}: {} points dropped where the profile zig-zags", source, points.size() - mended.size());
+  points = std::move(mended);
+  return true;
+}
+
+void mend_order(std::vector<Point2>& points, const std::string& source) {
+  const auto at = first_zig_zag(points);
+  if (!at)
+    return;
+  std::vector<Point2> sorted = points;
+  std::stable_sort(sorted.begin(), sorted.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
+  if (!first_zig_zag(sorted) && path_length(points) > 1.5 * path_length(sorted)) {
+    spdlog::warn("{}: the points are out of order: sorted by y", source);
+    points = std::move(sorted);
+    return;
+  }
+  if (!drop_stray(points, source))
+    throw InputError(fmt::format("{}: the profile zig-zags near y = {:.4g}, z = {:.4g}", source,
+                                 points[*at].y, points[*at].z),
+                     "its points are neither in walking order nor sortable by y",
+                     "Order the points along the profile; of overlapping scans give one.");
+}
+
+/// Where segments i and j > i + 1 cross, if they do.
+std::optional<Point2> crossing(const std::vector<Point2>& p, std::size_t i, std::size_t j) {
+  const Point2 a = p[i + 1] - p[i], b = p[j + 1] - p[j], c = p[j] - p[i];
+  const double det = a.y * b.z - a.z * b.y;
+  if (det == 0)
+    return std::nullopt;
+  const double u = (c.y * b.z - c.z * b.y) / det, v = (c.y * a.z - c.z * a.y) / det;
+  if (u < 0 || u > 1 || v < 0 || v > 1)
+    return std::nullopt;
+  return p[i] + u * a;
+}
+
+void mend_loops(std::vector<Point2>& points, const std::string& source) {
+  for (std::size_t i = 0; i + 3 < points.size(); ++i)
+    for (std::size_t j = i + 2; j + 1 < points.size(); ++j) {
+      // Cheap test first: every pair of segments is looked at.
+      if (std::min(points[j].y, points[j + 1].y) > std::max(points[i].y, points[i + 1].y) ||
+          std::max(points[j].y, points[j + 1].y) < std::min(points[i].y, points[i + 1].y))
+        continue;
+      const auto where = crossing(points, i, j);
+      if (!where)
+        continue;
+      const std::vector<Point2> loop(points.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                                     points.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+      const double length = path_length(loop) + norm(loop.front() - *where) + norm(loop.back() - *where);
+      if (length > repairable_loop)
+        throw InputError(fmt::format("{}: the profile crosses itself at y = {:.4g}, z = {:.4g}", source,
+                                     where->y, where->z),
+                         fmt::format("the loop is {:.3g} mm long", length), "Remove the points of the loop.");
+      spdlog::warn("{}: a loop of {:.3g} mm cut off at y = {:.4g}, z = {:.4g}", source, length, where->y,
+                   where->z);
+      points.erase(points.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                   points.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+      points.insert(points.begin() + static_cast<std::ptrdiff_t>(i) + 1, *where);
+    }
+}
+
+void flip_z(std::vector<Point2>& points, const std::string& source) {
+  spdlog::warn("{}: z points up: its sign is changed", source);
+  for (Point2& p : points)
+    p.z = -p.z;
+}
+
+/// A rail's head bulges upward from the chord between its ends.
+void mend_rail_signs(std::vector<Point2>& points, const std::string& source) {
+  const Point2 first = points.front(), chord = points.back() - first;
+  const Point2 downward = normal_of(std::atan2(chord.z, chord.y));
+  double bulge = 0;
+  for (const Point2 p : points)
+    if (const double height = dot(p - first, downward); std::abs(height) > std::abs(bulge))
+      bulge = height;
+  if (bulge > 0.005 * norm(chord))
+    flip_z(points, source);
+}
+
+/// A wheel's flange is what stands out most from the median height; it points down and lies at y < 0.
+void mend_wheel_signs(std::vector<Point2>& points, const std::string& source) {
+  constexpr double least_flange = 8; // mm; below that there is no flange to go by
+  std::vector<Point2> by_height = points;
+  std::sort(by_height.begin(), by_height.end(), [](Point2 a, Point2 b) { return a.z < b.z; });
+  const double median = by_height[by_height.size() / 2].z;
+  const double down = by_height.back().z - median, up = median - by_height.front().z;
+  if (std::max(up, down) < least_flange)
+    return;
+  const Point2 tip = up > down ? by_height.front() : by_height.back();
+  if (up > down)
+    flip_z(points, source);
+  const auto [low, high] =
+      std::minmax_element(points.begin(), points.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
+  if (tip.y > (low->y + high->y) / 2) {
+    spdlog::warn("{}: the flange lies at y > 0: y is mirrored", source);
+    for (Point2& p : points)
+      p.y = -p.y;
+  }
+}
+
+} // namespace
+
+std::vector<Point2> repaired(std::vector<Point2> points, const std::string& source, ProfileKind kind) {
+  const auto require_some = [&] {
+    if (points.size() < 3)
+      throw InputError(fmt::format("{} has {} points", source, points.size()), "a profile needs at least 3",
+                       points.empty() ? "The file is empty or holds no numbers." : "Give more points.");
+  };
+  require_some();
+  mend_units(points, source);
+  drop_crowded(points, source);
+  require_some();
+  mend_order(points, source);
+  drop_crowded(points, source); // sorting brings doubled points together
+  require_some();
+  const bool rail = kind == ProfileKind::rail;
+  // The signs are judged on a walk towards +y, then the walk gets its kind's direction.
+  if (points.front().y > points.back().y)
+    std::reverse(points.begin(), points.end());
+  rail ? mend_rail_signs(points, source) : mend_wheel_signs(points, source);
+  if ((points.front().y < points.back().y) != rail)
+    std::reverse(points.begin(), points.end());
+  mend_loops(points, source);
+  return points;
+}
+
+} // namespace bem_contact
