@@ -1,0 +1,84 @@
+#include "bem_contact/base/body_file.hpp"
+#include "bem_contact/base/error.hpp"
+#include "meshes/mesh_body.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+
+namespace {
+
+using namespace bem_contact;
+
+constexpr const char* description =
+    "Meshes the cross-section of a rail, wheel, block, disc or bore in quadrilaterals, graded to its "
+    "contact\n"
+    "strip. The .msh opens in gmsh; its x and y are y (to the right) and z (down) of the section, mm.\n"
+    "Physical groups: curves contact = 1, held = 2, free = 3; surface body = 10.";
+
+constexpr const char* example = "Example:\n"
+                                "  mesh_body data/bodies/rail_60E1_gauge_corner.toml -o rail.msh --quality\n"
+                                "  mesh_body --print-default > body.toml";
+
+void print_quality(const meshes::QuadMesh& mesh, const meshes::Quality& quality) {
+  fmt::print("quadrilaterals           {}\n", quality.quads);
+  fmt::print("vertices                 {}\n", mesh.points.size());
+  fmt::print("area                     {:.3f} mm^2 (section {:.3f})\n", quality.area, mesh.section_area);
+  fmt::print("edges, shortest/longest  {:.4f} / {:.4f} mm\n", quality.shortest_edge, quality.longest_edge);
+  fmt::print("scaled Jacobian, mean    {:.3f}\n", quality.mean);
+  fmt::print("scaled Jacobian, least   {:.3f} at y = {:.3f}, z = {:.3f} mm\n", quality.smallest,
+             quality.worst.y, quality.worst.z);
+}
+
+int run(const std::string& body_file, const std::string& output, bool report) {
+  const BodyFile body = read_body_file(body_file);
+  const meshes::QuadMesh mesh = meshes::mesh_section(body);
+  meshes::write_msh(mesh, output);
+  const meshes::Quality quality = meshes::quality(mesh);
+  if (quality.smallest < meshes::poor_quality)
+    fmt::print(stderr,
+               "warning: the smallest scaled Jacobian is {:.3f} (below {} near y = {:.3f}, z = {:.3f} mm) "
+               "Lower [mesh] grading or move the strip's ends.\n",
+               quality.smallest, meshes::poor_quality, quality.worst.y, quality.worst.z);
+  fmt::print("{}: {} quadrilaterals, smallest scaled Jacobian {:.2f}, written to {}\n", mesh.name,
+             quality.quads, quality.smallest, output);
+  if (report)
+    print_quality(mesh, quality);
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(description, "mesh_body");
+  app.footer(example);
+  std::string body_file, output;
+  bool report = false, print_default = false;
+  app.add_option("BODY.toml", body_file, "body file");
+  app.add_option("-o,--output", output, "mesh to write, e.g. rail.msh");
+  app.add_flag("--quality", report, "print sizes, areas and the quality of the mesh");
+  app.add_flag("--print-default", print_default, "print all keys of a body file with defaults and units");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    if (print_default) {
+      fmt::print("{}", default_body_file());
+      return 0;
+    }
+    if (body_file.empty() || output.empty())
+      throw InputError("nothing to mesh", "a body file and -o OUT.msh are needed", "See mesh_body --help.");
+    return run(body_file, output, report);
+  } catch (const InputError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,208 @@
+#include "meshes/outline.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "meshes/sampled_span.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace bem_contact::meshes {
+namespace {
+
+constexpr double edge_angle = 7.5 * std::numbers::pi / 180; // an arc turns by at most this in one edge
+constexpr double level_ratio = 1.05;
+constexpr double ray_step = 2; // mm between the places where the body's thickness is measured
+
+double cross(Point2 a, Point2 b) {
+  return a.y * b.z - b.y * a.z;
+}
+
+struct Candidate {
+  double size;
+  Point2 place;
+};
+
+struct Segment {
+  Point2 from, to;
+};
+
+std::vector<Segment> polygon(const std::vector<Span>& spans) {
+  std::vector<Segment> segments;
+  for (const auto& span : spans) {
+    Point2 last = span.samples.front().position;
+    for (std::size_t i = 1; i < span.samples.size(); ++i)
+      if (norm(span.samples[i].position - last) >= ray_step || i + 1 == span.samples.size()) {
+        segments.push_back({last, span.samples[i].position});
+        last = span.samples[i].position;
+      }
+  }
+  return segments;
+}
+
+/// Half of the thickness of the body behind each place of the outline. Only an opposite side counts: the
+/// neighbour at a corner is no reason for small elements.
+std::vector<Candidate> thickness_candidates(const std::vector<Segment>& outline) {
+  constexpr double opposite = -0.8;
+  std::vector<Candidate> candidates;
+  for (const auto& a : outline) {
+    const Point2 along = a.to - a.from;
+    if (!(norm(along) > 0))
+      continue;
+    const Point2 tangent = (1 / norm(along)) * along, inward{-tangent.z, tangent.y};
+    const Point2 origin = 0.5 * (a.from + a.to);
+    double nearest = std::numeric_limits<double>::infinity();
+    bool is_opposite = false;
+    for (const auto& b : outline) {
+      const Point2 side = b.to - b.from;
+      const double determinant = cross(inward, side);
+      if (std::abs(determinant) < 1e-12 * norm(side))
+        continue;
+      const double distance = cross(b.from - origin, side) / determinant;
+      const double position = cross(b.from - origin, inward) / determinant;
+      if (distance > 1e-9 && distance < nearest && position >= 0 && position <= 1) {
+        nearest = distance;
+        is_opposite = dot(tangent, side) < opposite * norm(side);
+      }
+    }
+    if (is_opposite)
+      candidates.push_back({nearest / 2, origin});
+  }
+  return candidates;
+}
+
+void add_geometry(SizeField& size, const std::vector<Span>& spans) {
+  std::vector<Candidate> candidates = thickness_candidates(polygon(spans));
+  for (const auto& span : spans)
+    if (span.group != Group::contact)
+      for (std::size_t i = 0; i < span.samples.size(); ++i)
+        if (const double curvature = curvature_at(span, i); curvature > 0)
+          candidates.push_back({edge_angle / curvature, span.samples[i].position});
+  std::sort(candidates.begin(), candidates.end(), [](auto& a, auto& b) { return a.size < b.size; });
+  for (const auto& c : candidates)
+    if (size(c.place) > 1.15 * c.size) // else its neighbours have said it already
+      size.add(c.size, {c.place});
+}
+
+std::vector<OutlineVertex> divide_strip(const Span& span, int edges) {
+  const Piece& strip = *span.pieces.front();
+  std::vector<OutlineVertex> vertices;
+  for (int i = 0; i < edges; ++i)
+    vertices.push_back({strip.at(strip.from + (strip.to - strip.from) * i / edges), span.group});
+  return vertices;
+}
+
+/// Vertices of a span but its last one; their number is even, or odd where `odd`.
+std::vector<OutlineVertex> divide_span(const Span& span, const SizeField& size, bool odd) {
+  std::vector<double> edges_before{0};
+  for (std::size_t i = 1; i < span.samples.size(); ++i) {
+    const Point2 a = span.samples[i - 1].position, b = span.samples[i].position;
+    edges_before.push_back(edges_before.back() + norm(b - a) / size(0.5 * (a + b)));
+  }
+  const double total = edges_before.back();
+  const int least = span.closed ? 8 : 2;
+  int count = std::max(least, static_cast<int>(std::ceil(total)));
+  count += (count % 2 == 1) != odd ? 1 : 0;
+  std::vector<OutlineVertex> vertices;
+  for (int i = 0; i < count; ++i) {
+    const double target = total * i / count;
+    const auto after = std::upper_bound(edges_before.begin() + 1, edges_before.end() - 1, target);
+    const auto k = static_cast<std::size_t>(after - edges_before.begin());
+    const double part =
+        std::clamp((target - edges_before[k - 1]) / (edges_before[k] - edges_before[k - 1]), 0.0, 1.0);
+    vertices.push_back({point_between(span, k - 1, part), span.group});
+  }
+  return vertices;
+}
+
+bool cross_or_touch(const Segment& a, const Segment& b) {
+  const auto apart = [](double p, double q, double r, double s) {
+    return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
+  };
+  if (apart(a.from.y, a.to.y, b.from.y, b.to.y) || apart(a.from.z, a.to.z, b.from.z, b.to.z))
+    return false;
+  const Point2 u = a.to - a.from, v = b.to - b.from;
+  return cross(u, b.from - a.from) * cross(u, b.to - a.from) <= 0 &&
+         cross(v, a.from - b.from) * cross(v, a.to - b.from) <= 0;
+}
+
+} // namespace
+
+void SizeField::add(double size, std::vector<Point2> sources) {
+  // Levels keep the number of square roots small: one a level and place.
+  const double level = std::pow(level_ratio, std::floor(std::log(size) / std::log(level_ratio)));
+  const auto at = std::lower_bound(levels_.begin(), levels_.end(), level * (1 - 1e-9),
+                                   [](const Level& l, double s) { return l.size < s; });
+  if (at != levels_.end() && at->size < level * (1 + 1e-9))
+    at->sources.insert(at->sources.end(), sources.begin(), sources.end());
+  else
+    levels_.insert(at, {level, std::move(sources)});
+}
+
+double SizeField::operator()(Point2 p) const {
+  double size = largest_;
+  for (const auto& level : levels_) {
+    if (level.size >= size)
+      break;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& source : level.sources)
+      nearest = std::min(nearest, dot(p - source, p - source));
+    size = std::min(size, level.size + grading_ * std::sqrt(nearest));
+  }
+  return size;
+}
+
+Outline divide(const Section& section, int strip_edges, const BodyFile::Mesh& mesh) {
+  std::vector<std::vector<Span>> loops;
+  std::vector<Span> all;
+  for (const auto& loop : section.loops) {
+    loops.push_back(sample_spans(loop));
+    all.insert(all.end(), loops.back().begin(), loops.back().end());
+  }
+  const auto strip = divide_strip(all.front(), strip_edges);
+  std::vector<Point2> places{all.front().samples.back().position};
+  for (const auto& vertex : strip)
+    places.push_back(vertex.position);
+
+  Outline outline{{}, SizeField(mesh.largest, mesh.grading)};
+  const Piece& piece = section.loops.front().front();
+  outline.size.add((piece.to - piece.from) / strip_edges, places);
+  add_geometry(outline.size, all);
+
+  bool odd = false;
+  for (const auto& spans : loops) {
+    VertexLoop loop;
+    for (const auto& span : spans) {
+      const auto vertices = span.group == Group::contact ? strip : divide_span(span, outline.size, odd);
+      odd = vertices.size() % 2 == 1 && !odd;
+      loop.insert(loop.end(), vertices.begin(), vertices.end());
+    }
+    outline.loops.push_back(std::move(loop));
+  }
+  return outline;
+}
+
+void refuse_crossings(const Outline& outline, const std::string& name) {
+  struct Edge : Segment {
+    std::size_t loop, index, loop_size;
+  };
+  std::vector<Edge> edges;
+  for (std::size_t l = 0; l < outline.loops.size(); ++l)
+    for (std::size_t i = 0, n = outline.loops[l].size(); i < n; ++i)
+      edges.push_back({{outline.loops[l][i].position, outline.loops[l][(i + 1) % n].position}, l, i, n});
+  for (std::size_t a = 0; a < edges.size(); ++a)
+    for (std::size_t b = a + 1; b < edges.size(); ++b) {
+      const std::size_t apart = edges[b].index - edges[a].index;
+      if (edges[a].loop == edges[b].loop && (apart == 1 || apart + 1 == edges[a].loop_size))
+        continue;
+      if (cross_or_touch(edges[a], edges[b]))
+        throw InputError(fmt::format("the outline of {} crosses itself", name),
+                         fmt::format("near y = {:.3f}, z = {:.3f} mm", edges[a].from.y, edges[a].from.z),
+                         "Check the profile and the body's dimensions.");
+    }
+}
+
+} // namespace bem_contact::meshes

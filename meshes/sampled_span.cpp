@@ -1,0 +1,102 @@
+#include "meshes/sampled_span.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bem_contact::meshes {
+namespace {
+
+constexpr double corner = 15 * std::numbers::pi / 180;
+constexpr double sample_step = 0.1; // mm
+constexpr int least_samples = 64, most_samples = 4000;
+
+double angle_between(Point2 a, Point2 b) {
+  return std::abs(std::atan2(a.y * b.z - b.y * a.z, dot(a, b)));
+}
+
+Point2 direction(const Piece& piece, double at_part, double to_part) {
+  const double range = piece.to - piece.from;
+  return piece.at(piece.from + range * to_part) - piece.at(piece.from + range * at_part);
+}
+
+bool break_between(const Piece& a, const Piece& b) {
+  constexpr double small = 1e-5;
+  return a.group != b.group || angle_between(direction(a, 1 - small, 1), direction(b, 0, small)) > corner;
+}
+
+int sample_count(const Piece& piece) {
+  double length = 0;
+  for (int i = 0; i < least_samples; ++i)
+    length += norm(
+        direction(piece, static_cast<double>(i) / least_samples, static_cast<double>(i + 1) / least_samples));
+  return std::clamp(static_cast<int>(length / sample_step), least_samples, most_samples);
+}
+
+void sample(Span& span) {
+  for (std::size_t p = 0; p < span.pieces.size(); ++p) {
+    const Piece& piece = *span.pieces[p];
+    const int count = sample_count(piece);
+    for (int i = 0; i <= count; ++i) {
+      const double t = i == count ? piece.to : piece.from + (piece.to - piece.from) * i / count;
+      span.samples.push_back({piece.at(t), p, t, 0, 0});
+    }
+  }
+  auto& s = span.samples;
+  Point2 last{};
+  for (std::size_t i = 1; i < s.size(); ++i) {
+    const Point2 step = s[i].position - s[i - 1].position;
+    s[i].length = s[i - 1].length + norm(step);
+    s[i].turn = s[i - 1].turn;
+    if (norm(step) < 1e-9) // a joint of two pieces is sampled twice
+      continue;
+    if (norm(last) > 0)
+      s[i].turn += angle_between(last, step);
+    last = step;
+  }
+}
+
+} // namespace
+
+std::vector<Span> sample_spans(const Loop& loop) {
+  const std::size_t n = loop.size();
+  const auto breaks_before = [&](std::size_t i) { return break_between(loop[(i + n - 1) % n], loop[i]); };
+  std::size_t start = 0;
+  while (start < n && !breaks_before(start))
+    ++start;
+  std::vector<Span> spans;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = (start + k) % n;
+    if (k == 0 || breaks_before(i)) {
+      spans.emplace_back();
+      spans.back().group = loop[i].group;
+    }
+    spans.back().pieces.push_back(&loop[i]);
+  }
+  for (auto& span : spans) {
+    span.closed = start == n;
+    sample(span);
+  }
+  return spans;
+}
+
+double curvature_at(const Span& span, std::size_t sample) {
+  constexpr double reach = 0.25;
+  const auto& s = span.samples;
+  std::size_t before = sample, after = sample;
+  while (before > 0 && s[sample].length - s[before].length < reach)
+    --before;
+  while (after + 1 < s.size() && s[after].length - s[sample].length < reach)
+    ++after;
+  const double length = s[after].length - s[before].length;
+  return length > 0 ? (s[after].turn - s[before].turn) / length : 0;
+}
+
+Point2 point_between(const Span& span, std::size_t sample, double part) {
+  const Sample &a = span.samples[sample], &b = span.samples[sample + 1];
+  if (a.piece != b.piece)
+    return a.position;
+  return span.pieces[a.piece]->at(a.t + part * (b.t - a.t));
+}
+
+} // namespace bem_contact::meshes

@@ -1,0 +1,174 @@
+#include "meshes/section.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/rail_section.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
+#include "meshes/wheel_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+
+namespace bem_contact::meshes {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double hole_of_disc = 0.05; // of its radius; a disc must be held somewhere
+
+/// The profile in walking order, the strip marked; the strip comes first, what lies before it last.
+struct Running {
+  Piece strip;
+  std::vector<Piece> after, before;
+};
+
+Running cut_at_strip(const ProfileCurve& curve, const BodyFile::Strip& strip) {
+  const double slack = 1e-9;
+  if (!(strip.from < strip.to) || !(strip.station_width > 0))
+    throw InputError(fmt::format("the strip from {} to {} mm with stations of {} mm is empty", strip.from,
+                                 strip.to, strip.station_width),
+                     "[strip] from must be less than to and station_width positive", "Correct the strip.");
+  if (strip.from < curve.s_begin() - slack || strip.to > curve.s_end() + slack)
+    throw InputError(
+        fmt::format("the strip from {} to {} mm is not on profile {}", strip.from, strip.to, curve.name()),
+        fmt::format("the profile runs from {:.3f} to {:.3f} mm", curve.s_begin(), curve.s_end()),
+        "Change [strip] from and to.");
+  const double from = std::max(strip.from, curve.s_begin()), to = std::min(strip.to, curve.s_end());
+  Running running{along(curve, from, to, Group::contact), {}, {}};
+  if (curve.s_end() - to > slack)
+    running.after.push_back(along(curve, to, curve.s_end()));
+  if (from - curve.s_begin() > slack)
+    running.before.push_back(along(curve, curve.s_begin(), from));
+  return running;
+}
+
+Loop close(const Running& running, const std::vector<Piece>& rest) {
+  Loop loop{running.strip};
+  loop.insert(loop.end(), running.after.begin(), running.after.end());
+  loop.insert(loop.end(), rest.begin(), rest.end());
+  loop.insert(loop.end(), running.before.begin(), running.before.end());
+  return loop;
+}
+
+Piece piece_of(const SectionPiece& piece, bool mirrored, Group group) {
+  const double side = mirrored ? -1 : 1;
+  const Point2 a{side * piece.from.y, piece.from.z}, b{side * piece.to.y, piece.to.z};
+  const auto [from, to] = mirrored ? std::pair{b, a} : std::pair{a, b};
+  if (piece.radius == 0)
+    return line(from, to, group);
+  const Point2 chord = to - from;
+  const double half = norm(chord) / 2, r = piece.radius;
+  const double towards = std::copysign(std::sqrt(std::max(0.0, r * r - half * half)), r);
+  const Point2 centre = 0.5 * (from + to) + (towards / (2 * half)) * Point2{-chord.z, chord.y};
+  const double angle = std::atan2(from.z - centre.z, from.y - centre.y);
+  return arc(centre, std::abs(r), angle, angle + std::copysign(2 * std::asin(half / std::abs(r)), r), group);
+}
+
+std::vector<Piece> below_rail_head(const std::string& name) {
+  const auto right = rail_section(name);
+  const std::size_t head = rail_head(name).size();
+  const auto group = [&](std::size_t i) { return i + 1 == right.size() ? Group::held : Group::free; };
+  std::vector<Piece> pieces;
+  for (std::size_t i = head; i < right.size(); ++i)
+    pieces.push_back(piece_of(right[i], false, group(i)));
+  for (std::size_t i = right.size(); i-- > head;)
+    pieces.push_back(piece_of(right[i], true, group(i)));
+  return pieces;
+}
+
+void refuse_rail_from_file(const std::string& profile) {
+  if (std::filesystem::path(profile).has_extension() || profile.find('/') != std::string::npos)
+    throw InputError(fmt::format("no whole section is known for the rail profile '{}'", profile),
+                     "a file gives the head only, and web and foot are built in for 60E1 and 60E2",
+                     "Use [body] profile = \"60E1\" or \"60E2\".");
+}
+
+void require_positive(double value, const char* key) {
+  if (!(value > 0) || !std::isfinite(value))
+    throw InputError(fmt::format("[body] {} = {} is no size of a body", key, value), "it must be positive",
+                     "Give it in mm.");
+}
+
+std::vector<Loop> loops_of(const BodyFile::Body& body, const Running& running) {
+  const double a = body.size, r = body.radius;
+  if (body.kind == "rail")
+    return {close(running, below_rail_head(body.profile))};
+  if (body.kind == "wheel")
+    return {
+        close(running,
+              wheel_body(running.after.empty() ? running.strip.end() : running.after.back().end(),
+                         running.before.empty() ? running.strip.begin() : running.before.front().begin()))};
+  if (body.kind == "block")
+    return {
+        close(running, {line({a, 0}, {a, a}), line({a, a}, {-a, a}, Group::held), line({-a, a}, {-a, 0})})};
+  if (body.kind == "disc")
+    return {close(running, {arc({}, r, pi, 2 * pi)}), {arc({}, hole_of_disc * r, 0, -2 * pi, Group::held)}};
+  // bore: walked clockwise from +y towards -z, as a hole is
+  return {close(running, {arc({}, r, 0, -pi)}),
+          {line({-a, -a}, {a, -a}, Group::held), line({a, -a}, {a, a}, Group::held),
+           line({a, a}, {-a, a}, Group::held), line({-a, a}, {-a, -a}, Group::held)}};
+}
+
+} // namespace
+
+Piece line(Point2 from, Point2 to, Group group) {
+  return {[=](double t) { return (1 - t) * from + t * to; }, 0, 1, group};
+}
+
+Piece arc(Point2 centre, double radius, double angle_from, double angle_to, Group group) {
+  return {[=](double t) {
+            return centre + radius * Point2{std::cos(t), std::sin(t)};
+          },
+          angle_from, angle_to, group};
+}
+
+Piece bezier(Point2 p0, Point2 p1, Point2 p2, Point2 p3) {
+  return {[=](double t) {
+            const double u = 1 - t;
+            return u * u * u * p0 + 3 * u * u * t * p1 + 3 * u * t * t * p2 + t * t * t * p3;
+          },
+          0, 1, Group::free};
+}
+
+Piece along(const ProfileCurve& curve, double from, double to, Group group) {
+  const auto shared = std::make_shared<const ProfileCurve>(curve);
+  return {[shared](double s) { return shared->at(s).position; }, from, to, group};
+}
+
+Section make_section(const BodyFile& file) {
+  const auto& body = file.body;
+  if (body.kind == "rail")
+    refuse_rail_from_file(body.profile);
+  if (body.kind == "disc" || body.kind == "bore")
+    require_positive(body.radius, "radius");
+  if (body.kind == "block" || body.kind == "bore")
+    require_positive(body.size, "size");
+  if (body.kind == "bore" && body.radius >= body.size)
+    throw InputError(fmt::format("a bore of radius {} mm does not fit into a block of half width {} mm",
+                                 body.radius, body.size),
+                     "it would cut the block's outer boundary",
+                     "Raise [body] size, best to 10 radii or more.");
+  const ProfileCurve profile = body_profile(file);
+  const bool named = body.kind == "rail" || body.kind == "wheel";
+  return {named ? fmt::format("{} {}", body.kind, profile.name()) : profile.name(),
+          loops_of(body, cut_at_strip(profile, file.strip))};
+}
+
+double area(const Section& section, int samples) {
+  double twice = 0;
+  for (const auto& loop : section.loops)
+    for (const auto& piece : loop) {
+      Point2 a = piece.begin();
+      for (int i = 1; i <= samples; ++i) {
+        const Point2 b = piece.at(piece.from + (piece.to - piece.from) * i / samples);
+        twice += a.y * b.z - b.y * a.z;
+        a = b;
+      }
+    }
+  return twice / 2;
+}
+
+} // namespace bem_contact::meshes

@@ -1,0 +1,94 @@
+#include "meshes/mesh_body.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "meshes/gmsh_session.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <system_error>
+
+namespace bem_contact::meshes {
+namespace {
+
+constexpr int line_type = 1, quad_type = 3;
+
+std::size_t tag(int vertex) {
+  return static_cast<std::size_t>(vertex) + 1;
+}
+
+/// A vertex belongs to the curve of the edge that begins there, else to the surface.
+void add_nodes(const QuadMesh& mesh) {
+  struct Nodes {
+    std::vector<std::size_t> tags;
+    std::vector<double> coordinates;
+    void add(const QuadMesh& of, std::size_t vertex) {
+      tags.push_back(vertex + 1);
+      coordinates.insert(coordinates.end(), {of.points[vertex].y, of.points[vertex].z, 0});
+    }
+  };
+  Nodes curves[3], surface;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    (v < mesh.boundary.size() ? curves[static_cast<int>(mesh.boundary[v].group) - 1] : surface).add(mesh, v);
+  for (int group = 1; group <= 3; ++group)
+    gmsh::model::mesh::addNodes(1, group, curves[group - 1].tags, curves[group - 1].coordinates);
+  gmsh::model::mesh::addNodes(2, body_group, surface.tags, surface.coordinates);
+}
+
+void add_elements(const QuadMesh& mesh) {
+  std::vector<std::size_t> lines[3], quads;
+  for (const auto& edge : mesh.boundary)
+    for (const int vertex : edge.vertices)
+      lines[static_cast<int>(edge.group) - 1].push_back(tag(vertex));
+  for (const auto& quad : mesh.quads)
+    for (const int vertex : quad)
+      quads.push_back(tag(vertex));
+  for (int group = 1; group <= 3; ++group)
+    gmsh::model::mesh::addElementsByType(group, line_type, {}, lines[group - 1]);
+  gmsh::model::mesh::addElementsByType(body_group, quad_type, {}, quads);
+}
+
+void write_with_gmsh(const QuadMesh& mesh, const std::string& file) {
+  const GmshSession session(mesh.name);
+  gmsh_call([&] {
+    for (int group = 1; group <= 3; ++group) {
+      gmsh::model::addDiscreteEntity(1, group);
+      gmsh::model::addPhysicalGroup(1, {group}, group);
+    }
+    gmsh::model::setPhysicalName(1, static_cast<int>(Group::contact), "contact");
+    gmsh::model::setPhysicalName(1, static_cast<int>(Group::held), "held");
+    gmsh::model::setPhysicalName(1, static_cast<int>(Group::free), "free");
+    gmsh::model::addDiscreteEntity(2, body_group, {1, 2, 3});
+    gmsh::model::addPhysicalGroup(2, {body_group}, body_group);
+    gmsh::model::setPhysicalName(2, body_group, "body");
+    add_nodes(mesh);
+    add_elements(mesh);
+    gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
+    gmsh::option::setNumber("Mesh.Binary", 0);
+    gmsh::write(file);
+  });
+}
+
+} // namespace
+
+void write_msh(const QuadMesh& mesh, const std::filesystem::path& file) {
+  // Gmsh tells the format by the name's end.
+  std::filesystem::path temporary = file;
+  temporary += ".partial.msh";
+  if (file.filename().empty() || std::filesystem::is_directory(file) || !std::ofstream(temporary))
+    throw InputError(fmt::format("the mesh cannot be written to '{}'", file.string()),
+                     "its folder does not exist or may not be written to", "Give another file with -o.");
+  std::error_code error;
+  try {
+    write_with_gmsh(mesh, temporary.string());
+  } catch (...) {
+    std::filesystem::remove(temporary, error);
+    throw;
+  }
+  std::filesystem::rename(temporary, file, error);
+  if (error)
+    throw InputError(fmt::format("the mesh cannot be written to '{}'", file.string()), error.message(),
+                     "Give another file with -o.");
+}
+
+} // namespace bem_contact::meshes
