@@ -42,28 +42,29 @@ struct Station {
 /// for each load, remote[k][6][3 NS], and for unit generalised loads on itself, remote_self[k][6][6].
 /// `removed` is g - remote^T remote_self^-1 remote, again symmetric and positive.
 struct InfluenceFunction {
-  std::string body;             ///< name of the body, e.g. "rail 60E1"
-  std::string profile;          ///< name of the profile curve
+  std::string body;    ///< name of the body, e.g. "rail 60E1"
+  std::string profile; ///< name of the profile curve
   std::uint64_t profile_digest = 0;
   Material material;
-  std::string held;             ///< how the body is held, in words
-  std::string method;           ///< "harmonic" or "solid3d", with degree and mesh in words
+  std::string held;   ///< how the body is held, in words
+  std::string method; ///< "harmonic" or "solid3d", with degree and mesh in words
   Invariance invariance = Invariance::prismatic;
-  double reference_radius = 0;  ///< R_ref, mm (revolution only)
-  double half_period = 0;       ///< L, mm: wavenumbers of the series are n pi / L (revolution: pi R_ref)
+  double reference_radius = 0; ///< R_ref, mm (revolution only)
+  double half_period = 0;      ///< L, mm: wavenumbers of the series are n pi / L (revolution: pi R_ref)
 
-  double station_width = 0;     ///< ds, mm
+  double station_width = 0;      ///< ds, mm
   std::vector<Station> stations; ///< NS of them, equally spaced, ascending in s
 
-  std::vector<double> wavenumber; ///< NK values, 1/mm, ascending, the first is 0
+  std::vector<double> wavenumber;  ///< NK values, 1/mm, ascending, the first is 0
   std::vector<double> kernel;      ///< NK x 3NS x 3NS
   std::vector<double> remote;      ///< NK x 6 x 3NS
   std::vector<double> remote_self; ///< NK x 6 x 6
 
   /// What the file says of its own error, each relative to the self number (largest over components).
-  double betti_error = 0;        ///< asymmetry before the storage step
-  double reaction_error = 0;     ///< | reaction - load | / load at k = 0
-  double estimated_error = 0;    ///< from the wavenumber sampling and a coarser companion run; < 0: not estimated
+  double betti_error = 0;    ///< asymmetry before the storage step
+  double reaction_error = 0; ///< | reaction - load | / load at k = 0
+  double estimated_error =
+      0; ///< from the wavenumber sampling and a coarser companion run; < 0: not estimated
 
   std::size_t station_count() const { return stations.size(); }
   std::size_t wavenumber_count() const { return wavenumber.size(); }

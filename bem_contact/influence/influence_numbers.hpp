@@ -8,7 +8,8 @@
 namespace bem_contact {
 
 /// Influence numbers of one body or of the pair on a regular strip: `rows` element rows along s, elements
-/// dx by ds, offsets m = x_I - x_J = 0 .. offsets-1 in units of dx. Negative offsets follow from parity(i, j).
+/// dx by ds, offsets m = x_I - x_J = 0 .. offsets-1 in units of dx. Negative offsets follow from parity(i,
+/// j).
 ///
 /// values[m][3 I + i][3 J + j], row-major: displacement i averaged over element (m, I), mm, under 1 MPa of
 /// traction j on element (0, J). Maxwell-Betti: A_ij(m; I, J) = parity(i,j) A_ji(m; J, I).

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace bem_contact {
+
+/// SHA-256 in lower-case hexadecimal.
+std::string sha256(std::span<const std::byte> data);
+
+/// The seal of an influence file: its first 512 bytes (HDF5's "user block", which HDF5 programs skip). Text,
+/// then zeros:
+///     conformal-contact influence function\n
+///     format <major>.<minor>\n
+///     bytes <of the whole file>\n
+///     sha256 <of everything after the seal>\n
+/// The HDF5 library is given only files whose seal holds, so that no damaged file reaches it.
+inline constexpr std::size_t seal_size = 512;
+
+/// Writes the seal over the first 512 bytes of a complete file.
+void seal_file(const std::filesystem::path& file, int format_major, int format_minor);
+
+/// Throws InputError for a file that is missing, no influence file, of another major version, truncated or
+/// altered.
+void check_seal(const std::filesystem::path& file, int format_major);
+
+} // namespace bem_contact

@@ -1,0 +1,290 @@
+#include "bem_contact/influence/influence_file.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/file_seal.hpp"
+
+#include <hdf5.h>
+#include <unistd.h>
+
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+namespace bem_contact {
+namespace {
+
+constexpr std::string_view prismatic_name = "prismatic", revolution_name = "revolution";
+
+/// HDF5 prints its error stack by default; here every failure becomes an exception.
+class QuietHdf5 {
+public:
+  QuietHdf5() {
+    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~QuietHdf5() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+  QuietHdf5(const QuietHdf5&) = delete;
+  QuietHdf5& operator=(const QuietHdf5&) = delete;
+
+private:
+  H5E_auto2_t function_ = nullptr;
+  void* data_ = nullptr;
+};
+
+/// An HDF5 identifier with its closing function. Throws when the call that made it failed.
+class Handle {
+public:
+  Handle(hid_t id, herr_t (*close)(hid_t), std::string_view what) : id_(id), close_(close) {
+    if (id_ < 0)
+      throw InputError("HDF5 failed at " + std::string(what),
+                       "see data/INFLUENCE_FORMAT.md for what is expected",
+                       "compute the influence file again");
+  }
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Handle& operator=(Handle&&) = delete;
+  ~Handle() {
+    if (id_ >= 0)
+      close_(id_);
+  }
+  operator hid_t() const { return id_; } // NOLINT: the C API takes ids everywhere
+
+private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+void check(herr_t status, std::string_view what) {
+  if (status < 0)
+    throw InputError("HDF5 failed at " + std::string(what), "the disk may be full or the file damaged",
+                     "make room, or compute the influence file again");
+}
+
+Handle text_type(std::size_t size) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
+  check(H5Tset_size(type, std::max<std::size_t>(size, 1)), "a text type");
+  check(H5Tset_cset(type, H5T_CSET_UTF8), "a text type");
+  check(H5Tset_strpad(type, H5T_STR_NULLPAD), "a text type");
+  return type;
+}
+
+// --- one pair of functions, write and read, for each kind of entry ---------------------------------
+
+template <class Number> hid_t file_type() {
+  return std::is_same_v<Number, double>
+             ? H5T_IEEE_F64LE
+             : (std::is_same_v<Number, std::uint64_t> ? H5T_STD_U64LE : H5T_STD_I32LE);
+}
+template <class Number> hid_t memory_type() {
+  return std::is_same_v<Number, double>
+             ? H5T_NATIVE_DOUBLE
+             : (std::is_same_v<Number, std::uint64_t> ? H5T_NATIVE_UINT64 : H5T_NATIVE_INT);
+}
+
+template <class Number> void write_attribute(hid_t at, const char* name, Number value) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, name);
+  const Handle attribute(H5Acreate2(at, name, file_type<Number>(), space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                         name);
+  check(H5Awrite(attribute, memory_type<Number>(), &value), name);
+}
+
+void write_attribute(hid_t at, const char* name, const std::string& value) {
+  const Handle type = text_type(value.size());
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, name);
+  const Handle attribute(H5Acreate2(at, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
+  // A null-padded text of no characters still takes one byte.
+  check(H5Awrite(attribute, type, value.empty() ? "\0" : value.data()), name);
+}
+
+void require_scalar(hid_t attribute, H5T_class_t wanted, const char* name) {
+  const Handle space(H5Aget_space(attribute), H5Sclose, name);
+  const Handle type(H5Aget_type(attribute), H5Tclose, name);
+  if (H5Sget_simple_extent_npoints(space) != 1 || H5Tget_class(type) != wanted)
+    throw InputError("the influence file's attribute '" + std::string(name) +
+                         "' is not one value of the right type",
+                     "see data/INFLUENCE_FORMAT.md", "compute the influence file again");
+}
+
+template <class Number> void read_attribute(hid_t at, const char* name, Number& value) {
+  const Handle attribute(H5Aopen(at, name, H5P_DEFAULT), H5Aclose, std::string("the attribute ") + name);
+  require_scalar(attribute, std::is_same_v<Number, double> ? H5T_FLOAT : H5T_INTEGER, name);
+  check(H5Aread(attribute, memory_type<Number>(), &value), name);
+}
+
+void read_attribute(hid_t at, const char* name, std::string& value) {
+  const Handle attribute(H5Aopen(at, name, H5P_DEFAULT), H5Aclose, std::string("the attribute ") + name);
+  require_scalar(attribute, H5T_STRING, name);
+  const Handle type(H5Aget_type(attribute), H5Tclose, name);
+  if (H5Tis_variable_str(type) > 0) { // as h5py writes texts
+    const Handle variable = [&] {
+      Handle t(H5Tcopy(H5T_C_S1), H5Tclose, name);
+      check(H5Tset_size(t, H5T_VARIABLE), name);
+      check(H5Tset_cset(t, H5Tget_cset(type)), name);
+      return t;
+    }();
+    char* text = nullptr;
+    check(H5Aread(attribute, variable, &text), name);
+    value = text ? text : "";
+    H5free_memory(text);
+    return;
+  }
+  value.assign(H5Tget_size(type), '\0');
+  const Handle memory(H5Tcopy(type), H5Tclose, name);
+  check(H5Aread(attribute, memory, value.data()), name);
+  value.erase(std::min(value.find('\0'), value.size()));
+}
+
+using Shape = std::vector<hsize_t>;
+
+/// Compressed in chunks of one wavenumber where the first extent is that of the wavenumbers.
+void write_table(hid_t at, const char* name, const Shape& shape, std::span<const double> values,
+                 const char* unit, bool compressed = false) {
+  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, name);
+  const Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
+  check(H5Pset_obj_track_times(list, false), name); // the same numbers give the same bytes
+  if (compressed) {
+    Shape chunk = shape;
+    chunk.front() = 1;
+    check(H5Pset_chunk(list, static_cast<int>(chunk.size()), chunk.data()), name);
+    check(H5Pset_shuffle(list), name);
+    check(H5Pset_deflate(list, 6), name);
+  }
+  const Handle set(H5Dcreate2(at, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose,
+                   name);
+  check(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
+  write_attribute(set, "unit", std::string(unit));
+}
+
+/// `shape`: the extents wanted, 0 where any will do.
+std::vector<double> read_table(hid_t at, const char* name, Shape shape) {
+  const Handle set(H5Dopen2(at, name, H5P_DEFAULT), H5Dclose, std::string("the table ") + name);
+  const Handle space(H5Dget_space(set), H5Sclose, name);
+  const Handle type(H5Dget_type(set), H5Tclose, name);
+  Shape found(shape.size());
+  const bool fits = H5Tget_class(type) == H5T_FLOAT &&
+                    H5Sget_simple_extent_ndims(space) == static_cast<int>(shape.size()) &&
+                    H5Sget_simple_extent_dims(space, found.data(), nullptr) >= 0;
+  hsize_t count = 1;
+  for (std::size_t i = 0; fits && i < shape.size(); ++i) {
+    if (shape[i] == 0 && found[i] > 0 && found[i] < 1000000)
+      shape[i] = found[i];
+    count *= shape[i];
+  }
+  if (!fits || found != shape)
+    throw InputError("the influence file's table '" + std::string(name) + "' has the wrong shape or type",
+                     "it does not fit the file's stations and wavenumbers",
+                     "compute the influence file again");
+  std::vector<double> values(count);
+  check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
+  return values;
+}
+
+// --- the contents -----------------------------------------------------------------------------------
+
+/// Calls entry(name, member) for each scalar of the format, so that reading and writing cannot differ.
+template <class Function, class Entry> void for_each_scalar(Function& f, Entry&& entry) {
+  entry("body", f.body);
+  entry("profile", f.profile);
+  entry("profile_digest", f.profile_digest);
+  entry("shear_modulus", f.material.shear_modulus);
+  entry("poisson", f.material.poisson);
+  entry("held", f.held);
+  entry("method", f.method);
+  entry("reference_radius", f.reference_radius);
+  entry("half_period", f.half_period);
+  entry("station_width", f.station_width);
+  entry("betti_error", f.betti_error);
+  entry("reaction_error", f.reaction_error);
+  entry("estimated_error", f.estimated_error);
+}
+
+std::vector<double> packed(const std::vector<double>& kernel, std::size_t n, std::size_t count) {
+  std::vector<double> lower;
+  lower.reserve(count * n * (n + 1) / 2);
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t row = 0; row < n; ++row)
+      lower.insert(lower.end(), &kernel[(k * n + row) * n], &kernel[(k * n + row) * n] + row + 1);
+  return lower;
+}
+
+std::vector<double> unpacked(const std::vector<double>& lower, std::size_t n, std::size_t count) {
+  std::vector<double> kernel(count * n * n);
+  auto value = lower.begin();
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t row = 0; row < n; ++row)
+      for (std::size_t column = 0; column <= row; ++column)
+        kernel[(k * n + row) * n + column] = kernel[(k * n + column) * n + row] = *value++;
+  return kernel;
+}
+
+void write_contents(const std::filesystem::path& file, const InfluenceFunction& f) {
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "a property list");
+  check(H5Pset_userblock(creation, seal_size), "the user block");
+  const Handle root(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, H5P_DEFAULT), H5Fclose,
+                    "creating '" + file.string() + "'");
+  write_attribute(root, "format_major", influence_format_major);
+  write_attribute(root, "format_minor", influence_format_minor);
+  for_each_scalar(f, [&](const char* name, const auto& value) { write_attribute(root, name, value); });
+  write_attribute(root, "invariance",
+                  std::string(f.invariance == Invariance::revolution ? revolution_name : prismatic_name));
+  const hsize_t ns = f.station_count(), nk = f.wavenumber_count(), n = 3 * ns;
+  std::vector<double> table;
+  for (const Station& station : f.stations)
+    table.insert(table.end(), {station.s, station.position.y, station.position.z, station.delta});
+  write_table(root, "stations", {ns, 4}, table, "mm, mm, mm, rad");
+  write_table(root, "wavenumber", {nk}, f.wavenumber, "1/mm");
+  write_table(root, "kernel", {nk, n * (n + 1) / 2}, packed(f.kernel, n, nk), "mm/MPa", true);
+  write_table(root, "remote", {nk, 6, n}, f.remote, "mm/MPa, 1/MPa", true);
+  write_table(root, "remote_self", {nk, 6, 6}, f.remote_self, "mm/MPa and per mm of each rotation");
+  check(H5Fflush(root, H5F_SCOPE_GLOBAL), "writing '" + file.string() + "'");
+}
+
+InfluenceFunction read_contents(const std::filesystem::path& file) {
+  const Handle root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+                    "opening '" + file.string() + "'");
+  InfluenceFunction f;
+  for_each_scalar(f, [&](const char* name, auto& value) { read_attribute(root, name, value); });
+  std::string invariance;
+  read_attribute(root, "invariance", invariance);
+  if (invariance != prismatic_name && invariance != revolution_name)
+    throw InputError("the influence file '" + file.string() + "' has the invariance '" + invariance + "'",
+                     "there are 'prismatic' and 'revolution'", "compute it again");
+  f.invariance = invariance == revolution_name ? Invariance::revolution : Invariance::prismatic;
+  const std::vector<double> stations = read_table(root, "stations", {0, 4});
+  for (std::size_t i = 0; i < stations.size(); i += 4)
+    f.stations.push_back({stations[i], {stations[i + 1], stations[i + 2]}, stations[i + 3]});
+  f.wavenumber = read_table(root, "wavenumber", {0});
+  const hsize_t nk = f.wavenumber_count(), n = 3 * f.station_count();
+  f.kernel = unpacked(read_table(root, "kernel", {nk, n * (n + 1) / 2}), n, nk);
+  f.remote = read_table(root, "remote", {nk, 6, n});
+  f.remote_self = read_table(root, "remote_self", {nk, 6, 6});
+  return f;
+}
+
+} // namespace
+
+InfluenceFunction read_influence_file(const std::filesystem::path& file) {
+  check_seal(file, influence_format_major);
+  const QuietHdf5 quiet;
+  InfluenceFunction function = read_contents(file);
+  validate(function);
+  return function;
+}
+
+void write_influence_file(const std::filesystem::path& file, const InfluenceFunction& function) {
+  validate(function);
+  const QuietHdf5 quiet;
+  std::filesystem::path temporary = file;
+  temporary += ".tmp" + std::to_string(getpid());
+  try {
+    write_contents(temporary, function);
+    seal_file(temporary, influence_format_major, influence_format_minor);
+    std::filesystem::rename(temporary, file);
+  } catch (const std::exception& error) {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw InputError("the influence file '" + file.string() + "' cannot be written", error.what(),
+                     "check that its folder exists and has room");
+  }
+}
+
+} // namespace bem_contact

@@ -1,0 +1,46 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/influence_file.hpp"
+
+#include <sstream>
+
+namespace bem_contact {
+namespace {
+
+template <class... Parts> std::string text(const Parts&... parts) {
+  std::ostringstream out;
+  out.precision(9);
+  (out << ... << parts);
+  return out.str();
+}
+
+} // namespace
+
+void require_profile(const InfluenceFunction& f, const std::string& profile, std::uint64_t digest) {
+  if (f.profile_digest != digest)
+    throw InputError(
+        text("the influence functions of '", f.body, "' do not belong to the profile '", profile, "'"),
+        text("they were computed for the profile '", f.profile, "', whose geometry differs"),
+        "compute the influence functions of this profile, or name their own profile");
+}
+
+void require_material(const InfluenceFunction& f, const Material& material) {
+  if (!(f.material == material))
+    throw InputError(text("the influence functions of '", f.body, "' do not belong to this material"),
+                     text("they hold for G = ", f.material.shear_modulus, " MPa, nu = ", f.material.poisson,
+                          ", not G = ", material.shear_modulus, " MPa, nu = ", material.poisson),
+                     "compute them for this material, or give the body theirs");
+}
+
+void require_strip(const InfluenceFunction& f, double s_from, double s_to) {
+  const double half = f.station_width / 2;
+  const double from = f.stations.front().s - half, to = f.stations.back().s + half;
+  const double rounding = 1e-9 * (std::abs(from) + std::abs(to) + f.station_width);
+  // Negated, so that NaN is refused.
+  if (!(s_from >= from - rounding && s_to <= to + rounding && s_from <= s_to))
+    throw InputError(
+        text("the patch from s = ", s_from, " to ", s_to, " mm leaves the contact strip of '", f.body, "'"),
+        text("its influence functions cover s = ", from, " to ", to, " mm"),
+        "compute them for a wider strip, or move the patch");
+}
+
+} // namespace bem_contact
