@@ -97,41 +97,50 @@ Kernels point_kernels(double x, double y) {
   return {x * x / r3, y * y / r3, x * y / r3, x / r2, y / r2};
 }
 
-// Gauss-Legendre on [-1, 1], six points.
-constexpr std::array<double, 6> gauss_point = {-0.9324695142031521, -0.6612093864662645, -0.2386191860831969,
-                                               0.2386191860831969,  0.6612093864662645,  0.9324695142031521};
-constexpr std::array<double, 6> gauss_weight = {0.1713244923791704, 0.3607615730481386, 0.4679139345726910,
-                                                0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
+// Gauss-Legendre on [-1, 1].
+constexpr std::array<double, 6> gauss6_point = {-0.9324695142031521, -0.6612093864662645, -0.2386191860831969,
+                                                0.2386191860831969,  0.6612093864662645,  0.9324695142031521};
+constexpr std::array<double, 6> gauss6_weight = {0.1713244923791704, 0.3607615730481386, 0.4679139345726910,
+                                                 0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
 
-/// The points and weights of a load element and its equal receiver along one axis: their relative position
-/// has a triangular density on (-2a, 2a); Gauss on each half, total weight 2a (area of load, mean of
-/// receiver).
-struct Hat {
-  std::array<double, 12> point, weight;
-  explicit Hat(double a) {
-    for (std::size_t g = 0; g < 6; ++g) {
+constexpr std::array<double, 3> gauss3_point = {-0.7745966692414834, 0, 0.7745966692414834};
+constexpr std::array<double, 3> gauss3_weight = {0.5555555555555556, 0.8888888888888888, 0.5555555555555556};
+
+/// The relative position of a load element and its equal receiver along one axis has a triangular density on
+/// (-2a, 2a): Gauss on each half, total weight 2a (length of the load, mean over the receiver).
+template <std::size_t N> struct Hat {
+  std::array<double, 2 * N> point, weight;
+  Hat(double a, const std::array<double, N>& gauss_point, const std::array<double, N>& gauss_weight) {
+    for (std::size_t g = 0; g < N; ++g) {
       const double t = (1 + gauss_point[g]) / 2;
       point[g] = 2 * a * t;
-      point[g + 6] = -2 * a * t;
-      weight[g] = weight[g + 6] = a * gauss_weight[g] * (1 - t);
+      point[g + N] = -2 * a * t;
+      weight[g] = weight[g + N] = a * gauss_weight[g] * (1 - t);
     }
   }
 };
 
-/// Closed form near the load, where the kernel is singular; quadrature far from it, where second
-/// differences of terms growing like r^3 would cancel. At six element sizes both hold to 1e-13.
-Kernels average_kernels(double x, double y, double a, double b) {
-  if (std::hypot(x, y) < 12 * std::max(a, b)) {
-    const Real ra = 2 * Real(a), rb = 2 * Real(b);
-    Kernels sum = difference<Fourth, 3>(x, y, {-ra, 0, ra}, {-rb, 0, rb}, {1, -2, 1});
-    return Kernels{}.add(1 / (4 * a * b), sum);
-  }
-  const Hat hat_x(a), hat_y(b);
+template <std::size_t N> Kernels quadrature(double x, double y, const Hat<N>& hat_x, const Hat<N>& hat_y) {
   Kernels sum;
-  for (std::size_t p = 0; p < 12; ++p)
-    for (std::size_t q = 0; q < 12; ++q)
+  for (std::size_t p = 0; p < 2 * N; ++p)
+    for (std::size_t q = 0; q < 2 * N; ++q)
       sum.add(hat_x.weight[p] * hat_y.weight[q], point_kernels(x + hat_x.point[p], y + hat_y.point[q]));
   return sum;
+}
+
+/// Closed form near the load, where the kernel is singular; quadrature far from it, where second
+/// differences of terms growing like r^3 would cancel. Gauss with N points on a half of the density is exact
+/// to (2 r / a)^(-2N): 1e-14 at each switch.
+Kernels average_kernels(double x, double y, double a, double b) {
+  const double distance = std::hypot(x, y) / std::max(a, b);
+  if (distance < 12) {
+    const Real ra = 2 * Real(a), rb = 2 * Real(b);
+    const Kernels sum = difference<Fourth, 3>(x, y, {-ra, 0, ra}, {-rb, 0, rb}, {1, -2, 1});
+    return Kernels{}.add(1 / (4 * a * b), sum);
+  }
+  if (distance < 120)
+    return quadrature<6>(x, y, {a, gauss6_point, gauss6_weight}, {b, gauss6_point, gauss6_weight});
+  return quadrature<3>(x, y, {a, gauss3_point, gauss3_weight}, {b, gauss3_point, gauss3_weight});
 }
 
 Matrix3 assemble(const Material& material, const Kernels& k) {
@@ -208,39 +217,45 @@ InfluenceNumbers numbers(const Material& material, double dx, double ds, int off
   return result;
 }
 
-InfluenceNumbers plane_strain_numbers(const Material& material, double ds, int rows,
-                                      double reference_distance) {
+Matrix3 averaged_plane_strain(const Material& material, double s, double ds, double reference_distance) {
   require_size(ds, "width ds");
   require_size(reference_distance, "reference distance");
+  // Double integrals over load and receiver, divided by the receiver's width. Of ln|s| the second
+  // antiderivative is s^2/2 ln|s| - 3/4 s^2; of sign(s) it is s|s|/2.
+  const auto second_difference = [&](auto&& f) {
+    const Real at = std::abs(s), h = ds;
+    return static_cast<double>((f(at - h) - 2 * f(at) + f(at + h)) / h);
+  };
+  const double log_mean = second_difference([&](Real t) {
+    return t == 0 ? Real(0) : t * t / 2 * std::log(std::abs(t) / Real(reference_distance)) - t * t * 3 / 4;
+  });
+  const double sign_mean =
+      s == 0 ? 0 : std::copysign(second_difference([](Real t) { return t * std::abs(t) / 2; }), s);
+  const double nu = material.poisson;
+  const double c = 1 / (std::numbers::pi * material.shear_modulus);
+  const double coupling = (1 - 2 * nu) / (4 * material.shear_modulus) * sign_mean;
+  Matrix3 m{};
+  m[component_x][component_x] = -c * log_mean;
+  m[component_s][component_s] = m[component_n][component_n] = -c * (1 - nu) * log_mean;
+  m[component_s][component_n] = -coupling;
+  m[component_n][component_s] = coupling;
+  return m;
+}
+
+InfluenceNumbers plane_strain_numbers(const Material& material, double ds, int rows,
+                                      double reference_distance) {
   if (rows < 1)
     throw InputError("an influence table without elements was asked for", std::to_string(rows) + " rows",
                      "ask for at least one row");
-  const double nu = material.poisson;
-  const double c = 1 / (std::numbers::pi * material.shear_modulus);
-  // Double integrals over load and receiver, divided by the receiver's width. Of ln|s| the second
-  // antiderivative is s^2/2 ln|s| - 3/4 s^2; of sign(s) it is s|s|/2.
-  const auto second_difference = [&](double s, auto&& f) {
-    const Real h = ds;
-    return static_cast<double>((f(Real(s) - h) - 2 * f(Real(s)) + f(Real(s) + h)) / h);
-  };
-  const auto log_part = [&](Real s) {
-    return s == 0 ? Real(0) : s * s / 2 * std::log(std::abs(s) / Real(reference_distance)) - s * s * 3 / 4;
-  };
-  const auto sign_part = [](Real s) { return s * std::abs(s) / 2; };
   InfluenceNumbers result{1, rows, 0, ds, {}};
-  result.values.assign(9 * static_cast<std::size_t>(rows) * rows, 0);
-  for (int row_i = 0; row_i < rows; ++row_i)
-    for (int row_j = 0; row_j < rows; ++row_j) {
-      const double distance = std::abs(row_i - row_j) * ds;
-      const double log_mean = second_difference(distance, log_part);
-      const double sign_mean = (row_i < row_j ? -1 : 1) * second_difference(distance, sign_part);
-      result.at(0, row_i, component_x, row_j, component_x) = -c * log_mean;
-      result.at(0, row_i, component_s, row_j, component_s) = -c * (1 - nu) * log_mean;
-      result.at(0, row_i, component_n, row_j, component_n) = -c * (1 - nu) * log_mean;
-      const double coupling = (1 - 2 * nu) / (4 * material.shear_modulus) * (row_i == row_j ? 0 : sign_mean);
-      result.at(0, row_i, component_s, row_j, component_n) = -coupling;
-      result.at(0, row_i, component_n, row_j, component_s) = coupling;
-    }
+  result.values.resize(9 * static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows));
+  for (int d = 1 - rows; d < rows; ++d) {
+    const Matrix3 m = averaged_plane_strain(material, d * ds, ds, reference_distance);
+    for (int row = std::max(0, -d); row < rows && row + d < rows; ++row)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          result.at(0, row + d, i, row, j) = m[i][j];
+  }
   return result;
 }
 

@@ -21,8 +21,12 @@ Matrix3 averaged(const Material& material, double x, double s, double a, double 
 /// Numbers of one body on a flat strip (rows Toeplitz in s): mx + 1 offsets for steady rolling.
 InfluenceNumbers numbers(const Material& material, double dx, double ds, int offsets, int rows);
 
-/// Plane strain: strips 2b wide, infinitely long; defined up to a rigid motion (u_n = 0 at distance
-/// `reference_distance`).
-InfluenceNumbers plane_strain_numbers(const Material& material, double ds, int rows, double reference_distance);
+/// Plane strain: strip `ds` wide, infinitely long, averaged over an equal strip whose centre is s away.
+/// u = 0 at `reference_distance` (Johnson 1985, section 2.3; u_x: a line load along x, antiplane).
+Matrix3 averaged_plane_strain(const Material& material, double s, double ds, double reference_distance);
+
+/// The table of averaged_plane_strain for a flat strip of equal rows.
+InfluenceNumbers plane_strain_numbers(const Material& material, double ds, int rows,
+                                      double reference_distance);
 
 } // namespace bem_contact::halfspace

@@ -1,0 +1,201 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/halfspace/resample.hpp"
+
+#include "strip_kernel.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <functional>
+
+using namespace bem_contact;
+
+namespace {
+
+const Material steel{82000, 0.28};
+
+ExpandOptions options_for(double dx, int offsets) {
+  ExpandOptions options;
+  options.dx = dx;
+  options.offsets = offsets;
+  return options;
+}
+
+/// A half-space with a smooth symmetric addition, as a body's shape makes it: it fades with depth (e^-4k) and
+/// varies along the strip. A load on a station is proportional to its width, so the addition is as well.
+InfluenceFunction bent_body(int stations, double width) {
+  InfluenceFunction f = halfspace_function(steel, stations, width, 0.4);
+  const std::size_t n = 3 * f.stations.size();
+  for (std::size_t k = 0; k < f.wavenumber.size(); ++k)
+    for (std::size_t row = 0; row < f.stations.size(); ++row)
+      for (std::size_t column = 0; column < f.stations.size(); ++column) {
+        const double s = f.stations[row].s, t = f.stations[column].s;
+        const double part =
+            width * 1e-6 * std::exp(-4 * f.wavenumber[k]) * (1 + 0.2 * std::cos(0.5 * (s - t)));
+        for (std::size_t i = 1; i < 3; ++i)
+          f.kernel[(k * n + 3 * row + i) * n + 3 * column + i] += part * (1 + 0.05 * (s + t));
+      }
+  return f;
+}
+
+double largest_difference(const InfluenceNumbers& a, const InfluenceNumbers& b) {
+  EXPECT_EQ(a.values.size(), b.values.size());
+  double error = 0;
+  for (std::size_t i = 0; i < std::min(a.values.size(), b.values.size()); ++i)
+    error = std::max(error, std::abs(a.values[i] - b.values[i]));
+  return error / b.at(0, 0, 2, 0, 2);
+}
+
+std::string message_of(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+} // namespace
+
+TEST(Resample, StationsAsRowsAreExact) {
+  const InfluenceFunction f = bent_body(8, 0.3);
+  std::vector<double> rows;
+  for (int i = 2; i < 7; ++i)
+    rows.push_back(f.stations[static_cast<std::size_t>(i)].s);
+  ExpandOptions direct = options_for(0.5, 4);
+  direct.first_station = 2;
+  direct.stations = 5;
+  const InfluenceNumbers a = halfspace::resample(f, options_for(0.5, 4), rows, 0.3), b = expand(f, direct);
+  EXPECT_LT(largest_difference(a, b), 1e-13);
+}
+
+TEST(Resample, OtherRowsOfAHalfSpaceAreTheClosedForms) {
+  const InfluenceFunction f = halfspace_function(steel, 16, 0.25, 0.4);
+  const double ds = 0.37; // another width, between the stations
+  std::vector<double> rows;
+  for (int i = 0; i < 9; ++i)
+    rows.push_back(-1.6 + i * ds);
+  const InfluenceNumbers a = halfspace::resample(f, options_for(0.4, 10), rows, ds);
+  const InfluenceNumbers b = halfspace::numbers(steel, 0.4, ds, 10, 9);
+  const double error = largest_difference(a, b);
+  std::printf("resampled half-space: %.2e of self\n", error);
+  EXPECT_LT(error, 5e-5);
+}
+
+TEST(Resample, TheBodysOwnPartIsInterpolated) {
+  // Reference: the same body on stations that are the wanted rows.
+  const double ds = 0.2;
+  const InfluenceFunction wanted = bent_body(9, ds);
+  std::vector<double> rows;
+  for (const Station& station : wanted.stations)
+    rows.push_back(station.s);
+  const InfluenceNumbers exact = expand(wanted, options_for(0.4, 3));
+  std::array<double, 2> error{};
+  const InfluenceNumbers plain = halfspace::numbers(steel, 0.4, ds, 3, 9);
+  int run = 0;
+  for (const double width : {0.8, 0.4}) { // centres lie at odd multiples of half a width
+    const InfluenceNumbers a = halfspace::resample(bent_body(static_cast<int>(6.4 / width + 0.5), width),
+                                                   options_for(0.4, 3), rows, ds);
+    // u_n/p_n alone: the x and mixed parts carry only the error of the expansion
+    for (int m = 0; m < 3; ++m)
+      for (int i = 0; i < 9; ++i)
+        for (int j = 0; j < 9; ++j)
+          error[static_cast<std::size_t>(run)] =
+              std::max(error[static_cast<std::size_t>(run)],
+                       std::abs(a.at(m, i, 2, j, 2) - exact.at(m, i, 2, j, 2)) / exact.at(0, 0, 2, 0, 2));
+    ++run;
+  }
+  std::printf("interpolated body: %.2e and %.2e of self; its own part is %.2e\n", error[0], error[1],
+              largest_difference(exact, plain));
+  EXPECT_LT(error[1], 2e-5);
+  EXPECT_GT(largest_difference(exact, plain), 10 * error[1]);
+}
+
+TEST(Resample, DescendingRowsAreTheSameNumbersTurned) {
+  const InfluenceFunction f = bent_body(10, 0.3);
+  std::vector<double> rows = {-0.71, -0.4, -0.02, 0.3, 0.66};
+  const InfluenceNumbers up = halfspace::resample(f, options_for(0.5, 3), rows, 0.31);
+  std::reverse(rows.begin(), rows.end());
+  const InfluenceNumbers down = halfspace::resample(f, options_for(0.5, 3), rows, 0.31);
+  for (int m = 0; m < 3; ++m)
+    for (int a = 0; a < 5; ++a)
+      for (int b = 0; b < 5; ++b)
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            EXPECT_NEAR(up.at(m, a, i, b, j), down.at(m, 4 - a, i, 4 - b, j), 1e-13 * up.at(0, 0, 2, 0, 2));
+}
+
+TEST(Resample, MaxwellBettiIsExact) {
+  const InfluenceFunction f = bent_body(10, 0.3);
+  const std::vector<double> rows = {-0.7, -0.41, -0.02, 0.3, 0.66};
+  for (const auto& options : {options_for(0.5, 3), options_for(0, 1)}) {
+    const InfluenceNumbers a = halfspace::resample(f, options, rows, 0.3);
+    for (int m = 0; m < a.offsets; ++m)
+      for (int row_i = 0; row_i < 5; ++row_i)
+        for (int row_j = 0; row_j < 5; ++row_j)
+          for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+              EXPECT_EQ(a.at(m, row_i, i, row_j, j), parity(i, j) * a.at(m, row_j, j, row_i, i));
+  }
+}
+
+TEST(Resample, PlaneStrainRowsOfAHalfSpace) {
+  const InfluenceFunction f = halfspace_function(steel, 16, 0.25, 0.4);
+  std::vector<double> rows;
+  for (int i = 0; i < 9; ++i)
+    rows.push_back(-1.5 + i * 0.35);
+  const InfluenceNumbers a = halfspace::resample(f, options_for(0, 1), rows, 0.35);
+  const InfluenceNumbers b = halfspace::plane_strain_numbers(steel, 0.35, 9, 10);
+  // They differ by a rigid motion: differences between rows agree, to what the kernel's quadrature holds.
+  for (int row = 1; row < 9; ++row)
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(a.at(0, row, c, 0, c) - a.at(0, 0, c, 0, c), b.at(0, row, c, 0, c) - b.at(0, 0, c, 0, c),
+                  1e-9 * a.at(0, 0, 2, 0, 2));
+  EXPECT_NEAR(a.at(0, 8, 1, 0, 2), b.at(0, 8, 1, 0, 2), 1e-10 * std::abs(b.at(0, 8, 1, 0, 2)));
+}
+
+TEST(Resample, RowsOffTheStripAreRefused) {
+  const InfluenceFunction f = halfspace_function(steel, 5, 0.4, 0.4);
+  const auto resampled = [&](std::vector<double> rows, double ds) {
+    return message_of([&] { halfspace::resample(f, options_for(0.5, 2), rows, ds); });
+  };
+  EXPECT_THAT(resampled({0.7, 1.1}, 0.4), testing::HasSubstr("leaves the contact strip"));
+  EXPECT_THAT(resampled({-0.8, -0.4, -0.6}, 0.2), testing::HasSubstr("not in the order"));
+  EXPECT_THAT(resampled({0, 0}, 0.2), testing::HasSubstr("not in the order"));
+  EXPECT_THAT(resampled({}, 0.2), testing::HasSubstr("0 rows"));
+  EXPECT_THAT(resampled({0.0, std::nan("")}, 0.2), testing::HasSubstr("not in the order"));
+  EXPECT_THAT(resampled({std::nan("")}, 0.2), testing::HasSubstr("leaves the contact strip"));
+  EXPECT_THAT(resampled({0.0}, -1), testing::HasSubstr("width above 0"));
+  EXPECT_EQ(resampled({-0.8, -0.4, 0, 0.4, 0.8}, 0.4), "no error");
+}
+
+TEST(Combine, TurnsTheWheelIntoTheContactFrame) {
+  const InfluenceNumbers rail = halfspace::numbers({82000, 0.28}, 0.5, 0.2, 3, 4);
+  InfluenceNumbers wheel = rail;
+  // A wheel of the same material whose rows run against its own s: the same half-space seen from below.
+  for (int m = 0; m < 3; ++m)
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b)
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            wheel.at(m, a, i, b, j) = rail.at(m, 3 - a, i, 3 - b, j);
+  const InfluenceNumbers pair = halfspace::combine(rail, wheel);
+  for (int m = 0; m < 3; ++m)
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b) {
+        for (int c = 0; c < 3; ++c)
+          EXPECT_NEAR(pair.at(m, a, c, b, c), 2 * rail.at(m, a, c, b, c), 1e-18);
+        EXPECT_NEAR(pair.at(m, a, 0, b, 1), 2 * rail.at(m, a, 0, b, 1), 1e-18);
+        for (int t = 0; t < 2; ++t) // the coupling of normal and tangential cancels for equal bodies
+          EXPECT_NEAR(pair.at(m, a, 2, b, t), 0, 1e-18);
+      }
+}
+
+TEST(Combine, RefusesDifferentGrids) {
+  const InfluenceNumbers a = halfspace::numbers(steel, 0.5, 0.2, 2, 3),
+                         b = halfspace::numbers(steel, 0.5, 0.21, 2, 3),
+                         c = halfspace::numbers(steel, 0.5, 0.2, 3, 3);
+  EXPECT_THAT(message_of([&] { halfspace::combine(a, b); }), testing::HasSubstr("different grids"));
+  EXPECT_THAT(message_of([&] { halfspace::combine(a, c); }), testing::HasSubstr("different grids"));
+}
