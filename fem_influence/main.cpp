@@ -10,3 +10,83 @@
 #include <mpi.h>
 
 #include <cstdio>
+#include <optional>
+
+namespace {
+
+using namespace bem_contact;
+
+std::string estimate(double error) {
+  return error < 0 ? "not estimated" : fmt::format("{:.1e}", error);
+}
+
+void print(const fem::RunReport& report, const std::string& output) {
+  fmt::print(
+      stderr,
+      "{}: {} wavenumbers ({} from an earlier run), {} stations, {} cells, {} unknowns\n"
+      "  {:.1f} s on {} process(es), at most {:.2f} GiB each; all processes together: assembly {:.1f} s, "
+      "analysis {:.1f} s, factorization {:.1f} s, solve {:.1f} s, sampling {:.1f} s\n"
+      "  Maxwell-Betti {:.1e}, reaction {:.1e}; estimated error: wavenumbers {}, mesh {}\n",
+      output, report.wavenumbers, report.resumed, report.stations, report.cells, report.unknowns,
+      report.seconds, fem::process_count(), report.peak_memory, report.timing.assembly,
+      report.timing.analysis, report.timing.factorization, report.timing.solve, report.timing.sampling,
+      report.betti_error, report.reaction_error, estimate(report.interpolation_error),
+      estimate(report.discretisation_error));
+}
+
+void run(const std::string& body_file, const std::string& mesh, const std::string& output) {
+  std::optional<BodyFile> body;
+  std::optional<ProfileCurve> curve;
+  fem::together([&] {
+    body = read_body_file(body_file);
+    curve = body_profile(*body);
+  });
+  std::optional<Progress> bar;
+  std::size_t shown = 0;
+  const auto progress = [&](std::size_t done, std::size_t all) {
+    if (!bar)
+      bar.emplace("wavenumbers", all);
+    bar->step(done - shown);
+    shown = done;
+    if (done == all)
+      bar->finish();
+  };
+  const fem::RunReport report = fem::run_harmonic(*body, *curve, mesh, output, progress);
+  if (fem::process_rank() == 0)
+    print(report, output);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Computes a body's influence functions on the mesh of its cross-section (deal.II, MUMPS) and "
+      "writes them to HDF5. Parallel over wavenumbers: mpirun -n 2 fem_influence ...; a run that was "
+      "stopped goes on where it was."};
+  std::string body_file, mesh, output;
+  app.add_option("body", body_file, "Body file (TOML), the one mesh_body read")->required();
+  app.add_option("mesh", mesh, "Mesh of the cross-section (gmsh .msh)")->required();
+  app.add_option("-o,--output", output, "Influence file to write (.h5)")->required();
+  // Before MPI starts, so that --help and misspelt options need no MPI.
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+
+  MPI_Init(&argc, &argv);
+  int code = 0;
+  try {
+    run(body_file, mesh, output);
+  } catch (const fem::FellowFailed&) {
+    code = 2;
+  } catch (const InputError& error) {
+    fmt::print(stderr, "fem_influence: {}\n", error.what());
+    code = 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "fem_influence: {}\n", error.what());
+    code = 1;
+  }
+  MPI_Finalize();
+  return code;
+}
