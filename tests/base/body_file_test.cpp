@@ -1,0 +1,184 @@
+#include "bem_contact/base/body_file.hpp"
+#include "message.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace bem_contact {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string refusal(const std::string& toml) {
+  return message_of([&] { parse_body_file(toml, "body.toml"); });
+}
+
+TEST(BodyFile, an_empty_file_is_the_default_one) {
+  const BodyFile empty = parse_body_file(""), defaults;
+  EXPECT_EQ(empty.body.kind, "rail");
+  EXPECT_EQ(empty.body.profile, defaults.body.profile);
+  EXPECT_EQ(empty.material, defaults.material);
+  EXPECT_EQ(empty.strip.from, defaults.strip.from);
+  EXPECT_EQ(empty.harmonic.degree, defaults.harmonic.degree);
+}
+
+TEST(BodyFile, the_printed_schema_is_a_valid_file_with_the_defaults) {
+  const BodyFile printed = parse_body_file(default_body_file()), defaults;
+  EXPECT_EQ(printed.strip.to, defaults.strip.to);
+  EXPECT_EQ(printed.strip.station_width, defaults.strip.station_width);
+  EXPECT_EQ(printed.harmonic.half_period, defaults.harmonic.half_period);
+  EXPECT_EQ(printed.mesh.largest, defaults.mesh.largest);
+}
+
+TEST(BodyFile, the_printed_schema_says_type_unit_range_and_default) {
+  EXPECT_THAT(default_body_file(),
+              HasSubstr("# Width of a station; it must divide the strip (number; mm; > 0; default 0.2)\n"
+                        "station_width = 0.2\n"));
+  EXPECT_THAT(default_body_file(), HasSubstr("(number; >= 0 and < 0.5; default 0.28)"));
+}
+
+TEST(BodyFile, every_key_is_read) {
+  const BodyFile f = parse_body_file(R"(
+    [body]
+    kind = "bore"
+    radius = 12
+    size = 80.5
+    [material]
+    shear_modulus = 70000
+    poisson = 0.3
+    [strip]
+    from = -6
+    to = 6
+    station_width = 0.25
+    [mesh]
+    elements_per_station = 3
+    grading = 0.2
+    largest = 9
+    [harmonic]
+    degree = 2
+    half_period = 400
+    shortest_dx = 0.3
+    samples_per_decade = 9
+    remote_distance = 30)");
+  EXPECT_EQ(f.body.kind, "bore");
+  EXPECT_EQ(f.body.radius, 12);
+  EXPECT_EQ(f.body.size, 80.5);
+  EXPECT_EQ(f.material, (Material{70000, 0.3}));
+  EXPECT_EQ(f.strip.from, -6);
+  EXPECT_EQ(f.strip.to, 6);
+  EXPECT_EQ(f.strip.station_width, 0.25);
+  EXPECT_EQ(f.mesh.elements_per_station, 3);
+  EXPECT_EQ(f.mesh.grading, 0.2);
+  EXPECT_EQ(f.mesh.largest, 9);
+  EXPECT_EQ(f.harmonic.degree, 2);
+  EXPECT_EQ(f.harmonic.half_period, 400);
+  EXPECT_EQ(f.harmonic.shortest_dx, 0.3);
+  EXPECT_EQ(f.harmonic.samples_per_decade, 9);
+  EXPECT_EQ(f.harmonic.remote_distance, 30);
+}
+
+TEST(BodyFile, a_wheel_is_an_S1002_unless_said) {
+  EXPECT_EQ(parse_body_file("body.kind = 'wheel'").body.profile, "S1002");
+  EXPECT_EQ(parse_body_file("body.kind = 'wheel'\nbody.profile = 'worn.prw'").body.profile, "worn.prw");
+}
+
+TEST(BodyFile, every_misspelt_key_is_answered_with_the_right_one) {
+  std::istringstream lines(default_body_file());
+  std::string line, table;
+  int tried = 0;
+  while (std::getline(lines, line)) {
+    if (line.starts_with("["))
+      table = line.substr(1, line.find(']') - 1);
+    const auto equals = line.find(" = ");
+    if (line.starts_with("#") || equals == std::string::npos || equals < 3)
+      continue;
+    const std::string key = line.substr(0, equals);
+    std::string wrong = key;
+    std::swap(wrong[1], wrong[2]);
+    if (wrong == key)
+      wrong.erase(1, 1);
+    EXPECT_THAT(refusal("[" + table + "]\n" + wrong + " = 1"),
+                AllOf(StartsWith("body.toml:2: unknown key '" + table + "." + wrong + "' ("),
+                      HasSubstr("Did you mean " + table + "." + key)));
+    ++tried;
+  }
+  EXPECT_GE(tried, 12);
+}
+
+TEST(BodyFile, unknown_tables_and_misplaced_keys) {
+  EXPECT_EQ(refusal("\n[strp]\nfrom = 1"),
+            "body.toml:2: unknown table 'strp' (a body file has no such table) Did you mean strip?");
+  EXPECT_THAT(refusal("[mesh]\npoisson = 0.3"), HasSubstr("Did you mean material.poisson?"));
+  EXPECT_THAT(refusal("qqqqqqqq = 1"), HasSubstr("See --print-default"));
+  EXPECT_THAT(refusal("strip = 3"),
+              StartsWith("body.toml:1: strip is a whole number (it is the name of a table)"));
+  EXPECT_THAT(refusal("[strip.from]\nx = 1"),
+              HasSubstr("strip.from is a table (it must be of type: number)"));
+}
+
+TEST(BodyFile, wrong_types_ranges_and_values_name_line_and_key) {
+  EXPECT_EQ(
+      refusal("[strip]\nfrom = 'a'"),
+      "body.toml:2: strip.from is text (it must be of type: number) Correct it, for instance from = -45.0.");
+  EXPECT_THAT(refusal("[mesh]\nelements_per_station = 2.5"), HasSubstr("(it must be of type: whole number)"));
+  EXPECT_THAT(refusal("[mesh]\nelements_per_station = 99999999999"), HasSubstr("(out of range)"));
+  EXPECT_EQ(refusal("[strip]\nfrom = nan"),
+            "body.toml:2: strip.from = nan (the value must be finite) Give a number.");
+  EXPECT_THAT(refusal("[strip]\nto = inf"), HasSubstr("strip.to = inf (the value must be finite)"));
+  EXPECT_EQ(refusal("[material]\npoisson = 0.5"),
+            "body.toml:2: material.poisson = 0.5 (out of range) Give a value >= 0 and < 0.5.");
+  EXPECT_EQ(refusal("[material]\nshear_modulus = 0"),
+            "body.toml:2: material.shear_modulus = 0.0 (out of range) Give a value > 0 MPa.");
+  EXPECT_THAT(refusal("[body]\nkind = 'weel'"), AllOf(HasSubstr("(known are rail, wheel, block, disc, bore)"),
+                                                      HasSubstr("Did you mean \"wheel\"?")));
+}
+
+TEST(BodyFile, what_is_not_toml_names_the_line) {
+  EXPECT_THAT(refusal("[strip]\nfrom = = 3"),
+              AllOf(StartsWith("body.toml:2: "), HasSubstr("(the file is not valid TOML)")));
+  EXPECT_THAT(refusal("[strip]\nfrom = 1\nfrom = 2"), StartsWith("body.toml:3: "));
+}
+
+TEST(BodyFile, the_station_width_divides_the_strip) {
+  EXPECT_THAT(
+      refusal("[strip]\nfrom = -10\nto = 0\nstation_width = 0.3"),
+      AllOf(StartsWith("body.toml:4: strip.station_width = 0.3 (it does not divide the strip of 10 mm"),
+            HasSubstr("Use 0.303030303 for 33 stations")));
+  EXPECT_NO_THROW(parse_body_file("[strip]\nfrom = -10\nto = 0\nstation_width = 0.303030303"));
+  EXPECT_THAT(refusal("[strip]\nstation_width = 0.001"), HasSubstr("25000 stations"));
+  EXPECT_THAT(refusal("[strip]\nfrom = 10"), HasSubstr("Give strip.to greater than strip.from."));
+}
+
+TEST(BodyFile, the_strip_lies_on_the_body) {
+  EXPECT_THAT(
+      refusal("[body]\nkind='disc'\nradius=10\n[strip]\nfrom=-16\nto=10\nstation_width=1"),
+      AllOf(StartsWith("body.toml:5: strip.from = -16.0"), HasSubstr("runs from -15.708 to 15.708 mm")));
+  EXPECT_THAT(refusal("[body]\nkind='block'\nsize=5\n[strip]\nfrom=-4\nto=6\nstation_width=1"),
+              StartsWith("body.toml:6: strip.to = 6.0"));
+  EXPECT_THAT(refusal("[body]\nkind='bore'\nsize=5\nradius=6\n[strip]\nfrom=-4\nto=4"),
+              HasSubstr("does not fit into the block"));
+}
+
+TEST(BodyFile, a_key_of_another_kind_of_body_is_refused) {
+  EXPECT_THAT(
+      refusal("[body]\nkind = 'disc'\nprofile = '60E1'"),
+      StartsWith("body.toml:3: body.profile = \"60E1\" (the key has no meaning where body.kind is \"disc\""));
+}
+
+TEST(BodyFile, files_are_read_and_missing_ones_named) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "body_file_test.toml";
+  std::ofstream(path) << "[strip]\nfrom = -30\n";
+  const BodyFile file = read_body_file(path);
+  EXPECT_EQ(file.strip.from, -30);
+  EXPECT_EQ(file.folder, path.parent_path());
+  std::filesystem::remove(path);
+  EXPECT_THAT(message_of([&] { read_body_file(path); }), HasSubstr("(there is no such file)"));
+  EXPECT_THAT(message_of([&] { read_body_file(testing::TempDir()); }), HasSubstr("(it is a folder)"));
+}
+
+} // namespace
+} // namespace bem_contact

@@ -1,0 +1,61 @@
+#include "bem_contact/base/progress.hpp"
+#include "bem_contact/base/provenance.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace bem_contact {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+TEST(Progress, writes_sparse_lines_where_there_is_no_terminal) {
+  std::ostringstream out;
+  Progress progress("wavenumbers", 1000, out, false);
+  for (int i = 0; i < 1000; ++i)
+    progress.step();
+  progress.finish();
+  const std::string text = out.str();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10);
+  EXPECT_THAT(text, StartsWith("wavenumbers: 100/1000 "));
+  EXPECT_THAT(text, HasSubstr("wavenumbers: 1000/1000 "));
+  EXPECT_THAT(text, Not(HasSubstr("\r")));
+}
+
+TEST(Progress, redraws_one_line_on_a_terminal) {
+  std::ostringstream out;
+  {
+    Progress progress("wavenumbers", 4, out, true);
+    progress.step(2);
+    progress.step(2);
+    progress.finish();
+    progress.finish();
+    progress.step();
+  }
+  const std::string text = out.str();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
+  EXPECT_THAT(text, StartsWith("\rwavenumbers [......"));
+  EXPECT_THAT(text, HasSubstr("######] 4/4 "));
+  EXPECT_THAT(text, EndsWith("\n"));
+}
+
+TEST(Progress, never_passes_its_total) {
+  std::ostringstream out;
+  Progress progress("none", 0, out, false);
+  progress.step(5);
+  progress.finish();
+  EXPECT_THAT(out.str(), StartsWith("none: 1/1 "));
+}
+
+TEST(Provenance, says_program_and_version_and_nothing_else) {
+  EXPECT_EQ(provenance("fem_influence"), "fem_influence " + std::string(version()));
+  EXPECT_EQ(std::count(version().begin(), version().end(), '.'), 2);
+}
+
+} // namespace
+} // namespace bem_contact

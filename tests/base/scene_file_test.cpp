@@ -1,0 +1,167 @@
+#include "bem_contact/base/scene_file.hpp"
+#include "message.hpp"
+
+#include <gmock/gmock.h>
+
+namespace bem_contact {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string refusal(const std::string& toml) {
+  return message_of([&] { parse_scene_file(toml, "scene.toml"); });
+}
+
+const std::string rolling = R"(
+[rail]
+profile = "60E1"
+[wheel]
+profile = "S1002"
+)";
+const std::string patch = "kind = 'patch'\n[grid]\nmx = 20\nms = 10\n[load]\nforce = 1000\n";
+
+TEST(SceneFile, the_printed_schema_is_a_valid_scene) {
+  const SceneFile f = parse_scene_file(default_scene_file());
+  EXPECT_EQ(f.kind, "wheel_rail");
+  EXPECT_EQ(f.rail.profile, "60E1");
+  EXPECT_EQ(f.wheel.profile, "S1002");
+  EXPECT_TRUE(f.load.has_force);
+  EXPECT_FALSE(f.load.has_approach);
+  EXPECT_EQ(f.load.force, 1e5);
+  EXPECT_EQ(f.position.back_to_back, 1360);
+  EXPECT_EQ(f.solver.tolerance, 1e-8);
+}
+
+TEST(SceneFile, a_wheel_on_a_rail) {
+  const SceneFile f = parse_scene_file(rolling + R"(
+    influence = "wheel.h5"
+    structural = "included"
+    [wheel.material]
+    poisson = 0.3
+    [position]
+    lateral = 6.5
+    cant = 0.025
+    [load]
+    approach = -0.1
+    [motion]
+    friction = 0.4
+    phi = 1e-4
+    [grid]
+    dx = 0.4
+    s_from = -40
+    s_to = -20
+    [solver]
+    model = "fem"
+    max_outer = 7)");
+  EXPECT_EQ(f.wheel.influence, "wheel.h5");
+  EXPECT_EQ(f.wheel.structural, "included");
+  EXPECT_EQ(f.wheel.material.poisson, 0.3);
+  EXPECT_EQ(f.rail.material, Material{});
+  EXPECT_EQ(f.position.lateral, 6.5);
+  EXPECT_EQ(f.position.cant, 0.025);
+  EXPECT_TRUE(f.load.has_approach);
+  EXPECT_FALSE(f.load.has_force);
+  EXPECT_EQ(f.load.approach, -0.1);
+  EXPECT_EQ(f.motion.friction, 0.4);
+  EXPECT_EQ(f.motion.phi, 1e-4);
+  EXPECT_EQ(f.grid.s_from, -40);
+  EXPECT_EQ(f.solver.model, "fem");
+  EXPECT_EQ(f.solver.max_outer, 7);
+}
+
+TEST(SceneFile, a_patch) {
+  const SceneFile f = parse_scene_file(patch + R"(
+    [gap]
+    a = 1e-3
+    b = 2e-3
+    [strip]
+    radius = -10.2
+    upper_radius = 10
+    rail_s0 = 1
+    [motion]
+    frictionless = true
+    friction = 0)");
+  EXPECT_EQ(f.kind, "patch");
+  EXPECT_EQ(f.grid.mx, 20);
+  EXPECT_EQ(f.gap.b, 2e-3);
+  EXPECT_EQ(f.strip.radius, -10.2);
+  EXPECT_EQ(f.strip.upper_radius, 10);
+  EXPECT_EQ(f.strip.rail_s0, 1);
+  EXPECT_TRUE(f.motion.frictionless);
+}
+
+TEST(SceneFile, exactly_one_load) {
+  EXPECT_EQ(refusal(rolling), "scene.toml: load (neither force nor approach is given) "
+                              "Give load.force or load.approach.");
+  EXPECT_EQ(refusal(rolling + "[load]\nforce = 1\napproach = 2"),
+            "scene.toml:8: load.approach = 2.0 (load.force is given too) "
+            "Give exactly one of load.force and load.approach.");
+  EXPECT_THAT(refusal(rolling + "[load]\nforce = -5"),
+              HasSubstr("load.force = -5.0 (out of range) Give a value > 0 N."));
+}
+
+TEST(SceneFile, zero_friction_is_told_about_frictionless) {
+  EXPECT_EQ(refusal(patch + "[motion]\nfriction = 0"),
+            "scene.toml:8: motion.friction = 0.0 (zero friction leaves nothing to roll on) "
+            "Set motion.frictionless = true for the normal problem alone, or give friction > 0.");
+  EXPECT_THAT(refusal(patch + "[motion]\nfriction = -0.3"), HasSubstr("(out of range) Give a value >= 0."));
+}
+
+TEST(SceneFile, a_wheel_on_a_rail_needs_profiles) {
+  EXPECT_THAT(refusal("[load]\nforce = 1"),
+              HasSubstr("rail.profile (a wheel on a rail needs the rail's profile)"));
+  EXPECT_THAT(refusal("[rail]\nprofile = '60E1'\n[load]\nforce = 1"), HasSubstr("needs the wheel's profile"));
+}
+
+TEST(SceneFile, a_patch_needs_its_grid) {
+  EXPECT_THAT(refusal("kind = 'patch'\n[load]\nforce = 1"), HasSubstr("Give grid.mx >= 1."));
+  EXPECT_THAT(refusal("kind = 'patch'\n[grid]\nmx = 3\n[load]\nforce = 1"), HasSubstr("Give grid.ms >= 1."));
+  EXPECT_THAT(refusal("kind='patch'\n[grid]\nmx=2\nms=9\nplane_strain=true\n[load]\nforce=1"),
+              HasSubstr("Give grid.mx = 1."));
+}
+
+TEST(SceneFile, what_excludes_each_other_is_not_given_together) {
+  EXPECT_THAT(refusal(patch + "[gap]\na = 1\ntable = 'h.csv'"),
+              HasSubstr("Give either the table or a, b and c."));
+  EXPECT_THAT(refusal(patch + "[motion]\nxi = 1e-3\nslip_table = 'w.csv'"),
+              HasSubstr("Give either the table or xi, eta and phi."));
+  EXPECT_THAT(refusal(patch + "[strip]\nradius = 9\ninclination = 'd.csv'"),
+              HasSubstr("Give either the table or the radius."));
+}
+
+TEST(SceneFile, keys_of_the_other_kind_are_refused) {
+  EXPECT_THAT(
+      refusal(patch + "[position]\nlateral = 1"),
+      StartsWith("scene.toml:8: position.lateral = 1.0 (the key has no meaning where kind is \"patch\""));
+  EXPECT_THAT(refusal(rolling + "[load]\nforce = 1\n[gap]\na = 1"), HasSubstr("only where it is patch"));
+}
+
+TEST(SceneFile, geometry_that_cannot_be) {
+  const std::string loaded = rolling + "[load]\nforce = 1\n";
+  EXPECT_THAT(refusal(loaded + "[position]\nback_to_back = 1500"), HasSubstr("the gauge is only 1435 mm"));
+  EXPECT_THAT(refusal(loaded + "[position]\ncant = 1.4"), HasSubstr("(out of range)"));
+  EXPECT_THAT(refusal(loaded + "[grid]\ns_from = -20\ns_to = -40"),
+              HasSubstr("Give s_to greater than s_from"));
+  EXPECT_THAT(refusal(loaded + "[position]\nlateral = nan"), HasSubstr("(the value must be finite)"));
+}
+
+TEST(SceneFile, fem_needs_an_influence_file) {
+  EXPECT_THAT(refusal(patch + "[solver]\nmodel = 'fem'"),
+              AllOf(HasSubstr("no influence file is given"), HasSubstr("model = \"halfspace\"")));
+  EXPECT_THAT(refusal(patch + "[solver]\nmodel = 'half-space'"), HasSubstr("Did you mean \"halfspace\"?"));
+}
+
+TEST(SceneFile, nested_tables_are_known) {
+  EXPECT_THAT(refusal("[rail.materiel]\npoisson = 0.3"), HasSubstr("Did you mean rail.material"));
+  EXPECT_THAT(refusal("[rail.material]\npoison = 0.3"), HasSubstr("Did you mean rail.material.poisson"));
+}
+
+TEST(SceneFile, a_missing_file_is_named) {
+  EXPECT_THAT(message_of([] { read_scene_file("no/such.toml"); }),
+              StartsWith("scene file 'no/such.toml' cannot be read (there is no such file)"));
+}
+
+} // namespace
+} // namespace bem_contact
