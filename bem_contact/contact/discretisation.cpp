@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace bem_contact::contact {
 namespace {
@@ -33,6 +34,21 @@ InfluenceNumbers coarsen(const InfluenceNumbers& fine, int factor_x, int factor_
   return coarse;
 }
 
+struct Weight {
+  int index;
+  double value;
+};
+
+/// Weights of the fine elements that give the value at the centre of coarse element k: cubic interpolation,
+/// linear at the ends of the grid.
+std::vector<Weight> centre_weights(int factor, int k, int fine_count) {
+  if (factor == 1)
+    return {{k, 1.0}};
+  if (k == 0 || 2 * k + 2 >= fine_count)
+    return {{2 * k, 0.5}, {2 * k + 1, 0.5}};
+  return {{2 * k - 1, -0.0625}, {2 * k, 0.5625}, {2 * k + 1, 0.5625}, {2 * k + 2, -0.0625}};
+}
+
 } // namespace
 
 double estimate_discretisation(const ContactProblem& problem, const ContactResult& result,
@@ -58,14 +74,17 @@ double estimate_discretisation(const ContactProblem& problem, const ContactResul
   for (int is = 0; is < coarse.ms; ++is)
     for (int c = 0; c < factor_s; ++c)
       rows[is].delta += problem.rows[factor_s * is + c].delta / factor_s;
-  Eigen::VectorXd gap = Eigen::VectorXd::Zero(coarse.size());
+  Eigen::VectorXd gap(coarse.size());
   for (int is = 0; is < coarse.ms; ++is)
-    for (int ix = 0; ix < coarse.mx; ++ix)
-      for (int c = 0; c < factor_s; ++c)
-        for (int a = 0; a < factor_x; ++a) {
-          const int i = (factor_s * is + c) * grid.mx + factor_x * ix + a;
-          gap[is * coarse.mx + ix] += (problem.gap[i] + from_shear[i]) / (factor_x * factor_s);
+    for (int ix = 0; ix < coarse.mx; ++ix) {
+      double sum = 0;
+      for (const Weight& row : centre_weights(factor_s, is, grid.ms))
+        for (const Weight& column : centre_weights(factor_x, ix, grid.mx)) {
+          const int i = row.index * grid.mx + column.index;
+          sum += row.value * column.value * (problem.gap[i] + from_shear[i]);
         }
+      gap[is * coarse.mx + ix] = sum;
+    }
   const InfluenceNumbers numbers = coarsen(problem.numbers, factor_x, factor_s, coarse.mx, coarse.ms);
   const NormalSystem system(coarse, numbers, rows, factor_x * factor_s * problem.element_area());
   NormalState state;

@@ -56,16 +56,22 @@ const StepNumbers& TangentialSystem::step_numbers() const {
   return *step_numbers_;
 }
 
+double largest_slip(const ContactProblem& problem, const std::vector<int>& contact, const VectorXd& slip,
+                    double floor) {
+  const int n = problem.grid.size();
+  double largest = floor;
+  for (const int i : contact) {
+    const double rigid_x = problem.slip_x[i] * problem.grid.dx, rigid_s = problem.slip_s[i] * problem.grid.dx;
+    largest = std::max(
+        {largest, std::hypot(rigid_x, rigid_s), std::hypot(slip[i] - rigid_x, slip[n + i] - rigid_s)});
+  }
+  return largest;
+}
+
 double coulomb_violation(const TangentialSystem& system, const TangentialTask& task, const VectorXd& p,
                          const VectorXd& slip) {
   const int n = system.size();
-  double largest_slip = task.slip_floor;
-  for (const int i : task.contact) {
-    const double rigid_x = system.problem->slip_x[i] * system.problem->grid.dx;
-    const double rigid_s = system.problem->slip_s[i] * system.problem->grid.dx;
-    largest_slip = std::max(
-        {largest_slip, std::hypot(rigid_x, rigid_s), std::hypot(slip[i] - rigid_x, slip[n + i] - rigid_s)});
-  }
+  const double slip_scale = largest_slip(*system.problem, task.contact, slip, task.slip_floor);
   const double largest_bound = task.bound.maxCoeff();
   double worst = 0;
   for (const int i : task.contact) {
@@ -76,7 +82,7 @@ double coulomb_violation(const TangentialSystem& system, const TangentialTask& t
       continue;
     const double direction =
         std::hypot(p[i] - task.bound[i] * slip[i] / s, p[n + i] - task.bound[i] * slip[n + i] / s);
-    worst = std::max(worst, std::min(s / largest_slip, direction / largest_bound));
+    worst = std::max(worst, std::min(s / slip_scale, direction / largest_bound));
   }
   return worst;
 }

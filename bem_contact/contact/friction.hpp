@@ -62,6 +62,10 @@ struct TangentialState {
   std::string solver, remark;
 };
 
+/// The largest rigid slip w dx or elastic slip S - w dx of the elements in contact, and at least `floor`; mm.
+double largest_slip(const ContactProblem& problem, const std::vector<int>& contact,
+                    const Eigen::VectorXd& slip, double floor);
+
 /// The largest violation of Coulomb's law: of the cone, and of the nearer of adhesion (|S| over the largest
 /// slip) and slip (p_t against mu p_n S/|S|, over mu pmax).
 double coulomb_violation(const TangentialSystem& system, const TangentialTask& task, const Eigen::VectorXd& p,

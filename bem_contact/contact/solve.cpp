@@ -31,12 +31,12 @@ void fill_fields(const ContactProblem& problem, const contact::Solution& solutio
   result.slip_s.assign(n, 0.0);
   result.state.assign(n, ElementState::exterior);
   const double pmax = solution.normal.p.size() > 0 ? solution.normal.p.maxCoeff() : 0;
-  double slip_scale = 1e-300;
-  if (friction)
-    for (int i = 0; i < n; ++i)
-      if (result.pn[i] > 0)
-        slip_scale = std::max({slip_scale, solution.slip_floor,
-                               std::hypot(problem.slip_x[i], problem.slip_s[i]) * problem.grid.dx});
+  std::vector<int> touching;
+  for (int i = 0; i < n; ++i)
+    if (result.pn[i] > 0)
+      touching.push_back(i);
+  const double slip_scale =
+      friction ? contact::largest_slip(problem, touching, solution.shear.slip, solution.slip_floor) : 1.0;
   for (int i = 0; i < n; ++i) {
     if (!(result.pn[i] > 0))
       continue;
