@@ -1,0 +1,75 @@
+#pragma once
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/influence_function.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <numbers>
+#include <string>
+
+/// A small body with every table filled: three stations, eleven wavenumbers, positive definite and symmetric.
+inline bem_contact::InfluenceFunction sample_function() {
+  bem_contact::InfluenceFunction f;
+  f.body = "sample of a body";
+  f.profile = "60E1";
+  f.profile_digest = 0xfedcba9876543210u;
+  f.material = {81999.5, 0.27};
+  f.held = "at its foot";
+  f.method = "harmonic, made up for a test";
+  f.half_period = 20;
+  f.station_width = 0.25;
+  for (int i = 0; i < 3; ++i)
+    f.stations.push_back({-31 + 0.25 * i, {-30 + 0.2 * i, 4 - 0.1 * i}, -0.6 + 0.05 * i});
+  for (int k = 0; k < 11; ++k)
+    f.wavenumber.push_back(k <= 8 ? k * std::numbers::pi / 20 : 40.0 * (k - 8) / 2);
+  const std::size_t n = 9;
+  for (std::size_t k = 0; k < 11; ++k) {
+    const double fade = 1e-6 / (1 + f.wavenumber[k]);
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = 0; b < n; ++b)
+        f.kernel.push_back(fade * (a == b ? 3.0 + 0.1 * static_cast<double>(a)
+                                          : std::cos(double(a * b)) / (1.0 + double(a + b))));
+    for (std::size_t d = 0; d < 6; ++d)
+      for (std::size_t a = 0; a < n; ++a)
+        f.remote.push_back(0.05 * fade * std::sin(1.0 + double(d) + 2.0 * double(a)));
+    for (std::size_t d = 0; d < 6; ++d)
+      for (std::size_t e = 0; e < 6; ++e)
+        f.remote_self.push_back(fade * (d == e ? 0.5 : 0.02));
+  }
+  f.betti_error = 1e-12;
+  f.reaction_error = 2e-13;
+  f.estimated_error = 3e-4;
+  return f;
+}
+
+inline std::string message_of(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const bem_contact::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// A folder of its own that goes with the object.
+class TemporaryFolder {
+public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "influence_test_XXXXXX").string();
+    if (!mkdtemp(name.data()))
+      throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+private:
+  std::filesystem::path path_;
+};

@@ -1,0 +1,167 @@
+#include "bem_contact/influence/influence_file.hpp"
+#include "sample_function.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <iterator>
+#include <random>
+
+using namespace bem_contact;
+using testing::AllOf;
+using testing::HasSubstr;
+
+namespace {
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+std::string reading(const std::filesystem::path& file) {
+  return message_of([&] { read_influence_file(file); });
+}
+
+} // namespace
+
+TEST(InfluenceFile, ReadsWhatWasWritten) {
+  const TemporaryFolder folder;
+  InfluenceFunction f = sample_function();
+  f.held = ""; // an empty text is a text
+  write_influence_file(folder / "a.h5", f);
+  const InfluenceFunction g = read_influence_file(folder / "a.h5");
+  EXPECT_EQ(g.body, f.body);
+  EXPECT_EQ(g.profile, f.profile);
+  EXPECT_EQ(g.profile_digest, f.profile_digest);
+  EXPECT_EQ(g.material, f.material);
+  EXPECT_EQ(g.held, f.held);
+  EXPECT_EQ(g.method, f.method);
+  EXPECT_EQ(g.invariance, f.invariance);
+  EXPECT_EQ(g.reference_radius, f.reference_radius);
+  EXPECT_EQ(g.half_period, f.half_period);
+  EXPECT_EQ(g.station_width, f.station_width);
+  ASSERT_EQ(g.stations.size(), f.stations.size());
+  for (std::size_t i = 0; i < f.stations.size(); ++i) {
+    EXPECT_EQ(g.stations[i].s, f.stations[i].s);
+    EXPECT_EQ(g.stations[i].position.y, f.stations[i].position.y);
+    EXPECT_EQ(g.stations[i].position.z, f.stations[i].position.z);
+    EXPECT_EQ(g.stations[i].delta, f.stations[i].delta);
+  }
+  EXPECT_EQ(g.wavenumber, f.wavenumber);
+  EXPECT_EQ(g.kernel, f.kernel);
+  EXPECT_EQ(g.remote, f.remote);
+  EXPECT_EQ(g.remote_self, f.remote_self);
+  EXPECT_EQ(g.betti_error, f.betti_error);
+  EXPECT_EQ(g.reaction_error, f.reaction_error);
+  EXPECT_EQ(g.estimated_error, f.estimated_error);
+}
+
+TEST(InfluenceFile, BodyOfRevolutionKeepsItsRadius) {
+  const TemporaryFolder folder;
+  InfluenceFunction f = sample_function();
+  f.invariance = Invariance::revolution;
+  f.reference_radius = 460;
+  f.half_period = std::numbers::pi * 460;
+  write_influence_file(folder / "a.h5", f);
+  const InfluenceFunction g = read_influence_file(folder / "a.h5");
+  EXPECT_EQ(g.invariance, Invariance::revolution);
+  EXPECT_EQ(g.reference_radius, 460);
+}
+
+TEST(InfluenceFile, SameNumbersGiveTheSameBytes) {
+  const TemporaryFolder folder;
+  write_influence_file(folder / "a.h5", sample_function());
+  write_influence_file(folder / "b.h5", sample_function());
+  EXPECT_EQ(bytes_of(folder / "a.h5"), bytes_of(folder / "b.h5"));
+}
+
+TEST(InfluenceFile, IsWholeOrAbsent) {
+  const TemporaryFolder folder;
+  InfluenceFunction f = sample_function();
+  f.kernel[0] = -1;
+  EXPECT_THAT(message_of([&] { write_influence_file(folder / "a.h5", f); }), HasSubstr("diagonal"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.h5"));
+  EXPECT_THAT(message_of([&] { write_influence_file(folder / "none" / "a.h5", sample_function()); }),
+              AllOf(HasSubstr("cannot be written"), HasSubstr("check that its folder exists")));
+  write_influence_file(folder / "a.h5", sample_function());
+  f = sample_function();
+  f.body = "another";
+  write_influence_file(folder / "a.h5", f); // replaces the old file in one step
+  EXPECT_EQ(read_influence_file(folder / "a.h5").body, "another");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / ""), {}), 1);
+}
+
+TEST(InfluenceFile, RefusesWhatIsNoInfluenceFile) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(reading(folder / "none.h5"), AllOf(HasSubstr("cannot be opened"), HasSubstr("no such file")));
+  EXPECT_THAT(reading(folder / ""), HasSubstr("not a regular file"));
+  write_bytes(folder / "empty.h5", "");
+  EXPECT_THAT(reading(folder / "empty.h5"), HasSubstr("is no influence file"));
+  write_bytes(folder / "text.h5", "y z\n1 2\n");
+  EXPECT_THAT(reading(folder / "text.h5"), HasSubstr("is no influence file"));
+}
+
+TEST(InfluenceFile, RefusesTruncatedAlteredAndForeignVersions) {
+  const TemporaryFolder folder;
+  write_influence_file(folder / "a.h5", sample_function());
+  const std::string whole = bytes_of(folder / "a.h5");
+
+  write_bytes(folder / "b.h5", whole.substr(0, whole.size() - 100));
+  EXPECT_THAT(reading(folder / "b.h5"),
+              AllOf(HasSubstr("is truncated"), HasSubstr("of " + std::to_string(whole.size()))));
+  write_bytes(folder / "b.h5", whole.substr(0, 300));
+  EXPECT_THAT(reading(folder / "b.h5"), HasSubstr("is truncated"));
+
+  std::string altered = whole;
+  altered[whole.size() / 2] = static_cast<char>(altered[whole.size() / 2] ^ 1);
+  write_bytes(folder / "b.h5", altered);
+  EXPECT_THAT(reading(folder / "b.h5"), AllOf(HasSubstr("was altered"), HasSubstr("checksum")));
+  write_bytes(folder / "b.h5", whole + "more");
+  EXPECT_THAT(reading(folder / "b.h5"), HasSubstr("was altered"));
+
+  std::string newer = whole;
+  newer.replace(newer.find("format 1"), 8, "format 2");
+  write_bytes(folder / "b.h5", newer);
+  EXPECT_THAT(reading(folder / "b.h5"), AllOf(HasSubstr("format version 2.0"), HasSubstr("reads version 1")));
+}
+
+TEST(InfluenceFile, NoFlippedByteAndNoTruncationIsAccepted) {
+  const TemporaryFolder folder;
+  write_influence_file(folder / "a.h5", sample_function());
+  const std::string whole = bytes_of(folder / "a.h5");
+  std::mt19937 random(20240229);
+  for (int run = 0; run < 300; ++run) {
+    std::string bytes = whole;
+    if (run % 3 == 0) {
+      bytes.resize(random() % whole.size());
+    } else {
+      // Every other flip in the first 1024 bytes, where the seal and HDF5's own headers are.
+      const std::size_t at = random() % (run % 3 == 1 ? 1024 : whole.size());
+      bytes[at] = static_cast<char>(bytes[at] ^ (1 + random() % 255));
+    }
+    write_bytes(folder / "b.h5", bytes);
+    EXPECT_NE(reading(folder / "b.h5"), "no error") << run;
+  }
+}
+
+TEST(InfluenceFile, RequirementsNameWhatDoesNotFit) {
+  const InfluenceFunction f = sample_function();
+  EXPECT_NO_THROW(require_profile(f, "60E1 again", f.profile_digest));
+  EXPECT_THAT(message_of([&] { require_profile(f, "54E1", 7); }),
+              AllOf(HasSubstr("do not belong to the profile '54E1'"), HasSubstr("'60E1'")));
+  EXPECT_NO_THROW(require_material(f, f.material));
+  EXPECT_THAT(message_of([&] {
+                require_material(f, {82000, 0.28});
+              }),
+              AllOf(HasSubstr("do not belong to this material"), HasSubstr("81999.5"), HasSubstr("0.28")));
+  EXPECT_NO_THROW(require_strip(f, -31.125, -30.375));
+  EXPECT_THAT(message_of([&] { require_strip(f, -31.2, -30.5); }),
+              AllOf(HasSubstr("leaves the contact strip"), HasSubstr("cover s = -31.125 to -30.375")));
+  EXPECT_THAT(message_of([&] { require_strip(f, -31, -30.3); }), HasSubstr("leaves the contact strip"));
+  EXPECT_THAT(message_of([&] { require_strip(f, std::nan(""), -30.5); }),
+              HasSubstr("leaves the contact strip"));
+}

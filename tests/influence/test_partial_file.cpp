@@ -1,0 +1,140 @@
+#include "bem_contact/influence/influence_file.hpp"
+#include "sample_function.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <optional>
+
+using namespace bem_contact;
+using testing::HasSubstr;
+
+namespace {
+
+struct Computation {
+  InfluenceFunction f = sample_function();
+  TemporaryFolder folder;
+  std::filesystem::path file = folder / "a.h5", part = folder / "a.h5.part";
+
+  PartialInfluenceFile open(const std::string& fingerprint = "one run") const {
+    return PartialInfluenceFile(file, fingerprint, f.station_count(), f.wavenumber);
+  }
+  void write(PartialInfluenceFile& partial, std::size_t k) const {
+    const std::array<double, 2> errors = {double(k), -double(k)};
+    const std::span<const double> kernel(f.kernel), remote(f.remote), self(f.remote_self);
+    partial.write(k, kernel.subspan(81 * k, 81), remote.subspan(54 * k, 54), self.subspan(36 * k, 36),
+                  errors);
+  }
+  int done(const PartialInfluenceFile& partial) const {
+    int count = 0;
+    for (std::size_t k = 0; k < f.wavenumber_count(); ++k)
+      count += partial.has(k);
+    return count;
+  }
+};
+
+} // namespace
+
+TEST(PartialFile, GoesOnWhereItStopped) {
+  const Computation run;
+  {
+    PartialInfluenceFile partial = run.open();
+    EXPECT_EQ(run.done(partial), 0);
+    for (const std::size_t k : {3, 0, 7})
+      run.write(partial, k);
+  }
+  PartialInfluenceFile partial = run.open();
+  EXPECT_EQ(run.done(partial), 3);
+  EXPECT_TRUE(partial.has(0) && partial.has(3) && partial.has(7));
+  InfluenceFunction result = run.f;
+  std::vector<double> errors;
+  EXPECT_THAT(message_of([&] { partial.read_into(result, errors); }),
+              testing::AllOf(HasSubstr("not complete"), HasSubstr("wavenumber 1 of 11")));
+  for (std::size_t k = 0; k < run.f.wavenumber_count(); ++k)
+    if (!partial.has(k))
+      run.write(partial, k);
+  partial.read_into(result, errors);
+  EXPECT_EQ(result.kernel, run.f.kernel);
+  EXPECT_EQ(result.remote, run.f.remote);
+  EXPECT_EQ(result.remote_self, run.f.remote_self);
+  ASSERT_EQ(errors.size(), 22u);
+  for (std::size_t k = 0; k < 11; ++k)
+    EXPECT_EQ(errors[2 * k], double(k));
+  partial.remove();
+  EXPECT_FALSE(std::filesystem::exists(run.part));
+}
+
+TEST(PartialFile, SurvivesAKillAtAnyByte) {
+  const Computation run;
+  {
+    PartialInfluenceFile partial = run.open();
+    for (const std::size_t k : {0, 1, 2})
+      run.write(partial, k);
+  }
+  const auto whole = std::filesystem::file_size(run.part);
+  const auto record = 16 + 8 * (81 + 54 + 36 + 2) + 64;
+  int least = 3;
+  for (std::uintmax_t cut = 0; cut < whole; cut += 97) {
+    std::filesystem::copy_file(run.part, run.folder / "keep",
+                               std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::resize_file(run.part, whole - cut);
+    {
+      PartialInfluenceFile partial = run.open();
+      const auto lost = static_cast<int>((cut + record - 1) / record);
+      EXPECT_EQ(run.done(partial), std::max(0, 3 - lost)) << cut;
+      least = std::min(least, run.done(partial));
+      run.write(partial, 5);
+    }
+    const PartialInfluenceFile again = run.open(); // what follows a cut is whole
+    EXPECT_TRUE(again.has(5)) << cut;
+    std::filesystem::copy_file(run.folder / "keep", run.part,
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+  EXPECT_EQ(least, 0);
+}
+
+TEST(PartialFile, AnAlteredRecordIsNotTakenOver) {
+  const Computation run;
+  {
+    PartialInfluenceFile partial = run.open();
+    run.write(partial, 0);
+    run.write(partial, 1);
+  }
+  std::fstream file(run.part, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekp(-500, std::ios::end);
+  file.put('?');
+  file.close();
+  const PartialInfluenceFile partial = run.open();
+  EXPECT_TRUE(partial.has(0));
+  EXPECT_FALSE(partial.has(1));
+}
+
+TEST(PartialFile, AnotherRunStartsAnew) {
+  Computation run;
+  {
+    PartialInfluenceFile partial = run.open();
+    run.write(partial, 4);
+  }
+  {
+    const PartialInfluenceFile other = run.open("another run");
+    EXPECT_EQ(run.done(other), 0);
+  }
+  {
+    PartialInfluenceFile partial = run.open();
+    EXPECT_EQ(run.done(partial), 0);
+    run.write(partial, 4);
+  }
+  run.f.wavenumber.back() += 1;
+  EXPECT_EQ(run.done(run.open()), 0);
+}
+
+TEST(PartialFile, SaysWhereItCannotWrite) {
+  const Computation run;
+  EXPECT_THAT(message_of([&] {
+                PartialInfluenceFile(run.folder / "none" / "a.h5", "x", run.f.station_count(),
+                                     run.f.wavenumber);
+              }),
+              HasSubstr("cannot be written"));
+  PartialInfluenceFile partial = run.open();
+  EXPECT_THROW(partial.write(0, {}, {}, {}, {}), Error);
+}
