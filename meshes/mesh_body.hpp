@@ -12,8 +12,8 @@ inline constexpr double poor_quality = 0.2;     ///< below which the program war
 
 /// The mesh of a body's cross-section. On the strip its vertices lie on the profile at the arc lengths
 /// from + i * station_width / elements_per_station. Elsewhere the size h of a quad, the square root of its
-/// area, is at most h_strip + grading * distance from the strip, and `largest`.
-/// Throws InputError for a body that cannot be meshed, Error when the mesh fails its own checks: strip
+/// area, is at most h_strip + grading * distance from the strip, and `largest`; single quads by up to 10 %
+/// more. Throws InputError for a body that cannot be meshed, Error when the mesh fails its own checks: strip
 /// vertices on the curve to 1e-9 mm, quads filling the outline, smallest scaled Jacobian.
 QuadMesh mesh_section(const BodyFile& body);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double edge_angle = 7.5 * std::numbers::pi / 180; // an arc turns by at most this in one edge
 constexpr double level_ratio = 1.05;
-constexpr double ray_step = 2; // mm between the places where the body's thickness is measured
+constexpr double ray_step = 0.5; // mm between the places where the body's thickness is measured
 
 double cross(Point2 a, Point2 b) {
   return a.y * b.z - b.y * a.z;
@@ -118,6 +118,16 @@ std::vector<OutlineVertex> divide_span(const Span& span, const SizeField& size, 
   return vertices;
 }
 
+/// The last edge of an odd strip shares a coarse edge with what follows, which a corner does not allow.
+void refuse_odd_strip_at_corner(const Section& section, int strip_edges) {
+  const Loop& loop = section.loops.front();
+  if (strip_edges % 2 == 1 && corner_between(loop[0], loop[1]))
+    throw InputError(
+        fmt::format("the strip of {} ends at a corner after {} element edges", section.name, strip_edges),
+        "up to a corner their number must be even",
+        "Make [mesh] elements_per_station even, or end the strip before the corner.");
+}
+
 bool cross_or_touch(const Segment& a, const Segment& b) {
   const auto apart = [](double p, double q, double r, double s) {
     return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
@@ -156,6 +166,7 @@ double SizeField::operator()(Point2 p) const {
 }
 
 Outline divide(const Section& section, int strip_edges, const BodyFile::Mesh& mesh) {
+  refuse_odd_strip_at_corner(section, strip_edges);
   std::vector<std::vector<Span>> loops;
   std::vector<Span> all;
   for (const auto& loop : section.loops) {

@@ -39,7 +39,8 @@ struct Outline {
 };
 
 /// Divides a section's outline: the strip in `strip_edges` equal edges of arc length, the rest as the
-/// strip's grading, its arcs (edge_angle) and the thickness of the body there ask for.
+/// strip's grading, its arcs (7.5 degrees an edge) and half the thickness of the body there ask for.
+/// Throws InputError for an odd number of strip edges up to a corner.
 Outline divide(const Section& section, int strip_edges, const BodyFile::Mesh& mesh);
 
 /// Throws InputError when edges of the outline cross or touch each other.

@@ -21,8 +21,7 @@ Point2 direction(const Piece& piece, double at_part, double to_part) {
 }
 
 bool break_between(const Piece& a, const Piece& b) {
-  constexpr double small = 1e-5;
-  return a.group != b.group || angle_between(direction(a, 1 - small, 1), direction(b, 0, small)) > corner;
+  return a.group != b.group || corner_between(a, b);
 }
 
 int sample_count(const Piece& piece) {
@@ -57,6 +56,11 @@ void sample(Span& span) {
 }
 
 } // namespace
+
+bool corner_between(const Piece& a, const Piece& b) {
+  constexpr double small = 1e-5;
+  return angle_between(direction(a, 1 - small, 1), direction(b, 0, small)) > corner;
+}
 
 std::vector<Span> sample_spans(const Loop& loop) {
   const std::size_t n = loop.size();

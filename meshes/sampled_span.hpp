@@ -23,6 +23,9 @@ struct Span {
   bool closed = false; ///< the whole loop
 };
 
+/// True where the outline turns by more than 15 degrees from the end of `a` to the beginning of `b`.
+bool corner_between(const Piece& a, const Piece& b);
+
 /// The spans of a loop in walking order; a loop that begins with the strip keeps it first.
 std::vector<Span> sample_spans(const Loop& loop);
 

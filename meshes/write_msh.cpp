@@ -86,9 +86,12 @@ void write_msh(const QuadMesh& mesh, const std::filesystem::path& file) {
     throw;
   }
   std::filesystem::rename(temporary, file, error);
-  if (error)
-    throw InputError(fmt::format("the mesh cannot be written to '{}'", file.string()), error.message(),
+  if (error) {
+    const std::string why = error.message();
+    std::filesystem::remove(temporary, error);
+    throw InputError(fmt::format("the mesh cannot be written to '{}'", file.string()), why,
                      "Give another file with -o.");
+  }
 }
 
 } // namespace bem_contact::meshes
