@@ -73,7 +73,7 @@ double coulomb_violation(const TangentialSystem& system, const TangentialTask& t
 
 /// Newton on p = Proj(p + r S) (semi-smooth; Hueber, Stadler, Wohlmuth 2008, for given p_n).
 void newton(const TangentialSystem&, const TangentialTask&, const SolverOptions&, TangentialState&);
-/// Gauss-Seidel from the leading edge, element by element (SteadyGS: Vollebregt 2010).
+/// Gauss-Seidel from the leading edge, element by element (after SteadyGS: Vollebregt 2010), damped.
 void sweeps(const TangentialSystem&, const TangentialTask&, double tolerance, int most, TangentialState&);
 /// Rolls on from the present tractions, `steps` columns with p_n held: each step is a convex problem.
 void roll_on(const TangentialSystem&, const TangentialTask&, const SolverOptions&, int steps,

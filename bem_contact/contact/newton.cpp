@@ -176,7 +176,7 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
   };
   VectorXd p = c.gather(state.p), slip = slip_of(p);
   Linearisation at = linearise(c, p, slip);
-  int failed_searches = 0;
+  int failed_searches = 0, steps = 0;
   state.converged = false;
   for (int k = 0; k <= options.max_tangential; ++k) {
     state.violation = coulomb_violation(system, task, c.scatter(p), c.scatter(slip));
@@ -184,6 +184,7 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
     if (state.converged || k == options.max_tangential || failed_searches >= 6)
       break;
     ++state.iterations;
+    ++steps;
     const VectorXd step = newton_step(c, at, state.solver);
     if (!step.allFinite())
       break;
@@ -206,7 +207,7 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
   state.p = c.scatter(p);
   state.slip = task.drive - system.step(state.p);
   if (!state.converged)
-    state.remark += "Newton: no answer in " + std::to_string(state.iterations) + " steps; ";
+    state.remark += "Newton: no answer in " + std::to_string(steps) + " steps; ";
 }
 
 } // namespace bem_contact::contact

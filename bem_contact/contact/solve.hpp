@@ -8,7 +8,8 @@ struct SolverOptions {
   double tolerance = 1e-8;  ///< of the solvers; the certificate asks for 1e-6
   int max_outer = 50;       ///< normal-tangential (Panagiotopoulos) iterations
   int max_normal = 200;     ///< active-set changes
-  int max_tangential = 100; ///< Newton steps; the sweeps have ten times as many
+  int max_tangential = 100; ///< Newton steps for given p_n
+  int max_sweeps = 1000;    ///< where Newton fails
 };
 
 /// Solves the normal problem or steady rolling. No contact: a result with zero force and no patches.

@@ -56,8 +56,10 @@ void sweeps(const TangentialSystem& system, const TangentialTask& task, double t
   }
   state.converged = false;
   state.solver = "sweeps";
-  double before = 0;
-  for (int sweep = 0; sweep < most && !state.converged; ++sweep) {
+  // The elements of a column drive each other; undamped sweeps diverge. What is enough grows with the grid.
+  constexpr int patience = 40;
+  double damping = 3, before = 1;
+  for (int sweep = 0; sweep < most && !state.converged && damping < 200; ++sweep) {
     ++state.iterations;
     for (const int i : order) {
       const int ix = i % mx, is = i / mx;
@@ -75,6 +77,7 @@ void sweeps(const TangentialSystem& system, const TangentialTask& task, double t
       for (int c = 0; c < 2; ++c)
         for (int d = 0; d < 2; ++d)
           self(c, d) = numbers.line(ix, is, c, is, d)[ix];
+      self += damping / system.stiffness[i] * Matrix2d::Identity();
       const Vector2d next = solve_element(self, slip + self * Vector2d(p[i], p[n + i]), task.bound[i]);
       p[i] = next[0];
       p[n + i] = next[1];
@@ -85,9 +88,9 @@ void sweeps(const TangentialSystem& system, const TangentialTask& task, double t
     state.slip = task.drive - system.step(p);
     state.violation = coulomb_violation(system, task, state.p, state.slip);
     state.converged = state.violation <= tolerance;
-    if (sweep % 50 == 49) { // divergence or stagnation
-      if (sweep > 50 && state.violation > 0.9 * before)
-        break;
+    if (sweep % patience == patience - 1) {
+      if (!(state.violation < 0.3 * before))
+        damping *= 2;
       before = state.violation;
     }
   }

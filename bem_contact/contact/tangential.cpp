@@ -25,17 +25,19 @@ void solve_tangential(const TangentialSystem& system, const TangentialTask& task
     return;
 
   state.p = start;
-  sweeps(system, task, options.tolerance, 10 * options.max_tangential, state);
+  sweeps(system, task, options.tolerance, options.max_sweeps, state);
   if (state.converged)
     return;
   state.remark += fmt::format("sweeps: violation {:.1e} left; ", state.violation);
 
-  roll_on(system, task, options, 4 * system.problem->grid.mx, state);
+  roll_on(system, task, options, 6 * system.problem->grid.mx, state);
   if (state.converged)
     return;
   state.remark += fmt::format("rolling on: violation {:.1e} left; ", state.violation);
-  newton(system, task, options, state);
-  state.solver = "rolling on, then " + state.solver;
+  if (options.max_tangential > 0) {
+    newton(system, task, options, state);
+    state.solver = "rolling on, then " + state.solver;
+  }
 }
 
 } // namespace bem_contact::contact

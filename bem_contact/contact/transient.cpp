@@ -64,7 +64,7 @@ void roll_on(const TangentialSystem& system, const TangentialTask& task, const S
     ++state.iterations;
     // S = drive + (A p_old)(x + dx) - A p, and the change over a step gives the old field ahead
     const VectorXd c = task.drive + system.displacement(state.p) - system.step(state.p);
-    solve_shift(system, task, c, norm, 1e-7, state.p);
+    solve_shift(system, task, c, norm, 1e-10, state.p);
     state.slip = task.drive - system.step(state.p);
     state.violation = coulomb_violation(system, task, state.p, state.slip);
     state.converged = state.violation <= options.tolerance;

@@ -1,0 +1,113 @@
+#include "tests/contact/scenes.hpp"
+
+#include <gmock/gmock.h>
+
+namespace bem_contact {
+namespace {
+
+ContactProblem roller(const Material& lower, const Material& upper, int n) {
+  ContactProblem problem = scenes::flat(lower, upper, n, n, 12.0 / n, 12.0 / n, 1e-3, 1.4e-3);
+  problem.force = 15000;
+  return problem;
+}
+
+TEST(Coupling, UnlikeMaterialsConverge) {
+  ContactProblem problem = roller({23000, 0.31}, {82000, 0.1}, 32);
+  for (const double mu : {0.1, 0.3, 1.0}) {
+    scenes::set_creepage(problem, mu, 5e-4, 2e-4, 1e-4);
+    const ContactResult result = solve(problem);
+    EXPECT_TRUE(result.converged) << mu << ' ' << result.remark;
+    EXPECT_GT(result.outer_iterations, 1);
+  }
+}
+
+/// Bodies that exchange places see each other's tractions reversed: with lower and upper swapped (a turn by
+/// pi about x) the pressure is the same, Fx is the same, s and with it Fy change sign twice.
+TEST(Coupling, BodiesMayExchangePlaces) {
+  const Material soft{23000, 0.31}, hard{82000, 0.1};
+  ContactProblem problem = roller(soft, hard, 24), turned = roller(hard, soft, 24);
+  scenes::set_creepage(problem, 0.3, 4e-4, 0, 0);
+  scenes::set_creepage(turned, 0.3, -4e-4, 0, 0);
+  // exchanged, the numbers that couple n and t change sign; so do the creepage and the shear
+  const ContactResult a = solve(problem), b = solve(turned);
+  ASSERT_TRUE(a.converged && b.converged);
+  EXPECT_NEAR(a.Fx, -b.Fx, 1e-5 * std::abs(a.Fx));
+  EXPECT_NEAR(a.approach, b.approach, 1e-6 * a.approach);
+}
+
+TEST(Coupling, EqualMaterialsNeedOneTurn) {
+  ContactProblem problem = roller(scenes::steel, scenes::steel, 24);
+  scenes::set_creepage(problem, 0.3, 5e-4, 2e-4, 1e-4);
+  const ContactResult rolling = solve(problem);
+  ASSERT_TRUE(rolling.converged);
+  EXPECT_EQ(rolling.outer_iterations, 1);
+  problem.tangential = false;
+  const ContactResult frictionless = solve(problem);
+  EXPECT_NEAR(rolling.approach, frictionless.approach, 1e-9 * rolling.approach);
+}
+
+/// Bentall and Johnson 1967: dissimilar rollers in free rolling creep by themselves; held at zero creepage
+/// they transmit a force, whose sign is that of the creepage they would take. The softer body below.
+TEST(Coupling, FreeRollingOfUnlikeBodiesIsNotFreeOfForce) {
+  ContactProblem problem = roller({23000, 0.31}, {82000, 0.28}, 24);
+  scenes::set_creepage(problem, 0.3, 0, 0, 0);
+  const ContactResult result = solve(problem);
+  ASSERT_TRUE(result.converged) << result.remark;
+  ContactProblem exchanged = roller({82000, 0.28}, {23000, 0.31}, 24);
+  scenes::set_creepage(exchanged, 0.3, 0, 0, 0);
+  const ContactResult other = solve(exchanged);
+  ASSERT_TRUE(other.converged);
+  EXPECT_GT(std::abs(result.Fx), 1e-3 * problem.force);
+  EXPECT_NEAR(result.Fx, -other.Fx, 1e-5 * std::abs(result.Fx));
+  EXPECT_NEAR(result.Fy, 0, 1e-6 * problem.force);
+}
+
+struct Curved : testing::TestWithParam<double> {};
+
+/// Strips bent through 70 degrees and more: force balance, certificate, and the force at the approach found.
+TEST_P(Curved, ConvergesAndBalances) {
+  for (const double mu : {0.1, 0.3, 0.6}) {
+    ContactProblem problem = roller(scenes::steel, scenes::steel, 32);
+    for (double& h : problem.gap)
+      h *= 0.3;
+    problem.force = 30000;
+    scenes::bend(problem, GetParam());
+    scenes::rotate_numbers(problem);
+    scenes::set_creepage(problem, mu, 4e-4, 3e-4, 3e-4);
+    const ContactResult result = solve(problem);
+    ASSERT_TRUE(result.converged) << mu << ' ' << result.remark << result.certificate.worst();
+    EXPECT_NEAR(result.Fz, 30000, 1e-6 * 30000);
+    EXPECT_GT(result.outer_iterations, 1);
+    problem.load = LoadKind::approach;
+    problem.approach = result.approach;
+    const ContactResult again = solve(problem);
+    ASSERT_TRUE(again.converged) << again.remark;
+    EXPECT_NEAR(again.Fz, result.Fz, 1e-5 * result.Fz);
+    EXPECT_NEAR(again.Fx, result.Fx, 1e-5 * result.Fz);
+    EXPECT_NEAR(again.Fy, result.Fy, 1e-5 * result.Fz);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Radii, Curved, testing::Values(9.8, 7.0, -9.8));
+
+/// Every number carried along to other frames describes the same bodies: tilting the whole problem by an
+/// angle changes nothing in the local frames when the approach is tilted with it.
+TEST(Coupling, TiltedProblemIsTheSameProblem) {
+  ContactProblem problem = roller({23000, 0.31}, {82000, 0.1}, 20);
+  scenes::set_creepage(problem, 0.3, 5e-4, 2e-4, 1e-4);
+  problem.load = LoadKind::approach;
+  problem.approach = 0.03;
+  const ContactResult flat = solve(problem);
+  const double delta = -60 * std::numbers::pi / 180;
+  for (ContactRow& row : problem.rows)
+    row.delta = delta;
+  problem.approach = 0.03 / std::cos(delta);
+  const ContactResult tilted = solve(problem);
+  ASSERT_TRUE(flat.converged && tilted.converged);
+  EXPECT_NEAR(tilted.patches[0].fn, flat.Fz, 1e-6 * flat.Fz);
+  EXPECT_NEAR(tilted.Fz, flat.Fz * std::cos(delta) + flat.Fy * std::sin(delta), 1e-6 * flat.Fz);
+  EXPECT_NEAR(tilted.Fy, flat.Fy * std::cos(delta) - flat.Fz * std::sin(delta), 1e-6 * flat.Fz);
+}
+
+} // namespace
+} // namespace bem_contact

@@ -1,0 +1,192 @@
+#include "bem_contact/contact/operator.hpp"
+#include "tests/contact/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+/// The slow obvious version: dense matrices and relaxation, against the solvers on random small problems.
+namespace bem_contact {
+namespace {
+
+double number(const ContactProblem& p, int target, int i, int load, int j, int ahead = 0) {
+  const int mx = p.grid.mx, m = target % mx + ahead - load % mx;
+  return (m < 0 ? parity(i, j) : 1) * p.numbers.at(std::abs(m), target / mx, i, load / mx, j);
+}
+
+/// Numbers with the symmetries and nothing else, positive definite by their diagonal; signs at random.
+ContactProblem random_problem(std::mt19937& random) {
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<>(a, b)(random); };
+  ContactProblem problem;
+  const int mx = std::uniform_int_distribution<>(2, 6)(random),
+            ms = std::uniform_int_distribution<>(1, 5)(random);
+  problem.grid = {mx, ms, 0.5, 0.4, 0};
+  InfluenceNumbers& a = problem.numbers;
+  a = {mx + 1, ms, 0.5, 0.4, std::vector<double>(9 * (mx + 1) * ms * ms)};
+  for (int m = 0; m <= mx; ++m)
+    for (int row_i = 0; row_i < ms; ++row_i)
+      for (int i = 0; i < 3; ++i) {
+        for (int row_j = 0; row_j < ms; ++row_j)
+          for (int j = 0; j < 3; ++j) {
+            if (m == 0 && parity(i, j) < 0)
+              continue;
+            const double v = uniform(-0.5, 0.5) / (3.0 * ms * (1 + m * m));
+            a.at(m, row_i, i, row_j, j) = v;
+            a.at(m, row_j, j, row_i, i) = parity(i, j) * v;
+          }
+      }
+  for (int row = 0; row < ms; ++row)
+    for (int i = 0; i < 3; ++i)
+      a.at(0, row, i, row, i) = uniform(2, 3);
+  for (int is = 0; is < ms; ++is) {
+    problem.rows.push_back({0.4 * is, {0.4 * is, 0}, uniform(-1.2, 1.2)});
+    for (int ix = 0; ix < mx; ++ix) {
+      problem.gap.push_back(uniform(-1, 1));
+      problem.slip_x.push_back(uniform(-2, 2));
+      problem.slip_s.push_back(uniform(-2, 2));
+    }
+  }
+  problem.load = LoadKind::approach;
+  problem.approach = uniform(0, 1);
+  problem.friction = uniform(0.05, 0.5);
+  return problem;
+}
+
+struct Tractions {
+  std::vector<double> p[3];
+};
+
+/// Projected relaxation of all unknowns at once, small steps, until nothing moves.
+Tractions relax(const ContactProblem& problem) {
+  const int n = problem.grid.size();
+  Tractions t;
+  for (auto& p : t.p)
+    p.assign(n, 0.0);
+  for (int sweep = 0; sweep < 5000; ++sweep) {
+    double moved = 0;
+    for (int i = 0; i < n; ++i) {
+      double e = problem.gap[i] - problem.approach * std::cos(problem.rows[i / problem.grid.mx].delta);
+      double slip[2] = {problem.slip_x[i] * problem.grid.dx, problem.slip_s[i] * problem.grid.dx};
+      for (int j = 0; j < n; ++j)
+        for (int c = 0; c < 3; ++c) {
+          e += number(problem, i, 2, j, c) * t.p[c][j];
+          for (int k = 0; k < 2; ++k)
+            slip[k] += (number(problem, i, k, j, c, 1) - number(problem, i, k, j, c)) * t.p[c][j];
+        }
+      const double pn = std::max(0.0, t.p[2][i] - 0.2 * e);
+      double px = t.p[0][i] + 0.2 * slip[0], ps = t.p[1][i] + 0.2 * slip[1];
+      const double length = std::hypot(px, ps), bound = problem.friction * pn;
+      if (length > bound) {
+        px *= bound / length;
+        ps *= bound / length;
+      }
+      moved = std::max({moved, std::abs(pn - t.p[2][i]), std::abs(px - t.p[0][i]), std::abs(ps - t.p[1][i])});
+      t.p[0][i] = px;
+      t.p[1][i] = ps;
+      t.p[2][i] = pn;
+    }
+    if (moved < 1e-13)
+      return t;
+  }
+  ADD_FAILURE() << "the oracle did not converge";
+  return t;
+}
+
+TEST(Oracle, OperatorIsTheDenseSum) {
+  std::mt19937 random(1);
+  for (int k = 0; k < 20; ++k) {
+    const ContactProblem problem = random_problem(random);
+    const int n = problem.grid.size();
+    std::vector<double> p(3 * n), u(3 * n), step(3 * n);
+    for (double& v : p)
+      v = std::uniform_real_distribution<>(-1, 1)(random);
+    const contact::StripOperator whole(problem.numbers, problem.grid.mx, {0, 1, 2}, {0, 1, 2});
+    whole.apply(p, u);
+    whole.apply_step(p, step);
+    double energy = 0;
+    for (int i = 0; i < n; ++i)
+      for (int c = 0; c < 3; ++c) {
+        double sum = 0, ahead = 0;
+        for (int j = 0; j < n; ++j)
+          for (int d = 0; d < 3; ++d) {
+            sum += number(problem, i, c, j, d) * p[d * n + j];
+            ahead += number(problem, i, c, j, d, 1) * p[d * n + j];
+          }
+        EXPECT_NEAR(u[c * n + i], sum, 1e-12);
+        EXPECT_NEAR(step[c * n + i], sum - ahead, 1e-12);
+        energy += p[c * n + i] * u[c * n + i];
+      }
+    EXPECT_GT(energy, 0);
+    // blocks of it, in any order of the components
+    std::vector<double> shear(p.begin(), p.begin() + 2 * n), normal(n), turned(2 * n);
+    contact::StripOperator(problem.numbers, problem.grid.mx, {2}, {0, 1}).apply(shear, normal);
+    contact::StripOperator(problem.numbers, problem.grid.mx, {1, 0}, {0, 1}).apply(shear, turned);
+    for (int i = 0; i < n; ++i) {
+      double sum = 0, along = 0;
+      for (int j = 0; j < n; ++j)
+        for (int d = 0; d < 2; ++d) {
+          sum += number(problem, i, 2, j, d) * p[d * n + j];
+          along += number(problem, i, 0, j, d) * p[d * n + j];
+        }
+      EXPECT_NEAR(normal[i], sum, 1e-12);
+      EXPECT_NEAR(turned[n + i], along, 1e-12);
+    }
+  }
+}
+
+TEST(Oracle, EnergyOfTheHalfSpaceIsPositive) {
+  std::mt19937 random(2);
+  const ContactProblem problem = scenes::flat({23000, 0.31}, {82000, 0.0}, 12, 10, 0.5, 0.3, 1e-3, 1e-3);
+  const contact::StripOperator whole(problem.numbers, 12, {0, 1, 2}, {0, 1, 2});
+  std::vector<double> p(360), u(360);
+  for (int k = 0; k < 50; ++k) {
+    for (double& v : p)
+      v = std::uniform_real_distribution<>(-1, 1)(random);
+    whole.apply(p, u);
+    double energy = 0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      energy += p[i] * u[i];
+    EXPECT_GT(energy, 0);
+  }
+}
+
+TEST(Oracle, CoupledRollingOnRandomNumbers) {
+  std::mt19937 random(3);
+  int contacts = 0, adhering = 0, slipping = 0;
+  for (int k = 0; k < 150; ++k) {
+    const ContactProblem problem = random_problem(random);
+    const Tractions expected = relax(problem);
+    const ContactResult result = solve(problem);
+    ASSERT_TRUE(result.converged) << k << ' ' << result.remark << ' ' << result.certificate.worst();
+    for (int i = 0; i < problem.grid.size(); ++i) {
+      EXPECT_NEAR(result.px[i], expected.p[0][i], 1e-5) << k;
+      EXPECT_NEAR(result.ps[i], expected.p[1][i], 1e-5) << k;
+      EXPECT_NEAR(result.pn[i], expected.p[2][i], 1e-5) << k;
+      contacts += result.state[i] != ElementState::exterior;
+      adhering += result.state[i] == ElementState::adhesion;
+      slipping += result.state[i] == ElementState::slip;
+    }
+  }
+  EXPECT_GT(contacts, 300);
+  EXPECT_GT(adhering, 30);
+  EXPECT_GT(slipping, 30);
+}
+
+TEST(Oracle, ForceIsTheInverseOfApproach) {
+  std::mt19937 random(4);
+  for (int k = 0; k < 60; ++k) {
+    ContactProblem problem = random_problem(random);
+    const ContactResult at_approach = solve(problem);
+    ASSERT_TRUE(at_approach.converged) << k;
+    if (at_approach.Fz <= 0.01)
+      continue;
+    problem.load = LoadKind::force;
+    problem.force = at_approach.Fz;
+    const ContactResult at_force = solve(problem);
+    ASSERT_TRUE(at_force.converged) << k << ' ' << at_force.remark << ' ' << at_force.certificate.worst();
+    EXPECT_NEAR(at_force.Fz, problem.force, 1e-6 * problem.force);
+  }
+}
+
+} // namespace
+} // namespace bem_contact

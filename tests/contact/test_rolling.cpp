@@ -1,0 +1,295 @@
+#include "tests/contact/scenes.hpp"
+
+#include <gmock/gmock.h>
+
+#include <array>
+
+namespace bem_contact {
+namespace {
+
+/// Gap of an elliptic contact with semi-axes a (x) and b (s) and its force, Hertz by Johnson 1985, 4.2.
+struct Ellipse {
+  double gap_x, gap_s, force;
+};
+
+Ellipse ellipse(double a, double b, const Material& m) {
+  const double young = m.shear_modulus / (1 - m.poisson); // of the pair of equal bodies
+  const double large = std::max(a, b), k = std::min(a, b) / large, e = std::sqrt(1 - k * k);
+  const double first = std::comp_ellint_1(e), second = std::comp_ellint_2(e);
+  const double ratio = a == b ? 1 : (first - second) / (second / (k * k) - first);
+  const double sum = 1e-3 * (1 + ratio) / ratio;
+  const double force = large * large * large * 2 * std::numbers::pi * young * k * k * sum / (3 * second);
+  return a >= b ? Ellipse{1e-3, 1e-3 / ratio, force} : Ellipse{1e-3 / ratio, 1e-3, force};
+}
+
+ContactProblem elliptic(double a, double b, const Material& m, int across) {
+  const Ellipse e = ellipse(a, b, m);
+  const int n = across * 11 / 10;
+  ContactProblem problem = scenes::flat(m, m, n, n, 2 * a / across, 2 * b / across, e.gap_x, e.gap_s);
+  problem.force = e.force;
+  return problem;
+}
+
+/// Carter 1926: one row, so long that it is a plane problem.
+TEST(Rolling, Carter) {
+  const double radius = 500, mu = 0.3, adhering = 0.6;
+  const double fn = std::numbers::pi * 82000 / (4 * radius * (1 - 0.28));
+  double previous = 0;
+  for (const int across : {10, 20, 40}) {
+    const double length = 4000;
+    ContactProblem problem =
+        scenes::flat(scenes::steel, scenes::steel, across * 6 / 5, 1, 2.0 / across, length, 0.5 / radius, 0);
+    problem.force = fn * length;
+    scenes::set_creepage(problem, mu, mu * (1 - adhering) / radius, 0, 0);
+    const ContactResult result = solve(problem);
+    ASSERT_TRUE(result.converged) << result.remark;
+    const double error = std::abs(result.Fx / (mu * fn * length) - (1 - adhering * adhering)) / 0.64;
+    if (previous > 0) {
+      EXPECT_LT(error, 0.6 * previous) << across;
+    }
+    previous = error;
+    if (across < 40)
+      continue;
+    EXPECT_LT(error, 0.02);
+    EXPECT_NEAR(result.patches[0].pmax, 2 * fn / std::numbers::pi, 0.01 * result.patches[0].pmax);
+    // adhesion at the leading edge, x from 2 a' - a to a
+    int first = -1, last = -1;
+    for (int ix = 0; ix < problem.grid.mx; ++ix)
+      if (result.state[ix] == ElementState::adhesion) {
+        first = first < 0 ? ix : first;
+        last = ix;
+      }
+    EXPECT_NEAR(problem.grid.x(last), 1, 0.06);
+    EXPECT_NEAR(problem.grid.x(first), 1 - 2 * adhering, 0.06);
+  }
+}
+
+/// Kalker 1967, linear theory: no slip anywhere. Coefficients: no-slip steady rolling, extrapolated to h = 0.
+struct KalkerCase {
+  double a, b, c11, c22, c23, c33;
+};
+
+struct Kalker : testing::TestWithParam<KalkerCase> {};
+
+/// C11, C22, C23 (from spin), C23 (from lateral creepage), C33. c^2 is that of the computed contact: whole
+/// elements cover 1 % more than the ellipse.
+std::array<double, 5> coefficients(const KalkerCase& k, int across) {
+  const Material m{1.0, 0.25};
+  ContactProblem problem = elliptic(k.a, k.b, m, across);
+  const double unit = 1e-4;
+  const auto rolled = [&](double xi, double eta, double phi) {
+    scenes::set_creepage(problem, 1e6, xi, eta, phi);
+    ContactResult result = solve(problem);
+    EXPECT_TRUE(result.converged) << result.remark;
+    return result;
+  };
+  const ContactResult along = rolled(unit, 0, 0), lateral = rolled(0, unit, 0), spin = rolled(0, 0, unit);
+  const double cc = along.patches[0].area / std::numbers::pi, c = std::sqrt(cc);
+  EXPECT_NEAR(cc, k.a * k.b, 0.02 * cc);
+  return {along.Fx / (cc * unit), lateral.Fy / (cc * unit), spin.Fy / (cc * c * unit),
+          -lateral.Mz / (cc * c * unit), spin.Mz / (cc * cc * unit)};
+}
+
+/// First order: the step u(x) - u(x + dx) looks ahead by half an element. At 40 elements across C11, C22 and
+/// C23 are within 2 %; C33, which that half element shifts most, needs the extrapolation from 20 and 40.
+TEST_P(Kalker, CoefficientsOfSmallCreepage) {
+  const KalkerCase& k = GetParam();
+  const std::array<double, 5> expected{k.c11, k.c22, k.c23, k.c23, k.c33};
+  const auto coarse = coefficients(k, 20), fine = coefficients(k, 40);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const double error = std::abs(fine[i] - expected[i]);
+    if (i < 4) {
+      EXPECT_LT(error, 0.02 * expected[i]) << i;
+    }
+    EXPECT_LT(error, 0.7 * std::abs(coarse[i] - expected[i])) << i;
+    EXPECT_NEAR(2 * fine[i] - coarse[i], expected[i], 0.02 * expected[i]) << i;
+  }
+  EXPECT_NEAR(fine[2], fine[3], 1e-3 * fine[2])
+      << "spin's lateral force and creepage's moment are one number";
+}
+
+INSTANTIATE_TEST_SUITE_P(References, Kalker,
+                         testing::Values(KalkerCase{1, 1, 4.116, 3.673, 1.470, 1.176},
+                                         KalkerCase{1, 2, 3.630, 3.015, 0.929, 1.938},
+                                         KalkerCase{2, 1, 5.109, 4.924, 2.640, 0.812}),
+                         [](const auto& test) { return "case" + std::to_string(test.index); });
+
+TEST(Rolling, FullSpinOnACircle) {
+  ContactProblem problem = elliptic(3, 3, scenes::steel, 40);
+  scenes::set_creepage(problem, 0.3, 0, 0, 1.0);
+  const ContactResult result = solve(problem);
+  ASSERT_TRUE(result.converged);
+  const double expected = 3 * std::numbers::pi / 16 * 0.3 * problem.force * 3;
+  EXPECT_NEAR(result.Mz, expected, 0.01 * expected);
+}
+
+TEST(Rolling, FullSlip) {
+  ContactProblem problem = elliptic(3, 3, scenes::steel, 20);
+  scenes::set_creepage(problem, 0.3, 0.03, 0.04, 0);
+  const ContactResult result = solve(problem);
+  ASSERT_TRUE(result.converged);
+  EXPECT_NEAR(result.Fx, 0.6 * 0.3 * problem.force, 1e-2 * problem.force * 0.3);
+  EXPECT_NEAR(result.Fy, 0.8 * 0.3 * problem.force, 1e-2 * problem.force * 0.3);
+  EXPECT_EQ(result.patches[0].adhesion, 0);
+  EXPECT_EQ(result.patches[0].slip, result.patches[0].contact);
+}
+
+TEST(Rolling, SignOfEachQuantity) {
+  ContactProblem problem = elliptic(3, 2, scenes::steel, 20);
+  scenes::set_creepage(problem, 0.3, 5e-4, 0, 0);
+  const ContactResult along = solve(problem);
+  EXPECT_GT(along.Fx, 0) << "a wheel that runs ahead drags the rail forwards";
+  EXPECT_NEAR(along.Fy, 0, 1e-6 * along.Fx);
+  for (int ix = 0, middle = problem.grid.ms / 2 * problem.grid.mx; ix < problem.grid.mx; ++ix)
+    if (along.state[middle + ix] == ElementState::slip) {
+      EXPECT_GT(along.slip_x[middle + ix], 0);
+      EXPECT_LT(problem.grid.x(ix), 0) << "slip at the trailing edge";
+    }
+  scenes::set_creepage(problem, 0.3, 0, 5e-4, 0);
+  const ContactResult lateral = solve(problem);
+  EXPECT_GT(lateral.Fy, 0);
+  EXPECT_LT(lateral.Mz, 0);
+  scenes::set_creepage(problem, 0.3, 0, 0, 2e-4);
+  const ContactResult spin = solve(problem);
+  EXPECT_GT(spin.Fy, 0);
+  EXPECT_GT(spin.Mz, 0);
+  EXPECT_TRUE(along.converged && lateral.converged && spin.converged);
+}
+
+TEST(Rolling, MomentIsAboutTheOriginOfTheTrackFrame) {
+  ContactProblem problem = elliptic(3, 2, scenes::steel, 12);
+  scenes::set_creepage(problem, 0.3, 5e-4, 3e-4, 0);
+  const ContactResult here = solve(problem);
+  for (ContactRow& row : problem.rows)
+    row.position.y += 750;
+  const ContactResult there = solve(problem);
+  EXPECT_NEAR(there.Mz, here.Mz - 750 * here.Fx, 1e-9 * std::abs(there.Mz));
+}
+
+TEST(Rolling, MirrorsInS) {
+  ContactProblem problem = elliptic(3, 2, scenes::steel, 20);
+  const int mx = problem.grid.mx, ms = problem.grid.ms;
+  for (int i = 0; i < problem.grid.size(); ++i)
+    problem.gap[i] += 1e-4 * problem.rows[i / mx].s * problem.grid.x(i % mx);
+  ContactProblem mirrored = problem;
+  for (int i = 0; i < problem.grid.size(); ++i)
+    mirrored.gap[(ms - 1 - i / mx) * mx + i % mx] = problem.gap[i];
+  scenes::set_creepage(problem, 0.3, 5e-4, 3e-4, 2e-4);
+  scenes::set_creepage(mirrored, 0.3, 5e-4, -3e-4, -2e-4);
+  const ContactResult a = solve(problem), b = solve(mirrored);
+  ASSERT_TRUE(a.converged && b.converged);
+  const double scale = 1e-6 * 0.3 * problem.force;
+  EXPECT_NEAR(a.Fx, b.Fx, scale);
+  EXPECT_NEAR(a.Fy, -b.Fy, scale);
+  EXPECT_NEAR(a.Mz, -b.Mz, 3 * scale);
+}
+
+TEST(Rolling, ScalesWithLengthAndStiffness) {
+  ContactProblem problem = elliptic(3, 2, scenes::steel, 16);
+  scenes::set_creepage(problem, 0.3, 5e-4, 3e-4, 2e-4);
+  const ContactResult here = solve(problem);
+  // lengths times 2, moduli times 3: forces times 12, moments times 24
+  ContactProblem scaled = problem;
+  scaled.grid = {problem.grid.mx, problem.grid.ms, 2 * problem.grid.dx, 2 * problem.grid.ds,
+                 2 * problem.grid.x0};
+  for (ContactRow& row : scaled.rows)
+    row = {2 * row.s, 2 * row.position, row.delta};
+  for (double& h : scaled.gap)
+    h *= 2;
+  const Material stiff{3 * 82000, 0.28};
+  scaled.numbers = scenes::pair(stiff, stiff, scaled.grid);
+  scaled.force *= 12;
+  scenes::set_creepage(scaled, 0.3, 5e-4, 3e-4, 1e-4);
+  const ContactResult there = solve(scaled);
+  ASSERT_TRUE(here.converged && there.converged);
+  EXPECT_NEAR(there.Fx, 12 * here.Fx, 1e-6 * there.Fx);
+  EXPECT_NEAR(there.Fy, 12 * here.Fy, 1e-6 * there.Fy);
+  EXPECT_NEAR(there.Mz, 24 * here.Mz, 1e-6 * there.Mz);
+  EXPECT_NEAR(there.approach, 2 * here.approach, 1e-9);
+}
+
+/// In a steady state the power of the creepages is what friction dissipates; the surfaces store none of it.
+/// Discretised, p'B p is not zero but of first order (positive: artificial dissipation).
+TEST(Rolling, PowerIsDissipatedBySlip) {
+  double coarse = 0;
+  for (const int across : {20, 40}) {
+    ContactProblem problem = elliptic(3, 2, scenes::steel, across);
+    const double xi = 8e-4, eta = 6e-4, phi = 5e-4;
+    scenes::set_creepage(problem, 0.3, xi, eta, phi);
+    const ContactResult result = solve(problem);
+    ASSERT_TRUE(result.converged);
+    double dissipated = 0;
+    for (int i = 0; i < problem.grid.size(); ++i) {
+      const double power = result.px[i] * result.slip_x[i] + result.ps[i] * result.slip_s[i];
+      EXPECT_GE(power, -1e-9) << "slip never feeds power in";
+      dissipated += power * problem.element_area();
+    }
+    const double supplied = xi * result.Fx + eta * result.Fy + phi * result.Mz;
+    const double missing = (supplied - dissipated) / supplied;
+    EXPECT_GT(missing, 0);
+    if (across == 20)
+      coarse = missing;
+    else {
+      EXPECT_LT(missing, 0.6 * coarse);
+      EXPECT_NEAR(2 * missing - coarse, 0, 0.01);
+    }
+  }
+}
+
+TEST(Rolling, FrictionFromNoneToHuge) {
+  ContactProblem problem = elliptic(3, 2, scenes::steel, 16);
+  for (const double mu : {0.0, 1e-9, 1e-3, 0.3, 10.0, 1e9}) {
+    scenes::set_creepage(problem, mu, 5e-4, 3e-4, 2e-4);
+    const ContactResult result = solve(problem);
+    EXPECT_TRUE(result.converged) << mu << ' ' << result.remark;
+    const double shear = std::hypot(result.Fx, result.Fy);
+    EXPECT_LE(shear, mu * problem.force * (1 + 1e-9));
+    if (mu > 0 && mu < 0.01) {
+      EXPECT_GT(shear, 0.8 * mu * problem.force);
+    }
+    if (mu == 1e9) {
+      EXPECT_EQ(result.patches[0].slip, 0);
+    }
+  }
+}
+
+TEST(Rolling, ZeroAndTinyCreepage) {
+  ContactProblem problem = elliptic(3, 2, scenes::steel, 16);
+  scenes::set_creepage(problem, 0.3, 0, 0, 0);
+  const ContactResult rest = solve(problem);
+  EXPECT_TRUE(rest.converged);
+  EXPECT_LT(std::abs(rest.Fx), 1e-9 * problem.force);
+  scenes::set_creepage(problem, 0.3, 1e-9, 0, 0);
+  const ContactResult tiny = solve(problem);
+  EXPECT_TRUE(tiny.converged) << tiny.remark;
+  scenes::set_creepage(problem, 1e6, 1e-9, 0, 0);
+  const ContactResult linear = solve(problem);
+  EXPECT_NEAR(tiny.Fx, linear.Fx, 0.01 * linear.Fx);
+}
+
+TEST(Rolling, TheChainFallsThroughAndSaysSo) {
+  ContactProblem problem = elliptic(3, 2, scenes::steel, 20);
+  scenes::set_creepage(problem, 0.3, 8e-4, 4e-4, 3e-4);
+  const ContactResult expected = solve(problem);
+  ASSERT_TRUE(expected.converged);
+  EXPECT_THAT(expected.tangential_solver, testing::HasSubstr("Newton"));
+  SolverOptions options;
+  options.max_tangential = 2;
+  const ContactResult swept = solve(problem, options);
+  EXPECT_TRUE(swept.converged) << swept.remark;
+  EXPECT_EQ(swept.tangential_solver, "sweeps");
+  EXPECT_THAT(swept.remark, testing::HasSubstr("Newton"));
+  options.max_tangential = 0;
+  options.max_sweeps = 40;
+  options.tolerance = 3e-7;
+  const ContactResult rolled = solve(problem, options);
+  EXPECT_TRUE(rolled.converged) << rolled.remark;
+  EXPECT_THAT(rolled.tangential_solver, testing::HasSubstr("rolling on"));
+  for (const ContactResult* result : {&swept, &rolled}) {
+    EXPECT_NEAR(result->Fx, expected.Fx, 1e-4 * expected.Fx);
+    EXPECT_NEAR(result->Fy, expected.Fy, 1e-4 * expected.Fy);
+  }
+}
+
+} // namespace
+} // namespace bem_contact
