@@ -34,6 +34,8 @@ double length_to_axis(const std::vector<CurvePiece>& pieces) {
     const double at_high = point_on(piece, high).position.y;
     if (std::abs(at_low) < 1e-12)
       return piece.s0;
+    if (std::abs(at_high) < 1e-12)
+      return piece.s0 + piece.length;
     if (at_low * at_high > 0)
       continue;
     for (int i = 0; i < 100 && high - low > 1e-14 * piece.length; ++i) {

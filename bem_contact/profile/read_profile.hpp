@@ -14,11 +14,12 @@ enum class ProfileKind { rail, wheel };
 /// "y z". The curve's frame is that of ProfileCurve: mm, y to the right (rail: 0 where the file has it,
 /// wheel: 0 at the tape circle), z down.
 ///
-/// Repaired, with a warning (spdlog): metres for millimetres, z upward, a wheel's flange at y > 0, the other
-/// walking order, shuffled points, doubled or crowded points (nearer than 0.01 mm), single points that
-/// zig-zag, loops shorter than 1 mm. Throws InputError: no such file, empty, truncated, not a number, a size
-/// that no rail or wheel has, a file of the other kind, smoothing asked for (approx.smooth), zig-zag and
-/// loops beyond repair.
+/// Points may come in either walking order. Repaired, with a warning (spdlog): metres for millimetres, z
+/// upward, a wheel's flange at y > 0, shuffled points, doubled or crowded points (nearer than 0.01 mm),
+/// single points that zig-zag, loops shorter than 1 mm.
+///
+/// Throws InputError: no such file, empty, truncated, not a number, a size that no rail or wheel has, a file
+/// of the other kind, smoothing asked for (approx.smooth), zig-zag and loops beyond repair.
 ProfileCurve read_profile(const std::filesystem::path& file, ProfileKind kind);
 ProfileCurve parse_profile(std::string_view text, std::string_view source_name, ProfileKind kind);
 

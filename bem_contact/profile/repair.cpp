@@ -54,6 +54,18 @@ void mend_units(std::vector<Point2>& points, const std::string& source) {
                      "Convert it to mm.");
 }
 
+/// Whether the walk goes over the same ground twice: a profile, even with under-head or flange back, does
+/// not.
+bool runs_back(const std::vector<Point2>& p) {
+  double travelled = 0, low = p.front().y, high = low;
+  for (std::size_t i = 1; i < p.size(); ++i) {
+    travelled += std::abs(p[i].y - p[i - 1].y);
+    low = std::min(low, p[i].y);
+    high = std::max(high, p[i].y);
+  }
+  return travelled > 1.9 * (high - low);
+}
+
 /// Drops points nearer than `crowded` to the one before; the last point stays.
 void drop_crowded(std::vector<Point2>& points, const std::string& source) {
   std::vector<Point2> kept;
@@ -97,7 +109,7 @@ bool drop_stray(std::vector<Point2>& points, const std::string& source) {
 
 void mend_order(std::vector<Point2>& points, const std::string& source) {
   const auto at = first_zig_zag(points);
-  if (!at)
+  if (!at && !runs_back(points))
     return;
   std::vector<Point2> sorted = points;
   std::stable_sort(sorted.begin(), sorted.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
@@ -106,11 +118,13 @@ void mend_order(std::vector<Point2>& points, const std::string& source) {
     points = std::move(sorted);
     return;
   }
-  if (!drop_stray(points, source))
-    throw InputError(fmt::format("{}: the profile zig-zags near y = {:.4g}, z = {:.4g}", source,
-                                 points[*at].y, points[*at].z),
+  if (runs_back(points) || !drop_stray(points, source)) {
+    const Point2 where = at ? points[*at] : points[points.size() / 2];
+    throw InputError(fmt::format("{}: the profile runs back and forth near y = {:.4g}, z = {:.4g}", source,
+                                 where.y, where.z),
                      "its points are neither in walking order nor sortable by y",
                      "Order the points along the profile; of overlapping scans give one.");
+  }
 }
 
 /// Where segments i and j > i + 1 cross, if they do.

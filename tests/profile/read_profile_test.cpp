@@ -1,0 +1,330 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
+#include "warnings.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace bem_contact {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using Points = std::vector<Point2>;
+
+Points sampled(const std::string& standard, double step = 0.5) {
+  const ProfileCurve curve = standard_profile(standard);
+  Points points;
+  const int count = static_cast<int>((curve.s_end() - curve.s_begin()) / step);
+  for (int i = 0; i <= count; ++i)
+    points.push_back(curve.at(curve.s_begin() + i * (curve.s_end() - curve.s_begin()) / count).position);
+  return points;
+}
+
+std::string columns(const Points& points, double scale = 1) {
+  std::string text;
+  for (const Point2 p : points)
+    text += fmt::format("{:.9g} {:.9g}\n", scale * p.y, scale * p.z);
+  return text;
+}
+
+Points mapped(Points points, double y, double z) {
+  for (Point2& p : points)
+    p = {y * p.y, z * p.z};
+  return points;
+}
+
+/// Largest distance from `curve` to a standard profile, and both run the same way.
+double deviation(const ProfileCurve& curve, const std::string& standard) {
+  const ProfileCurve exact = standard_profile(standard);
+  double worst = 0;
+  for (double s = curve.s_begin(); s <= curve.s_end(); s += 0.21) {
+    const CurvePoint p = curve.at(s), q = exact.nearest(p.position);
+    worst = std::max({worst, norm(p.position - q.position), 1e-2 * std::abs(p.delta - q.delta)});
+  }
+  return worst;
+}
+constexpr double sampling = 1e-3; // what half a millimetre between points costs where curvature jumps
+
+std::string refusal(const std::string& text, ProfileKind kind = ProfileKind::rail) {
+  const Warnings warnings;
+  try {
+    parse_profile(text, "p.txt", kind);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(PlainProfile, reads_what_it_should_without_a_word) {
+  const Warnings warnings;
+  EXPECT_LT(deviation(parse_profile(columns(sampled("60E1")), "p", ProfileKind::rail), "60E1"), sampling);
+  EXPECT_LT(deviation(parse_profile(columns(sampled("S1002")), "p", ProfileKind::wheel), "S1002"), sampling);
+  EXPECT_THAT(warnings.text(), IsEmpty());
+}
+
+TEST(PlainProfile, comments_names_separators_and_line_ends) {
+  const Warnings warnings;
+  const std::string text =
+      "\xef\xbb\xbf# rail\r\ny; z\r\n! c\r\n-20, 1\r\n-10;+2.5D-1\r\n\r\n0\t0\r\n10 .25\r\n20 1\r\n";
+  const ProfileCurve curve = parse_profile(text, "folder/p.txt", ProfileKind::rail);
+  EXPECT_EQ(curve.name(), "p.txt");
+  EXPECT_NEAR(norm(curve.at(0).position), 0, 1e-12);
+  EXPECT_NEAR(curve.nearest({10, 0.25}).position.z, 0.25, 1e-12);
+}
+
+TEST(PlainProfile, refuses_what_is_no_profile) {
+  EXPECT_THAT(refusal(""), HasSubstr("p.txt has 0 points (a profile needs at least 3) The file is empty"));
+  EXPECT_THAT(refusal("# nothing\n\n"), HasSubstr("has 0 points"));
+  EXPECT_THAT(refusal("0 0\n20 0\n"), HasSubstr("has 2 points"));
+  EXPECT_THAT(refusal("0 0\n20 nan\n30 0\n"), HasSubstr("p.txt:2: a coordinate is not a number"));
+  EXPECT_THAT(refusal("0 0\n20 inf\n30 0\n"), HasSubstr("p.txt:2: a coordinate is not a number"));
+  EXPECT_THAT(refusal("0 0\n20 0\n30 x\n"), HasSubstr("p.txt:3: '30 x' is not a point"));
+  EXPECT_THAT(refusal("0,5 1,5\n1,5 2,5\n"), HasSubstr("decimal points"));
+  EXPECT_THAT(refusal("0 0\n1 0\n2 0\n"),
+              AllOf(HasSubstr("the profile is 2 mm wide"), HasSubstr("Convert it to mm.")));
+  EXPECT_THAT(refusal("0 0\n1000 0\n2000 5\n"), HasSubstr("2000 mm wide"));
+}
+
+struct Mishap {
+  std::string name, standard, text, warning;
+};
+
+class Repaired : public testing::TestWithParam<Mishap> {};
+
+TEST_P(Repaired, to_the_profile_it_was_and_said) {
+  const Mishap& mishap = GetParam();
+  const Warnings warnings;
+  const ProfileKind kind = mishap.standard == "S1002" ? ProfileKind::wheel : ProfileKind::rail;
+  const ProfileCurve curve = parse_profile(mishap.text, "p.txt", kind);
+  EXPECT_LT(deviation(curve, mishap.standard), sampling);
+  EXPECT_THAT(warnings.text(), mishap.warning.empty() ? testing::Matcher<std::string>(IsEmpty())
+                                                      : HasSubstr("warning: p.txt: " + mishap.warning));
+}
+
+Points reversed(Points points) {
+  std::reverse(points.begin(), points.end());
+  return points;
+}
+
+Points shuffled(Points points) {
+  std::mt19937 generator(7);
+  std::shuffle(points.begin(), points.end(), generator);
+  return points;
+}
+
+Points with_doubles(Points points) {
+  for (const std::ptrdiff_t at : {3, 40, 41, 100})
+    points.insert(points.begin() + at, points[static_cast<std::size_t>(at)]);
+  return points;
+}
+
+Points with_swapped(Points points) {
+  std::swap(points[60], points[61]);
+  return points;
+}
+
+Points with_spike(Points points) {
+  points.insert(points.begin() + 80, points[80] + Point2{0, 4});
+  return points;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mishaps, Repaired,
+    testing::Values(
+        Mishap{"metres", "60E1", columns(sampled("60E1"), 1e-3), "0.0741 wide: taken as metres"},
+        Mishap{"metres_wheel", "S1002", columns(sampled("S1002"), 1e-3), "0.13 wide: taken as metres"},
+        Mishap{"z_up_rail", "60E1", columns(mapped(sampled("60E1"), 1, -1)),
+               "z points up: its sign is changed"},
+        Mishap{"z_up_wheel", "S1002", columns(mapped(sampled("S1002"), 1, -1)), "z points up"},
+        Mishap{"mirrored_wheel", "S1002", columns(mapped(sampled("S1002"), -1, 1)),
+               "the flange lies at y > 0"},
+        Mishap{"turned_wheel", "S1002", columns(mapped(sampled("S1002"), -1, -1)), "z points up"},
+        Mishap{"reversed_rail", "60E1", columns(reversed(sampled("60E1"))), ""},
+        Mishap{"reversed_wheel", "S1002", columns(reversed(sampled("S1002"))), ""},
+        Mishap{"shuffled_rail", "60E1", columns(shuffled(sampled("60E1"))), "the points are out of order"},
+        Mishap{"shuffled_wheel", "S1002", columns(shuffled(sampled("S1002"))), "the points are out of order"},
+        Mishap{"doubled", "60E1", columns(with_doubles(sampled("60E1"))),
+               "4 doubled or crowded points dropped"},
+        Mishap{"swapped", "60E1", columns(with_swapped(sampled("60E1"))), "1 points dropped where"},
+        Mishap{"spike", "S1002", columns(with_spike(sampled("S1002"))), "1 points dropped where"}),
+    [](const auto& p) { return p.param.name; });
+
+TEST(Repairs, what_cannot_be_mended_is_refused) {
+  Points twice = sampled("60E1", 1); // two scans, one after the other, a little apart
+  for (const Point2 p : sampled("60E1", 0.83))
+    twice.push_back(p + Point2{0, 0.4});
+  const auto refused = AllOf(HasSubstr("p.txt: the profile runs back and forth near y = "),
+                             HasSubstr("of overlapping scans give one"));
+  EXPECT_THAT(refusal(columns(twice)), refused);
+
+  Points there_and_back = sampled("60E1", 1);
+  for (const Point2 p : reversed(sampled("60E1", 0.83)))
+    there_and_back.push_back(p + Point2{0, 0.4});
+  EXPECT_THAT(refusal(columns(there_and_back)), refused);
+
+  Points loop; // a large loop without a sharp turn
+  for (double t = -2.6; t <= 2.6; t += 0.05)
+    loop.push_back({20 * (t - 1.6 * std::sin(t)), 12 * std::cos(t)});
+  EXPECT_THAT(refusal(columns(loop)), AllOf(HasSubstr("the profile crosses itself at y = "),
+                                            HasSubstr("Remove the points of the loop.")));
+}
+
+TEST(Repairs, a_small_loop_is_cut_off) {
+  const Warnings warnings;
+  Points points = sampled("60E1"), looped = points;
+  const Point2 middle = 0.5 * (points[90] + points[91]),
+               t = (1 / norm(points[91] - points[90])) * (points[91] - points[90]);
+  const Point2 n{-t.z, t.y};
+  Points circle;
+  for (int i = 0; i <= 8; ++i) { // once round, 0.1 mm in radius, entered and left along the profile
+    const double a = -0.3 + i * (2 * std::acos(-1.0) + 0.6) / 8;
+    circle.push_back(middle + 0.1 * std::sin(a) * t + (-0.1 * (1 - std::cos(a))) * n);
+  }
+  looped.insert(looped.begin() + 91, circle.begin(), circle.end());
+  const ProfileCurve curve = parse_profile(columns(looped), "p.txt", ProfileKind::rail);
+  EXPECT_THAT(warnings.text(), HasSubstr("p.txt: a loop of "));
+  double worst = 0;
+  const ProfileCurve exact = standard_profile("60E1");
+  for (double s = curve.s_begin(); s <= curve.s_end(); s += 0.05)
+    worst = std::max(worst, norm(curve.at(s).position - exact.nearest(curve.at(s).position).position));
+  EXPECT_LT(worst, 0.02); // the entry and the exit of the loop stay
+}
+
+RC_GTEST_PROP(Readers, never_crash_and_never_give_a_number_that_is_none, (const std::string& text)) {
+  const Warnings warnings;
+  for (const std::string prefix : {"", "point.begin\n", "XYPoints=3\n"}) {
+    try {
+      const ProfileCurve curve = parse_profile(prefix + text, "p", ProfileKind::rail);
+      RC_ASSERT(std::isfinite(curve.s_end()));
+    } catch (const InputError&) {
+    }
+  }
+}
+
+// ---------------------------------------------------------------- Simpack
+
+std::string simpack(const std::string& flags, const std::string& points, int type = 0) {
+  return fmt::format(
+      "! a rail\nheader.begin\n version = 1\n type = {} ! 0=rail\nheader.end\nspline.begin\n"
+      " comment = 'a = b'\n type = 3\n units.len.f = 1000\n{}\npoint.begin\n{}point.end\nspline.end\n",
+      type, flags, points);
+}
+const std::string bow = "-20 4\n-10 1\n! 5 5\n0 0 1.0\n10 1\n20 4\n";
+
+Point2 first_point(const ProfileCurve& curve) {
+  return curve.at(curve.s_begin()).position;
+}
+ProfileCurve rail_of(const std::string& text) {
+  return parse_profile(text, "p.prr", ProfileKind::rail);
+}
+void expect_near(Point2 a, Point2 b) {
+  EXPECT_LT(norm(a - b), 1e-9) << a.y << " " << a.z;
+}
+
+TEST(Simpack, every_flag) {
+  const Warnings warnings;
+  expect_near(first_point(rail_of(simpack("", bow))), {-20, 4});
+  expect_near(first_point(rail_of(simpack("shift.y = 3\nshift.z = -0.5", bow))), {-17, 3.5});
+  // about x from y towards z, after the shift
+  expect_near(first_point(rail_of(simpack("rotate = 0.1", bow))),
+              {-20 * std::cos(0.1) - 4 * std::sin(0.1), -20 * std::sin(0.1) + 4 * std::cos(0.1)});
+  expect_near(first_point(rail_of(simpack("rotate = 9\nunits.ang.f = 57.29577951308232", bow))),
+              first_point(rail_of(simpack("rotate = 0.15707963267948966", bow))));
+  expect_near(first_point(rail_of(simpack("bound.y.min = -15\nbound.y.max = 15", bow))), {-10, 1});
+  expect_near(first_point(rail_of(simpack("bound.z.min = -1\nbound.z.max = 2", bow))), {-10, 1});
+  expect_near(first_point(rail_of(simpack("bound.y.min = 1\nbound.y.max = 0", bow))), {-20, 4}); // off
+  expect_near(first_point(rail_of(simpack("units.len.f = 1", "-.02 .004\n-.01 .001\n0 0\n.01 .001\n"))),
+              {-20, 4});
+  expect_near(first_point(rail_of(simpack("point.dist.min = 15", bow))), {-20, 4});
+  EXPECT_THAT(warnings.text(), IsEmpty());
+}
+
+TEST(Simpack, mirrors_and_inversion) {
+  const Warnings warnings;
+  const std::string lopsided = "-30 9\n-10 1\n0 0\n10 1\n20 4\n";
+  expect_near(first_point(rail_of(simpack("mirror.y = 1\ninversion = 1", lopsided))), {-20, 4});
+  expect_near(first_point(rail_of(simpack("mirror.z = 1", "-20 -4\n-10 -1\n0 0\n10 -1\n20 -4\n"))), {-20, 4});
+  EXPECT_THAT(warnings.text(), IsEmpty()); // the flags say all, nothing is left to repair
+}
+
+TEST(Simpack, points_of_no_weight_do_not_count) {
+  const ProfileCurve curve = rail_of(simpack("", "-20 4\n-10 1\n-5 3 0.0\n0 0\n10 1\n20 4\n"));
+  EXPECT_LT(norm(curve.nearest({-5, 0.25}).position - Point2{-5, 0.25}), 0.01);
+}
+
+TEST(Simpack, refusals) {
+  EXPECT_THAT(refusal(simpack("approx.smooth = 0.5", bow)),
+              HasSubstr("p.txt: approx.smooth = 0.5 (smoothing would"));
+  EXPECT_THAT(refusal(simpack("mirror.y = 2", bow)), HasSubstr("mirror.y = 2 (it is a switch) Give 0 or 1."));
+  EXPECT_THAT(refusal(simpack("units.len.f = 0", bow)), HasSubstr("a unit factor is positive"));
+  EXPECT_THAT(refusal(simpack("", bow, 1)),
+              HasSubstr("p.txt is the profile of a wheel (its header says type = 1"));
+  EXPECT_THAT(refusal(simpack("", "-20 4\n0 NaN\n20 4\n")), HasSubstr("a coordinate is not a number"));
+  EXPECT_THAT(refusal(simpack("", "-20 4\n0 0 1 7\n20 4\n")), HasSubstr("is not a point"));
+  EXPECT_THAT(refusal(simpack("", "")), HasSubstr("p.txt has 0 points"));
+  const std::string whole = simpack("", bow);
+  EXPECT_THAT(refusal(whole.substr(0, whole.find("20 4\npoint.end"))),
+              HasSubstr("has no point.end (the file is truncated)"));
+  EXPECT_THAT(refusal(whole.substr(0, whole.find("point.begin"))), HasSubstr("has no point.begin"));
+}
+
+// ---------------------------------------------------------------- MiniProf
+
+TEST(MiniProf, both_variants_and_stray_quotes) {
+  const Warnings warnings;
+  const std::string points = "\"-20\t-4\"\n\"-10\t-1\n 0 0\n10 -1\n30 -9\n"; // z up, y mirrored
+  for (const std::string& header : {std::string("Filename=a.ban\nXYPoints=5\nXOffset=0.0\n\n"),
+                                    std::string("#MINIWHEELPROF 1.0\nsome title\n\n")}) {
+    const ProfileCurve curve = rail_of(header + points);
+    expect_near(first_point(curve), {-30, 9});
+    expect_near(curve.at(curve.s_end()).position, {20, 4});
+  }
+  EXPECT_THAT(warnings.text(), HasSubstr("z points up"));
+}
+
+TEST(MiniProf, columns_by_name) {
+  const Warnings warnings;
+  const ProfileCurve curve = rail_of("XYPoints=4\nColumnDef=N,Y,X\n\n1 4 -20\n2 1 -10\n3 0 0\n4 4 20\n");
+  expect_near(first_point(curve), {-20, 4});
+}
+
+TEST(MiniProf, a_truncated_file_is_refused) {
+  EXPECT_THAT(
+      refusal("XYPoints=5\n\n-20 4\n-10 1\n0 0\n10 1\n"),
+      HasSubstr("p.txt has 4 points (its header says XYPoints=5; the file is truncated or was altered)"));
+  EXPECT_THAT(refusal("XYPoints=3\n\n-20 4\n-10\n0 0\n"), HasSubstr("p.txt:4: '-10' is not a point"));
+  EXPECT_THAT(refusal("XYPoints=3\n\n-20 4\n-10 nan\n0 0\n"), HasSubstr("a coordinate is not a number"));
+}
+
+TEST(MiniProf, offsets_are_not_applied_in_silence) {
+  const Warnings warnings;
+  rail_of("XYPoints=4\nXOffset=2.5\n\n-20 4\n-10 1\n0 0\n20 4\n");
+  EXPECT_THAT(warnings.text(), HasSubstr("warning: p.prr: XOffset = 2.5 is not applied"));
+}
+
+// ---------------------------------------------------------------- by name
+
+TEST(NamedProfile, of_the_right_kind) {
+  EXPECT_EQ(named_profile("60E2", ProfileKind::rail).digest(), standard_profile("60E2").digest());
+  EXPECT_THROW(named_profile("S1002", ProfileKind::rail), InputError);
+  EXPECT_THROW(named_profile("60E1", ProfileKind::wheel), InputError);
+  try {
+    named_profile("60F1", ProfileKind::rail, "somewhere");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr("unknown profile '60F1'"), HasSubstr("there is no file somewhere/60F1"),
+                      HasSubstr("Did you mean 60E1")));
+  }
+}
+
+} // namespace
+} // namespace bem_contact
