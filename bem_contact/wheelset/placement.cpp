@@ -11,7 +11,7 @@ namespace bem_contact {
 
 namespace {
 
-constexpr double search_step = 0.05; // mm, of the sampled profiles
+constexpr double search_step = 0.02; // mm, of the sampled profiles
 
 Point2 turned(Point2 p, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -75,6 +75,29 @@ double wheel_s_at_y(const WheelOnRail& pair, double y, double guess) {
     ((f(mid) > 0) == falling ? lo : hi) = mid;
   }
   return 0.5 * (lo + hi);
+}
+
+// Two minima with less than this between them are one: less than the chords of the samples can hide, mm.
+constexpr double least_barrier = 2e-5;
+
+/// Indices of the local minima that a barrier of at least least_barrier separates, the lowest of each group.
+std::vector<int> separate_minima(const std::vector<double>& distance) {
+  std::vector<int> kept;
+  for (int i = 1; i + 1 < static_cast<int>(distance.size()); ++i) {
+    if (!(distance[i] < distance[i - 1] && distance[i] <= distance[i + 1]))
+      continue;
+    int candidate = i;
+    while (!kept.empty()) {
+      const int other = kept.back();
+      const double barrier = *std::max_element(distance.begin() + other, distance.begin() + candidate);
+      if (barrier - std::max(distance[other], distance[candidate]) >= least_barrier)
+        break;
+      candidate = distance[other] < distance[candidate] ? other : candidate;
+      kept.pop_back();
+    }
+    kept.push_back(candidate);
+  }
+  return kept;
 }
 
 } // namespace
@@ -171,9 +194,18 @@ std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair) {
                                  y0 + std::max(deepest, 0) * dy),
                      "Check position.lateral and the extent of the profiles.");
 
-  for (int i = 1; i + 1 < n; ++i) {
-    if (!(distance[i] < distance[i - 1] && distance[i] <= distance[i + 1]))
-      continue;
+  for (const int sampled : separate_minima(distance)) {
+    // The chords of the samples hide where on a conformal stretch the minimum is: scan it exactly.
+    int i = sampled;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (int k = std::max(1, sampled - 25); k <= std::min(n - 2, sampled + 25); ++k) {
+      if (std::isnan(distance[k]) || distance[k] > distance[sampled] + least_barrier)
+        continue;
+      double wheel_s = 0;
+      const double h = exact(below.s[k], above.s[k], wheel_s);
+      if (h < lowest)
+        lowest = h, i = k;
+    }
     double a = std::min(below.s[i - 1], below.s[i + 1]), b = std::max(below.s[i - 1], below.s[i + 1]);
     const double golden = 0.5 * (std::sqrt(5.0) - 1);
     double wheel_s = above.s[i];

@@ -1,7 +1,7 @@
 #include "bem_contact/wheelset/wheel_rail_scene.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/profile_file.hpp"
+#include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/wheelset/rigid_slip.hpp"
 
 #include <algorithm>
@@ -25,8 +25,8 @@ std::vector<Point2> track_points(const ProfileCurve& curve, const Pose& pose, do
 } // namespace
 
 WheelRailScene place_wheel_rail(const SceneFile& scene) {
-  WheelRailScene out{place(scene.position, load_profile(scene.rail.profile, ProfileSide::rail, scene.folder),
-                           load_profile(scene.wheel.profile, ProfileSide::wheel, scene.folder)),
+  WheelRailScene out{place(scene.position, named_profile(scene.rail.profile, ProfileKind::rail, scene.folder),
+                           named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder)),
                      {},
                      {},
                      {},

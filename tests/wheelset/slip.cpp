@@ -1,0 +1,96 @@
+#include "bem_contact/wheelset/rigid_slip.hpp"
+
+#include "bem_contact/profile/read_profile.hpp"
+#include "tests/wheelset/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace bem_contact;
+
+struct Rolling {
+  WheelOnRail pair;
+  ContactProblem problem;
+  Point2 reference;
+  double delta = 0, radius = 0;
+};
+
+/// S1002 on 60E1 with rows of ds about the deepest point; row 10 is the deepest point itself.
+Rolling rolling(double lateral, double roll, const Creepage& creepage, double ds = 0.05) {
+  SceneFile::Position position;
+  position.lateral = lateral;
+  position.roll = roll;
+  Rolling r{
+      place(position, named_profile("60E1", ProfileKind::rail), named_profile("S1002", ProfileKind::wheel)),
+      {},
+      {},
+      0,
+      0};
+  const TouchPoint touch = lower_to_touch(r.pair).front();
+  r.reference = touch.position;
+  r.delta = touch.delta;
+  r.radius = dot(touch.position - r.pair.axle(), normal_of(roll));
+  r.problem.grid = {21, 21, 0.1, ds, -1.0};
+  for (int i = -10; i <= 10; ++i) {
+    const CurvePoint p = r.pair.rail_at(touch.rail_s + i * ds);
+    r.problem.rows.push_back({p.s, p.position, p.delta});
+  }
+  set_rigid_slip(r.problem, r.pair, r.reference, r.delta, creepage);
+  return r;
+}
+
+double slip_x(const Rolling& r, int ix, int is) {
+  return r.problem.slip_x[is * r.problem.grid.mx + ix];
+}
+double slip_s(const Rolling& r, int ix, int is) {
+  return r.problem.slip_s[is * r.problem.grid.mx + ix];
+}
+
+TEST(RigidSlip, AtTheReferencePointIsTheCreepage) {
+  for (const double lateral : {0.0, 6.3, 7.2}) {
+    const Rolling r = rolling(lateral, 0, {1e-3, -2e-3, 0.4e-3});
+    EXPECT_NEAR(slip_x(r, 10, 10), 1e-3, 1e-12);
+    EXPECT_NEAR(slip_s(r, 10, 10), -2e-3, 1e-12);
+  }
+}
+
+TEST(RigidSlip, GeometricSpinIsSineOfInclinationOverRadius) {
+  // Classical check: w_x = -phi s, w_s = phi x with phi = sin(delta) / R: negative at the gauge corner.
+  const Rolling r = rolling(7.2, 0, {});
+  ASSERT_LT(r.delta, -0.5);
+  const double phi = std::sin(r.delta) / r.radius;
+  const double across = (slip_x(r, 10, 11) - slip_x(r, 10, 9)) / (r.problem.rows[11].s - r.problem.rows[9].s);
+  const double along = (slip_s(r, 11, 10) - slip_s(r, 9, 10)) / 0.2;
+  EXPECT_NEAR(-across, phi, 1e-3 * std::abs(phi));
+  EXPECT_NEAR(along, phi, 1e-9);
+  EXPECT_LT(phi, 0);
+}
+
+TEST(RigidSlip, SpinOfTheSceneIsAddedToTheGeometry) {
+  const Rolling r = rolling(7.2, 0, {0, 0, 2e-4}), zero = rolling(7.2, 0, {});
+  EXPECT_NEAR(slip_s(r, 20, 10) - slip_s(zero, 20, 10), 2e-4, 1e-12); // x = 1 mm
+  const double s = r.problem.rows[12].s - r.problem.rows[10].s;
+  EXPECT_NEAR(slip_x(r, 10, 12) - slip_x(zero, 10, 12), -2e-4 * s, 1e-6 * s);
+}
+
+TEST(RigidSlip, ARolledAxleTurnsTheSpin) {
+  // With the axle inclined by roll the spin is sin(delta - roll) / R.
+  const double roll = 0.02;
+  const Rolling r = rolling(0, roll, {});
+  const double along = (slip_s(r, 11, 10) - slip_s(r, 9, 10)) / 0.2;
+  EXPECT_NEAR(along, std::sin(r.delta - roll) / r.radius, 1e-9);
+}
+
+TEST(RigidSlip, OfAPatchIsThatOfAPlane) {
+  ContactProblem problem;
+  problem.grid = {2, 2, 1, 1, 3};
+  problem.rows = {{-2, {}, 0}, {5, {}, 0}};
+  set_rigid_slip(problem, {0.1, 0.2, 0.01});
+  EXPECT_DOUBLE_EQ(problem.slip_x[0], 0.12);
+  EXPECT_DOUBLE_EQ(problem.slip_x[2], 0.05);
+  EXPECT_DOUBLE_EQ(problem.slip_s[0], 0.23);
+  EXPECT_DOUBLE_EQ(problem.slip_s[3], 0.24);
+}
+
+} // namespace
