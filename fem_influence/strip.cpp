@@ -136,15 +136,15 @@ SparseColumns remote_functionals(const Section& section, std::span<const Station
   };
   double largest = 0;
   section.for_each_cell([&](const CellView& cell) { largest = std::max(largest, from_strip(cell.centre)); });
-  const double limit = distance > 0 ? distance : 0.5 * largest;
+  const double limit = distance > 0 ? distance : std::min(20.0, 0.5 * largest);
   if (limit >= largest)
     throw InputError("No cell is farther than " + std::to_string(limit) + " mm from the strip",
                      "the largest distance is " + std::to_string(largest) + " mm",
-                     "lower harmonic.remote_distance, or give 0 for half of the largest");
+                     "lower harmonic.remote_distance, or give 0 for the default");
 
   const auto for_each_remote = [&](auto&& visit) {
     section.for_each_cell([&](const CellView& cell) {
-      if (from_strip(cell.centre) > limit)
+      if (const double d = from_strip(cell.centre); d > limit && d <= 2 * limit)
         visit(cell);
     });
   };

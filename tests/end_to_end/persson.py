@@ -1,0 +1,48 @@
+"""Persson's pin in a hole (1964) with influence functions of a disc and of a block with a bore.
+
+R 10, clearance .2, G 82000, nu .28, half angle 30 degrees: Q 5734.92 N/mm, pmax 722.77 MPa; half-space theory
+(Hertz) gives 644.83, 11 % less. Bars: 3 % for pmax and for the half angle.
+"""
+
+import math
+import tempfile
+import unittest
+from pathlib import Path
+
+import programs
+
+FORCE, HALF_ANGLE, PMAX = 5734.92, 30.0, 722.77
+
+
+class Persson(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        folder = Path(cls.folder.name)
+        for body in ("bore", "disc"):
+            programs.influence(body, folder / f"{body}.h5")
+        text = (programs.ROOT / "data/scenes/persson.toml").read_text()
+        cls.scene = folder / "persson.toml"
+        cls.scene.write_text(text.replace("../../demo/", ""))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_finite_element_numbers_meet_persson(self):
+        result = programs.solve(self.scene, "--model", "fem")
+        self.assertTrue(result["certificate"]["holds"])
+        self.assertAlmostEqual(result["totals"]["Fz"], FORCE, delta=1e-6 * FORCE)
+        half_angle = math.degrees(result["area"] / 2 / 10)  # arc length on the bore, R = 10
+        print(f"pmax {result['pmax']:.2f} MPa (exact {PMAX}), half angle {half_angle:.2f} (exact {HALF_ANGLE})")
+        self.assertAlmostEqual(result["pmax"], PMAX, delta=0.03 * PMAX)
+        self.assertAlmostEqual(half_angle, HALF_ANGLE, delta=0.03 * HALF_ANGLE)
+
+    def test_half_space_numbers_are_far_off(self):
+        result = programs.solve(self.scene, "--model", "halfspace")
+        print(f"pmax {result['pmax']:.2f} MPa with half-space numbers")
+        self.assertLess(result["pmax"], 0.95 * PMAX)
+
+
+if __name__ == "__main__":
+    unittest.main()
