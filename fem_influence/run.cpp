@@ -152,6 +152,8 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
     if (!done[k])
       left.push_back(k);
   report.resumed = done.size() - left.size();
+  if (rank == 0 && progress)
+    progress(report.resumed, done.size());
 
   const std::size_t n = 3 * function.station_count(), kernel_size = n * n, remote_size = 6 * n;
   const std::size_t message = kernel_size + remote_size + 36 + errors_each;

@@ -17,7 +17,7 @@ struct RunReport {
   double interpolation_error = 0, discretisation_error = 0; ///< -1: not estimated
 };
 
-/// Called on the first process after each round of wavenumbers.
+/// Called on the first process at the start and after each round of wavenumbers.
 using RunProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Computes a body's influence function and writes it to `output`: one wavenumber at a time on each MPI

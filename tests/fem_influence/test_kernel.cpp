@@ -1,0 +1,202 @@
+#include "fem_influence/harmonic_solver.hpp"
+#include "section_meshes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace bem_contact::fem::test {
+namespace {
+
+using std::numbers::pi;
+
+/// Kernel of the half-space for two stations `width` wide, s = s_I - s_J: the transforms of
+/// Boussinesq-Cerruti (Kalker 1990, app. E) in (x, s), one wavenumber k in x, integrated over those in s.
+std::array<std::array<double, 3>, 3> halfspace_kernel(const Material& m, double k, double s, double width) {
+  const double nu = m.poisson, G = m.shear_modulus;
+  std::array<std::array<double, 3>, 3> g{};
+  const double step = 2e-3 / width, largest = 600 / width;
+  for (double q = 0.5 * step; q < largest; q += step) {
+    const double kappa = std::hypot(k, q), sine = 2 * std::sin(0.5 * q * width) / q;
+    const double w = sine * sine / width * step / pi, c = w * std::cos(q * s), d = w * std::sin(q * s);
+    g[0][0] += c * (1 - nu * k * k / (kappa * kappa)) / (G * kappa);
+    g[1][1] += c * (1 - nu * q * q / (kappa * kappa)) / (G * kappa);
+    g[2][2] += c * (1 - nu) / (G * kappa);
+    g[0][1] += d * nu * k * q / (G * kappa * kappa * kappa);
+    g[0][2] -= c * (1 - 2 * nu) * k / (2 * G * kappa * kappa);
+    g[1][2] -= d * (1 - 2 * nu) * q / (2 * G * kappa * kappa);
+  }
+  // Maxwell-Betti with s -> -s.
+  g[1][0] = -g[0][1];
+  g[2][0] = g[0][2];
+  g[2][1] = -g[1][2];
+  return g;
+}
+
+BodyFile strip_body(const char* kind, double half, double width, int degree) {
+  BodyFile body;
+  body.body.kind = kind;
+  body.strip = {-half, half, width};
+  body.harmonic.degree = degree;
+  return body;
+}
+
+/// Largest deviation from the half-space's kernel, relative to its self number, from station 0.
+double worst_against_halfspace(bool wheel, double k, double h, int degree) {
+  const Folder folder;
+  const double width = 0.5, half = 3.0;
+  write_block_mesh(folder / "block.msh", h, half, 60, wheel);
+  const Section section(folder / "block.msh", degree);
+  const BodyFile body = strip_body(wheel ? "wheel" : "block", half, width, degree);
+  HarmonicSolver solver(section, body, straight_line(60, wheel));
+  const auto result = solver.at(k);
+  EXPECT_LT(result.betti_error, 1e-10);
+  const std::size_t stations = solver.stations().size(), n = 3 * stations;
+  EXPECT_EQ(stations, 12u);
+  double worst = 0;
+  for (std::size_t I = 0; I < stations; ++I) {
+    const auto exact = halfspace_kernel(body.material, k, static_cast<double>(I) * width, width);
+    const auto self = halfspace_kernel(body.material, k, 0, width);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        const double error = std::abs(result.kernel[(3 * I + i) * n + j] - exact[i][j]) / self[i][i];
+        EXPECT_LT(error, 0.01) << "component " << i << j << " at station " << I << ", k = " << k;
+        worst = std::max(worst, error);
+      }
+  }
+  return worst;
+}
+
+// The error is that of the logarithm at a station's edge, the same for all k, while the self number falls as
+// 1/k: so the bounds rise with k.
+TEST(Kernel, flat_block_is_the_halfspace_in_all_nine_components) {
+  EXPECT_LT(worst_against_halfspace(false, 0.5, 0.125, 3), 1e-3);
+  EXPECT_LT(worst_against_halfspace(false, 2.0, 0.125, 3), 1e-3);
+  EXPECT_LT(worst_against_halfspace(false, 10.0, 0.125, 3), 6e-3);
+}
+
+TEST(Kernel, flat_tread_of_a_wheel_is_the_halfspace_in_its_own_frame) {
+  for (const double k : {0.5, 5.0})
+    EXPECT_LT(worst_against_halfspace(true, k, 0.125, 3), 2e-3 + 1 / (k * wheel_reference_radius));
+}
+
+TEST(Kernel, error_falls_as_the_square_of_the_element) {
+  const double coarse = worst_against_halfspace(false, 2.0, 0.25, 3);
+  const double fine = worst_against_halfspace(false, 2.0, 0.125, 3);
+  EXPECT_GT(std::log2(coarse / fine), 1.7);
+}
+
+/// Michell's modes of a disc or a bore under pressure p cos(n phi) (REFERENCES 3.2), with k = 0.
+void check_michell(bool hole) {
+  const Folder folder;
+  const double radius = 10;
+  const int count = 64;
+  write_ring_mesh(folder / "ring.msh", radius, hole ? 40 * radius : 0.02 * radius, 2 * count);
+  const Section section(folder / "ring.msh", 2);
+  BodyFile body = strip_body(hole ? "bore" : "disc", 0, 2 * pi * radius / count, 2);
+  const ProfileCurve circle = full_circle(radius, hole);
+  body.strip = {circle.s_begin(), circle.s_end(), (circle.s_end() - circle.s_begin()) / count};
+  body.harmonic.remote_distance = 0.5 * radius;
+  HarmonicSolver solver(section, body, circle);
+  const auto result = solver.at(0);
+  EXPECT_LT(result.betti_error, 1e-10);
+  EXPECT_LT(result.reaction_error, 1e-8);
+  const std::size_t size = 3 * count;
+  const double mu = body.material.shear_modulus, nu = body.material.poisson, kappa = 3 - 4 * nu;
+  for (const int n : {0, 2, 3, 5, 8}) {
+    double normal = 0, tangential = 0;
+    for (std::size_t I = 0; I < count; ++I)
+      for (std::size_t J = 0; J < count; ++J) {
+        const double at = solver.stations()[I].s / radius, p = std::cos(n * solver.stations()[J].s / radius);
+        normal += result.kernel[(3 * I + 2) * size + 3 * J + 2] * p * std::cos(n * at);
+        tangential += result.kernel[(3 * I + 1) * size + 3 * J + 2] * p * std::sin(n * at);
+      }
+    // Constant on each station, and averaged over it: the mode counts by sin(x)/x twice.
+    const double x = n * pi / count, sinc = n == 0 ? 1 : std::sin(x) / x;
+    normal *= (n == 0 ? 1.0 : 2.0) / count / (sinc * sinc);
+    tangential *= 2.0 / count / (sinc * sinc);
+    const double unit = radius / (4 * mu);
+    double exact_normal = 0, exact_tangential = 0;
+    if (n == 0)
+      exact_normal = radius / (2 * mu) * (hole ? 1 : 1 - 2 * nu);
+    else if (hole) {
+      exact_normal = unit * (kappa / (n - 1) + 1.0 / (n + 1));
+      exact_tangential = unit * (-kappa / (n - 1) + 1.0 / (n + 1));
+    } else {
+      exact_normal = unit * (kappa / (n + 1) + 1.0 / (n - 1));
+      exact_tangential = -unit * (kappa / (n + 1) - 1.0 / (n - 1));
+    }
+    EXPECT_NEAR(normal, exact_normal, 0.01 * exact_normal) << "n = " << n;
+    EXPECT_NEAR(tangential, exact_tangential, 0.01 * exact_normal) << "n = " << n;
+  }
+}
+
+TEST(Kernel, disc_has_michells_modes) {
+  check_michell(false);
+}
+TEST(Kernel, bore_has_michells_modes) {
+  check_michell(true);
+}
+
+TEST(Kernel, reactions_balance_the_load_of_prism_and_wheel) {
+  for (const bool wheel : {false, true}) {
+    const Folder folder;
+    write_block_mesh(folder / "block.msh", 0.5, 2, 50, wheel);
+    const Section section(folder / "block.msh", 2);
+    HarmonicSolver solver(section, strip_body(wheel ? "wheel" : "block", 2, 0.5, 2),
+                          straight_line(50, wheel));
+    const auto result = solver.at(0);
+    EXPECT_LT(result.reaction_error, 1e-8);
+    EXPECT_LT(result.betti_error, 1e-10);
+  }
+}
+
+TEST(Kernel, removing_the_remote_motion_takes_most_of_the_support_out) {
+  // The same strip on blocks 40 and 80 wide and deep; the remote section is what lies beyond 20 mm.
+  std::array<WavenumberResult, 2> results;
+  std::array<double, 2> removed{};
+  std::size_t n = 0;
+  for (std::size_t b = 0; b < 2; ++b) {
+    const Folder folder;
+    const double size = b == 0 ? 40 : 80;
+    write_block_mesh(folder / "block.msh", 0.5, 2, size);
+    const Section section(folder / "block.msh", 2);
+    BodyFile body = strip_body("block", 2, 0.5, 2);
+    body.harmonic.remote_distance = 20;
+    HarmonicSolver solver(section, body, straight_line(size));
+    results[b] = solver.at(0);
+    n = 3 * solver.stations().size();
+    auto s = results[b].remote_self;
+    std::array<double, 6> rhs{}, x{};
+    for (std::size_t m = 0; m < 6; ++m)
+      x[m] = rhs[m] = results[b].remote[m * n + 2];
+    for (std::size_t p = 0; p < 6; ++p)
+      for (std::size_t r = p + 1; r < 6; ++r) {
+        ASSERT_GT(s[p * 6 + p], 0);
+        const double f = s[r * 6 + p] / s[p * 6 + p];
+        for (std::size_t c = p; c < 6; ++c)
+          s[r * 6 + c] -= f * s[p * 6 + c];
+        x[r] -= f * x[p];
+      }
+    for (std::size_t p = 6; p-- > 0;) {
+      for (std::size_t c = p + 1; c < 6; ++c)
+        x[p] -= s[p * 6 + c] * x[c];
+      x[p] /= s[p * 6 + p];
+    }
+    double rigid = 0;
+    for (std::size_t m = 0; m < 6; ++m)
+      rigid += rhs[m] * x[m];
+    removed[b] = results[b].kernel[2 * n + 2] - rigid;
+  }
+  const double included = results[1].kernel[2 * n + 2] - results[0].kernel[2 * n + 2];
+  EXPECT_GT(included, 0);
+  EXPECT_GT(removed[0], 0);
+  EXPECT_LT(removed[0], results[0].kernel[2 * n + 2]);
+  // What is left is that the larger block's remote section is another one.
+  EXPECT_LT(std::abs(removed[1] - removed[0]), 0.2 * included);
+}
+
+} // namespace
+} // namespace bem_contact::fem::test

@@ -1,0 +1,115 @@
+#include "fem_influence/section_operator.hpp"
+#include "section_meshes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace bem_contact::fem::test {
+namespace {
+
+constexpr double wheel_radius = 460;
+
+double energy(const SectionOperator& op, double k, const std::vector<double>& u) {
+  const auto f = op.apply(k, u);
+  double sum = 0;
+  for (std::size_t i = 0; i < u.size(); ++i)
+    sum += u[i] * f[i];
+  return sum;
+}
+
+/// A displacement of the same size that strains the body everywhere, to compare energies with.
+std::vector<double> strained(const std::vector<Point2>& nodes, double size) {
+  std::vector<double> u;
+  for (const Point2 p : nodes)
+    for (const double v : {p.z, p.y, p.y + 2 * p.z})
+      u.push_back(size * v / 50);
+  return u;
+}
+
+class Operator : public ::testing::Test {
+protected:
+  Operator() : mesh_(folder_ / "wheel.msh") { write_block_mesh(mesh_, 2, 4, 50, true, 1.6); }
+  Folder folder_;
+  std::filesystem::path mesh_;
+};
+
+TEST_F(Operator, rigid_motions_of_a_prism_carry_no_energy) {
+  const Section section(mesh_, 2);
+  const auto op = assemble(section, Material{}, 0);
+  const auto motions = rigid_motions(section.node_positions(), 0, 0);
+  ASSERT_EQ(motions.size(), 4u);
+  for (const auto& u : motions)
+    EXPECT_LT(std::abs(energy(op, 0, u)), 1e-10 * energy(op, 0, strained(section.node_positions(), 1)));
+  // They do at another wavenumber: the test can fail.
+  EXPECT_GT(energy(op, 0.02, motions[0]), 1e-4 * energy(op, 0.02, strained(section.node_positions(), 1)));
+}
+
+TEST_F(Operator, rigid_motions_of_a_wheel_carry_no_energy) {
+  const Section section(mesh_, 2);
+  const auto op = assemble(section, Material{}, wheel_radius);
+  for (const int n : {0, 1}) {
+    const auto motions = rigid_motions(section.node_positions(), wheel_radius, n);
+    ASSERT_EQ(motions.size(), 2u);
+    for (const auto& u : motions) {
+      double size = 0;
+      for (const double v : u)
+        size = std::max(size, std::abs(v));
+      const double reference = energy(op, n / wheel_radius, strained(section.node_positions(), size));
+      EXPECT_LT(std::abs(energy(op, n / wheel_radius, u)), 1e-10 * reference) << "n = " << n;
+      EXPECT_GT(energy(op, 2 / wheel_radius, u), 1e-7 * reference) << "n = " << n;
+    }
+  }
+}
+
+TEST_F(Operator, wheel_of_huge_radius_is_a_prism) {
+  const Section section(mesh_, 1);
+  const auto prism = assemble(section, Material{}, 0);
+  double last = 0;
+  for (const double radius : {1e5, 1e6}) {
+    const auto wheel = assemble(section, Material{}, radius);
+    double difference = 0, largest = 0;
+    for (std::size_t power = 0; power < 3; ++power)
+      for (std::size_t e = 0; e < prism.value[power].size(); ++e) {
+        difference = std::max(difference, std::abs(wheel.value[power][e] - prism.value[power][e]));
+        largest = std::max(largest, std::abs(prism.value[power][e]));
+      }
+    EXPECT_LT(difference / largest, 100 / radius);
+    if (last > 0) {
+      EXPECT_NEAR(last / difference, 10, 0.1); // falls as 1/R
+    }
+    last = difference;
+  }
+}
+
+TEST_F(Operator, reversed_wavenumber_turns_the_longitudinal_component) {
+  const Section section(mesh_, 2);
+  for (const double radius : {0.0, wheel_radius}) {
+    const auto op = assemble(section, Material{}, radius);
+    auto u = strained(section.node_positions(), 1);
+    const double k = 0.3, forward = energy(op, k, u);
+    for (std::size_t d = 0; d < u.size(); d += 3)
+      u[d] = -u[d];
+    EXPECT_NEAR(energy(op, -k, u), forward, 1e-11 * forward);
+    EXPECT_GT(std::abs(energy(op, k, u) - forward), 1e-3 * forward);
+  }
+}
+
+TEST_F(Operator, uniform_strains_have_their_energy) {
+  // Plane strain: u_y = c y on a block of area A stores (lambda + 2 mu) c^2 A; antiplane u_x = c z: mu c^2 A.
+  const Section section(mesh_, 2);
+  const Material material;
+  const auto op = assemble(section, material, 0);
+  const double mu = material.shear_modulus, lambda = 2 * mu * material.poisson / (1 - 2 * material.poisson);
+  std::vector<double> stretch, shear;
+  for (const Point2 p : section.node_positions()) {
+    stretch.insert(stretch.end(), {0.0, 1e-3 * p.y, 0.0});
+    shear.insert(shear.end(), {1e-3 * p.z, 0.0, 0.0});
+  }
+  const double area = 100 * 50;
+  EXPECT_NEAR(energy(op, 0, stretch), (lambda + 2 * mu) * 1e-6 * area, 1e-9 * mu);
+  EXPECT_NEAR(energy(op, 0, shear), mu * 1e-6 * area, 1e-9 * mu);
+}
+
+} // namespace
+} // namespace bem_contact::fem::test

@@ -1,0 +1,228 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/influence/expand.hpp"
+#include "bem_contact/influence/influence_file.hpp"
+#include "fem_influence/run.hpp"
+#include "fem_influence/wavenumbers.hpp"
+#include "section_meshes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace bem_contact::fem::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+/// A small block with few wavenumbers: a second or so.
+BodyFile small_block() {
+  BodyFile body;
+  body.body.kind = "block";
+  body.body.size = 40;
+  body.strip = {-2, 2, 0.5};
+  body.harmonic = {
+      .degree = 2, .half_period = 120, .shortest_dx = 0.5, .samples_per_decade = 6, .remote_distance = 20};
+  return body;
+}
+
+std::string bytes(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+template <class Work> std::string message_of(Work&& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no InputError";
+}
+
+class Run : public ::testing::Test {
+protected:
+  void SetUp() override { write_block_mesh(folder_ / "block.msh", 0.25, 2, 40); }
+  std::string error_of(const std::string& mesh, const std::string& output = "out.h5",
+                       const BodyFile& body = small_block()) {
+    return message_of([&] { run_harmonic(body, straight_line(40), folder_ / mesh, folder_ / output); });
+  }
+  Folder folder_;
+};
+
+TEST_F(Run, flat_block_gives_the_halfspace_numbers_within_one_percent) {
+  // Self and differences to 10 patch sizes along x and s, all nine components.
+  BodyFile body = small_block();
+  body.strip = {-3, 3, 0.5};
+  body.body.size = 100;
+  body.harmonic = {
+      .degree = 3, .half_period = 600, .shortest_dx = 0.5, .samples_per_decade = 6, .remote_distance = 50};
+  write_block_mesh(folder_ / "large.msh", 0.25, 3, 100);
+  const auto file = folder_ / "large.h5";
+  const RunReport report = run_harmonic(body, straight_line(100), folder_ / "large.msh", file);
+  EXPECT_LT(report.betti_error, 1e-10);
+  EXPECT_LT(report.reaction_error, 1e-8);
+  const InfluenceFunction function = read_influence_file(file);
+  EXPECT_EQ(function.stations.size(), 12u);
+  EXPECT_GT(function.estimated_error, 0);
+  EXPECT_LT(function.estimated_error, 0.01);
+  const int offsets = 11, rows = 12;
+  const auto numbers = expand(function, {.dx = 0.5, .offsets = offsets});
+  const auto exact = halfspace::averaged(body.material, 0, 0, 0.25, 0.25);
+  // What is left of the rigid motion is the same for all pairs: taken from the farthest one.
+  std::array<double, 3> shift{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int c = static_cast<int>(i);
+    shift[i] = numbers.at(offsets - 1, rows - 1, c, 0, c) -
+               halfspace::averaged(body.material, 0.5 * (offsets - 1), 0.5 * (rows - 1), 0.25, 0.25)[i][i];
+    EXPECT_LT(std::abs(shift[i]), 0.02 * exact[i][i]);
+  }
+  for (int m = 0; m < offsets; ++m)
+    for (int I = 0; I < rows; ++I)
+      for (int J = 0; J < rows; ++J) {
+        const auto half = halfspace::averaged(body.material, 0.5 * m, 0.5 * (I - J), 0.25, 0.25);
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j) {
+            const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+            const double error = numbers.at(m, I, i, J, j) - half[a][b] - (i == j ? shift[a] : 0.0);
+            ASSERT_LT(std::abs(error), 0.01 * std::sqrt(exact[a][a] * exact[b][b]))
+                << "component " << i << j << ", offset " << m << ", rows " << I << ' ' << J;
+          }
+      }
+}
+
+TEST_F(Run, a_stopped_run_goes_on_and_gives_the_same_file) {
+  const BodyFile body = small_block();
+  const ProfileCurve curve = straight_line(40);
+  const auto whole = folder_ / "whole.h5", stopped = folder_ / "stopped.h5";
+  const RunReport first = run_harmonic(body, curve, folder_ / "block.msh", whole);
+  EXPECT_EQ(first.resumed, 0u);
+  struct Stop {};
+  EXPECT_THROW(run_harmonic(body, curve, folder_ / "block.msh", stopped,
+                            [](std::size_t done, std::size_t) {
+                              if (done == 5)
+                                throw Stop();
+                            }),
+               Stop);
+  EXPECT_FALSE(std::filesystem::exists(stopped));
+  const RunReport second = run_harmonic(body, curve, folder_ / "block.msh", stopped);
+  EXPECT_EQ(second.resumed, 5u);
+  EXPECT_EQ(second.wavenumbers, first.wavenumbers);
+  EXPECT_TRUE(bytes(whole) == bytes(stopped));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "stopped.h5.part"));
+}
+
+TEST_F(Run, finished_wavenumbers_of_another_material_are_not_taken_over) {
+  BodyFile body = small_block();
+  struct Stop {};
+  const auto stop = [](std::size_t done, std::size_t) {
+    if (done == 2)
+      throw Stop();
+  };
+  const ProfileCurve curve = straight_line(40);
+  EXPECT_THROW(run_harmonic(body, curve, folder_ / "block.msh", folder_ / "out.h5", stop), Stop);
+  body.material.poisson = 0.3;
+  EXPECT_EQ(run_harmonic(body, curve, folder_ / "block.msh", folder_ / "out.h5").resumed, 0u);
+}
+
+TEST_F(Run, the_program_gives_the_same_file_on_one_and_two_processes) {
+  write_text(folder_ / "body.toml", "[body]\nkind = \"block\"\nsize = 40.0\n"
+                                    "[strip]\nfrom = -2.0\nto = 2.0\nstation_width = 0.5\n"
+                                    "[harmonic]\ndegree = 2\nhalf_period = 120.0\nshortest_dx = 0.5\n"
+                                    "samples_per_decade = 6\nremote_distance = 20.0\n");
+  const auto run = [&](int processes) {
+    const auto out = folder_ / ("out" + std::to_string(processes) + ".h5");
+    // A clean environment: this program is an MPI process itself, and mpirun would take its settings over.
+    const char* path = std::getenv("PATH");
+    const std::string command = std::string("env -i PATH='") + (path ? path : "") + "' " +
+                                "OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 "
+                                "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " MPIEXEC " --oversubscribe -n " +
+                                std::to_string(processes) + " " FEM_INFLUENCE_PROGRAM " " +
+                                (folder_ / "body.toml").string() + " " + (folder_ / "block.msh").string() +
+                                " -o " + out.string() + " 2> " + (folder_ / "messages").string();
+    EXPECT_EQ(std::system(command.c_str()), 0) << bytes(folder_ / "messages");
+    return bytes(out);
+  };
+  const std::string one = run(1);
+  EXPECT_GT(one.size(), 10000u);
+  EXPECT_TRUE(one == run(2));
+}
+
+TEST_F(Run, says_what_is_wrong_with_a_mesh) {
+  EXPECT_THAT(error_of("absent.msh"), AllOf(HasSubstr("absent.msh"), HasSubstr("cannot be read")));
+  write_text(folder_ / "text.msh", "this is not a mesh\n");
+  EXPECT_THAT(error_of("text.msh"), HasSubstr("is not a gmsh mesh of quadrilaterals"));
+  write_text(folder_ / "empty.msh", "");
+  EXPECT_THAT(error_of("empty.msh"), HasSubstr("is not a gmsh mesh of quadrilaterals"));
+  const std::string nodes =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 -2 0 0\n2 2 0 0\n3 2 4 0\n4 -2 4 0\n"
+      "$EndNodes\n$Elements\n";
+  write_text(folder_ / "triangles.msh", nodes + "4\n1 1 2 1 1 1 2\n2 1 2 2 2 3 4\n3 2 2 10 10 1 2 3\n"
+                                                "4 2 2 10 10 1 3 4\n$EndElements\n");
+  EXPECT_THAT(error_of("triangles.msh"), HasSubstr("quadrilaterals"));
+  write_text(folder_ / "no_groups.msh", nodes + "1\n1 3 2 10 10 1 2 3 4\n$EndElements\n");
+  EXPECT_THAT(error_of("no_groups.msh"),
+              AllOf(HasSubstr("has no group 'contact' (physical curve 1)"), HasSubstr("mesh_body")));
+  write_text(folder_ / "no_held.msh", nodes + "2\n1 1 2 1 1 1 2\n2 3 2 10 10 1 2 3 4\n$EndElements\n");
+  EXPECT_THAT(error_of("no_held.msh"), HasSubstr("has no group 'held' (physical curve 2)"));
+}
+
+TEST_F(Run, refuses_a_strip_that_does_not_match_the_mesh) {
+  BodyFile body = small_block();
+  body.strip = {-2.4, 2.4, 0.6};
+  EXPECT_THAT(error_of("block.msh", "out.h5", body), HasSubstr("The mesh does not match the strip"));
+  body.strip = {-2.5, 2.5, 0.5};
+  EXPECT_THAT(error_of("block.msh", "out.h5", body),
+              AllOf(HasSubstr("The mesh does not match the strip"), HasSubstr("station 0")));
+  body.strip = {-2, 2, 0.3};
+  EXPECT_THAT(error_of("block.msh", "out.h5", body), HasSubstr("is not a whole number of stations"));
+  body.strip = {-41, 41, 0.5};
+  EXPECT_THAT(error_of("block.msh", "out.h5", body), HasSubstr("leaves the profile 'straight line'"));
+  write_ring_mesh(folder_ / "ring.msh", 2, 6, 24);
+  EXPECT_THAT(error_of("ring.msh"), HasSubstr("The mesh does not fit the profile 'straight line'"));
+  body = small_block();
+  body.harmonic.remote_distance = 400;
+  EXPECT_THAT(error_of("block.msh", "out.h5", body), HasSubstr("No cell is farther than 400"));
+  body = small_block();
+  body.harmonic.half_period = 1;
+  EXPECT_THAT(error_of("block.msh", "out.h5", body), HasSubstr("does not exceed that of harmonic 8"));
+}
+
+TEST_F(Run, refuses_an_output_that_cannot_be_written) {
+  EXPECT_THAT(error_of("block.msh", "absent/out.h5"),
+              AllOf(HasSubstr("cannot be written"), HasSubstr("absent")));
+  std::filesystem::create_directory(folder_ / "folder.h5");
+  EXPECT_THAT(error_of("block.msh", "folder.h5"), HasSubstr("a folder has that name"));
+}
+
+TEST(Wavenumbers, are_the_harmonics_then_equal_steps_up_to_the_largest) {
+  const auto k = wavenumber_samples(600, 0.2, 7);
+  for (int n = 0; n <= 8; ++n)
+    EXPECT_DOUBLE_EQ(k[static_cast<std::size_t>(n)], n * std::acos(-1.0) / 600);
+  EXPECT_DOUBLE_EQ(k.back(), 50);
+  for (std::size_t i = 9; i + 1 < k.size(); ++i)
+    EXPECT_NEAR(k[i + 1] / k[i], k[9] / k[8], 1e-12);
+  EXPECT_LE(std::log10(k[9] / k[8]), 1.0 / 7);
+  EXPECT_GT(std::log10(k[9] / k[8]), 1.0 / 8);
+}
+
+TEST(Wavenumbers, interpolation_error_is_seen_and_falls_with_the_samples) {
+  const auto error = [](int samples) {
+    const auto k = wavenumber_samples(600, 0.2, samples);
+    std::vector<double> g;
+    for (const double x : k)
+      g.push_back(1 / (x + 0.3 + 0.2 / (1 + x * x)));
+    return interpolation_error(k, g, 1, 1000);
+  };
+  EXPECT_GT(error(5), 1e-6);
+  EXPECT_GT(std::log2(error(5) / error(10)), 4.5); // sixth order
+  EXPECT_EQ(interpolation_error(wavenumber_samples(600, 10, 2), std::vector<double>(20, 1.0), 1), -1);
+}
+
+} // namespace
+} // namespace bem_contact::fem::test
