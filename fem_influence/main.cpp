@@ -9,12 +9,22 @@
 #include <fmt/format.h>
 #include <mpi.h>
 
+#include <dlfcn.h>
+
 #include <cstdio>
 #include <optional>
 
 namespace {
 
 using namespace bem_contact;
+
+/// Processes share the wavenumbers, and threads of OpenBLAS would only get in their way. Looked up at run
+/// time: the library's name is not part of the BLAS interface this program is linked with.
+void use_one_blas_thread() {
+  using Setter = void (*)(int);
+  if (const auto set = reinterpret_cast<Setter>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+    set(1);
+}
 
 std::string estimate(double error) {
   return error < 0 ? "not estimated" : fmt::format("{:.1e}", error);
@@ -74,6 +84,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
 
+  use_one_blas_thread();
   MPI_Init(&argc, &argv);
   int code = 0;
   try {
