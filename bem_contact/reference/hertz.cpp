@@ -1,0 +1,115 @@
+#include "bem_contact/reference/hertz.hpp"
+
+#include "bem_contact/reference/positive.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace bem_contact::reference {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// K, D = (K - E)/m and B = K - D of the parameter m = 1 - k^2, by the arithmetic-geometric mean
+/// (Abramowitz and Stegun 17.6); D and B keep all digits where the ellipse is nearly a circle.
+struct Elliptic {
+  double k_integral = 0, d = 0, b = 0;
+  double e_integral(double k) const { return b + k * k * d; } // E = B + (1 - m) D
+};
+
+Elliptic elliptic(double k) {
+  // D = K sum 2^(n-1) c_n^2 / m with c_0^2 = m.
+  double a = 1, g = k, c2_over_m = 1, sum = 0.5, power = 0.5;
+  while (a - g > 4e-16 * a) {
+    const double next_a = (a + g) / 2, next_c = (a - g) / 2;
+    c2_over_m *= next_c / (4 * next_a); // from c_n^2 = 4 a_{n+1} c_{n+1}
+    g = std::sqrt(a * g);
+    a = next_a;
+    power *= 2;
+    sum += power * c2_over_m;
+  }
+  Elliptic result;
+  result.k_integral = pi / (2 * a);
+  result.d = result.k_integral * sum;
+  result.b = result.k_integral - result.d;
+  return result;
+}
+
+/// Axis ratio k = b/a <= 1 of the ellipse for lo/hi = k^2 D/B (Johnson 1985, eq. 4.28).
+double axis_ratio(double lo, double hi) {
+  double from = 1e-12, to = 1;
+  for (int i = 0; i < 120; ++i) {
+    const double k = i < 40 ? std::sqrt(from * to) : (from + to) / 2;
+    const Elliptic e = elliptic(k);
+    (k * k * e.d * hi < lo * e.b ? from : to) = k;
+  }
+  return (from + to) / 2;
+}
+
+struct Ellipse {
+  double k, k_integral, cube_per_force; ///< a^3 = cube_per_force * F for the major axis
+};
+
+Ellipse ellipse(double a, double b, double modulus) {
+  require_positive({{"curvature along x", a}, {"curvature along s", b}, {"contact modulus", modulus}});
+  const double lo = std::min(a, b), hi = std::max(a, b), k = axis_ratio(lo, hi);
+  const Elliptic e = elliptic(k);
+  return {k, e.k_integral, 3 * e.e_integral(k) / (2 * pi * modulus * k * k * (lo + hi))};
+}
+
+HertzContact contact(const Ellipse& e, bool long_along_x, double modulus, double force, double major) {
+  const double minor = e.k * major;
+  HertzContact c;
+  c.force = force;
+  c.approach = 3 * force * e.k_integral / (2 * pi * major * modulus);
+  c.semi_axis_x = long_along_x ? major : minor;
+  c.semi_axis_s = long_along_x ? minor : major;
+  c.max_pressure = 3 * force / (2 * pi * major * minor);
+  return c;
+}
+
+} // namespace
+
+double contact_modulus(const Material& one, const Material& other) {
+  require_positive({{"shear modulus", one.shear_modulus}, {"shear modulus", other.shear_modulus}});
+  return 2 / ((1 - one.poisson) / one.shear_modulus + (1 - other.poisson) / other.shear_modulus);
+}
+
+HertzContact hertz_by_force(double curvature_x, double curvature_s, double modulus, double force) {
+  require_positive({{"force", force}});
+  const Ellipse e = ellipse(curvature_x, curvature_s, modulus);
+  return contact(e, curvature_x <= curvature_s, modulus, force, std::cbrt(e.cube_per_force * force));
+}
+
+HertzContact hertz_by_approach(double curvature_x, double curvature_s, double modulus, double approach) {
+  require_positive({{"approach", approach}});
+  const Ellipse e = ellipse(curvature_x, curvature_s, modulus);
+  const double force_per_axis = approach * 2 * pi * modulus / (3 * e.k_integral); // F / a
+  const double major = std::sqrt(e.cube_per_force * force_per_axis);
+  return contact(e, curvature_x <= curvature_s, modulus, force_per_axis * major, major);
+}
+
+HertzLine hertz_line_by_force(double radius, double modulus, double force) {
+  require_positive({{"radius", radius}, {"contact modulus", modulus}, {"force", force}});
+  const double a = std::sqrt(4 * force * radius / (pi * modulus));
+  return {force, a, 2 * force / (pi * a)};
+}
+
+HertzLine hertz_line_by_half_width(double radius, double modulus, double half_width) {
+  require_positive({{"radius", radius}, {"contact modulus", modulus}, {"half width", half_width}});
+  const double force = pi * modulus * half_width * half_width / (4 * radius);
+  return {force, half_width, 2 * force / (pi * half_width)};
+}
+
+QuarticContact steuermann_by_radius(double coefficient, double modulus, double radius) {
+  require_positive({{"coefficient", coefficient}, {"contact modulus", modulus}, {"radius", radius}});
+  const double a4 = radius * radius * radius * radius;
+  return {64.0 / 15 * modulus * coefficient * a4 * radius, 8.0 / 3 * coefficient * a4, radius};
+}
+
+QuarticContact steuermann_by_force(double coefficient, double modulus, double force) {
+  require_positive({{"coefficient", coefficient}, {"contact modulus", modulus}, {"force", force}});
+  return steuermann_by_radius(coefficient, modulus, std::pow(15 * force / (64 * modulus * coefficient), 0.2));
+}
+
+} // namespace bem_contact::reference

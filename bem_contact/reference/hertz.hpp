@@ -1,0 +1,41 @@
+#pragma once
+
+#include "bem_contact/base/material.hpp"
+
+/// Frictionless contact of half-spaces, closed forms. All functions throw InputError for arguments that are
+/// not finite or not positive.
+namespace bem_contact::reference {
+
+/// E* of a pair: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, MPa (Johnson 1985, eq. 4.20).
+double contact_modulus(const Material& one, const Material& other);
+
+/// An elliptical contact. The semi-axes lie along x and s as the curvatures A and B do.
+struct HertzContact {
+  double force = 0;        ///< N
+  double approach = 0;     ///< mm
+  double semi_axis_x = 0;  ///< mm
+  double semi_axis_s = 0;  ///< mm
+  double max_pressure = 0; ///< p0, MPa; p = p0 sqrt(1 - (x/a)^2 - (s/b)^2)
+};
+
+/// Undeformed distance A x^2 + B s^2, A, B > 0 in 1/mm (Hertz 1882; Johnson 1985, eqs 4.25 to 4.32).
+HertzContact hertz_by_force(double curvature_x, double curvature_s, double modulus, double force);
+HertzContact hertz_by_approach(double curvature_x, double curvature_s, double modulus, double approach);
+
+/// Two cylinders, plane strain (Johnson 1985, eqs 4.43 to 4.45). Force per length, N/mm.
+struct HertzLine {
+  double force = 0, half_width = 0, max_pressure = 0;
+};
+/// `radius`: relative radius, 1/R = 1/R1 + 1/R2 (a hole counts negative).
+HertzLine hertz_line_by_force(double radius, double modulus, double force);
+HertzLine hertz_line_by_half_width(double radius, double modulus, double half_width);
+
+/// Undeformed distance A r^4 (Steuermann 1939; Johnson 1985, section 5.3): approach = 8/3 A a^4,
+/// F = 64/15 E* A a^5.
+struct QuarticContact {
+  double force = 0, approach = 0, radius = 0;
+};
+QuarticContact steuermann_by_radius(double coefficient, double modulus, double radius);
+QuarticContact steuermann_by_force(double coefficient, double modulus, double force);
+
+} // namespace bem_contact::reference

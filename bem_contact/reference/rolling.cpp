@@ -1,0 +1,90 @@
+#include "bem_contact/reference/rolling.hpp"
+
+#include "bem_contact/reference/hertz.hpp"
+#include "bem_contact/reference/positive.hpp"
+
+#include <array>
+#include <numbers>
+
+namespace bem_contact::reference {
+
+double CarterSolution::traction(double x) const {
+  const auto ellipse = [](double t) { return std::abs(t) < 1 ? std::sqrt(1 - t * t) : 0.0; };
+  const double whole = ellipse(x / half_width);
+  if (stick_half_width == 0)
+    return friction * max_pressure * whole;
+  const double centre = half_width - stick_half_width;
+  return friction * max_pressure *
+         (whole - stick_half_width / half_width * ellipse((x - centre) / stick_half_width));
+}
+
+CarterSolution carter(const Material& material, double radius, double half_width, double stick_half_width,
+                      double friction) {
+  require_positive({{"friction", friction}});
+  if (!(stick_half_width >= 0 && stick_half_width <= half_width))
+    throw InputError("Carter's stick zone does not fit",
+                     "its half width is " + std::to_string(stick_half_width) + " mm, the contact's " +
+                         std::to_string(half_width),
+                     "give 0 <= a' <= a");
+  const HertzLine line = hertz_line_by_half_width(radius, contact_modulus(material, material), half_width);
+  const double ratio = stick_half_width / half_width;
+  return {line.force,       line.max_pressure, half_width,
+          stick_half_width, friction,          friction * (half_width - stick_half_width) / radius,
+          1 - ratio * ratio};
+}
+
+CattaneoSolution cattaneo(const Material& material, double radius, double normal_force, double friction,
+                          double tangential_force) {
+  require_positive(
+      {{"radius of the contact", radius}, {"normal force", normal_force}, {"friction", friction}});
+  const double share = tangential_force / (friction * normal_force);
+  if (!(share >= 0 && share <= 1))
+    throw InputError("Cattaneo's shift has no solution",
+                     "the tangential force is " + std::to_string(share) + " of mu N",
+                     "give a force between 0 and mu N");
+  const double theta = std::cbrt(1 - share);
+  return {theta, (1 - theta * theta) * 3 * friction * normal_force * (2 - material.poisson) /
+                     (8 * material.shear_modulus * radius)};
+}
+
+CombinedMaterial combined(const Material& one, const Material& other) {
+  require_positive({{"shear modulus", one.shear_modulus}, {"shear modulus", other.shear_modulus}});
+  const double g = 2 / (1 / one.shear_modulus + 1 / other.shear_modulus);
+  return {g, g / 2 * (one.poisson / one.shear_modulus + other.poisson / other.shear_modulus),
+          g / 4 *
+              ((1 - 2 * one.poisson) / one.shear_modulus - (1 - 2 * other.poisson) / other.shear_modulus)};
+}
+
+double bentall_johnson_creepage(const Material& one, const Material& other, double radius,
+                                double half_width) {
+  require_positive({{"radius", radius}, {"half width", half_width}});
+  const CombinedMaterial m = combined(one, other);
+  return 0.457 * 2 * m.difference / (1 - m.poisson) * half_width / radius;
+}
+
+std::span<const CreepCoefficients> creep_coefficients() {
+  static constexpr std::array<CreepCoefficients, 6> table = {{
+      {1.0, 0.00, 3.399, 3.399, 1.336, 1.201},
+      {1.0, 0.25, 4.116, 3.673, 1.470, 1.176},
+      {1.0, 0.28, 4.222, 3.709, 1.488, 1.173},
+      {1.0, 0.50, 5.205, 3.988, 1.637, 1.149},
+      {0.5, 0.25, 3.630, 3.015, 0.929, 1.938},
+      {2.0, 0.25, 5.109, 4.924, 2.640, 0.812},
+  }};
+  return table;
+}
+
+LinearForces linear_creep_forces(const CreepCoefficients& k, double shear_modulus, double a, double b,
+                                 double xi, double eta, double phi) {
+  require_positive({{"shear modulus", shear_modulus}, {"semi-axis a", a}, {"semi-axis b", b}});
+  const double c = std::sqrt(a * b), stiffness = c * c * shear_modulus;
+  return {stiffness * k.c11 * xi, stiffness * (k.c22 * eta + c * k.c23 * phi),
+          c * stiffness * (-k.c23 * eta + c * k.c33 * phi)};
+}
+
+double full_spin_moment(double friction, double normal_force, double radius) {
+  require_positive({{"friction", friction}, {"normal force", normal_force}, {"radius", radius}});
+  return 3 * std::numbers::pi / 16 * friction * normal_force * radius;
+}
+
+} // namespace bem_contact::reference
