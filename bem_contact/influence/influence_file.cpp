@@ -59,11 +59,11 @@ void check(herr_t status, std::string_view what) {
                      "make room, or compute the influence file again");
 }
 
-Handle text_type(std::size_t size) {
+/// UTF-8 of variable length.
+Handle text_type(H5T_cset_t set = H5T_CSET_UTF8) {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
-  check(H5Tset_size(type, std::max<std::size_t>(size, 1)), "a text type");
-  check(H5Tset_cset(type, H5T_CSET_UTF8), "a text type");
-  check(H5Tset_strpad(type, H5T_STR_NULLPAD), "a text type");
+  check(H5Tset_size(type, H5T_VARIABLE), "a text type");
+  check(H5Tset_cset(type, set), "a text type");
   return type;
 }
 
@@ -88,11 +88,11 @@ template <class Number> void write_attribute(hid_t at, const char* name, Number 
 }
 
 void write_attribute(hid_t at, const char* name, const std::string& value) {
-  const Handle type = text_type(value.size());
+  const Handle type = text_type();
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose, name);
   const Handle attribute(H5Acreate2(at, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
-  // A null-padded text of no characters still takes one byte.
-  check(H5Awrite(attribute, type, value.empty() ? "\0" : value.data()), name);
+  const char* text = value.c_str();
+  check(H5Awrite(attribute, type, &text), name);
 }
 
 void require_scalar(hid_t attribute, H5T_class_t wanted, const char* name) {
@@ -114,15 +114,10 @@ void read_attribute(hid_t at, const char* name, std::string& value) {
   const Handle attribute(H5Aopen(at, name, H5P_DEFAULT), H5Aclose, std::string("the attribute ") + name);
   require_scalar(attribute, H5T_STRING, name);
   const Handle type(H5Aget_type(attribute), H5Tclose, name);
-  if (H5Tis_variable_str(type) > 0) { // as h5py writes texts
-    const Handle variable = [&] {
-      Handle t(H5Tcopy(H5T_C_S1), H5Tclose, name);
-      check(H5Tset_size(t, H5T_VARIABLE), name);
-      check(H5Tset_cset(t, H5Tget_cset(type)), name);
-      return t;
-    }();
+  if (H5Tis_variable_str(type) > 0) {
+    const Handle memory = text_type(H5Tget_cset(type));
     char* text = nullptr;
-    check(H5Aread(attribute, variable, &text), name);
+    check(H5Aread(attribute, memory, &text), name);
     value = text ? text : "";
     H5free_memory(text);
     return;
