@@ -1,3 +1,4 @@
+#include "bem_contact/contact/dense.hpp"
 #include "bem_contact/contact/friction.hpp"
 
 #include <Eigen/Dense>
@@ -156,13 +157,16 @@ VectorXd newton_step(const Compressed& c, const Linearisation& at, std::string& 
   if (elements > dense_limit) {
     VectorXd step;
     const auto apply = [&](const VectorXd& v) { return apply_jacobian(c, at, v); };
-    if (gmres(apply, -at.residual, 1e-4, 80, 240, step) || elements > dense_memory_limit) {
+    if (gmres(apply, -at.residual, 1e-4, 150, 450, step) || elements > dense_memory_limit) {
       solver = "Newton, GMRES";
       return step;
     }
   }
   solver = "Newton, LU";
-  return dense_jacobian(c, at).partialPivLu().solve(-at.residual);
+  MatrixXd jacobian = dense_jacobian(c, at), step = -at.residual;
+  if (!solve_lu(jacobian, step))
+    step.setConstant(std::nan(""));
+  return step.col(0);
 }
 
 } // namespace

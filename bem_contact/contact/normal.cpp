@@ -1,6 +1,6 @@
 #include "bem_contact/contact/normal.hpp"
 
-#include <Eigen/Cholesky>
+#include "bem_contact/contact/dense.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,10 +75,9 @@ bool solve_on(const NormalSystem& system, const std::vector<int>& list, const Ve
   Eigen::MatrixXd rhs(list.size(), 2);
   for (std::size_t a = 0; a < list.size(); ++a)
     rhs.row(a) << system.cosine[list[a]], -gap[list[a]];
-  const Eigen::LLT<Eigen::MatrixXd> factor(dense_block(system, list));
-  if (factor.info() != Eigen::Success)
+  Eigen::MatrixXd matrix = dense_block(system, list);
+  if (!solve_cholesky(matrix, rhs))
     return false;
-  rhs = factor.solve(rhs).eval();
   y.cosine.setZero();
   y.gap.setZero();
   for (std::size_t a = 0; a < list.size(); ++a) {

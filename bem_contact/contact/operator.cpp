@@ -1,5 +1,7 @@
 #include "bem_contact/contact/operator.hpp"
 
+#include "bem_contact/contact/dense.hpp"
+
 #include <Eigen/Dense>
 #include <fftw3.h>
 
@@ -10,8 +12,6 @@
 
 namespace bem_contact::contact {
 namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// FFTW's planner is not thread-safe; its execution is.
 std::mutex& planner() {
@@ -50,6 +50,28 @@ int good_length(int n) {
   }
 }
 
+/// ax = A x and ay = A y in one pass over the column-major A: fetching A is what takes the time.
+void multiply(const double* __restrict a, int rows, int columns, const double* x, const double* y,
+              double* __restrict ax, double* __restrict ay) {
+  std::fill_n(ax, rows, 0.0);
+  std::fill_n(ay, rows, 0.0);
+  int j = 0;
+  for (; j + 4 <= columns; j += 4, a += 4 * static_cast<std::ptrdiff_t>(rows)) {
+    const double x0 = x[j], x1 = x[j + 1], x2 = x[j + 2], x3 = x[j + 3];
+    const double y0 = y[j], y1 = y[j + 1], y2 = y[j + 2], y3 = y[j + 3];
+    for (int i = 0; i < rows; ++i) {
+      const double a0 = a[i], a1 = a[i + rows], a2 = a[i + 2 * rows], a3 = a[i + 3 * rows];
+      ax[i] += a0 * x0 + a1 * x1 + a2 * x2 + a3 * x3;
+      ay[i] += a0 * y0 + a1 * y1 + a2 * y2 + a3 * y3;
+    }
+  }
+  for (; j < columns; ++j, a += rows)
+    for (int i = 0; i < rows; ++i) {
+      ax[i] += a[i] * x[j];
+      ay[i] += a[i] * y[j];
+    }
+}
+
 } // namespace
 
 struct StripOperator::Impl {
@@ -77,30 +99,31 @@ StripOperator::StripOperator(const InfluenceNumbers& numbers, int mx, std::vecto
 
   // The spectra of all pairs of rows at once: one product with the cosines (or sines) of the offsets.
   const int used = std::min(numbers.offsets, mx + 1);
-  RowMajor cosines(o.frequencies, used), sines(o.frequencies, used);
+  // columns: frequencies
+  Eigen::MatrixXd cosines(used, o.frequencies), sines(used, o.frequencies);
   for (int k = 0; k < o.frequencies; ++k)
     for (int m = 0; m < used; ++m) {
       // the product is reduced first: large arguments would cost digits
       const long reduced = (static_cast<long>(k) * m) % o.length;
       const double angle = 2.0 * std::numbers::pi * static_cast<double>(reduced) / o.length;
-      cosines(k, m) = m == 0 ? 1.0 : 2.0 * std::cos(angle);
-      sines(k, m) = -2.0 * std::sin(angle);
+      cosines(m, k) = m == 0 ? 1.0 : 2.0 * std::cos(angle);
+      sines(m, k) = -2.0 * std::sin(angle);
     }
   const std::size_t block = static_cast<std::size_t>(o.lines_out) * o.lines_in;
   o.spectrum.resize(block * o.frequencies);
-  RowMajor values(used, o.ms * o.ms), transformed;
+  Eigen::MatrixXd values(o.ms * o.ms, used);
   for (std::size_t a = 0; a < o.outputs.size(); ++a)
     for (std::size_t b = 0; b < o.inputs.size(); ++b) {
       const int i = o.outputs[a], j = o.inputs[b];
       for (int m = 0; m < used; ++m)
         for (int row_i = 0; row_i < o.ms; ++row_i)
           for (int row_j = 0; row_j < o.ms; ++row_j)
-            values(m, row_j * o.ms + row_i) = numbers.at(m, row_i, i, row_j, j);
-      transformed.noalias() = (parity(i, j) > 0 ? cosines : sines) * values;
+            values(row_j * o.ms + row_i, m) = numbers.at(m, row_i, i, row_j, j);
+      const Eigen::MatrixXd transformed = product(values, parity(i, j) > 0 ? cosines : sines);
       const double sign = parity(i, j) < 0 && i == component_x ? -1.0 : 1.0;
       for (int k = 0; k < o.frequencies; ++k)
         for (int row_j = 0; row_j < o.ms; ++row_j) {
-          const double* from = &transformed(k, row_j * o.ms);
+          const double* from = &transformed(row_j * o.ms, k);
           double* to = &o.spectrum[block * k + (b * o.ms + row_j) * o.lines_out + a * o.ms];
           std::transform(from, from + o.ms, to, [sign](double v) { return sign * v; });
         }
@@ -148,12 +171,10 @@ void StripOperator::Impl::apply(std::span<const double> p) const {
         m = r;
         r = turned_re;
       }
-    const Eigen::Map<const Eigen::MatrixXd> matrix(
-        &spectrum[static_cast<std::size_t>(k) * lines_out * lines_in], lines_out, lines_in);
     Column u_re(&re_out[static_cast<std::size_t>(k) * lines_out], lines_out);
     Column u_im(&im_out[static_cast<std::size_t>(k) * lines_out], lines_out);
-    u_re.noalias() = matrix * Column(re, lines_in);
-    u_im.noalias() = matrix * Column(im, lines_in);
+    multiply(&spectrum[static_cast<std::size_t>(k) * lines_out * lines_in], lines_out, lines_in, re, im,
+             u_re.data(), u_im.data());
     for (std::size_t a = 0; a < outputs.size(); ++a)
       if (outputs[a] == component_x) { // times -i
         turned_re = u_im.segment(a * ms, ms);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace bem_contact::contact {
+
+// The large dense products and factorizations, by BLAS and LAPACK. The small products stay with Eigen:
+// OpenBLAS hands even a product of a few thousand numbers to threads that then wait for each other.
+
+/// x := A^-1 x, A symmetric positive definite (lower triangle read, overwritten). False if it is not.
+bool solve_cholesky(Eigen::MatrixXd& a, Eigen::MatrixXd& x);
+
+/// x := A^-1 x by LU with partial pivoting (A is overwritten). False if A is singular.
+bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x);
+
+/// A B
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+} // namespace bem_contact::contact
