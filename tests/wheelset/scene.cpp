@@ -1,6 +1,7 @@
 #include "bem_contact/wheelset/scene.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/wheelset/pair_numbers.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -46,6 +47,27 @@ TEST(Scene, HertzPatch) {
   EXPECT_NEAR(r.result.approach, 0.10411895, 0.01 * 0.10411895);
   EXPECT_NEAR(r.result.Fz, 1e5, 1e-3);
   EXPECT_TRUE(r.warnings.empty());
+}
+
+TEST(Scene, PressureAndShearOfEqualHalfSpacesAreUncoupled) {
+  // Pure pressure moves equal half-spaces' surfaces alike: no row of the pair's numbers couples n with x or
+  // s.
+  SceneFile scene = scene_of("kind = \"patch\"\nload.force = 1e5\n[motion]\nfriction = 0.3\nphi = 1e-3\n"
+                             "[grid]\ndx = 0.6\nds = 0.45\nmx = 3\nms = 5\n[gap]\na = 0.001\nb = 0.001\n");
+  const PreparedContact contact = prepare_patch(scene);
+  const InfluenceNumbers pair = halfspace_pair(scene, contact);
+  const double self = pair.at(0, 0, component_n, 0, component_n);
+  for (int m = 0; m < pair.offsets; ++m)
+    for (int row_i = 0; row_i < 5; ++row_i)
+      for (int row_j = 0; row_j < 5; ++row_j)
+        for (const int t : {component_x, component_s}) {
+          EXPECT_NEAR(pair.at(m, row_i, t, row_j, component_n), 0, 1e-12 * self);
+          EXPECT_NEAR(pair.at(m, row_i, component_n, row_j, t), 0, 1e-12 * self);
+        }
+  // Unlike bodies are coupled (Bentall and Johnson).
+  scene.wheel.material.shear_modulus = 23000;
+  const InfluenceNumbers unlike = halfspace_pair(scene, contact);
+  EXPECT_GT(std::abs(unlike.at(1, 2, component_x, 2, component_n)), 1e-3 * self);
 }
 
 TEST(Scene, APressedGaugeCornerPushesTheRailOutwards) {
