@@ -1,3 +1,4 @@
+#include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "sample_function.hpp"
 
@@ -146,6 +147,25 @@ TEST(InfluenceFile, NoFlippedByteAndNoTruncationIsAccepted) {
     write_bytes(folder / "b.h5", bytes);
     EXPECT_NE(reading(folder / "b.h5"), "no error") << run;
   }
+}
+
+TEST(InfluenceFile, RefusesSealedFilesWithOtherContents) {
+  // As another program may write them: the seal holds and the contents do not fit the format.
+  const TemporaryFolder folder;
+  write_influence_file(folder / "a.h5", sample_function());
+  const std::string whole = bytes_of(folder / "a.h5");
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string bytes = whole;
+    const std::size_t at = bytes.find(from, seal_size);
+    EXPECT_NE(at, std::string::npos) << from;
+    write_bytes(folder / "b.h5", bytes.replace(at, from.size(), to));
+    seal_file(folder / "b.h5", influence_format_major, influence_format_minor);
+    return reading(folder / "b.h5");
+  };
+  EXPECT_EQ(with("60E1", "60E2"), "no error");
+  EXPECT_THAT(with("remote_self", "remote_hers"), HasSubstr("the table remote_self"));
+  EXPECT_THAT(with("poisson", "fishson"), HasSubstr("the attribute poisson"));
+  EXPECT_THAT(with("prismatic", "prosaical"), HasSubstr("invariance 'prosaical'"));
 }
 
 TEST(InfluenceFile, RequirementsNameWhatDoesNotFit) {
