@@ -1,0 +1,152 @@
+#include "bem_contact/base/scene_file.hpp"
+#include "bem_contact/influence/influence_file.hpp"
+#include "tests/app/run_program.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using namespace bem_contact;
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+const std::string hertz = "kind = \"patch\"\n[load]\nforce = 1e4\n[motion]\nfriction = 0.3\nxi = 1e-3\n"
+                          "[grid]\ndx = 0.5\nds = 0.5\nmx = 16\nms = 16\n[gap]\na = 1e-3\nb = 1e-3\n";
+const std::string wheel_rail = "kind = \"wheel_rail\"\nrail.profile = \"60E1\"\nwheel.profile = \"S1002\"\n"
+                               "load.force = 1e4\nmotion.frictionless = true\n[grid]\ndx = 1.0\nds = 0.5\n";
+
+class CommandLine : public ProgramTest {
+protected:
+  /// Exit code 2, nothing on standard output, every one of the words in the message.
+  void refused(const Outcome& run, const std::vector<std::string>& words) {
+    EXPECT_EQ(run.code, 2) << run.err;
+    EXPECT_EQ(run.out, "");
+    for (const std::string& word : words)
+      EXPECT_THAT(run.err, HasSubstr(word));
+  }
+};
+
+TEST_F(CommandLine, SolvePrintsOneJsonObject) {
+  const Outcome r = run("solve '" + write("s.toml", hertz).string() + "' --json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const json j = json::parse(r.out); // throws unless it is exactly one object
+  EXPECT_EQ(j["model"], "halfspace");
+  EXPECT_NE(j["reason"], "");
+  ASSERT_EQ(j["patches"].size(), 1u);
+  for (const char* key : {"Fn", "Fx", "Fs", "approach", "pmax", "area", "contact", "adhesion", "slip"})
+    EXPECT_TRUE(j["patches"][0][key].is_number()) << key;
+  EXPECT_EQ(j["patches"][0]["contact"].get<int>(),
+            j["patches"][0]["adhesion"].get<int>() + j["patches"][0]["slip"].get<int>());
+  EXPECT_NEAR(j["totals"]["Fz"].get<double>(), 1e4, 1e-2);
+  EXPECT_GT(j["totals"]["Fx"].get<double>(), 0); // the wheel drags the rail along
+  for (const char* key : {"Fx", "Fy", "Fz", "Mz"})
+    EXPECT_TRUE(j["totals"][key].is_number()) << key;
+  for (const char* key : {"pressure", "penetration", "complementarity", "friction_cone", "adhesion",
+                          "slip_direction", "force_balance", "worst"})
+    EXPECT_LE(j["certificate"][key].get<double>(), 1e-6) << key;
+  EXPECT_TRUE(j["certificate"]["holds"].get<bool>());
+  for (const char* key : {"geometry", "numbers", "solve", "total"})
+    EXPECT_GE(j["seconds"][key].get<double>(), 0) << key;
+}
+
+TEST_F(CommandLine, SolvePrintsATableForPeople) {
+  const Outcome r = run("solve '" + write("s.toml", wheel_rail).string() + "' --model halfspace");
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("certificate: worst violation"));
+  EXPECT_THAT(r.out, HasSubstr("holds"));
+  EXPECT_THAT(r.out, HasSubstr("Fz 10000.0 N"));
+}
+
+TEST_F(CommandLine, CheckSolvesNothing) {
+  const Outcome r = run("check '" + write("s.toml", wheel_rail).string() + "'");
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("touch point"));
+}
+
+TEST_F(CommandLine, ThePrintedDefaultIsAScene) {
+  const Outcome r = run("--print-default");
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NO_THROW(parse_scene_file(r.out));
+}
+
+TEST_F(CommandLine, NoContactIsZeroForceAndSuccess) {
+  std::string scene = hertz;
+  scene.replace(scene.find("force = 1e4"), 11, "approach = -0.01");
+  const Outcome r = run("solve '" + write("s.toml", scene).string() + "' --json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const json j = json::parse(r.out);
+  EXPECT_EQ(j["totals"]["Fz"].get<double>(), 0);
+  EXPECT_TRUE(j["patches"].empty());
+}
+
+TEST_F(CommandLine, LackOfConvergenceIsThree) {
+  // One outer iteration is too few for unlike bodies: a result is printed, and it is not called one.
+  const std::string scene =
+      hertz + "[wheel.material]\nshear_modulus = 800\npoisson = 0\n[solver]\nmax_outer = 1\n";
+  const Outcome r = run("solve '" + write("s.toml", scene).string() + "' --json");
+  EXPECT_EQ(r.code, 3) << r.out;
+  EXPECT_FALSE(json::parse(r.out)["certificate"]["holds"].get<bool>());
+  EXPECT_THAT(r.err, HasSubstr("is not a solution"));
+}
+
+TEST_F(CommandLine, WrongArgumentsAreTwo) {
+  EXPECT_EQ(run("").code, 2);
+  EXPECT_EQ(run("solve").code, 2);
+  EXPECT_EQ(run("dissolve x.toml").code, 2);
+  EXPECT_EQ(run("solve x.toml --model magic").code, 2);
+  EXPECT_EQ(run("--help").code, 0);
+}
+
+TEST_F(CommandLine, MissingSceneIsRefused) {
+  refused(run("solve '" + (folder_ / "nowhere.toml").string() + "'"), {"nowhere.toml"});
+}
+
+TEST_F(CommandLine, UnknownKeyIsRefusedWithTheNearestName) {
+  refused(run("solve '" + write("s.toml", hertz + "[solver]\ntolerence = 1e-8\n").string() + "'"),
+          {"tolerence", "tolerance"});
+}
+
+TEST_F(CommandLine, NotANumberIsRefused) {
+  std::string scene = hertz;
+  scene.replace(scene.find("a = 1e-3"), 8, "a = nan");
+  refused(run("solve '" + write("s.toml", scene).string() + "' --json"), {"gap.a"});
+}
+
+TEST_F(CommandLine, ZeroFrictionIsRefused) {
+  std::string scene = hertz;
+  scene.replace(scene.find("friction = 0.3"), 14, "friction = 0.0");
+  refused(run("solve '" + write("s.toml", scene).string() + "'"), {"friction", "frictionless"});
+}
+
+TEST_F(CommandLine, EmptyProfileIsRefused) {
+  write("empty.prr", "");
+  std::string scene = wheel_rail;
+  scene.replace(scene.find("60E1"), 4, "empty.prr");
+  refused(run("solve '" + write("s.toml", scene).string() + "'"), {"empty.prr"});
+}
+
+TEST_F(CommandLine, FemWithoutInfluenceFilesIsRefused) {
+  const std::string scene = write("s.toml", hertz).string();
+  refused(run("solve '" + scene + "' --model fem"), {"influence functions of both bodies"});
+  refused(run("compare '" + scene + "'"), {"influence functions of both bodies"});
+}
+
+TEST_F(CommandLine, MissingInfluenceFileIsRefused) {
+  const std::string scene =
+      hertz + "[rail]\ninfluence = \"nowhere.h5\"\n[wheel]\ninfluence = \"nowhere.h5\"\n";
+  refused(run("solve '" + write("s.toml", scene).string() + "'"), {"nowhere.h5"});
+}
+
+TEST_F(CommandLine, AnUnwritableResultIsRefused) {
+  const Outcome r =
+      run("solve '" + write("s.toml", hertz).string() + "' -o '" + (folder_ / "no/such/r.h5").string() + "'");
+  refused(r, {"r.h5", "cannot be written"});
+}
+
+TEST_F(CommandLine, InfoRefusesWhatIsNoHdf5) {
+  refused(run("info '" + write("text.h5", "not HDF5").string() + "'"), {"text.h5"});
+  refused(run("info '" + (folder_ / "nowhere.h5").string() + "'"), {"nowhere.h5"});
+}
+
+} // namespace

@@ -1,0 +1,205 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+#include "tests/app/run_program.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using namespace bem_contact;
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+class ResultFiles : public ProgramTest {
+protected:
+  std::string scene(const std::string& name, const std::string& extra) {
+    return write(name, "kind = \"wheel_rail\"\nposition.lateral = 6.5\nload.force = 2e4\n"
+                       "motion.friction = 0.3\n[grid]\ndx = 1.0\nds = 0.5\n" +
+                           extra)
+        .string();
+  }
+  /// The kernel of a made-up body: a layer, softer for long waves; any symmetric positive one will do.
+  std::string influence(const std::string& name, const std::string& standard, ProfileKind kind, double from,
+                        double to, const Material& material = {}) {
+    const ProfileCurve curve = named_profile(standard, kind);
+    InfluenceFunction f;
+    f.body = "made up " + standard;
+    f.profile = curve.name();
+    f.profile_digest = curve.digest();
+    f.material = material;
+    f.held = "a layer for the test";
+    f.method = "closed form";
+    f.half_period = 600;
+    f.station_width = 0.5;
+    for (double s = from + 0.25; s < to; s += 0.5) {
+      const CurvePoint p = curve.at(s);
+      f.stations.push_back({s, p.position, p.delta});
+    }
+    f.wavenumber = {0};
+    for (double k = 0.005236; k < 22; k *= 1.4)
+      f.wavenumber.push_back(k);
+    const std::size_t n = 3 * f.stations.size();
+    f.kernel.assign(f.wavenumber.size() * n * n, 0.0);
+    const double unit = (1 - material.poisson) / material.shear_modulus * f.station_width / 3.14159;
+    for (std::size_t k = 0; k < f.wavenumber.size(); ++k)
+      for (std::size_t a = 0; a < n; ++a)
+        for (std::size_t b = 0; b < n; ++b)
+          if (a % 3 == b % 3) {
+            const double distance = std::hypot((double(a / 3) - double(b / 3)) * f.station_width, 0.1);
+            f.kernel[(k * n + a) * n + b] = unit * std::exp(-f.wavenumber[k] * distance) /
+                                            (0.2 + f.wavenumber[k] * 0.25 + 0.1 * distance);
+          }
+    f.remote.assign(f.wavenumber.size() * 6 * n, 0.0);
+    f.remote_self.assign(f.wavenumber.size() * 36, 0.0);
+    for (std::size_t k = 0; k < f.wavenumber.size(); ++k)
+      for (int i = 0; i < 6; ++i)
+        f.remote_self[(k * 6 + i) * 6 + i] = 1e-6;
+    write_influence_file(folder_ / name, f);
+    return name;
+  }
+  std::string sides(const std::string& rail, const std::string& wheel) {
+    return "[rail]\nprofile = \"60E1\"\ninfluence = \"" + rail +
+           "\"\n[wheel]\nprofile = \"S1002\"\ninfluence = \"" + wheel + "\"\n";
+  }
+  void refused(const std::string& arguments, const std::vector<std::string>& words) {
+    const Outcome r = run(arguments);
+    EXPECT_EQ(r.code, 2) << r.err;
+    EXPECT_EQ(r.out, "");
+    for (const std::string& word : words)
+      EXPECT_THAT(r.err, HasSubstr(word));
+  }
+};
+
+TEST_F(ResultFiles, AResultHasFieldsWithUnits) {
+  const std::string file = (folder_ / "r.h5").string();
+  const Outcome r =
+      run("solve '" + scene("s.toml", "[rail]\nprofile = \"60E1\"\n[wheel]\nprofile = \"S1002\"\n") +
+          "' --model halfspace --json -o '" + file + "'");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const json j = json::parse(r.out);
+  const H5Table table = read_h5(file);
+  const H5Dataset& p = table.datasets.at("halfspace/p_n");
+  EXPECT_THAT(p.shape, ::testing::ElementsAre(j["grid"]["ms"].get<int>(), j["grid"]["mx"].get<int>()));
+  EXPECT_EQ(p.unit, "MPa");
+  EXPECT_DOUBLE_EQ(*std::max_element(p.values.begin(), p.values.end()), j["pmax"].get<double>());
+  for (const auto& [name, data] : table.datasets) {
+    EXPECT_FALSE(data.unit.empty()) << name;
+    EXPECT_FALSE(data.description.empty()) << name;
+  }
+  // Fz from the file's own fields: p_n cos(delta) + p_s sin(delta).
+  double fz = 0;
+  const std::size_t mx = p.shape[1];
+  for (std::size_t i = 0; i < p.values.size(); ++i) {
+    const double delta = table.datasets.at("delta").values[i / mx];
+    fz += (p.values[i] * std::cos(delta) + table.datasets.at("halfspace/p_s").values[i] * std::sin(delta)) *
+          1.0 * 0.5;
+  }
+  EXPECT_NEAR(fz, 2e4, 1);
+  const Outcome described = run("info '" + file + "'");
+  EXPECT_EQ(described.code, 0);
+  EXPECT_THAT(described.out, HasSubstr("halfspace/p_n"));
+}
+
+TEST_F(ResultFiles, AVtkFileHasEveryElement) {
+  const std::string file = (folder_ / "r.vts").string();
+  const Outcome r =
+      run("solve '" + scene("s.toml", "[rail]\nprofile = \"60E1\"\n[wheel]\nprofile = \"S1002\"\n") +
+          "' --model halfspace --json --vtk '" + file + "'");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const json j = json::parse(r.out);
+  const int mx = j["grid"]["mx"].get<int>(), ms = j["grid"]["ms"].get<int>();
+  const std::string text = text_of(file);
+  EXPECT_THAT(text,
+              HasSubstr("WholeExtent=\"0 " + std::to_string(mx) + " 0 " + std::to_string(ms) + " 0 0\""));
+  for (const char* name : {"pressure", "traction", "state", "slip", "undeformed_distance"})
+    EXPECT_THAT(text, HasSubstr("Name=\"" + std::string(name) + "\""));
+  const auto from = text.find('\n', text.find("Name=\"pressure\"")) + 1, to = text.find("</DataArray>", from);
+  std::istringstream values(text.substr(from, to - from));
+  int count = 0;
+  for (double v; values >> v;)
+    ++count;
+  EXPECT_EQ(count, mx * ms);
+}
+
+TEST_F(ResultFiles, CompareRunsBothModelsAtEqualForce) {
+  influence("rail.h5", "60E1", ProfileKind::rail, -44, -20);
+  influence("wheel.h5", "S1002", ProfileKind::wheel, 22, 48);
+  const std::string prefix = (folder_ / "c").string();
+  const Outcome r = run("compare '" + scene("s.toml", sides("rail.h5", "wheel.h5")) + "' --json -o '" +
+                        prefix + ".h5' --vtk-prefix '" + prefix + "'");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const json j = json::parse(r.out);
+  EXPECT_EQ(j["fem"]["model"], "fem");
+  EXPECT_NEAR(j["fem"]["totals"]["Fz"].get<double>(), j["halfspace"]["totals"]["Fz"].get<double>(), 0.1);
+  const double fem = j["fem"]["pmax"].get<double>(), halfspace = j["halfspace"]["pmax"].get<double>();
+  EXPECT_NEAR(j["difference"]["pmax"].get<double>(), (fem - halfspace) / halfspace, 1e-12);
+  EXPECT_EQ(j["fem"]["grid"], j["halfspace"]["grid"]);
+  const H5Table table = read_h5(prefix + ".h5");
+  EXPECT_TRUE(table.datasets.contains("fem/p_n") && table.datasets.contains("halfspace/p_n"));
+  EXPECT_TRUE(std::filesystem::exists(prefix + "_fem.vts") &&
+              std::filesystem::exists(prefix + "_halfspace.vts"));
+}
+
+TEST_F(ResultFiles, AnotherProfilesInfluenceFileIsRefused) {
+  influence("rail.h5", "60E2", ProfileKind::rail, -44, -20);
+  influence("wheel.h5", "S1002", ProfileKind::wheel, 22, 48);
+  refused("solve '" + scene("s.toml", sides("rail.h5", "wheel.h5")) + "' --model fem", {"60E2", "60E1"});
+}
+
+TEST_F(ResultFiles, AnotherMaterialsInfluenceFileIsRefused) {
+  influence("rail.h5", "60E1", ProfileKind::rail, -44, -20, {70000, 0.3});
+  influence("wheel.h5", "S1002", ProfileKind::wheel, 22, 48);
+  refused("solve '" + scene("s.toml", sides("rail.h5", "wheel.h5")) + "' --model fem", {"material"});
+}
+
+TEST_F(ResultFiles, APatchOutsideTheStripIsRefused) {
+  influence("rail.h5", "60E1", ProfileKind::rail, -44, -29);
+  influence("wheel.h5", "S1002", ProfileKind::wheel, 22, 48);
+  refused("solve '" + scene("s.toml", sides("rail.h5", "wheel.h5")) + "' --model fem", {"strip"});
+  influence("far.h5", "60E1", ProfileKind::rail, -20, -10);
+  refused("solve '" + scene("f.toml", sides("far.h5", "wheel.h5")) + "' --model fem", {"strip"});
+}
+
+TEST_F(ResultFiles, ATruncatedInfluenceFileIsRefused) {
+  influence("rail.h5", "60E1", ProfileKind::rail, -44, -20);
+  influence("wheel.h5", "S1002", ProfileKind::wheel, 22, 48);
+  std::filesystem::resize_file(folder_ / "rail.h5", std::filesystem::file_size(folder_ / "rail.h5") / 2);
+  refused("solve '" + scene("s.toml", sides("rail.h5", "wheel.h5")) + "' --model fem", {"rail.h5"});
+  refused("info '" + (folder_ / "rail.h5").string() + "'", {"rail.h5"});
+}
+
+TEST_F(ResultFiles, InfoDescribesAnInfluenceFile) {
+  influence("rail.h5", "60E1", ProfileKind::rail, -44, -20);
+  const Outcome r = run("info '" + (folder_ / "rail.h5").string() + "'");
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("made up 60E1"));
+  EXPECT_THAT(r.out, HasSubstr("48 stations 0.5 mm wide"));
+}
+
+TEST(H5Table, ComesBackAsItWent) {
+  const auto file =
+      std::filesystem::path(::testing::TempDir()) / ("table_" + std::to_string(getpid()) + ".h5");
+  H5Table table;
+  table.datasets["a/b"] = {{2, 3}, {1, 2, 3, 4, 5, 6}, "mm", "six numbers"};
+  table.datasets["empty"] = {{0}, {}, "1", "none"};
+  table.attributes["text"] = std::string("h\u00e9");
+  table.attributes["a/number"] = 0.1;
+  table.attributes["c/only_a_group"] = 2.0;
+  write_h5(file, table);
+  const H5Table back = read_h5(file);
+  EXPECT_EQ(back.attributes, table.attributes);
+  EXPECT_EQ(back.datasets.at("a/b").values, table.datasets["a/b"].values);
+  EXPECT_EQ(back.datasets.at("a/b").shape, table.datasets["a/b"].shape);
+  EXPECT_EQ(back.datasets.at("a/b").unit, "mm");
+  EXPECT_TRUE(back.datasets.at("empty").values.empty());
+  table.datasets["a/b"].shape = {4};
+  EXPECT_THROW(write_h5(file, table), InputError);
+  EXPECT_EQ(read_h5(file).datasets.size(), 2u); // the old file is still whole
+  std::filesystem::remove(file);
+}
+
+} // namespace
