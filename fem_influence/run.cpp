@@ -50,7 +50,7 @@ std::string fingerprint(const BodyFile& body, const ProfileCurve& curve, const s
         body.strip.from, body.strip.to, body.strip.station_width, double(body.harmonic.degree),
         body.harmonic.shortest_dx, double(body.harmonic.samples_per_decade), body.harmonic.remote_distance})
     mix(&value, sizeof value);
-  return "harmonic 1 " + std::to_string(hash);
+  return "harmonic 2 " + std::to_string(hash);
 }
 
 std::string body_name(const BodyFile& body) {
@@ -104,6 +104,17 @@ double reduced(double mine, MPI_Op op) {
   return all;
 }
 
+/// shortest_dx as arc length at the reference radius: an element at the strip's largest radius is the
+/// shortest.
+double shortest_reference_dx(const BodyFile& body, std::span<const Station> stations) {
+  const double reference = reference_radius_of(body);
+  double longest = 1;
+  if (reference > 0)
+    for (const Station& station : stations)
+      longest = std::max(longest, (reference + station.position.z) / reference);
+  return body.harmonic.shortest_dx / longest;
+}
+
 } // namespace
 
 double discretisation_error(const std::filesystem::path& mesh, const BodyFile& body,
@@ -136,9 +147,10 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
     require_writable(output);
     section.emplace(mesh, body.harmonic.degree);
     solver.emplace(*section, body, curve);
-    function = describe(body, curve, *section, solver->stations(),
-                        wavenumber_samples(half_period_of(body), body.harmonic.shortest_dx,
-                                           body.harmonic.samples_per_decade));
+    function =
+        describe(body, curve, *section, solver->stations(),
+                 wavenumber_samples(half_period_of(body), shortest_reference_dx(body, solver->stations()),
+                                    body.harmonic.samples_per_decade));
     done.assign(function.wavenumber_count(), 0);
     if (rank != 0)
       return;
