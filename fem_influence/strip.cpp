@@ -156,6 +156,10 @@ SparseColumns remote_functionals(const Section& section, std::span<const Station
       centroid = centroid + point.weight * point.position;
     }
   });
+  if (!(area > 0))
+    throw InputError("No cell lies between " + range(limit, 2 * limit) + " from the strip",
+                     "the mesh is too coarse there, and the remote section would be empty",
+                     "change harmonic.remote_distance, or give 0 for the default");
   centroid = (1 / area) * centroid;
   for_each_remote([&](const CellView& cell) {
     for (const CellPoint& point : cell.points) {

@@ -154,7 +154,7 @@ TEST(Kernel, reactions_balance_the_load_of_prism_and_wheel) {
 }
 
 TEST(Kernel, removing_the_remote_motion_takes_most_of_the_support_out) {
-  // The same strip on blocks 40 and 80 wide and deep; the remote section is what lies beyond 20 mm.
+  // The same strip on blocks 40 and 80 wide and deep; the remote section lies 20 to 40 mm away.
   std::array<WavenumberResult, 2> results;
   std::array<double, 2> removed{};
   std::size_t n = 0;
@@ -194,7 +194,6 @@ TEST(Kernel, removing_the_remote_motion_takes_most_of_the_support_out) {
   EXPECT_GT(included, 0);
   EXPECT_GT(removed[0], 0);
   EXPECT_LT(removed[0], results[0].kernel[2 * n + 2]);
-  // What is left is that the larger block's remote section is another one.
   EXPECT_LT(std::abs(removed[1] - removed[0]), 0.2 * included);
 }
 

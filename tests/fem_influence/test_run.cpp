@@ -188,6 +188,8 @@ TEST_F(Run, refuses_a_strip_that_does_not_match_the_mesh) {
   body = small_block();
   body.harmonic.remote_distance = 400;
   EXPECT_THAT(error_of("block.msh", "out.h5", body), HasSubstr("No cell is farther than 400"));
+  body.harmonic.remote_distance = 0.01; // nearer than any cell's centre is to twice that
+  EXPECT_THAT(error_of("block.msh", "out.h5", body), HasSubstr("No cell lies between 0.01"));
   body = small_block();
   body.harmonic.half_period = 1;
   EXPECT_THAT(error_of("block.msh", "out.h5", body), HasSubstr("does not exceed that of harmonic 8"));
