@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
 namespace bem_contact::app {
 
@@ -44,16 +45,17 @@ json certificate_json(const Certificate& c) {
 struct Quantity {
   const char *name, *unit;
   double (*get)(const SceneResult&);
+  bool load = false; ///< a force or moment: one that vanishes beside Fz has no relative difference
 };
 
 constexpr Quantity quantities[] = {
     {"pmax", "MPa", [](const SceneResult& r) { return largest_pressure(r); }},
     {"area", "mm2", [](const SceneResult& r) { return contact_area(r); }},
     {"approach", "mm", [](const SceneResult& r) { return r.result.approach; }},
-    {"Fx", "N", [](const SceneResult& r) { return r.result.Fx; }},
-    {"Fy", "N", [](const SceneResult& r) { return r.result.Fy; }},
-    {"Fz", "N", [](const SceneResult& r) { return r.result.Fz; }},
-    {"Mz", "N mm", [](const SceneResult& r) { return r.moment; }},
+    {"Fx", "N", [](const SceneResult& r) { return r.result.Fx; }, true},
+    {"Fy", "N", [](const SceneResult& r) { return r.result.Fy; }, true},
+    {"Fz", "N", [](const SceneResult& r) { return r.result.Fz; }, true},
+    {"Mz", "N mm", [](const SceneResult& r) { return r.moment; }, true},
     {"contact", "elements", [](const SceneResult& r) { return double(counts_of(r).contact); }},
     {"adhesion", "elements", [](const SceneResult& r) { return double(counts_of(r).adhesion); }},
     {"slip", "elements", [](const SceneResult& r) { return double(counts_of(r).slip); }},
@@ -66,8 +68,13 @@ std::string number(double v) {
   return a >= 1e5 ? fmt::format("{:.0f}", v) : a >= 1 ? fmt::format("{:.2f}", v) : fmt::format("{:.5g}", v);
 }
 
-std::string difference(double halfspace, double fem) {
-  return halfspace == 0 ? "-" : fmt::format("{:+.2f} %", 100 * (fem - halfspace) / std::abs(halfspace));
+/// (fem - half-space) / |half-space|; nothing where half-space gives zero.
+std::optional<double> difference(const Quantity& q, const Comparison& c) {
+  const double halfspace = q.get(c.halfspace), fem = q.get(c.fem);
+  const double least = q.load ? 1e-9 * std::abs(c.halfspace.result.Fz) : 0.0;
+  if (std::abs(halfspace) <= least)
+    return std::nullopt;
+  return (fem - halfspace) / std::abs(halfspace);
 }
 
 std::string reference_text(const SceneResult& r) {
@@ -147,8 +154,8 @@ json to_json(const SceneResult& r) {
 json to_json(const Comparison& c) {
   json differences = json::object();
   for (const Quantity& q : quantities) {
-    const double halfspace = q.get(c.halfspace), fem = q.get(c.fem);
-    differences[q.name] = halfspace == 0 ? json(nullptr) : json((fem - halfspace) / std::abs(halfspace));
+    const auto d = difference(q, c);
+    differences[q.name] = d ? json(*d) : json(nullptr);
   }
   return {{"halfspace", to_json(c.halfspace)}, {"fem", to_json(c.fem)}, {"difference", differences}};
 }
@@ -189,8 +196,9 @@ std::string to_text(const Comparison& c) {
   out += fmt::format("{:<12} {:<9} {:>14} {:>14} {:>12}\n", "", "", "half-space", "FEM", "difference");
   for (const Quantity& q : quantities) {
     const double halfspace = q.get(c.halfspace), fem = q.get(c.fem);
+    const auto d = difference(q, c);
     out += fmt::format("{:<12} {:<9} {:>14} {:>14} {:>12}\n", q.name, q.unit, number(halfspace), number(fem),
-                       difference(halfspace, fem));
+                       d ? fmt::format("{:+.2f} %", 100 * *d) : "-");
   }
   out += fmt::format("{:<12} {:<9} {:>14} {:>14}\n", "patches", "", c.halfspace.result.patches.size(),
                      c.fem.result.patches.size());

@@ -236,7 +236,7 @@ std::string turn_text(double turn) {
 } // namespace
 
 double predicted_halfspace_error(double turn) {
-  return 0.6 * 0.25 * turn * turn;
+  return 0.66 * 0.25 * turn * turn;
 }
 
 SceneResult solve_scene(const SceneFile& scene, const std::string& wanted) {

@@ -180,6 +180,22 @@ TEST_F(ResultFiles, InfoDescribesAnInfluenceFile) {
   EXPECT_THAT(r.out, HasSubstr("48 stations 0.5 mm wide"));
 }
 
+TEST_F(ResultFiles, TheSmallSceneIsConformalUnderTheShippedInfluenceFiles) {
+  const Outcome r = run("compare '" CONFORMAL_SOURCE_DIR "/data/scenes/conformal_small.toml' --json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const json j = json::parse(r.out);
+  for (const char* model : {"halfspace", "fem"}) {
+    EXPECT_LE(j[model]["certificate"]["worst"].get<double>(), 1e-6);
+    EXPECT_NEAR(j[model]["totals"]["Fz"].get<double>(), 1e5, 0.1);
+  }
+  // Both share geometry and force; the bodies' own compliance spreads the contact.
+  EXPECT_LT(j["difference"]["pmax"].get<double>(), -0.02);
+  EXPECT_GT(j["difference"]["area"].get<double>(), 0.05);
+  const Outcome chosen = run("solve '" CONFORMAL_SOURCE_DIR "/data/scenes/conformal_small.toml' --json");
+  EXPECT_EQ(json::parse(chosen.out)["model"], "fem");
+  EXPECT_THAT(json::parse(chosen.out)["reason"].get<std::string>(), HasSubstr("more than the 1 % allowed"));
+}
+
 TEST(H5Table, ComesBackAsItWent) {
   const auto file =
       std::filesystem::path(::testing::TempDir()) / ("table_" + std::to_string(getpid()) + ".h5");
