@@ -6,6 +6,7 @@
 #include "bem_contact/influence/influence_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace bem_contact {
@@ -68,9 +69,9 @@ PairFiles read_pair_files(const SceneFile& scene) {
 InfluenceNumbers halfspace_pair(const SceneFile& scene, const PreparedContact& contact) {
   const ContactGrid& grid = contact.problem.grid;
   const auto one = [&](const Material& material) {
-    // The approach of plane strain is relative to a point this far away; forces and pressures do not depend
-    // on it.
-    constexpr double reference_distance = 100.0;
+    // The approach of plane strain is relative to a point this far away. On a curved strip forces depend on
+    // it, since the approach turns with the normal; its radius is what the disc in a hole has (Michell).
+    const double reference_distance = scene.strip.radius != 0 ? std::abs(scene.strip.radius) : 100.0;
     return contact.plane_strain
                ? halfspace::plane_strain_numbers(material, grid.ds, grid.ms, reference_distance)
                : halfspace::numbers(material, grid.dx, grid.ds, grid.mx + 1, grid.ms);
