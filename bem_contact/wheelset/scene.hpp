@@ -58,10 +58,9 @@ Comparison compare_scene(const SceneFile& scene);
 /// Throws what solve_scene would throw.
 std::vector<std::string> check_scene(const SceneFile& scene);
 
-/// Predicted relative error of the half-space model in pmax for a patch within which the normal turns by
-/// `turn` rad: 0.66 (turn/2)^2. Against Persson (1964) at a half angle of 30 degrees this model on the curved
-/// strip is 18 % high (0.66); Hertz against the sphere in its seat is low by 0.66 to 0.61 (turn/2)^2
-/// (REFERENCES 3.1, 3.3).
+/// Predicted relative error of half-space theory in pmax for a patch within which the normal turns by `turn`
+/// rad: 0.66 (turn/2)^2. Hertz against Persson (1964) is low by 0.39 (turn/2)^2, against the sphere in its
+/// seat by 0.66 to 0.61 (turn/2)^2 (REFERENCES 3.1, 3.3): the larger of the two.
 double predicted_halfspace_error(double turn);
 
 } // namespace bem_contact
