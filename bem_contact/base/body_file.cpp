@@ -52,7 +52,8 @@ Schema schema_of(BodyFile& f) {
   s.add("harmonic.samples_per_decade", f.harmonic.samples_per_decade,
         {.doc = "Wavenumbers per decade above the lowest harmonics", .at_least = 2, .at_most = 100});
   s.add("harmonic.remote_distance", f.harmonic.remote_distance,
-        {.doc = "What is farther from the strip is the remote section; 0: half of the largest distance",
+        {.doc = "The remote section lies between one and two times this from the strip; 0: 20 mm, or half "
+                "the largest",
          .unit = "mm",
          .at_least = 0});
   return s;

@@ -36,7 +36,7 @@ struct BodyFile {
     double shortest_dx = 0.2;   ///< shortest element length along x that the file must serve: k_max = 10/dx
     int samples_per_decade = 7; ///< wavenumbers per decade above the lowest harmonics
     double remote_distance =
-        0; ///< what is farther from the strip is the remote section; 0: half of the largest
+        0; ///< the remote section lies between one and two times this from the strip; 0: automatic
   } harmonic;
 };
 
