@@ -1,36 +1,54 @@
 #include "bem_contact/contact/discretisation.hpp"
 
-#include "bem_contact/contact/normal.hpp"
-
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <utility>
 
 namespace bem_contact::contact {
 namespace {
 
-/// Normal numbers of elements joined in twos along x (factor_x = 2) and s (factor_s = 2): the mean over the
-/// joined target elements of the sum over the joined loaded ones.
-InfluenceNumbers coarsen(const InfluenceNumbers& fine, int factor_x, int factor_s, int mx, int ms) {
+/// Which fine elements of one direction the coarse ones join: coarse k is fine first + factor k and the next.
+struct Joined {
+  int factor = 1, first = 0, count = 0;
+};
+
+/// `lowest` .. `highest` is in contact.
+Joined join(int fine_count, int lowest, int highest) {
+  if (fine_count == 1)
+    return {1, 0, 1};
+  const bool leave_first = fine_count % 2 == 1 && lowest > fine_count - 1 - highest;
+  return {2, leave_first ? 1 : 0, fine_count / 2};
+}
+
+InfluenceNumbers coarsen(const InfluenceNumbers& fine, const Joined& x, const Joined& s, bool only_normal) {
   InfluenceNumbers coarse;
-  coarse.offsets = mx;
-  coarse.rows = ms;
-  coarse.dx = factor_x * fine.dx;
-  coarse.ds = factor_s * fine.ds;
-  coarse.values.assign(static_cast<std::size_t>(mx) * 9 * ms * ms, 0.0);
-  const double weight = 1.0 / (factor_x * factor_s);
-  for (int m = 0; m < mx; ++m)
-    for (int row_i = 0; row_i < ms; ++row_i)
-      for (int row_j = 0; row_j < ms; ++row_j) {
-        double sum = 0;
-        for (int a = 0; a < factor_x; ++a)
-          for (int b = 0; b < factor_x; ++b)
-            for (int c = 0; c < factor_s; ++c)
-              for (int d = 0; d < factor_s; ++d)
-                sum += fine.at(std::abs(factor_x * m + a - b), factor_s * row_i + c, component_n,
-                               factor_s * row_j + d, component_n);
-        coarse.at(m, row_i, component_n, row_j, component_n) = weight * sum;
-      }
+  coarse.offsets = only_normal ? x.count : x.count + 1;
+  coarse.rows = s.count;
+  coarse.dx = x.factor * fine.dx;
+  coarse.ds = s.factor * fine.ds;
+  coarse.values.assign(static_cast<std::size_t>(coarse.offsets) * 9 * s.count * s.count, 0.0);
+  // x - x' of two pairs of elements: 2 m - 1, 2 m twice, 2 m + 1
+  const auto along_x = [&](int m, int row_i, int i, int row_j, int j) {
+    const auto number = [&](int offset) {
+      // the last one needed and not known: it does not matter, see the header
+      const int known = std::min(std::abs(offset), fine.offsets - 1);
+      return (offset < 0 ? parity(i, j) : 1) * fine.at(known, row_i, i, row_j, j);
+    };
+    return x.factor == 1 ? number(m) : number(2 * m - 1) + 2 * number(2 * m) + number(2 * m + 1);
+  };
+  const double weight = 1.0 / (x.factor * s.factor);
+  const int from = only_normal ? component_n : component_x;
+  for (int m = 0; m < coarse.offsets; ++m)
+    for (int row_i = 0; row_i < s.count; ++row_i)
+      for (int row_j = 0; row_j < s.count; ++row_j)
+        for (int i = from; i <= component_n; ++i)
+          for (int j = from; j <= component_n; ++j) {
+            double sum = 0;
+            for (int c = 0; c < s.factor; ++c)
+              for (int d = 0; d < s.factor; ++d)
+                sum += along_x(m, s.first + s.factor * row_i + c, i, s.first + s.factor * row_j + d, j);
+            coarse.at(m, row_i, i, row_j, j) = weight * sum;
+          }
   return coarse;
 }
 
@@ -41,57 +59,170 @@ struct Weight {
 
 /// Weights of the fine elements that give the value at the centre of coarse element k: cubic interpolation,
 /// linear at the ends of the grid.
-std::vector<Weight> centre_weights(int factor, int k, int fine_count) {
-  if (factor == 1)
-    return {{k, 1.0}};
-  if (k == 0 || 2 * k + 2 >= fine_count)
-    return {{2 * k, 0.5}, {2 * k + 1, 0.5}};
-  return {{2 * k - 1, -0.0625}, {2 * k, 0.5625}, {2 * k + 1, 0.5625}, {2 * k + 2, -0.0625}};
+std::vector<Weight> centre_weights(const Joined& joined, int k, int fine_count) {
+  const int at = joined.first + joined.factor * k;
+  if (joined.factor == 1)
+    return {{at, 1.0}};
+  if (at == 0 || at + 2 >= fine_count)
+    return {{at, 0.5}, {at + 1, 0.5}};
+  return {{at - 1, -0.0625}, {at, 0.5625}, {at + 1, 0.5625}, {at + 2, -0.0625}};
+}
+
+/// Totals of p_n or of p_t, and of p_t in the local frames.
+struct Sums {
+  double fx = 0, fy = 0, fz = 0, mz = 0; ///< frame of the rows
+  double fs = 0, moment = 0;             ///< along s; about the point (x, s)
+};
+
+struct Parts {
+  Sums normal, shear;
+  double pressure = 0;        ///< sum p_n dS
+  double friction_moment = 0; ///< sum mu p_n r dS, r from the point (x, s)
+};
+
+Parts sum_up(const ContactProblem& problem, const ContactResult& result, double x_at, double s_at) {
+  Parts parts;
+  const double area = problem.element_area();
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    if (!(result.pn[i] > 0))
+      continue;
+    const ContactRow& row = problem.rows[i / problem.grid.mx];
+    const double cosine = std::cos(row.delta), sine = std::sin(row.delta);
+    const double x = problem.grid.x(i % problem.grid.mx);
+    const double fn = result.pn[i] * area, fx = result.px[i] * area, fs = result.ps[i] * area;
+    parts.normal.fy -= fn * sine;
+    parts.normal.fz += fn * cosine;
+    parts.normal.mz -= x * fn * sine;
+    parts.shear.fx += fx;
+    parts.shear.fy += fs * cosine;
+    parts.shear.fz += fs * sine;
+    parts.shear.mz += x * fs * cosine - row.position.y * fx;
+    parts.shear.fs += fs;
+    parts.shear.moment += (x - x_at) * fs - (row.s - s_at) * fx;
+    parts.pressure += fn;
+    parts.friction_moment += problem.friction * fn * std::hypot(x - x_at, row.s - s_at);
+  }
+  return parts;
+}
+
+int adhering(const ContactResult& result) {
+  return static_cast<int>(std::count(result.state.begin(), result.state.end(), ElementState::adhesion));
+}
+
+ContactTotals totals(const ContactResult& result) {
+  return {result.Fx, result.Fy, result.Fz, result.Mz, result.approach};
+}
+
+double largest_approach(const ContactResult& result) {
+  double largest = 0;
+  for (const PatchSummary& patch : result.patches)
+    largest = std::max(largest, patch.approach);
+  return largest;
 }
 
 } // namespace
 
-double estimate_discretisation(const ContactProblem& problem, const ContactResult& result,
-                               std::span<const double> from_shear, const SolverOptions& options) {
+std::optional<ContactProblem> coarse_companion(const ContactProblem& problem, const ContactResult& result) {
   const ContactGrid& grid = problem.grid;
-  const int factor_x = grid.mx > 1 ? 2 : 1, factor_s = grid.ms > 1 ? 2 : 1;
-  if (factor_x * factor_s == 1)
-    return -1;
-  double fine_force = 0;
-  for (int i = 0; i < grid.size(); ++i) {
-    const bool dropped =
-        i % grid.mx >= grid.mx / factor_x * factor_x || i / grid.mx >= grid.ms / factor_s * factor_s;
-    if (dropped && result.pn[i] > 0)
-      return -1;
-    fine_force += result.pn[i] * std::cos(problem.rows[i / grid.mx].delta) * problem.element_area();
-  }
-  if (!(fine_force > 0))
-    return -1;
-
-  const ContactGrid coarse{grid.mx / factor_x, grid.ms / factor_s, factor_x * grid.dx, factor_s * grid.ds,
-                           grid.x0 + 0.5 * (factor_x - 1) * grid.dx};
-  std::vector<ContactRow> rows(coarse.ms);
-  for (int is = 0; is < coarse.ms; ++is)
-    for (int c = 0; c < factor_s; ++c)
-      rows[is].delta += problem.rows[factor_s * is + c].delta / factor_s;
-  Eigen::VectorXd gap(coarse.size());
-  for (int is = 0; is < coarse.ms; ++is)
-    for (int ix = 0; ix < coarse.mx; ++ix) {
-      double sum = 0;
-      for (const Weight& row : centre_weights(factor_s, is, grid.ms))
-        for (const Weight& column : centre_weights(factor_x, ix, grid.mx)) {
-          const int i = row.index * grid.mx + column.index;
-          sum += row.value * column.value * (problem.gap[i] + from_shear[i]);
-        }
-      gap[is * coarse.mx + ix] = sum;
+  if (result.patches.empty() || result.touches_border || grid.size() == 1)
+    return std::nullopt;
+  int first_x = grid.mx, last_x = 0, first_s = grid.ms, last_s = 0;
+  for (int i = 0; i < grid.size(); ++i)
+    if (result.pn[i] > 0) {
+      first_x = std::min(first_x, i % grid.mx);
+      last_x = std::max(last_x, i % grid.mx);
+      first_s = std::min(first_s, i / grid.mx);
+      last_s = std::max(last_s, i / grid.mx);
     }
-  const InfluenceNumbers numbers = coarsen(problem.numbers, factor_x, factor_s, coarse.mx, coarse.ms);
-  const NormalSystem system(coarse, numbers, rows, factor_x * factor_s * problem.element_area());
-  NormalState state;
-  solve_normal(system, gap, {LoadKind::approach, result.approach, 0}, options, state);
-  if (!state.converged)
-    return -1;
-  return std::abs(system.cosine.dot(state.p) * system.element_area - fine_force) / fine_force;
+  const Joined x = join(grid.mx, first_x, last_x), s = join(grid.ms, first_s, last_s);
+
+  ContactProblem coarse;
+  coarse.grid = {x.count, s.count, x.factor * grid.dx, s.factor * grid.ds,
+                 grid.x(x.first) + 0.5 * (x.factor - 1) * grid.dx};
+  coarse.load = problem.load;
+  coarse.approach = problem.approach;
+  coarse.force = problem.force;
+  coarse.tangential = problem.tangential;
+  coarse.friction = problem.friction;
+  coarse.numbers = coarsen(problem.numbers, x, s, !problem.has_friction());
+  coarse.rows.resize(s.count);
+  for (int is = 0; is < s.count; ++is)
+    for (const Weight& w : centre_weights(s, is, grid.ms)) {
+      const ContactRow& row = problem.rows[w.index];
+      coarse.rows[is].s += w.value * row.s;
+      coarse.rows[is].position = coarse.rows[is].position + w.value * row.position;
+      coarse.rows[is].delta += w.value * row.delta;
+    }
+  const auto at_centres = [&](const std::vector<double>& field) {
+    std::vector<double> out;
+    out.reserve(coarse.grid.size());
+    for (int is = 0; is < s.count; ++is)
+      for (int ix = 0; ix < x.count; ++ix) {
+        double sum = 0;
+        for (const Weight& row : centre_weights(s, is, grid.ms))
+          for (const Weight& column : centre_weights(x, ix, grid.mx))
+            sum += row.value * column.value * field[row.index * grid.mx + column.index];
+        out.push_back(sum);
+      }
+    return out;
+  };
+  coarse.gap = at_centres(problem.gap);
+  if (problem.has_friction()) {
+    coarse.slip_x = at_centres(problem.slip_x);
+    coarse.slip_s = at_centres(problem.slip_s);
+  }
+  return coarse;
+}
+
+std::optional<Discretisation> compare(const ContactProblem& problem, const ContactResult& result,
+                                      const ContactProblem& coarse_problem, const ContactResult& coarse) {
+  if (!coarse.converged)
+    return std::nullopt;
+  const ContactGrid& grid = coarse_problem.grid;
+  bool first = false, last = false;
+  for (int is = 0; is < grid.ms && grid.mx > 1; ++is) {
+    first |= coarse.pn[is * grid.mx] > 0;
+    last |= coarse.pn[is * grid.mx + grid.mx - 1] > 0;
+  }
+  if (first && last)
+    return std::nullopt;
+
+  double x_at = 0, s_at = 0, fn = 0;
+  for (const PatchSummary& patch : result.patches) {
+    x_at += patch.fn * patch.x;
+    s_at += patch.fn * patch.s;
+    fn += patch.fn;
+  }
+  const Parts fine = sum_up(problem, result, x_at / fn, s_at / fn);
+  const Parts rough = sum_up(coarse_problem, coarse, x_at / fn, s_at / fn);
+
+  // What is added to a result of error C h^k to remove it: (fine - coarse) / (2^k - 1).
+  constexpr double second_order = 1.0 / 3.0;
+  const bool all_slip = adhering(result) == 0;
+  const double shear_order = all_slip ? second_order : 1.0;
+  const auto normal = [&](double Sums::*q) { return second_order * (fine.normal.*q - rough.normal.*q); };
+  const auto shear = [&](double Sums::*q) { return shear_order * (fine.shear.*q - rough.shear.*q); };
+  Discretisation out;
+  out.contact =
+      static_cast<int>(std::count_if(coarse.pn.begin(), coarse.pn.end(), [](double p) { return p > 0; }));
+  out.coarse = totals(coarse);
+  out.extrapolated = totals(result);
+  out.extrapolated.Fx += shear(&Sums::fx);
+  out.extrapolated.Fy += normal(&Sums::fy) + shear(&Sums::fy);
+  out.extrapolated.Mz += normal(&Sums::mz) + shear(&Sums::mz);
+  const double approach = second_order * (result.approach - coarse.approach);
+  if (problem.load == LoadKind::force) {
+    out.extrapolated.approach += approach;
+    out.approach = std::abs(approach) / largest_approach(result);
+  } else
+    out.extrapolated.Fz += normal(&Sums::fz) + shear(&Sums::fz);
+  out.normal = std::hypot(normal(&Sums::fy), normal(&Sums::fz)) / fine.pressure;
+  if (problem.has_friction()) {
+    out.tangential = std::hypot(shear(&Sums::fx), shear(&Sums::fs)) / (problem.friction * fine.pressure);
+    if (fine.friction_moment > 0)
+      out.moment = std::abs(shear(&Sums::moment)) / fine.friction_moment;
+  }
+  return out;
 }
 
 } // namespace bem_contact::contact

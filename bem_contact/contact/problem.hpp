@@ -2,6 +2,8 @@
 
 #include "bem_contact/influence/influence_numbers.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,11 +65,26 @@ struct Certificate {
   double slip_direction = 0;  ///< largest deviation of p_t from mu p_n S/|S| where it slips, over mu pmax
   double force_balance = 0;   ///< |Fz - prescribed| over prescribed
   double tolerance = 1e-6;
-  double discretisation = -1; ///< of the normal force at the approach found, relative: the difference to the
-                              ///< same problem on elements twice as large; < 0: not estimated
+  double discretisation = -1; ///< Discretisation::worst(), a share and no violation; < 0: not estimated
 
   double worst() const;
   bool holds() const { return worst() <= tolerance; }
+};
+
+struct ContactTotals {
+  double Fx = 0, Fy = 0, Fz = 0, Mz = 0, approach = 0; ///< as in ContactResult
+};
+
+/// What the elements' size costs, estimated by solving the same problem on elements twice as large.
+struct Discretisation {
+  int contact = 0; ///< elements of the companion in contact
+  ContactTotals coarse, extrapolated;
+  double approach = 0;   ///< (force prescribed) of the approach, over the largest approach of a patch
+  double normal = 0;     ///< of the vector sum of p_n dS, over its magnitude's sum
+  double tangential = 0; ///< of the vector (sum p_x dS, sum p_s dS), over mu sum p_n dS
+  double moment = 0; ///< of p_t about the centre of pressure, over sum mu p_n r dS, r the distance from it
+
+  double worst() const { return std::max({approach, normal, tangential, moment}); }
 };
 
 struct PatchSummary {
@@ -89,6 +106,7 @@ struct ContactResult {
   double Mz = 0;                         ///< about the origin of (x, y), N mm
   std::vector<PatchSummary> patches;     ///< connected areas of contact, largest force first
   Certificate certificate;
+  std::optional<Discretisation> discretisation; ///< nothing: not estimated
 
   bool touches_border = false; ///< contact at an edge of the grid: the potential contact is too small
   bool converged = false;      ///< certificate.holds()

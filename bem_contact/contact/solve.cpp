@@ -67,10 +67,7 @@ void sum_forces(const ContactProblem& problem, ContactResult& result) {
   }
 }
 
-} // namespace
-
-ContactResult solve(const ContactProblem& problem, const SolverOptions& options) {
-  validate(problem);
+ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOptions& options) {
   const contact::Solution solution = contact::solve_coupled(problem, options);
   ContactResult result;
   fill_fields(problem, solution, result);
@@ -79,9 +76,6 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options)
   result.patches = contact::find_patches(problem, result);
   result.touches_border = contact::touches_border(problem.grid, result.state);
   result.certificate = certify(problem, result);
-  result.certificate.discretisation = contact::estimate_discretisation(
-      problem, result, {solution.from_shear.data(), static_cast<std::size_t>(solution.from_shear.size())},
-      options);
   result.converged = result.certificate.holds();
   result.normal_solver = solution.normal.solver;
   result.tangential_solver = solution.shear.solver;
@@ -89,6 +83,21 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options)
   result.normal_iterations = solution.normal.iterations;
   result.tangential_iterations = solution.shear.iterations;
   result.remark = solution.remark;
+  return result;
+}
+
+} // namespace
+
+ContactResult solve(const ContactProblem& problem, const SolverOptions& options) {
+  validate(problem);
+  ContactResult result = solve_on_this_grid(problem, options);
+  if (!options.estimate_discretisation || !result.converged)
+    return result;
+  if (const auto coarse = contact::coarse_companion(problem, result)) {
+    result.discretisation = contact::compare(problem, result, *coarse, solve_on_this_grid(*coarse, options));
+    if (result.discretisation)
+      result.certificate.discretisation = result.discretisation->worst();
+  }
   return result;
 }
 

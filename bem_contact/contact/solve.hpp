@@ -10,6 +10,7 @@ struct SolverOptions {
   int max_normal = 200;     ///< active-set changes
   int max_tangential = 100; ///< Newton steps for given p_n
   int max_sweeps = 1000;    ///< where Newton fails
+  bool estimate_discretisation = true;
 };
 
 /// Solves the normal problem or steady rolling. No contact: a result with zero force and no patches.
