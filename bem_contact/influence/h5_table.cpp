@@ -1,8 +1,7 @@
 #include "bem_contact/influence/h5_table.hpp"
 
 #include "bem_contact/base/error.hpp"
-
-#include <hdf5.h>
+#include "bem_contact/influence/h5_handle.hpp"
 
 #include <numeric>
 #include <system_error>
@@ -11,39 +10,6 @@
 namespace bem_contact {
 
 namespace {
-
-/// An HDF5 handle and the function that closes it.
-class Handle {
-public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-  ~Handle() {
-    if (id_ >= 0)
-      close_(id_);
-  }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  operator hid_t() const { return id_; }
-
-private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
-/// Errors are reported by return values: no HDF5 stack on the standard error.
-class Silence {
-public:
-  Silence() {
-    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  ~Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
-private:
-  H5E_auto2_t function_ = nullptr;
-  void* data_ = nullptr;
-};
 
 void check(bool good, const std::filesystem::path& file, const std::string& what) {
   if (!good)
@@ -54,32 +20,32 @@ void check(bool good, const std::filesystem::path& file, const std::string& what
 
 void write_text(hid_t object, const std::string& name, const std::string& text,
                 const std::filesystem::path& file) {
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  const H5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type, text.size() + 1);
   H5Tset_cset(type, H5T_CSET_UTF8);
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  const H5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const H5Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   check(attribute >= 0 && H5Awrite(attribute, type, text.c_str()) >= 0, file, "attribute " + name);
 }
 
 void write_number(hid_t object, const std::string& name, double value, const std::filesystem::path& file) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle attribute(H5Acreate2(object, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT),
-                         H5Aclose);
+  const H5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const H5Handle attribute(H5Acreate2(object, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT),
+                           H5Aclose);
   check(attribute >= 0 && H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value) >= 0, file, "attribute " + name);
 }
 
 void write_all(hid_t root, const H5Table& table, const std::filesystem::path& file) {
-  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  const H5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(links, 1);
   for (const auto& [name, data] : table.datasets) {
     std::vector<hsize_t> shape(data.shape.begin(), data.shape.end());
     const auto size =
         std::accumulate(data.shape.begin(), data.shape.end(), std::size_t{1}, std::multiplies<>());
     check(size == data.values.size(), file, "the shape of " + name + " does not fit its values");
-    const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
-    const Handle set(H5Dcreate2(root, name.c_str(), H5T_IEEE_F64LE, space, links, H5P_DEFAULT, H5P_DEFAULT),
-                     H5Dclose);
+    const H5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+    const H5Handle set(H5Dcreate2(root, name.c_str(), H5T_IEEE_F64LE, space, links, H5P_DEFAULT, H5P_DEFAULT),
+                       H5Dclose);
     check(set >= 0, file, "dataset " + name);
     check(data.values.empty() ||
               H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) >= 0,
@@ -92,8 +58,8 @@ void write_all(hid_t root, const H5Table& table, const std::filesystem::path& fi
     const std::string group = slash == std::string::npos ? "/" : path.substr(0, slash);
     const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
     if (group != "/" && H5Lexists(root, group.c_str(), H5P_DEFAULT) <= 0)
-      Handle(H5Gcreate2(root, group.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-    const Handle object(H5Oopen(root, group.c_str(), H5P_DEFAULT), H5Oclose);
+      H5Handle(H5Gcreate2(root, group.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+    const H5Handle object(H5Oopen(root, group.c_str(), H5P_DEFAULT), H5Oclose);
     check(object >= 0, file, "group " + group);
     if (const auto* text = std::get_if<std::string>(&value))
       write_text(object, name, *text, file);
@@ -104,8 +70,8 @@ void write_all(hid_t root, const H5Table& table, const std::filesystem::path& fi
 
 /// Text (fixed or variable length) or number; nothing for any other attribute.
 void read_attribute(hid_t object, const std::string& name, const std::string& key, H5Table& table) {
-  const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
-  const Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
+  const H5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
+  const H5Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
   if (attribute < 0 || H5Sget_simple_extent_npoints(space) != 1)
     return;
   const H5T_class_t kind = H5Tget_class(type);
@@ -146,7 +112,7 @@ std::string text_of(hid_t object, const std::string& name) {
 }
 
 bool read_dataset(hid_t set, H5Dataset& data) {
-  const Handle space(H5Dget_space(set), H5Sclose), type(H5Dget_type(set), H5Tclose);
+  const H5Handle space(H5Dget_space(set), H5Sclose), type(H5Dget_type(set), H5Tclose);
   const H5T_class_t kind = H5Tget_class(type);
   if (kind != H5T_FLOAT && kind != H5T_INTEGER)
     return true;
@@ -163,7 +129,7 @@ bool read_dataset(hid_t set, H5Dataset& data) {
 }
 
 bool read_object(hid_t root, const std::string& path, H5Table& table) {
-  const Handle object(H5Oopen(root, path.c_str(), H5P_DEFAULT), H5Oclose);
+  const H5Handle object(H5Oopen(root, path.c_str(), H5P_DEFAULT), H5Oclose);
   if (object < 0)
     return false;
   const H5I_type_t kind = H5Iget_type(object);
@@ -182,11 +148,11 @@ bool read_object(hid_t root, const std::string& path, H5Table& table) {
 } // namespace
 
 void write_h5(const std::filesystem::path& file, const H5Table& table) {
-  const Silence silence;
+  const QuietHdf5 silence;
   std::filesystem::path temporary = file;
   temporary += ".tmp";
   try {
-    const Handle root(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+    const H5Handle root(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
     check(root >= 0, file, "it cannot be created");
     write_all(root, table, file);
     check(H5Fflush(root, H5F_SCOPE_GLOBAL) >= 0, file, "its contents cannot be flushed");
@@ -201,11 +167,11 @@ void write_h5(const std::filesystem::path& file, const H5Table& table) {
 }
 
 H5Table read_h5(const std::filesystem::path& file) {
-  const Silence silence;
+  const QuietHdf5 silence;
   if (!std::filesystem::is_regular_file(file))
     throw InputError("The file '" + file.string() + "' cannot be read", "there is no such file",
                      "Check the path.");
-  const Handle root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const H5Handle root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   std::vector<std::string> paths;
   const auto add = [](hid_t, const char* name, const H5O_info_t*, void* data) -> herr_t {
     static_cast<std::vector<std::string>*>(data)->emplace_back(name);

@@ -2,8 +2,8 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/file_seal.hpp"
+#include "bem_contact/influence/h5_handle.hpp"
 
-#include <hdf5.h>
 #include <unistd.h>
 
 #include <string_view>
@@ -15,42 +15,15 @@ namespace {
 
 constexpr std::string_view prismatic_name = "prismatic", revolution_name = "revolution";
 
-/// HDF5 prints its error stack by default; here every failure becomes an exception.
-class QuietHdf5 {
+/// A handle that throws when the call that made it failed.
+class Handle : public H5Handle {
 public:
-  QuietHdf5() {
-    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  ~QuietHdf5() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
-  QuietHdf5(const QuietHdf5&) = delete;
-  QuietHdf5& operator=(const QuietHdf5&) = delete;
-
-private:
-  H5E_auto2_t function_ = nullptr;
-  void* data_ = nullptr;
-};
-
-/// An HDF5 identifier with its closing function. Throws when the call that made it failed.
-class Handle {
-public:
-  Handle(hid_t id, herr_t (*close)(hid_t), std::string_view what) : id_(id), close_(close) {
-    if (id_ < 0)
+  Handle(hid_t id, herr_t (*close)(hid_t), std::string_view what) : H5Handle(id, close) {
+    if (id < 0)
       throw InputError("HDF5 failed at " + std::string(what),
                        "see data/INFLUENCE_FORMAT.md for what is expected",
                        "compute the influence file again");
   }
-  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-  Handle& operator=(Handle&&) = delete;
-  ~Handle() {
-    if (id_ >= 0)
-      close_(id_);
-  }
-  operator hid_t() const { return id_; } // NOLINT: the C API takes ids everywhere
-
-private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
 };
 
 void check(herr_t status, std::string_view what) {
