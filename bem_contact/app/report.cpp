@@ -41,6 +41,23 @@ json certificate_json(const Certificate& c) {
           {"discretisation", c.discretisation < 0 ? json(nullptr) : json(c.discretisation)}};
 }
 
+/// null where it was not estimated
+json extrapolated_json(const SceneResult& r) {
+  if (!r.result.discretisation)
+    return nullptr;
+  const ContactTotals& e = r.result.discretisation->extrapolated;
+  return {{"Fx", e.Fx},
+          {"Fy", e.Fy},
+          {"Fz", e.Fz},
+          {"Mz", e.Mz + r.reference.position.y * e.Fx},
+          {"approach", e.approach}};
+}
+
+std::string discretisation_text(const SceneResult& r) {
+  const double estimate = r.result.certificate.discretisation;
+  return estimate < 0 ? "-" : fmt::format("{:.2f} %", 100 * estimate);
+}
+
 /// One line of the comparison: name, unit, how to get it.
 struct Quantity {
   const char *name, *unit;
@@ -120,6 +137,7 @@ json to_json(const SceneResult& r) {
           {"converged", r.result.converged},
           {"patches", patches},
           {"totals", {{"Fx", r.result.Fx}, {"Fy", r.result.Fy}, {"Fz", r.result.Fz}, {"Mz", r.moment}}},
+          {"extrapolated", extrapolated_json(r)},
           {"approach", r.result.approach},
           {"pmax", largest_pressure(r)},
           {"area", contact_area(r)},
@@ -204,6 +222,8 @@ std::string to_text(const Comparison& c) {
                      c.fem.result.patches.size());
   out += fmt::format("{:<12} {:<9} {:>14.1e} {:>14.1e}\n", "certificate", "worst",
                      c.halfspace.result.certificate.worst(), c.fem.result.certificate.worst());
+  out += fmt::format("{:<22} {:>14} {:>14}\n", "discretisation (est.)", discretisation_text(c.halfspace),
+                     discretisation_text(c.fem));
   out += fmt::format("{:<12} {:<9} {:>14.2f} {:>14.2f}\n", "seconds", "numbers", c.halfspace.seconds.numbers,
                      c.fem.seconds.numbers);
   out += fmt::format("{:<12} {:<9} {:>14.2f} {:>14.2f}\n", "", "solve", c.halfspace.seconds.solve,

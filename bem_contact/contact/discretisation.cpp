@@ -30,9 +30,10 @@ InfluenceNumbers coarsen(const InfluenceNumbers& fine, const Joined& x, const Jo
   // x - x' of two pairs of elements: 2 m - 1, 2 m twice, 2 m + 1
   const auto along_x = [&](int m, int row_i, int i, int row_j, int j) {
     const auto number = [&](int offset) {
-      // the last one needed and not known: it does not matter, see the header
-      const int known = std::min(std::abs(offset), fine.offsets - 1);
-      return (offset < 0 ? parity(i, j) : 1) * fine.at(known, row_i, i, row_j, j);
+      const int m_fine = std::abs(offset), known = fine.offsets - 1;
+      const double last = fine.at(std::min(m_fine, known), row_i, i, row_j, j);
+      const double value = m_fine <= known ? last : 2 * last - fine.at(known - 1, row_i, i, row_j, j);
+      return (offset < 0 ? parity(i, j) : 1) * value;
     };
     return x.factor == 1 ? number(m) : number(2 * m - 1) + 2 * number(2 * m) + number(2 * m + 1);
   };
@@ -105,10 +106,6 @@ Parts sum_up(const ContactProblem& problem, const ContactResult& result, double 
   return parts;
 }
 
-int adhering(const ContactResult& result) {
-  return static_cast<int>(std::count(result.state.begin(), result.state.end(), ElementState::adhesion));
-}
-
 ContactTotals totals(const ContactResult& result) {
   return {result.Fx, result.Fy, result.Fz, result.Mz, result.approach};
 }
@@ -176,17 +173,11 @@ std::optional<ContactProblem> coarse_companion(const ContactProblem& problem, co
 
 std::optional<Discretisation> compare(const ContactProblem& problem, const ContactResult& result,
                                       const ContactProblem& coarse_problem, const ContactResult& coarse) {
-  if (!coarse.converged)
+  // fewer elements say nothing: on Hertz contacts 12 across (28 in the companion) the two agree by chance
+  const int least = coarse_problem.grid.mx > 1 && coarse_problem.grid.ms > 1 ? 40 : 7;
+  const auto contact = std::count_if(coarse.pn.begin(), coarse.pn.end(), [](double v) { return v > 0; });
+  if (!coarse.converged || contact < least)
     return std::nullopt;
-  const ContactGrid& grid = coarse_problem.grid;
-  bool first = false, last = false;
-  for (int is = 0; is < grid.ms && grid.mx > 1; ++is) {
-    first |= coarse.pn[is * grid.mx] > 0;
-    last |= coarse.pn[is * grid.mx + grid.mx - 1] > 0;
-  }
-  if (first && last)
-    return std::nullopt;
-
   double x_at = 0, s_at = 0, fn = 0;
   for (const PatchSummary& patch : result.patches) {
     x_at += patch.fn * patch.x;
@@ -196,15 +187,14 @@ std::optional<Discretisation> compare(const ContactProblem& problem, const Conta
   const Parts fine = sum_up(problem, result, x_at / fn, s_at / fn);
   const Parts rough = sum_up(coarse_problem, coarse, x_at / fn, s_at / fn);
 
-  // What is added to a result of error C h^k to remove it: (fine - coarse) / (2^k - 1).
+  // What is added to a result of error C h^k to remove it: (fine - coarse) / (2^k - 1). The order is that of
+  // the step u(x) - u(x + dx), which looks ahead by half an element; slip everywhere included.
   constexpr double second_order = 1.0 / 3.0;
-  const bool all_slip = adhering(result) == 0;
-  const double shear_order = all_slip ? second_order : 1.0;
+  constexpr double shear_order = 1.0;
   const auto normal = [&](double Sums::*q) { return second_order * (fine.normal.*q - rough.normal.*q); };
   const auto shear = [&](double Sums::*q) { return shear_order * (fine.shear.*q - rough.shear.*q); };
   Discretisation out;
-  out.contact =
-      static_cast<int>(std::count_if(coarse.pn.begin(), coarse.pn.end(), [](double p) { return p > 0; }));
+  out.contact = static_cast<int>(contact);
   out.coarse = totals(coarse);
   out.extrapolated = totals(result);
   out.extrapolated.Fx += shear(&Sums::fx);

@@ -76,10 +76,34 @@ TEST_P(Hertz, ErrorHalvesWithTheElementAndIsEstimated) {
       EXPECT_LT(error, 0.5 * previous) << across;
     }
     previous = error;
-    EXPECT_GT(result.certificate.discretisation, 0.6 * error) << across;
-    EXPECT_LT(result.certificate.discretisation, 8 * error) << across;
+    ASSERT_EQ(result.discretisation.has_value(), across > 10) << "too few elements say nothing";
+    if (across == 10) {
+      EXPECT_EQ(result.certificate.discretisation, -1);
+      continue;
+    }
+    // second order: what is left is a small part
+    EXPECT_NEAR(result.discretisation->extrapolated.Fz, c.force, 0.1 * error * c.force) << across;
+    EXPECT_EQ(result.discretisation->extrapolated.approach, c.approach);
   }
   EXPECT_LT(previous, 0.01);
+}
+
+/// Sizes of every kind, also those whose halves do not line up with the ellipse.
+TEST_P(Hertz, EstimateAgainstTheTrueError) {
+  const HertzCase& c = GetParam();
+  for (const int across : {15, 20, 25, 30})
+    for (const LoadKind load : {LoadKind::approach, LoadKind::force}) {
+      ContactProblem problem = hertz(c, across);
+      problem.load = load;
+      problem.approach = c.approach;
+      problem.force = c.force;
+      const ContactResult result = solve(problem);
+      ASSERT_TRUE(result.discretisation) << across;
+      const double error = load == LoadKind::force ? std::abs(result.approach - c.approach) / c.approach
+                                                   : std::abs(result.Fz - c.force) / c.force;
+      EXPECT_GT(result.certificate.discretisation, 0.3 * error) << across;
+      EXPECT_LT(result.certificate.discretisation, 3 * error) << across;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(References, Hertz, testing::ValuesIn(hertz_cases),
@@ -226,6 +250,24 @@ TEST(Normal, ReportsContactAtTheBorder) {
   const ContactResult result = solve(problem);
   EXPECT_TRUE(result.converged);
   EXPECT_TRUE(result.touches_border);
+  EXPECT_FALSE(result.discretisation);
+  EXPECT_EQ(result.certificate.discretisation, -1);
+}
+
+TEST(Normal, OddSizesLeaveOutAnExteriorRow) {
+  for (const int ms : {23, 24}) {
+    ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, 25, ms, 0.5, 0.5, 1e-3, 1e-3);
+    problem.force = 20000;
+    const ContactResult result = solve(problem);
+    ASSERT_TRUE(result.discretisation) << ms;
+    const ContactTotals& coarse = result.discretisation->coarse;
+    EXPECT_NEAR(coarse.approach, result.approach, 0.02 * result.approach);
+    EXPECT_NEAR(coarse.Fz, 20000, 1e-5);
+    EXPECT_EQ(result.discretisation->extrapolated.Fz, result.Fz) << "what is prescribed stays";
+    SolverOptions options;
+    options.estimate_discretisation = false;
+    EXPECT_FALSE(solve(problem, options).discretisation);
+  }
 }
 
 /// A falsified result must fail, quantity by quantity.
