@@ -1,5 +1,6 @@
 #include "bem_contact/base/body_file.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "fem_influence/parallel.hpp"
@@ -11,7 +12,9 @@
 
 #include <dlfcn.h>
 
+#include <array>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 
 namespace {
@@ -49,6 +52,7 @@ void run(const std::string& body_file, const std::string& mesh, const std::strin
   std::optional<ProfileCurve> curve;
   fem::together([&] {
     body = read_body_file(body_file);
+    refuse_overwriting(output, std::array<std::filesystem::path, 2>{body_file, mesh});
     curve = body_profile(*body);
   });
   std::optional<Progress> bar;

@@ -1,12 +1,15 @@
 #include "bem_contact/base/body_file.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
 #include "meshes/mesh_body.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <string>
 
 namespace {
@@ -35,6 +38,7 @@ void print_quality(const meshes::QuadMesh& mesh, const meshes::Quality& quality)
 
 int run(const std::string& body_file, const std::string& output, bool report) {
   const BodyFile body = read_body_file(body_file);
+  refuse_overwriting(output, std::array<std::filesystem::path, 1>{body_file});
   const meshes::QuadMesh mesh = meshes::mesh_section(body);
   meshes::write_msh(mesh, output);
   const meshes::Quality quality = meshes::quality(mesh);

@@ -3,9 +3,12 @@
 #include "bem_contact/app/result_file.hpp"
 #include "bem_contact/app/vtk_file.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/provenance.hpp"
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -22,6 +25,21 @@ struct Arguments {
   bool json = false, print_default = false;
 };
 
+/// Refuses, before anything is computed, an output that is an input or another output.
+void check_outputs(const Arguments& arguments, const SceneFile& scene,
+                   std::vector<std::filesystem::path> outputs) {
+  std::vector<std::filesystem::path> taken{arguments.file};
+  for (const std::string& name :
+       {scene.rail.profile, scene.rail.influence, scene.wheel.profile, scene.wheel.influence, scene.gap.table,
+        scene.strip.inclination, scene.motion.slip_table})
+    if (!name.empty())
+      taken.push_back(scene.folder / name);
+  for (std::filesystem::path& output : outputs) {
+    refuse_overwriting(output, taken);
+    taken.push_back(std::move(output));
+  }
+}
+
 /// A remark and a warning for each that a person would want to know of; 0 only where the certificate holds.
 ExitCode verdict(const SceneResult& r) {
   for (const std::string& warning : r.warnings)
@@ -37,6 +55,7 @@ ExitCode verdict(const SceneResult& r) {
 
 ExitCode run_solve(const Arguments& arguments) {
   const SceneFile scene = read_scene_file(arguments.file);
+  check_outputs(arguments, scene, {arguments.output, arguments.vtk});
   const SceneResult result = solve_scene(scene, arguments.model);
   if (!arguments.output.empty()) {
     const std::array results{&result};
@@ -50,14 +69,16 @@ ExitCode run_solve(const Arguments& arguments) {
 
 ExitCode run_compare(const Arguments& arguments) {
   const SceneFile scene = read_scene_file(arguments.file);
+  const std::string halfspace_vts = arguments.vtk + "_halfspace.vts", fem_vts = arguments.vtk + "_fem.vts";
+  check_outputs(arguments, scene, {arguments.output, halfspace_vts, fem_vts});
   const Comparison comparison = compare_scene(scene);
   if (!arguments.output.empty()) {
     const std::array results{&comparison.halfspace, &comparison.fem};
     write_h5(arguments.output, app::to_table(results, arguments.file));
   }
   if (!arguments.vtk.empty()) {
-    app::write_vts(arguments.vtk + "_halfspace.vts", comparison.halfspace);
-    app::write_vts(arguments.vtk + "_fem.vts", comparison.fem);
+    app::write_vts(halfspace_vts, comparison.halfspace);
+    app::write_vts(fem_vts, comparison.fem);
   }
   fmt::print("{}", arguments.json ? app::to_json(comparison).dump(2) + "\n" : app::to_text(comparison));
   return std::max(verdict(comparison.halfspace), verdict(comparison.fem));
@@ -78,6 +99,7 @@ int main(int argc, char** argv) {
   Arguments arguments;
   CLI::App cli{"Conformal wheel-rail contact by the boundary element method"};
   cli.require_subcommand(0, 1);
+  cli.set_version_flag("--version", provenance("bem_contact"));
   cli.add_flag("--print-default", arguments.print_default,
                "Print a scene file with every key, its default and unit");
 

@@ -17,7 +17,7 @@ Schema schema_of(BodyFile& f) {
   s.add("body.kind", f.body.kind,
         {.doc = "Kind of body", .choices = {"rail", "wheel", "block", "disc", "bore"}});
   s.add("body.profile", f.body.profile,
-        {.doc = "Rail: 60E1, 60E2, 54E1 or a profile file; wheel: S1002 (its default) or a profile file",
+        {.doc = "Rail: 60E1 or 60E2; wheel: S1002 (its default) or a profile file",
          .kinds = {"rail", "wheel"}});
   s.add("body.radius", f.body.radius,
         {.doc = "Radius of the contact surface", .unit = "mm", .above = 0, .kinds = {"disc", "bore"}});

@@ -61,12 +61,12 @@ Schema schema_of(SceneFile& f) {
   add_position(s, f.position);
 
   s.add("load.force", f.load.force,
-        {.doc = "Vertical (patch: normal) force, plane strain: per mm; either this or load.approach",
+        {.doc = "Vertical (patch: normal) force, plane strain: per mm; give either this or load.approach",
          .unit = "N",
          .above = 0,
          .given = &f.load.has_force});
   s.add("load.approach", f.load.approach,
-        {.doc = "Approach of the bodies; either this or load.force",
+        {.doc = "Approach of the bodies; give either this or load.force",
          .unit = "mm",
          .given = &f.load.has_approach});
 
@@ -129,7 +129,7 @@ Schema schema_of(SceneFile& f) {
         {.doc = "Influence numbers of the half-space, of the bodies, or the cheapest that serves",
          .choices = {"auto", "halfspace", "fem"}});
   s.add("solver.tolerance", f.solver.tolerance,
-        {.doc = "Relative tolerance of the iterations", .above = 0, .at_most = 1e-3});
+        {.doc = "Relative tolerance of the iterations", .above = 0, .at_most = 1e-7});
   s.add("solver.max_outer", f.solver.max_outer,
         {.doc = "Most outer iterations between the normal and the tangential problem", .at_least = 1});
   return s;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <utility>
 
 namespace bem_contact {
@@ -45,6 +46,32 @@ InfluenceNumbers expand_side(const InfluenceFunction& function, const SceneFile:
       side.structural == "included" ? StructuralCompliance::included : StructuralCompliance::removed;
   options.contact_radius = function.invariance == Invariance::revolution ? contact.contact_radius : 0.0;
   return halfspace::resample(function, options, row_s, grid.ds);
+}
+
+/// A patch is given without profiles: what can be compared is how far the normal turns along the strip.
+/// Throws InputError where the file's surface turns otherwise than the rows do, by more than `tolerance`.
+void require_turn(const InfluenceFunction& f, const PreparedContact& contact,
+                  const std::vector<double>& row_s, double tolerance) {
+  const auto delta_at = [&](double s) {
+    const double index = (s - f.stations.front().s) / f.station_width;
+    const auto last = static_cast<double>(f.stations.size() - 1);
+    return f.stations[static_cast<std::size_t>(std::lround(std::clamp(index, 0.0, last)))].delta;
+  };
+  const std::vector<ContactRow>& rows = contact.problem.rows;
+  const std::size_t middle = rows.size() / 2;
+  const double station =
+      std::abs(f.stations.back().delta - f.stations.front().delta) / static_cast<double>(f.stations.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double file_turn = delta_at(row_s[i]) - delta_at(row_s[middle]);
+    const double row_turn = rows[i].delta - rows[middle].delta;
+    if (std::abs(file_turn - row_turn) > tolerance + station)
+      throw InputError(
+          fmt::format("The influence functions of '{}' do not fit the patch", f.body),
+          fmt::format("from the middle to row {} their surface turns by {:.3f} rad and the patch by "
+                      "{:.3f} rad",
+                      i, file_turn, row_turn),
+          "Correct [strip] (radius, inclination, rail_s0, wheel_s0) or give the bodies' own files.");
+  }
 }
 
 /// The same numbers with the rows in the opposite order.
@@ -89,6 +116,10 @@ InfluenceNumbers fem_pair(const SceneFile& scene, const PairFiles& files, const 
                                                  : "the scene names none for the rail",
                      "Give rail.influence and wheel.influence, or ask for the half-space model.");
   require_strips(files, contact);
+  if (scene.kind == "patch") {
+    require_turn(*files.rail, contact, contact.rail_s, 0.02);
+    require_turn(*files.wheel, contact, contact.wheel_s, 0.2); // its surface need not follow the rail's
+  }
   return halfspace::combine(expand_side(*files.rail, scene.rail, contact, contact.rail_s),
                             expand_side(*files.wheel, scene.wheel, contact, contact.wheel_s));
 }

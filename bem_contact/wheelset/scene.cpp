@@ -16,6 +16,10 @@ namespace {
 
 constexpr double halfspace_tolerance = 0.01; // of pmax, for the automatic choice
 constexpr int most_growths = 6;
+constexpr double poor_discretisation = 0.2; // relative error that deserves a warning
+constexpr int few_elements = 40;            // in contact
+constexpr double largest_memory = 8.0;      // GB
+constexpr double radius_tolerance = 0.01;   // of the wheel radius that an influence file was made for
 
 class Stopwatch {
 public:
@@ -43,6 +47,25 @@ struct Stage {
   }
 };
 
+void require_radius(const InfluenceFunction& wheel, double wheel_radius) {
+  if (wheel.invariance == Invariance::revolution &&
+      std::abs(wheel.reference_radius - wheel_radius) > radius_tolerance * wheel_radius)
+    throw InputError(fmt::format("The influence functions of '{}' do not belong to this wheel", wheel.body),
+                     fmt::format("they are for a nominal radius of {:g} mm, position.wheel_radius is {:g} mm",
+                                 wheel.reference_radius, wheel_radius),
+                     "Compute influence functions of this wheel, or correct the radius.");
+}
+
+/// Numbers of both bodies, of the pair, and the operator's spectra: four times one table.
+void require_memory(const ContactGrid& grid) {
+  const double gigabytes = 4 * 8e-9 * 9 * double(grid.ms) * grid.ms * (grid.mx + 1);
+  if (gigabytes > largest_memory)
+    throw InputError(fmt::format("A grid of {} x {} elements is too large", grid.mx, grid.ms),
+                     fmt::format("its influence numbers need about {:.0f} GB, {:g} GB are allowed", gigabytes,
+                                 largest_memory),
+                     "Use larger elements or fewer of them, above all along s.");
+}
+
 Stage prepare(const SceneFile& scene, bool needs_strips) {
   const Stopwatch watch;
   Stage stage{&scene, {}, {}, {}, {}, needs_strips};
@@ -55,6 +78,8 @@ Stage prepare(const SceneFile& scene, bool needs_strips) {
     if (stage.files.wheel)
       require_profile(*stage.files.wheel, stage.wheel_rail->pair.wheel.name(),
                       stage.wheel_rail->pair.wheel.digest());
+    if (stage.files.wheel)
+      require_radius(*stage.files.wheel, scene.position.wheel_radius);
     stage.wheel_rail->plan = plan_wheel_rail(*stage.wheel_rail, scene, stage.files);
     stage.contact = prepare_wheel_rail(*stage.wheel_rail, scene);
     // The estimate is generous: give up rows off the strips, as long as the contact does not need them.
@@ -134,6 +159,7 @@ SceneResult solve_once(Stage& stage, bool fem, bool tangential) {
   SceneResult out;
   out.model = fem ? "fem" : "halfspace";
   ContactProblem& problem = stage.contact.problem;
+  require_memory(problem.grid);
   const Stopwatch numbers;
   problem.numbers =
       fem ? fem_pair(*stage.scene, stage.files, stage.contact) : halfspace_pair(*stage.scene, stage.contact);
@@ -161,14 +187,20 @@ std::string edge_warning(const Touched& touched) {
 /// Solves on a grid that grows until the contact lies inside.
 SceneResult solve_grown(Stage& stage, bool fem, bool tangential) {
   PhaseSeconds spent;
+  bool grown = false;
   for (int round = 0;; ++round) {
     SceneResult out = solve_once(stage, fem, tangential);
     spent.numbers += out.seconds.numbers;
     spent.solve += out.seconds.solve;
     out.seconds = spent;
     const Touched touched = touched_edges(out.problem.grid, out.result);
-    if (!touched.any())
+    if (!touched.any()) {
+      if (grown && (stage.scene->grid.mx > 0 || stage.scene->grid.ms > 0))
+        out.warnings.push_back(
+            fmt::format("the contact did not fit on the grid asked for: it grew to {} x {} elements",
+                        out.problem.grid.mx, out.problem.grid.ms));
       return out;
+    }
     if (!stage.wheel_rail) {
       const bool along_x = touched.columns && out.problem.grid.mx > 1;
       const bool along_s = (touched.first_row || touched.last_row) && out.problem.grid.ms > 1;
@@ -183,6 +215,7 @@ SceneResult solve_grown(Stage& stage, bool fem, bool tangential) {
                                    out.problem.grid.ms),
                        "Give a smaller force or larger elements (grid.dx, grid.ds).");
     grow(stage, touched);
+    grown = true;
   }
 }
 
@@ -205,6 +238,17 @@ void finish(SceneResult& out, const Stage& stage) {
     }
   }
   out.seconds.geometry = stage.seconds.geometry;
+  const double error = out.result.certificate.discretisation;
+  const auto exterior = std::ranges::count(out.result.state, ElementState::exterior);
+  const auto contact = static_cast<std::ptrdiff_t>(out.result.state.size()) - exterior;
+  if (error > poor_discretisation)
+    out.warnings.push_back(fmt::format(
+        "the elements are too large for this contact: the estimated discretisation error is {:.0f} %",
+        100 * error));
+  else if (contact > 0 && contact < few_elements && error < 0)
+    out.warnings.push_back(fmt::format(
+        "the elements are too large for this contact: {} of them touch, and no error can be estimated",
+        contact));
 }
 
 /// Largest turn of the normal within one connected run of rows in contact, rad.
@@ -229,7 +273,7 @@ double turn_of_contact(const SceneResult& solved) {
 std::string turn_text(double turn) {
   return fmt::format(
       "the normal turns by {:.1f} degrees within the patch, for which half-space theory is predicted "
-      "to miss the largest pressure by {:.1f} %",
+      "to miss the largest pressure by up to {:.1f} %",
       turn * 180 / std::numbers::pi, 100 * predicted_halfspace_error(turn));
 }
 

@@ -36,6 +36,11 @@ WheelRailScene place_wheel_rail(const SceneFile& scene) {
   out.reference = {deepest.position, deepest.rail_s, deepest.delta};
   out.estimate = estimate_contact(out.pair, scene.rail.material, scene.wheel.material, scene.load.force,
                                   scene.load.approach, scene.load.has_approach);
+  constexpr double largest_approach = 1.0; // mm: a hundred times the load at which steel yields
+  if (out.estimate.approach > largest_approach)
+    throw InputError("The load is far beyond elastic contact",
+                     fmt::format("the bodies would approach by about {:.1f} mm", out.estimate.approach),
+                     "Check load and units (N, mm).");
   return out;
 }
 

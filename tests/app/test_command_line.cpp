@@ -144,6 +144,34 @@ TEST_F(CommandLine, AnUnwritableResultIsRefused) {
   refused(r, {"r.h5", "cannot be written"});
 }
 
+TEST_F(CommandLine, AnOutputNeverReplacesAnInput) {
+  const std::string scene = write("s.toml", hertz).string();
+  refused(run("solve '" + scene + "' -o '" + scene + "'"), {"would overwrite", "s.toml"});
+  refused(run("solve '" + scene + "' --vtk '" + (folder_ / "." / "s.toml").string() + "'"),
+          {"would overwrite"});
+  const std::string both = (folder_ / "both").string();
+  refused(run("solve '" + scene + "' -o '" + both + "' --vtk '" + both + "'"), {"would overwrite", "both"});
+  EXPECT_EQ(text_of(scene), hertz);
+}
+
+TEST_F(CommandLine, WhatIsTooLargeIsRefusedAtOnce) {
+  std::string large = hertz;
+  for (const char* size : {"mx = 16", "ms = 16"})
+    large.replace(large.find(size), 7, std::string(size, 5) + "2000");
+  refused(run("solve '" + write("large.toml", large).string() + "'"), {"2000 x 2000", "is too large", "GB"});
+  std::string heavy = wheel_rail;
+  heavy.replace(heavy.find("1e4"), 3, "1e8");
+  refused(run("solve '" + write("heavy.toml", heavy).string() + "'"), {"far beyond elastic contact"});
+}
+
+TEST_F(CommandLine, ElementsTooLargeForTheContactAreWarnedOf) {
+  std::string light = hertz;
+  light.replace(light.find("1e4"), 3, "1.0");
+  const Outcome r = run("solve '" + write("light.toml", light).string() + "' --json");
+  EXPECT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.err, HasSubstr("the elements are too large for this contact"));
+}
+
 TEST_F(CommandLine, InfoRefusesWhatIsNoHdf5) {
   refused(run("info '" + write("text.h5", "not HDF5").string() + "'"), {"text.h5"});
   refused(run("info '" + (folder_ / "nowhere.h5").string() + "'"), {"nowhere.h5"});

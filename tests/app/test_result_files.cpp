@@ -104,6 +104,24 @@ TEST_F(ResultFiles, AResultHasFieldsWithUnits) {
   EXPECT_THAT(described.out, HasSubstr("halfspace/p_n"));
 }
 
+TEST_F(ResultFiles, InfluenceFunctionsOfAnotherWheelOrStripAreRefused) {
+  const std::string folder = std::string(CONFORMAL_SOURCE_DIR) + "/data/influence/";
+  const std::string files = sides(folder + "small_rail.h5", folder + "small_wheel.h5");
+  const std::string other =
+      "kind = \"wheel_rail\"\nload.force = 2e4\nmotion.frictionless = true\n[grid]\ndx = 1.0\nds = 0.5\n"
+      "[position]\nlateral = 6.5\nwheel_radius = 400\n" +
+      files;
+  refused("solve --model fem '" + write("w.toml", other).string() + "'",
+          {"do not belong to this wheel", "460 mm", "400 mm"});
+  // A flat patch where the file's surface is a gauge corner.
+  const std::string patch = "kind = \"patch\"\nload.force = 1e4\nmotion.frictionless = true\n"
+                            "rail.influence = \"" +
+                            folder + "small_rail.h5\"\nwheel.influence = \"" + folder +
+                            "small_wheel.h5\"\nstrip.rail_s0 = -32\nstrip.wheel_s0 = 35\n[grid]\ndx = 1.0\n"
+                            "ds = 0.5\nmx = 8\nms = 8\n[gap]\na = 1e-3\nb = 1e-3\n";
+  refused("solve --model fem '" + write("p.toml", patch).string() + "'", {"do not fit the patch", "rad"});
+}
+
 TEST_F(ResultFiles, AVtkFileHasEveryElement) {
   const std::string file = (folder_ / "r.vts").string();
   const Outcome r =

@@ -96,8 +96,9 @@ TEST(Scene, TheContactLiesInsideTheGrid) {
     ASSERT_TRUE(r.result.certificate.holds());
     for (int i = 0; i < grid.size(); ++i) {
       const int ix = i % grid.mx, is = i / grid.mx;
-      if (ix == 0 || ix == grid.mx - 1 || is == 0 || is == grid.ms - 1)
+      if (ix == 0 || ix == grid.mx - 1 || is == 0 || is == grid.ms - 1) {
         EXPECT_EQ(r.result.state[i], ElementState::exterior) << ix << " " << is;
+      }
     }
   }
 }
