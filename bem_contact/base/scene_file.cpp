@@ -73,10 +73,16 @@ Schema schema_of(SceneFile& f) {
   s.add("motion.frictionless", f.motion.frictionless,
         {.doc = "No friction at all: the normal problem alone"});
   s.add("motion.friction", f.motion.friction, {.doc = "Coulomb's coefficient of friction", .at_least = 0});
-  s.add("motion.xi", f.motion.xi, {.doc = "Longitudinal creepage, wheel over rail"});
+  s.add("motion.xi", f.motion.xi,
+        {.doc = "Longitudinal creepage, wheel over rail; wheel_rail: where the bodies touch first"});
   s.add("motion.eta", f.motion.eta, {.doc = "Lateral creepage"});
   s.add("motion.phi", f.motion.phi,
         {.doc = "Spin creepage; in wheel_rail that of the geometry is added", .unit = "1/mm"});
+  s.add("motion.rolling_radius", f.motion.rolling_radius,
+        {.doc = "Forward over angular speed of the wheel where xi = 0; 0: the radius where they touch first",
+         .unit = "mm",
+         .at_least = 0,
+         .kinds = wheel_rail});
   s.add("motion.slip_table", f.motion.slip_table,
         {.doc = "CSV file with columns ix, is, wx, ws (rigid slip) instead of creepages", .kinds = patch});
 

@@ -43,7 +43,9 @@ struct SceneFile {
     bool frictionless = false;
     double friction = 0.3;
     double xi = 0, eta = 0, phi = 0; ///< wheel_rail: spin from the geometry is added to phi; phi in 1/mm
-    std::string slip_table;          ///< patch: CSV file with columns ix, is, wx, ws instead of creepages
+    double rolling_radius =
+        0;                  ///< wheel_rail: forward over angular speed at xi = 0; 0: that of first touch, mm
+    std::string slip_table; ///< patch: CSV file with columns ix, is, wx, ws instead of creepages
   } motion;
 
   struct Grid {                  ///< [grid]

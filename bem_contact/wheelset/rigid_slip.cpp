@@ -8,7 +8,8 @@ void set_rigid_slip(ContactProblem& problem, const WheelOnRail& pair, Point2 ref
   problem.slip_x.resize(grid.size());
   problem.slip_s.resize(grid.size());
   const Point2 radial = normal_of(pair.wheel_pose.angle); // from the axle down through the wheel
-  const double radius = dot(reference - pair.axle(), radial);
+  const double radius =
+      creepage.rolling_radius > 0 ? creepage.rolling_radius : dot(reference - pair.axle(), radial);
   const double turning = (1 - creepage.xi) / radius; // 1 / R_roll
   const Point2 tangent = tangent_of(reference_delta);
   for (int is = 0; is < grid.ms; ++is) {

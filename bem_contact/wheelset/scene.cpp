@@ -155,6 +155,7 @@ void grow(Stage& stage, const Touched& touched) {
   stage.seconds.geometry += watch.seconds();
 }
 
+/// Without `tangential` it is a look at the normal problem, for the choice of the model.
 SceneResult solve_once(Stage& stage, bool fem, bool tangential) {
   SceneResult out;
   out.model = fem ? "fem" : "halfspace";
@@ -167,8 +168,9 @@ SceneResult solve_once(Stage& stage, bool fem, bool tangential) {
   const Stopwatch solving;
   const bool asked = problem.tangential;
   problem.tangential = asked && tangential;
-  out.result = solve(
-      problem, {.tolerance = stage.scene->solver.tolerance, .max_outer = stage.scene->solver.max_outer});
+  out.result = solve(problem, {.tolerance = stage.scene->solver.tolerance,
+                               .max_outer = stage.scene->solver.max_outer,
+                               .estimate_discretisation = tangential});
   problem.tangential = asked;
   problem.numbers = {};
   out.seconds.solve = solving.seconds();
@@ -245,7 +247,7 @@ void finish(SceneResult& out, const Stage& stage) {
     out.warnings.push_back(fmt::format(
         "the elements are too large for this contact: the estimated discretisation error is {:.0f} %",
         100 * error));
-  else if (contact > 0 && contact < few_elements && error < 0)
+  else if (contact > 0 && contact < few_elements && error < 0 && !out.result.touches_border)
     out.warnings.push_back(fmt::format(
         "the elements are too large for this contact: {} of them touch, and no error can be estimated",
         contact));

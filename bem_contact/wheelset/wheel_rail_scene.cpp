@@ -71,7 +71,7 @@ PreparedContact prepare_wheel_rail(const WheelRailScene& placed, const SceneFile
   problem.tangential = !scene.motion.frictionless && scene.motion.friction > 0;
   if (problem.tangential)
     set_rigid_slip(problem, placed.pair, placed.reference.position, placed.reference.delta,
-                   {scene.motion.xi, scene.motion.eta, scene.motion.phi});
+                   {scene.motion.xi, scene.motion.eta, scene.motion.phi, scene.motion.rolling_radius});
 
   for (const ContactRow& row : problem.rows)
     out.rail_s.push_back(row.s);

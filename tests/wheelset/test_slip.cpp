@@ -55,6 +55,15 @@ TEST(RigidSlip, AtTheReferencePointIsTheCreepage) {
   }
 }
 
+TEST(RigidSlip, AGivenRollingRadiusHoldsWhereverTheBodiesTouch) {
+  // 1 - r / R_roll: a wheel that turns as if it rolled on 460 mm slides back where its radius is larger.
+  for (const double lateral : {0.0, 6.3, 7.2}) {
+    const Rolling r = rolling(lateral, 0, {0, 0, 0, 460.0});
+    EXPECT_NEAR(slip_x(r, 10, 10), 1 - r.radius / 460, 1e-12);
+  }
+  EXPECT_LT(slip_x(rolling(7.2, 0, {0, 0, 0, 460.0}), 10, 10), -0.01);
+}
+
 TEST(RigidSlip, GeometricSpinIsSineOfInclinationOverRadius) {
   // Classical check: w_x = -phi s, w_s = phi x with phi = sin(delta) / R: negative at the gauge corner.
   const Rolling r = rolling(7.2, 0, {});
