@@ -54,11 +54,14 @@ double symmetrise(std::vector<double>& a, std::size_t n) {
 } // namespace
 
 double reference_radius_of(const BodyFile& body) {
+  if (body.body.kind == "outline")
+    return body.body.reference_radius;
   return body.body.kind == "wheel" ? wheel_reference_radius : 0.0;
 }
 
 double half_period_of(const BodyFile& body) {
-  return body.body.kind == "wheel" ? std::numbers::pi * wheel_reference_radius : body.harmonic.half_period;
+  const double radius = reference_radius_of(body);
+  return radius > 0 ? std::numbers::pi * radius : body.harmonic.half_period;
 }
 
 Timing& Timing::operator+=(const Timing& other) {

@@ -59,6 +59,8 @@ std::string body_name(const BodyFile& body) {
   };
   if (body.body.kind == "rail" || body.body.kind == "wheel")
     return body.body.kind + " " + body.body.profile;
+  if (body.body.kind == "outline")
+    return body.body.name;
   return body.body.kind + (body.body.kind == "block" ? " of half width " + millimetres(body.body.size)
                                                      : " of radius " + millimetres(body.body.radius));
 }

@@ -139,6 +139,36 @@ bool cross_or_touch(const Segment& a, const Segment& b) {
          cross(v, a.from - b.from) * cross(v, a.to - b.from) <= 0;
 }
 
+/// Whether p lies within a loop: how often the loop winds around it.
+bool within(const VertexLoop& loop, Point2 p) {
+  double turn = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Point2 a = loop[i].position - p, b = loop[(i + 1) % loop.size()].position - p;
+    turn += std::atan2(cross(a, b), dot(a, b));
+  }
+  return std::abs(turn) > std::numbers::pi;
+}
+
+double area(const VertexLoop& loop) {
+  double twice = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    twice += cross(loop[i].position, loop[(i + 1) % loop.size()].position);
+  return twice / 2;
+}
+
+/// Loops that do not cross: holes lie within the outer loop and outside each other.
+void refuse_misplaced_holes(const std::vector<VertexLoop>& loops, const std::string& name) {
+  for (std::size_t hole = 0; hole < loops.size(); ++hole)
+    for (std::size_t other = 0; other < loops.size(); ++other) {
+      const bool other_is_outer = area(loops[other]) > 0;
+      const Point2 p = loops[hole].front().position;
+      if (hole != other && area(loops[hole]) < 0 && within(loops[other], p) != other_is_outer)
+        throw InputError(fmt::format("a hole of {} lies {}", name,
+                                     other_is_outer ? "outside the body" : "in another hole"),
+                         fmt::format("near y = {:.3f}, z = {:.3f} mm", p.y, p.z), "Move or remove it.");
+    }
+}
+
 } // namespace
 
 void SizeField::add(double size, std::vector<Point2> sources) {
@@ -214,6 +244,7 @@ void refuse_crossings(const Outline& outline, const std::string& name) {
                          fmt::format("near y = {:.3f}, z = {:.3f} mm", edges[a].from.y, edges[a].from.z),
                          "Check the profile and the body's dimensions.");
     }
+  refuse_misplaced_holes(outline.loops, name);
 }
 
 } // namespace bem_contact::meshes

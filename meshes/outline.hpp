@@ -43,7 +43,7 @@ struct Outline {
 /// Throws InputError for an odd number of strip edges up to a corner.
 Outline divide(const Section& section, int strip_edges, const BodyFile::Mesh& mesh);
 
-/// Throws InputError when edges of the outline cross or touch each other.
+/// Throws InputError when edges of the outline cross or touch each other, or a hole is not within the body.
 void refuse_crossings(const Outline& outline, const std::string& name);
 
 } // namespace bem_contact::meshes

@@ -1,6 +1,7 @@
 #include "meshes/section.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/own_outline.hpp"
 #include "bem_contact/profile/rail_section.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "meshes/wheel_section.hpp"
@@ -56,15 +57,9 @@ Loop close(const Running& running, const std::vector<Piece>& rest) {
 Piece piece_of(const SectionPiece& piece, bool mirrored, Group group) {
   const double side = mirrored ? -1 : 1;
   const Point2 a{side * piece.from.y, piece.from.z}, b{side * piece.to.y, piece.to.z};
-  const auto [from, to] = mirrored ? std::pair{b, a} : std::pair{a, b};
-  if (piece.radius == 0)
-    return line(from, to, group);
-  const Point2 chord = to - from;
-  const double half = norm(chord) / 2, r = piece.radius;
-  const double towards = std::copysign(std::sqrt(std::max(0.0, r * r - half * half)), r);
-  const Point2 centre = 0.5 * (from + to) + (towards / (2 * half)) * Point2{-chord.z, chord.y};
-  const double angle = std::atan2(from.z - centre.z, from.y - centre.y);
-  return arc(centre, std::abs(r), angle, angle + std::copysign(2 * std::asin(half / std::abs(r)), r), group);
+  const CurvePiece curve =
+      arc_piece(mirrored ? b : a, mirrored ? a : b, piece.radius == 0 ? 0 : 1 / piece.radius);
+  return {[curve](double t) { return point_on(curve, t).position; }, 0, curve.length, group};
 }
 
 std::vector<Piece> below_rail_head(const std::string& name) {
@@ -92,8 +87,24 @@ void require_positive(double value, const char* key) {
                      "Give it in mm.");
 }
 
+Group group_of(const std::string& name) {
+  return name == "held" ? Group::held : Group::free;
+}
+
+std::vector<Loop> own_loops(const BodyFile::Body& body, const Running& running) {
+  std::vector<Piece> rest;
+  for (const auto& [shape, group] : own_outline(body).rest)
+    rest.push_back(piece_of(shape, false, group_of(group)));
+  std::vector<Loop> loops{close(running, rest)};
+  for (const auto& hole : body.holes)
+    loops.push_back({arc(hole.centre, hole.radius, 0, -2 * pi, group_of(hole.group))});
+  return loops;
+}
+
 std::vector<Loop> loops_of(const BodyFile::Body& body, const Running& running) {
   const double a = body.size, r = body.radius;
+  if (body.kind == "outline")
+    return own_loops(body, running);
   if (body.kind == "rail")
     return {close(running, below_rail_head(body.profile))};
   if (body.kind == "wheel")

@@ -11,11 +11,58 @@ namespace bem_contact {
 
 namespace {
 
+TableList outline_of(BodyFile::Body& body) {
+  return {[&body] { body.outline.clear(); },
+          [&body] {
+            auto& piece = body.outline.emplace_back();
+            Schema s("piece of an outline");
+            s.add("body.outline.to", piece.to,
+                  {.doc = "The piece ends here, (y, z)", .unit = "mm", .needed = true});
+            s.add("body.outline.radius", piece.radius,
+                  {.doc = "0: a line; > 0: convex, < 0: concave arc", .unit = "mm"});
+            s.add("body.outline.group", piece.group,
+                  {.doc = "What the piece is", .choices = {"contact", "held", "free"}});
+            return s;
+          },
+          "[{ to = [10, 0] }, { to = [0, 10], radius = 10, group = \"contact\" }, ...]"};
+}
+
+TableList holes_of(BodyFile::Body& body) {
+  return {[&body] { body.holes.clear(); },
+          [&body] {
+            auto& hole = body.holes.emplace_back();
+            Schema s("hole of an outline");
+            s.add("body.holes.centre", hole.centre, {.doc = "Centre (y, z)", .unit = "mm", .needed = true});
+            s.add("body.holes.radius", hole.radius,
+                  {.doc = "Radius of the hole", .unit = "mm", .above = 0, .needed = true});
+            s.add("body.holes.group", hole.group, {.doc = "What it is", .choices = {"held", "free"}});
+            return s;
+          },
+          "[{ centre = [0, 0], radius = 5, group = \"held\" }, ...]"};
+}
+
+void add_outline(Schema& s, BodyFile::Body& body) {
+  const std::vector<std::string> kinds{"outline"};
+  s.add("body.name", body.name, {.doc = "Name of the body and of its contact profile", .kinds = kinds});
+  s.add("body.reference_radius", body.reference_radius,
+        {.doc = "0: prismatic; else of revolution about an axle this far above z = 0",
+         .unit = "mm",
+         .at_least = 0,
+         .kinds = kinds});
+  s.add("body.outline", outline_of(body),
+        {.doc = "Closed loop of lines and arcs (radius > 0 convex, < 0 concave, at most half a circle), each "
+                "from the end of the one before; drawn with y to the right and z down the material is on the "
+                "right hand",
+         .unit = "mm",
+         .kinds = kinds});
+  s.add("body.holes", holes_of(body), {.doc = "Round holes", .unit = "mm", .kinds = kinds});
+}
+
 Schema schema_of(BodyFile& f) {
   Schema s("body file");
   s.kind_is("body.kind");
   s.add("body.kind", f.body.kind,
-        {.doc = "Kind of body", .choices = {"rail", "wheel", "block", "disc", "bore"}});
+        {.doc = "Kind of body", .choices = {"rail", "wheel", "block", "disc", "bore", "outline"}});
   s.add("body.profile", f.body.profile,
         {.doc = "Rail: 60E1 or 60E2; wheel: S1002 (its default) or a profile file",
          .kinds = {"rail", "wheel"}});
@@ -23,6 +70,7 @@ Schema schema_of(BodyFile& f) {
         {.doc = "Radius of the contact surface", .unit = "mm", .above = 0, .kinds = {"disc", "bore"}});
   s.add("body.size", f.body.size,
         {.doc = "Half width and depth of the block", .unit = "mm", .above = 0, .kinds = {"block", "bore"}});
+  add_outline(s, f.body);
 
   s.add("material.shear_modulus", f.material.shear_modulus, {.doc = "G", .unit = "MPa", .above = 0});
   s.add("material.poisson", f.material.poisson, {.doc = "Poisson's ratio", .at_least = 0, .below = 0.5});
@@ -42,11 +90,10 @@ Schema schema_of(BodyFile& f) {
 
   s.add("harmonic.degree", f.harmonic.degree,
         {.doc = "Degree of the finite elements", .at_least = 1, .at_most = 4});
-  s.add(
-      "harmonic.half_period", f.harmonic.half_period,
-      {.doc = "Half period of the Fourier series along x; a wheel uses pi times its radius whatever is said",
-       .unit = "mm",
-       .above = 0});
+  s.add("harmonic.half_period", f.harmonic.half_period,
+        {.doc = "Half period of the Fourier series along x; a body of revolution uses pi times its radius",
+         .unit = "mm",
+         .above = 0});
   s.add("harmonic.shortest_dx", f.harmonic.shortest_dx,
         {.doc = "Shortest element length along x that the file must serve", .unit = "mm", .above = 0});
   s.add("harmonic.samples_per_decade", f.harmonic.samples_per_decade,

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "bem_contact/base/conventions.hpp"
 #include "bem_contact/base/material.hpp"
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace bem_contact {
 
@@ -13,11 +15,28 @@ namespace bem_contact {
 struct BodyFile {
   std::filesystem::path folder; ///< not a key: where a relative profile path starts
 
+  /// A line or arc of an own outline; it begins where the piece before it ends, the first one at the end of
+  /// the last. Arcs are at most half a circle.
+  struct OutlinePiece {
+    Point2 to;                  ///< (y, z), mm
+    double radius = 0;          ///< 0: a line; > 0: convex, < 0: concave arc, mm
+    std::string group = "free"; ///< contact | held | free
+  };
+  struct Hole {
+    Point2 centre;              ///< mm
+    double radius = 1;          ///< mm
+    std::string group = "free"; ///< held | free
+  };
+
   struct Body {
-    std::string kind = "rail";    ///< rail | wheel | block | disc | bore
+    std::string kind = "rail";    ///< rail | wheel | block | disc | bore | outline
     std::string profile = "60E1"; ///< rail: 60E1, 60E2, 54E1 or a file; wheel: S1002 (its default) or a file
     double radius = 10;           ///< disc, bore: radius of the contact surface, mm
     double size = 100;            ///< block, bore: half width and depth of the block, mm
+    std::string name = "outline"; ///< outline: name of the body and of its contact profile
+    double reference_radius = 0;  ///< outline: 0: prismatic, else of revolution, r = reference_radius + z, mm
+    std::vector<OutlinePiece> outline = {}; ///< walked with the material on the side of e_n (conventions.hpp)
+    std::vector<Hole> holes = {};
   } body;
   Material material; ///< [material] shear_modulus, poisson
   struct Strip {
@@ -31,9 +50,9 @@ struct BodyFile {
     double largest = 15;          ///< mm
   } mesh;
   struct Harmonic {
-    int degree = 3;             ///< of the finite elements
-    double half_period = 600;   ///< L of the Fourier series, mm; a wheel uses pi * 460 whatever is said
-    double shortest_dx = 0.2;   ///< shortest element length along x that the file must serve: k_max = 10/dx
+    int degree = 3;           ///< of the finite elements
+    double half_period = 600; ///< L of the Fourier series, mm; a body of revolution uses pi times its radius
+    double shortest_dx = 0.2; ///< shortest element length along x that the file must serve: k_max = 10/dx
     int samples_per_decade = 7; ///< wavenumbers per decade above the lowest harmonics
     double remote_distance =
         0; ///< the remote section lies between one and two times this from the strip; 0: automatic

@@ -12,7 +12,8 @@ const std::vector<std::string> wheel_rail{"wheel_rail"}, patch{"patch"};
 
 void add_side(Schema& s, const std::string& name, const std::string& role, SceneFile::Side& side,
               const std::string& standards) {
-  s.add(name + ".profile", side.profile, {.doc = role + ": " + standards + " or a profile file"});
+  s.add(name + ".profile", side.profile,
+        {.doc = role + ": " + standards + ", a profile file or a body file (its contact surface)"});
   s.add(name + ".influence", side.influence,
         {.doc = "Influence file (HDF5); empty where only half-space numbers are used"});
   s.add(name + ".structural", side.structural,

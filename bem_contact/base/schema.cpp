@@ -51,6 +51,10 @@ struct Print {
   std::string operator()(const int* v) const { return fmt::format("{}", *v); }
   std::string operator()(const bool* v) const { return *v ? "true" : "false"; }
   std::string operator()(const std::string* v) const { return toml_text(*v); }
+  std::string operator()(const Point2* v) const {
+    return fmt::format("[{}, {}]", number_text(v->y), number_text(v->z));
+  }
+  std::string operator()(const TableList& list) const { return list.example; }
 };
 
 struct TypeName {
@@ -58,6 +62,8 @@ struct TypeName {
   std::string operator()(const int*) const { return "whole number"; }
   std::string operator()(const bool*) const { return "true or false"; }
   std::string operator()(const std::string*) const { return "text"; }
+  std::string operator()(const Point2*) const { return "two numbers"; }
+  std::string operator()(const TableList&) const { return "list of tables"; }
 };
 
 std::string type_of(const toml::node& node) {
@@ -170,6 +176,10 @@ void Schema::check(const Key& key) const {
     check_number(**number);
   if (const auto* whole = std::get_if<int*>(&key.target))
     check_number(**whole);
+  if (auto* const* point = std::get_if<Point2*>(&key.target)) {
+    check_number((*point)->y);
+    check_number((*point)->z);
+  }
   if (const auto* text = std::get_if<std::string*>(&key.target); text && !rule.choices.empty()) {
     if (std::count(rule.choices.begin(), rule.choices.end(), **text))
       return;
@@ -228,6 +238,22 @@ struct SchemaReader {
       if (!node.is_boolean())
         wrong_type();
       **flag = *node.value<bool>();
+    } else if (auto* const* point = std::get_if<Point2*>(&key.target)) {
+      const toml::array* pair = node.as_array();
+      if (!pair || pair->size() != 2 || !(*pair)[0].is_number() || !(*pair)[1].is_number())
+        wrong_type();
+      **point = {*(*pair)[0].value<double>(), *(*pair)[1].value<double>()};
+    } else if (const auto* list = std::get_if<TableList>(&key.target)) {
+      if (!node.is_array_of_tables() && !(node.is_array() && node.as_array()->empty()))
+        wrong_type();
+      list->clear();
+      for (const toml::node& element : *node.as_array()) {
+        Schema row = list->next();
+        row.source_ = schema.source_;
+        row.lines_[key.path] = static_cast<int>(element.source().begin.line);
+        SchemaReader{row}.table(*element.as_table(), key.path);
+        row.require_needed();
+      }
     } else {
       if (!node.is_string())
         wrong_type();
@@ -239,6 +265,14 @@ struct SchemaReader {
   }
 };
 
+void Schema::require_needed() const {
+  for (const Key& key : keys_)
+    if (key.rule.needed && !has(key.path))
+      throw InputError(where(key.path) + key.path + " is missing", key.rule.doc,
+                       fmt::format("Give it, for instance {} = {}.", last_part(key.path),
+                                   std::visit(Print{}, key.target)));
+}
+
 void Schema::read(std::string_view toml, std::string_view source_name) {
   source_ = source_name;
   lines_.clear();
@@ -248,6 +282,7 @@ void Schema::read(std::string_view toml, std::string_view source_name) {
     throw InputError(fmt::format("{}:{}: {}", source_name, error.source().begin.line, error.description()),
                      "the file is not valid TOML", "Correct the line.");
   }
+  require_needed();
   for (const Key& key : keys_)
     if (has(key.path) && !belongs(key)) {
       const std::string kind = *std::get<std::string*>(find(kind_path_)->target);
@@ -272,10 +307,12 @@ std::string Schema::print() const {
       facts.push_back(key.rule.unit);
     if (const std::string range = range_text(key.rule); !range.empty())
       facts.push_back(range);
-    facts.push_back("default " + std::visit(Print{}, key.target));
+    if (!std::holds_alternative<TableList>(key.target))
+      facts.push_back("default " + std::visit(Print{}, key.target));
     if (!key.rule.kinds.empty())
       facts.push_back(fmt::format("only where {} is {}", kind_path_, fmt::join(key.rule.kinds, " or ")));
-    const bool off = !belongs(key) || (key.rule.given && !*key.rule.given);
+    const bool off = !belongs(key) || (key.rule.given && !*key.rule.given) ||
+                     std::holds_alternative<TableList>(key.target);
     out += fmt::format("# {} ({})\n{}{} = {}\n", key.rule.doc, fmt::join(facts, "; "), off ? "# " : "",
                        last_part(key.path), std::visit(Print{}, key.target));
   }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "bem_contact/base/conventions.hpp"
+
+#include <functional>
 #include <limits>
 #include <map>
 #include <string>
@@ -20,6 +23,16 @@ struct KeyRule {
   std::vector<std::string> choices = {}; ///< of a text; empty: any
   std::vector<std::string> kinds = {};   ///< kinds of file the key belongs to; empty: all
   bool* given = nullptr;                 ///< set to whether the file has the key
+  bool needed = false;                   ///< the file must have it
+};
+
+class Schema;
+
+/// A key whose value is a list of tables: `next` appends an element and gives the schema bound to it.
+struct TableList {
+  std::function<void()> clear;
+  std::function<Schema()> next;
+  std::string example; ///< a list as TOML, for messages and print()
 };
 
 /// The schema of a TOML case file, bound to the members of one struct: one add() a key declares its name,
@@ -39,6 +52,13 @@ public:
   void add(std::string path, std::string& value, KeyRule rule) {
     add_key(std::move(path), &value, std::move(rule));
   }
+  void add(std::string path, Point2& value, KeyRule rule) {
+    add_key(std::move(path), &value, std::move(rule));
+  }
+  /// Keys of an element's schema have the path of the list before their names.
+  void add(std::string path, TableList list, KeyRule rule) {
+    add_key(std::move(path), std::move(list), std::move(rule));
+  }
   /// The text key that tells the kind of file (KeyRule::kinds).
   void kind_is(std::string path) { kind_path_ = std::move(path); }
 
@@ -50,12 +70,12 @@ public:
   bool has(std::string_view path) const { return lines_.contains(std::string(path)); }
   [[noreturn]] void refuse(std::string_view path, std::string_view why, std::string_view what_to_do) const;
 
-  /// Every key with its bound value, documented, as valid TOML. Keys of other kinds and keys whose `given`
-  /// is false are commented out.
+  /// Every key with its bound value, documented, as valid TOML. Keys of other kinds, keys whose `given`
+  /// is false and lists of tables (an example of them) are commented out.
   std::string print() const;
 
 private:
-  using Target = std::variant<double*, int*, bool*, std::string*>;
+  using Target = std::variant<double*, int*, bool*, std::string*, Point2*, TableList>;
   struct Key {
     std::string path;
     Target target;
@@ -65,6 +85,7 @@ private:
   const Key* find(std::string_view path) const;
   bool belongs(const Key& key) const;
   void check(const Key& key) const;
+  void require_needed() const;
   std::string where(std::string_view path) const;
   [[noreturn]] void refuse_unknown(const std::string& path, bool is_table) const;
 

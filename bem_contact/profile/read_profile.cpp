@@ -8,7 +8,30 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 namespace bem_contact {
+
+namespace {
+
+/// The contact curve of a body file; a rail is walked towards +y, a wheel towards -y.
+ProfileCurve profile_of_body(const std::filesystem::path& file, ProfileKind kind) {
+  const BodyFile body = read_body_file(file);
+  if (body.body.profile.ends_with(".toml"))
+    throw InputError(
+        fmt::format("{} names the body file {} as its profile", file.string(), body.body.profile),
+        "the profile of a body is a standard or a file of points", "Name that.");
+  ProfileCurve curve = body_profile(body);
+  const double delta = curve.at((curve.s_begin() + curve.s_end()) / 2).delta;
+  if ((std::cos(delta) > 0) != (kind == ProfileKind::rail))
+    throw InputError(fmt::format("the body in {} is {} body", file.string(),
+                                 kind == ProfileKind::rail ? "an upper" : "a lower"),
+                     fmt::format("a {} is asked for", kind == ProfileKind::rail ? "rail" : "wheel"),
+                     "Walk its contact surface the other way round, the material on the other side.");
+  return curve;
+}
+
+} // namespace
 
 ProfileCurve parse_profile(std::string_view text, std::string_view source_name, ProfileKind kind) {
   const std::string source(source_name);
@@ -44,7 +67,7 @@ ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::f
                      like.empty() ? "Check the name or the path."
                                   : fmt::format("Did you mean {}?", fmt::join(like, " or ")));
   }
-  return read_profile(file, kind);
+  return file.extension() == ".toml" ? profile_of_body(file, kind) : read_profile(file, kind);
 }
 
 } // namespace bem_contact

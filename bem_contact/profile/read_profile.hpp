@@ -23,8 +23,9 @@ enum class ProfileKind { rail, wheel };
 ProfileCurve read_profile(const std::filesystem::path& file, ProfileKind kind);
 ProfileCurve parse_profile(std::string_view text, std::string_view source_name, ProfileKind kind);
 
-/// A standard profile by its name, else a file, relative paths from `folder`. Throws InputError where a
-/// standard profile is of the other kind; and names the nearest standards where there is no such file.
+/// A standard profile by its name; of a body file (*.toml) the contact curve of the body; else a profile
+/// file. Relative paths start in `folder`. Throws InputError where a standard or a body is of the other kind
+/// (upper bodies are wheels); and names the nearest standards where there is no such file.
 ProfileCurve named_profile(std::string_view name_or_file, ProfileKind kind,
                            const std::filesystem::path& folder = {});
 

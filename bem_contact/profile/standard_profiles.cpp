@@ -1,6 +1,7 @@
 #include "bem_contact/profile/standard_profiles.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/own_outline.hpp"
 #include "bem_contact/profile/rail_section.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/s1002.hpp"
@@ -68,6 +69,8 @@ ProfileCurve standard_profile(std::string_view name) {
 
 ProfileCurve body_profile(const BodyFile& file) {
   const auto& body = file.body;
+  if (body.kind == "outline")
+    return outline_profile(body);
   if (body.kind == "rail" || body.kind == "wheel")
     return named_profile(body.profile, body.kind == "rail" ? ProfileKind::rail : ProfileKind::wheel,
                          file.folder);
@@ -80,7 +83,7 @@ ProfileCurve body_profile(const BodyFile& file) {
         fmt::format("block {}", body.size),
         {line_piece({-body.size, 0}, {0, 0}), line_piece({0, 0}, {body.size, 0})});
   throw InputError(fmt::format("unknown kind of body '{}'", body.kind),
-                   "known are rail, wheel, block, disc and bore", "Use one of these.");
+                   "known are rail, wheel, block, disc, bore and outline", "Use one of these.");
 }
 
 } // namespace bem_contact

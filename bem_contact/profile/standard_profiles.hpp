@@ -27,6 +27,7 @@ std::span<const std::string> standard_profile_names();
 ///   bore:  the lower half of a circle about the origin, walked as a lower body: s = 0 at (0, radius) where
 ///          delta = 0, curvature -1/radius; the material lies outside the circle
 ///   block: the line z = 0 from y = -size to size, material below
+///   outline: its contact pieces (own_outline.hpp)
 ProfileCurve body_profile(const BodyFile& body);
 
 } // namespace bem_contact

@@ -78,6 +78,9 @@ TEST_P(Bodies, HaveAllGroups) {
             std::lround(stations) * body.mesh.elements_per_station);
   EXPECT_GE(edges_of(mesh, Group::held).size(), 4u);
   EXPECT_GE(edges_of(mesh, Group::free).size(), 4u);
+  double held_z = 0; // of an outline: that of its one held piece
+  for (const auto& piece : body.body.outline)
+    held_z = piece.group == "held" ? piece.to.z : held_z;
   for (const auto& edge : edges_of(mesh, Group::held)) {
     const Point2 p = point(mesh, edge.vertices[0]);
     const double a = body.body.size;
@@ -89,6 +92,8 @@ TEST_P(Bodies, HaveAllGroups) {
       EXPECT_NEAR(p.z, a, 1e-9);
     else if (body.body.kind == "disc")
       EXPECT_NEAR(norm(p), 0.05 * body.body.radius, 1e-12);
+    else if (body.body.kind == "outline")
+      EXPECT_NEAR(p.z, held_z, 1e-9);
     else
       EXPECT_NEAR(std::max(std::abs(p.y), std::abs(p.z)), a, 1e-9);
   }
@@ -132,7 +137,8 @@ TEST_P(Bodies, HaveTheSectionsArea) {
 
 INSTANTIATE_TEST_SUITE_P(Data, Bodies,
                          testing::Values("rail_60E1_gauge_corner", "wheel_S1002_flange_root", "small_rail",
-                                         "small_wheel", "flat_block", "disc", "bore"),
+                                         "small_wheel", "flat_block", "disc", "bore", "convex_corner",
+                                         "concave_groove", "roller", "ring"),
                          [](const auto& test) { return std::string(test.param); });
 
 TEST(Section, AreasAreExact) {

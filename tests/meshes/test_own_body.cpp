@@ -1,0 +1,71 @@
+#include "bem_contact/base/body_file.hpp"
+#include "bem_contact/base/error.hpp"
+#include "mesh_checks.hpp"
+#include "meshes/mesh_body.hpp"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+namespace bem_contact::meshes {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr double pi = std::numbers::pi;
+
+/// A block 40 wide and 20 high, its top the contact surface, with holes.
+BodyFile block(std::vector<BodyFile::Hole> holes) {
+  BodyFile file;
+  file.body.kind = "outline";
+  file.body.name = "plate";
+  file.body.outline = {{{-20, 0}}, {{20, 0}, 0, "contact"}, {{20, 20}}, {{-20, 20}, 0, "held"}};
+  file.body.holes = std::move(holes);
+  file.strip = {-5, 5, 0.5};
+  return file;
+}
+
+std::string refusal(const BodyFile& body) {
+  try {
+    mesh_section(body);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(OwnBody, HolesAreLeftOut) {
+  const QuadMesh mesh = mesh_section(block({{{-8, 12}, 3}, {{9, 11}, 4, "held"}}));
+  EXPECT_NEAR(mesh.section_area, 800 - 25 * pi, 1e-4);
+  EXPECT_GE(quality(mesh).smallest, poor_quality);
+  int on_hole = 0;
+  for (const auto& edge : edges_of(mesh, Group::held))
+    on_hole += std::abs(norm(point(mesh, edge.vertices[0]) - Point2{9, 11}) - 4) < 1e-12;
+  EXPECT_GE(on_hole, 48); // 7.5 degrees an edge
+}
+
+TEST(OwnBody, HolesThatAreNotWithinTheBodyAreRefused) {
+  EXPECT_THAT(refusal(block({{{50, 10}, 3}})),
+              AllOf(HasSubstr("a hole of plate lies outside the body"), HasSubstr("Move or remove it.")));
+  EXPECT_THAT(refusal(block({{{0, 10}, 5}, {{0, 10}, 2}})),
+              HasSubstr("a hole of plate lies in another hole"));
+  EXPECT_THAT(refusal(block({{{0, 18}, 5}})), HasSubstr("the outline of plate crosses itself"));
+  EXPECT_THAT(refusal(block({{{0, 10}, 4}, {{3, 10}, 4}})), HasSubstr("the outline of plate crosses itself"));
+}
+
+TEST(OwnBody, ASelfCrossingOutlineIsRefused) {
+  BodyFile file = block({});
+  file.body.outline = {{{-20, 0}}, {{20, 0}, 0, "contact"}, {{20, 20}}, {{-5, -5}}, {{-20, 30}, 0, "held"}};
+  EXPECT_THAT(refusal(file), AllOf(HasSubstr("the outline of plate crosses itself"), HasSubstr("near y = ")));
+}
+
+TEST(OwnBody, AStripOffTheContactSurfaceIsRefused) {
+  BodyFile file = block({});
+  file.strip = {-25, 5, 0.5};
+  EXPECT_THAT(refusal(file),
+              AllOf(HasSubstr("is not on profile plate"), HasSubstr("from -20.000 to 20.000 mm")));
+}
+
+} // namespace
+} // namespace bem_contact::meshes
