@@ -133,8 +133,9 @@ TEST(BodyFile, wrong_types_ranges_and_values_name_line_and_key) {
             "body.toml:2: material.poisson = 0.5 (out of range) Give a value >= 0 and < 0.5.");
   EXPECT_EQ(refusal("[material]\nshear_modulus = 0"),
             "body.toml:2: material.shear_modulus = 0.0 (out of range) Give a value > 0 MPa.");
-  EXPECT_THAT(refusal("[body]\nkind = 'weel'"), AllOf(HasSubstr("(known are rail, wheel, block, disc, bore, outline)"),
-                                                      HasSubstr("Did you mean \"wheel\"?")));
+  EXPECT_THAT(refusal("[body]\nkind = 'weel'"),
+              AllOf(HasSubstr("(known are rail, wheel, block, disc, bore, outline)"),
+                    HasSubstr("Did you mean \"wheel\"?")));
 }
 
 TEST(BodyFile, what_is_not_toml_names_the_line) {
