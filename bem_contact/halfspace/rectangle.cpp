@@ -1,36 +1,16 @@
 #include "bem_contact/halfspace/rectangle.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/halfspace/kernels.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace bem_contact::halfspace {
 namespace {
-
-// The closed forms are differences of large numbers; extended precision keeps elements of a large aspect
-// ratio exact where double would lose (r^2 / (4 a b))^2 digits.
-using Real = long double;
-
-/// The five basic kernels of Boussinesq-Cerruti, point-wise or integrated.
-struct Kernels {
-  double xx_r3 = 0; ///< x^2 / r^3
-  double ss_r3 = 0; ///< s^2 / r^3
-  double xs_r3 = 0; ///< x s / r^3
-  double x_r2 = 0;  ///< x / r^2
-  double s_r2 = 0;  ///< s / r^2
-
-  Kernels& add(double weight, const Kernels& k) {
-    xx_r3 += weight * k.xx_r3;
-    ss_r3 += weight * k.ss_r3;
-    xs_r3 += weight * k.xs_r3;
-    x_r2 += weight * k.x_r2;
-    s_r2 += weight * k.s_r2;
-    return *this;
-  }
-};
 
 /// asinh(Y / |X|), 0 at X = 0: it is always multiplied by a power of X.
 Real asinh_term(Real x, Real y) {
@@ -97,15 +77,6 @@ Kernels point_kernels(double x, double y) {
   return {x * x / r3, y * y / r3, x * y / r3, x / r2, y / r2};
 }
 
-// Gauss-Legendre on [-1, 1].
-constexpr std::array<double, 6> gauss6_point = {-0.9324695142031521, -0.6612093864662645, -0.2386191860831969,
-                                                0.2386191860831969,  0.6612093864662645,  0.9324695142031521};
-constexpr std::array<double, 6> gauss6_weight = {0.1713244923791704, 0.3607615730481386, 0.4679139345726910,
-                                                 0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
-
-constexpr std::array<double, 3> gauss3_point = {-0.7745966692414834, 0, 0.7745966692414834};
-constexpr std::array<double, 3> gauss3_weight = {0.5555555555555556, 0.8888888888888888, 0.5555555555555556};
-
 /// The relative position of a load element and its equal receiver along one axis has a triangular density on
 /// (-2a, 2a): Gauss on each half, total weight 2a (length of the load, mean over the receiver).
 template <std::size_t N> struct Hat {
@@ -139,9 +110,20 @@ Kernels average_kernels(double x, double y, double a, double b) {
     return Kernels{}.add(1 / (4 * a * b), sum);
   }
   if (distance < 120)
-    return quadrature<6>(x, y, {a, gauss6_point, gauss6_weight}, {b, gauss6_point, gauss6_weight});
-  return quadrature<3>(x, y, {a, gauss3_point, gauss3_weight}, {b, gauss3_point, gauss3_weight});
+    return quadrature<6>(x, y, {a, gauss<6>.point, gauss<6>.weight}, {b, gauss<6>.point, gauss<6>.weight});
+  return quadrature<3>(x, y, {a, gauss<3>.point, gauss<3>.weight}, {b, gauss<3>.point, gauss<3>.weight});
 }
+
+/// Kernels at (|x|, |s|) with the signs put back, so that parity is exact.
+template <class Function> Kernels by_parity(double x, double s, Function&& function) {
+  Kernels k = function(std::abs(x), std::abs(s));
+  k.x_r2 = x == 0 ? 0 : std::copysign(k.x_r2, x);
+  k.s_r2 = s == 0 ? 0 : std::copysign(k.s_r2, s);
+  k.xs_r3 = x == 0 || s == 0 ? 0 : std::copysign(k.xs_r3, x) * (s < 0 ? -1 : 1);
+  return k;
+}
+
+} // namespace
 
 Matrix3 assemble(const Material& material, const Kernels& k) {
   const double nu = material.poisson;
@@ -165,17 +147,6 @@ void require_size(double value, const char* name) {
     throw InputError(std::string("the element's ") + name + " is not a positive number",
                      std::to_string(value) + " mm", "give a positive length in mm");
 }
-
-/// Kernels at (|x|, |s|) with the signs put back, so that parity is exact.
-template <class Function> Kernels by_parity(double x, double s, Function&& function) {
-  Kernels k = function(std::abs(x), std::abs(s));
-  k.x_r2 = x == 0 ? 0 : std::copysign(k.x_r2, x);
-  k.s_r2 = s == 0 ? 0 : std::copysign(k.s_r2, s);
-  k.xs_r3 = x == 0 || s == 0 ? 0 : std::copysign(k.xs_r3, x) * (s < 0 ? -1 : 1);
-  return k;
-}
-
-} // namespace
 
 Matrix3 at_point(const Material& material, double x, double s, double a, double b) {
   require_size(2 * a, "length 2a");
@@ -203,17 +174,18 @@ InfluenceNumbers numbers(const Material& material, double dx, double ds, int off
                      "ask for at least one of each");
   InfluenceNumbers result{offsets, rows, dx, ds, {}};
   result.values.resize(static_cast<std::size_t>(offsets) * 9 * rows * rows);
-  for (int m = 0; m < offsets; ++m)
-    for (int d = 0; d < rows; ++d) {
-      const Matrix3 plus = averaged(material, m * dx, d * ds, dx / 2, ds / 2);
-      const Matrix3 minus = averaged(material, m * dx, -d * ds, dx / 2, ds / 2);
+  std::vector<Matrix3> line(static_cast<std::size_t>(offsets));
+  for (int d = 0; d < rows; ++d) {
+    averaged_line(material, d * ds, dx, ds, line);
+    for (int m = 0; m < offsets; ++m)
       for (int row = 0; row + d < rows; ++row)
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j) {
-            result.at(m, row + d, i, row, j) = plus[i][j];
-            result.at(m, row, i, row + d, j) = minus[i][j];
+            const double value = line[static_cast<std::size_t>(m)][i][j];
+            result.at(m, row + d, i, row, j) = value;
+            result.at(m, row, j, row + d, i) = parity(i, j) * value;
           }
-    }
+  }
   return result;
 }
 

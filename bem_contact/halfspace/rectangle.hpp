@@ -4,6 +4,7 @@
 #include "bem_contact/influence/influence_numbers.hpp"
 
 #include <array>
+#include <span>
 
 namespace bem_contact::halfspace {
 
@@ -17,6 +18,10 @@ Matrix3 at_point(const Material& material, double x, double s, double a, double 
 /// The same averaged over a rectangle of the same size 2a x 2b whose centre is (x, s): the influence number
 /// the whole project uses, symmetric by Maxwell-Betti to the last digits.
 Matrix3 averaged(const Material& material, double x, double s, double a, double b);
+
+/// `averaged` at x = 0, dx, 2 dx, ... for elements dx by ds: element m of `line` is the number at x = m dx.
+/// Equal to it to 1e-13 and about thirty times as fast, since neighbours share corners and quadrature points.
+void averaged_line(const Material& material, double s, double dx, double ds, std::span<Matrix3> line);
 
 /// Numbers of one body on a flat strip (rows Toeplitz in s): mx + 1 offsets for steady rolling.
 InfluenceNumbers numbers(const Material& material, double dx, double ds, int offsets, int rows);

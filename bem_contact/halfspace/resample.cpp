@@ -7,7 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace bem_contact::halfspace {
 namespace {
@@ -50,10 +54,81 @@ void check_rows(const InfluenceFunction& function, std::span<const double> row_s
   require_strip(function, low - 0.49 * ds, high + 0.49 * ds);
 }
 
-/// Half-space number of two rows s apart.
-Matrix3 near_field(const Material& material, double x, double s, double dx, double ds) {
-  return dx == 0 ? averaged_plane_strain(material, s, ds, reference_distance)
-                 : averaged(material, x, s, dx / 2, ds / 2);
+using Line = std::vector<Matrix3>; ///< one matrix an offset
+
+/// Half-space numbers of two rows s apart.
+Line near_field(const Material& material, const ExpandOptions& options, double s, double ds) {
+  if (options.dx == 0)
+    return {averaged_plane_strain(material, s, ds, reference_distance)};
+  Line line(static_cast<std::size_t>(options.offsets));
+  averaged_line(material, s, options.dx, ds, line);
+  return line;
+}
+
+/// Calls use(row_i, row_j, line) for every pair with row_j <= row_i; pairs equally far apart share a line.
+template <class Use>
+void for_each_near_field(const Material& material, const ExpandOptions& options,
+                         std::span<const double> row_s, double ds, Use&& use) {
+  for (std::size_t distance = 0; distance < row_s.size(); ++distance) {
+    Line line;
+    double known = std::numeric_limits<double>::infinity();
+    for (std::size_t row_j = 0; row_j + distance < row_s.size(); ++row_j) {
+      const double s = row_s[row_j + distance] - row_s[row_j];
+      if (!(std::abs(s - known) <= 1e-12 * ds)) {
+        line = near_field(material, options, s, ds);
+        known = s;
+      }
+      use(static_cast<int>(row_j + distance), static_cast<int>(row_j), line);
+    }
+  }
+}
+
+/// Stations that are the rows themselves: their first and how many; nothing unless all are, in order.
+std::optional<std::pair<int, int>> rows_are_stations(std::span<const RowWeights> rows, double ds,
+                                                     double width) {
+  if (std::abs(ds - width) > 1e-12 * width)
+    return std::nullopt;
+  const auto station = [](const RowWeights& w) {
+    for (int a = 0; a < w.count; ++a)
+      if (w.weight[static_cast<std::size_t>(a)] == 1)
+        return w.first + a;
+    return -1;
+  };
+  const int first = station(rows.front());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (first < 0 || station(rows[i]) != first + static_cast<int>(i))
+      return std::nullopt;
+  return std::pair{first, static_cast<int>(rows.size())};
+}
+
+/// Adds `weight` interpolated from `table` (3 stations x 3 stations) to the 3 x 3 blocks J <= I of `to`
+/// (3 rows x 3 rows), and sets the blocks J > I by Maxwell-Betti.
+void interpolate_into(const double* table, int stations, std::span<const RowWeights> rows, int from,
+                      double* to) {
+  const std::size_t wide = 3 * static_cast<std::size_t>(stations), n = 3 * rows.size();
+  std::vector<double> strip(3 * wide);
+  for (std::size_t row_i = 0; row_i < rows.size(); ++row_i) {
+    const RowWeights& wi = rows[row_i];
+    std::ranges::fill(strip, 0.0);
+    for (int p = 0; p < wi.count; ++p) {
+      const double* source = table + static_cast<std::size_t>(wi.first + p - from) * 3 * wide;
+      for (std::size_t e = 0; e < strip.size(); ++e)
+        strip[e] += wi.weight[static_cast<std::size_t>(p)] * source[e];
+    }
+    for (std::size_t row_j = 0; row_j <= row_i; ++row_j) {
+      const RowWeights& wj = rows[row_j];
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) {
+          if (row_i == row_j && j > i)
+            continue; // by Maxwell-Betti, to the last bit
+          double& value = to[(3 * row_i + i) * n + 3 * row_j + j];
+          for (int q = 0; q < wj.count; ++q)
+            value += wj.weight[static_cast<std::size_t>(q)] *
+                     strip[i * wide + 3 * static_cast<std::size_t>(wj.first + q - from) + j];
+          to[(3 * row_j + j) * n + 3 * row_i + i] = parity(static_cast<int>(i), static_cast<int>(j)) * value;
+        }
+    }
+  }
 }
 
 } // namespace
@@ -62,7 +137,6 @@ InfluenceNumbers resample(const InfluenceFunction& function, const ExpandOptions
                           std::span<const double> row_s, double ds) {
   check_rows(function, row_s, ds);
   const double width = function.station_width, s0 = function.stations.front().s;
-  const auto rows = static_cast<int>(row_s.size());
 
   std::vector<RowWeights> weights;
   int from = static_cast<int>(function.station_count()), to = 0;
@@ -78,40 +152,43 @@ InfluenceNumbers resample(const InfluenceFunction& function, const ExpandOptions
   needed.first_station = from;
   needed.stations = to - from;
 
+  if (const auto range = rows_are_stations(weights, ds, width)) {
+    needed.first_station = range->first;
+    needed.stations = range->second;
+    return expand(function, needed);
+  }
+
   // Per unit of load width the difference to the near field does not depend on the width.
   InfluenceNumbers smooth = expand(function, needed);
-  const InfluenceNumbers near =
-      options.dx == 0 ? plane_strain_numbers(function.material, width, smooth.rows, reference_distance)
-                      : numbers(function.material, options.dx, width, options.offsets, smooth.rows);
-  for (std::size_t i = 0; i < smooth.values.size(); ++i)
-    smooth.values[i] = (smooth.values[i] - near.values[i]) * (ds / width);
+  std::vector<double> station_s;
+  for (int i = from; i < to; ++i)
+    station_s.push_back(i * width);
+  for_each_near_field(function.material, options, station_s, width,
+                      [&](int row_i, int row_j, const Line& line) {
+                        for (int m = 0; m < options.offsets; ++m)
+                          for (int i = 0; i < 3; ++i)
+                            for (int j = 0; j < 3; ++j) {
+                              const double near = line[static_cast<std::size_t>(m)][i][j];
+                              smooth.at(m, row_i, i, row_j, j) -= near;
+                              if (row_i != row_j)
+                                smooth.at(m, row_j, j, row_i, i) -= parity(i, j) * near;
+                            }
+                      });
+  for (double& value : smooth.values)
+    value *= ds / width;
 
-  InfluenceNumbers result{options.offsets, rows, options.dx, ds, {}};
-  result.values.resize(9 * static_cast<std::size_t>(options.offsets) * row_s.size() * row_s.size());
-  for (int m = 0; m < options.offsets; ++m)
-    for (int row_i = 0; row_i < rows; ++row_i)
-      for (int row_j = 0; row_j <= row_i; ++row_j) {
-        const auto& wi = weights[static_cast<std::size_t>(row_i)];
-        const auto& wj = weights[static_cast<std::size_t>(row_j)];
-        Matrix3 a = near_field(
-            function.material, m * options.dx,
-            row_s[static_cast<std::size_t>(row_i)] - row_s[static_cast<std::size_t>(row_j)], options.dx, ds);
-        for (int p = 0; p < wi.count; ++p)
-          for (int q = 0; q < wj.count; ++q) {
-            const double w = wi.weight[static_cast<std::size_t>(p)] * wj.weight[static_cast<std::size_t>(q)];
-            for (int i = 0; i < 3; ++i)
-              for (int j = 0; j < 3; ++j)
-                a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] +=
-                    w * smooth.at(m, wi.first + p - from, i, wj.first + q - from, j);
-          }
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j) {
-            const double value = a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-            result.at(m, row_i, i, row_j, j) = value;
-            if (row_i != row_j || j < i) // Maxwell-Betti to the last bit
-              result.at(m, row_j, j, row_i, i) = parity(i, j) * value;
-          }
-      }
+  InfluenceNumbers result{options.offsets, static_cast<int>(row_s.size()), options.dx, ds, {}};
+  const std::size_t n = 3 * row_s.size(), wide = 3 * static_cast<std::size_t>(to - from);
+  result.values.resize(static_cast<std::size_t>(options.offsets) * n * n);
+  for_each_near_field(function.material, options, row_s, ds, [&](int row_i, int row_j, const Line& line) {
+    for (int m = 0; m < options.offsets; ++m)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          result.at(m, row_i, i, row_j, j) = line[static_cast<std::size_t>(m)][i][j];
+  });
+  for (std::size_t m = 0; m < static_cast<std::size_t>(options.offsets); ++m)
+    interpolate_into(smooth.values.data() + m * wide * wide, to - from, weights, from,
+                     result.values.data() + m * n * n);
   return result;
 }
 
@@ -125,9 +202,14 @@ InfluenceNumbers combine(const InfluenceNumbers& lower, const InfluenceNumbers& 
                      "expand both for the same grid");
   InfluenceNumbers result = lower;
   const auto n = 3 * static_cast<std::size_t>(lower.rows);
-  for (std::size_t e = 0; e < result.values.size(); ++e) {
-    const bool row_is_x = (e / n) % n % 3 == component_x, column_is_x = e % n % 3 == component_x;
-    result.values[e] += (row_is_x == column_is_x ? 1 : -1) * upper.values[e];
+  for (std::size_t line = 0; line < n * static_cast<std::size_t>(lower.offsets); ++line) {
+    const std::array<double, 3> sign =
+        line % 3 == component_x ? std::array<double, 3>{1, -1, -1} : std::array<double, 3>{-1, 1, 1};
+    double* to = result.values.data() + line * n;
+    const double* add = upper.values.data() + line * n;
+    for (std::size_t column = 0; column < n; column += 3)
+      for (std::size_t j = 0; j < 3; ++j)
+        to[column + j] += sign[j] * add[column + j];
   }
   return result;
 }

@@ -6,15 +6,16 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace bem_contact {
 namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Table = Eigen::Map<const RowMajor>;
-using Strided = Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>;
 
 struct StationRange {
   Eigen::Index first = 0, count = 0;
@@ -72,89 +73,116 @@ Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
   return scaling;
 }
 
-/// The kernel of wavenumber k on the range, with the remote section's mean motion taken out if so wanted.
-RowMajor kernel_on(const InfluenceFunction& f, StationRange range, StructuralCompliance structural,
-                   Eigen::Index k) {
-  const auto n = static_cast<Eigen::Index>(3 * f.station_count());
-  const Eigen::Index from = 3 * range.first, size = 3 * range.count;
-  RowMajor g = Table(f.kernel.data() + k * n * n, n, n).block(from, from, size, size);
-  if (structural == StructuralCompliance::included)
-    return g;
-  const RowMajor remote = Table(f.remote.data() + k * 6 * n, 6, n).middleCols(from, size);
-  Eigen::Matrix<double, 6, 6> self = Table(f.remote_self.data() + k * 36, 6, 6);
-  // Displacements and rotations differ in unit: scale to a unit diagonal before the factorization.
-  const Eigen::Matrix<double, 6, 1> diagonal = self.diagonal();
-  bool definite = diagonal.minCoeff() > 0;
-  if (definite) {
-    const Eigen::Matrix<double, 6, 1> scale = diagonal.cwiseSqrt().cwiseInverse();
-    self = scale.asDiagonal() * self * scale.asDiagonal();
-    const Eigen::LLT<Eigen::Matrix<double, 6, 6>> factor(self);
-    definite = factor.info() == Eigen::Success && factor.rcond() > 1e-13;
-    if (definite) {
-      RowMajor half = scale.asDiagonal() * remote;
-      factor.matrixL().solveInPlace(half);
-      // rankUpdate fills one triangle: the result stays symmetric to the last bit.
-      RowMajor update = RowMajor::Zero(size, size);
-      update.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose());
-      g -= RowMajor(update.selfadjointView<Eigen::Lower>());
-    }
+/// What "removed" takes from the kernel at each wavenumber is factor^T factor, factor 6 x 3 stations.
+class Removed {
+public:
+  Removed(const InfluenceFunction& f, StationRange range, StructuralCompliance structural, Eigen::Index nk) {
+    if (structural == StructuralCompliance::included)
+      return;
+    for (Eigen::Index k = 0; k < nk; ++k)
+      factor_.push_back(factor_at(f, range, k));
   }
-  if (!definite)
+
+  /// Takes it from `block`: rows 3 row .. 3 row + 2 and the first columns of the range.
+  void take_from(Eigen::Ref<RowMajor> block, Eigen::Index k, Eigen::Index row) const {
+    if (factor_.empty())
+      return;
+    const RowMajor& factor = factor_[static_cast<std::size_t>(k)];
+    block.noalias() -= factor.middleCols(3 * row, 3).transpose() * factor.leftCols(block.cols());
+  }
+
+private:
+  static RowMajor factor_at(const InfluenceFunction& f, StationRange range, Eigen::Index k) {
+    const auto n = static_cast<Eigen::Index>(3 * f.station_count());
+    Eigen::Matrix<double, 6, 6> self = Table(f.remote_self.data() + k * 36, 6, 6);
+    // Displacements and rotations differ in unit: scale to a unit diagonal before the factorization.
+    const Eigen::Matrix<double, 6, 1> diagonal = self.diagonal();
+    if (diagonal.minCoeff() > 0) {
+      const Eigen::Matrix<double, 6, 1> scale = diagonal.cwiseSqrt().cwiseInverse();
+      self = scale.asDiagonal() * self * scale.asDiagonal();
+      const Eigen::LLT<Eigen::Matrix<double, 6, 6>> cholesky(self);
+      if (cholesky.info() == Eigen::Success && cholesky.rcond() > 1e-13) {
+        RowMajor factor =
+            scale.asDiagonal() *
+            Table(f.remote.data() + k * 6 * n, 6, n).middleCols(3 * range.first, 3 * range.count);
+        cholesky.matrixL().solveInPlace(factor);
+        return factor;
+      }
+    }
     throw InputError("the structural compliance of '" + f.body + "' cannot be removed",
                      "the remote section's own compliance is not positive definite at wavenumber " +
                          std::to_string(f.wavenumber[static_cast<std::size_t>(k)]) + " 1/mm",
                      "use structural compliance 'included', or compute the file again");
-  return g;
-}
+  }
+
+  std::vector<RowMajor> factor_;
+};
+
+/// Components (i, j) even and odd in x; the sign is that of the sine series (influence_function.hpp): load
+/// p_j cos kx gives u_x = +g_xj sin kx, load p_x cos kx gives u_i = -g_ix sin kx.
+struct Entry {
+  int i, j;
+  double sign;
+};
+constexpr std::array<Entry, 5> even_entries = {{{0, 0, 1}, {1, 1, 1}, {1, 2, 1}, {2, 1, 1}, {2, 2, 1}}};
+constexpr std::array<Entry, 4> odd_entries = {{{0, 1, 1}, {0, 2, 1}, {1, 0, -1}, {2, 0, -1}}};
 
 } // namespace
 
 InfluenceNumbers expand(const InfluenceFunction& f, const ExpandOptions& o) {
   const StationRange range = checked_range(f, o);
   const Scaling scaling = checked_scaling(f, o);
-  const Eigen::Index size = 3 * range.count;
+  const Eigen::Index size = 3 * range.count, from = 3 * range.first;
+  const auto all = static_cast<Eigen::Index>(3 * f.station_count());
   InfluenceNumbers result{o.offsets, static_cast<int>(range.count), o.dx, f.station_width, {}};
   result.values.assign(static_cast<std::size_t>(o.offsets * size * size), 0.0);
 
-  if (o.dx == 0) {
-    const RowMajor g = kernel_on(f, range, o.structural, 0);
-    for (int row = 0; row < size; ++row)
-      for (int column = 0; column < size; ++column)
-        if (parity(row % 3, column % 3) > 0) // odd ones vanish at k = 0
-          result.values[static_cast<std::size_t>(row * size + column)] = scaling.load * g(row, column);
-    return result;
+  const Eigen::Index nk = o.dx == 0 ? 1 : static_cast<Eigen::Index>(f.wavenumber_count());
+  const Removed removed(f, range, o.structural, nk);
+  RowMajor even = RowMajor::Ones(1, 1), odd = RowMajor::Zero(1, 1); // plane strain: odd ones vanish at k = 0
+  if (o.dx > 0) {
+    const SeriesWeights weights = series_weights(f.wavenumber, f.half_period, scaling.dx, o.offsets);
+    even = Table(weights.even.data(), o.offsets, nk);
+    odd = Table(weights.odd.data(), o.offsets, nk);
   }
+  even *= scaling.load;
+  odd *= scaling.load;
 
-  const auto nk = static_cast<Eigen::Index>(f.wavenumber_count());
-  RowMajor kernel(nk, size * size);
-  for (Eigen::Index k = 0; k < nk; ++k)
-    kernel.row(k) = kernel_on(f, range, o.structural, k).reshaped<Eigen::RowMajor>().transpose();
-
-  const SeriesWeights weights = series_weights(f.wavenumber, f.half_period, scaling.dx, o.offsets);
-  const RowMajor even = scaling.load * Table(weights.even.data(), o.offsets, nk);
-  const RowMajor odd = scaling.load * Table(weights.odd.data(), o.offsets, nk);
-  // The columns J <= I alone; the others by Maxwell-Betti, which keeps it exact.
-  for (Eigen::Index row = 0; row < size; ++row)
-    for (Eigen::Index j = 0; j < 3; ++j) {
-      const auto i = static_cast<int>(row % 3);
-      const Eigen::Index start = row * size + j, columns = row / 3 + 1;
-      const Eigen::Map<const RowMajor, 0, Strided> g(kernel.data() + start, nk, columns,
-                                                     Strided(size * size, 3));
-      Eigen::Map<RowMajor, 0, Strided> to(result.values.data() + start, o.offsets, columns,
-                                          Strided(size * size, 3));
-      if (parity(i, static_cast<int>(j)) > 0)
-        to.noalias() = even * g;
-      else if (i == component_x)
-        to.noalias() = odd * g; // load p_j cos kx: u_x = +g_xj sin kx
-      else
-        to.noalias() = -(odd * g); // load p_x cos kx: u_i = -g_ix sin kx
+  // Row by row of stations the columns J <= I alone; the others by Maxwell-Betti, which keeps it exact.
+  RowMajor block, even_kernel, odd_kernel, even_numbers, odd_numbers;
+  for (Eigen::Index row = 0; row < range.count; ++row) {
+    const Eigen::Index columns = row + 1;
+    even_kernel.resize(nk, 5 * columns);
+    odd_kernel.resize(nk, 4 * columns);
+    for (Eigen::Index k = 0; k < nk; ++k) {
+      block = Table(f.kernel.data() + k * all * all, all, all).block(from + 3 * row, from, 3, 3 * columns);
+      removed.take_from(block, k, row);
+      for (Eigen::Index column = 0; column < columns; ++column) {
+        for (std::size_t e = 0; e < 5; ++e)
+          even_kernel(k, 5 * column + static_cast<Eigen::Index>(e)) =
+              block(even_entries[e].i, 3 * column + even_entries[e].j);
+        for (std::size_t e = 0; e < 4; ++e)
+          odd_kernel(k, 4 * column + static_cast<Eigen::Index>(e)) =
+              odd_entries[e].sign * block(odd_entries[e].i, 3 * column + odd_entries[e].j);
+      }
     }
-  for (int m = 0; m < o.offsets; ++m) {
-    double* a = result.values.data() + m * size * size;
-    for (Eigen::Index row = 0; row < size; ++row)
-      for (Eigen::Index column = 0; column < row; ++column)
-        a[column * size + row] =
-            parity(static_cast<int>(row % 3), static_cast<int>(column % 3)) * a[row * size + column];
+    even_numbers.noalias() = even * even_kernel;
+    odd_numbers.noalias() = odd * odd_kernel;
+    for (Eigen::Index m = 0; m < o.offsets; ++m) {
+      double* a = result.values.data() + m * size * size;
+      const auto put = [&](const Entry& entry, Eigen::Index column, double value) {
+        if (column == row && entry.i < entry.j)
+          return;
+        a[(3 * row + entry.i) * size + 3 * column + entry.j] = value;
+        a[(3 * column + entry.j) * size + 3 * row + entry.i] = parity(entry.i, entry.j) * value;
+      };
+      for (Eigen::Index column = 0; column < columns; ++column) {
+        for (std::size_t e = 0; e < 5; ++e)
+          put(even_entries[e], column, even_numbers(m, 5 * column + static_cast<Eigen::Index>(e)));
+        for (std::size_t e = 0; e < 4; ++e)
+          put(odd_entries[e], column, odd_numbers(m, 4 * column + static_cast<Eigen::Index>(e)));
+      }
+    }
   }
   return result;
 }

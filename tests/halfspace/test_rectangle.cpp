@@ -214,8 +214,26 @@ TEST(Rectangle, TableHoldsTheElementNumbers) {
         const Matrix3 expected = averaged(steel, m * 0.5, (row_i - row_j) * 0.2, 0.25, 0.1);
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j)
-            EXPECT_EQ(table.at(m, row_i, i, row_j, j), expected[i][j]);
+            EXPECT_NEAR(table.at(m, row_i, i, row_j, j), expected[i][j],
+                        1e-14 * table.at(0, 0, component_n, 0, component_n));
       }
+}
+
+TEST(Rectangle, ALineIsItsElements) {
+  for (const auto& [dx, ds] : {std::pair{0.5, 0.2}, std::pair{0.2, 0.2}, std::pair{0.2, 0.55}})
+    for (const double s : {0.0, 0.3 * ds, -ds, 2.6 * ds, -7 * ds, 31 * ds, 90 * ds}) {
+      std::vector<Matrix3> line(130);
+      halfspace::averaged_line(steel, s, dx, ds, line);
+      const double self = averaged(steel, 0, 0, dx / 2, ds / 2)[component_n][component_n];
+      for (int m = 0; m < 130; ++m) {
+        const Matrix3 expected = averaged(steel, m * dx, s, dx / 2, ds / 2);
+        const double local = expected[component_n][component_n];
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            EXPECT_NEAR(line[static_cast<std::size_t>(m)][i][j], expected[i][j], 1e-13 * local + 1e-15 * self)
+                << dx << ' ' << ds << ' ' << s << ' ' << m << i << j;
+      }
+    }
 }
 
 TEST(Rectangle, ElementsThatAreNoneAreRefused) {
