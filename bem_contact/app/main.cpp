@@ -1,3 +1,4 @@
+#include "bem_contact/app/influence_command.hpp"
 #include "bem_contact/app/info.hpp"
 #include "bem_contact/app/report.hpp"
 #include "bem_contact/app/result_file.hpp"
@@ -90,6 +91,32 @@ ExitCode run_check(const Arguments& arguments) {
   return success;
 }
 
+CLI::App* add_expand(CLI::App& influence, app::ExpandRequest& r) {
+  CLI::App* expand =
+      influence.add_subcommand("expand", "Write the numbers of one body, or of rail and wheel, for a grid");
+  expand->add_option("files", r.files, "Influence file of a body, or those of the rail and the wheel")
+      ->required()
+      ->expected(1, 2);
+  expand->add_option("--dx", r.dx, "Length of an element along x, mm")->required();
+  expand->add_option("--ds", r.ds, "Width of an element along s, mm")->required();
+  expand->add_option("--mx", r.mx, "Offsets along x: 0 .. MX-1 elements")->required();
+  expand->add_option("--my", r.my, "Rows along s")->required();
+  expand->add_option("--centre", r.centre,
+                     "Arc length of the middle of the rows, mm; else the strip's middle");
+  expand->add_option("--wheel-centre", r.wheel_centre, "The same on the wheel of a pair");
+  expand->add_option("--structural-compliance", r.structural, "The body's motion as a whole")
+      ->check(CLI::IsMember({"included", "removed"}))
+      ->capture_default_str();
+  expand->add_option("--format", r.format, "Else by the output's ending: .h5 or .csv")
+      ->check(CLI::IsMember({"hdf5", "csv", "contact"}));
+  expand->add_option("--matrices", r.matrices, "Format contact: one matrix, or one for each loaded row")
+      ->check(CLI::IsMember({"each", "one"}))
+      ->capture_default_str();
+  expand->add_option("-o,--output", r.output, "File to write")->required();
+  expand->footer("`bem_contact influence --help` has examples.");
+  return expand;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -125,6 +152,12 @@ int main(int argc, char** argv) {
   CLI::App* info = cli.add_subcommand("info", "Describe an influence file or a result file");
   info->add_option("file", arguments.file, "HDF5 file")->required();
 
+  CLI::App* influence = cli.add_subcommand("influence", "Plain influence numbers from influence files");
+  influence->require_subcommand(1);
+  influence->footer(app::influence_help());
+  app::ExpandRequest request;
+  CLI::App* expand = add_expand(*influence, request);
+
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -145,6 +178,12 @@ int main(int argc, char** argv) {
       return run_check(arguments);
     if (*info) {
       fmt::print("{}", app::describe_file(arguments.file));
+      return success;
+    }
+    if (*expand) {
+      request.has_centre = expand->count("--centre") > 0;
+      request.has_wheel_centre = expand->count("--wheel-centre") > 0;
+      fmt::print("{}", app::expand_command(request));
       return success;
     }
     fmt::print(stderr, "{}", cli.help());

@@ -1,0 +1,179 @@
+#include "bem_contact/app/influence_command.hpp"
+
+#include "bem_contact/app/numbers_file.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/halfspace/resample.hpp"
+#include "bem_contact/influence/influence_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace bem_contact::app {
+
+namespace {
+
+constexpr double largest_table = 4.0; // GB
+
+struct Body {
+  InfluenceFunction function;
+  std::vector<double> row_s;
+  InfluenceNumbers numbers;
+};
+
+double middle_of(const InfluenceFunction& f) {
+  return 0.5 * (f.stations.front().s + f.stations.back().s);
+}
+
+/// Radius at the arc length s; 0 for a prismatic body.
+double radius_at(const InfluenceFunction& f, double s) {
+  if (f.invariance != Invariance::revolution)
+    return 0;
+  const double index = std::clamp((s - f.stations.front().s) / f.station_width, 0.0,
+                                  static_cast<double>(f.station_count() - 1));
+  return f.reference_radius + f.stations[static_cast<std::size_t>(std::lround(index))].position.z;
+}
+
+/// `direction`: +1 where the rows ascend with the body's own s, -1 where they run against it.
+Body expand_body(const ExpandRequest& r, const std::string& file, double direction, bool has_centre,
+                 double centre) {
+  Body body{read_influence_file(file), {}, {}};
+  const double middle = has_centre ? centre : middle_of(body.function);
+  for (int i = 0; i < r.my; ++i)
+    body.row_s.push_back(middle + direction * (i - 0.5 * (r.my - 1)) * r.ds);
+  ExpandOptions options;
+  options.dx = r.dx;
+  options.offsets = r.mx;
+  options.structural =
+      r.structural == "included" ? StructuralCompliance::included : StructuralCompliance::removed;
+  options.contact_radius = radius_at(body.function, middle);
+  body.numbers = halfspace::resample(body.function, options, body.row_s, r.ds);
+  return body;
+}
+
+void describe(PlainNumbers& out, const ExpandRequest& r, const Body& body, const std::string& file,
+              const std::string& suffix) {
+  const InfluenceFunction& f = body.function;
+  const auto add = [&](const std::string& name, std::string text) {
+    out.remarks.emplace_back(name + suffix, std::move(text));
+  };
+  add("body", f.body);
+  add("file", std::filesystem::path(file).filename().string());
+  add("material", fmt::format("G = {:.10g} MPa, nu = {:.10g}", f.material.shear_modulus, f.material.poisson));
+  add("structural_compliance", r.structural + (r.structural == "included" ? ", " + f.held : ""));
+  if (f.invariance == Invariance::revolution)
+    add("contact_radius", fmt::format("{:.10g} mm", radius_at(f, body.row_s[body.row_s.size() / 2])));
+  add("estimated_error",
+      f.estimated_error < 0 ? "not given" : fmt::format("{:.2e} of self", f.estimated_error));
+  out.rows.emplace_back("s" + suffix, body.row_s);
+}
+
+/// Refuses before anything is read what cannot be done, whatever the files hold.
+void check(const ExpandRequest& r, const std::string& format) {
+  const std::vector<std::filesystem::path> inputs(r.files.begin(), r.files.end());
+  refuse_overwriting(r.output, inputs);
+  if (!(r.dx > 0 && std::isfinite(r.dx)) || !(r.ds > 0 && std::isfinite(r.ds)) || r.mx < 1 || r.my < 1)
+    throw InputError("There are no such elements",
+                     fmt::format("dx = {:g}, ds = {:g} mm, mx = {}, my = {}", r.dx, r.ds, r.mx, r.my),
+                     "Give lengths above 0 and at least one element each way.");
+  const double gigabytes = 3 * 8e-9 * 9 * r.mx * double(r.my) * r.my;
+  if (gigabytes > largest_table)
+    throw InputError(fmt::format("A table of {} offsets and {} rows is too large", r.mx, r.my),
+                     fmt::format("it needs about {:.0f} GB, {:g} GB are allowed", gigabytes, largest_table),
+                     "Ask for fewer rows.");
+  if (format == "contact" && r.files.size() != 2)
+    throw InputError("The format 'contact' is of a pair of bodies", "one influence file was given",
+                     "Give two files, the rail's and then the wheel's.");
+  if (r.has_wheel_centre && r.files.size() != 2)
+    throw InputError("There is no wheel for --wheel-centre", "one influence file was given",
+                     "Give two files, the rail's and then the wheel's, or --centre.");
+  if (r.matrices != "each" && format != "contact")
+    throw InputError("--matrices is of the format 'contact'", fmt::format("the format is '{}'", format),
+                     "Leave it out, or give --format contact.");
+}
+
+std::string format_of(const ExpandRequest& r) {
+  if (!r.format.empty())
+    return r.format;
+  const std::string ending = std::filesystem::path(r.output).extension().string();
+  if (ending == ".csv")
+    return "csv";
+  if (ending == ".h5" || ending == ".hdf5")
+    return "hdf5";
+  throw InputError(fmt::format("The format of '{}' is not known", r.output),
+                   "its name ends neither in .h5 nor in .csv", "Give --format hdf5, csv or contact.");
+}
+
+} // namespace
+
+std::string expand_command(const ExpandRequest& r) {
+  const std::string format = format_of(r);
+  check(r, format);
+  PlainNumbers out;
+  if (r.files.size() == 1) {
+    Body body = expand_body(r, r.files[0], 1, r.has_centre, r.centre);
+    out.remarks.emplace_back("frame", "the body's own: x along it, s its profile's arc length, n into it; "
+                                      "traction and displacement are the body's own");
+    describe(out, r, body, r.files[0], "");
+    out.numbers = std::move(body.numbers);
+  } else {
+    // The wheel's own s runs against the rail's: its rows are those that lie opposite.
+    Body rail = expand_body(r, r.files[0], 1, r.has_centre, r.centre);
+    Body wheel = expand_body(r, r.files[1], -1, r.has_wheel_centre, r.wheel_centre);
+    out.remarks.emplace_back("frame",
+                             "contact: x rolling direction, s the rail's arc length, n into the rail; "
+                             "traction on the rail, displacement of the rail less that of the wheel");
+    describe(out, r, rail, r.files[0], "_rail");
+    describe(out, r, wheel, r.files[1], "_wheel");
+    out.numbers = halfspace::combine(rail.numbers, wheel.numbers);
+    out.shear_modulus =
+        2 / (1 / rail.function.material.shear_modulus + 1 / wheel.function.material.shear_modulus);
+  }
+  if (format == "hdf5")
+    write_numbers_h5(r.output, out);
+  else if (format == "csv")
+    write_numbers_csv(r.output, out);
+  else
+    write_numbers_contact(r.output, out, r.matrices == "one" ? Matrices::one : Matrices::each);
+  const int middle = out.numbers.rows / 2;
+  return fmt::format(
+      "{}: {} offsets x {} rows, elements of {:g} x {:g} mm; A_nn of the middle element {:.6e} "
+      "mm/MPa; along the strip the numbers differ by up to {:.2g} % of it\n",
+      r.output, out.numbers.offsets, out.numbers.rows, r.dx, r.ds,
+      out.numbers.at(0, middle, component_n, middle, component_n),
+      100 * variation_along_the_strip(out.numbers));
+}
+
+std::string influence_help() {
+  return R"(An influence file holds a function: it serves elements of any length and any patch on its strip.
+`expand` turns it into plain numbers: how far element (m, I) moves under 1 MPa on element (0, J).
+m counts elements along x, I and J rows along the profile.
+
+1 Look at the file first; --dx may not be shorter than it says, and the rows must lie on its strip:
+    bem_contact info rail.h5
+
+2 One body, 20 offsets of 0.5 mm and 30 rows of 0.4 mm about the arc length s = -32 mm:
+    bem_contact influence expand rail.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 --centre -32 -o numbers.h5
+    bem_contact influence expand rail.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 --centre -32 -o numbers.csv
+  The HDF5 file has one dataset [m][I][i][J][j] with i, j = 0 x, 1 s, 2 n (n into the body); negative m
+  follow by symmetry: times -1 where exactly one of i and j is x. Without --centre: middle of the strip.
+
+3 A pair, rail first. Opposite each other lie --centre on the rail and --wheel-centre on the wheel, and from
+  there the wheel's arc length runs backwards. `bem_contact check SCENE.toml` names both for a touch point.
+    bem_contact influence expand rail.h5 wheel.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 \
+        --centre -32 --wheel-centre 35 -o pair.h5
+  These are numbers of the contact: traction on the rail, displacement of the rail less that of the wheel.
+
+4 For the program CONTACT (numerical influence coefficients, C3 = 9): one matrix for each loaded row, or one
+  for all where the curvature is constant:
+    bem_contact influence expand rail.h5 wheel.h5 ... --format contact --matrices each -o pair.txt
+  In its case use the same dx, dy and my, an mx not larger, and both bodies' G; the rail is its upper body,
+  z points into the rail. Our numbers are means over the displaced element, its own are those at the centre.
+
+Structural compliance `removed` (default) holds the section about the contact at rest in the mean;
+`included` lets the body bend as a whole. Every layout, unit and sign: data/INFLUENCE_FORMAT.md.)";
+}
+
+} // namespace bem_contact::app
