@@ -1,4 +1,5 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/rolling_step.hpp"
 #include "bem_contact/contact/solve.hpp"
 
 #include <algorithm>
@@ -9,11 +10,12 @@
 namespace bem_contact {
 namespace {
 
-/// u_i = (A p)_i in columns 0 .. mx (one ahead of the grid), by direct summation over the numbers.
+/// u_i = (A p)_i in columns 0 .. mx + 1 (two ahead of the grid, for rolling), by direct summation over the
+/// numbers.
 std::array<std::vector<double>, 3> displacements(const ContactProblem& problem, const ContactResult& result) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   const InfluenceNumbers& a = problem.numbers;
-  const int columns = mx + (a.offsets > mx ? 1 : 0);
+  const int columns = std::min(mx + rolling_columns, a.offsets);
   const std::array<const std::vector<double>*, 3> p{&result.px, &result.ps, &result.pn};
   std::array<std::vector<double>, 3> u;
   u.fill(std::vector<double>(static_cast<std::size_t>(columns) * ms, 0.0));
@@ -109,8 +111,11 @@ void check_friction(const ContactProblem& problem, const ContactResult& result,
         continue;
       const std::size_t at = static_cast<std::size_t>(is) * columns + ix;
       const double rigid_x = problem.slip_x[i] * dx, rigid_s = problem.slip_s[i] * dx;
-      const double elastic_x = u[component_x][at + 1] - u[component_x][at];
-      const double elastic_s = u[component_s][at + 1] - u[component_s][at];
+      double elastic_x = 0, elastic_s = 0; // u_wheel - u_rail = -A p
+      for (int k = 0; k <= rolling_columns; ++k) {
+        elastic_x -= rolling_step[k] * u[component_x][at + k];
+        elastic_s -= rolling_step[k] * u[component_s][at + k];
+      }
       slips.push_back({rigid_x + elastic_x, rigid_s + elastic_s, mu * result.pn[i], i});
       scale = std::max({scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s)});
     }

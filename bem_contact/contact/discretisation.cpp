@@ -1,5 +1,7 @@
 #include "bem_contact/contact/discretisation.hpp"
 
+#include "bem_contact/contact/rolling_step.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -22,7 +24,7 @@ Joined join(int fine_count, int lowest, int highest) {
 
 InfluenceNumbers coarsen(const InfluenceNumbers& fine, const Joined& x, const Joined& s, bool only_normal) {
   InfluenceNumbers coarse;
-  coarse.offsets = only_normal ? x.count : x.count + 1;
+  coarse.offsets = only_normal ? x.count : x.count + rolling_columns;
   coarse.rows = s.count;
   coarse.dx = x.factor * fine.dx;
   coarse.ds = s.factor * fine.ds;
@@ -31,8 +33,9 @@ InfluenceNumbers coarsen(const InfluenceNumbers& fine, const Joined& x, const Jo
   const auto along_x = [&](int m, int row_i, int i, int row_j, int j) {
     const auto number = [&](int offset) {
       const int m_fine = std::abs(offset), known = fine.offsets - 1;
-      const double last = fine.at(std::min(m_fine, known), row_i, i, row_j, j);
-      const double value = m_fine <= known ? last : 2 * last - fine.at(known - 1, row_i, i, row_j, j);
+      double value = fine.at(std::min(m_fine, known), row_i, i, row_j, j);
+      if (m_fine > known)
+        value += (m_fine - known) * (value - fine.at(known - 1, row_i, i, row_j, j));
       return (offset < 0 ? parity(i, j) : 1) * value;
     };
     return x.factor == 1 ? number(m) : number(2 * m - 1) + 2 * number(2 * m) + number(2 * m + 1);
@@ -187,12 +190,10 @@ std::optional<Discretisation> compare(const ContactProblem& problem, const Conta
   const Parts fine = sum_up(problem, result, x_at / fn, s_at / fn);
   const Parts rough = sum_up(coarse_problem, coarse, x_at / fn, s_at / fn);
 
-  // What is added to a result of error C h^k to remove it: (fine - coarse) / (2^k - 1). The order is that of
-  // the step u(x) - u(x + dx), which looks ahead by half an element; slip everywhere included.
+  // what is added to a result of error C h^2 to remove it
   constexpr double second_order = 1.0 / 3.0;
-  constexpr double shear_order = 1.0;
   const auto normal = [&](double Sums::*q) { return second_order * (fine.normal.*q - rough.normal.*q); };
-  const auto shear = [&](double Sums::*q) { return shear_order * (fine.shear.*q - rough.shear.*q); };
+  const auto shear = [&](double Sums::*q) { return second_order * (fine.shear.*q - rough.shear.*q); };
   Discretisation out;
   out.contact = static_cast<int>(contact);
   out.coarse = totals(coarse);
@@ -208,9 +209,10 @@ std::optional<Discretisation> compare(const ContactProblem& problem, const Conta
     out.extrapolated.Fz += normal(&Sums::fz) + shear(&Sums::fz);
   out.normal = std::hypot(normal(&Sums::fy), normal(&Sums::fz)) / fine.pressure;
   if (problem.has_friction()) {
-    out.tangential = std::hypot(shear(&Sums::fx), shear(&Sums::fs)) / (problem.friction * fine.pressure);
+    out.tangential = std::hypot(fine.shear.fx - rough.shear.fx, fine.shear.fs - rough.shear.fs) /
+                     (problem.friction * fine.pressure);
     if (fine.friction_moment > 0)
-      out.moment = std::abs(shear(&Sums::moment)) / fine.friction_moment;
+      out.moment = std::abs(fine.shear.moment - rough.shear.moment) / fine.friction_moment;
   }
   return out;
 }

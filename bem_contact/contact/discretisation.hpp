@@ -11,10 +11,10 @@ namespace bem_contact::contact {
 /// over elements. Undeformed distance, rigid slip and rows are taken at the new centres (cubic
 /// interpolation).
 ///
-/// An odd column or row is left out at the end that is farther from the contact. The last offset of an even
-/// grid, 1 beyond those known, is extrapolated linearly: only the first column acts over it, and only on the
-/// last. Nothing is returned where the contact touches the border of the grid, where it is empty, or where
-/// the grid is one element.
+/// An odd column or row is left out at the end that is farther from the contact. Offsets
+/// beyond those known are extrapolated linearly: only the first columns act over them, ahead of the grid.
+/// Nothing is returned where the contact touches the border of the grid, where it is empty, or where the grid
+/// is one element.
 std::optional<ContactProblem> coarse_companion(const ContactProblem& problem, const ContactResult& result);
 
 /// Compares a result with that of its coarse companion. Nothing where the companion did not converge

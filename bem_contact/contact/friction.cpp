@@ -1,5 +1,7 @@
 #include "bem_contact/contact/friction.hpp"
 
+#include "bem_contact/contact/rolling_step.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +21,8 @@ StepNumbers::StepNumbers(const InfluenceNumbers& numbers, int mx)
             return (m < 0 ? parity(c, d) : 1) * numbers.at(std::abs(m), row_i, c, row_j, d);
           };
           for (int m = mx - 1; m > -mx; --m)
-            values_[position++] = a(m) - a(m + 1);
+            values_[position++] =
+                rolling_step[0] * a(m) + rolling_step[1] * a(m + 1) + rolling_step[2] * a(m + 2);
         }
 }
 
@@ -32,14 +35,16 @@ TangentialSystem::TangentialSystem(const ContactProblem& the_problem)
   for (int is = 0; is < ms; ++is) {
     double mean = 0;
     for (const int c : {component_x, component_s})
-      mean += 0.5 * (a.at(0, is, c, is, c) - a.at(1, is, c, is, c));
+      for (int k = 0; k <= rolling_columns; ++k)
+        mean += 0.5 * rolling_step[k] * a.at(k, is, c, is, c);
     stiffness.segment(is * mx, mx).setConstant(1 / mean);
   }
 }
 
-VectorXd TangentialSystem::displacement(const VectorXd& p) const {
+VectorXd TangentialSystem::displacement(const VectorXd& p, int columns) const {
   VectorXd u(p.size());
-  tt.apply({p.data(), static_cast<std::size_t>(p.size())}, {u.data(), static_cast<std::size_t>(u.size())});
+  tt.apply({p.data(), static_cast<std::size_t>(p.size())}, {u.data(), static_cast<std::size_t>(u.size())},
+           columns);
   return u;
 }
 

@@ -11,8 +11,9 @@
 
 namespace bem_contact::contact {
 
-/// The numbers B = A(x_I - x_J) - A(x_I + dx - x_J) of steady rolling, tangential components, unrolled for
-/// dot products along x: for rows I, J and components c, d the 2 mx - 1 values of offset mx-1 .. -(mx-1).
+/// The numbers B = sum_k rolling_step[k] A(x_I + k dx - x_J) of steady rolling, tangential components,
+/// unrolled for dot products along x: for rows I, J and components c, d the 2 mx - 1 values of offset mx-1 ..
+/// -(mx-1).
 class StepNumbers {
 public:
   StepNumbers(const InfluenceNumbers& numbers, int mx);
@@ -34,9 +35,10 @@ public:
   TangentialSystem(const ContactProblem& problem);
 
   int size() const { return problem->grid.size(); }
-  Eigen::VectorXd displacement(const Eigen::VectorXd& p) const; ///< A_tt p, mm
-  Eigen::VectorXd step(const Eigen::VectorXd& p) const;         ///< B_tt p, mm
-  const StepNumbers& step_numbers() const;                      ///< made when first asked for
+  Eigen::VectorXd displacement(const Eigen::VectorXd& p,
+                               int columns = 0) const;  ///< A_tt p at x + columns dx, mm
+  Eigen::VectorXd step(const Eigen::VectorXd& p) const; ///< B_tt p, mm
+  const StepNumbers& step_numbers() const;              ///< made when first asked for
 
   const ContactProblem* problem;
   StripOperator tt;

@@ -1,6 +1,7 @@
 #include "bem_contact/contact/operator.hpp"
 
 #include "bem_contact/contact/dense.hpp"
+#include "bem_contact/contact/rolling_step.hpp"
 
 #include <Eigen/Dense>
 #include <fftw3.h>
@@ -90,7 +91,7 @@ StripOperator::StripOperator(const InfluenceNumbers& numbers, int mx, std::vecto
   Impl& o = *impl_;
   o.mx = mx;
   o.ms = numbers.rows;
-  o.length = good_length(2 * mx + 1);
+  o.length = good_length(2 * (mx + rolling_columns) + 1);
   o.frequencies = o.length / 2 + 1;
   o.outputs = std::move(outputs);
   o.inputs = std::move(inputs);
@@ -98,7 +99,7 @@ StripOperator::StripOperator(const InfluenceNumbers& numbers, int mx, std::vecto
   o.lines_out = o.ms * static_cast<int>(o.outputs.size());
 
   // The spectra of all pairs of rows at once: one product with the cosines (or sines) of the offsets.
-  const int used = std::min(numbers.offsets, mx + 1);
+  const int used = std::min(numbers.offsets, mx + rolling_columns + 1);
   // columns: frequencies
   Eigen::MatrixXd cosines(used, o.frequencies), sines(used, o.frequencies);
   for (int k = 0; k < o.frequencies; ++k)
@@ -150,7 +151,7 @@ StripOperator::~StripOperator() = default;
 StripOperator::StripOperator(StripOperator&&) noexcept = default;
 StripOperator& StripOperator::operator=(StripOperator&&) noexcept = default;
 
-/// Leaves u of columns 0 .. mx, times the transform's length, in space_out.
+/// Leaves u of columns up to mx + 1, times the transform's length, in space_out.
 void StripOperator::Impl::apply(std::span<const double> p) const {
   for (int line = 0; line < lines_in; ++line) {
     double* to = &space_in[static_cast<std::size_t>(line) * length];
@@ -185,14 +186,14 @@ void StripOperator::Impl::apply(std::span<const double> p) const {
   fftw_execute(backward.get());
 }
 
-void StripOperator::apply(std::span<const double> p, std::span<double> u) const {
+void StripOperator::apply(std::span<const double> p, std::span<double> u, int columns) const {
   const Impl& o = *impl_;
   o.apply(p);
   const double scale = 1.0 / o.length;
   for (int line = 0; line < o.lines_out; ++line)
     for (int ix = 0; ix < o.mx; ++ix)
       u[static_cast<std::size_t>(line) * o.mx + ix] =
-          scale * o.space_out[static_cast<std::size_t>(line) * o.length + ix];
+          scale * o.space_out[static_cast<std::size_t>(line) * o.length + ix + columns];
 }
 
 void StripOperator::apply_step(std::span<const double> p, std::span<double> u) const {
@@ -202,7 +203,8 @@ void StripOperator::apply_step(std::span<const double> p, std::span<double> u) c
   for (int line = 0; line < o.lines_out; ++line) {
     const double* v = &o.space_out[static_cast<std::size_t>(line) * o.length];
     for (int ix = 0; ix < o.mx; ++ix)
-      u[static_cast<std::size_t>(line) * o.mx + ix] = scale * (v[ix] - v[ix + 1]);
+      u[static_cast<std::size_t>(line) * o.mx + ix] =
+          scale * (rolling_step[0] * v[ix] + rolling_step[1] * v[ix + 1] + rolling_step[2] * v[ix + 2]);
   }
 }
 

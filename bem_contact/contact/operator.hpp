@@ -21,11 +21,11 @@ public:
   StripOperator(StripOperator&&) noexcept;
   StripOperator& operator=(StripOperator&&) noexcept;
 
-  /// u(x), inputs * ms * mx values to outputs * ms * mx values.
-  void apply(std::span<const double> p, std::span<double> u) const;
+  /// u(x + columns dx), inputs * ms * mx values to outputs * ms * mx values; needs numbers of mx + columns
+  /// offsets, columns <= 2.
+  void apply(std::span<const double> p, std::span<double> u, int columns = 0) const;
 
-  /// u(x) - u(x + dx): minus the change of the displacement difference over one step of steady rolling.
-  /// Needs numbers of mx + 1 offsets.
+  /// sum_k rolling_step[k] u(x + k dx) (rolling_step.hpp). Needs numbers of mx + 2 offsets.
   void apply_step(std::span<const double> p, std::span<double> u) const;
 
 private:

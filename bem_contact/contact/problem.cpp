@@ -47,9 +47,9 @@ void validate_numbers(const ContactProblem& problem) {
     require(agree(dx, grid.dx), "the influence numbers do not fit the grid",
             "their dx is " + std::to_string(dx) + " mm, the grid's " + std::to_string(grid.dx),
             "compute them for the elements of the grid");
-    require(offsets > grid.mx, "the influence numbers do not reach across the grid",
+    require(offsets > grid.mx + 1, "the influence numbers do not reach across the grid",
             std::to_string(offsets) + " offsets for " + std::to_string(grid.mx) + " columns",
-            "compute mx + 1 offsets");
+            "compute mx + 2 offsets");
   }
   const std::size_t n = 3 * static_cast<std::size_t>(rows);
   require(values.size() == static_cast<std::size_t>(offsets) * n * n, "the influence numbers are incomplete",

@@ -33,7 +33,7 @@ enum class LoadKind { approach, force };
 struct ContactProblem {
   ContactGrid grid;
   std::vector<ContactRow> rows; ///< ms of them
-  InfluenceNumbers numbers;     ///< of the pair, grid.mx + 1 offsets, grid.ms rows
+  InfluenceNumbers numbers;     ///< of the pair, grid.mx + 2 offsets, grid.ms rows
   std::vector<double> gap;      ///< undeformed distance along n at approach 0, mm; field
   LoadKind load = LoadKind::force;
   double approach = 0;                ///< q along z, mm (load == approach)
@@ -80,13 +80,11 @@ struct ContactTotals {
 /// none, where the companion has fewer than 40 elements in contact (7 in a single row or column), and where
 /// one of the two did not converge. Odd sizes leave out an exterior row or column.
 ///
-/// `extrapolated`: fine + (fine - coarse) / (2^k - 1) with the order k = 2 for the sums of p_n and the
-/// approach, k = 1 for the sums of p_t (both measured, see tests/contact); what is prescribed stays. On Hertz
-/// contacts the estimates are .4 to 2 times the true error. Of adhesion (Kalker's small creepages, 40
-/// elements across, c^2 = a b) the extrapolation leaves 1.7 % of C11 and C22, 2.6 % of C23, 4.6 % of C33:
-/// what whole elements cover beyond the patch, 1.2 % of its area, is not in step with their size. Where spin
-/// makes all slip the order is nearer 2 and the extrapolation goes too far (.06 % of Mz for .03 %), by less
-/// than the estimate. The fields (tractions, pmax) are not extrapolated.
+/// `extrapolated`: fine + (fine - coarse) / 3, second order; what is prescribed stays. The estimates are this
+/// third for the sums of p_n and the approach (.4 to 2 times the true error on Hertz contacts) and the whole
+/// difference for the sums of p_t: what whole elements cover beyond the patch, up to 1.2 % of its area 40
+/// elements across, is not in step with their size, and adhesion goes with the area. The fields (tractions,
+/// pmax) are not extrapolated.
 struct Discretisation {
   int contact = 0; ///< elements of the companion in contact
   ContactTotals coarse, extrapolated;

@@ -1,5 +1,7 @@
 #include "bem_contact/contact/friction.hpp"
 
+#include "bem_contact/contact/rolling_step.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -58,12 +60,16 @@ void roll_on(const TangentialSystem& system, const TangentialTask& task, const S
   }
   norm *= 1.2;
   project(task, system.size(), state.p);
+  VectorXd older = state.p;
   state.converged = false;
   state.solver = "rolling on";
   for (int k = 0; k < steps && !state.converged; ++k) {
     ++state.iterations;
-    // S = drive + (A p_old)(x + dx) - A p, and the change over a step gives the old field ahead
-    const VectorXd c = task.drive + system.displacement(state.p) - system.step(state.p);
+    // S = r0 (c - A p); the old fields are those of one and two steps ago
+    const VectorXd c = (task.drive - rolling_step[1] * system.displacement(state.p, 1) -
+                        rolling_step[2] * system.displacement(older, 2)) /
+                       rolling_step[0];
+    older = state.p;
     solve_shift(system, task, c, norm, 1e-10, state.p);
     state.slip = task.drive - system.step(state.p);
     state.violation = coulomb_violation(system, task, state.p, state.slip);

@@ -13,7 +13,7 @@ namespace bem_contact {
 ///
 /// values[m][3 I + i][3 J + j], row-major: displacement i averaged over element (m, I), mm, under 1 MPa of
 /// traction j on element (0, J). Maxwell-Betti: A_ij(m; I, J) = parity(i,j) A_ji(m; J, I).
-/// Steady rolling over mx columns needs offsets = mx + 1.
+/// Steady rolling over mx columns needs offsets = mx + 2.
 /// Plane strain (one element, infinitely long along x): offsets = 1, dx = 0 and k = 0 only.
 struct InfluenceNumbers {
   int offsets = 0;

@@ -41,7 +41,7 @@ InfluenceNumbers expand_side(const InfluenceFunction& function, const SceneFile:
   const bool plane_strain = contact.plane_strain;
   ExpandOptions options;
   options.dx = plane_strain ? 0.0 : grid.dx;
-  options.offsets = plane_strain ? 1 : grid.mx + 1;
+  options.offsets = plane_strain ? 1 : grid.mx + 2;
   options.structural =
       side.structural == "included" ? StructuralCompliance::included : StructuralCompliance::removed;
   options.contact_radius = function.invariance == Invariance::revolution ? contact.contact_radius : 0.0;
@@ -101,7 +101,7 @@ InfluenceNumbers halfspace_pair(const SceneFile& scene, const PreparedContact& c
     const double reference_distance = scene.strip.radius != 0 ? std::abs(scene.strip.radius) : 100.0;
     return contact.plane_strain
                ? halfspace::plane_strain_numbers(material, grid.ds, grid.ms, reference_distance)
-               : halfspace::numbers(material, grid.dx, grid.ds, grid.mx + 1, grid.ms);
+               : halfspace::numbers(material, grid.dx, grid.ds, grid.mx + 2, grid.ms);
   };
   // The wheel's own s runs against the rail's: with rows in the contact's order the couplings of equal bodies
   // cancel.

@@ -58,7 +58,7 @@ void require_radius(const InfluenceFunction& wheel, double wheel_radius) {
 
 /// Numbers of both bodies, of the pair, and the operator's spectra: four times one table.
 void require_memory(const ContactGrid& grid) {
-  const double gigabytes = 4 * 8e-9 * 9 * double(grid.ms) * grid.ms * (grid.mx + 1);
+  const double gigabytes = 4 * 8e-9 * 9 * double(grid.ms) * grid.ms * (grid.mx + 2);
   if (gigabytes > largest_memory)
     throw InputError(fmt::format("A grid of {} x {} elements is too large", grid.mx, grid.ms),
                      fmt::format("its influence numbers need about {:.0f} GB, {:g} GB are allowed", gigabytes,

@@ -24,8 +24,8 @@ inline InfluenceNumbers pair(InfluenceNumbers lower, const InfluenceNumbers& upp
 }
 
 inline InfluenceNumbers pair(const Material& lower, const Material& upper, const ContactGrid& grid) {
-  return pair(halfspace::numbers(lower, grid.dx, grid.ds, grid.mx + 1, grid.ms),
-              halfspace::numbers(upper, grid.dx, grid.ds, grid.mx + 1, grid.ms));
+  return pair(halfspace::numbers(lower, grid.dx, grid.ds, grid.mx + 2, grid.ms),
+              halfspace::numbers(upper, grid.dx, grid.ds, grid.mx + 2, grid.ms));
 }
 
 /// Flat rows, grid centred at the origin, gap a x^2 + b s^2, frictionless.

@@ -45,14 +45,15 @@ TEST(Rolling, Carter) {
     ASSERT_TRUE(result.converged) << result.remark;
     const double error = std::abs(result.Fx / (mu * fn * length) - (1 - adhering * adhering)) / 0.64;
     if (previous > 0) {
-      EXPECT_LT(error, 0.6 * previous) << across;
+      EXPECT_LT(error, 0.7 * previous) << across;
     }
     previous = error;
     if (across < 40)
       continue;
-    EXPECT_LT(error, 0.02);
+    EXPECT_LT(error, 0.004);
     ASSERT_TRUE(result.discretisation);
-    EXPECT_NEAR(result.discretisation->extrapolated.Fx / (mu * fn * length), 0.64, 0.5 * error * 0.64);
+    EXPECT_NEAR(result.discretisation->extrapolated.Fx / (mu * fn * length), 0.64, error * 0.64);
+    EXPECT_GT(result.discretisation->tangential, 0.7 * error * 0.64);
     EXPECT_NEAR(result.patches[0].pmax, 2 * fn / std::numbers::pi, 0.01 * result.patches[0].pmax);
     // adhesion at the leading edge, x from 2 a' - a to a
     int first = -1, last = -1;
@@ -83,15 +84,15 @@ Coefficients coefficients(const std::array<ContactTotals, 3>& rolled, double cre
           -lateral.Mz / (cc * c * creepage), spin.Mz / (cc * cc * creepage)};
 }
 
-/// First order: the step u(x) - u(x + dx) looks ahead by half an element. The forces of adhesion go with the
-/// area in contact, and whole elements cover .6 to 1.2 % more than the ellipse, not in step with h: freed of
-/// that by c^2 = area / pi, fine and coarse extrapolate to Kalker's theory.
+/// The forces of adhesion go with the area in contact, and whole elements cover .6 to 1.2 % more than the
+/// ellipse, not in step with h. Kalker's c^2 is the ellipse in contact, area / pi; with the Hertzian a b the
+/// surplus of area stays: once in C11 and C22, 1.5 times in C23, twice in C33.
 TEST_P(Kalker, CoefficientsOfSmallCreepage) {
   const KalkerCase& k = GetParam();
   const Coefficients expected{k.c11, k.c22, k.c23, k.c23, k.c33};
   const double unit = 1e-4;
   ContactProblem problem = elliptic(k.a, k.b, {1.0, k.poisson}, 40);
-  std::array<ContactTotals, 3> fine, coarse, limit;
+  std::array<ContactTotals, 3> fine, coarse;
   double area = 0, coarse_area = 0;
   for (int i = 0; i < 3; ++i) {
     scenes::set_creepage(problem, 1e6, i == 0 ? unit : 0, i == 1 ? unit : 0, i == 2 ? unit : 0);
@@ -100,27 +101,26 @@ TEST_P(Kalker, CoefficientsOfSmallCreepage) {
     ASSERT_TRUE(result.discretisation);
     fine[i] = {result.Fx, result.Fy, result.Fz, result.Mz, result.approach};
     coarse[i] = result.discretisation->coarse;
-    limit[i] = result.discretisation->extrapolated;
     area = result.patches[0].area;
     coarse_area = 4 * result.discretisation->contact * problem.element_area();
   }
   const Coefficients of_fine = coefficients(fine, unit, area / std::numbers::pi);
   const Coefficients of_coarse = coefficients(coarse, unit, coarse_area / std::numbers::pi);
   const Coefficients raw = coefficients(fine, unit, k.a * k.b);
-  const Coefficients of_limit = coefficients(limit, unit, k.a * k.b);
+  const Coefficients raw_coarse = coefficients(coarse, unit, k.a * k.b);
+  double error = 0, coarse_error = 0;
   for (std::size_t i = 0; i < 5; ++i) {
-    const double error = std::abs(of_fine[i] - expected[i]);
-    if (i < 4) {
-      EXPECT_LT(error, 0.02 * expected[i]) << i;
+    EXPECT_NEAR(of_fine[i], expected[i], 0.012 * expected[i]) << i;
+    EXPECT_NEAR(raw[i], expected[i], (i < 4 ? 0.01 : 0.037) * expected[i]) << i;
+    error += std::abs(of_fine[i] / expected[i] - 1);
+    coarse_error += std::abs(of_coarse[i] / expected[i] - 1);
+    if (i < 4) { // C33 feels the area twice: the two grids agree in it by chance
+      const double estimate = std::abs(raw[i] - raw_coarse[i]), true_error = std::abs(raw[i] - expected[i]);
+      EXPECT_GT(estimate, 0.7 * true_error) << i;
+      EXPECT_LT(estimate, 5 * true_error) << i;
     }
-    EXPECT_LT(error, 0.7 * std::abs(of_coarse[i] - expected[i])) << i;
-    EXPECT_NEAR(2 * of_fine[i] - of_coarse[i], expected[i], 0.02 * expected[i]) << i;
-    // With c^2 = a b the surplus of area stays: once in C11 and C22, 1.5 times in C23, twice in C33.
-    EXPECT_NEAR(of_limit[i], expected[i], (i < 2 ? 0.02 : i < 4 ? 0.03 : 0.05) * expected[i]) << i;
-    const double estimate = std::abs(of_limit[i] - raw[i]), true_error = std::abs(raw[i] - expected[i]);
-    EXPECT_GT(estimate, 0.25 * true_error) << i;
-    EXPECT_LT(estimate, 3 * true_error) << i;
   }
+  EXPECT_LT(error, 0.7 * coarse_error);
   EXPECT_NEAR(of_fine[2], of_fine[3], 1e-3 * of_fine[2])
       << "spin's lateral force and creepage's moment are one number";
 }
@@ -253,7 +253,7 @@ TEST(Rolling, ScalesWithLengthAndStiffness) {
 }
 
 /// In a steady state the power of the creepages is what friction dissipates; the surfaces store none of it.
-/// Discretised, p'B p is not zero but of first order (positive: artificial dissipation).
+/// Discretised, p'B p is not zero (positive: artificial dissipation), and vanishes with a power of h above 1.
 TEST(Rolling, PowerIsDissipatedBySlip) {
   double coarse = 0;
   for (const int across : {20, 40}) {
@@ -274,8 +274,8 @@ TEST(Rolling, PowerIsDissipatedBySlip) {
     if (across == 20)
       coarse = missing;
     else {
-      EXPECT_LT(missing, 0.6 * coarse);
-      EXPECT_NEAR(2 * missing - coarse, 0, 0.01);
+      EXPECT_LT(missing, 0.4 * coarse);
+      EXPECT_LT(missing, 0.004);
     }
   }
 }
