@@ -32,14 +32,6 @@ void check(herr_t status, std::string_view what) {
                      "make room, or compute the influence file again");
 }
 
-/// UTF-8 of variable length.
-Handle text_type(H5T_cset_t set = H5T_CSET_UTF8) {
-  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
-  check(H5Tset_size(type, H5T_VARIABLE), "a text type");
-  check(H5Tset_cset(type, set), "a text type");
-  return type;
-}
-
 // --- one pair of functions, write and read, for each kind of entry ---------------------------------
 
 template <class Number> hid_t file_type() {
@@ -60,12 +52,14 @@ template <class Number> void write_attribute(hid_t at, const char* name, Number 
   check(H5Awrite(attribute, memory_type<Number>(), &value), name);
 }
 
+/// Fixed length: text of variable length lies in HDF5's global heap, which has no checksum.
 void write_attribute(hid_t at, const char* name, const std::string& value) {
-  const Handle type = text_type();
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a text type");
+  check(H5Tset_size(type, value.size() + 1), "a text type");
+  check(H5Tset_cset(type, H5T_CSET_UTF8), "a text type");
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose, name);
   const Handle attribute(H5Acreate2(at, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
-  const char* text = value.c_str();
-  check(H5Awrite(attribute, type, &text), name);
+  check(H5Awrite(attribute, type, value.c_str()), name);
 }
 
 void require_scalar(hid_t attribute, H5T_class_t wanted, const char* name) {
@@ -88,7 +82,7 @@ void read_attribute(hid_t at, const char* name, std::string& value) {
   require_scalar(attribute, H5T_STRING, name);
   const Handle type(H5Aget_type(attribute), H5Tclose, name);
   if (H5Tis_variable_str(type) > 0) {
-    const Handle memory = text_type(H5Tget_cset(type));
+    const Handle memory(H5Tcopy(type), H5Tclose, name);
     char* text = nullptr;
     check(H5Aread(attribute, memory, &text), name);
     value = text ? text : "";
@@ -187,7 +181,11 @@ std::vector<double> unpacked(const std::vector<double>& lower, std::size_t n, st
 void write_contents(const std::filesystem::path& file, const InfluenceFunction& f) {
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "a property list");
   check(H5Pset_userblock(creation, seal_size), "the user block");
-  const Handle root(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, H5P_DEFAULT), H5Fclose,
+  // The oldest format whose headers carry checksums (HDF5 1.8): the library is not safe on damaged ones
+  // without.
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "the file's version");
+  const Handle root(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose,
                     "creating '" + file.string() + "'");
   write_attribute(root, "format_major", influence_format_major);
   write_attribute(root, "format_minor", influence_format_minor);
