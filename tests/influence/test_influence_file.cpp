@@ -3,8 +3,10 @@
 #include "sample_function.hpp"
 
 #include <gmock/gmock.h>
+#include <hdf5.h>
 
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <random>
 
@@ -152,20 +154,37 @@ TEST(InfluenceFile, NoFlippedByteAndNoTruncationIsAccepted) {
 TEST(InfluenceFile, RefusesSealedFilesWithOtherContents) {
   // As another program may write them: the seal holds and the contents do not fit the format.
   const TemporaryFolder folder;
-  write_influence_file(folder / "a.h5", sample_function());
-  const std::string whole = bytes_of(folder / "a.h5");
-  const auto with = [&](const std::string& from, const std::string& to) {
-    std::string bytes = whole;
-    const std::size_t at = bytes.find(from, seal_size);
-    EXPECT_NE(at, std::string::npos) << from;
-    write_bytes(folder / "b.h5", bytes.replace(at, from.size(), to));
-    seal_file(folder / "b.h5", influence_format_major, influence_format_minor);
-    return reading(folder / "b.h5");
+  const auto after = [&](const std::function<void(hid_t)>& change) {
+    write_influence_file(folder / "a.h5", sample_function());
+    const hid_t file = H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    change(file);
+    H5Fclose(file);
+    seal_file(folder / "a.h5", influence_format_major, influence_format_minor);
+    return reading(folder / "a.h5");
   };
-  EXPECT_EQ(with("60E1", "60E2"), "no error");
-  EXPECT_THAT(with("remote_self", "remote_hers"), HasSubstr("the table remote_self"));
-  EXPECT_THAT(with("poisson", "fishson"), HasSubstr("the attribute poisson"));
-  EXPECT_THAT(with("prismatic", "prosaical"), HasSubstr("invariance 'prosaical'"));
+  const auto set_text = [](const char* name, const char* text) {
+    return [=](hid_t file) { // of variable length, as h5py writes it
+      H5Adelete(file, name);
+      const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
+      H5Tset_size(type, H5T_VARIABLE);
+      const hid_t attribute = H5Acreate2(file, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+      H5Awrite(attribute, type, &text);
+      H5Aclose(attribute);
+      H5Sclose(space);
+      H5Tclose(type);
+    };
+  };
+  EXPECT_EQ(after(set_text("profile", "60E2")), "no error");
+  EXPECT_THAT(after(set_text("invariance", "prosaical")), HasSubstr("invariance 'prosaical'"));
+  EXPECT_THAT(after(set_text("poisson", "0.3")), AllOf(HasSubstr("'poisson'"), HasSubstr("right type")));
+  EXPECT_THAT(after([](hid_t file) { H5Adelete(file, "poisson"); }), HasSubstr("the attribute poisson"));
+  EXPECT_THAT(after([](hid_t file) { H5Ldelete(file, "remote_self", H5P_DEFAULT); }),
+              HasSubstr("the table remote_self"));
+  EXPECT_THAT(after([](hid_t file) {
+                H5Ldelete(file, "remote", H5P_DEFAULT);
+                H5Lcreate_hard(file, "remote_self", file, "remote", H5P_DEFAULT, H5P_DEFAULT);
+              }),
+              AllOf(HasSubstr("table 'remote'"), HasSubstr("wrong shape")));
 }
 
 TEST(InfluenceFile, RequirementsNameWhatDoesNotFit) {
