@@ -67,7 +67,7 @@ void write_numbers_h5(const std::filesystem::path& file, const PlainNumbers& pla
   H5Table table;
   table.datasets["influence_numbers"] = {
       {mx, my, 3, my, 3},
-      a.values,
+      spelled_out(a).values,
       "mm/MPa",
       "[m][I][i][J][j]: displacement i of element (m, I), averaged over it, under 1 MPa of traction j on "
       "element (0, J); i, j = 0 x, 1 s, 2 n; m < 0: times -1 where exactly one of i, j is x"};

@@ -25,13 +25,13 @@ std::span<double> view(VectorXd& v) {
 constexpr double rounding = 1e-13;
 
 bool numbers_couple(const InfluenceNumbers& a, double self) {
+  const auto rows = a.stored_rows();
   for (int m = 0; m < a.offsets; ++m)
-    for (int row_i = 0; row_i < a.rows; ++row_i)
-      for (int row_j = 0; row_j < a.rows; ++row_j)
-        for (const int c : {component_x, component_s})
-          if (std::max(std::abs(a.at(m, row_i, c, row_j, component_n)),
-                       std::abs(a.at(m, row_i, component_n, row_j, c))) > rounding * self)
-            return true;
+    for (const auto& [row_i, row_j] : rows)
+      for (const int c : {component_x, component_s})
+        if (std::max(std::abs(a.at(m, row_i, c, row_j, component_n)),
+                     std::abs(a.at(m, row_i, component_n, row_j, c))) > rounding * self)
+          return true;
   return false;
 }
 

@@ -28,7 +28,8 @@ InfluenceNumbers coarsen(const InfluenceNumbers& fine, const Joined& x, const Jo
   coarse.rows = s.count;
   coarse.dx = x.factor * fine.dx;
   coarse.ds = s.factor * fine.ds;
-  coarse.values.assign(static_cast<std::size_t>(coarse.offsets) * 9 * s.count * s.count, 0.0);
+  coarse.translational = fine.translational;
+  coarse.values.assign(coarse.expected_values(), 0.0);
   // x - x' of two pairs of elements: 2 m - 1, 2 m twice, 2 m + 1
   const auto along_x = [&](int m, int row_i, int i, int row_j, int j) {
     const auto number = [&](int offset) {
@@ -43,16 +44,15 @@ InfluenceNumbers coarsen(const InfluenceNumbers& fine, const Joined& x, const Jo
   const double weight = 1.0 / (x.factor * s.factor);
   const int from = only_normal ? component_n : component_x;
   for (int m = 0; m < coarse.offsets; ++m)
-    for (int row_i = 0; row_i < s.count; ++row_i)
-      for (int row_j = 0; row_j < s.count; ++row_j)
-        for (int i = from; i <= component_n; ++i)
-          for (int j = from; j <= component_n; ++j) {
-            double sum = 0;
-            for (int c = 0; c < s.factor; ++c)
-              for (int d = 0; d < s.factor; ++d)
-                sum += along_x(m, s.first + s.factor * row_i + c, i, s.first + s.factor * row_j + d, j);
-            coarse.at(m, row_i, i, row_j, j) = weight * sum;
-          }
+    for (const auto& [row_i, row_j] : coarse.stored_rows())
+      for (int i = from; i <= component_n; ++i)
+        for (int j = from; j <= component_n; ++j) {
+          double sum = 0;
+          for (int c = 0; c < s.factor; ++c)
+            for (int d = 0; d < s.factor; ++d)
+              sum += along_x(m, s.first + s.factor * row_i + c, i, s.first + s.factor * row_j + d, j);
+          coarse.at(m, row_i, i, row_j, j) = weight * sum;
+        }
   return coarse;
 }
 

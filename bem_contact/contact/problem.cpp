@@ -29,7 +29,7 @@ bool agree(double a, double b) {
 }
 
 void validate_numbers(const ContactProblem& problem) {
-  const auto& [offsets, rows, dx, ds, values] = problem.numbers;
+  const auto& [offsets, rows, dx, ds, values, translational] = problem.numbers;
   const ContactGrid& grid = problem.grid;
   require(rows == grid.ms, "the influence numbers do not fit the grid",
           std::to_string(rows) + " rows of numbers for " + std::to_string(grid.ms) + " rows of elements",
@@ -51,25 +51,28 @@ void validate_numbers(const ContactProblem& problem) {
             std::to_string(offsets) + " offsets for " + std::to_string(grid.mx) + " columns",
             "compute mx + 2 offsets");
   }
-  const std::size_t n = 3 * static_cast<std::size_t>(rows);
-  require(values.size() == static_cast<std::size_t>(offsets) * n * n, "the influence numbers are incomplete",
-          std::to_string(values.size()) + " values", "give offsets x (3 rows) x (3 rows) of them");
+  require(values.size() == problem.numbers.expected_values(), "the influence numbers are incomplete",
+          std::to_string(values.size()) + " values",
+          translational ? "give offsets x (2 rows - 1) x 9 of them"
+                        : "give offsets x (3 rows) x (3 rows) of them");
   require(std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }),
           "an influence number is not finite", "NaN or infinity among them",
           "recompute the influence numbers");
   // Positive definiteness itself is too dear to check; these two are what breaks it in practice.
   double largest = 0, asymmetry = 0;
-  for (std::size_t a = 0; a < n; ++a) {
-    const double self = values[a * n + a];
-    require(self > 0, "a self influence number is not positive",
-            "row " + std::to_string(a / 3) + ", component " + std::to_string(a % 3),
-            "check the sign convention: u = -A p with A positive definite");
-    largest = std::max(largest, self);
-    for (std::size_t b = 0; b < a; ++b) {
-      const int sign = parity(static_cast<int>(a % 3), static_cast<int>(b % 3));
-      asymmetry = std::max(asymmetry, std::abs(values[a * n + b] - sign * values[b * n + a]));
-    }
-  }
+  const InfluenceNumbers& numbers = problem.numbers;
+  for (const auto& [row_i, row_j] : numbers.stored_rows())
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const double value = numbers.at(0, row_i, i, row_j, j);
+        if (row_i == row_j && i == j) {
+          require(value > 0, "a self influence number is not positive",
+                  "row " + std::to_string(row_i) + ", component " + std::to_string(i),
+                  "check the sign convention: u = -A p with A positive definite");
+          largest = std::max(largest, value);
+        }
+        asymmetry = std::max(asymmetry, std::abs(value - parity(i, j) * numbers.at(0, row_j, j, row_i, i)));
+      }
   require(asymmetry <= 1e-6 * largest, "the influence numbers violate Maxwell-Betti",
           "asymmetry " + std::to_string(asymmetry / largest) + " of the largest self number",
           "use displacements averaged over the element");

@@ -172,19 +172,18 @@ InfluenceNumbers numbers(const Material& material, double dx, double ds, int off
     throw InputError("an influence table without elements was asked for",
                      std::to_string(offsets) + " offsets, " + std::to_string(rows) + " rows",
                      "ask for at least one of each");
-  InfluenceNumbers result{offsets, rows, dx, ds, {}};
-  result.values.resize(static_cast<std::size_t>(offsets) * 9 * rows * rows);
+  InfluenceNumbers result{offsets, rows, dx, ds, {}, true};
+  result.values.resize(result.expected_values());
   std::vector<Matrix3> line(static_cast<std::size_t>(offsets));
   for (int d = 0; d < rows; ++d) {
     averaged_line(material, d * ds, dx, ds, line);
     for (int m = 0; m < offsets; ++m)
-      for (int row = 0; row + d < rows; ++row)
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j) {
-            const double value = line[static_cast<std::size_t>(m)][i][j];
-            result.at(m, row + d, i, row, j) = value;
-            result.at(m, row, j, row + d, i) = parity(i, j) * value;
-          }
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const double value = line[static_cast<std::size_t>(m)][i][j];
+          result.at(m, d, i, 0, j) = value;
+          result.at(m, 0, j, d, i) = parity(i, j) * value;
+        }
   }
   return result;
 }

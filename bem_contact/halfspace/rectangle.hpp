@@ -23,7 +23,7 @@ Matrix3 averaged(const Material& material, double x, double s, double a, double 
 /// Equal to it to 1e-13 and about thirty times as fast, since neighbours share corners and quadrature points.
 void averaged_line(const Material& material, double s, double dx, double ds, std::span<Matrix3> line);
 
-/// Numbers of one body on a flat strip (rows Toeplitz in s): mx + 2 offsets for steady rolling.
+/// Numbers of one body on a flat strip (translational in s): mx + 2 offsets for steady rolling.
 InfluenceNumbers numbers(const Material& material, double dx, double ds, int offsets, int rows);
 
 /// Plane strain: strip `ds` wide, infinitely long, averaged over an equal strip whose centre is s away.

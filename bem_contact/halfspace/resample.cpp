@@ -196,21 +196,23 @@ InfluenceNumbers combine(const InfluenceNumbers& lower, const InfluenceNumbers& 
   const auto same = [](double a, double b) {
     return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
   };
-  if (lower.offsets != upper.offsets || lower.rows != upper.rows ||
-      lower.values.size() != upper.values.size() || !same(lower.dx, upper.dx) || !same(lower.ds, upper.ds))
+  if (lower.offsets != upper.offsets || lower.rows != upper.rows || !same(lower.dx, upper.dx) ||
+      !same(lower.ds, upper.ds))
     throw InputError("the influence numbers of two bodies cannot be added", "they belong to different grids",
                      "expand both for the same grid");
+  if (lower.translational != upper.translational)
+    return combine(spelled_out(lower), spelled_out(upper));
   InfluenceNumbers result = lower;
-  const auto n = 3 * static_cast<std::size_t>(lower.rows);
-  for (std::size_t line = 0; line < n * static_cast<std::size_t>(lower.offsets); ++line) {
-    const std::array<double, 3> sign =
-        line % 3 == component_x ? std::array<double, 3>{1, -1, -1} : std::array<double, 3>{-1, 1, 1};
-    double* to = result.values.data() + line * n;
-    const double* add = upper.values.data() + line * n;
-    for (std::size_t column = 0; column < n; column += 3)
-      for (std::size_t j = 0; j < 3; ++j)
-        to[column + j] += sign[j] * add[column + j];
-  }
+  for (int m = 0; m < lower.offsets; ++m)
+    for (const auto& [row_i, row_j] : lower.stored_rows())
+      for (int i = 0; i < 3; ++i) {
+        const int sign = i == component_x ? 1 : -1;
+        double* to = &result.at(m, row_i, i, row_j, 0);
+        const double* add = &upper.values[upper.index(m, row_i, i, row_j, 0)];
+        to[component_x] += sign * add[component_x];
+        to[component_s] -= sign * add[component_s];
+        to[component_n] -= sign * add[component_n];
+      }
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include "bem_contact/base/conventions.hpp"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace bem_contact {
@@ -15,19 +16,57 @@ namespace bem_contact {
 /// traction j on element (0, J). Maxwell-Betti: A_ij(m; I, J) = parity(i,j) A_ji(m; J, I).
 /// Steady rolling over mx columns needs offsets = mx + 2.
 /// Plane strain (one element, infinitely long along x): offsets = 1, dx = 0 and k = 0 only.
+///
+/// `translational`: the numbers depend on I - J alone (half-spaces, strips of constant curvature) and only
+/// these are stored: values[m][I - J + rows - 1][i][j]. Then at(m, I, i, J, j) is one entry for all pairs of
+/// rows equally far apart.
 struct InfluenceNumbers {
   int offsets = 0;
   int rows = 0;
   double dx = 0; ///< mm
   double ds = 0; ///< mm
   std::vector<double> values;
+  bool translational = false;
 
   double& at(int m, int row_i, int i, int row_j, int j) { return values[index(m, row_i, i, row_j, j)]; }
   double at(int m, int row_i, int i, int row_j, int j) const { return values[index(m, row_i, i, row_j, j)]; }
   std::size_t index(int m, int row_i, int i, int row_j, int j) const {
-    const std::size_t n = 3 * static_cast<std::size_t>(rows);
-    return (static_cast<std::size_t>(m) * n + 3 * row_i + i) * n + 3 * row_j + j;
+    const auto n = static_cast<std::size_t>(rows), offset = static_cast<std::size_t>(m);
+    if (translational)
+      return ((offset * (2 * n - 1) + (row_i - row_j + n - 1)) * 3 + i) * 3 + j;
+    return (offset * 3 * n + 3 * row_i + i) * 3 * n + 3 * row_j + j;
+  }
+  /// Values that offsets, rows and the form ask for.
+  std::size_t expected_values() const {
+    const auto n = static_cast<std::size_t>(rows);
+    return 9 * static_cast<std::size_t>(offsets) * (translational ? 2 * n - 1 : n * n);
+  }
+  /// Rows {I, J} of every block that is stored, once.
+  std::vector<std::pair<int, int>> stored_rows() const {
+    std::vector<std::pair<int, int>> pairs;
+    if (translational)
+      for (int distance = 1 - rows; distance < rows; ++distance)
+        pairs.emplace_back(distance > 0 ? distance : 0, distance > 0 ? 0 : -distance);
+    else
+      for (int row_i = 0; row_i < rows; ++row_i)
+        for (int row_j = 0; row_j < rows; ++row_j)
+          pairs.emplace_back(row_i, row_j);
+    return pairs;
   }
 };
+
+/// The same numbers with every pair of rows written out.
+inline InfluenceNumbers spelled_out(const InfluenceNumbers& numbers) {
+  if (!numbers.translational)
+    return numbers;
+  InfluenceNumbers table{numbers.offsets, numbers.rows, numbers.dx, numbers.ds, {}};
+  table.values.resize(table.expected_values());
+  for (int m = 0; m < table.offsets; ++m)
+    for (const auto& [row_i, row_j] : table.stored_rows())
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          table.at(m, row_i, i, row_j, j) = numbers.at(m, row_i, i, row_j, j);
+  return table;
+}
 
 } // namespace bem_contact

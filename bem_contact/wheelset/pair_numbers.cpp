@@ -79,11 +79,10 @@ InfluenceNumbers reversed(const InfluenceNumbers& numbers) {
   InfluenceNumbers out = numbers;
   const int last = numbers.rows - 1;
   for (int m = 0; m < numbers.offsets; ++m)
-    for (int row_i = 0; row_i <= last; ++row_i)
-      for (int row_j = 0; row_j <= last; ++row_j)
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j)
-            out.at(m, row_i, i, row_j, j) = numbers.at(m, last - row_i, i, last - row_j, j);
+    for (const auto& [row_i, row_j] : numbers.stored_rows())
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          out.at(m, row_i, i, row_j, j) = numbers.at(m, last - row_i, i, last - row_j, j);
   return out;
 }
 

@@ -15,11 +15,12 @@ inline const Material steel{82000.0, 0.28};
 /// Two half-spaces on each other. Turned by pi about x, rows reversed with it, the upper body's numbers
 /// change sign where exactly one of the components is normal.
 inline InfluenceNumbers pair(InfluenceNumbers lower, const InfluenceNumbers& upper) {
-  const int n = 3 * lower.rows;
-  for (std::size_t k = 0; k < lower.values.size(); ++k) {
-    const int i = static_cast<int>(k / n % n) % 3, j = static_cast<int>(k % n) % 3;
-    lower.values[k] += ((i == component_n) == (j == component_n) ? 1 : -1) * upper.values[k];
-  }
+  for (int m = 0; m < lower.offsets; ++m)
+    for (const auto& [row_i, row_j] : lower.stored_rows())
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          lower.at(m, row_i, i, row_j, j) +=
+              ((i == component_n) == (j == component_n) ? 1 : -1) * upper.at(m, row_i, i, row_j, j);
   return lower;
 }
 
@@ -70,8 +71,8 @@ inline void bend(ContactProblem& problem, double radius) {
 /// Artificial coupling: every number rotated between the frames of its two rows, u_i = R(d_I)' A R(d_J),
 /// the half-space's field taken to be the same in track axes. Stays symmetric and positive definite.
 inline void rotate_numbers(ContactProblem& problem) {
-  InfluenceNumbers& a = problem.numbers;
-  const InfluenceNumbers flat = a;
+  const InfluenceNumbers flat = problem.numbers;
+  InfluenceNumbers& a = problem.numbers = spelled_out(flat);
   const auto rotation = [&problem](int row) {
     const double c = std::cos(problem.rows[row].delta), s = std::sin(problem.rows[row].delta);
     return std::array<std::array<double, 3>, 3>{{{1, 0, 0}, {0, c, -s}, {0, s, c}}}; // local to track

@@ -207,15 +207,20 @@ TEST(Rectangle, ScalesWithLengthAndStiffness) {
 
 TEST(Rectangle, TableHoldsTheElementNumbers) {
   const InfluenceNumbers table = halfspace::numbers(steel, 0.5, 0.2, 3, 4);
-  ASSERT_EQ(table.values.size(), 3u * 12 * 12);
+  ASSERT_TRUE(table.translational);
+  ASSERT_EQ(table.values.size(), 3u * 7 * 9);
+  const InfluenceNumbers spelled = spelled_out(table);
+  ASSERT_EQ(spelled.values.size(), 3u * 12 * 12);
   for (int m = 0; m < 3; ++m)
     for (int row_i = 0; row_i < 4; ++row_i)
       for (int row_j = 0; row_j < 4; ++row_j) {
         const Matrix3 expected = averaged(steel, m * 0.5, (row_i - row_j) * 0.2, 0.25, 0.1);
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j)
-            EXPECT_NEAR(table.at(m, row_i, i, row_j, j), expected[i][j],
+            EXPECT_NEAR(spelled.at(m, row_i, i, row_j, j), expected[i][j],
                         1e-14 * table.at(0, 0, component_n, 0, component_n));
+        for (int k = 0; k < 9; ++k)
+          EXPECT_EQ(table.at(m, row_i, k / 3, row_j, k % 3), spelled.at(m, row_i, k / 3, row_j, k % 3));
       }
 }
 

@@ -39,7 +39,8 @@ InfluenceFunction bent_body(int stations, double width) {
   return f;
 }
 
-double largest_difference(const InfluenceNumbers& a, const InfluenceNumbers& b) {
+double largest_difference(const InfluenceNumbers& first, const InfluenceNumbers& second) {
+  const InfluenceNumbers a = spelled_out(first), b = spelled_out(second);
   EXPECT_EQ(a.values.size(), b.values.size());
   double error = 0;
   for (std::size_t i = 0; i < std::min(a.values.size(), b.values.size()); ++i)
