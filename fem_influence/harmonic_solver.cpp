@@ -32,25 +32,6 @@ void append_unknowns(SparseColumns& to, const SparseColumns& from, std::span<con
   }
 }
 
-double product(const SparseColumns& a, std::size_t column, std::span<const double> x) {
-  double sum = 0;
-  for (std::size_t e = a.column_begin[column]; e < a.column_begin[column + 1]; ++e)
-    sum += a.value[e] * x[static_cast<std::size_t>(a.row[e])];
-  return sum;
-}
-
-/// Replaces a square matrix by its symmetric part; returns the largest asymmetry over the diagonal.
-double symmetrise(std::vector<double>& a, std::size_t n) {
-  double error = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      double &x = a[i * n + j], &y = a[j * n + i];
-      error = std::max(error, std::abs(x - y) / std::sqrt(a[i * n + i] * a[j * n + j]));
-      x = y = 0.5 * (x + y);
-    }
-  return error;
-}
-
 } // namespace
 
 double reference_radius_of(const BodyFile& body) {
@@ -79,7 +60,7 @@ HarmonicSolver::HarmonicSolver(const Section& section, const BodyFile& body, con
   std::vector<int> row, column;
   {
     const Stopwatch watch(timing_.assembly);
-    loads_ = station_functionals(section, curve, body.strip, stations_);
+    const SparseColumns loads = station_functionals(section, curve, body.strip, stations_);
     const SparseColumns remote = remote_functionals(section, stations_, body.harmonic.remote_distance);
     operator_ = assemble(section, body.material, reference_radius_);
 
@@ -89,7 +70,7 @@ HarmonicSolver::HarmonicSolver(const Section& section, const BodyFile& body, con
       if (!section.held()[d / 3])
         unknown_[d] = next++;
     unknowns_ = static_cast<std::size_t>(next);
-    append_unknowns(rhs_, loads_, unknown_);
+    append_unknowns(rhs_, loads, unknown_);
     append_unknowns(rhs_, remote, unknown_);
 
     for (std::size_t a = 0; a < operator_.node_count(); ++a)
@@ -105,6 +86,7 @@ HarmonicSolver::HarmonicSolver(const Section& section, const BodyFile& body, con
           }
       }
 
+    // The support's reaction on a rigid motion m of the held part is a functional as well: (K m)^T u.
     for (auto& motion : rigid_motions(section.node_positions(), reference_radius_, 0)) {
       double largest = 0;
       for (const double u : motion)
@@ -115,12 +97,24 @@ HarmonicSolver::HarmonicSolver(const Section& section, const BodyFile& body, con
       for (std::size_t d = 0; d < held.size(); ++d)
         if (unknown_[d] < 0)
           held[d] = motion[d];
-      rigid_reaction_.push_back(operator_.apply(0.0, held));
-      rigid_.push_back(std::move(motion));
+      const std::vector<double> reaction = operator_.apply(0.0, held);
+      for (std::size_t d = 0; d < reaction.size(); ++d)
+        if (unknown_[d] >= 0 && reaction[d] != 0) {
+          rhs_.row.push_back(unknown_[d]);
+          rhs_.value.push_back(reaction[d]);
+        }
+      rhs_.column_begin.push_back(rhs_.row.size());
+      auto& work = load_work_.emplace_back();
+      for (std::size_t c = 0; c < loads.columns(); ++c) {
+        work.push_back(0);
+        for (std::size_t e = loads.column_begin[c]; e < loads.column_begin[c + 1]; ++e)
+          if (const auto d = static_cast<std::size_t>(loads.row[e]); unknown_[d] >= 0)
+            work.back() += motion[d] * loads.value[e];
+      }
     }
   }
   const Stopwatch watch(timing_.analysis);
-  solver_ = std::make_unique<MumpsSolver>(static_cast<int>(unknowns_), row, column);
+  solver_ = std::make_unique<MumpsSolver>(static_cast<int>(unknowns_), row, column, rhs_);
 }
 
 WavenumberResult HarmonicSolver::at(double k) {
@@ -133,52 +127,26 @@ WavenumberResult HarmonicSolver::at(double k) {
       value.push_back(operator_.value[0][e] + k * (operator_.value[1][e] + k * operator_.value[2][e]));
     solver_->factorize(value);
   }
+  const Stopwatch watch(timing_.sampling);
+  const std::vector<double>& all = solver_->schur();
+  const std::size_t size = rhs_.columns();
   WavenumberResult result;
-  result.kernel.assign(n * n, 0.0);
-  result.remote.assign(6 * n, 0.0);
-  result.remote_self.assign(36, 0.0);
-  double sampling = 0;
-  {
-    const Stopwatch watch(timing_.solve);
-    solver_->solve(rhs_, [&](std::size_t c, std::span<const double> x) {
-      const Stopwatch inner(sampling);
-      if (c >= n) {
-        for (std::size_t m = 0; m < 6; ++m)
-          result.remote_self[m * 6 + c - n] = width_ * product(rhs_, n + m, x);
-        return;
-      }
-      for (std::size_t a = 0; a < n; ++a)
-        result.kernel[a * n + c] = product(rhs_, a, x) / width_;
-      for (std::size_t m = 0; m < 6; ++m)
-        result.remote[m * n + c] = product(rhs_, n + m, x);
-      if (k == 0)
-        for (const double error : held_motion_reactions(c, x))
-          result.reaction_error = std::max(result.reaction_error, error);
-    });
+  result.kernel.reserve(n * n);
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = 0; b < n; ++b)
+      result.kernel.push_back(all[a * size + b] / width_);
+  for (std::size_t m = n; m < n + 6; ++m) {
+    for (std::size_t b = 0; b < n; ++b)
+      result.remote.push_back(all[m * size + b]);
+    for (std::size_t b = n; b < n + 6; ++b)
+      result.remote_self.push_back(width_ * all[m * size + b]);
   }
-  timing_.solve -= sampling;
-  timing_.sampling += sampling;
-  result.betti_error = symmetrise(result.kernel, n);
-  symmetrise(result.remote_self, 6);
+  if (k == 0)
+    for (std::size_t m = 0; m < load_work_.size(); ++m)
+      for (std::size_t b = 0; b < n; ++b)
+        result.reaction_error = std::max(result.reaction_error,
+                                         std::abs(all[(n + 6 + m) * size + b] + load_work_[m][b]) / width_);
   return result;
-}
-
-/// Virtual work over a rigid motion at k = 0: the supports' reaction K u - f on the held part and the load f
-/// must balance. Relative to the load's size.
-std::vector<double> HarmonicSolver::held_motion_reactions(std::size_t column,
-                                                          std::span<const double> solution) const {
-  std::vector<double> errors;
-  for (std::size_t m = 0; m < rigid_.size(); ++m) {
-    double balance = 0;
-    for (std::size_t d = 0; d < unknown_.size(); ++d)
-      if (unknown_[d] >= 0)
-        balance += rigid_reaction_[m][d] * solution[static_cast<std::size_t>(unknown_[d])];
-    for (std::size_t e = loads_.column_begin[column]; e < loads_.column_begin[column + 1]; ++e)
-      if (const auto d = static_cast<std::size_t>(loads_.row[e]); unknown_[d] >= 0)
-        balance += rigid_[m][d] * loads_.value[e];
-    errors.push_back(std::abs(balance) / width_);
-  }
-  return errors;
 }
 
 } // namespace bem_contact::fem

@@ -39,17 +39,14 @@ public:
   const Timing& timing() const { return timing_; }
 
 private:
-  std::vector<double> held_motion_reactions(std::size_t column, std::span<const double> solution) const;
-
   double reference_radius_ = 0, width_ = 0;
   std::vector<Station> stations_;
   SectionOperator operator_;
   std::vector<int> unknown_; ///< of degree of freedom 3 node + component; -1: held
   std::size_t unknowns_ = 0;
   std::vector<std::size_t> entry_; ///< into operator_.value, of each entry of the solver's matrix
-  SparseColumns loads_;            ///< stations' functionals, full numbering
-  SparseColumns rhs_;              ///< stations', then remote functionals, unknowns only
-  std::vector<std::vector<double>> rigid_, rigid_reaction_;
+  SparseColumns rhs_;              ///< functionals of the unknowns: stations', remote, supports' reactions
+  std::vector<std::vector<double>> load_work_; ///< [rigid motion][load]: work of the load on the unknowns
   std::unique_ptr<MumpsSolver> solver_;
   Timing timing_;
 };

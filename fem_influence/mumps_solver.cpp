@@ -3,21 +3,52 @@
 #include "bem_contact/base/error.hpp"
 
 #include <dmumps_c.h>
+#include <metis.h>
 #include <mpi.h>
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 namespace bem_contact::fem {
 
 namespace {
 constexpr int block = 128; // right-hand sides solved at once: more costs memory and gains nothing
+
+/// Place of each row in the elimination by METIS's nested dissection, from 1. Debian's MUMPS has no METIS of
+/// its own.
+std::vector<MUMPS_INT> nested_dissection(int size, std::span<const int> row, std::span<const int> column) {
+  std::vector<idx_t> begin(static_cast<std::size_t>(size) + 1, 0);
+  for (std::size_t e = 0; e < row.size(); ++e)
+    if (row[e] != column[e]) {
+      ++begin[static_cast<std::size_t>(row[e]) + 1];
+      ++begin[static_cast<std::size_t>(column[e]) + 1];
+    }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<idx_t> neighbour(static_cast<std::size_t>(begin.back())), next(begin.begin(), begin.end() - 1);
+  for (std::size_t e = 0; e < row.size(); ++e)
+    if (row[e] != column[e]) {
+      neighbour[static_cast<std::size_t>(next[static_cast<std::size_t>(row[e])]++)] = column[e];
+      neighbour[static_cast<std::size_t>(next[static_cast<std::size_t>(column[e])]++)] = row[e];
+    }
+  idx_t count = size;
+  std::vector<idx_t> order(static_cast<std::size_t>(size)), place(static_cast<std::size_t>(size));
+  if (METIS_NodeND(&count, begin.data(), neighbour.data(), nullptr, nullptr, order.data(), place.data()) !=
+      METIS_OK)
+    throw Error("The unknowns could not be ordered", "METIS refused the matrix's graph",
+                "report this as a bug");
+  std::vector<MUMPS_INT> position;
+  for (const idx_t p : place)
+    position.push_back(static_cast<MUMPS_INT>(p) + 1);
+  return position;
 }
+} // namespace
 
 struct MumpsSolver::Impl {
   DMUMPS_STRUC_C id{};
   std::vector<MUMPS_INT> row, column;
-  std::vector<double> value;
+  std::vector<double> value, border_value, schur;
+  std::vector<MUMPS_INT> schur_variable, position;
 
   // MUMPS counts from 1.
   MUMPS_INT& control(int n) { return id.icntl[n - 1]; }
@@ -44,7 +75,8 @@ struct MumpsSolver::Impl {
   }
 };
 
-MumpsSolver::MumpsSolver(int size, std::span<const int> row, std::span<const int> column)
+MumpsSolver::MumpsSolver(int size, std::span<const int> row, std::span<const int> column,
+                         const SparseColumns& border)
     : impl_(std::make_unique<Impl>()) {
   auto& id = impl_->id;
   id.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_SELF));
@@ -61,8 +93,30 @@ MumpsSolver::MumpsSolver(int size, std::span<const int> row, std::span<const int
     impl_->row.push_back(row[e] + 1);
     impl_->column.push_back(column[e] + 1);
   }
-  id.n = size;
-  id.nnz = static_cast<MUMPS_INT8>(row.size());
+  const auto bordered = static_cast<int>(border.columns());
+  for (int c = 0; c < bordered; ++c) {
+    impl_->schur_variable.push_back(size + c + 1);
+    for (std::size_t e = border.column_begin[static_cast<std::size_t>(c)];
+         e < border.column_begin[static_cast<std::size_t>(c) + 1]; ++e) {
+      impl_->row.push_back(border.row[e] + 1);
+      impl_->column.push_back(size + c + 1);
+    }
+  }
+  impl_->border_value = border.value;
+  id.n = size + bordered;
+  impl_->position = nested_dissection(size, row, column);
+  for (const int variable : impl_->schur_variable)
+    impl_->position.push_back(variable);
+  impl_->control(7) = 1;
+  id.perm_in = impl_->position.data();
+  if (bordered > 0) {
+    impl_->control(19) = 1; // the Schur complement of the border, given back as one dense matrix
+    id.size_schur = bordered;
+    id.listvar_schur = impl_->schur_variable.data();
+    impl_->schur.assign(static_cast<std::size_t>(bordered) * static_cast<std::size_t>(bordered), 0.0);
+    id.schur = impl_->schur.data();
+  }
+  id.nnz = static_cast<MUMPS_INT8>(impl_->row.size());
   id.irn = impl_->row.data();
   id.jcn = impl_->column.data();
   impl_->call(1);
@@ -75,6 +129,7 @@ MumpsSolver::~MumpsSolver() {
 
 void MumpsSolver::factorize(std::span<const double> value) {
   impl_->value.assign(value.begin(), value.end());
+  impl_->value.insert(impl_->value.end(), impl_->border_value.begin(), impl_->border_value.end());
   impl_->id.a = impl_->value.data();
   for (int attempt = 0; attempt < 3; ++attempt) {
     impl_->call(2);
@@ -83,6 +138,18 @@ void MumpsSolver::factorize(std::span<const double> value) {
     impl_->control(14) *= 3; // the estimate of the work space was too small
   }
   impl_->check("factorization");
+  // MUMPS gives one triangle of -B^T K^-1 B.
+  const std::size_t m = impl_->schur_variable.size();
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      double& lower = impl_->schur[i * m + j];
+      lower = -lower;
+      impl_->schur[j * m + i] = lower;
+    }
+}
+
+const std::vector<double>& MumpsSolver::schur() const {
+  return impl_->schur;
 }
 
 void MumpsSolver::solve(const SparseColumns& rhs,

@@ -20,14 +20,20 @@ struct SparseColumns {
 /// initialised). The pattern is analysed once; every factorize() replaces the factors.
 class MumpsSolver {
 public:
-  /// One triangle: row[e], column[e] from 0; repeated entries are added.
-  MumpsSolver(int size, std::span<const int> row, std::span<const int> column);
+  /// One triangle: row[e], column[e] from 0; repeated entries are added. With a `border` B (rows as in the
+  /// matrix) factorize() also gives schur().
+  MumpsSolver(int size, std::span<const int> row, std::span<const int> column,
+              const SparseColumns& border = {});
   ~MumpsSolver();
   MumpsSolver(const MumpsSolver&) = delete;
   MumpsSolver& operator=(const MumpsSolver&) = delete;
 
   /// Throws InputError where the matrix is not positive definite, Error where memory is short.
   void factorize(std::span<const double> value);
+
+  /// B^T K^-1 B of the last factorize(), row-major: a Schur complement, symmetric to the last bit. It comes
+  /// with the factors and costs less than a forward substitution: no solution is ever formed.
+  const std::vector<double>& schur() const;
 
   /// Solves in blocks and hands over each column: use(column, solution).
   void solve(const SparseColumns& rhs, const std::function<void(std::size_t, std::span<const double>)>& use);

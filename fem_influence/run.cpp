@@ -124,7 +124,7 @@ double discretisation_error(const std::filesystem::path& mesh, const BodyFile& b
   const int p = body.harmonic.degree;
   if (p < 2)
     return -1;
-  const Section section(mesh, p - 1);
+  const Section section(mesh, p - 1, curve, body.strip);
   const std::vector<double> other = HarmonicSolver(section, body, curve).at(wavenumber).kernel;
   const auto n = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(other.size()))));
   double difference = 0;
@@ -147,7 +147,7 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
   RunReport report;
   together([&] {
     require_writable(output);
-    section.emplace(mesh, body.harmonic.degree);
+    section.emplace(mesh, body.harmonic.degree, curve, body.strip);
     solver.emplace(*section, body, curve);
     function =
         describe(body, curve, *section, solver->stations(),

@@ -7,10 +7,14 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/manifold.h>
 #include <deal.II/grid/tria.h>
+#include <deal.II/lac/affine_constraints.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -51,51 +55,173 @@ void read_mesh(dealii::Triangulation<2>& mesh, const std::filesystem::path& path
                      "the elements are tensor products", "recombine all triangles, or use mesh_body");
 }
 
+void require_groups(const dealii::Triangulation<2>& mesh, const std::filesystem::path& path) {
+  bool contact = false, held = false;
+  for (const auto& face : mesh.active_face_iterators())
+    if (face->at_boundary()) {
+      contact = contact || static_cast<int>(face->boundary_id()) == contact_id;
+      held = held || static_cast<int>(face->boundary_id()) == held_id;
+    }
+  if (!contact || !held)
+    throw InputError(
+        "The mesh '" + path.string() + "' has no group '" +
+            (contact ? "held' (physical curve 2)" : "contact' (physical curve 1)"),
+        "loads and supports are found by the mesh's physical groups",
+        "make the mesh with mesh_body, or add the physical curves contact = 1, held = 2, free = 3");
+}
+
+/// A mesh of another body, or in another frame, is told by its distance from the curve; the sagitta of a
+/// chord is far smaller than a tenth of it.
+void require_on_curve(Point2 a, Point2 b, const ProfileCurve& curve) {
+  const Point2 middle = 0.5 * (a + b);
+  const double off = norm(curve.nearest(middle).position - middle);
+  if (off > 0.1 * norm(b - a) + 1e-6)
+    throw InputError("The mesh does not fit the profile '" + curve.name() + "'",
+                     "an edge of the group 'contact' at (y, z) = (" + std::to_string(middle.y) + ", " +
+                         std::to_string(middle.z) + ") lies " + std::to_string(off) + " mm off it",
+                     "mesh the body file that is used here");
+}
+
+/// The profile curve as deal.II's manifold: new points halve the arc length.
+class OnCurve : public dealii::Manifold<2> {
+public:
+  explicit OnCurve(const ProfileCurve& curve) : curve_(std::make_shared<const ProfileCurve>(curve)) {}
+  std::unique_ptr<dealii::Manifold<2>> clone() const override { return std::make_unique<OnCurve>(*this); }
+  dealii::Point<2> get_new_point(const dealii::ArrayView<const dealii::Point<2>>& points,
+                                 const dealii::ArrayView<const double>& weights) const override {
+    const double first = curve_->nearest(plain(points[0])).s, length = curve_->s_end() - curve_->s_begin();
+    double s = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      double at = curve_->nearest(plain(points[i])).s;
+      if (std::abs(at - first) > length / 2) // a closed profile begins where it ends
+        at += at < first ? length : -length;
+      s += weights[i] * at;
+    }
+    s += s < curve_->s_begin() ? length : s > curve_->s_end() ? -length : 0;
+    const Point2 p = curve_->at(std::clamp(s, curve_->s_begin(), curve_->s_end())).position;
+    return {p.y, p.z};
+  }
+
+private:
+  std::shared_ptr<const ProfileCurve> curve_;
+};
+
+constexpr dealii::types::manifold_id curve_id = 1;
+
+bool on_strip(const dealii::TriaIterator<dealii::CellAccessor<2>>& cell, unsigned face) {
+  return cell->at_boundary(face) && static_cast<int>(cell->face(face)->boundary_id()) == contact_id;
+}
+
+void refine(dealii::Triangulation<2>& mesh, const ProfileCurve& curve, const BodyFile::Strip& strip,
+            Refinement refinement) {
+  mesh.refine_global(static_cast<unsigned>(refinement.everywhere));
+  const auto at_border = [&](const dealii::Point<2>& vertex) {
+    const double station = (curve.nearest(plain(vertex)).s - strip.from) / strip.station_width;
+    return std::abs(station - std::round(station)) < 1e-3;
+  };
+  for (int level = 0; level < refinement.borders; ++level) {
+    for (const auto& cell : mesh.active_cell_iterators())
+      for (const auto f : cell->face_indices())
+        if (on_strip(cell, f) && (at_border(cell->face(f)->vertex(0)) || at_border(cell->face(f)->vertex(1))))
+          cell->set_refine_flag();
+    mesh.execute_coarsening_and_refinement();
+  }
+}
+
 } // namespace
 
 struct Section::Impl {
   dealii::Triangulation<2> mesh;
   dealii::FE_Q<2> element;
-  dealii::DoFHandler<2> nodes;
-  dealii::MappingQ1<2> mapping;
+  dealii::DoFHandler<2> dofs;
+  dealii::MappingQ<2> mapping;
+  dealii::AffineConstraints<double> hanging;
+  std::vector<int> node; ///< of each degree of freedom of deal.II; -1: hangs on others
   std::vector<Point2> positions;
   std::vector<char> held;
 
-  explicit Impl(int degree) : element(degree) {}
+  explicit Impl(int degree) : element(degree), mapping(static_cast<unsigned>(degree)) {}
 };
 
-Section::Section(const std::filesystem::path& path, int degree) : impl_(std::make_unique<Impl>(degree)) {
-  read_mesh(impl_->mesh, path);
-  impl_->nodes.reinit(impl_->mesh);
-  impl_->nodes.distribute_dofs(impl_->element);
+namespace {
 
-  std::vector<dealii::Point<2>> points(impl_->nodes.n_dofs());
-  dealii::DoFTools::map_dofs_to_support_points(impl_->mapping, impl_->nodes, points);
-  for (const auto& point : points)
-    impl_->positions.push_back(plain(point));
+/// A cell's nodes with those that hang replaced by what they hang on: shape a of the cell counts
+/// weight[a][b] for node b.
+struct CellNodes {
+  std::vector<int> nodes;
+  std::vector<std::vector<std::pair<std::size_t, double>>> weight; // [local shape]
 
-  impl_->held.assign(points.size(), 0);
-  bool any_contact = false, any_held = false;
-  std::vector<dealii::types::global_dof_index> on_face(impl_->element.n_dofs_per_face());
-  for (const auto& cell : impl_->nodes.active_cell_iterators())
-    for (const auto f : cell->face_indices()) {
-      if (!cell->at_boundary(f))
-        continue;
-      const auto id = static_cast<int>(cell->face(f)->boundary_id());
-      any_contact = any_contact || id == contact_id;
-      if (id != held_id)
-        continue;
-      any_held = true;
-      cell->face(f)->get_dof_indices(on_face);
-      for (const auto node : on_face)
-        impl_->held[node] = 1;
+  CellNodes(std::span<const dealii::types::global_dof_index> dofs,
+            const dealii::AffineConstraints<double>& hanging, std::span<const int> number) {
+    for (const auto dof : dofs) {
+      auto& row = weight.emplace_back();
+      if (!hanging.is_constrained(dof))
+        row.emplace_back(local(number[dof]), 1.0);
+      else
+        for (const auto& [master, w] : *hanging.get_constraint_entries(dof))
+          row.emplace_back(local(number[master]), w);
     }
-  if (!any_contact || !any_held)
-    throw InputError(
-        "The mesh '" + path.string() + "' has no group '" +
-            (any_contact ? "held' (physical curve 2)" : "contact' (physical curve 1)"),
-        "loads and supports are found by the mesh's physical groups",
-        "make the mesh with mesh_body, or add the physical curves contact = 1, held = 2, free = 3");
+  }
+  /// values[point][shape] to values[point][node].
+  std::vector<double> resolve(std::span<const double> values) const {
+    const std::size_t shapes = weight.size(), points = values.size() / shapes;
+    std::vector<double> out(points * nodes.size(), 0.0);
+    for (std::size_t q = 0; q < points; ++q)
+      for (std::size_t a = 0; a < shapes; ++a)
+        for (const auto& [b, w] : weight[a])
+          out[q * nodes.size() + b] += w * values[q * shapes + a];
+    return out;
+  }
+
+private:
+  std::size_t local(int node) {
+    const auto at = std::find(nodes.begin(), nodes.end(), node);
+    if (at != nodes.end())
+      return static_cast<std::size_t>(at - nodes.begin());
+    nodes.push_back(node);
+    return nodes.size() - 1;
+  }
+};
+
+} // namespace
+
+Section::Section(const std::filesystem::path& path, int degree, const ProfileCurve& curve,
+                 const BodyFile::Strip& strip, Refinement refinement)
+    : impl_(std::make_unique<Impl>(degree)) {
+  read_mesh(impl_->mesh, path);
+  require_groups(impl_->mesh, path);
+  for (const auto& cell : impl_->mesh.active_cell_iterators())
+    for (const auto f : cell->face_indices())
+      if (on_strip(cell, f)) {
+        require_on_curve(plain(cell->face(f)->vertex(0)), plain(cell->face(f)->vertex(1)), curve);
+        cell->face(f)->set_manifold_id(curve_id);
+      }
+  impl_->mesh.set_manifold(curve_id, OnCurve(curve));
+  refine(impl_->mesh, curve, strip, refinement);
+  impl_->dofs.reinit(impl_->mesh);
+  impl_->dofs.distribute_dofs(impl_->element);
+  dealii::DoFTools::make_hanging_node_constraints(impl_->dofs, impl_->hanging);
+  impl_->hanging.close();
+
+  std::vector<dealii::Point<2>> points(impl_->dofs.n_dofs());
+  dealii::DoFTools::map_dofs_to_support_points(impl_->mapping, impl_->dofs, points);
+  impl_->node.assign(points.size(), -1);
+  for (dealii::types::global_dof_index dof = 0; dof < points.size(); ++dof)
+    if (!impl_->hanging.is_constrained(dof)) {
+      impl_->node[dof] = static_cast<int>(impl_->positions.size());
+      impl_->positions.push_back(plain(points[dof]));
+    }
+  impl_->held.assign(impl_->positions.size(), 0);
+  std::vector<dealii::types::global_dof_index> on_face(impl_->element.n_dofs_per_face());
+  for (const auto& cell : impl_->dofs.active_cell_iterators())
+    for (const auto f : cell->face_indices()) {
+      if (!cell->at_boundary(f) || static_cast<int>(cell->face(f)->boundary_id()) != held_id)
+        continue;
+      cell->face(f)->get_dof_indices(on_face);
+      for (const auto dof : on_face)
+        if (impl_->node[dof] >= 0)
+          impl_->held[static_cast<std::size_t>(impl_->node[dof])] = 1;
+    }
 }
 
 Section::~Section() = default;
@@ -122,14 +248,12 @@ void Section::for_each_cell(const std::function<void(const CellView&)>& visit) c
   FEValues<2> values(impl_->mapping, impl_->element, rule,
                      update_values | update_gradients | update_JxW_values | update_quadrature_points);
   const unsigned n = impl_->element.n_dofs_per_cell(), np = rule.size();
-  std::vector<types::global_dof_index> indices(n);
-  std::vector<int> nodes(n);
+  std::vector<types::global_dof_index> dofs(n);
   std::vector<CellPoint> points(np);
   std::vector<double> value(n * np), d_dy(n * np), d_dz(n * np);
-  for (const auto& cell : impl_->nodes.active_cell_iterators()) {
+  for (const auto& cell : impl_->dofs.active_cell_iterators()) {
     values.reinit(cell);
-    cell->get_dof_indices(indices);
-    nodes.assign(indices.begin(), indices.end());
+    cell->get_dof_indices(dofs);
     for (unsigned q = 0; q < np; ++q) {
       points[q] = {values.JxW(q), plain(values.quadrature_point(q))};
       for (unsigned a = 0; a < n; ++a) {
@@ -139,7 +263,9 @@ void Section::for_each_cell(const std::function<void(const CellView&)>& visit) c
         d_dz[q * n + a] = gradient[1];
       }
     }
-    visit({nodes, points, value, d_dy, d_dz, plain(cell->center())});
+    const CellNodes nodes(dofs, impl_->hanging, impl_->node);
+    visit({nodes.nodes, points, nodes.resolve(value), nodes.resolve(d_dy), nodes.resolve(d_dz),
+           plain(cell->center())});
   }
 }
 
@@ -148,23 +274,24 @@ void Section::for_each_contact_edge(const std::function<void(const EdgeView&)>& 
   const QGauss<1> rule(impl_->element.degree + 2);
   FEFaceValues<2> values(impl_->mapping, impl_->element, rule, update_values | update_quadrature_points);
   const unsigned n = impl_->element.n_dofs_per_cell(), np = rule.size();
-  std::vector<types::global_dof_index> indices(n);
-  std::vector<int> nodes(n);
+  std::vector<types::global_dof_index> dofs(n);
   std::vector<double> t(np), value(n * np);
-  for (const auto& cell : impl_->nodes.active_cell_iterators())
+  for (const auto& cell : impl_->dofs.active_cell_iterators())
     for (const auto f : cell->face_indices()) {
-      if (!cell->at_boundary(f) || static_cast<int>(cell->face(f)->boundary_id()) != contact_id)
+      if (!on_strip(cell, f))
         continue;
       values.reinit(cell, f);
-      cell->get_dof_indices(indices);
-      nodes.assign(indices.begin(), indices.end());
-      const auto a = cell->face(f)->vertex(0), b = cell->face(f)->vertex(1);
+      cell->get_dof_indices(dofs);
+      const auto a = cell->face(f)->vertex(0), b = cell->face(f)->vertex(1),
+                 first = values.quadrature_point(0);
+      const bool forward = (first - a).norm() < (first - b).norm();
       for (unsigned q = 0; q < np; ++q) {
-        t[q] = (values.quadrature_point(q) - a).norm() / (b - a).norm();
+        t[q] = forward ? rule.point(q)[0] : 1 - rule.point(q)[0];
         for (unsigned i = 0; i < n; ++i)
           value[q * n + i] = values.shape_value(i, q);
       }
-      visit({nodes, plain(a), plain(b), t, rule.get_weights(), value});
+      const CellNodes nodes(dofs, impl_->hanging, impl_->node);
+      visit({nodes.nodes, plain(a), plain(b), t, rule.get_weights(), nodes.resolve(value)});
     }
 }
 

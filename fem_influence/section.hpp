@@ -1,6 +1,8 @@
 #pragma once
 
+#include "bem_contact/base/body_file.hpp"
 #include "bem_contact/base/conventions.hpp"
+#include "bem_contact/profile/profile_curve.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -28,7 +30,8 @@ struct CellView {
   Point2 centre;
 };
 
-/// One edge of the contact strip: ends a, b, quadrature at a + t (b - a) with weights that add up to 1.
+/// One edge of the contact strip: ends a, b (on the profile curve), quadrature at the part t of the way from
+/// a to b with weights that add up to 1. The edge is curved: t is the part of the arc length.
 struct EdgeView {
   std::span<const int> nodes; ///< of the cell it belongs to
   Point2 a, b;
@@ -36,13 +39,24 @@ struct EdgeView {
   std::span<const double> value;     ///< [point][local node]
 };
 
+/// How often cells of the mesh that was read are halved: all of them, then those that touch the surface at
+/// the border of two stations. There a station's load jumps and the stress has a logarithm, which leaves an
+/// error of (h / p^2)^2 in averaged displacements whatever the degree p: each level at the borders takes it
+/// down to a quarter.
+struct Refinement {
+  int everywhere = 0;
+  int borders = 0;
+};
+
 /// A section's mesh with scalar Lagrange elements; each node carries the three displacements (x, y, z),
 /// so that degree of freedom 3 node + component. Only section.cpp sees deal.II.
 class Section {
 public:
-  /// Reads a gmsh mesh of quadrilaterals. Throws InputError for a missing file, a file that is not a mesh
-  /// of quadrilaterals in two dimensions, or one without the groups `contact` and `held`.
-  Section(const std::filesystem::path& mesh, int degree);
+  /// Reads a gmsh mesh of quadrilaterals. Edges of the group `contact` follow the curve. Throws InputError
+  /// for a missing file, a file that is not a mesh of quadrilaterals in two dimensions, one without the
+  /// groups `contact` and `held`, or one whose contact edges do not lie on the curve.
+  Section(const std::filesystem::path& mesh, int degree, const ProfileCurve& curve,
+          const BodyFile::Strip& strip, Refinement refinement = {});
   ~Section();
   Section(const Section&) = delete;
   Section& operator=(const Section&) = delete;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 
 namespace bem_contact::fem {
 
@@ -70,15 +71,6 @@ SparseColumns station_functionals(const Section& section, const ProfileCurve& cu
   section.for_each_contact_edge([&](const EdgeView& edge) {
     const Point2 middle = 0.5 * (edge.a + edge.b);
     const CurvePoint on_curve = curve.nearest(middle);
-    const double chord = norm(edge.b - edge.a);
-    // A mesh of another body, or in another frame, is told by its distance from the curve; the sagitta of
-    // a chord is far smaller than a tenth of it.
-    if (norm(on_curve.position - middle) > 0.1 * chord + 1e-6)
-      throw InputError("The mesh does not fit the profile '" + curve.name() + "'",
-                       "an edge of the group 'contact' at (y, z) = (" + std::to_string(middle.y) + ", " +
-                           std::to_string(middle.z) + ") lies " +
-                           std::to_string(norm(on_curve.position - middle)) + " mm off it",
-                       "mesh the body file that is used here");
     double s_a = curve.nearest(edge.a).s, s_b = curve.nearest(edge.b).s;
     // On a closed profile the ends of the first or last edge may be found at the other end of the curve.
     const double closed = curve.s_end() - curve.s_begin();
@@ -135,46 +127,63 @@ SparseColumns remote_functionals(const Section& section, std::span<const Station
     return nearest;
   };
   double largest = 0;
-  section.for_each_cell([&](const CellView& cell) { largest = std::max(largest, from_strip(cell.centre)); });
+  for (const Point2 p : section.node_positions())
+    largest = std::max(largest, from_strip(p));
   const double limit = distance > 0 ? distance : std::min(20.0, 0.5 * largest);
   if (limit >= largest)
     throw InputError("No cell is farther than " + std::to_string(limit) + " mm from the strip",
                      "the largest distance is " + std::to_string(largest) + " mm",
                      "lower harmonic.remote_distance, or give 0 for the default");
 
-  const auto for_each_remote = [&](auto&& visit) {
-    section.for_each_cell([&](const CellView& cell) {
-      if (const double d = from_strip(cell.centre); d > limit && d <= 2 * limit)
-        visit(cell);
-    });
+  // A smooth weight: a sharp border would pass between the quadrature points of any mesh in its own way.
+  const auto weight = [&](const CellPoint& point) {
+    const double part = from_strip(point.position) / limit - 1;
+    const double root = part > 0 && part < 1 ? std::sin(std::numbers::pi * part) : 0;
+    return root * root * point.weight;
   };
+  struct RemoteCell {
+    std::vector<int> nodes;
+    std::vector<Point2> position;
+    std::vector<double> weight, value;
+  };
+  std::vector<RemoteCell> cells;
   double area = 0, yy = 0, zz = 0;
   Point2 centroid;
-  for_each_remote([&](const CellView& cell) {
+  section.for_each_cell([&](const CellView& cell) {
+    RemoteCell remote;
+    double sum = 0;
     for (const CellPoint& point : cell.points) {
-      area += point.weight;
-      centroid = centroid + point.weight * point.position;
+      const double w = weight(point);
+      sum += w;
+      centroid = centroid + w * point.position;
+      remote.weight.push_back(w);
+      remote.position.push_back(point.position);
     }
+    if (!(sum > 0))
+      return;
+    area += sum;
+    remote.nodes.assign(cell.nodes.begin(), cell.nodes.end());
+    remote.value.assign(cell.value.begin(), cell.value.end());
+    cells.push_back(std::move(remote));
   });
   if (!(area > 0))
     throw InputError("No cell lies between " + range(limit, 2 * limit) + " from the strip",
                      "the mesh is too coarse there, and the remote section would be empty",
                      "change harmonic.remote_distance, or give 0 for the default");
   centroid = (1 / area) * centroid;
-  for_each_remote([&](const CellView& cell) {
-    for (const CellPoint& point : cell.points) {
-      const Point2 p = point.position - centroid;
-      yy += point.weight * p.y * p.y;
-      zz += point.weight * p.z * p.z;
+  for (const RemoteCell& cell : cells)
+    for (std::size_t q = 0; q < cell.weight.size(); ++q) {
+      const Point2 p = cell.position[q] - centroid;
+      yy += cell.weight[q] * p.y * p.y;
+      zz += cell.weight[q] * p.z * p.z;
     }
-  });
   Columns columns(6);
-  for_each_remote([&](const CellView& cell) {
+  for (const RemoteCell& cell : cells) {
     const std::size_t n = cell.nodes.size();
-    for (std::size_t q = 0; q < cell.points.size(); ++q) {
-      const Point2 p = cell.points[q].position - centroid;
+    for (std::size_t q = 0; q < cell.weight.size(); ++q) {
+      const Point2 p = cell.position[q] - centroid;
       for (std::size_t a = 0; a < n; ++a) {
-        const double f = cell.points[q].weight * cell.value[q * n + a];
+        const double f = cell.weight[q] * cell.value[q * n + a];
         const int row = 3 * cell.nodes[a];
         for (std::size_t i = 0; i < 3; ++i)
           columns.add(i, row + static_cast<int>(i), f / area);
@@ -184,7 +193,7 @@ SparseColumns remote_functionals(const Section& section, std::span<const Station
         columns.add(5, row, -p.y * f / yy);
       }
     }
-  });
+  }
   return columns.finish();
 }
 
