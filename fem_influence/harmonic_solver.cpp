@@ -45,15 +45,6 @@ double half_period_of(const BodyFile& body) {
   return radius > 0 ? std::numbers::pi * radius : body.harmonic.half_period;
 }
 
-Timing& Timing::operator+=(const Timing& other) {
-  assembly += other.assembly;
-  analysis += other.analysis;
-  factorization += other.factorization;
-  solve += other.solve;
-  sampling += other.sampling;
-  return *this;
-}
-
 HarmonicSolver::HarmonicSolver(const Section& section, const BodyFile& body, const ProfileCurve& curve)
     : reference_radius_(reference_radius_of(body)), width_(body.strip.station_width),
       stations_(make_stations(body.strip, curve)) {
@@ -127,7 +118,6 @@ WavenumberResult HarmonicSolver::at(double k) {
       value.push_back(operator_.value[0][e] + k * (operator_.value[1][e] + k * operator_.value[2][e]));
     solver_->factorize(value);
   }
-  const Stopwatch watch(timing_.sampling);
   const std::vector<double>& all = solver_->schur();
   const std::size_t size = rhs_.columns();
   WavenumberResult result;

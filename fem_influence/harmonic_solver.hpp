@@ -12,16 +12,18 @@ double reference_radius_of(const BodyFile& body); ///< 0 for prismatic bodies
 double half_period_of(const BodyFile& body);      ///< L, mm
 
 struct Timing {
-  double assembly = 0, analysis = 0, factorization = 0, solve = 0, sampling = 0; ///< seconds
-  Timing& operator+=(const Timing& other);
+  double assembly = 0, analysis = 0, factorization = 0; ///< seconds; the factors bring the kernel with them
+  friend Timing operator+(const Timing& a, const Timing& b) {
+    return {a.assembly + b.assembly, a.analysis + b.analysis, a.factorization + b.factorization};
+  }
 };
 
 /// What one wavenumber gives; layout as in InfluenceFunction.
 struct WavenumberResult {
-  std::vector<double> kernel;      ///< 3NS x 3NS, symmetrised
+  std::vector<double> kernel;      ///< 3NS x 3NS, symmetric to the last bit
   std::vector<double> remote;      ///< 6 x 3NS
   std::vector<double> remote_self; ///< 6 x 6
-  double betti_error = 0;          ///< largest |g_ab - g_ba| / sqrt(g_aa g_bb) before symmetrising
+  double betti_error = 0;          ///< largest |g_ab - g_ba| / sqrt(g_aa g_bb): the two are computed as one
   double reaction_error = 0;       ///< at k = 0: largest |reaction + load| / load over the rigid motions
 };
 

@@ -13,6 +13,7 @@
 #include <dlfcn.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -29,22 +30,23 @@ void use_one_blas_thread() {
     set(1);
 }
 
-std::string estimate(double error) {
-  return error < 0 ? "not estimated" : fmt::format("{:.1e}", error);
-}
-
 void print(const fem::RunReport& report, const std::string& output) {
   fmt::print(
       stderr,
-      "{}: {} wavenumbers ({} from an earlier run), {} stations, {} cells, {} unknowns\n"
+      "{}: {} stations, {} wavenumbers and {} of the companion ({} from an earlier run), {} cells, {} "
+      "unknowns\n"
       "  {:.1f} s on {} process(es), at most {:.2f} GiB each; all processes together: assembly {:.1f} s, "
-      "analysis {:.1f} s, factorization {:.1f} s, solve {:.1f} s, sampling {:.1f} s\n"
-      "  Maxwell-Betti {:.1e}, reaction {:.1e}; estimated error: wavenumbers {}, mesh {}\n",
-      output, report.wavenumbers, report.resumed, report.stations, report.cells, report.unknowns,
-      report.seconds, fem::process_count(), report.peak_memory, report.timing.assembly,
-      report.timing.analysis, report.timing.factorization, report.timing.solve, report.timing.sampling,
-      report.betti_error, report.reaction_error, estimate(report.interpolation_error),
-      estimate(report.discretisation_error));
+      "analysis {:.1f} s, factors and kernel {:.1f} s\n"
+      "  Maxwell-Betti {:.1e}, reaction {:.1e}, smallest eigenvalue {:.1e} of the largest self number\n",
+      output, report.stations, report.wavenumbers, report.companion_wavenumbers, report.resumed, report.cells,
+      report.unknowns, report.seconds, fem::process_count(), report.peak_memory, report.timing.assembly,
+      report.timing.analysis, report.timing.factorization, report.betti_error, report.reaction_error,
+      report.smallest_eigenvalue);
+  if (report.companion_wavenumbers > 0)
+    fmt::print(stderr, "  estimated error {:.1e} of the number itself (mesh {:.1e}, wavenumbers {:.1e})\n",
+               report.error.total, report.error.mesh, report.error.samples);
+  else
+    fmt::print(stderr, "  the error was not estimated (degree 1 has no companion)\n");
 }
 
 void run(const std::string& body_file, const std::string& mesh, const std::string& output) {
@@ -55,11 +57,12 @@ void run(const std::string& body_file, const std::string& mesh, const std::strin
     refuse_overwriting(output, std::array<std::filesystem::path, 2>{body_file, mesh});
     curve = body_profile(*body);
   });
+  const auto stations = std::lround((body->strip.to - body->strip.from) / body->strip.station_width);
   std::optional<Progress> bar;
   std::size_t shown = 0;
   const auto progress = [&](std::size_t done, std::size_t all) {
     if (!bar)
-      bar.emplace("wavenumbers", all);
+      bar.emplace(fmt::format("{} stations, wavenumbers", stations), all);
     bar->step(done - shown);
     shown = done;
     if (done == all)

@@ -48,9 +48,10 @@ std::string fingerprint(const BodyFile& body, const ProfileCurve& curve, const s
   for (const double value :
        {reference_radius_of(body), half_period_of(body), body.material.shear_modulus, body.material.poisson,
         body.strip.from, body.strip.to, body.strip.station_width, double(body.harmonic.degree),
-        body.harmonic.shortest_dx, double(body.harmonic.samples_per_decade), body.harmonic.remote_distance})
+        double(body.harmonic.border_levels), body.harmonic.shortest_dx,
+        double(body.harmonic.samples_per_decade), body.harmonic.remote_distance})
     mix(&value, sizeof value);
-  return "harmonic 2 " + std::to_string(hash);
+  return "harmonic 3 " + std::to_string(hash);
 }
 
 std::string body_name(const BodyFile& body) {
@@ -65,16 +66,20 @@ std::string body_name(const BodyFile& body) {
                                                      : " of radius " + millimetres(body.body.radius));
 }
 
-InfluenceFunction describe(const BodyFile& body, const ProfileCurve& curve, const Section& section,
-                           std::vector<Station> stations, std::vector<double> wavenumber) {
+std::string method_of(const BodyFile& body, std::size_t cells) {
+  return "harmonic, degree " + std::to_string(body.harmonic.degree) + ", " + std::to_string(cells) +
+         " quadrilaterals, halved " + std::to_string(body.harmonic.border_levels) +
+         " times at the stations' borders";
+}
+
+InfluenceFunction describe(const BodyFile& body, const ProfileCurve& curve, std::vector<Station> stations,
+                           std::vector<double> wavenumber) {
   InfluenceFunction f;
   f.body = body_name(body);
   f.profile = curve.name();
   f.profile_digest = curve.digest();
   f.material = body.material;
   f.held = "all three displacements are zero on the mesh's group 'held' (physical curve 2)";
-  f.method = "harmonic, degree " + std::to_string(section.degree()) + ", " +
-             std::to_string(section.cell_count()) + " quadrilaterals";
   f.reference_radius = reference_radius_of(body);
   f.invariance = f.reference_radius > 0 ? Invariance::revolution : Invariance::prismatic;
   f.half_period = half_period_of(body);
@@ -84,7 +89,7 @@ InfluenceFunction describe(const BodyFile& body, const ProfileCurve& curve, cons
   return f;
 }
 
-/// Numbers of one wavenumber as one message.
+/// Numbers of one wavenumber as one message; the layout of a partial file's record.
 std::vector<double> pack(const WavenumberResult& r) {
   std::vector<double> all(r.kernel);
   all.insert(all.end(), r.remote.begin(), r.remote.end());
@@ -106,6 +111,12 @@ double reduced(double mine, MPI_Op op) {
   return all;
 }
 
+void keep(PartialInfluenceFile& file, std::size_t k, std::size_t stations, std::span<const double> packed) {
+  const std::size_t n = 3 * stations, kernel = n * n, remote = 6 * n;
+  file.write(k, packed.first(kernel), packed.subspan(kernel, remote), packed.subspan(kernel + remote, 36),
+             packed.last(errors_each));
+}
+
 /// shortest_dx as arc length at the reference radius: an element at the strip's largest radius is the
 /// shortest.
 double shortest_reference_dx(const BodyFile& body, std::span<const Station> stations) {
@@ -117,94 +128,128 @@ double shortest_reference_dx(const BodyFile& body, std::span<const Station> stat
   return body.harmonic.shortest_dx / longest;
 }
 
-} // namespace
+/// A run or its companion as one process sees it. Mesh and factors are there from the first wavenumber that
+/// this process does to the last.
+class Half {
+public:
+  Half(const BodyFile& body, const ProfileCurve& curve, std::filesystem::path mesh)
+      : body_(body), curve_(curve), mesh_(std::move(mesh)) {}
 
-double discretisation_error(const std::filesystem::path& mesh, const BodyFile& body,
-                            const ProfileCurve& curve, double wavenumber, std::span<const double> kernel) {
-  const int p = body.harmonic.degree;
-  if (p < 2)
-    return -1;
-  const Section section(mesh, p - 1, curve, body.strip);
-  const std::vector<double> other = HarmonicSolver(section, body, curve).at(wavenumber).kernel;
-  const auto n = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(other.size()))));
-  double difference = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      difference = std::max(difference, std::abs(other[i * n + j] - kernel[i * n + j]) /
-                                            std::sqrt(kernel[i * n + i] * kernel[j * n + j]));
-  return difference / (std::pow(p / (p - 1.0), 4) - 1);
-}
+  const HarmonicSolver& solver() {
+    if (!solver_) {
+      const Section section(mesh_, body_.harmonic.degree, curve_, body_.strip,
+                            {.borders = body_.harmonic.border_levels});
+      cells_ = section.cell_count();
+      solver_.emplace(section, body_, curve_);
+      unknowns_ = solver_->unknowns();
+    }
+    return *solver_;
+  }
+  std::vector<double> at(double wavenumber) {
+    solver();
+    return pack(solver_->at(wavenumber));
+  }
+  Timing timing() const { return timing_ + (solver_ ? solver_->timing() : Timing{}); }
+  std::size_t cells() const { return cells_; }
+  std::size_t unknowns() const { return unknowns_; }
+  void release() {
+    timing_ = timing();
+    solver_.reset();
+  }
+
+private:
+  const BodyFile& body_;
+  const ProfileCurve& curve_;
+  std::filesystem::path mesh_;
+  std::optional<HarmonicSolver> solver_;
+  std::size_t cells_ = 0, unknowns_ = 0;
+  Timing timing_;
+};
+
+/// One wavenumber of the run or of its companion that is still to be done.
+struct Task {
+  bool companion = false;
+  std::size_t k = 0;
+};
+
+} // namespace
 
 RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh,
                        const std::filesystem::path& output, const RunProgress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const int rank = process_rank(), size = process_count();
-  std::optional<Section> section;
-  std::optional<HarmonicSolver> solver;
-  std::optional<PartialInfluenceFile> partial;
-  InfluenceFunction function;
-  std::vector<char> done;
+  const int rank = process_rank();
+  const bool estimated = body.harmonic.degree > 1;
+  BodyFile coarser = body;
+  --coarser.harmonic.degree;
+  coarser.harmonic.border_levels = std::max(0, body.harmonic.border_levels - 1);
+  Half run(body, curve, mesh), companion(coarser, curve, mesh);
+  InfluenceFunction function, coarse;
+  std::optional<PartialInfluenceFile> partial, coarse_partial;
   RunReport report;
+  std::vector<Task> tasks;
+  std::vector<char> done;
   together([&] {
     require_writable(output);
-    section.emplace(mesh, body.harmonic.degree, curve, body.strip);
-    solver.emplace(*section, body, curve);
-    function =
-        describe(body, curve, *section, solver->stations(),
-                 wavenumber_samples(half_period_of(body), shortest_reference_dx(body, solver->stations()),
-                                    body.harmonic.samples_per_decade));
-    done.assign(function.wavenumber_count(), 0);
+    const std::vector<Station> stations = make_stations(body.strip, curve);
+    function = describe(body, curve, stations,
+                        wavenumber_samples(half_period_of(body), shortest_reference_dx(body, stations),
+                                           body.harmonic.samples_per_decade));
+    run.solver(); // what is wrong with the mesh is found before anything is written
+    for (std::size_t k = 0; k < function.wavenumber_count(); ++k)
+      tasks.push_back({false, k});
+    if (estimated) {
+      coarse = function;
+      coarse.wavenumber.clear();
+      for (const std::size_t k : companion_samples(function.wavenumber_count())) {
+        tasks.push_back({true, coarse.wavenumber_count()});
+        coarse.wavenumber.push_back(function.wavenumber[k]);
+      }
+    }
+    done.assign(tasks.size(), 0);
     if (rank != 0)
       return;
-    partial.emplace(output, fingerprint(body, curve, mesh), function.station_count(), function.wavenumber);
-    for (std::size_t k = 0; k < done.size(); ++k)
-      done[k] = partial->has(k);
+    const std::string print = fingerprint(body, curve, mesh);
+    partial.emplace(output, print, function.station_count(), function.wavenumber);
+    if (estimated)
+      coarse_partial.emplace(output.string() + ".companion", print + " companion", coarse.station_count(),
+                             coarse.wavenumber);
+    for (std::size_t t = 0; t < tasks.size(); ++t)
+      done[t] = (tasks[t].companion ? coarse_partial : partial)->has(tasks[t].k);
   });
   MPI_Bcast(done.data(), static_cast<int>(done.size()), MPI_CHAR, 0, MPI_COMM_WORLD);
-  std::vector<std::size_t> left;
-  for (std::size_t k = 0; k < done.size(); ++k)
-    if (!done[k])
-      left.push_back(k);
-  report.resumed = done.size() - left.size();
+  const std::size_t all = tasks.size();
+  for (std::size_t t = all; t-- > 0;)
+    if (done[t])
+      tasks.erase(tasks.begin() + static_cast<std::ptrdiff_t>(t));
+  report.resumed = all - tasks.size();
+  std::size_t finished = report.resumed;
   if (rank == 0 && progress)
-    progress(report.resumed, done.size());
+    progress(finished, all);
 
-  const std::size_t n = 3 * function.station_count(), kernel_size = n * n, remote_size = 6 * n;
-  const std::size_t message = kernel_size + remote_size + 36 + errors_each;
-  for (std::size_t round = 0; round < left.size(); round += static_cast<std::size_t>(size)) {
-    const std::size_t mine = round + static_cast<std::size_t>(rank);
-    std::vector<double> packed(message, 0.0), gathered;
-    together([&] {
-      if (mine < left.size())
-        packed = pack(solver->at(function.wavenumber[left[mine]]));
-      if (rank == 0)
-        gathered.resize(message * static_cast<std::size_t>(size));
-    });
-    MPI_Gather(packed.data(), static_cast<int>(message), MPI_DOUBLE, gathered.data(),
-               static_cast<int>(message), MPI_DOUBLE, 0, MPI_COMM_WORLD);
-    together([&] {
-      if (rank != 0)
-        return;
-      const std::size_t last = std::min(left.size(), round + static_cast<std::size_t>(size));
-      for (std::size_t i = round; i < last; ++i) {
-        const auto part = std::span<const double>(gathered).subspan(message * (i - round), message);
-        partial->write(left[i], part.first(kernel_size), part.subspan(kernel_size, remote_size),
-                       part.subspan(kernel_size + remote_size, 36), part.last(errors_each));
-      }
-      if (progress)
-        progress(report.resumed + last, done.size());
-    });
-  }
+  distribute(
+      tasks.size(),
+      [&](std::size_t t) {
+        if (!tasks[t].companion)
+          return run.at(function.wavenumber[tasks[t].k]);
+        run.release(); // the companion's wavenumbers come last
+        return companion.at(coarse.wavenumber[tasks[t].k]);
+      },
+      [&](std::size_t t, std::span<const double> packed) {
+        keep(tasks[t].companion ? *coarse_partial : *partial, tasks[t].k, function.station_count(), packed);
+        if (progress)
+          progress(++finished, all);
+      });
 
-  report.cells = section->cell_count();
-  report.unknowns = solver->unknowns();
+  report.unknowns = run.unknowns();
+  report.cells = run.cells();
   report.stations = function.station_count();
   report.wavenumbers = function.wavenumber_count();
-  const Timing& timing = solver->timing();
+  report.companion_wavenumbers = coarse.wavenumber_count();
+  run.release();
+  companion.release();
+  const Timing timing = run.timing() + companion.timing();
   report.timing = {reduced(timing.assembly, MPI_SUM), reduced(timing.analysis, MPI_SUM),
-                   reduced(timing.factorization, MPI_SUM), reduced(timing.solve, MPI_SUM),
-                   reduced(timing.sampling, MPI_SUM)};
-  solver.reset();
+                   reduced(timing.factorization, MPI_SUM)};
   together([&] {
     if (rank != 0)
       return;
@@ -214,22 +259,20 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
       report.betti_error = std::max(report.betti_error, errors.at(errors_each * k));
       report.reaction_error = std::max(report.reaction_error, errors.at(errors_each * k + 1));
     }
-    // The mesh matters most where the field is as short as a station.
-    const auto middle =
-        static_cast<std::size_t>(std::lower_bound(function.wavenumber.begin(), function.wavenumber.end() - 1,
-                                                  1 / function.station_width) -
-                                 function.wavenumber.begin());
-    report.interpolation_error = interpolation_error(function.wavenumber, function.kernel, n);
-    report.discretisation_error = discretisation_error(
-        mesh, body, curve, function.wavenumber[middle],
-        std::span<const double>(function.kernel).subspan(middle * kernel_size, kernel_size));
+    report.smallest_eigenvalue = smallest_eigenvalue(function);
+    if (estimated) {
+      coarse_partial->read_into(coarse, errors);
+      report.error = estimate_error(function, coarse, shortest_reference_dx(body, function.stations),
+                                    error_ratio(body.harmonic.degree, body.harmonic.border_levels));
+    }
+    function.method = method_of(body, report.cells);
     function.betti_error = report.betti_error;
     function.reaction_error = report.reaction_error;
-    function.estimated_error = report.discretisation_error < 0 || report.interpolation_error < 0
-                                   ? -1
-                                   : report.discretisation_error + report.interpolation_error;
+    function.estimated_error = estimated ? report.error.total : -1;
     write_influence_file(output, function);
     partial->remove();
+    if (estimated)
+      coarse_partial->remove();
   });
   report.peak_memory = reduced(peak_memory_gib(), MPI_MAX);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

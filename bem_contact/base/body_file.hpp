@@ -44,13 +44,17 @@ struct BodyFile {
     double to = -20;
     double station_width = 0.2; ///< mm; (to - from) / station_width must be whole
   } strip;
+  /// The error asked for, of the influence number itself. Keys of [mesh] and [harmonic] that a file does not
+  /// give follow from it; the values below are those of 1e-3.
+  double tolerance = 1e-3;
   struct Mesh {
-    int elements_per_station = 2; ///< element edges per station on the strip
+    int elements_per_station = 1; ///< element edges per station on the strip
     double grading = 0.3;         ///< h <= h_strip + grading * distance from the strip
     double largest = 15;          ///< mm
   } mesh;
   struct Harmonic {
     int degree = 3;           ///< of the finite elements
+    int border_levels = 4;    ///< how often elements at the borders of the stations are halved
     double half_period = 600; ///< L of the Fourier series, mm; a body of revolution uses pi times its radius
     double shortest_dx = 0.2; ///< shortest element length along x that the file must serve: k_max = 10/dx
     int samples_per_decade = 7; ///< wavenumbers per decade above the lowest harmonics
