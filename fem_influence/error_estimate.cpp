@@ -16,8 +16,9 @@ namespace bem_contact::fem {
 
 namespace {
 
-constexpr double reach = 16;    // mm, the farthest numbers that are compared
-constexpr double caution = 1.3; // the error against a finer truth is up to 1.1 of what the ratio says
+constexpr double reach = 16; // mm, the farthest numbers that are compared
+constexpr double caution =
+    1.5; // the true error was .9 to 1.2 of what the ratio says (block, disc, rail, wheel)
 
 /// Half the samples are less accurate by 2^6 in the limit, by 24 or more at 5 to 7 a decade (measured on
 /// block, disc, rail and wheel).

@@ -62,6 +62,11 @@ void add_outline(Schema& s, BodyFile::Body& body) {
 Schema schema_of(BodyFile& f) {
   Schema s("body file");
   s.kind_is("body.kind");
+  s.add("tolerance", f.tolerance,
+        {.doc = "Error asked for, of the influence number itself; it chooses what is not given of [mesh] and "
+                "[harmonic]",
+         .at_least = 1e-5,
+         .at_most = 0.05});
   s.add("body.kind", f.body.kind,
         {.doc = "Kind of body", .choices = {"rail", "wheel", "block", "disc", "bore", "outline"}});
   s.add("body.profile", f.body.profile,
@@ -82,23 +87,22 @@ Schema schema_of(BodyFile& f) {
   s.add("strip.station_width", f.strip.station_width,
         {.doc = "Width of a station; it must divide the strip", .unit = "mm", .above = 0});
 
-  s.add("tolerance", f.tolerance,
-        {.doc = "Error asked for, of the influence number itself; it chooses what is not given of [mesh] and "
-                "[harmonic]",
-         .at_least = 1e-5,
-         .at_most = 0.05});
   s.add("mesh.elements_per_station", f.mesh.elements_per_station,
         {.doc = "Element edges per station on the strip", .at_least = 1, .at_most = 16});
-  s.add(
-      "mesh.grading", f.mesh.grading,
-      {.doc = "Element size grows by this much per mm of distance from the strip", .above = 0, .at_most = 2});
+  s.add("mesh.grading", f.mesh.grading,
+        {.doc = "Element size grows by this much per mm of distance from the strip",
+         .above = 0,
+         .at_most = 2,
+         .given = &f.given.grading});
   s.add("mesh.largest", f.mesh.largest, {.doc = "Largest element size", .unit = "mm", .above = 0});
 
   s.add("harmonic.degree", f.harmonic.degree,
-        {.doc = "Degree of the finite elements", .at_least = 1, .at_most = 4});
-  s.add(
-      "harmonic.border_levels", f.harmonic.border_levels,
-      {.doc = "How often elements at the borders of the stations are halved", .at_least = 0, .at_most = 12});
+        {.doc = "Degree of the finite elements", .at_least = 1, .at_most = 4, .given = &f.given.degree});
+  s.add("harmonic.border_levels", f.harmonic.border_levels,
+        {.doc = "How often elements at the borders of the stations are halved",
+         .at_least = 0,
+         .at_most = 12,
+         .given = &f.given.border_levels});
   s.add("harmonic.half_period", f.harmonic.half_period,
         {.doc = "Half period of the Fourier series along x; a body of revolution uses pi times its radius",
          .unit = "mm",
@@ -106,7 +110,10 @@ Schema schema_of(BodyFile& f) {
   s.add("harmonic.shortest_dx", f.harmonic.shortest_dx,
         {.doc = "Shortest element length along x that the file must serve", .unit = "mm", .above = 0});
   s.add("harmonic.samples_per_decade", f.harmonic.samples_per_decade,
-        {.doc = "Wavenumbers per decade above the lowest harmonics", .at_least = 2, .at_most = 100});
+        {.doc = "Wavenumbers per decade above the lowest harmonics",
+         .at_least = 2,
+         .at_most = 100,
+         .given = &f.given.samples_per_decade});
   s.add("harmonic.remote_distance", f.harmonic.remote_distance,
         {.doc = "The remote section lies between one and two times this from the strip; 0: 20 mm, or half "
                 "the largest",
@@ -154,18 +161,18 @@ void cross_check(const BodyFile& f, const Schema& s) {
 /// What the tolerance asks for, fitted to block, disc, rail and wheel (fem_influence/README.md): the number
 /// itself is off by 2.3 % (3/p)^4 / 4^levels with one element a station, far numbers by .03 % at 7 samples
 /// a decade. Each gets a part of the tolerance that leaves room for the other.
-void choose(BodyFile& f, const Schema& s) {
-  if (!s.has("harmonic.degree"))
+void choose(BodyFile& f) {
+  if (!f.given.degree)
     f.harmonic.degree = f.tolerance < 3e-4 ? 4 : 3;
-  if (!s.has("mesh.grading") && f.tolerance < 3e-4)
+  if (!f.given.grading && f.tolerance < 3e-4)
     f.mesh.grading = 0.2;
-  if (!s.has("harmonic.border_levels")) {
+  if (!f.given.border_levels) {
     const double per_station = std::pow(f.mesh.elements_per_station, 2);
     const double unrefined = 0.023 * std::pow(3.0 / f.harmonic.degree, 4) / per_station;
     const double levels = std::ceil(std::log(10 * unrefined / f.tolerance) / std::log(4.0));
     f.harmonic.border_levels = std::clamp(static_cast<int>(levels), 0, 12);
   }
-  if (!s.has("harmonic.samples_per_decade"))
+  if (!f.given.samples_per_decade)
     f.harmonic.samples_per_decade =
         static_cast<int>(std::ceil(7 * std::pow(1e-3 / f.tolerance, 1.0 / 6) - 1e-9));
 }
@@ -179,7 +186,7 @@ BodyFile parse_body_file(std::string_view toml, std::string_view source_name) {
   if (file.body.kind == "wheel" && !schema.has("body.profile"))
     file.body.profile = "S1002";
   cross_check(file, schema);
-  choose(file, schema);
+  choose(file);
   return file;
 }
 

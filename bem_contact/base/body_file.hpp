@@ -61,6 +61,10 @@ struct BodyFile {
     double remote_distance =
         0; ///< the remote section lies between one and two times this from the strip; 0: automatic
   } harmonic;
+  /// Not keys: whether the file has those that follow from the tolerance else.
+  struct Given {
+    bool grading = false, degree = false, border_levels = false, samples_per_decade = false;
+  } given;
 };
 
 /// Throws InputError (unknown key with the nearest names, wrong type, value out of range).

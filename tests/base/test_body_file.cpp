@@ -26,6 +26,28 @@ TEST(BodyFile, an_empty_file_is_the_default_one) {
   EXPECT_EQ(empty.harmonic.degree, defaults.harmonic.degree);
 }
 
+TEST(BodyFile, the_tolerance_chooses_what_is_not_given) {
+  const BodyFile defaults, usual = parse_body_file("tolerance = 1e-3");
+  EXPECT_EQ(usual.harmonic.degree, defaults.harmonic.degree);
+  EXPECT_EQ(usual.harmonic.border_levels, defaults.harmonic.border_levels);
+  EXPECT_EQ(usual.harmonic.samples_per_decade, defaults.harmonic.samples_per_decade);
+  EXPECT_EQ(usual.mesh.elements_per_station, defaults.mesh.elements_per_station);
+  const BodyFile coarse = parse_body_file("tolerance = 1e-2"), fine = parse_body_file("tolerance = 1e-4");
+  EXPECT_LT(coarse.harmonic.border_levels, usual.harmonic.border_levels);
+  EXPECT_LT(coarse.harmonic.samples_per_decade, usual.harmonic.samples_per_decade);
+  EXPECT_GT(fine.harmonic.border_levels, usual.harmonic.border_levels);
+  EXPECT_GT(fine.harmonic.samples_per_decade, usual.harmonic.samples_per_decade);
+  EXPECT_GT(fine.harmonic.degree, usual.harmonic.degree);
+  // What is given stays, and the rest makes up for it.
+  const BodyFile given = parse_body_file("tolerance = 1e-3\n[mesh]\nelements_per_station = 4\n"
+                                         "[harmonic]\ndegree = 2\nsamples_per_decade = 9");
+  EXPECT_EQ(given.harmonic.degree, 2);
+  EXPECT_EQ(given.harmonic.samples_per_decade, 9);
+  EXPECT_EQ(given.mesh.elements_per_station, 4);
+  EXPECT_EQ(given.harmonic.border_levels, 4); // 16 times less by the elements, 5 times more by the degree
+  EXPECT_THAT(refusal("tolerance = 0.1"), HasSubstr("tolerance"));
+}
+
 TEST(BodyFile, the_printed_schema_is_a_valid_file_with_the_defaults) {
   const BodyFile printed = parse_body_file(default_body_file()), defaults;
   EXPECT_EQ(printed.strip.to, defaults.strip.to);
@@ -101,9 +123,11 @@ TEST(BodyFile, every_misspelt_key_is_answered_with_the_right_one) {
     std::swap(wrong[1], wrong[2]);
     if (wrong == key)
       wrong.erase(1, 1);
-    EXPECT_THAT(refusal("[" + table + "]\n" + wrong + " = 1"),
-                AllOf(StartsWith("body.toml:2: unknown key '" + table + "." + wrong + "' ("),
-                      HasSubstr("Did you mean " + table + "." + key)));
+    const std::string header = table.empty() ? "\n" : "[" + table + "]\n",
+                      path = table.empty() ? "" : table + ".";
+    EXPECT_THAT(refusal(header + wrong + " = 1"),
+                AllOf(StartsWith("body.toml:2: unknown key '" + path + wrong + "' ("),
+                      HasSubstr("Did you mean " + path + key)));
     ++tried;
   }
   EXPECT_GE(tried, 12);

@@ -133,7 +133,7 @@ ProfileCurve straight_line(double half, bool up) {
 
 ProfileCurve full_circle(double radius, bool hole) {
   std::vector<Point2> points;
-  const int n = 720;
+  const int n = 180;
   for (int i = -n; i <= n; ++i) {
     const double angle = std::numbers::pi * i / n;
     points.push_back({(hole ? 1 : -1) * radius * std::sin(angle), radius * std::cos(angle)});

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -44,13 +45,14 @@ BodyFile strip_body(const char* kind, double half, double width, int degree) {
 }
 
 /// Largest deviation from the half-space's kernel, relative to its self number, from station 0.
-double worst_against_halfspace(bool wheel, double k, double h, int degree) {
+double worst_against_halfspace(bool wheel, double k, double h, int degree, int borders = 0) {
   const Folder folder;
   const double width = 0.5, half = 3.0;
   write_block_mesh(folder / "block.msh", h, half, 60, wheel);
-  const Section section(folder / "block.msh", degree);
   const BodyFile body = strip_body(wheel ? "wheel" : "block", half, width, degree);
-  HarmonicSolver solver(section, body, straight_line(60, wheel));
+  const ProfileCurve curve = straight_line(60, wheel);
+  const Section section(folder / "block.msh", degree, curve, body.strip, {.borders = borders});
+  HarmonicSolver solver(section, body, curve);
   const auto result = solver.at(k);
   EXPECT_LT(result.betti_error, 1e-10);
   const std::size_t stations = solver.stations().size(), n = 3 * stations;
@@ -88,49 +90,46 @@ TEST(Kernel, error_falls_as_the_square_of_the_element) {
   EXPECT_GT(std::log2(coarse / fine), 1.7);
 }
 
-/// Michell's modes of a disc or a bore under pressure p cos(n phi) (REFERENCES 3.2), with k = 0.
-void check_michell(bool hole) {
-  const Folder folder;
-  const double radius = 10;
-  const int count = 64;
-  write_ring_mesh(folder / "ring.msh", radius, hole ? 40 * radius : 0.02 * radius, 2 * count);
-  const Section section(folder / "ring.msh", 2);
-  BodyFile body = strip_body(hole ? "bore" : "disc", 0, 2 * pi * radius / count, 2);
-  const ProfileCurve circle = full_circle(radius, hole);
-  body.strip = {circle.s_begin(), circle.s_end(), (circle.s_end() - circle.s_begin()) / count};
-  body.harmonic.remote_distance = 0.5 * radius;
-  HarmonicSolver solver(section, body, circle);
-  const auto result = solver.at(0);
-  EXPECT_LT(result.betti_error, 1e-10);
-  EXPECT_LT(result.reaction_error, 1e-8);
-  const std::size_t size = 3 * count;
-  const double mu = body.material.shear_modulus, nu = body.material.poisson, kappa = 3 - 4 * nu;
-  for (const int n : {0, 2, 3, 5, 8}) {
-    double normal = 0, tangential = 0;
-    for (std::size_t I = 0; I < count; ++I)
-      for (std::size_t J = 0; J < count; ++J) {
-        const double at = solver.stations()[I].s / radius, p = std::cos(n * solver.stations()[J].s / radius);
-        normal += result.kernel[(3 * I + 2) * size + 3 * J + 2] * p * std::cos(n * at);
-        tangential += result.kernel[(3 * I + 1) * size + 3 * J + 2] * p * std::sin(n * at);
-      }
-    // Constant on each station, and averaged over it: the mode counts by sin(x)/x twice.
-    const double x = n * pi / count, sinc = n == 0 ? 1 : std::sin(x) / x;
-    normal *= (n == 0 ? 1.0 : 2.0) / count / (sinc * sinc);
-    tangential *= 2.0 / count / (sinc * sinc);
-    const double unit = radius / (4 * mu);
-    double exact_normal = 0, exact_tangential = 0;
-    if (n == 0)
-      exact_normal = radius / (2 * mu) * (hole ? 1 : 1 - 2 * nu);
-    else if (hole) {
-      exact_normal = unit * (kappa / (n - 1) + 1.0 / (n + 1));
-      exact_tangential = unit * (-kappa / (n - 1) + 1.0 / (n + 1));
-    } else {
-      exact_normal = unit * (kappa / (n + 1) + 1.0 / (n - 1));
-      exact_tangential = -unit * (kappa / (n + 1) - 1.0 / (n - 1));
-    }
-    EXPECT_NEAR(normal, exact_normal, 0.01 * exact_normal) << "n = " << n;
-    EXPECT_NEAR(tangential, exact_tangential, 0.01 * exact_normal) << "n = " << n;
+// The first level leaves the coarse cells behind the surface's.
+TEST(Kernel, each_further_level_at_the_borders_takes_the_error_to_a_third_or_less) {
+  double last = worst_against_halfspace(false, 2.0, 0.25, 3, 1);
+  for (int level = 2; level <= 3; ++level) {
+    const double now = worst_against_halfspace(false, 2.0, 0.25, 3, level);
+    EXPECT_GT(std::log2(last / now), 1.6) << "level " << level;
+    last = now;
   }
+  EXPECT_LT(last, 1.5e-4);
+}
+
+TEST(Kernel, schur_complement_is_what_solving_gives) {
+  // A chain of springs, held at one end; borders with repeated and single entries.
+  const int size = 50;
+  std::vector<int> row, column;
+  std::vector<double> value;
+  for (int i = 0; i < size; ++i) {
+    row.insert(row.end(), {i, i});
+    column.insert(column.end(), {i, std::max(0, i - 1)});
+    value.insert(value.end(), {2.0 + 0.01 * i, i > 0 ? -1.0 : 0.5});
+  }
+  SparseColumns border;
+  for (const int at : {0, 7, 7, 49}) {
+    border.row.insert(border.row.end(), {at, (at + 5) % size});
+    border.value.insert(border.value.end(), {1.0, 0.25 * at});
+    border.column_begin.push_back(border.row.size());
+  }
+  MumpsSolver bordered(size, row, column, border), plain(size, row, column);
+  bordered.factorize(value);
+  plain.factorize(value);
+  const std::vector<double>& schur = bordered.schur();
+  plain.solve(border, [&](std::size_t c, std::span<const double> x) {
+    for (std::size_t a = 0; a < border.columns(); ++a) {
+      double expected = 0;
+      for (std::size_t e = border.column_begin[a]; e < border.column_begin[a + 1]; ++e)
+        expected += border.value[e] * x[static_cast<std::size_t>(border.row[e])];
+      EXPECT_NEAR(schur[a * border.columns() + c], expected, 1e-12 * schur[a * border.columns() + a]);
+      EXPECT_EQ(schur[a * border.columns() + c], schur[c * border.columns() + a]);
+    }
+  });
 }
 
 TEST(Kernel, disc_has_michells_modes) {
@@ -144,9 +143,10 @@ TEST(Kernel, reactions_balance_the_load_of_prism_and_wheel) {
   for (const bool wheel : {false, true}) {
     const Folder folder;
     write_block_mesh(folder / "block.msh", 0.5, 2, 50, wheel);
-    const Section section(folder / "block.msh", 2);
-    HarmonicSolver solver(section, strip_body(wheel ? "wheel" : "block", 2, 0.5, 2),
-                          straight_line(50, wheel));
+    const BodyFile body = strip_body(wheel ? "wheel" : "block", 2, 0.5, 2);
+    const ProfileCurve curve = straight_line(50, wheel);
+    const Section section(folder / "block.msh", 2, curve, body.strip, {.borders = 1});
+    HarmonicSolver solver(section, body, curve);
     const auto result = solver.at(0);
     EXPECT_LT(result.reaction_error, 1e-8);
     EXPECT_LT(result.betti_error, 1e-10);
@@ -162,9 +162,9 @@ TEST(Kernel, removing_the_remote_motion_takes_most_of_the_support_out) {
     const Folder folder;
     const double size = b == 0 ? 40 : 80;
     write_block_mesh(folder / "block.msh", 0.5, 2, size);
-    const Section section(folder / "block.msh", 2);
     BodyFile body = strip_body("block", 2, 0.5, 2);
     body.harmonic.remote_distance = 20;
+    const Section section(folder / "block.msh", 2, straight_line(size), body.strip);
     HarmonicSolver solver(section, body, straight_line(size));
     results[b] = solver.at(0);
     n = 3 * solver.stations().size();

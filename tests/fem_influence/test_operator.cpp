@@ -35,7 +35,7 @@ protected:
 };
 
 TEST_F(Operator, rigid_motions_of_a_prism_carry_no_energy) {
-  const Section section(mesh_, 2);
+  const Section section(mesh_, 2, straight_line(50, true), {-4, 4, 2});
   const auto op = assemble(section, Material{}, 0);
   const auto motions = rigid_motions(section.node_positions(), 0, 0);
   ASSERT_EQ(motions.size(), 4u);
@@ -46,7 +46,7 @@ TEST_F(Operator, rigid_motions_of_a_prism_carry_no_energy) {
 }
 
 TEST_F(Operator, rigid_motions_of_a_wheel_carry_no_energy) {
-  const Section section(mesh_, 2);
+  const Section section(mesh_, 2, straight_line(50, true), {-4, 4, 2});
   const auto op = assemble(section, Material{}, wheel_radius);
   for (const int n : {0, 1}) {
     const auto motions = rigid_motions(section.node_positions(), wheel_radius, n);
@@ -63,7 +63,7 @@ TEST_F(Operator, rigid_motions_of_a_wheel_carry_no_energy) {
 }
 
 TEST_F(Operator, wheel_of_huge_radius_is_a_prism) {
-  const Section section(mesh_, 1);
+  const Section section(mesh_, 1, straight_line(50, true), {-4, 4, 2});
   const auto prism = assemble(section, Material{}, 0);
   double last = 0;
   for (const double radius : {1e5, 1e6}) {
@@ -83,7 +83,7 @@ TEST_F(Operator, wheel_of_huge_radius_is_a_prism) {
 }
 
 TEST_F(Operator, reversed_wavenumber_turns_the_longitudinal_component) {
-  const Section section(mesh_, 2);
+  const Section section(mesh_, 2, straight_line(50, true), {-4, 4, 2});
   for (const double radius : {0.0, wheel_radius}) {
     const auto op = assemble(section, Material{}, radius);
     auto u = strained(section.node_positions(), 1);
@@ -97,7 +97,7 @@ TEST_F(Operator, reversed_wavenumber_turns_the_longitudinal_component) {
 
 TEST_F(Operator, uniform_strains_have_their_energy) {
   // Plane strain: u_y = c y on a block of area A stores (lambda + 2 mu) c^2 A; antiplane u_x = c z: mu c^2 A.
-  const Section section(mesh_, 2);
+  const Section section(mesh_, 2, straight_line(50, true), {-4, 4, 2});
   const Material material;
   const auto op = assemble(section, material, 0);
   const double mu = material.shear_modulus, lambda = 2 * mu * material.poisson / (1 - 2 * material.poisson);

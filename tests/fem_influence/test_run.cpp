@@ -26,8 +26,12 @@ BodyFile small_block() {
   body.body.kind = "block";
   body.body.size = 40;
   body.strip = {-2, 2, 0.5};
-  body.harmonic = {
-      .degree = 2, .half_period = 120, .shortest_dx = 0.5, .samples_per_decade = 6, .remote_distance = 20};
+  body.harmonic = {.degree = 2,
+                   .border_levels = 1,
+                   .half_period = 120,
+                   .shortest_dx = 0.5,
+                   .samples_per_decade = 6,
+                   .remote_distance = 20};
   return body;
 }
 
@@ -55,22 +59,21 @@ protected:
   Folder folder_;
 };
 
-TEST_F(Run, flat_block_gives_the_halfspace_numbers_within_one_percent) {
+TEST_F(Run, flat_block_gives_the_halfspace_numbers_and_knows_their_error) {
   // Self and differences to 10 patch sizes along x and s, all nine components.
   BodyFile body = small_block();
   body.strip = {-3, 3, 0.5};
   body.body.size = 100;
   body.harmonic = {
-      .degree = 3, .half_period = 600, .shortest_dx = 0.5, .samples_per_decade = 6, .remote_distance = 50};
-  write_block_mesh(folder_ / "large.msh", 0.25, 3, 100);
+      .degree = 3, .border_levels = 4, .half_period = 600, .shortest_dx = 0.5, .remote_distance = 50};
+  write_block_mesh(folder_ / "large.msh", 0.5, 3, 100);
   const auto file = folder_ / "large.h5";
   const RunReport report = run_harmonic(body, straight_line(100), folder_ / "large.msh", file);
   EXPECT_LT(report.betti_error, 1e-10);
   EXPECT_LT(report.reaction_error, 1e-8);
   const InfluenceFunction function = read_influence_file(file);
   EXPECT_EQ(function.stations.size(), 12u);
-  EXPECT_GT(function.estimated_error, 0);
-  EXPECT_LT(function.estimated_error, 0.01);
+  EXPECT_GT(report.smallest_eigenvalue, 0);
   const int offsets = 11, rows = 12;
   const auto numbers = expand(function, {.dx = 0.5, .offsets = offsets});
   const auto exact = halfspace::averaged(body.material, 0, 0, 0.25, 0.25);
@@ -82,6 +85,7 @@ TEST_F(Run, flat_block_gives_the_halfspace_numbers_within_one_percent) {
                halfspace::averaged(body.material, 0.5 * (offsets - 1), 0.5 * (rows - 1), 0.25, 0.25)[i][i];
     EXPECT_LT(std::abs(shift[i]), 0.02 * exact[i][i]);
   }
+  double worst = 0;
   for (int m = 0; m < offsets; ++m)
     for (int I = 0; I < rows; ++I)
       for (int J = 0; J < rows; ++J) {
@@ -90,10 +94,39 @@ TEST_F(Run, flat_block_gives_the_halfspace_numbers_within_one_percent) {
           for (int j = 0; j < 3; ++j) {
             const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
             const double error = numbers.at(m, I, i, J, j) - half[a][b] - (i == j ? shift[a] : 0.0);
-            ASSERT_LT(std::abs(error), 0.01 * std::sqrt(exact[a][a] * exact[b][b]))
+            ASSERT_LT(std::abs(error), 5e-4 * std::sqrt(exact[a][a] * exact[b][b]))
                 << "component " << i << j << ", offset " << m << ", rows " << I << ' ' << J;
+            worst = std::max(worst, std::abs(error) / std::sqrt(exact[a][a] * exact[b][b]));
           }
       }
+  EXPECT_LT(worst, function.estimated_error);
+  EXPECT_LT(function.estimated_error, 5 * worst);
+}
+
+TEST_F(Run, a_body_twice_as_large_has_the_same_numbers_without_its_structural_motion) {
+  std::vector<double> last;
+  for (const double size : {100.0, 200.0}) {
+    BodyFile body = small_block();
+    body.body.size = size;
+    body.harmonic = {.degree = 2, .border_levels = 2, .half_period = 6 * size, .shortest_dx = 0.5};
+    body.harmonic.remote_distance = 20;
+    write_block_mesh(folder_ / "sized.msh", 0.5, 2, size);
+    run_harmonic(body, straight_line(size), folder_ / "sized.msh", folder_ / "sized.h5");
+    const auto function = read_influence_file(folder_ / "sized.h5");
+    const auto numbers = expand(function, {.dx = 0.5, .offsets = 20});
+    if (!last.empty()) {
+      double difference = 0;
+      for (std::size_t i = 0; i < last.size(); ++i)
+        difference = std::max(difference, std::abs(numbers.values[i] - last[i]));
+      const double self = numbers.at(0, 4, 2, 4, 2);
+      EXPECT_LT(difference, 2e-3 * self);
+      // With the support's compliance they are not the same: the test can fail.
+      const auto included =
+          expand(function, {.dx = 0.5, .offsets = 20, .structural = StructuralCompliance::included});
+      EXPECT_GT(std::abs(included.at(0, 4, 2, 4, 2) - self), 5e-3 * self);
+    }
+    last = numbers.values;
+  }
 }
 
 TEST_F(Run, a_stopped_run_goes_on_and_gives_the_same_file) {
@@ -130,7 +163,7 @@ TEST_F(Run, finished_wavenumbers_of_another_material_are_not_taken_over) {
   EXPECT_EQ(run_harmonic(body, curve, folder_ / "block.msh", folder_ / "out.h5").resumed, 0u);
 }
 
-TEST_F(Run, the_program_gives_the_same_file_on_one_and_two_processes) {
+TEST_F(Run, the_program_gives_the_same_file_on_one_two_and_four_processes) {
   write_text(folder_ / "body.toml", "[body]\nkind = \"block\"\nsize = 40.0\n"
                                     "[strip]\nfrom = -2.0\nto = 2.0\nstation_width = 0.5\n"
                                     "[harmonic]\ndegree = 2\nhalf_period = 120.0\nshortest_dx = 0.5\n"
@@ -150,7 +183,8 @@ TEST_F(Run, the_program_gives_the_same_file_on_one_and_two_processes) {
   };
   const std::string one = run(1);
   EXPECT_GT(one.size(), 10000u);
-  EXPECT_TRUE(one == run(2));
+  for (const int processes : {2, 4})
+    EXPECT_TRUE(one == run(processes)) << processes << " processes";
 }
 
 TEST_F(Run, says_what_is_wrong_with_a_mesh) {
@@ -211,19 +245,18 @@ TEST(Wavenumbers, are_the_harmonics_then_equal_steps_up_to_the_largest) {
     EXPECT_NEAR(k[i + 1] / k[i], k[9] / k[8], 1e-12);
   EXPECT_LE(std::log10(k[9] / k[8]), 1.0 / 7);
   EXPECT_GT(std::log10(k[9] / k[8]), 1.0 / 8);
+  EXPECT_EQ(k.size() % 2, 1u);
 }
 
-TEST(Wavenumbers, interpolation_error_is_seen_and_falls_with_the_samples) {
-  const auto error = [](int samples) {
+TEST(Wavenumbers, every_second_logarithmic_sample_can_be_left_out) {
+  for (const int samples : {4, 5, 7}) {
     const auto k = wavenumber_samples(600, 0.2, samples);
-    std::vector<double> g;
-    for (const double x : k)
-      g.push_back(1 / (x + 0.3 + 0.2 / (1 + x * x)));
-    return interpolation_error(k, g, 1, 1000);
-  };
-  EXPECT_GT(error(5), 1e-6);
-  EXPECT_GT(std::log2(error(5) / error(10)), 4.5); // sixth order
-  EXPECT_EQ(interpolation_error(wavenumber_samples(600, 10, 2), std::vector<double>(20, 1.0), 1), -1);
+    const auto kept = companion_samples(k.size());
+    EXPECT_EQ(kept.size(), 9 + (k.size() - 9) / 2);
+    EXPECT_EQ(kept.back(), k.size() - 1);
+    for (std::size_t i = 8; i + 1 < kept.size(); ++i)
+      EXPECT_EQ(kept[i + 1], kept[i] + 2);
+  }
 }
 
 } // namespace
