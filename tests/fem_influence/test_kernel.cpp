@@ -101,6 +101,57 @@ TEST(Kernel, each_further_level_at_the_borders_takes_the_error_to_a_third_or_les
   EXPECT_LT(last, 1.5e-4);
 }
 
+/// Michell's modes of a disc or a bore under pressure p cos(n phi) (REFERENCES 3.2), with k = 0.
+void check_michell(bool hole) {
+  const Folder folder;
+  const double radius = 10;
+  const int count = 84;
+  write_ring_mesh(folder / "ring.msh", radius, hole ? 200 * radius : 0.004 * radius, count);
+  BodyFile body = strip_body(hole ? "bore" : "disc", 0, 2 * pi * radius / count, 3);
+  const ProfileCurve circle = full_circle(radius, hole);
+  body.strip = {circle.s_begin(), circle.s_end(), (circle.s_end() - circle.s_begin()) / count};
+  body.harmonic.remote_distance = 0.5 * radius;
+  const Section section(folder / "ring.msh", 3, circle, body.strip, {.borders = 3});
+  HarmonicSolver solver(section, body, circle);
+  const auto result = solver.at(0);
+  EXPECT_LT(result.betti_error, 1e-10);
+  EXPECT_LT(result.reaction_error, 1e-8);
+  const std::size_t size = 3 * count;
+  const double mu = body.material.shear_modulus, nu = body.material.poisson, kappa = 3 - 4 * nu;
+  const auto exact = [&](int n) -> std::array<double, 2> { // normal, tangential
+    const double unit = radius / (4 * mu);
+    if (hole)
+      return {unit * (kappa / (n - 1) + 1.0 / (n + 1)), unit * (-kappa / (n - 1) + 1.0 / (n + 1))};
+    return {unit * (kappa / (n + 1) + 1.0 / (n - 1)), -unit * (kappa / (n + 1) - 1.0 / (n - 1))};
+  };
+  for (int n = 2; n <= 40; ++n) {
+    double normal = 0, tangential = 0;
+    for (std::size_t I = 0; I < count; ++I)
+      for (std::size_t J = 0; J < count; ++J) {
+        const double at = solver.stations()[I].s / radius, p = std::cos(n * solver.stations()[J].s / radius);
+        normal += 2.0 / count * result.kernel[(3 * I + 2) * size + 3 * J + 2] * p * std::cos(n * at);
+        tangential += 2.0 / count * result.kernel[(3 * I + 1) * size + 3 * J + 2] * p * std::sin(n * at);
+      }
+    // A pressure that is constant on each station has the modes n + m count too, which the stations do not
+    // tell from n; load and mean count by sin(x)/x each.
+    double exact_normal = 0, exact_tangential = 0;
+    for (int m = -400; m <= 400; ++m) {
+      const int mode = n + m * count;
+      const double x = mode * pi / count, sinc = std::sin(x) / x;
+      const auto [normal_mode, tangential_mode] = exact(std::abs(mode));
+      exact_normal += sinc * sinc * normal_mode;
+      exact_tangential += sinc * sinc * (mode > 0 ? tangential_mode : -tangential_mode);
+    }
+    EXPECT_NEAR(normal, exact_normal, 1e-3 * exact_normal) << "n = " << n;
+    EXPECT_NEAR(tangential, exact_tangential, 1e-3 * exact_normal) << "n = " << n;
+  }
+  double uniform = 0;
+  for (std::size_t J = 0; J < count; ++J)
+    uniform += result.kernel[2 * size + 3 * J + 2];
+  const double exact_uniform = radius / (2 * mu) * (hole ? 1 : 1 - 2 * nu);
+  EXPECT_NEAR(uniform, exact_uniform, 1e-3 * exact_uniform);
+}
+
 TEST(Kernel, schur_complement_is_what_solving_gives) {
   // A chain of springs, held at one end; borders with repeated and single entries.
   const int size = 50;

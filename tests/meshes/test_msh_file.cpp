@@ -90,7 +90,7 @@ TEST_F(MshFile, HoldsNamesGroupsAndPlacesOfTheMesh) {
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     EXPECT_LT(norm(found.nodes.at(v + 1) - mesh.points[v]), 1e-12);
   const std::map<std::pair<int, int>, int> expected{
-      {{1, 1}, 40},
+      {{1, 1}, 20},
       {{2, 1}, static_cast<int>(edges_of(mesh, Group::held).size())},
       {{3, 1}, static_cast<int>(edges_of(mesh, Group::free).size())},
       {{10, 3}, static_cast<int>(mesh.quads.size())}};

@@ -215,7 +215,7 @@ TEST(RailMesh, FourHundredStations) {
   const BodyFile body = rail("60E1", {-60, 20, 0.2});
   const QuadMesh mesh = mesh_section(body);
   expect_strip_on_profile(body, mesh);
-  EXPECT_EQ(edges_of(mesh, Group::contact).size(), 800u);
+  EXPECT_EQ(edges_of(mesh, Group::contact).size(), 400u);
   EXPECT_GE(quality(mesh).smallest, poor_quality);
 }
 
