@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/contact/rolling_step.hpp"
+#include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/contact/solve.hpp"
 
 #include <algorithm>
@@ -12,11 +12,11 @@ namespace {
 
 /// u_i = (A p)_i in columns 0 .. mx + 1 (two ahead of the grid, for rolling), by direct summation over the
 /// numbers.
-std::array<std::vector<double>, 3> displacements(const ContactProblem& problem, const ContactResult& result) {
+std::array<std::vector<double>, 3> displacements(const ContactProblem& problem,
+                                                 const std::array<const std::vector<double>*, 3>& p) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   const InfluenceNumbers& a = problem.numbers;
   const int columns = std::min(mx + rolling_columns, a.offsets);
-  const std::array<const std::vector<double>*, 3> p{&result.px, &result.ps, &result.pn};
   std::array<std::vector<double>, 3> u;
   u.fill(std::vector<double>(static_cast<std::size_t>(columns) * ms, 0.0));
   for (int j = 0; j < 3; ++j)
@@ -40,6 +40,38 @@ std::array<std::vector<double>, 3> displacements(const ContactProblem& problem, 
           }
     }
   return u;
+}
+
+/// sum_k former[k] (A p_k)(x + k columns dx) over the tractions of former steps; as displacements().
+std::array<std::vector<double>, 3> former_displacements(const ContactProblem& problem, const SlipStep& step,
+                                                        int columns) {
+  std::array<std::vector<double>, 3> sum;
+  sum.fill(std::vector<double>(static_cast<std::size_t>(columns) * problem.grid.ms, 0.0));
+  for (std::size_t k = 1; k <= std::min<std::size_t>(problem.previous.size(), 2); ++k) {
+    const Tractions& former = problem.previous[k - 1];
+    const auto u = displacements(problem, {&former.px, &former.ps, &former.pn});
+    const int ahead = static_cast<int>(k) * step.columns;
+    for (const int c : {component_x, component_s})
+      for (int is = 0; is < problem.grid.ms; ++is)
+        for (int ix = 0; ix < problem.grid.mx; ++ix)
+          sum[c][static_cast<std::size_t>(is) * columns + ix] +=
+              step.former[k] * u[c][static_cast<std::size_t>(is) * columns + ix + ahead];
+  }
+  return sum;
+}
+
+/// The largest of what the prescribed shear forces miss, over what friction can carry.
+double shear_imbalance(const ContactProblem& problem, const ContactResult& result) {
+  double fx = 0, fs = 0, capacity = 0;
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    const int row = i / problem.grid.mx;
+    fx += result.px[i] * problem.element_area();
+    fs += result.ps[i] * problem.lateral_share(row) * problem.element_area();
+    capacity += problem.friction_of(row) * result.pn[i] * problem.element_area();
+  }
+  const double missing = std::max(problem.force_x ? std::abs(fx - *problem.force_x) : 0.0,
+                                  problem.force_s ? std::abs(fs - *problem.force_s) : 0.0);
+  return missing > 0 ? missing / capacity : 0;
 }
 
 void require_fields(const ContactProblem& problem, const ContactResult& result) {
@@ -81,20 +113,25 @@ void check_normal(const ContactProblem& problem, const ContactResult& result, co
 void check_friction(const ContactProblem& problem, const ContactResult& result,
                     const std::array<std::vector<double>, 3>& u, int columns, Certificate& certificate) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
-  const double mu = problem.has_friction() ? problem.friction : 0.0;
+  const bool friction = problem.has_friction();
+  const auto mu = [&](int i) { return friction ? problem.friction_of(i / mx) : 0.0; };
   const double pmax = *std::max_element(result.pn.begin(), result.pn.end());
-  const double traction_scale = mu > 0 ? mu * pmax : pmax;
+  double traction_scale = friction ? 0.0 : pmax;
+  for (int i = 0; friction && i < mx * ms; ++i)
+    traction_scale = std::max(traction_scale, mu(i) * result.pn[i]);
   const auto relative = [](double value, double to) { return value > 0 ? value / to : 0.0; };
   double cone = 0;
   for (int i = 0; i < mx * ms; ++i) {
     const double shear = std::hypot(result.px[i], result.ps[i]);
-    cone = std::max(cone, shear - mu * result.pn[i]);
+    cone = std::max(cone, shear - mu(i) * result.pn[i]);
     if (!std::isfinite(shear))
       cone = std::numeric_limits<double>::infinity();
   }
   certificate.friction_cone = relative(cone, traction_scale);
-  if (mu == 0)
+  if (!friction)
     return;
+  const SlipStep step = slip_step(problem);
+  const auto before = former_displacements(problem, step, columns);
   struct Slip {
     double x, s, bound;
     int element;
@@ -110,13 +147,15 @@ void check_friction(const ContactProblem& problem, const ContactResult& result,
       if (!(result.pn[i] > 0))
         continue;
       const std::size_t at = static_cast<std::size_t>(is) * columns + ix;
-      const double rigid_x = problem.slip_x[i] * dx, rigid_s = problem.slip_s[i] * dx;
-      double elastic_x = 0, elastic_s = 0; // u_wheel - u_rail = -A p
+      const double rigid_x = (problem.slip_x[i] + result.creepage_x) * step.length;
+      const double rigid_s =
+          (problem.slip_s[i] + result.creepage_s * problem.lateral_share(is)) * step.length;
+      double elastic_x = -before[component_x][at], elastic_s = -before[component_s][at]; // u = -A p
       for (int k = 0; k <= rolling_columns; ++k) {
-        elastic_x -= rolling_step[k] * u[component_x][at + k];
-        elastic_s -= rolling_step[k] * u[component_s][at + k];
+        elastic_x -= step.present[k] * u[component_x][at + k];
+        elastic_s -= step.present[k] * u[component_s][at + k];
       }
-      slips.push_back({rigid_x + elastic_x, rigid_s + elastic_s, mu * result.pn[i], i});
+      slips.push_back({rigid_x + elastic_x, rigid_s + elastic_s, problem.kinetic * mu(i) * result.pn[i], i});
       scale = std::max({scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s)});
     }
   // Coulomb's law leaves two states; each element counts in the one it is nearer to
@@ -149,7 +188,7 @@ double Certificate::worst() const {
 Certificate certify(const ContactProblem& problem, const ContactResult& result) {
   require_fields(problem, result);
   Certificate certificate;
-  const auto u = displacements(problem, result);
+  const auto u = displacements(problem, {&result.px, &result.ps, &result.pn});
   const int columns = static_cast<int>(u[0].size()) / problem.grid.ms;
   check_normal(problem, result, u[component_n], columns, certificate);
   check_friction(problem, result, u, columns, certificate);
@@ -162,6 +201,7 @@ Certificate certify(const ContactProblem& problem, const ContactResult& result) 
     const double missing = std::abs(force - problem.force);
     certificate.force_balance = problem.force > 0 ? missing / problem.force : missing;
   }
+  certificate.force_balance = std::max(certificate.force_balance, shear_imbalance(problem, result));
   return certificate;
 }
 

@@ -1,5 +1,7 @@
 #include "bem_contact/contact/coupling.hpp"
 
+#include "bem_contact/base/error.hpp"
+
 #include <Eigen/QR>
 #include <fmt/format.h>
 
@@ -70,22 +72,59 @@ private:
 
 struct Shear {
   TangentialSystem system;
-  VectorXd rigid; ///< w dx
+  VectorXd rigid;  ///< w of the step, mm
+  VectorXd former; ///< what the tractions of former steps add to the slip, mm
   std::optional<StripOperator> normal_from_shear, shear_from_normal;
 };
 
+/// sum_k former[k] u_k(x + k columns dx), u = -A p.
+VectorXd former_slip(const ContactProblem& problem, const Shear& shear) {
+  const int n = problem.grid.size();
+  const SlipStep& rule = shear.system.rule;
+  VectorXd sum = VectorXd::Zero(2 * n), pt(2 * n), u(2 * n);
+  for (std::size_t k = 1; k <= std::min<std::size_t>(problem.previous.size(), 2); ++k) {
+    const Tractions& former = problem.previous[k - 1];
+    const int columns = static_cast<int>(k) * rule.columns;
+    pt << Eigen::Map<const VectorXd>(former.px.data(), n), Eigen::Map<const VectorXd>(former.ps.data(), n);
+    sum -= rule.former[k] * shear.system.displacement(pt, columns);
+    if (shear.shear_from_normal) {
+      shear.shear_from_normal->apply(former.pn, view(u), columns);
+      sum -= rule.former[k] * u;
+    }
+  }
+  return sum;
+}
+
 TangentialTask make_task(const ContactProblem& problem, const Shear& shear, const VectorXd& pn,
                          double floor) {
-  TangentialTask task{problem.friction * pn, shear.rigid, {}, floor};
-  for (int i = 0; i < pn.size(); ++i)
+  TangentialTask task{pn, shear.rigid, shear.rigid + shear.former, {}, floor};
+  for (int i = 0; i < pn.size(); ++i) {
+    task.bound[i] *= problem.friction_of(i / problem.grid.mx);
     if (pn[i] > 0)
       task.contact.push_back(i);
+  }
   if (shear.shear_from_normal) {
     VectorXd step(2 * pn.size());
-    shear.shear_from_normal->apply_step(view(pn), view(step));
+    if (problem.motion == MotionKind::steady)
+      shear.shear_from_normal->apply_step(view(pn), view(step));
+    else {
+      shear.shear_from_normal->apply(view(pn), view(step));
+      step *= shear.system.rule.present[0];
+    }
     task.drive -= step;
   }
   return task;
+}
+
+/// Throws where the shear forces prescribed cannot be carried.
+void require_capacity(const ContactProblem& problem, const Creepage& creepage) {
+  if (!creepage.beyond)
+    return;
+  throw InputError("the shear force prescribed cannot be carried",
+                   fmt::format("|F| = {:g} N where friction carries less than sum mu p_n dS = {:g} N",
+                               std::hypot(problem.force_x.value_or(0), problem.force_s.value_or(0)),
+                               creepage.capacity),
+                   "prescribe less, or give a creepage (full slip leaves it undetermined)");
 }
 
 } // namespace
@@ -107,10 +146,10 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
   std::optional<Shear> shear;
   bool coupled = false, numbers_do = false;
   if (problem.has_friction()) {
-    shear.emplace(Shear{TangentialSystem(problem), VectorXd(2 * n), {}, {}});
+    shear.emplace(Shear{TangentialSystem(problem), VectorXd(2 * n), {}, {}, {}});
     for (int i = 0; i < n; ++i) {
-      shear->rigid[i] = problem.slip_x[i] * problem.grid.dx;
-      shear->rigid[n + i] = problem.slip_s[i] * problem.grid.dx;
+      shear->rigid[i] = problem.slip_x[i] * shear->system.rule.length;
+      shear->rigid[n + i] = problem.slip_s[i] * shear->system.rule.length;
     }
     numbers_do = numbers_couple(problem.numbers, system.self);
     if (numbers_do) {
@@ -118,6 +157,7 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
       shear->normal_from_shear.emplace(problem.numbers, problem.grid.mx, normal, tangential);
       shear->shear_from_normal.emplace(problem.numbers, problem.grid.mx, tangential, normal);
     }
+    shear->former = former_slip(problem, *shear);
     coupled = numbers_do || (problem.load == LoadKind::force && sine.cwiseAbs().maxCoeff() > rounding);
   }
 
@@ -127,6 +167,7 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
   VectorXd v = VectorXd::Zero(n + 1);
   Anderson anderson;
   bool settled = false;
+  double first_residual = 0, last_residual = 0;
   for (int turn = 0; turn < options.max_outer && !settled; ++turn) {
     ++solution.outer_iterations;
     const double shear_force = force_to_length > 0 ? v[n] / force_to_length : 0.0;
@@ -135,9 +176,9 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
                  options, solution.normal);
     if (!shear)
       break;
-    solution.slip_floor = 1e-12 * solution.normal.p.maxCoeff() * system.self;
-    const TangentialTask task = make_task(problem, *shear, solution.normal.p, solution.slip_floor);
-    solve_tangential(shear->system, task, options, solution.shear);
+    solution.task =
+        make_task(problem, *shear, solution.normal.p, 1e-12 * solution.normal.p.maxCoeff() * system.self);
+    solve_friction(shear->system, options, solution.task, solution.shear, solution.creepage);
     if (!coupled)
       break;
     VectorXd next = VectorXd::Zero(n + 1);
@@ -150,6 +191,8 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
     next[n] = force * force_to_length;
     solution.from_shear = next.head(n);
     const VectorXd residual = next - v;
+    first_residual = turn == 0 ? residual.norm() : first_residual;
+    last_residual = residual.norm();
     const double scale = system.apply(solution.normal.p).cwiseAbs().maxCoeff();
     settled =
         residual.head(n).cwiseAbs().maxCoeff() <= 10 * options.tolerance * scale &&
@@ -157,6 +200,9 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
     if (!settled)
       v = anderson.next(v, residual);
   }
+  require_capacity(problem, solution.creepage);
+  if (solution.outer_iterations > 1 && first_residual > 0)
+    solution.rate = std::pow(last_residual / first_residual, 1.0 / (solution.outer_iterations - 1));
   solution.distance =
       gap + solution.from_shear - solution.normal.approach * system.cosine + system.apply(solution.normal.p);
   solution.remark =

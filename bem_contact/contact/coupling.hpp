@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/contact/friction.hpp"
+#include "bem_contact/contact/creepage.hpp"
 #include "bem_contact/contact/normal.hpp"
 
 namespace bem_contact::contact {
@@ -10,7 +10,9 @@ struct Solution {
   TangentialState shear;
   Eigen::VectorXd from_shear; ///< (A p_t)_n, mm; field
   Eigen::VectorXd distance;   ///< e, mm; field
-  double slip_floor = 0;      ///< mm
+  TangentialTask task;        ///< as solved: bounds, rigid slip
+  Creepage creepage;
+  double rate = 0; ///< of the outer iteration: mean factor by which a turn reduces the residual; 0: one turn
   int outer_iterations = 0;
   std::string remark;
 };

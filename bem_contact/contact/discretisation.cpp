@@ -81,6 +81,7 @@ struct Sums {
 struct Parts {
   Sums normal, shear;
   double pressure = 0;        ///< sum p_n dS
+  double friction = 0;        ///< sum mu p_n dS
   double friction_moment = 0; ///< sum mu p_n r dS, r from the point (x, s)
 };
 
@@ -104,13 +105,15 @@ Parts sum_up(const ContactProblem& problem, const ContactResult& result, double 
     parts.shear.fs += fs;
     parts.shear.moment += (x - x_at) * fs - (row.s - s_at) * fx;
     parts.pressure += fn;
-    parts.friction_moment += problem.friction * fn * std::hypot(x - x_at, row.s - s_at);
+    const double friction = problem.friction_of(i / problem.grid.mx) * fn;
+    parts.friction += friction;
+    parts.friction_moment += friction * std::hypot(x - x_at, row.s - s_at);
   }
   return parts;
 }
 
 ContactTotals totals(const ContactResult& result) {
-  return {result.Fx, result.Fy, result.Fz, result.Mz, result.approach};
+  return {result.Fx, result.Fy, result.Fz, result.Mz, result.approach, result.creepage_x, result.creepage_s};
 }
 
 double largest_approach(const ContactResult& result) {
@@ -124,7 +127,8 @@ double largest_approach(const ContactResult& result) {
 
 std::optional<ContactProblem> coarse_companion(const ContactProblem& problem, const ContactResult& result) {
   const ContactGrid& grid = problem.grid;
-  if (result.patches.empty() || result.touches_border || grid.size() == 1)
+  if (result.patches.empty() || result.touches_border || grid.size() == 1 ||
+      problem.motion == MotionKind::transient) // which rolls on by dx, another step on larger elements
     return std::nullopt;
   int first_x = grid.mx, last_x = 0, first_s = grid.ms, last_s = 0;
   for (int i = 0; i < grid.size(); ++i)
@@ -144,6 +148,11 @@ std::optional<ContactProblem> coarse_companion(const ContactProblem& problem, co
   coarse.force = problem.force;
   coarse.tangential = problem.tangential;
   coarse.friction = problem.friction;
+  coarse.kinetic = problem.kinetic;
+  coarse.force_x = problem.force_x;
+  coarse.force_s = problem.force_s;
+  coarse.reference_delta = problem.reference_delta;
+  coarse.motion = problem.motion;
   coarse.numbers = coarsen(problem.numbers, x, s, !problem.has_friction());
   coarse.rows.resize(s.count);
   for (int is = 0; is < s.count; ++is)
@@ -152,6 +161,13 @@ std::optional<ContactProblem> coarse_companion(const ContactProblem& problem, co
       coarse.rows[is].s += w.value * row.s;
       coarse.rows[is].position = coarse.rows[is].position + w.value * row.position;
       coarse.rows[is].delta += w.value * row.delta;
+    }
+  if (!problem.friction_rows.empty())
+    for (int is = 0; is < s.count; ++is) {
+      double mu = 0;
+      for (int c = 0; c < s.factor; ++c)
+        mu += problem.friction_rows[s.first + s.factor * is + c] / s.factor;
+      coarse.friction_rows.push_back(mu);
     }
   const auto at_centres = [&](const std::vector<double>& field) {
     std::vector<double> out;
@@ -170,6 +186,8 @@ std::optional<ContactProblem> coarse_companion(const ContactProblem& problem, co
   if (problem.has_friction()) {
     coarse.slip_x = at_centres(problem.slip_x);
     coarse.slip_s = at_centres(problem.slip_s);
+    for (const Tractions& former : problem.previous)
+      coarse.previous.push_back({at_centres(former.px), at_centres(former.ps), at_centres(former.pn)});
   }
   return coarse;
 }
@@ -208,9 +226,11 @@ std::optional<Discretisation> compare(const ContactProblem& problem, const Conta
   } else
     out.extrapolated.Fz += normal(&Sums::fz) + shear(&Sums::fz);
   out.normal = std::hypot(normal(&Sums::fy), normal(&Sums::fz)) / fine.pressure;
+  out.extrapolated.creepage_x += second_order * (result.creepage_x - coarse.creepage_x);
+  out.extrapolated.creepage_s += second_order * (result.creepage_s - coarse.creepage_s);
   if (problem.has_friction()) {
-    out.tangential = std::hypot(fine.shear.fx - rough.shear.fx, fine.shear.fs - rough.shear.fs) /
-                     (problem.friction * fine.pressure);
+    out.tangential =
+        std::hypot(fine.shear.fx - rough.shear.fx, fine.shear.fs - rough.shear.fs) / fine.friction;
     if (fine.friction_moment > 0)
       out.moment = std::abs(fine.shear.moment - rough.shear.moment) / fine.friction_moment;
   }

@@ -9,7 +9,7 @@ namespace bem_contact::contact {
 
 using Eigen::VectorXd;
 
-StepNumbers::StepNumbers(const InfluenceNumbers& numbers, int mx)
+StepNumbers::StepNumbers(const InfluenceNumbers& numbers, int mx, const std::array<double, 3>& step)
     : mx_(mx), ms_(numbers.rows),
       values_(static_cast<std::size_t>(numbers.rows) * numbers.rows * 4 * (2 * mx - 1)) {
   std::size_t position = 0;
@@ -21,13 +21,12 @@ StepNumbers::StepNumbers(const InfluenceNumbers& numbers, int mx)
             return (m < 0 ? parity(c, d) : 1) * numbers.at(std::abs(m), row_i, c, row_j, d);
           };
           for (int m = mx - 1; m > -mx; --m)
-            values_[position++] =
-                rolling_step[0] * a(m) + rolling_step[1] * a(m + 1) + rolling_step[2] * a(m + 2);
+            values_[position++] = step[0] * a(m) + step[1] * a(m + 1) + step[2] * a(m + 2);
         }
 }
 
 TangentialSystem::TangentialSystem(const ContactProblem& the_problem)
-    : problem(&the_problem),
+    : problem(&the_problem), rule(slip_step(the_problem)),
       tt(the_problem.numbers, the_problem.grid.mx, {component_x, component_s}, {component_x, component_s}),
       stiffness(the_problem.grid.size()) {
   const auto& [mx, ms, dx, ds, x0] = problem->grid;
@@ -36,7 +35,7 @@ TangentialSystem::TangentialSystem(const ContactProblem& the_problem)
     double mean = 0;
     for (const int c : {component_x, component_s})
       for (int k = 0; k <= rolling_columns; ++k)
-        mean += 0.5 * rolling_step[k] * a.at(k, is, c, is, c);
+        mean += 0.5 * rule.present[k] * a.at(k, is, c, is, c);
     stiffness.segment(is * mx, mx).setConstant(1 / mean);
   }
 }
@@ -49,6 +48,8 @@ VectorXd TangentialSystem::displacement(const VectorXd& p, int columns) const {
 }
 
 VectorXd TangentialSystem::step(const VectorXd& p) const {
+  if (problem->motion != MotionKind::steady)
+    return rule.present[0] * displacement(p);
   VectorXd u(p.size());
   tt.apply_step({p.data(), static_cast<std::size_t>(p.size())},
                 {u.data(), static_cast<std::size_t>(u.size())});
@@ -57,26 +58,24 @@ VectorXd TangentialSystem::step(const VectorXd& p) const {
 
 const StepNumbers& TangentialSystem::step_numbers() const {
   if (!step_numbers_)
-    step_numbers_.emplace(problem->numbers, problem->grid.mx);
+    step_numbers_.emplace(problem->numbers, problem->grid.mx, rule.present);
   return *step_numbers_;
 }
 
-double largest_slip(const ContactProblem& problem, const std::vector<int>& contact, const VectorXd& slip,
+double largest_slip(const VectorXd& rigid, const std::vector<int>& contact, const VectorXd& slip,
                     double floor) {
-  const int n = problem.grid.size();
+  const Eigen::Index n = rigid.size() / 2;
   double largest = floor;
-  for (const int i : contact) {
-    const double rigid_x = problem.slip_x[i] * problem.grid.dx, rigid_s = problem.slip_s[i] * problem.grid.dx;
-    largest = std::max(
-        {largest, std::hypot(rigid_x, rigid_s), std::hypot(slip[i] - rigid_x, slip[n + i] - rigid_s)});
-  }
+  for (const int i : contact)
+    largest = std::max({largest, std::hypot(rigid[i], rigid[n + i]),
+                        std::hypot(slip[i] - rigid[i], slip[n + i] - rigid[n + i])});
   return largest;
 }
 
 double coulomb_violation(const TangentialSystem& system, const TangentialTask& task, const VectorXd& p,
                          const VectorXd& slip) {
   const int n = system.size();
-  const double slip_scale = largest_slip(*system.problem, task.contact, slip, task.slip_floor);
+  const double slip_scale = largest_slip(task.rigid, task.contact, slip, task.slip_floor);
   const double largest_bound = task.bound.maxCoeff();
   double worst = 0;
   for (const int i : task.contact) {

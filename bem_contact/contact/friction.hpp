@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/operator.hpp"
+#include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/contact/solve.hpp"
 
 #include <Eigen/Core>
@@ -11,12 +12,11 @@
 
 namespace bem_contact::contact {
 
-/// The numbers B = sum_k rolling_step[k] A(x_I + k dx - x_J) of steady rolling, tangential components,
-/// unrolled for dot products along x: for rows I, J and components c, d the 2 mx - 1 values of offset mx-1 ..
-/// -(mx-1).
+/// The numbers B = sum_k step[k] A(x_I + k dx - x_J) (SlipStep::present), tangential components, unrolled for
+/// dot products along x: for rows I, J and components c, d the 2 mx - 1 values of offset mx-1 .. -(mx-1).
 class StepNumbers {
 public:
-  StepNumbers(const InfluenceNumbers& numbers, int mx);
+  StepNumbers(const InfluenceNumbers& numbers, int mx, const std::array<double, 3>& step);
 
   /// Value at [ix'] is B_cd of the element (ix, row_i) under a load at (ix', row_j).
   const double* line(int ix, int row_i, int c, int row_j, int d) const {
@@ -29,7 +29,7 @@ private:
   std::vector<double> values_;
 };
 
-/// Steady rolling on a grid; vectors are fields of two components, [2][ms][mx].
+/// One step of rolling or shift on a grid; vectors are fields of two components, [2][ms][mx].
 class TangentialSystem {
 public:
   TangentialSystem(const ContactProblem& problem);
@@ -41,6 +41,7 @@ public:
   const StepNumbers& step_numbers() const;              ///< made when first asked for
 
   const ContactProblem* problem;
+  SlipStep rule;
   StripOperator tt;
   Eigen::VectorXd stiffness; ///< 1 / mean of B_xx, B_ss of the element itself, MPa/mm; field of one component
 
@@ -51,7 +52,8 @@ private:
 /// |p_t| <= bound; S = drive - B_tt p; stick or slip along S.
 struct TangentialTask {
   Eigen::VectorXd bound;    ///< mu p_n, MPa; field
-  Eigen::VectorXd drive;    ///< w dx - (B p_n)_t, mm
+  Eigen::VectorXd rigid;    ///< w of the step, mm
+  Eigen::VectorXd drive;    ///< rigid - (B p_n)_t + what former tractions left, mm
   std::vector<int> contact; ///< elements with p_n > 0
   double slip_floor = 0;    ///< mm: slip below this is rounding
 };
@@ -64,8 +66,8 @@ struct TangentialState {
   std::string solver, remark;
 };
 
-/// The largest rigid slip w dx or elastic slip S - w dx of the elements in contact, and at least `floor`; mm.
-double largest_slip(const ContactProblem& problem, const std::vector<int>& contact,
+/// The largest rigid slip w or elastic slip S - w of the elements in contact, and at least `floor`; mm.
+double largest_slip(const Eigen::VectorXd& rigid, const std::vector<int>& contact,
                     const Eigen::VectorXd& slip, double floor);
 
 /// The largest violation of Coulomb's law: of the cone, and of the nearer of adhesion (|S| over the largest
@@ -77,7 +79,8 @@ double coulomb_violation(const TangentialSystem& system, const TangentialTask& t
 void newton(const TangentialSystem&, const TangentialTask&, const SolverOptions&, TangentialState&);
 /// Gauss-Seidel from the leading edge, element by element (after SteadyGS: Vollebregt 2010), damped.
 void sweeps(const TangentialSystem&, const TangentialTask&, double tolerance, int most, TangentialState&);
-/// Rolls on from the present tractions, `steps` columns with p_n held: each step is a convex problem.
+/// Rolls on from the present tractions, `steps` columns with p_n held: each step is a convex problem. A
+/// transient step or a shift is such a problem itself.
 void roll_on(const TangentialSystem&, const TangentialTask&, const SolverOptions&, int steps,
              TangentialState&);
 /// Newton; then sweeps; then rolling on and Newton again.

@@ -40,7 +40,7 @@ void validate_numbers(const ContactProblem& problem) {
   if (problem.plane_strain()) {
     require(grid.mx == 1 && offsets == 1, "plane strain has one element along x", "numbers with dx = 0",
             "set mx = 1 and offsets = 1");
-    require(!problem.tangential || problem.friction == 0, "rolling needs elements along x",
+    require(!problem.has_friction(), "rolling needs elements along x",
             "the influence numbers are of plane strain",
             "set tangential = false, or use numbers with dx > 0");
   } else {
@@ -78,6 +78,31 @@ void validate_numbers(const ContactProblem& problem) {
           "use displacements averaged over the element");
 }
 
+void validate_friction(const ContactProblem& problem) {
+  const auto is_friction = [](double mu) { return std::isfinite(mu) && mu >= 0; };
+  require(is_friction(problem.friction) &&
+              std::all_of(problem.friction_rows.begin(), problem.friction_rows.end(), is_friction),
+          "the friction coefficient is not one", std::to_string(problem.friction), "give mu >= 0");
+  require(problem.friction_rows.empty() ||
+              problem.friction_rows.size() == static_cast<std::size_t>(problem.grid.ms),
+          "the friction coefficients do not fit the grid",
+          std::to_string(problem.friction_rows.size()) + " for " + std::to_string(problem.grid.ms) + " rows",
+          "give one for each row");
+  require(problem.kinetic > 0 && problem.kinetic <= 1, "friction in slip is not below that in adhesion",
+          "their ratio is " + std::to_string(problem.kinetic), "give a ratio above 0 and at most 1");
+  require_field(problem.slip_x, problem.grid, "rigid slip along x");
+  require_field(problem.slip_s, problem.grid, "rigid slip along s");
+  for (const Tractions& former : problem.previous)
+    for (const std::vector<double>* field : {&former.px, &former.ps, &former.pn})
+      require_field(*field, problem.grid, "traction of a former step");
+  for (const auto& force : {problem.force_x, problem.force_s}) {
+    require(!force || std::isfinite(*force), "the shear force prescribed is not finite", "NaN or infinity",
+            "give it in N");
+    require(!force || problem.has_friction(), "no shear force can be carried", "there is no friction",
+            "give a friction coefficient, or no shear force");
+  }
+}
+
 } // namespace
 
 void validate(const ContactProblem& problem) {
@@ -108,12 +133,8 @@ void validate(const ContactProblem& problem) {
             "no row can carry a vertical force", "every row is inclined by 90 degrees or more",
             "prescribe the approach, or turn the frame");
   }
-  if (problem.tangential) {
-    require(std::isfinite(problem.friction) && problem.friction >= 0, "the friction coefficient is not one",
-            std::to_string(problem.friction), "give mu >= 0");
-    require_field(problem.slip_x, grid, "rigid slip along x");
-    require_field(problem.slip_s, grid, "rigid slip along s");
-  }
+  if (problem.tangential)
+    validate_friction(problem);
 }
 
 } // namespace bem_contact

@@ -19,7 +19,7 @@ ElementState friction_state(double slip, double slip_scale, double deviation, do
 
 void fill_fields(const ContactProblem& problem, const contact::Solution& solution, ContactResult& result) {
   const int n = problem.grid.size();
-  const bool friction = problem.has_friction();
+  const bool friction = problem.has_friction() && solution.task.bound.size() > 0;
   const auto field = [n](const VectorXd& v, int component) {
     return std::vector<double>(v.data() + component * n, v.data() + (component + 1) * n);
   };
@@ -30,13 +30,11 @@ void fill_fields(const ContactProblem& problem, const contact::Solution& solutio
   result.slip_x.assign(n, 0.0);
   result.slip_s.assign(n, 0.0);
   result.state.assign(n, ElementState::exterior);
-  const double pmax = solution.normal.p.size() > 0 ? solution.normal.p.maxCoeff() : 0;
-  std::vector<int> touching;
-  for (int i = 0; i < n; ++i)
-    if (result.pn[i] > 0)
-      touching.push_back(i);
+  const contact::TangentialTask& task = solution.task;
   const double slip_scale =
-      friction ? contact::largest_slip(problem, touching, solution.shear.slip, solution.slip_floor) : 1.0;
+      friction ? contact::largest_slip(task.rigid, task.contact, solution.shear.slip, task.slip_floor) : 1.0;
+  const double traction_scale = friction ? task.bound.maxCoeff() : 1.0;
+  const double length = slip_step(problem).length;
   for (int i = 0; i < n; ++i) {
     if (!(result.pn[i] > 0))
       continue;
@@ -44,12 +42,12 @@ void fill_fields(const ContactProblem& problem, const contact::Solution& solutio
     if (!friction)
       continue;
     const double sx = solution.shear.slip[i], ss = solution.shear.slip[n + i], slip = std::hypot(sx, ss);
-    result.slip_x[i] = sx / problem.grid.dx;
-    result.slip_s[i] = ss / problem.grid.dx;
-    const double bound = problem.friction * result.pn[i];
+    result.slip_x[i] = sx / length;
+    result.slip_s[i] = ss / length;
+    const double bound = task.bound[i];
     const double deviation =
         slip > 0 ? std::hypot(result.px[i] - bound * sx / slip, result.ps[i] - bound * ss / slip) : bound;
-    result.state[i] = friction_state(slip, slip_scale, deviation, problem.friction * pmax);
+    result.state[i] = friction_state(slip, slip_scale, deviation, traction_scale);
   }
 }
 
@@ -63,6 +61,7 @@ void sum_forces(const ContactProblem& problem, ContactResult& result) {
     result.Fx += fx;
     result.Fy += fy;
     result.Fz += (result.pn[i] * cosine + result.ps[i] * sine) * area;
+    result.Fs += result.ps[i] * area * problem.lateral_share(i / problem.grid.mx);
     result.Mz += problem.grid.x(i % problem.grid.mx) * fy - row.position.y * fx;
   }
 }
@@ -72,6 +71,8 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
   ContactResult result;
   fill_fields(problem, solution, result);
   result.approach = solution.normal.approach;
+  result.creepage_x = solution.creepage.x;
+  result.creepage_s = solution.creepage.s;
   sum_forces(problem, result);
   result.patches = contact::find_patches(problem, result);
   result.touches_border = contact::touches_border(problem.grid, result.state);
@@ -82,6 +83,8 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
   result.outer_iterations = solution.outer_iterations;
   result.normal_iterations = solution.normal.iterations;
   result.tangential_iterations = solution.shear.iterations;
+  result.creepage_iterations = solution.creepage.iterations;
+  result.outer_rate = solution.rate;
   result.remark = solution.remark;
   return result;
 }

@@ -63,6 +63,15 @@ void roll_on(const TangentialSystem& system, const TangentialTask& task, const S
   VectorXd older = state.p;
   state.converged = false;
   state.solver = "rolling on";
+  if (system.problem->motion != MotionKind::steady) {
+    state.solver = "projected gradients";
+    ++state.iterations;
+    solve_shift(system, task, task.drive / system.rule.present[0], norm, 1e-12, state.p);
+    state.slip = task.drive - system.step(state.p);
+    state.violation = coulomb_violation(system, task, state.p, state.slip);
+    state.converged = state.violation <= options.tolerance;
+    return;
+  }
   for (int k = 0; k < steps && !state.converged; ++k) {
     ++state.iterations;
     // S = r0 (c - A p); the old fields are those of one and two steps ago

@@ -1,0 +1,168 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/reference/rolling.hpp"
+#include "tests/contact/scenes.hpp"
+
+#include <gmock/gmock.h>
+
+namespace bem_contact {
+namespace {
+
+/// REFERENCES of the issue: Cattaneo's spheres with a = 1 mm.
+const Material soft{200, 0.42};
+constexpr double cattaneo_force = 9.1954, cattaneo_friction = 0.4;
+
+ContactProblem cattaneo_problem(int across, const Material& material = soft) {
+  const int n = across * 11 / 10;
+  ContactProblem problem = scenes::flat(material, material, n, n, 2.0 / across, 2.0 / across, 0.01, 0.01);
+  problem.force = cattaneo_force * material.shear_modulus / soft.shear_modulus * (1 - soft.poisson) /
+                  (1 - material.poisson); // a = 1
+  problem.motion = MotionKind::shift;
+  scenes::set_creepage(problem, cattaneo_friction, 0, 0, 0);
+  return problem;
+}
+
+double stick_radius(const ContactProblem& problem, const ContactResult& result) {
+  double area = 0;
+  for (const ElementState state : result.state)
+    area += state == ElementState::adhesion ? problem.element_area() : 0;
+  return std::sqrt(area / std::numbers::pi);
+}
+
+/// Cattaneo 1938, Mindlin 1949. They leave out p_y, which costs them .15 % of the shift at this nu.
+TEST(Loads, CattaneoByForce) {
+  const double shear = 7.0 / 8 * cattaneo_friction * cattaneo_force;
+  const auto exact = reference::cattaneo(soft, 1, cattaneo_force, cattaneo_friction, shear);
+  ASSERT_NEAR(exact.stick_ratio, 0.5, 1e-4);
+  ASSERT_NEAR(exact.shift, 0.0081724, 1e-7);
+  ContactProblem problem = cattaneo_problem(32);
+  for (const bool along_x : {true, false}) {
+    problem.force_x = along_x ? shear : 0;
+    problem.force_s = along_x ? 0 : shear;
+    const ContactResult result = solve(problem);
+    ASSERT_TRUE(result.converged) << result.remark;
+    EXPECT_NEAR(along_x ? result.Fx : result.Fs, shear, 1e-6 * shear);
+    const double shift = along_x ? result.creepage_x : result.creepage_s;
+    EXPECT_NEAR(shift, 0.00816, 0.00001);
+    EXPECT_NEAR(along_x ? result.creepage_s : result.creepage_x, 0, 1e-6 * shift);
+    EXPECT_NEAR(stick_radius(problem, result), exact.stick_ratio, 0.02);
+  }
+}
+
+/// At nu = 0 there is no p_y and the solution is exact: mu p0 (sqrt(1 - r^2) - sqrt(theta^2 - r^2)). The
+/// tractions converge with a power of h near 1, that of their kinks at whole elements; the shift is an
+/// average.
+TEST(Loads, CattaneoConverges) {
+  const Material material{200, 0};
+  double previous = 0;
+  for (const int across : {8, 16, 32}) {
+    ContactProblem problem = cattaneo_problem(across, material);
+    problem.force_x = 7.0 / 8 * cattaneo_friction * problem.force;
+    const auto exact = reference::cattaneo(material, 1, problem.force, cattaneo_friction, *problem.force_x);
+    const ContactResult result = solve(problem);
+    ASSERT_TRUE(result.converged) << result.remark;
+    EXPECT_NEAR(result.creepage_x, exact.shift, 0.002 * exact.shift);
+    const double peak = cattaneo_friction * 1.5 * problem.force / std::numbers::pi;
+    double square = 0, norm = 0;
+    for (int i = 0; i < problem.grid.size(); ++i) {
+      const double x = problem.grid.x(i % problem.grid.mx), s = problem.rows[i / problem.grid.mx].s;
+      const double r2 = x * x + s * s, theta2 = exact.stick_ratio * exact.stick_ratio;
+      const double p = peak * (std::sqrt(std::max(0.0, 1 - r2)) - std::sqrt(std::max(0.0, theta2 - r2)));
+      square += (result.px[i] - p) * (result.px[i] - p);
+      norm += p * p;
+    }
+    const double error = std::sqrt(square / norm);
+    if (previous > 0) {
+      EXPECT_LT(error, 0.62 * previous) << across;
+    }
+    previous = error;
+  }
+  EXPECT_LT(previous, 0.02);
+}
+
+/// The shift prescribed gives the force that asks for that shift.
+TEST(Loads, ShiftAndForceAreTheSameProblem) {
+  ContactProblem problem = cattaneo_problem(20);
+  problem.force_x = 0.6 * cattaneo_friction * cattaneo_force;
+  problem.force_s = 0.3 * cattaneo_friction * cattaneo_force;
+  const ContactResult by_force = solve(problem);
+  ASSERT_TRUE(by_force.converged) << by_force.remark;
+  problem.force_x = problem.force_s = std::nullopt;
+  scenes::set_creepage(problem, cattaneo_friction, by_force.creepage_x, by_force.creepage_s, 0);
+  const ContactResult by_shift = solve(problem);
+  ASSERT_TRUE(by_shift.converged);
+  EXPECT_NEAR(by_shift.Fx, by_force.Fx, 1e-6 * by_force.Fx);
+  EXPECT_NEAR(by_shift.Fs, by_force.Fs, 1e-6 * by_force.Fs);
+}
+
+ContactProblem rolling(const Material& lower, const Material& upper, int n) {
+  ContactProblem problem = scenes::flat(lower, upper, n, n, 12.0 / n, 12.0 / n, 1e-3, 1.4e-3);
+  problem.force = 15000;
+  return problem;
+}
+
+/// One or two forces, with spin beside them; up to a thousandth below full slip.
+TEST(Loads, CreepagesOfSteadyRolling) {
+  ContactProblem problem = rolling(scenes::steel, scenes::steel, 24);
+  const double carried = 0.3 * problem.force;
+  struct Case {
+    std::optional<double> fx, fs;
+    double eta, phi;
+  };
+  for (const Case& c : {Case{0.5, {}, 0, 0}, Case{0.99, {}, 0, 0}, Case{0.999, {}, 0, 0},
+                        Case{-0.7, {}, 3e-4, 2e-4}, Case{{}, 0.4, 0, 5e-4}, Case{0.3, -0.5, 0, 2e-4},
+                        Case{0.0, 0.0, 0, 4e-4}, Case{0.69, 0.69, 0, 1e-4}, Case{0.0, 0.98, 0, 3e-3}}) {
+    scenes::set_creepage(problem, 0.3, 0, c.eta, c.phi);
+    problem.force_x = c.fx ? std::optional(*c.fx * carried) : std::nullopt;
+    problem.force_s = c.fs ? std::optional(*c.fs * carried) : std::nullopt;
+    const ContactResult result = solve(problem, {.estimate_discretisation = false});
+    EXPECT_TRUE(result.converged) << result.remark << result.certificate.worst();
+    EXPECT_NEAR(result.Fx, c.fx.value_or(result.Fx / carried) * carried, 1e-6 * carried);
+    EXPECT_NEAR(result.Fy, c.fs.value_or(result.Fy / carried) * carried, 1e-6 * carried);
+    EXPECT_LT(result.creepage_iterations, 60);
+  }
+}
+
+TEST(Loads, ForcesThatFrictionCannotCarryAreRefused) {
+  for (const double share : {1.0, 1.5, 1e6}) {
+    ContactProblem problem = rolling(scenes::steel, scenes::steel, 12);
+    scenes::set_creepage(problem, 0.3, 0, 0, 0);
+    problem.force_x = 0.6 * share * 0.3 * problem.force;
+    problem.force_s = -0.8 * share * 0.3 * problem.force;
+    try {
+      solve(problem);
+      FAIL() << "accepted";
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("the shear force prescribed cannot be carried"));
+      EXPECT_THAT(error.what(), testing::HasSubstr("sum mu p_n dS = 4500 N"));
+    }
+  }
+}
+
+/// Bentall and Johnson 1967: unlike rollers that roll freely creep. One row, so long that it is plane.
+TEST(Loads, BentallJohnson) {
+  const Material lower{23000, 0.31}, upper{82000, 0.28};
+  const auto both = reference::combined(lower, upper);
+  const double a = 0.1, radius = 25, length = 400;
+  const double expected = reference::bentall_johnson_creepage(lower, upper, radius, a);
+  const double fn = std::numbers::pi * a * a * both.shear_modulus / (4 * radius * (1 - both.poisson));
+  const double mu = 1e-4; // the limit mu -> 0: at 1e-2 the creepage is 4 % less
+  double previous = 0;
+  for (const int across : {10, 20, 40}) {
+    ContactProblem problem =
+        scenes::flat(lower, upper, across * 6 / 5, 1, 2 * a / across, length, 0.5 / radius, 0);
+    problem.force = fn * length;
+    scenes::set_creepage(problem, mu, 0, 0, 0);
+    problem.force_x = 0.0;
+    const ContactResult result = solve(problem, {.estimate_discretisation = false});
+    ASSERT_TRUE(result.converged) << result.remark;
+    const double error = std::abs(result.creepage_x / expected - 1);
+    if (previous > 0) {
+      EXPECT_LT(error, 0.6 * previous) << across;
+    }
+    previous = error;
+  }
+  EXPECT_LT(previous, 0.01);
+}
+
+} // namespace
+} // namespace bem_contact
