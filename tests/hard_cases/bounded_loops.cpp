@@ -1,0 +1,41 @@
+#include "tests/hard_cases/hard_case.hpp"
+
+/// Problems without a solution end, say why, and do not pass for solved.
+namespace bem_contact {
+namespace {
+
+/// Numbers that are symmetric with a positive diagonal but not positive definite: every solver must give up.
+TEST(HardCases, IndefiniteNumbersAreRefused) {
+  for (const LoadKind load : {LoadKind::approach, LoadKind::force}) {
+    ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, 8, 8, 0.5, 0.5, 1e-3, 1e-3);
+    problem.load = load;
+    problem.approach = 0.02;
+    problem.force = 500;
+    for (const int i : {component_x, component_s, component_n})
+      for (int row = 0; row < 8; ++row)
+        problem.numbers.at(1, row, i, row, i) *= 4;
+    scenes::set_creepage(problem, 0.3, 1e-3, 1e-3, 0);
+    const ContactResult result = hard::certified_or_refused(
+        std::string("indefinite numbers, ") + (load == LoadKind::force ? "force" : "approach"),
+        "no minimum: energy falls without bound", problem);
+    EXPECT_FALSE(result.converged);
+  }
+}
+
+/// No budget at all: the result is not converged, and finite.
+TEST(HardCases, NoIterationsAllowed) {
+  ContactProblem problem = hard::rolling_contact(16, {23000, 0.31}, scenes::steel);
+  problem.force = 10000;
+  scenes::set_creepage(problem, 0.3, 5e-4, 3e-4, 2e-4);
+  SolverOptions none;
+  none.max_outer = none.max_tangential = none.max_sweeps = 1;
+  none.max_normal = 1;
+  const ContactResult result = hard::certified_or_refused(
+      "one iteration of each solver", "unlike bodies, nothing is allowed to finish", problem, none);
+  EXPECT_FALSE(result.converged);
+  for (const double p : result.pn)
+    EXPECT_TRUE(std::isfinite(p));
+}
+
+} // namespace
+} // namespace bem_contact

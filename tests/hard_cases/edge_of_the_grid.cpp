@@ -1,0 +1,58 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/wheelset/scene.hpp"
+#include "tests/hard_cases/hard_case.hpp"
+
+/// A patch that touches the edge of the potential contact: it grows and is solved again.
+namespace bem_contact {
+namespace {
+
+SceneFile wheel_on_rail() {
+  SceneFile scene;
+  scene.rail.profile = "60E1";
+  scene.wheel.profile = "S1002";
+  scene.rail.material = scene.wheel.material = scenes::steel;
+  scene.position.lateral = 0;
+  scene.load.force = 80000;
+  scene.load.has_force = true;
+  scene.motion.xi = 5e-4;
+  scene.grid.dx = 0.8;
+  scene.grid.ds = 0.8;
+  scene.solver.model = "halfspace";
+  return scene;
+}
+
+TEST(HardCases, EdgeOfTheGrid) {
+  const SceneResult free = solve_scene(wheel_on_rail());
+  SceneFile tight = wheel_on_rail();
+  tight.grid.mx = 6;
+  tight.grid.s_from = free.reference.s - 1.5;
+  tight.grid.s_to = free.reference.s + 1;
+  const SceneResult grown = solve_scene(tight);
+  hard::print_line("edge of the potential contact",
+                   "asked for 6 x 4 elements: grows until exterior all around", grown.result);
+  EXPECT_TRUE(grown.result.converged);
+  EXPECT_FALSE(grown.result.touches_border);
+  EXPECT_THAT(grown.warnings, testing::Contains(testing::HasSubstr("it grew to")));
+  EXPECT_GT(grown.problem.grid.mx, 6);
+  EXPECT_NEAR(grown.result.approach, free.result.approach, 2e-2 * free.result.approach);
+  EXPECT_NEAR(grown.result.Fx, free.result.Fx, 2e-2 * std::abs(free.result.Fx));
+}
+
+/// A force that no head of a rail can carry is refused after a bounded number of growths.
+TEST(HardCases, NoGridIsLargeEnough) {
+  SceneFile scene = wheel_on_rail();
+  scene.load.force = 1e8;
+  scene.grid.dx = scene.grid.ds = 4;
+  try {
+    const SceneResult result = solve_scene(scene);
+    hard::print_line("1e8 N on a rail", "the patch leaves the head", result.result);
+    EXPECT_TRUE(result.result.converged);
+    EXPECT_FALSE(result.result.touches_border);
+  } catch (const Error& error) {
+    hard::print_refusal("1e8 N on a rail", "the patch leaves the head", error.what());
+    EXPECT_THAT(error.what(), testing::HasSubstr("("));
+  }
+}
+
+} // namespace
+} // namespace bem_contact

@@ -1,0 +1,59 @@
+#include "tests/hard_cases/hard_case.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace bem_contact::hard {
+
+int contact_count(const ContactResult& result) {
+  return static_cast<int>(std::count_if(result.pn.begin(), result.pn.end(), [](double p) { return p > 0; }));
+}
+
+void print_line(const std::string& name, const std::string& what, const ContactResult& result) {
+  std::printf("| %s | %s | %d of %zu | %s; %s | %d / %d / %d | %.0e |\n", name.c_str(), what.c_str(),
+              contact_count(result), result.pn.size(), result.normal_solver.c_str(),
+              result.tangential_solver.c_str(), result.outer_iterations, result.normal_iterations,
+              result.tangential_iterations, result.certificate.worst());
+}
+
+void print_refusal(const std::string& name, const std::string& what, const std::string& reason) {
+  std::printf("| %s | %s | - | refused: %s | - | - |\n", name.c_str(), what.c_str(), reason.c_str());
+}
+
+ContactResult certified(const std::string& name, const std::string& what, const ContactProblem& problem,
+                        const SolverOptions& options) {
+  ContactResult result = solve(problem, options);
+  print_line(name, what, result);
+  EXPECT_TRUE(result.converged) << name << ": " << result.certificate.worst() << ' ' << result.remark;
+  EXPECT_LE(result.certificate.worst(), 1e-6) << name;
+  if (problem.has_friction()) {
+    double carried = 0;
+    for (const double p : result.pn)
+      carried += p * problem.element_area();
+    EXPECT_LE(std::abs(result.Fx), problem.friction * carried * (1 + 1e-6)) << name;
+  }
+  return result;
+}
+
+ContactResult certified_or_refused(const std::string& name, const std::string& what,
+                                   const ContactProblem& problem, const SolverOptions& options) {
+  ContactResult result = solve(problem, options);
+  if (result.converged) {
+    print_line(name, what, result);
+    EXPECT_LE(result.certificate.worst(), 1e-6) << name;
+  } else {
+    print_refusal(name, what, result.remark);
+    EXPECT_FALSE(result.remark.empty()) << name << ": refused without a reason";
+    EXPECT_GT(result.certificate.worst(), 1e-6) << name;
+  }
+  return result;
+}
+
+ContactProblem rolling_contact(int across, const Material& lower, const Material& upper) {
+  ContactProblem problem =
+      scenes::flat(lower, upper, across, across, 12.0 / across, 9.0 / across, 1 / 920.0, 1 / 600.0);
+  problem.force = 40000;
+  return problem;
+}
+
+} // namespace bem_contact::hard

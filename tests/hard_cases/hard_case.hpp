@@ -1,0 +1,34 @@
+#pragma once
+
+#include "tests/contact/scenes.hpp"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+/// What every case of the suite shares. Each case is solved within its bounds and either certified below 1e-6
+/// or refused with a reason; each prints one line of the page's table (README.md says how to make it anew).
+namespace bem_contact::hard {
+
+/// Elements in contact.
+int contact_count(const ContactResult& result);
+
+/// Prints the line `| name | what is hard | contact | solvers | iterations | certificate |`.
+void print_line(const std::string& name, const std::string& what, const ContactResult& result);
+/// Prints the line of a case that is refused.
+void print_refusal(const std::string& name, const std::string& what, const std::string& reason);
+
+/// Solves, prints, expects a certificate below 1e-6 and what no contact can violate: tractions within the
+/// cone.
+ContactResult certified(const std::string& name, const std::string& what, const ContactProblem& problem,
+                        const SolverOptions& options = {});
+
+/// Solves; certified, or else not `converged` and with a remark. Prints either.
+ContactResult certified_or_refused(const std::string& name, const std::string& what,
+                                   const ContactProblem& problem, const SolverOptions& options = {});
+
+/// A wheel-rail-like contact of steel on `across` x `across` elements, semi-axes 5.3 and 4.0 mm, 40 kN.
+ContactProblem rolling_contact(int across, const Material& lower = scenes::steel,
+                               const Material& upper = scenes::steel);
+
+} // namespace bem_contact::hard
