@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
 #include "fem_influence/parallel.hpp"
 #include "fem_influence/wavenumbers.hpp"
 
@@ -54,18 +55,6 @@ std::string fingerprint(const BodyFile& body, const ProfileCurve& curve, const s
   return "harmonic 3 " + std::to_string(hash);
 }
 
-std::string body_name(const BodyFile& body) {
-  const auto millimetres = [](double v) {
-    return std::to_string(std::lround(v * 1000) / 1000.0).substr(0, 7) + " mm";
-  };
-  if (body.body.kind == "rail" || body.body.kind == "wheel")
-    return body.body.kind + " " + body.body.profile;
-  if (body.body.kind == "outline")
-    return body.body.name;
-  return body.body.kind + (body.body.kind == "block" ? " of half width " + millimetres(body.body.size)
-                                                     : " of radius " + millimetres(body.body.radius));
-}
-
 std::string method_of(const BodyFile& body, std::size_t cells) {
   return "harmonic, degree " + std::to_string(body.harmonic.degree) + ", " + std::to_string(cells) +
          " quadrilaterals, halved " + std::to_string(body.harmonic.border_levels) +
@@ -79,7 +68,8 @@ InfluenceFunction describe(const BodyFile& body, const ProfileCurve& curve, std:
   f.profile = curve.name();
   f.profile_digest = curve.digest();
   f.material = body.material;
-  f.held = "all three displacements are zero on the mesh's group 'held' (physical curve 2)";
+  f.held = held_part(body.body) +
+           ": all three displacements are zero on the mesh's group 'held' (physical curve 2)";
   f.reference_radius = reference_radius_of(body);
   f.invariance = f.reference_radius > 0 ? Invariance::revolution : Invariance::prismatic;
   f.half_period = half_period_of(body);

@@ -4,13 +4,13 @@
 #include "bem_contact/profile/own_outline.hpp"
 #include "bem_contact/profile/rail_section.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "meshes/graft.hpp"
 #include "meshes/wheel_section.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <numbers>
 
@@ -62,23 +62,53 @@ Piece piece_of(const SectionPiece& piece, bool mirrored, Group group) {
   return {[curve](double t) { return point_on(curve, t).position; }, 0, curve.length, group};
 }
 
-std::vector<Piece> below_rail_head(const std::string& name) {
-  const auto right = rail_section(name);
-  const std::size_t head = rail_head(name).size();
-  const auto group = [&](std::size_t i) { return i + 1 == right.size() ? Group::held : Group::free; };
-  std::vector<Piece> pieces;
-  for (std::size_t i = head; i < right.size(); ++i)
-    pieces.push_back(piece_of(right[i], false, group(i)));
-  for (std::size_t i = right.size(); i-- > head;)
-    pieces.push_back(piece_of(right[i], true, group(i)));
-  return pieces;
+/// Steeper than 45 degrees, and not the edge of the foot.
+bool is_web(const SectionPiece& piece, double foot_half_width) {
+  const CurvePiece curve = arc_piece(piece.from, piece.to, piece.radius == 0 ? 0 : 1 / piece.radius);
+  const auto steep = [&](double along) {
+    return std::abs(std::cos(point_on(curve, along).delta)) < std::sqrt(0.5);
+  };
+  return steep(0) && steep(curve.length) && piece.from.y < 0.5 * foot_half_width;
 }
 
-void refuse_rail_from_file(const std::string& profile) {
-  if (std::filesystem::path(profile).has_extension() || profile.find('/') != std::string::npos)
-    throw InputError(fmt::format("no whole section is known for the rail profile '{}'", profile),
-                     "a file gives the head only, and web and foot are built in for 60E1 and 60E2",
-                     "Use [body] profile = \"60E1\" or \"60E2\".");
+/// A standard rail's whole outline from its top centre round; `held` is "foot" (its underside) or "web".
+Loop rail_loop(const std::string& name, const std::string& held) {
+  const auto right = rail_section(name);
+  double foot = 0;
+  for (const auto& piece : right)
+    foot = std::max(foot, piece.to.y);
+  const auto group = [&](std::size_t i) {
+    const bool is_held = held == "web" ? is_web(right[i], foot) : i + 1 == right.size();
+    return is_held ? Group::held : Group::free;
+  };
+  Loop loop;
+  for (std::size_t i = 0; i < right.size(); ++i)
+    loop.push_back(piece_of(right[i], false, group(i)));
+  for (std::size_t i = right.size(); i-- > 0;)
+    loop.push_back(piece_of(right[i], true, group(i)));
+  return loop;
+}
+
+/// What closes the profile of a rail or wheel.
+std::vector<Piece> below_profile(const BodyFile::Body& body, const ProfileCurve& profile,
+                                 const std::string& held) {
+  const bool rail = body.kind == "rail";
+  const Point2 begin = profile.at(profile.s_begin()).position, end = profile.at(profile.s_end()).position;
+  if (!is_standard_profile(body.profile)) {
+    const std::string base = graft_base(body);
+    const ProfileCurve standard = standard_profile(base);
+    Loop loop = rail ? rail_loop(base, held) : Loop{along(standard, standard.s_begin(), standard.s_end())};
+    if (!rail)
+      for (Piece& piece :
+           wheel_body(standard.at(standard.s_end()).position, standard.at(standard.s_begin()).position, held))
+        loop.push_back(std::move(piece));
+    return graft(profile, placed(loop, body.graft_at, body.graft_angle), base);
+  }
+  if (!rail)
+    return wheel_body(end, begin, held);
+  const Loop loop = rail_loop(body.profile, held);
+  const auto head = static_cast<std::ptrdiff_t>(rail_head(body.profile).size());
+  return {loop.begin() + head, loop.end() - head};
 }
 
 void require_positive(double value, const char* key) {
@@ -101,20 +131,17 @@ std::vector<Loop> own_loops(const BodyFile::Body& body, const Running& running) 
   return loops;
 }
 
-std::vector<Loop> loops_of(const BodyFile::Body& body, const Running& running) {
+std::vector<Loop> loops_of(const BodyFile::Body& body, const ProfileCurve& profile, const Running& running) {
   const double a = body.size, r = body.radius;
+  const std::string held = held_part(body);
+  const auto group = [&](const char* part) { return held == part ? Group::held : Group::free; };
   if (body.kind == "outline")
     return own_loops(body, running);
-  if (body.kind == "rail")
-    return {close(running, below_rail_head(body.profile))};
-  if (body.kind == "wheel")
-    return {
-        close(running,
-              wheel_body(running.after.empty() ? running.strip.end() : running.after.back().end(),
-                         running.before.empty() ? running.strip.begin() : running.before.front().begin()))};
+  if (body.kind == "rail" || body.kind == "wheel")
+    return {close(running, below_profile(body, profile, held))};
   if (body.kind == "block")
-    return {
-        close(running, {line({a, 0}, {a, a}), line({a, a}, {-a, a}, Group::held), line({-a, a}, {-a, 0})})};
+    return {close(running, {line({a, 0}, {a, a}, group("sides")), line({a, a}, {-a, a}, group("base")),
+                            line({-a, a}, {-a, 0}, group("sides"))})};
   if (body.kind == "disc")
     return {close(running, {arc({}, r, pi, 2 * pi)}), {arc({}, hole_of_disc * r, 0, -2 * pi, Group::held)}};
   // bore: walked clockwise from +y towards -z, as a hole is
@@ -151,8 +178,6 @@ Piece along(const ProfileCurve& curve, double from, double to, Group group) {
 
 Section make_section(const BodyFile& file) {
   const auto& body = file.body;
-  if (body.kind == "rail")
-    refuse_rail_from_file(body.profile);
   if (body.kind == "disc" || body.kind == "bore")
     require_positive(body.radius, "radius");
   if (body.kind == "block" || body.kind == "bore")
@@ -163,9 +188,7 @@ Section make_section(const BodyFile& file) {
                      "it would cut the block's outer boundary",
                      "Raise [body] size, best to 10 radii or more.");
   const ProfileCurve profile = body_profile(file);
-  const bool named = body.kind == "rail" || body.kind == "wheel";
-  return {named ? fmt::format("{} {}", body.kind, profile.name()) : profile.name(),
-          loops_of(body, cut_at_strip(profile, file.strip))};
+  return {body_name(file), loops_of(body, profile, cut_at_strip(profile, file.strip))};
 }
 
 double area(const Section& section, int samples) {

@@ -20,7 +20,9 @@ Piece web_side(Point2 from, Point2 to) {
 
 } // namespace
 
-std::vector<Piece> wheel_body(Point2 profile_end, Point2 profile_begin, const WheelSection& wheel) {
+std::vector<Piece> wheel_body(Point2 profile_end, Point2 profile_begin, std::string_view held,
+                              const WheelSection& wheel) {
+  const auto group = [held](std::string_view part) { return held == part ? Group::held : Group::free; };
   const double rim = wheel.rim_inner_radius - wheel.tape_radius, hub = wheel.hub_radius - wheel.tape_radius;
   const double bore = wheel.bore_radius - wheel.tape_radius;
   const double middle = (wheel.rim_back + wheel.rim_front) / 2;
@@ -48,19 +50,19 @@ std::vector<Piece> wheel_body(Point2 profile_end, Point2 profile_begin, const Wh
   if (profile_end.y - back > 1e-9)
     pieces.push_back(line(profile_end, {back, chamfer_back}));
   pieces.push_back(line({back, chamfer_back}, {back, rim}));
-  pieces.push_back(line({back, rim}, {back_rim - r, rim}));
+  pieces.push_back(line({back, rim}, {back_rim - r, rim}, group("rim")));
   pieces.push_back(arc({back_rim - r, upper}, r, pi / 2, 0));
   pieces.push_back(web_side({back_rim, upper}, {back_hub, lower}));
   pieces.push_back(arc({back_hub - r, lower}, r, 0, -pi / 2));
   pieces.push_back(line({back_hub - r, hub}, {wheel.hub_back, hub}));
   pieces.push_back(line({wheel.hub_back, hub}, {wheel.hub_back, bore}));
-  pieces.push_back(line({wheel.hub_back, bore}, {wheel.hub_front, bore}, Group::held));
+  pieces.push_back(line({wheel.hub_back, bore}, {wheel.hub_front, bore}, group("bore")));
   pieces.push_back(line({wheel.hub_front, bore}, {wheel.hub_front, hub}));
   pieces.push_back(line({wheel.hub_front, hub}, {front_hub + r, hub}));
   pieces.push_back(arc({front_hub + r, lower}, r, -pi / 2, -pi));
   pieces.push_back(web_side({front_hub, lower}, {front_rim, upper}));
   pieces.push_back(arc({front_rim + r, upper}, r, pi, pi / 2));
-  pieces.push_back(line({front_rim + r, rim}, {front, rim}));
+  pieces.push_back(line({front_rim + r, rim}, {front, rim}, group("rim")));
   pieces.push_back(line({front, rim}, {front, chamfer_front}));
   if (front - profile_begin.y > 1e-9)
     pieces.push_back(line({front, chamfer_front}, profile_begin));

@@ -2,6 +2,8 @@
 
 #include "meshes/section.hpp"
 
+#include <string_view>
+
 namespace bem_contact::meshes {
 
 /// A REPRESENTATIVE wheel body under a profile: not the drawing of any wheel (none is public), but rim, web
@@ -18,7 +20,9 @@ struct WheelSection {
 };
 
 /// The outline of the wheel body from the profile's end at the flange back round to its beginning on the
-/// field side; the bore is `held`. Throws InputError when the profile's ends do not lie on the rim.
-std::vector<Piece> wheel_body(Point2 profile_end, Point2 profile_begin, const WheelSection& wheel = {});
+/// field side; `held` is "bore" or "rim" (its inner faces). Throws InputError when the profile's ends do not
+/// lie on the rim.
+std::vector<Piece> wheel_body(Point2 profile_end, Point2 profile_begin, std::string_view held = "bore",
+                              const WheelSection& wheel = {});
 
 } // namespace bem_contact::meshes

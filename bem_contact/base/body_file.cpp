@@ -70,8 +70,24 @@ Schema schema_of(BodyFile& f) {
   s.add("body.kind", f.body.kind,
         {.doc = "Kind of body", .choices = {"rail", "wheel", "block", "disc", "bore", "outline"}});
   s.add("body.profile", f.body.profile,
-        {.doc = "Rail: 60E1 or 60E2; wheel: S1002 (its default) or a profile file",
+        {.doc = "Rail: 60E1, 60E2, 54E1, 46E3; wheel: S1002 (its default); or a profile file",
          .kinds = {"rail", "wheel"}});
+  s.add("body.graft_onto", f.body.graft_onto,
+        {.doc = "Of a profile file: the standard whose body carries it; empty: 60E1 or S1002",
+         .kinds = {"rail", "wheel"}});
+  s.add("body.graft_at", f.body.graft_at,
+        {.doc = "Where that standard's origin lies in the file's frame, (y, z)",
+         .unit = "mm",
+         .kinds = {"rail", "wheel"}});
+  s.add("body.graft_angle", f.body.graft_angle,
+        {.doc = "How its body is turned there, from +y towards +z (a rail inclined by 1:40: -0.025)",
+         .unit = "rad",
+         .at_least = -0.5,
+         .at_most = 0.5,
+         .kinds = {"rail", "wheel"}});
+  s.add("body.held", f.body.held,
+        {.doc = "What is held: rail: foot or web, wheel: bore or rim, block: base or sides; empty: the first",
+         .kinds = {"rail", "wheel", "block"}});
   s.add("body.radius", f.body.radius,
         {.doc = "Radius of the contact surface", .unit = "mm", .above = 0, .kinds = {"disc", "bore"}});
   s.add("body.size", f.body.size,
@@ -148,6 +164,17 @@ void cross_check(const BodyFile& f, const Schema& s) {
   if (body.kind == "bore" && !(body.size > body.radius))
     s.refuse("body.size", fmt::format("the bore of radius {} mm does not fit into the block", body.radius),
              "Give a size greater than the radius.");
+  const auto held_ok = [&](const char* first, const char* second) {
+    if (!body.held.empty() && body.held != first && body.held != second)
+      s.refuse("body.held", fmt::format("a {} is held at its {} or its {}", body.kind, first, second),
+               fmt::format("Use \"{}\" or \"{}\".", first, second));
+  };
+  if (body.kind == "rail")
+    held_ok("foot", "web");
+  if (body.kind == "wheel")
+    held_ok("bore", "rim");
+  if (body.kind == "block")
+    held_ok("base", "sides");
   const double reach = body.kind == "block"                         ? body.size
                        : body.kind == "disc" || body.kind == "bore" ? std::numbers::pi / 2 * body.radius
                                                                     : 0;

@@ -57,7 +57,7 @@ Schema schema_of(SceneFile& f) {
   s.add("kind", f.kind,
         {.doc = "A wheel on a rail, or one contact problem given directly",
          .choices = {"wheel_rail", "patch"}});
-  add_side(s, "rail", "The rail (patch: the lower body)", f.rail, "60E1, 60E2, 54E1");
+  add_side(s, "rail", "The rail (patch: the lower body)", f.rail, "60E1, 60E2, 54E1, 46E3");
   add_side(s, "wheel", "The wheel (patch: the upper body)", f.wheel, "S1002");
   add_position(s, f.position);
 

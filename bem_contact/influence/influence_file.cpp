@@ -181,6 +181,7 @@ std::vector<double> unpacked(const std::vector<double>& lower, std::size_t n, st
 void write_contents(const std::filesystem::path& file, const InfluenceFunction& f) {
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "a property list");
   check(H5Pset_userblock(creation, seal_size), "the user block");
+  check(H5Pset_obj_track_times(creation, false), "the root group"); // the same numbers give the same bytes
   // The oldest format whose headers carry checksums (HDF5 1.8): the library is not safe on damaged ones
   // without.
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");

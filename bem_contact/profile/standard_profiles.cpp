@@ -46,7 +46,7 @@ ProfileCurve lower_half_circle(std::string name, double radius, bool upper_body)
 } // namespace
 
 std::span<const std::string> standard_profile_names() {
-  static const std::array<std::string, 4> names{"60E1", "60E2", "54E1", "S1002"};
+  static const std::array<std::string, 5> names{"60E1", "60E2", "54E1", "46E3", "S1002"};
   return names;
 }
 
@@ -84,6 +84,39 @@ ProfileCurve body_profile(const BodyFile& file) {
         {line_piece({-body.size, 0}, {0, 0}), line_piece({0, 0}, {body.size, 0})});
   throw InputError(fmt::format("unknown kind of body '{}'", body.kind),
                    "known are rail, wheel, block, disc, bore and outline", "Use one of these.");
+}
+
+std::string graft_base(const BodyFile::Body& body) {
+  const std::string base = !body.graft_onto.empty() ? body.graft_onto
+                           : body.kind == "rail"    ? "60E1"
+                                                    : "S1002";
+  if (!is_standard_profile(base) || (base == "S1002") != (body.kind == "wheel"))
+    throw InputError(fmt::format("a {} cannot be grafted onto '{}'", body.kind, base),
+                     "bodies are known of the standard profiles only",
+                     body.kind == "rail" ? "Use 60E1, 60E2, 54E1 or 46E3." : "Use S1002.");
+  return base;
+}
+
+std::string held_part(const BodyFile::Body& body) {
+  if (!body.held.empty())
+    return body.held;
+  const auto& k = body.kind;
+  return k == "rail" ? "foot" : k == "wheel" ? "bore" : k == "block" ? "base" : "its pieces of group held";
+}
+
+std::string body_name(const BodyFile& file) {
+  const auto& body = file.body;
+  if (body.kind != "rail" && body.kind != "wheel")
+    return body_profile(file).name();
+  const bool standard = is_standard_profile(body.profile);
+  const std::string base = standard ? body.profile : graft_base(body);
+  const char* what = body.kind == "wheel"          ? " (representative rim, web and hub)"
+                     : is_exact_rail_section(base) ? ""
+                                                   : " (representative web and foot)";
+  if (standard)
+    return fmt::format("{} {}{}", body.kind, base, what);
+  return fmt::format("{} {} on {}{}", body.kind, std::filesystem::path(body.profile).filename().string(),
+                     base, what);
 }
 
 } // namespace bem_contact

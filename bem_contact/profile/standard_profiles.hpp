@@ -9,7 +9,7 @@
 
 namespace bem_contact {
 
-/// 60E1, 60E2, 54E1 (EN 13674-1, head down to the under-head fillet; 54E1 to 30 mm below the top) and S1002
+/// 60E1, 60E2, 54E1, 46E3 (EN 13674-1, head down to the under-head fillet) and S1002
 /// (EN 13715, flange tip at y = -55). Throws InputError for any other name, with the nearest ones.
 ///
 /// S1002: tangent and curvature are exactly the standard's in each zone. At the zones' joints the standard's
@@ -29,5 +29,15 @@ std::span<const std::string> standard_profile_names();
 ///   block: the line z = 0 from y = -size to size, material below
 ///   outline: its contact pieces (own_outline.hpp)
 ProfileCurve body_profile(const BodyFile& body);
+
+/// The standard whose body carries a profile that comes from a file: 60E1 or S1002 unless said.
+/// Throws InputError for a standard of the other kind.
+std::string graft_base(const BodyFile::Body& body);
+
+/// The part of the body that is held: [body] held, or the default of its kind.
+std::string held_part(const BodyFile::Body& body);
+
+/// Name of the body for meshes, reports and influence files; says what of it is representative only.
+std::string body_name(const BodyFile& body);
 
 } // namespace bem_contact

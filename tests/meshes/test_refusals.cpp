@@ -40,16 +40,6 @@ TEST(Refusals, UnknownProfile) {
   EXPECT_THAT(refusal(body), HasSubstr("60E3"));
 }
 
-TEST(Refusals, RailWithoutAWholeSection) {
-  BodyFile body = body_of("rail");
-  body.body.profile = "54E1";
-  EXPECT_THAT(refusal(body), HasSubstr("the whole section of rail 54E1 is not known"));
-  body.body.profile = "measured.ban";
-  EXPECT_THAT(refusal(body),
-              AllOf(HasSubstr("no whole section is known for the rail profile 'measured.ban'"),
-                    HasSubstr("a file gives the head only"), HasSubstr("Use [body] profile = \"60E1\"")));
-}
-
 TEST(Refusals, StripOffTheProfile) {
   BodyFile body = body_of("block");
   body.body.size = 4;

@@ -78,6 +78,7 @@ TEST_P(Bodies, HaveAllGroups) {
             std::lround(stations) * body.mesh.elements_per_station);
   EXPECT_GE(edges_of(mesh, Group::held).size(), 4u);
   EXPECT_GE(edges_of(mesh, Group::free).size(), 4u);
+  const double height = body.body.profile == "54E1" ? 159 : body.body.profile == "46E3" ? 142 : 172;
   double held_z = 0; // of an outline: that of its one held piece
   for (const auto& piece : body.body.outline)
     held_z = piece.group == "held" ? piece.to.z : held_z;
@@ -85,7 +86,7 @@ TEST_P(Bodies, HaveAllGroups) {
     const Point2 p = point(mesh, edge.vertices[0]);
     const double a = body.body.size;
     if (body.body.kind == "rail")
-      EXPECT_NEAR(p.z, 172, 1e-9);
+      EXPECT_NEAR(p.z, height, 1e-9);
     else if (body.body.kind == "wheel")
       EXPECT_NEAR(p.z, 92.5 - 460, 1e-9);
     else if (body.body.kind == "block")
@@ -127,7 +128,9 @@ TEST_P(Bodies, ResolveArcsToTenDegreesAnEdge) {
     const Point2 a = point(mesh, e.vertices[1]) - point(mesh, e.vertices[0]);
     const Point2 b = point(mesh, f.vertices[1]) - point(mesh, f.vertices[0]);
     const double turn = std::abs(std::atan2(a.y * b.z - b.y * a.z, dot(a, b)));
-    EXPECT_TRUE(turn <= most || turn >= corner) << turn * 180 / pi << " degrees";
+    EXPECT_TRUE(turn <= most || turn >= corner)
+        << turn * 180 / pi << " degrees near " << point(mesh, e.vertices[1]).y << " "
+        << point(mesh, e.vertices[1]).z;
   }
 }
 
@@ -138,8 +141,42 @@ TEST_P(Bodies, HaveTheSectionsArea) {
 INSTANTIATE_TEST_SUITE_P(Data, Bodies,
                          testing::Values("rail_60E1_gauge_corner", "wheel_S1002_flange_root", "small_rail",
                                          "small_wheel", "flat_block", "disc", "bore", "convex_corner",
-                                         "concave_groove", "roller", "ring"),
+                                         "concave_groove", "roller", "ring", "rail_60E2_gauge_corner",
+                                         "rail_54E1_gauge_corner", "rail_46E3_gauge_corner",
+                                         "rail_60E1_running_surface", "wheel_S1002_running_surface",
+                                         "rail_worn", "wheel_worn"),
                          [](const auto& test) { return std::string(test.param); });
+
+TEST(Held, IsWhatTheBodyFileSays) {
+  const auto held_places = [](const char* kind, const char* profile, const char* held,
+                              BodyFile::Strip strip) {
+    BodyFile body;
+    body.body.kind = kind;
+    body.body.profile = profile;
+    body.body.held = held;
+    body.strip = strip;
+    const QuadMesh mesh = mesh_section(body);
+    std::vector<Point2> places;
+    for (const auto& edge : edges_of(mesh, Group::held))
+      places.push_back(0.5 * (point(mesh, edge.vertices[0]) + point(mesh, edge.vertices[1])));
+    EXPECT_GE(places.size(), 4u);
+    return places;
+  };
+  for (const char* rail : {"60E1", "54E1", "46E3"}) {
+    double left = 0, right = 0;
+    for (const Point2 p : held_places("rail", rail, "web", {-40, -20, 0.5})) {
+      EXPECT_LT(std::abs(p.y), 12.3) << rail;
+      EXPECT_GT(std::abs(p.y), 6.9) << rail;
+      left = std::min(left, p.y);
+      right = std::max(right, p.y);
+    }
+    EXPECT_NEAR(left, -right, 0.05) << rail;
+  }
+  for (const Point2 p : held_places("wheel", "S1002", "rim", {30, 40, 0.5}))
+    EXPECT_NEAR(p.z, 390 - 460, 1e-9);
+  for (const Point2 p : held_places("block", "", "sides", {-10, 10, 0.5}))
+    EXPECT_NEAR(std::abs(p.y), 100, 1e-9);
+}
 
 TEST(Section, AreasAreExact) {
   BodyFile body;

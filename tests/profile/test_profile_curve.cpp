@@ -163,7 +163,7 @@ TEST_P(Curves, the_digest_tells_geometry_not_name) {
     EXPECT_EQ(curve.digest() == standard_profile(other).digest(), other == GetParam()) << other;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Curves, testing::Values("60E1", "60E2", "54E1", "S1002", "spline"),
+INSTANTIATE_TEST_SUITE_P(All, Curves, testing::Values("60E1", "60E2", "54E1", "46E3", "S1002", "spline"),
                          [](const auto& p) { return p.param; });
 
 TEST(Digest, changes_with_a_micrometre_and_not_with_the_name) {

@@ -1,8 +1,10 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/curve_piece.hpp"
 #include "bem_contact/profile/rail_section.hpp"
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -43,11 +45,10 @@ TEST(RailSection, properties_of_60E2_to_the_printed_figures) {
 }
 
 TEST(RailSection, is_a_chain_from_the_top_centre_to_the_base_centre) {
-  for (const char* name : {"60E1", "60E2"}) {
+  for (const char* name : {"60E1", "60E2", "54E1", "46E3"}) {
     const auto pieces = rail_section(name);
     EXPECT_EQ(norm(pieces.front().from), 0);
     EXPECT_EQ(pieces.back().to.y, 0);
-    EXPECT_EQ(pieces.back().to.z, 172);
     for (std::size_t i = 1; i < pieces.size(); ++i)
       EXPECT_EQ(norm(pieces[i].from - pieces[i - 1].to), 0);
     for (const SectionPiece& piece : pieces)
@@ -71,18 +72,63 @@ TEST(RailHead, of_54E1_is_70_wide_14_1_mm_below_the_top) {
   EXPECT_NEAR(flank.from.y + (14.1 - flank.from.z) / 20, 35, 2e-4);
 }
 
-TEST(RailSection, says_what_it_does_not_know) {
-  try {
-    rail_section("54E1");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("the whole section of rail 54E1 is not known"));
+/// EN 13674-1's figures; web and foot are representative.
+struct Printed {
+  const char* name;
+  double area, Ix, Iy;      // cm^2, cm^4
+  double height, foot, web; // mm
+};
+
+TEST(RailSection, properties_of_54E1_and_46E3_to_a_thousandth) {
+  for (const Printed& rail : {Printed{"54E1", 69.77, 2337.9, 419.2, 159, 140, 16},
+                              Printed{"46E3", 59.44, 1605.9, 307.5, 142, 120, 14}}) {
+    const auto pieces = rail_section(rail.name);
+    const SectionProperties p = section_properties(pieces);
+    EXPECT_NEAR(p.area / 1e2, rail.area, 1e-3 * rail.area) << rail.name;
+    EXPECT_NEAR(p.Ix / 1e4, rail.Ix, 1e-3 * rail.Ix) << rail.name;
+    EXPECT_NEAR(p.Iy / 1e4, rail.Iy, 1e-3 * rail.Iy) << rail.name;
+    double height = 0, foot = 0, web = 1e9;
+    for (const SectionPiece& piece : pieces) {
+      height = std::max(height, piece.to.z);
+      foot = std::max(foot, 2 * piece.to.y);
+      const CurvePiece curve = arc_piece(piece.from, piece.to, piece.radius == 0 ? 0 : 1 / piece.radius);
+      for (double s = 0; s < curve.length; s += 0.1)
+        if (const Point2 at = point_on(curve, s).position; at.z > 60 && at.z < 100)
+          web = std::min(web, 2 * at.y);
+    }
+    EXPECT_EQ(height, rail.height) << rail.name;
+    EXPECT_EQ(foot, rail.foot) << rail.name;
+    EXPECT_NEAR(web, rail.web, 1e-3) << rail.name;
+    EXPECT_FALSE(is_exact_rail_section(rail.name));
   }
+  EXPECT_NEAR(section_properties(rail_section("54E1")).centroid, 75.1, 0.05);
+}
+
+TEST(RailSection, of_54E1_and_46E3_is_smooth_but_for_the_foot) {
+  for (const char* name : {"54E1", "46E3"}) {
+    const auto pieces = rail_section(name);
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+      const auto curve = [&](std::size_t k) {
+        return arc_piece(pieces[k].from, pieces[k].to, pieces[k].radius == 0 ? 0 : 1 / pieces[k].radius);
+      };
+      const CurvePiece before = curve(i - 1);
+      const double turn = curve(i).delta0 - point_on(before, before.length).delta;
+      EXPECT_LT(std::abs(std::remainder(turn, 2 * std::numbers::pi)), 2e-4) << name << " " << i;
+    }
+  }
+}
+
+TEST(RailHead, of_46E3_is_73_72_wide_where_its_corner_ends) {
+  EXPECT_NEAR(rail_head("46E3").back().from.y, 73.72 / 2, 2e-4);
+}
+
+TEST(RailSection, says_what_it_does_not_know) {
   try {
     rail_section("60E3");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("unknown rail '60E3' (known are 60E1, 60E2 and 54E1)"));
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("unknown rail '60E3' (known are 60E1, 60E2, 54E1 and 46E3)"));
   }
 }
 

@@ -74,7 +74,7 @@ TEST(S1002, curvature_zone_by_zone) {
 }
 
 TEST(Rails, are_symmetric_walked_from_the_gauge_side_with_the_material_below) {
-  for (const char* name : {"60E1", "60E2", "54E1"}) {
+  for (const char* name : {"60E1", "60E2", "54E1", "46E3"}) {
     const ProfileCurve curve = standard_profile(name);
     EXPECT_NEAR(curve.s_begin(), -curve.s_end(), 1e-10);
     EXPECT_LT(curve.at(curve.s_begin()).position.y, -35);
@@ -90,7 +90,7 @@ TEST(Rails, are_symmetric_walked_from_the_gauge_side_with_the_material_below) {
 }
 
 TEST(Rails, delta_is_continuous_over_the_tangent_joints) {
-  for (const char* name : {"60E1", "60E2", "54E1"}) {
+  for (const char* name : {"60E1", "60E2", "54E1", "46E3"}) {
     const ProfileCurve curve = standard_profile(name);
     for (double s = curve.s_begin(); s + 1e-3 < curve.s_end(); s += 1e-3)
       ASSERT_LT(std::abs(curve.at(s + 1e-3).delta - curve.at(s).delta), 1e-3 / 8 + 2e-5) << name << " " << s;
@@ -112,7 +112,7 @@ TEST(StandardProfile, an_unknown_name_is_answered_with_the_nearest) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "unknown profile 'S1oo2' (built in are 60E1, 60E2, 54E1, S1002) Did you mean S1002?");
+                 "unknown profile 'S1oo2' (built in are 60E1, 60E2, 54E1, 46E3, S1002) Did you mean S1002?");
   }
 }
 
