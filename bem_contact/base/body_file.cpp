@@ -1,5 +1,6 @@
 #include "bem_contact/base/body_file.hpp"
 
+#include "bem_contact/base/material_keys.hpp"
 #include "bem_contact/base/schema.hpp"
 
 #include <fmt/format.h>
@@ -59,7 +60,7 @@ void add_outline(Schema& s, BodyFile::Body& body) {
   s.add("body.holes", holes_of(body), {.doc = "Round holes", .unit = "mm", .kinds = kinds});
 }
 
-Schema schema_of(BodyFile& f) {
+Schema schema_of(BodyFile& f, double& young) {
   Schema s("body file");
   s.kind_is("body.kind");
   s.add("tolerance", f.tolerance,
@@ -94,8 +95,7 @@ Schema schema_of(BodyFile& f) {
         {.doc = "Half width and depth of the block", .unit = "mm", .above = 0, .kinds = {"block", "bore"}});
   add_outline(s, f.body);
 
-  s.add("material.shear_modulus", f.material.shear_modulus, {.doc = "G", .unit = "MPa", .above = 0});
-  s.add("material.poisson", f.material.poisson, {.doc = "Poisson's ratio", .at_least = 0, .below = 0.5});
+  add_material(s, "material", f.material, young);
 
   s.add("strip.from", f.strip.from,
         {.doc = "The contact strip begins here, arc length on the profile", .unit = "mm"});
@@ -208,8 +208,10 @@ void choose(BodyFile& f) {
 
 BodyFile parse_body_file(std::string_view toml, std::string_view source_name) {
   BodyFile file;
-  Schema schema = schema_of(file);
+  double young = 0;
+  Schema schema = schema_of(file, young);
   schema.read(toml, source_name);
+  settle_material(schema, "material", file.material, young);
   if (file.body.kind == "wheel" && !schema.has("body.profile"))
     file.body.profile = "S1002";
   cross_check(file, schema);
@@ -225,7 +227,8 @@ BodyFile read_body_file(const std::filesystem::path& path) {
 
 std::string default_body_file() {
   BodyFile file;
-  return schema_of(file).print();
+  double young = 0;
+  return schema_of(file, young).print();
 }
 
 } // namespace bem_contact

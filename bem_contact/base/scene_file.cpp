@@ -1,5 +1,6 @@
 #include "bem_contact/base/scene_file.hpp"
 
+#include "bem_contact/base/material_keys.hpp"
 #include "bem_contact/base/schema.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@ namespace {
 const std::vector<std::string> wheel_rail{"wheel_rail"}, patch{"patch"};
 
 void add_side(Schema& s, const std::string& name, const std::string& role, SceneFile::Side& side,
-              const std::string& standards) {
+              const std::string& standards, double& young) {
   s.add(name + ".profile", side.profile,
         {.doc = role + ": " + standards + ", a profile file or a body file (its contact surface)"});
   s.add(name + ".influence", side.influence,
@@ -19,10 +20,7 @@ void add_side(Schema& s, const std::string& name, const std::string& role, Scene
   s.add(name + ".structural", side.structural,
         {.doc = "Deflection of the body as a whole (web and foot, or hub)",
          .choices = {"removed", "included"}});
-  s.add(name + ".material.shear_modulus", side.material.shear_modulus,
-        {.doc = "G", .unit = "MPa", .above = 0});
-  s.add(name + ".material.poisson", side.material.poisson,
-        {.doc = "Poisson's ratio", .at_least = 0, .below = 0.5});
+  add_material(s, name + ".material", side.material, young);
 }
 
 void add_position(Schema& s, SceneFile::Position& p) {
@@ -51,14 +49,19 @@ void add_position(Schema& s, SceneFile::Position& p) {
         {.doc = "Nominal wheel radius, at the tape circle", .unit = "mm", .above = 0, .kinds = wheel_rail});
 }
 
-Schema schema_of(SceneFile& f) {
+/// Young's moduli as read, before they become shear moduli.
+struct Youngs {
+  double rail = 0, wheel = 0;
+};
+
+Schema schema_of(SceneFile& f, Youngs& young) {
   Schema s("scene file");
   s.kind_is("kind");
   s.add("kind", f.kind,
         {.doc = "A wheel on a rail, or one contact problem given directly",
          .choices = {"wheel_rail", "patch"}});
-  add_side(s, "rail", "The rail (patch: the lower body)", f.rail, "60E1, 60E2, 54E1, 46E3");
-  add_side(s, "wheel", "The wheel (patch: the upper body)", f.wheel, "S1002");
+  add_side(s, "rail", "The rail (patch: the lower body)", f.rail, "60E1, 60E2, 54E1, 46E3", young.rail);
+  add_side(s, "wheel", "The wheel (patch: the upper body)", f.wheel, "S1002", young.wheel);
   add_position(s, f.position);
 
   s.add("load.force", f.load.force,
@@ -189,8 +192,11 @@ void check_wheel_rail(const SceneFile& f, const Schema& s) {
 
 SceneFile parse_scene_file(std::string_view toml, std::string_view source_name) {
   SceneFile file;
-  Schema schema = schema_of(file);
+  Youngs young;
+  Schema schema = schema_of(file, young);
   schema.read(toml, source_name);
+  settle_material(schema, "rail.material", file.rail.material, young.rail);
+  settle_material(schema, "wheel.material", file.wheel.material, young.wheel);
   check_load(file, schema);
   check_motion(file, schema);
   if (file.kind == "patch")
@@ -214,7 +220,8 @@ std::string default_scene_file() {
   file.rail.profile = "60E1";
   file.wheel.profile = "S1002";
   file.load.force = 1e5;
-  Schema schema = schema_of(file);
+  Youngs young;
+  Schema schema = schema_of(file, young);
   file.load.has_force = true; // declared keys start as not given; the printed scene must be complete
   return schema.print();
 }

@@ -311,7 +311,7 @@ std::string Schema::print() const {
       facts.push_back("default " + std::visit(Print{}, key.target));
     if (!key.rule.kinds.empty())
       facts.push_back(fmt::format("only where {} is {}", kind_path_, fmt::join(key.rule.kinds, " or ")));
-    const bool off = !belongs(key) || (key.rule.given && !*key.rule.given) ||
+    const bool off = !belongs(key) || key.rule.alternative || (key.rule.given && !*key.rule.given) ||
                      std::holds_alternative<TableList>(key.target);
     out += fmt::format("# {} ({})\n{}{} = {}\n", key.rule.doc, fmt::join(facts, "; "), off ? "# " : "",
                        last_part(key.path), std::visit(Print{}, key.target));

@@ -24,6 +24,7 @@ struct KeyRule {
   std::vector<std::string> kinds = {};   ///< kinds of file the key belongs to; empty: all
   bool* given = nullptr;                 ///< set to whether the file has the key
   bool needed = false;                   ///< the file must have it
+  bool alternative = false;              ///< says in another way what another key says: printed commented out
 };
 
 class Schema;
@@ -70,8 +71,8 @@ public:
   bool has(std::string_view path) const { return lines_.contains(std::string(path)); }
   [[noreturn]] void refuse(std::string_view path, std::string_view why, std::string_view what_to_do) const;
 
-  /// Every key with its bound value, documented, as valid TOML. Keys of other kinds, keys whose `given`
-  /// is false and lists of tables (an example of them) are commented out.
+  /// Every key with its bound value, documented, as valid TOML. Keys of other kinds, alternatives, keys whose
+  /// `given` is false and lists of tables (an example of them) are commented out.
   std::string print() const;
 
 private:

@@ -194,6 +194,28 @@ TEST(BodyFile, a_key_of_another_kind_of_body_is_refused) {
       StartsWith("body.toml:3: body.profile = \"60E1\" (the key has no meaning where body.kind is \"disc\""));
 }
 
+TEST(BodyFile, the_material_is_given_by_G_or_by_E) {
+  const Material by_E = parse_body_file("[material]\nyoung = 210000\npoisson = 0.3").material;
+  EXPECT_NEAR(by_E.shear_modulus, 210000 / 2.6, 1e-9);
+  EXPECT_EQ(by_E.poisson, 0.3);
+  EXPECT_NEAR(parse_body_file("material.young = 209920").material.shear_modulus, 82000, 1e-9);
+  EXPECT_EQ(
+      refusal("[material]\nshear_modulus = 80000\nyoung = 210000"),
+      "body.toml:3: material.young = 210000.0 (shear_modulus is given too) Give exactly one of the two.");
+  EXPECT_THAT(refusal("[material]\nyoung = -1"), HasSubstr("(out of range)"));
+  EXPECT_THAT(default_body_file(), HasSubstr("\n# young = 209920.0\n"));
+}
+
+TEST(BodyFile, a_body_is_held_where_its_kind_can_be) {
+  EXPECT_EQ(parse_body_file("body.held = 'web'").body.held, "web");
+  EXPECT_EQ(parse_body_file("body.kind = 'wheel'\nbody.held = 'rim'").body.held, "rim");
+  EXPECT_EQ(
+      refusal("[body]\nkind = 'rail'\nheld = 'bore'"),
+      "body.toml:3: body.held = \"bore\" (a rail is held at its foot or its web) Use \"foot\" or \"web\".");
+  EXPECT_THAT(refusal("[body]\nkind = 'block'\nheld = 'foot'"), HasSubstr("Use \"base\" or \"sides\"."));
+  EXPECT_THAT(refusal("[body]\nkind = 'disc'\nheld = 'bore'"), HasSubstr("the key has no meaning"));
+}
+
 TEST(BodyFile, files_are_read_and_missing_ones_named) {
   const auto path = std::filesystem::path(testing::TempDir()) / "body_file_test.toml";
   std::ofstream(path) << "[strip]\nfrom = -30\n";

@@ -92,6 +92,15 @@ TEST(SceneFile, a_patch) {
   EXPECT_TRUE(f.motion.frictionless);
 }
 
+TEST(SceneFile, each_body_has_G_or_E) {
+  const SceneFile f = parse_scene_file(patch + "[rail.material]\nyoung = 210000\npoisson = 0.3\n"
+                                               "[wheel.material]\nshear_modulus = 1000\n");
+  EXPECT_NEAR(f.rail.material.shear_modulus, 210000 / 2.6, 1e-9);
+  EXPECT_EQ(f.wheel.material.shear_modulus, 1000);
+  EXPECT_THAT(refusal(patch + "[wheel.material]\nyoung = 2\nshear_modulus = 1\n"),
+              HasSubstr("wheel.material.young = 2.0 (shear_modulus is given too)"));
+}
+
 TEST(SceneFile, exactly_one_load) {
   EXPECT_EQ(refusal(rolling), "scene.toml: load (neither force nor approach is given) "
                               "Give load.force or load.approach.");
