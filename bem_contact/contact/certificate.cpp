@@ -132,6 +132,9 @@ void check_friction(const ContactProblem& problem, const ContactResult& result,
     return;
   const SlipStep step = slip_step(problem);
   const auto before = former_displacements(problem, step, columns);
+  const bool steady = problem.motion == MotionKind::steady;
+  const std::vector<double> none(result.pn.size(), 0.0);
+  const auto from_normal = steady ? u : displacements(problem, {&none, &none, &result.pn});
   struct Slip {
     double x, s, bound;
     int element;
@@ -157,6 +160,11 @@ void check_friction(const ContactProblem& problem, const ContactResult& result,
       }
       slips.push_back({rigid_x + elastic_x, rigid_s + elastic_s, problem.kinetic * mu(i) * result.pn[i], i});
       scale = std::max({scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s)});
+      if (!steady) // where all sticks without rigid slip: what the shear tractions hold back
+        scale = std::max(
+            scale,
+            std::hypot(rigid_x - before[component_x][at] - step.present[0] * from_normal[component_x][at],
+                       rigid_s - before[component_s][at] - step.present[0] * from_normal[component_s][at]));
     }
   // Coulomb's law leaves two states; each element counts in the one it is nearer to
   for (const Slip& slip : slips) {

@@ -84,7 +84,8 @@ enum class ElementState : unsigned char { exterior, adhesion, slip };
 /// relative and the result holds when worst() <= 1e-6. Coulomb's law leaves an element in contact two states;
 /// it counts under the one it is nearer to (`adhesion` or `slip_direction`). Scales: pmax; the approach scale
 /// is the largest elastic displacement |(A p)_n| in contact; the slip scale is the largest of the rigid slip
-/// w dx and of the elastic slip over one step in contact. Without friction the cone is |p_t| over pmax.
+/// w dx and of the elastic slip over one step in contact (transient and shift: also of the slip there would
+/// be without shear tractions). Without friction the cone is |p_t| over pmax.
 ///
 /// mu is that of the element's row. Where kinetic < 1 the cone is that of adhesion, mu p_n, and a slipping
 /// element has kinetic mu p_n S/|S|: whatever sticks may carry more than what slips. Such a solution is not

@@ -1,0 +1,138 @@
+#include "bem_contact/contact/history.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "tests/contact/scenes.hpp"
+
+#include <gmock/gmock.h>
+
+namespace bem_contact {
+namespace {
+
+/// Carter's cylinders (REFERENCES 2.3): contact from -1 to 1 mm, one row so long that it is a plane problem.
+constexpr double length = 4000, friction = 0.3, radius = 500, carter_creepage = 2.4e-4;
+const double normal_force = std::numbers::pi * 82000 / (4 * radius * (1 - 0.28)) * length;
+
+ContactProblem cylinders(int across) {
+  ContactProblem problem =
+      scenes::flat(scenes::steel, scenes::steel, across * 6 / 5, 1, 2.0 / across, length, 0.5 / radius, 0);
+  problem.force = normal_force;
+  scenes::set_creepage(problem, friction, 0, 0, 0);
+  return problem;
+}
+
+const SolverOptions plain{.estimate_discretisation = false};
+
+/// Shifted by Carter's force, then rolling with it: the creepage tends to Carter's.
+TEST(History, FromCattaneoToCarterByForce) {
+  const int across = 32;
+  ContactProblem problem = cylinders(across);
+  problem.motion = MotionKind::shift;
+  problem.force_x = 0.64 * friction * normal_force;
+  const ContactResult shifted = solve(problem, plain);
+  ASSERT_TRUE(shifted.converged);
+  problem.motion = MotionKind::transient;
+  problem.previous = {tractions_of(shifted)};
+  const auto steps = solve_history(
+      problem, 3 * across, [](int, ContactProblem&) {}, plain);
+  for (const ContactResult& step : steps) {
+    ASSERT_TRUE(step.converged) << step.remark;
+    EXPECT_NEAR(step.Fx, *problem.force_x, 1e-6 * *problem.force_x);
+  }
+  EXPECT_LT(steps.front().creepage_x, 0.6 * carter_creepage) << "a transient it is";
+  EXPECT_NEAR(steps.back().creepage_x, carter_creepage, 0.01 * carter_creepage);
+}
+
+/// In three dimensions, coupled through unlike materials: transient rolling ends in the steady state.
+TEST(History, EndsInTheSteadyState) {
+  ContactProblem problem = scenes::flat({23000, 0.31}, scenes::steel, 16, 16, 0.7, 0.7, 1e-3, 1.4e-3);
+  problem.force = 15000;
+  scenes::set_creepage(problem, 0.3, 4e-4, 2e-4, 2e-4);
+  const ContactResult steady = solve(problem, plain);
+  problem.motion = MotionKind::transient;
+  const auto steps = solve_history(
+      problem, 45, [](int, ContactProblem&) {}, plain);
+  for (const ContactResult& step : steps)
+    ASSERT_TRUE(step.converged) << step.remark;
+  EXPECT_LT(steps.front().Fy, 0.3 * steady.Fy);
+  EXPECT_NEAR(steps.back().Fx, steady.Fx, 0.005 * steady.Fy);
+  EXPECT_NEAR(steps.back().Fy, steady.Fy, 0.005 * steady.Fy);
+  EXPECT_NEAR(steps.back().Mz, steady.Mz, 0.005 * steady.Mz);
+}
+
+/// One step by dx: on a grid that moves, and on one that lies still while the contact moves over it.
+TEST(History, MovingAndFixedGridAreTheSameStep) {
+  ContactProblem problem = cylinders(20);
+  const int mx = problem.grid.mx;
+  scenes::set_creepage(problem, friction, carter_creepage, 0, 0);
+  problem.motion = MotionKind::transient;
+  const ContactResult before = solve(problem, plain);
+  problem.previous = {tractions_of(before)};
+  const ContactResult moving = solve(problem, plain);
+  // On the material's grid the contact now lies one column further on.
+  ContactProblem fixed = problem;
+  fixed.motion = MotionKind::shift;
+  for (int ix = 0; ix < mx; ++ix) {
+    const double x = problem.grid.x(ix) - problem.grid.dx;
+    fixed.gap[ix] = 0.5 / radius * x * x;
+  }
+  scenes::set_creepage(fixed, friction, carter_creepage * problem.grid.dx, 0, 0);
+  const ContactResult still = solve(fixed, plain);
+  ASSERT_TRUE(moving.converged && still.converged);
+  EXPECT_NEAR(still.Fx, moving.Fx, 1e-6 * moving.Fx);
+  for (int ix = 0; ix + 1 < mx; ++ix)
+    EXPECT_NEAR(still.px[ix + 1], moving.px[ix], 1e-5 * friction * moving.patches[0].pmax);
+}
+
+/// A shift taken back leaves tractions, but no force that acts alone: to zero force it needs a shift back.
+TEST(History, ShiftThereAndBack) {
+  ContactProblem problem = scenes::flat({200, 0.42}, {200, 0.42}, 22, 22, 0.1, 0.1, 0.01, 0.01);
+  problem.force = 9.1954;
+  problem.motion = MotionKind::shift;
+  scenes::set_creepage(problem, 0.4, 0, 0, 0);
+  const double there = 0.7 * 0.4 * problem.force;
+  const auto steps = solve_history(
+      problem, 2, [&](int k, ContactProblem& p) { p.force_x = k == 0 ? there : 0.0; }, plain);
+  ASSERT_TRUE(steps[0].converged && steps[1].converged) << steps[1].remark;
+  // Mindlin and Deresiewicz 1953: unloading slips in from the edge by half of the force's change
+  const auto shift = [&](double force) { return 1 - std::pow(1 - force / (0.4 * problem.force), 2.0 / 3); };
+  EXPECT_NEAR(steps[1].creepage_x / steps[0].creepage_x, -2 * shift(there / 2) / shift(there), 0.01);
+  EXPECT_GT(steps[1].patches[0].slip, 0);
+}
+
+/// Spence 1975: a sphere pressed on a rigid plane in steps, nu = 0: normal and tangential act on each other.
+/// Half of the contact's radius sticks at mu = .2986, and the pressure in the middle is 1.31 of Hertz's.
+TEST(History, Spence) {
+  const int across = 28, steps = 28;
+  const Material material{1000, 0};
+  const double a = 1, gap = 0.01;
+  ContactProblem problem = scenes::flat(material, material, across * 6 / 5, across * 6 / 5, 2 * a / across,
+                                        2 * a / across, gap, gap);
+  problem.numbers = halfspace::numbers(material, problem.grid.dx, problem.grid.ds, problem.grid.mx + 2,
+                                       problem.grid.ms); // the upper body is rigid
+  const double modulus = 2 * material.shear_modulus;     // E* of one body, nu = 0
+  const double force = 4.0 / 3 * modulus * 2 * gap * a * a * a;
+  problem.motion = MotionKind::shift;
+  scenes::set_creepage(problem, 0.2986, 0, 0, 0);
+  const auto results = solve_history(
+      problem, steps, [&](int k, ContactProblem& p) { p.force = force * std::pow((k + 1.0) / steps, 3); },
+      plain);
+  for (const ContactResult& step : results)
+    ASSERT_TRUE(step.converged) << step.remark << step.certificate.worst();
+  const ContactResult& last = results.back();
+  double stick = 0;
+  for (const ElementState state : last.state)
+    stick += state == ElementState::adhesion ? 1 : 0;
+  const double ratio = std::sqrt(stick / last.patches[0].contact);
+  const double hertz = 1.5 * force / (std::numbers::pi * a * a);
+  EXPECT_NEAR(ratio, 0.5, 0.02);
+  EXPECT_NEAR(last.patches[0].pmax, 1.31 * hertz, 0.02 * hertz);
+}
+
+TEST(History, OfSteadyRollingIsRefused) {
+  EXPECT_THROW(solve_history(
+                   cylinders(10), 3, [](int, ContactProblem&) {}, plain),
+               InputError);
+}
+
+} // namespace
+} // namespace bem_contact
