@@ -143,7 +143,8 @@ void check_friction(const ContactProblem& problem, const ContactResult& result,
   double self = 0;
   for (int row = 0; row < ms; ++row)
     self = std::max(self, problem.numbers.at(0, row, component_n, row, component_n));
-  double scale = 1e-12 * pmax * self; // rounding of the displacements
+  // rounding of the displacements; steady slip is their difference over one element, and as small as they are
+  double scale = (problem.motion == MotionKind::steady ? 1e-12 : 1e-9) * pmax * self;
   for (int is = 0; is < ms; ++is)
     for (int ix = 0; ix < mx; ++ix) {
       const int i = is * mx + ix;

@@ -114,9 +114,11 @@ TangentialTask make_task(const ContactProblem& problem, const Shear& shear, cons
     task.drive -= step;
   }
   // where all sticks without rigid slip there is no slip to compare with but what tractions would cause
-  if (problem.motion != MotionKind::steady)
+  if (problem.motion != MotionKind::steady) {
+    task.slip_floor *= 1e3;
     for (const int i : task.contact)
       task.slip_floor = std::max(task.slip_floor, std::hypot(task.drive[i], task.drive[pn.size() + i]));
+  }
   return task;
 }
 

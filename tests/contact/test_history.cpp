@@ -24,7 +24,7 @@ const SolverOptions plain{.estimate_discretisation = false};
 
 /// Shifted by Carter's force, then rolling with it: the creepage tends to Carter's.
 TEST(History, FromCattaneoToCarterByForce) {
-  const int across = 32;
+  const int across = 24;
   ContactProblem problem = cylinders(across);
   problem.motion = MotionKind::shift;
   problem.force_x = 0.64 * friction * normal_force;
