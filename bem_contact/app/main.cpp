@@ -8,6 +8,7 @@
 #include "bem_contact/base/provenance.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fmt/format.h>
@@ -32,7 +33,8 @@ void check_outputs(const Arguments& arguments, const SceneFile& scene,
   std::vector<std::filesystem::path> taken{arguments.file};
   for (const std::string& name :
        {scene.rail.profile, scene.rail.influence, scene.wheel.profile, scene.wheel.influence, scene.gap.table,
-        scene.strip.inclination, scene.motion.slip_table})
+        scene.strip.inclination, scene.motion.slip_table, scene.motion.friction_table,
+        scene.motion.step_table, scene.motion.start_table})
     if (!name.empty())
       taken.push_back(scene.folder / name);
   for (std::filesystem::path& output : outputs) {
@@ -46,7 +48,7 @@ ExitCode verdict(const SceneResult& r) {
   for (const std::string& warning : r.warnings)
     spdlog::warn("{}", warning);
   if (r.result.certificate.holds())
-    return success;
+    return std::ranges::all_of(r.history, &ContactResult::converged) ? success : no_convergence;
   spdlog::error(
       "The {} result is not a solution (its worst violation is {:.1e}, {:.0e} is allowed; {}) Coarsen the "
       "grid, lower solver.tolerance, or raise solver.max_outer.",
@@ -133,7 +135,7 @@ int main(int argc, char** argv) {
   CLI::App* solve = cli.add_subcommand("solve", "Solve a scene");
   solve->add_option("scene", arguments.file, "Scene file (TOML)")->required();
   solve->add_option("--model", arguments.model, "Influence numbers; the scene's own choice if not given")
-      ->check(CLI::IsMember({"auto", "halfspace", "fem"}));
+      ->check(CLI::IsMember({"auto", "halfspace", "tangent_plane", "fem"}));
   solve->add_flag("--json", arguments.json, "Print one JSON object on standard output");
   solve->add_option("-o,--output", arguments.output, "Result file (HDF5)");
   solve->add_option("--vtk", arguments.vtk, "Surface with the result for ParaView (.vts)");

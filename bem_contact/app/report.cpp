@@ -53,6 +53,29 @@ json extrapolated_json(const SceneResult& r) {
           {"approach", e.approach}};
 }
 
+/// What prescribed forces added to the creepages of the scene; null where none was prescribed.
+json creepages_json(const ContactProblem& problem, const ContactResult& result) {
+  return {{"xi", problem.force_x ? json(result.creepage_x) : json(nullptr)},
+          {"eta", problem.force_s ? json(result.creepage_s) : json(nullptr)}};
+}
+
+/// One object a step, [] for steady rolling. Mz about the reference point.
+json history_json(const SceneResult& r) {
+  json steps = json::array();
+  for (const ContactResult& step : r.history)
+    steps.push_back({{"Fx", step.Fx},
+                     {"Fy", step.Fy},
+                     {"Fz", step.Fz},
+                     {"Mz", step.Mz + r.reference.position.y * step.Fx},
+                     {"Fs", step.Fs},
+                     {"approach", step.approach},
+                     {"creepage_found", creepages_json(r.problem, step)},
+                     {"friction_power", friction_power(step, r.problem.element_area())},
+                     {"certificate", step.certificate.worst()},
+                     {"converged", step.converged}});
+  return steps;
+}
+
 std::string discretisation_text(const SceneResult& r) {
   const double estimate = r.result.certificate.discretisation;
   return estimate < 0 ? "-" : fmt::format("{:.2f} %", 100 * estimate);
@@ -117,6 +140,17 @@ double contact_area(const SceneResult& r) {
   return area;
 }
 
+double friction_power(const ContactResult& result, double element_area) {
+  double sum = 0;
+  for (const double power : bem_contact::friction_power(result))
+    sum += power * element_area;
+  return sum;
+}
+
+double friction_power(const SceneResult& r) {
+  return friction_power(r.result, r.problem.element_area());
+}
+
 json to_json(const SceneResult& r) {
   json patches = json::array();
   for (const PatchSummary& p : r.result.patches)
@@ -136,7 +170,15 @@ json to_json(const SceneResult& r) {
           {"reason", r.reason},
           {"converged", r.result.converged},
           {"patches", patches},
-          {"totals", {{"Fx", r.result.Fx}, {"Fy", r.result.Fy}, {"Fz", r.result.Fz}, {"Mz", r.moment}}},
+          {"totals",
+           {{"Fx", r.result.Fx},
+            {"Fy", r.result.Fy},
+            {"Fz", r.result.Fz},
+            {"Mz", r.moment},
+            {"Fs", r.result.Fs},
+            {"friction_power", friction_power(r)}}},
+          {"creepage_found", creepages_json(r.problem, r.result)},
+          {"history", history_json(r)},
           {"extrapolated", extrapolated_json(r)},
           {"approach", r.result.approach},
           {"pmax", largest_pressure(r)},
@@ -158,6 +200,8 @@ json to_json(const SceneResult& r) {
            {{"normal", r.result.normal_solver},
             {"tangential", r.result.tangential_solver},
             {"outer_iterations", r.result.outer_iterations},
+            {"outer_rate", r.result.outer_rate},
+            {"creepage_iterations", r.result.creepage_iterations},
             {"normal_iterations", r.result.normal_iterations},
             {"tangential_iterations", r.result.tangential_iterations},
             {"remark", r.result.remark}}},
@@ -193,6 +237,17 @@ std::string to_text(const SceneResult& r) {
   out +=
       fmt::format("on the rail: Fx {:.1f} N, Fy {:.1f} N, Fz {:.1f} N, Mz {:.1f} N mm; approach {:.5f} mm\n",
                   r.result.Fx, r.result.Fy, r.result.Fz, r.moment, r.result.approach);
+  if (r.problem.has_friction())
+    out += fmt::format("friction dissipates {:.4g} {}\n", friction_power(r),
+                       r.problem.motion == MotionKind::shift ? "N mm" : "N mm per mm rolled");
+  if (r.problem.force_x || r.problem.force_s)
+    out += fmt::format("creepages found for the shear forces: xi {:+.6g}, eta {:+.6g}\n", r.result.creepage_x,
+                       r.result.creepage_s);
+  if (r.result.outer_iterations > 1)
+    out += fmt::format("{} outer iterations, each reducing the residual to {:.2g}\n",
+                       r.result.outer_iterations, r.result.outer_rate);
+  if (!r.history.empty())
+    out += fmt::format("the last of {} steps\n", r.history.size());
   const Certificate& c = r.result.certificate;
   out += fmt::format("certificate: worst violation {:.1e} of {:.0e} allowed, {}", c.worst(), c.tolerance,
                      c.holds() ? "holds" : "DOES NOT HOLD");

@@ -29,6 +29,40 @@ H5Dataset points(const std::vector<Point2>& line, std::string description) {
   return out;
 }
 
+/// [step][ms][mx] of every step, and the totals [step].
+void add_history(H5Table& table, const SceneResult& r) {
+  const std::string group = r.model + "/history/";
+  const ContactGrid& grid = r.problem.grid;
+  const auto fields = [&](const char* name, std::vector<double> ContactResult::*member, const char* unit) {
+    H5Dataset out{{r.history.size(), static_cast<std::size_t>(grid.ms), static_cast<std::size_t>(grid.mx)},
+                  {},
+                  unit,
+                  "of every step"};
+    for (const ContactResult& step : r.history)
+      out.values.insert(out.values.end(), (step.*member).begin(), (step.*member).end());
+    table.datasets[group + name] = std::move(out);
+  };
+  const auto totals = [&](const char* name, double ContactResult::*member, const char* unit) {
+    std::vector<double> values;
+    for (const ContactResult& step : r.history)
+      values.push_back(step.*member);
+    table.datasets[group + name] = line(std::move(values), unit, "of every step");
+  };
+  fields("p_x", &ContactResult::px, "MPa");
+  fields("p_s", &ContactResult::ps, "MPa");
+  fields("p_n", &ContactResult::pn, "MPa");
+  const bool shift = r.problem.motion == MotionKind::shift;
+  fields("slip_x", &ContactResult::slip_x, shift ? "mm" : "1");
+  fields("slip_s", &ContactResult::slip_s, shift ? "mm" : "1");
+  totals("Fx", &ContactResult::Fx, "N");
+  totals("Fy", &ContactResult::Fy, "N");
+  totals("Fz", &ContactResult::Fz, "N");
+  totals("Fs", &ContactResult::Fs, "N");
+  totals("approach", &ContactResult::approach, "mm");
+  totals("creepage_x", &ContactResult::creepage_x, shift ? "mm" : "1");
+  totals("creepage_s", &ContactResult::creepage_s, shift ? "mm" : "1");
+}
+
 void add_result(H5Table& table, const SceneResult& r) {
   const ContactGrid& grid = r.problem.grid;
   const std::string group = r.model + "/";
@@ -36,9 +70,20 @@ void add_result(H5Table& table, const SceneResult& r) {
   table.datasets[group + "p_x"] = field(grid, c.px, "MPa", "traction on the rail along x");
   table.datasets[group + "p_s"] = field(grid, c.ps, "MPa", "traction on the rail along s");
   table.datasets[group + "p_n"] = field(grid, c.pn, "MPa", "pressure");
-  table.datasets[group + "slip_x"] = field(grid, c.slip_x, "1", "slip along x per unit of rolled distance");
-  table.datasets[group + "slip_s"] = field(grid, c.slip_s, "1", "slip along s per unit of rolled distance");
+  const bool shift = r.problem.motion == MotionKind::shift;
+  const std::string per = shift ? " in the step" : " per unit of rolled distance";
+  table.datasets[group + "slip_x"] = field(grid, c.slip_x, shift ? "mm" : "1", "slip along x" + per);
+  table.datasets[group + "slip_s"] = field(grid, c.slip_s, shift ? "mm" : "1", "slip along s" + per);
   table.datasets[group + "deformed_distance"] = field(grid, c.deformed_distance, "mm", "deformed distance");
+  const Displacements& u = r.displacements;
+  const std::string what = "displacement difference, wheel less rail, along ";
+  table.datasets[group + "u_x"] = field(grid, u.ux, "mm", what + "x");
+  table.datasets[group + "u_s"] = field(grid, u.us, "mm", what + "s");
+  table.datasets[group + "u_n"] = field(grid, u.un, "mm", what + "n");
+  table.datasets[group + "friction_power"] =
+      field(grid, bem_contact::friction_power(c), shift ? "N/mm" : "MPa", "dissipated" + per);
+  if (!r.history.empty())
+    add_history(table, r);
   std::vector<double> state(c.state.size());
   std::ranges::transform(c.state, state.begin(), [](ElementState e) { return double(e); });
   table.datasets[group + "state"] = field(grid, state, "1", "0 exterior, 1 adhesion, 2 slip");
@@ -50,6 +95,10 @@ void add_result(H5Table& table, const SceneResult& r) {
   a[group + "Fy_N"] = c.Fy;
   a[group + "Fz_N"] = c.Fz;
   a[group + "Mz_Nmm"] = r.moment;
+  a[group + "Fs_N"] = c.Fs;
+  a[group + "friction_power"] = friction_power(r);
+  a[group + "creepage_found_x"] = c.creepage_x;
+  a[group + "creepage_found_s"] = c.creepage_s;
   a[group + "approach_mm"] = c.approach;
   a[group + "pmax_MPa"] = largest_pressure(r);
   a[group + "area_mm2"] = contact_area(r);
@@ -93,7 +142,7 @@ H5Table to_table(std::span<const SceneResult* const> results, const std::string&
   a["frame"] = std::string("x rolling direction, y right, z down; s along the rail, n into the rail");
   a["dx_mm"] = grid.dx;
   a["ds_mm"] = grid.ds;
-  a["friction"] = problem.tangential ? problem.friction : 0.0;
+  a["friction"] = problem.tangential ? problem.largest_friction() : 0.0;
   a["reference_s_mm"] = first.reference.s;
   a["reference_y_mm"] = first.reference.position.y;
   a["reference_z_mm"] = first.reference.position.z;

@@ -74,9 +74,41 @@ Schema schema_of(SceneFile& f, Youngs& young) {
          .unit = "mm",
          .given = &f.load.has_approach});
 
+  s.add("load.force_x", f.load.force_x,
+        {.doc = "Longitudinal force on the rail; the creepage that gives it is found and added to motion.xi",
+         .unit = "N",
+         .given = &f.load.has_force_x});
+  s.add("load.force_s", f.load.force_s,
+        {.doc = "Shear force on the rail along its tangent at the reference point, sum p_s cos(delta - "
+                "delta_ref) dS; the creepage is found and added to motion.eta",
+         .unit = "N",
+         .given = &f.load.has_force_s});
+
+  s.add("motion.kind", f.motion.kind,
+        {.doc =
+             "Steady rolling; transient rolling from rest, dx a step; or shifts of bodies that do not roll, "
+             "xi and eta then in mm a step and phi in rad",
+         .choices = {"steady", "transient", "shift"}});
   s.add("motion.frictionless", f.motion.frictionless,
         {.doc = "No friction at all: the normal problem alone"});
   s.add("motion.friction", f.motion.friction, {.doc = "Coulomb's coefficient of friction", .at_least = 0});
+  s.add("motion.kinetic_friction", f.motion.kinetic_friction,
+        {.doc =
+             "Coefficient of what slips, at most that of adhesion; 0: the same. With friction_table: of the "
+             "largest, and in proportion elsewhere",
+         .at_least = 0});
+  s.add("motion.friction_table", f.motion.friction_table,
+        {.doc = "CSV file with columns s, mu (linear in between) instead of friction; s as in the result"});
+  s.add("motion.steps", f.motion.steps,
+        {.doc = "Steps of transient rolling or of shifts", .at_least = 1, .at_most = 100000});
+  s.add("motion.step_table", f.motion.step_table,
+        {.doc =
+             "CSV file, one row a step, of columns load, xi, eta, phi, force_x, force_s, x, or some of them: "
+             "load is force or approach, whichever is given; force_x and force_s need their keys too; x (mm, "
+             "shifts of a patch) is where the contact lies on the grid, which lies still"});
+  s.add("motion.start_table", f.motion.start_table,
+        {.doc = "CSV file with columns ix, is, px, ps, pn: tractions that transient or shift start from",
+         .kinds = patch});
   s.add("motion.xi", f.motion.xi,
         {.doc = "Longitudinal creepage, wheel over rail; wheel_rail: where the bodies touch first"});
   s.add("motion.eta", f.motion.eta, {.doc = "Lateral creepage"});
@@ -137,7 +169,7 @@ Schema schema_of(SceneFile& f, Youngs& young) {
 
   s.add("solver.model", f.solver.model,
         {.doc = "Influence numbers of the half-space, of the bodies, or the cheapest that serves",
-         .choices = {"auto", "halfspace", "fem"}});
+         .choices = {"auto", "halfspace", "tangent_plane", "fem"}});
   s.add("solver.tolerance", f.solver.tolerance,
         {.doc = "Relative tolerance of the iterations", .above = 0, .at_most = 1e-7});
   s.add("solver.max_outer", f.solver.max_outer,
@@ -158,6 +190,23 @@ void check_motion(const SceneFile& f, const Schema& s) {
              "Set motion.frictionless = true for the normal problem alone, or give friction > 0.");
   if (!f.motion.slip_table.empty() && (f.motion.xi != 0 || f.motion.eta != 0 || f.motion.phi != 0))
     s.refuse("motion.slip_table", "creepages are given too", "Give either the table or xi, eta and phi.");
+}
+
+void check_steps(const SceneFile& f, const Schema& s) {
+  const bool steps = f.motion.steps > 1 || !f.motion.step_table.empty() || !f.motion.start_table.empty();
+  if (steps && f.motion.kind == "steady")
+    s.refuse("motion.kind", "steady rolling has no steps",
+             "Choose transient or shift, or leave out the steps.");
+  if (steps && f.motion.frictionless)
+    s.refuse("motion.frictionless", "without friction nothing remembers a step",
+             "Leave out the steps, or give friction.");
+  if (f.motion.steps > 1 && !f.motion.step_table.empty())
+    s.refuse("motion.steps", "the step table has a row for each step", "Give either of the two.");
+  if ((f.load.has_force_x || f.load.has_force_s) && f.motion.frictionless)
+    s.refuse("load", "without friction there is no shear force", "Leave out force_x and force_s.");
+  if (f.motion.friction_table.empty() && f.motion.kinetic_friction > f.motion.friction)
+    s.refuse("motion.kinetic_friction", fmt::format("friction in adhesion is only {}", f.motion.friction),
+             "Give a smaller coefficient.");
 }
 
 void check_patch(const SceneFile& f, const Schema& s) {
@@ -199,6 +248,7 @@ SceneFile parse_scene_file(std::string_view toml, std::string_view source_name) 
   settle_material(schema, "wheel.material", file.wheel.material, young.wheel);
   check_load(file, schema);
   check_motion(file, schema);
+  check_steps(file, schema);
   if (file.kind == "patch")
     check_patch(file, schema);
   else

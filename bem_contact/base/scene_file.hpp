@@ -37,11 +37,19 @@ struct SceneFile {
     double force = 0;    ///< vertical (patch: normal) force, N; 0: not given
     double approach = 0; ///< mm; used when has_approach
     bool has_approach = false, has_force = false;
+    double force_x = 0, force_s = 0; ///< shear forces on the rail, N; the creepages are found
+    bool has_force_x = false, has_force_s = false;
   } load;
 
-  struct Motion { ///< [motion]; creepages at the contact reference point
+  struct Motion {                ///< [motion]; creepages at the contact reference point
+    std::string kind = "steady"; ///< steady | transient | shift
     bool frictionless = false;
     double friction = 0.3;
+    double kinetic_friction = 0;     ///< of what slips; 0: the same
+    std::string friction_table;      ///< CSV file with columns s, mu instead of friction
+    int steps = 1;                   ///< of transient rolling (dx each) or of shifts
+    std::string step_table;          ///< CSV file with one row a step: load, xi, eta, phi, force_x, force_s
+    std::string start_table;         ///< patch: CSV file with columns ix, is, px, ps, pn
     double xi = 0, eta = 0, phi = 0; ///< wheel_rail: spin from the geometry is added to phi; phi in 1/mm
     double rolling_radius =
         0;                  ///< wheel_rail: forward over angular speed at xi = 0; 0: that of first touch, mm
@@ -68,7 +76,7 @@ struct SceneFile {
   } strip;
 
   struct Solver {               ///< [solver]
-    std::string model = "auto"; ///< auto | halfspace | fem
+    std::string model = "auto"; ///< auto | halfspace | tangent_plane | fem
     double tolerance = 1e-8;
     int max_outer = 50;
   } solver;

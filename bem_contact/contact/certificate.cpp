@@ -62,6 +62,8 @@ std::array<std::vector<double>, 3> former_displacements(const ContactProblem& pr
 
 /// The largest of what the prescribed shear forces miss, over what friction can carry.
 double shear_imbalance(const ContactProblem& problem, const ContactResult& result) {
+  if (!problem.has_friction())
+    return 0;
   double fx = 0, fs = 0, capacity = 0;
   for (int i = 0; i < problem.grid.size(); ++i) {
     const int row = i / problem.grid.mx;
@@ -143,7 +145,7 @@ void check_friction(const ContactProblem& problem, const ContactResult& result,
   double self = 0;
   for (int row = 0; row < ms; ++row)
     self = std::max(self, problem.numbers.at(0, row, component_n, row, component_n));
-  // rounding of the displacements; steady slip is their difference over one element, and as small as they are
+  // rounding of the displacements, which steady slip (their difference over one element) shares
   double scale = (problem.motion == MotionKind::steady ? 1e-12 : 1e-9) * pmax * self;
   for (int is = 0; is < ms; ++is)
     for (int ix = 0; ix < mx; ++ix) {

@@ -22,14 +22,30 @@ std::vector<std::string> split(std::string line) {
   return parts;
 }
 
-} // namespace
-
-std::vector<std::vector<double>> read_csv(const std::filesystem::path& file,
-                                          const std::vector<std::string>& columns) {
+std::ifstream open_table(const std::filesystem::path& file) {
   std::ifstream in(file);
   if (!in || std::filesystem::is_directory(file))
     throw InputError(fmt::format("The table '{}' cannot be read", file.string()), "there is no such file",
                      "Check the path; it is relative to the scene file.");
+  return in;
+}
+
+} // namespace
+
+std::vector<std::string> csv_columns(const std::filesystem::path& file) {
+  std::ifstream in = open_table(file);
+  for (std::string line; std::getline(in, line);) {
+    const std::vector<std::string> parts = split(line.substr(0, line.find('#')));
+    if (!(parts.empty() || (parts.size() == 1 && parts[0].empty())))
+      return parts;
+  }
+  throw InputError(fmt::format("The table '{}' is empty", file.string()), "it has no line of names",
+                   "Begin it with the names of its columns.");
+}
+
+std::vector<std::vector<double>> read_csv(const std::filesystem::path& file,
+                                          const std::vector<std::string>& columns) {
+  std::ifstream in = open_table(file);
   const std::string header = fmt::format("{}", fmt::join(columns, ", "));
   std::vector<std::vector<double>> rows;
   bool named = false;

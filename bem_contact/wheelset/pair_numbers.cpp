@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/halfspace/rectangle.hpp"
 #include "bem_contact/halfspace/resample.hpp"
+#include "bem_contact/halfspace/tangent_plane.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 
 #include <algorithm>
@@ -105,6 +106,20 @@ InfluenceNumbers halfspace_pair(const SceneFile& scene, const PreparedContact& c
   // The wheel's own s runs against the rail's: with rows in the contact's order the couplings of equal bodies
   // cancel.
   return halfspace::combine(one(scene.rail.material), reversed(one(scene.wheel.material)));
+}
+
+InfluenceNumbers tangent_plane_pair(const SceneFile& scene, const PreparedContact& contact) {
+  const ContactGrid& grid = contact.problem.grid;
+  std::vector<halfspace::StripRow> rail, wheel; // the wheel's own frame is turned by pi about x
+  for (const ContactRow& row : contact.problem.rows) {
+    rail.push_back({row.position, row.delta});
+    wheel.push_back({-1.0 * row.position, row.delta});
+  }
+  const halfspace::StripGrid strip{contact.plane_strain ? 0.0 : grid.dx, grid.ds,
+                                   contact.plane_strain ? 1 : grid.mx + 2,
+                                   scene.strip.radius != 0 ? std::abs(scene.strip.radius) : 100.0};
+  return halfspace::combine(halfspace::tangent_plane_numbers(scene.rail.material, strip, rail),
+                            halfspace::tangent_plane_numbers(scene.wheel.material, strip, wheel));
 }
 
 InfluenceNumbers fem_pair(const SceneFile& scene, const PairFiles& files, const PreparedContact& contact) {

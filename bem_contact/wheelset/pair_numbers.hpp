@@ -23,6 +23,9 @@ PairFiles read_pair_files(const SceneFile& scene);
 /// (distances along the arc), so that both models share geometry, gap and frames.
 InfluenceNumbers halfspace_pair(const SceneFile& scene, const PreparedContact& contact);
 
+/// Tangent-plane numbers of the pair (halfspace/tangent_plane.hpp), both surfaces taken where the rows lie.
+InfluenceNumbers tangent_plane_pair(const SceneFile& scene, const PreparedContact& contact);
+
 /// The pair's numbers from the influence files at the rows' own stations on either body.
 /// Throws InputError where a file is missing or a row lies outside its strip.
 InfluenceNumbers fem_pair(const SceneFile& scene, const PairFiles& files, const PreparedContact& contact);

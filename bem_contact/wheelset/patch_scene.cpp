@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/wheelset/csv_table.hpp"
+#include "bem_contact/wheelset/motion.hpp"
 #include "bem_contact/wheelset/potential_contact.hpp"
 #include "bem_contact/wheelset/rigid_slip.hpp"
 
@@ -84,6 +85,18 @@ double circular_gap(double radius, double upper, double s) {
   return (dot(d, d) - upper * upper) / (across + std::copysign(std::sqrt(square), upper));
 }
 
+void set_gap(ContactProblem& problem, const SceneFile& scene, double x_of_contact) {
+  const double radius = scene.strip.radius, upper = scene.strip.upper_radius;
+  problem.gap.clear();
+  for (const ContactRow& row : problem.rows) {
+    const double curved = radius != 0 && upper != 0 ? circular_gap(radius, upper, row.s) : 0.0;
+    for (int ix = 0; ix < problem.grid.mx; ++ix) {
+      const double x = problem.grid.x(ix) - x_of_contact, s = row.s;
+      problem.gap.push_back(curved + scene.gap.a * x * x + scene.gap.b * s * s + scene.gap.c * x * s);
+    }
+  }
+}
+
 PreparedContact prepare_patch(const SceneFile& scene) {
   PreparedContact out;
   out.plane_strain = scene.grid.plane_strain;
@@ -118,17 +131,14 @@ PreparedContact prepare_patch(const SceneFile& scene) {
   if (!scene.gap.table.empty()) {
     problem.gap = read_fields(scene.folder / scene.gap.table, grid, {"h"})[0];
   } else {
-    for (const ContactRow& row : problem.rows) {
-      const double curved = radius != 0 && upper != 0 ? circular_gap(radius, upper, row.s) : 0.0;
-      for (int ix = 0; ix < grid.mx; ++ix) {
-        const double x = grid.x(ix), s = row.s;
-        problem.gap.push_back(curved + scene.gap.a * x * x + scene.gap.b * s * s + scene.gap.c * x * s);
-      }
-    }
+    set_gap(problem, scene, 0);
   }
 
-  problem.friction = scene.motion.friction;
-  problem.tangential = !scene.motion.frictionless && scene.motion.friction > 0;
+  set_motion(problem, scene, 0);
+  if (problem.tangential && !scene.motion.start_table.empty()) {
+    auto fields = read_fields(scene.folder / scene.motion.start_table, grid, {"px", "ps", "pn"});
+    problem.previous = {{std::move(fields[0]), std::move(fields[1]), std::move(fields[2])}};
+  }
   if (problem.tangential && !scene.motion.slip_table.empty()) {
     auto fields = read_fields(scene.folder / scene.motion.slip_table, grid, {"wx", "ws"});
     problem.slip_x = std::move(fields[0]);

@@ -21,6 +21,9 @@ struct PreparedContact {
 /// Throws InputError for tables that do not fit the grid.
 PreparedContact prepare_patch(const SceneFile& scene);
 
+/// The undeformed distance of a patch scene without gap.table whose contact lies at `x_of_contact`, mm.
+void set_gap(ContactProblem& problem, const SceneFile& scene, double x_of_contact);
+
 /// Distance along the normal from the circle of radius R (> 0 convex) at arc length s to a circle of radius
 /// `upper` (> 0 convex) that touches it at s = 0, mm; excluded_gap where the normal misses it.
 double circular_gap(double radius, double upper, double s);

@@ -27,14 +27,30 @@ void set_rigid_slip(ContactProblem& problem, const WheelOnRail& pair, Point2 ref
   }
 }
 
-void set_rigid_slip(ContactProblem& problem, const Creepage& creepage) {
+void set_rigid_shift(ContactProblem& problem, Point2 reference, double reference_delta,
+                     const Creepage& creepage) {
+  const ContactGrid& grid = problem.grid;
+  problem.slip_x.resize(grid.size());
+  problem.slip_s.resize(grid.size());
+  for (int is = 0; is < grid.ms; ++is) {
+    const ContactRow& row = problem.rows[is];
+    const double s = dot(row.position - reference, tangent_of(reference_delta));
+    const double share = std::cos(row.delta - reference_delta);
+    for (int ix = 0; ix < grid.mx; ++ix) {
+      problem.slip_x[is * grid.mx + ix] = creepage.xi - creepage.phi * s;
+      problem.slip_s[is * grid.mx + ix] = (creepage.eta + creepage.phi * grid.x(ix)) * share;
+    }
+  }
+}
+
+void set_rigid_slip(ContactProblem& problem, const Creepage& creepage, double x_of_contact) {
   const ContactGrid& grid = problem.grid;
   problem.slip_x.resize(grid.size());
   problem.slip_s.resize(grid.size());
   for (int is = 0; is < grid.ms; ++is) {
     for (int ix = 0; ix < grid.mx; ++ix) {
       problem.slip_x[is * grid.mx + ix] = creepage.xi - creepage.phi * problem.rows[is].s;
-      problem.slip_s[is * grid.mx + ix] = creepage.eta + creepage.phi * grid.x(ix);
+      problem.slip_s[is * grid.mx + ix] = creepage.eta + creepage.phi * (grid.x(ix) - x_of_contact);
     }
   }
 }

@@ -25,8 +25,13 @@ struct Creepage {
 void set_rigid_slip(ContactProblem& problem, const WheelOnRail& pair, Point2 reference,
                     double reference_delta, const Creepage& creepage);
 
-/// The same for a patch given directly: w_x = xi - phi s, w_s = eta + phi x (s measured from the grid's
-/// middle).
-void set_rigid_slip(ContactProblem& problem, const Creepage& creepage);
+/// A shift of the wheel that does not turn, on the same frames, mm: w_x = xi - phi s, w_s = (eta + phi x)
+/// cos(delta - reference_delta), xi, eta in mm and phi in rad, s along the tangent at the reference point.
+void set_rigid_shift(ContactProblem& problem, Point2 reference, double reference_delta,
+                     const Creepage& creepage);
+
+/// The same as set_rigid_slip for a patch given directly: w_x = xi - phi s, w_s = eta + phi x (s measured
+/// from the grid's middle, x from `x_of_contact`).
+void set_rigid_slip(ContactProblem& problem, const Creepage& creepage, double x_of_contact = 0);
 
 } // namespace bem_contact

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/wheelset/motion.hpp"
 #include "bem_contact/wheelset/pair_numbers.hpp"
 #include "bem_contact/wheelset/wheel_rail_scene.hpp"
 
@@ -115,8 +116,7 @@ struct Touched {
   bool any() const { return first_row || last_row || columns; }
 };
 
-Touched touched_edges(const ContactGrid& grid, const ContactResult& result) {
-  Touched out;
+void add_touched(const ContactGrid& grid, const ContactResult& result, Touched& out) {
   for (int is = 0; is < grid.ms; ++is)
     for (int ix = 0; ix < grid.mx; ++ix) {
       if (result.state.empty() || result.state[is * grid.mx + ix] == ElementState::exterior)
@@ -125,6 +125,13 @@ Touched touched_edges(const ContactGrid& grid, const ContactResult& result) {
       out.last_row |= is == grid.ms - 1;
       out.columns |= ix == 0 || ix == grid.mx - 1;
     }
+}
+
+Touched touched_edges(const SceneResult& solved) {
+  Touched out;
+  add_touched(solved.problem.grid, solved.result, out);
+  for (const ContactResult& step : solved.history)
+    add_touched(solved.problem.grid, step, out);
   return out;
 }
 
@@ -155,24 +162,48 @@ void grow(Stage& stage, const Touched& touched) {
   stage.seconds.geometry += watch.seconds();
 }
 
+InfluenceNumbers numbers_of(const Stage& stage, const std::string& model) {
+  return model == "fem"             ? fem_pair(*stage.scene, stage.files, stage.contact)
+         : model == "tangent_plane" ? tangent_plane_pair(*stage.scene, stage.contact)
+                                    : halfspace_pair(*stage.scene, stage.contact);
+}
+
 /// Without `tangential` it is a look at the normal problem, for the choice of the model.
-SceneResult solve_once(Stage& stage, bool fem, bool tangential) {
+SceneResult solve_once(Stage& stage, const std::string& model, bool tangential) {
   SceneResult out;
-  out.model = fem ? "fem" : "halfspace";
+  out.model = model;
   ContactProblem& problem = stage.contact.problem;
   require_memory(problem.grid);
   const Stopwatch numbers;
-  problem.numbers =
-      fem ? fem_pair(*stage.scene, stage.files, stage.contact) : halfspace_pair(*stage.scene, stage.contact);
+  problem.numbers = numbers_of(stage, model);
   out.seconds.numbers = numbers.seconds();
   const Stopwatch solving;
-  const bool asked = problem.tangential;
-  problem.tangential = asked && tangential;
-  out.result = solve(problem, {.tolerance = stage.scene->solver.tolerance,
-                               .max_outer = stage.scene->solver.max_outer,
-                               .estimate_discretisation = tangential});
-  problem.tangential = asked;
-  problem.numbers = {};
+  const SolverOptions options{.tolerance = stage.scene->solver.tolerance,
+                              .max_outer = stage.scene->solver.max_outer,
+                              .estimate_discretisation = tangential};
+  if (!tangential) {
+    ContactProblem normal = problem;
+    normal.tangential = false;
+    out.result = solve(normal, options);
+  } else if (!problem.tangential || problem.motion == MotionKind::steady) {
+    out.result = solve(problem, options);
+    out.displacements = displacements(problem, out.result);
+  } else {
+    const std::vector<MotionStep> steps = read_steps(*stage.scene);
+    const auto prescribe = [&](int k, ContactProblem& p) {
+      prescribe_step(p, *stage.scene, stage.wheel_rail ? &*stage.wheel_rail : nullptr, steps[k]);
+    };
+    const int last = static_cast<int>(steps.size()) - 1;
+    out.history = solve_history(problem, last + 1, prescribe, options);
+    out.result = out.history.back();
+    prescribe(last, problem);
+    out.displacements = displacements(problem, out.result);
+    for (int k = 0; k < last; ++k)
+      if (!out.history[k].converged)
+        out.warnings.push_back(
+            fmt::format("step {} of {} is not a solution ({})", k + 1, last + 1, out.history[k].remark));
+  }
+  problem.numbers.values = {}; // its form stays: plane strain or not
   out.seconds.solve = solving.seconds();
   out.problem = problem;
   return out;
@@ -187,15 +218,15 @@ std::string edge_warning(const Touched& touched) {
 }
 
 /// Solves on a grid that grows until the contact lies inside.
-SceneResult solve_grown(Stage& stage, bool fem, bool tangential) {
+SceneResult solve_grown(Stage& stage, const std::string& model, bool tangential) {
   PhaseSeconds spent;
   bool grown = false;
   for (int round = 0;; ++round) {
-    SceneResult out = solve_once(stage, fem, tangential);
+    SceneResult out = solve_once(stage, model, tangential);
     spent.numbers += out.seconds.numbers;
     spent.solve += out.seconds.solve;
     out.seconds = spent;
-    const Touched touched = touched_edges(out.problem.grid, out.result);
+    const Touched touched = touched_edges(out);
     if (!touched.any()) {
       if (grown && (stage.scene->grid.mx > 0 || stage.scene->grid.ms > 0))
         out.warnings.push_back(
@@ -272,6 +303,13 @@ double turn_of_contact(const SceneResult& solved) {
   return largest;
 }
 
+std::string motion_text(const SceneFile& scene) {
+  const std::size_t steps = read_steps(scene).size();
+  return scene.motion.kind == "steady"  ? std::string("steady rolling")
+         : scene.motion.kind == "shift" ? fmt::format("shift in {} steps", steps)
+                                        : fmt::format("transient rolling, {} steps of dx", steps);
+}
+
 std::string turn_text(double turn) {
   return fmt::format(
       "the normal turns by {:.1f} degrees within the patch, for which half-space theory is predicted "
@@ -288,21 +326,21 @@ double predicted_halfspace_error(double turn) {
 SceneResult solve_scene(const SceneFile& scene, const std::string& wanted) {
   const Stopwatch watch;
   const std::string model = wanted.empty() ? scene.solver.model : wanted;
-  if (model != "auto" && model != "halfspace" && model != "fem")
-    throw InputError(fmt::format("There is no model '{}'", model), "the models are auto, halfspace and fem",
-                     "Choose one of them.");
+  if (model != "auto" && model != "halfspace" && model != "tangent_plane" && model != "fem")
+    throw InputError(fmt::format("There is no model '{}'", model),
+                     "the models are auto, halfspace, tangent_plane and fem", "Choose one of them.");
   Stage stage = prepare(scene, model == "fem");
   SceneResult out;
   PhaseSeconds probe;
   if (model == "auto") {
-    SceneResult normal = solve_grown(stage, false, false);
+    SceneResult normal = solve_grown(stage, "halfspace", false);
     probe = normal.seconds;
     const double turn = turn_of_contact(normal);
     const bool concentrated = predicted_halfspace_error(turn) <= halfspace_tolerance;
     const bool fem = !concentrated && stage.files.complete();
     if (fem)
       stage = prepare(scene, true);
-    out = solve_grown(stage, fem, true);
+    out = solve_grown(stage, fem ? "fem" : "halfspace", true);
     out.reason = turn_text(turn);
     if (!concentrated && !fem) {
       out.reason += ": more than the 1 % allowed, but the scene names no influence files of both bodies";
@@ -311,7 +349,7 @@ SceneResult solve_scene(const SceneFile& scene, const std::string& wanted) {
       out.reason += fem ? ": more than the 1 % allowed" : ": within the 1 % allowed";
     }
   } else {
-    out = solve_grown(stage, model == "fem", true);
+    out = solve_grown(stage, model, true);
     out.reason = "asked for";
   }
   finish(out, stage);
@@ -323,19 +361,22 @@ SceneResult solve_scene(const SceneFile& scene, const std::string& wanted) {
 
 Comparison compare_scene(const SceneFile& scene) {
   const Stopwatch watch;
+  if (scene.load.has_approach && scene.motion.kind != "steady")
+    throw InputError("The models cannot be compared over these steps", "only the approach is given",
+                     "Give load.force, at which they are compared, or solve the scene with either model.");
   Stage stage = prepare(scene, true);
   Comparison out;
   const ContactProblem asked = stage.contact.problem;
   for (int round = 0;; ++round) {
     // Both on one grid: where either grows, both are solved again.
-    out.fem = solve_grown(stage, true, true);
+    out.fem = solve_grown(stage, "fem", true);
     const int size = stage.contact.problem.grid.size();
     ContactProblem& problem = stage.contact.problem;
     if (asked.load == LoadKind::approach) {
       problem.load = LoadKind::force;
       problem.force = out.fem.result.Fz;
     }
-    out.halfspace = solve_grown(stage, false, true);
+    out.halfspace = solve_grown(stage, "halfspace", true);
     if (stage.contact.problem.grid.size() == size)
       break;
     stage.contact.problem.load = asked.load;
@@ -366,8 +407,9 @@ std::vector<std::string> check_scene(const SceneFile& scene) {
                   problem.grid.mx, problem.grid.ms, problem.grid.dx, problem.grid.ds, problem.rows.front().s,
                   problem.rows.back().s, problem.rows.front().delta * 180 / std::numbers::pi,
                   problem.rows.back().delta * 180 / std::numbers::pi));
-  lines.push_back(problem.tangential ? fmt::format("friction: {:g}, steady rolling", problem.friction)
-                                     : std::string("friction: none"));
+  lines.push_back(problem.tangential
+                      ? fmt::format("friction: {:g}, {}", problem.largest_friction(), motion_text(scene))
+                      : std::string("friction: none"));
   const auto side = [&](const char* name, const std::optional<InfluenceFunction>& f,
                         const std::vector<double>& s) {
     if (!f) {

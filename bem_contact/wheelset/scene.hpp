@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/base/scene_file.hpp"
+#include "bem_contact/contact/history.hpp"
 #include "bem_contact/contact/problem.hpp"
 #include "bem_contact/contact/solve.hpp"
 
@@ -27,11 +28,13 @@ struct PhaseSeconds {
 
 /// One scene solved with one model.
 struct SceneResult {
-  std::string model;  ///< "halfspace" | "fem"
-  std::string reason; ///< why this model, in a sentence
-  ContactProblem
-      problem; ///< grid, rows (wheel_rail: track frame), undeformed distance, rigid slip; numbers left out
-  ContactResult result;
+  std::string model;      ///< "halfspace" | "tangent_plane" | "fem"
+  std::string reason;     ///< why this model, in a sentence
+  ContactProblem problem; ///< grid, rows (wheel_rail: track frame), undeformed distance, rigid slip; values
+                          ///< of the numbers left out
+  ContactResult result;   ///< of the last step
+  std::vector<ContactResult> history; ///< transient and shift: of every step
+  Displacements displacements;        ///< of the last step
   ReferencePoint reference;
   double moment = 0;           ///< Mz about the vertical axis through the reference point, N mm
   std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none
@@ -46,7 +49,7 @@ struct Comparison {
   SceneResult halfspace, fem;
 };
 
-/// `model`: "auto", "halfspace" or "fem"; "" takes the scene's own.
+/// `model`: "auto", "halfspace", "tangent_plane" or "fem"; "" takes the scene's own.
 /// auto solves the normal problem with half-space numbers; where the turn of the normal within the patch
 /// predicts an error of pmax above 1 % it goes on to fem, if there are influence files.
 /// A wheel_rail grid grows until the contact lies inside; throws InputError where the strip of an influence

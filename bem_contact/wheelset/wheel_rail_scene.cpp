@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/wheelset/motion.hpp"
 #include "bem_contact/wheelset/rigid_slip.hpp"
 
 #include <algorithm>
@@ -67,11 +68,9 @@ PreparedContact prepare_wheel_rail(const WheelRailScene& placed, const SceneFile
     for (int ix = 0; ix < plan.columns; ++ix)
       problem.gap[is * plan.columns + ix] = gap[is * half + std::min(ix, plan.columns - 1 - ix)];
 
-  problem.friction = scene.motion.friction;
-  problem.tangential = !scene.motion.frictionless && scene.motion.friction > 0;
+  set_motion(problem, scene, placed.reference.delta);
   if (problem.tangential)
-    set_rigid_slip(problem, placed.pair, placed.reference.position, placed.reference.delta,
-                   {scene.motion.xi, scene.motion.eta, scene.motion.phi, scene.motion.rolling_radius});
+    prescribe_step(problem, scene, &placed, {});
 
   for (const ContactRow& row : problem.rows)
     out.rail_s.push_back(row.s);

@@ -1,4 +1,5 @@
 #include "bem_contact/base/scene_file.hpp"
+#include "bem_contact/influence/h5_table.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "tests/app/run_program.hpp"
 
@@ -48,6 +49,73 @@ TEST_F(CommandLine, SolvePrintsOneJsonObject) {
   EXPECT_TRUE(j["certificate"]["holds"].get<bool>());
   for (const char* key : {"geometry", "numbers", "solve", "total"})
     EXPECT_GE(j["seconds"][key].get<double>(), 0) << key;
+}
+
+/// In steady state friction dissipates what the creepages supply, xi Fx + eta Fy + phi Mz (V = 1).
+TEST_F(CommandLine, FrictionDissipatesWhatTheCreepagesSupply) {
+  const Outcome r = run("solve '" CONFORMAL_SOURCE_DIR "/data/scenes/steady_rolling.toml' --json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const json totals = json::parse(r.out)["totals"];
+  const auto number = [&](const char* key) { return totals[key].get<double>(); };
+  const double supplied = 8e-4 * number("Fx") + 6e-4 * number("Fy") + 5e-4 * number("Mz");
+  EXPECT_NEAR(number("friction_power"), supplied, 0.01 * supplied);
+}
+
+/// The scenes that are shipped for the closed forms give what their first lines say.
+TEST_F(CommandLine, ShippedScenesGiveTheirClosedForms) {
+  const auto solved = [this](const std::string& name) {
+    const Outcome r = run("solve '" CONFORMAL_SOURCE_DIR "/data/scenes/" + name + ".toml' --json");
+    EXPECT_EQ(r.code, 0) << name << ": " << r.err;
+    EXPECT_EQ(r.err, "") << name;
+    return json::parse(r.out);
+  };
+  const auto creepage = [](const json& j) { return j["creepage_found"]["xi"].get<double>(); };
+  EXPECT_NEAR(solved("carter")["totals"]["Fx"].get<double>(), 6870, 0.005 * 6870);
+  EXPECT_NEAR(creepage(solved("cattaneo")), 0.0081724, 0.005 * 0.0081724);
+  EXPECT_NEAR(creepage(solved("cattaneo_to_carter")), 2.4e-4, 0.01 * 2.4e-4);
+  const json unlike = solved("unlike_materials");
+  EXPECT_NEAR(creepage(unlike), 5.259e-4, 0.02 * 5.259e-4);
+  EXPECT_GT(unlike["solvers"]["outer_rate"].get<double>(), 0);
+  EXPECT_LT(unlike["solvers"]["outer_rate"].get<double>(), 0.1);
+  const json still = solved("rolling_over_a_grid");
+  EXPECT_EQ(still["history"].size(), 33u);
+  EXPECT_GT(still["history"][32]["Fx"].get<double>(), 2 * still["history"][4]["Fx"].get<double>());
+  EXPECT_LT(solved("friction_along_s")["totals"]["Fx"].get<double>(), 0.25 * 15000);
+}
+
+TEST_F(CommandLine, ForcesPrescribedTellTheirCreepages) {
+  std::string forced = hertz;
+  forced.insert(forced.find("[motion]"), "force_x = 800\n");
+  const Outcome r = run("solve '" + write("s.toml", forced).string() + "' --json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const json j = json::parse(r.out);
+  EXPECT_NEAR(j["totals"]["Fx"].get<double>(), 800, 1e-2);
+  EXPECT_LT(j["creepage_found"]["xi"].get<double>(), 0) << "1e-3 alone gives more";
+  EXPECT_TRUE(j["creepage_found"]["eta"].is_null());
+  EXPECT_THAT(run("solve '" + (folder_ / "s.toml").string() + "'").out, HasSubstr("creepages found"));
+}
+
+TEST_F(CommandLine, AHistoryHasOneObjectAStep) {
+  write("steps.csv", "force_x\n1000\n2000\n0\n");
+  std::string shift = hertz;
+  shift.insert(shift.find("[motion]"), "force_x = 0\n");
+  shift.replace(shift.find("xi = 1e-3"), 9, "kind = \"shift\"\nstep_table = \"steps.csv\"");
+  const std::string scene = write("s.toml", shift).string(), file = (folder_ / "r.h5").string();
+  const Outcome r = run("solve '" + scene + "' --json -o '" + file + "'");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const json j = json::parse(r.out);
+  ASSERT_EQ(j["history"].size(), 3u);
+  EXPECT_NEAR(j["history"][1]["Fx"].get<double>(), 2000, 1e-2);
+  EXPECT_GT(j["history"][1]["creepage_found"]["xi"].get<double>(), 0);
+  EXPECT_NEAR(j["totals"]["Fx"].get<double>(), 0, 1e-2);
+  const H5Table table = read_h5(file);
+  EXPECT_THAT(table.datasets.at("halfspace/history/p_x").shape, ::testing::ElementsAre(3, 16, 16));
+  EXPECT_NEAR(table.datasets.at("halfspace/history/Fx").values.at(1), 2000, 1e-2);
+  for (const char* name : {"u_x", "u_s", "u_n", "friction_power"})
+    EXPECT_THAT(table.datasets.at("halfspace/" + std::string(name)).shape, ::testing::ElementsAre(16, 16));
+  EXPECT_EQ(table.datasets.at("halfspace/slip_x").unit, "mm");
+  EXPECT_THAT(run("check '" + scene + "'").out, HasSubstr("shift in 3 steps"));
+  refused(run("solve '" + scene + "' -o '" + (folder_ / "steps.csv").string() + "'"), {"would overwrite"});
 }
 
 TEST_F(CommandLine, SolvePrintsATableForPeople) {
