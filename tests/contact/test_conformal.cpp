@@ -1,6 +1,7 @@
 #include "bem_contact/halfspace/resample.hpp"
 #include "bem_contact/halfspace/tangent_plane.hpp"
 #include "bem_contact/reference/conformal.hpp"
+#include "bem_contact/reference/sphere.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <gmock/gmock.h>
@@ -66,6 +67,62 @@ TEST_P(Persson, ByTangentPlaneNumbers) {
 
 INSTANTIATE_TEST_SUITE_P(HalfAngles, Persson, testing::Values(10, 20, 30, 45, 60),
                          [](const auto& test) { return std::to_string(static_cast<int>(test.param)); });
+
+/// Ball and seat are bodies of revolution about the normal, not about an axis across it. Under an
+/// axisymmetric pressure a row of the strip is a ring, and rings of equal area make what the solver needs of
+/// it: one area for all elements, symmetric numbers, cos(delta) whose sum over the area is the vertical
+/// force. One element along x, as in plane strain; `ds` is the ring's area, forces are N.
+ContactProblem ball_in_seat(const reference::SeatEntry& exact, int across) {
+  const Material material{1 / 2.6, 0.3}; // E = 1
+  const double edge = 1 - std::cos(exact.half_angle * std::numbers::pi / 180);
+  const reference::EqualRings rings{1, edge / across, across * 7 / 5};
+  ContactProblem problem;
+  problem.grid = {1, rings.count, 0, rings.area(), 0};
+  problem.numbers = {1, rings.count, 0, rings.area(), {}};
+  problem.numbers.values.resize(problem.numbers.expected_values());
+  const double outermost = rings.step / std::sin(std::acos(1 - rings.step * rings.count)); // narrowest, rad
+  const auto numbers = reference::ring_numbers(material, material, rings, static_cast<int>(10 / outermost));
+  for (int i = 0; i < rings.count; ++i) {
+    for (int j = 0; j < rings.count; ++j) {
+      problem.numbers.at(0, i, component_n, j, component_n) = numbers[i * rings.count + j];
+      // no friction: tangential numbers are there to be positive definite
+      for (const int t : {component_x, component_s})
+        problem.numbers.at(0, i, t, j, t) = i == j ? numbers[0] : 0;
+    }
+    const double angle = std::acos(rings.cosine(i));
+    problem.rows.push_back({angle, {std::sin(angle), -1 + std::cos(angle)}, -angle});
+    problem.gap.push_back(clearance * (1 - rings.cosine(i)));
+  }
+  problem.force = exact.force * clearance;
+  problem.tangential = false;
+  return problem;
+}
+
+struct BallInSeat : testing::TestWithParam<reference::SeatEntry> {};
+
+TEST_P(BallInSeat, HasTheExactPressureAndHalfAngle) {
+  double previous = 0;
+  for (const int across : {25, 50, 100}) {
+    const ContactProblem problem = ball_in_seat(GetParam(), across);
+    const ContactResult result = solve(problem, {.estimate_discretisation = false});
+    ASSERT_TRUE(result.converged) << result.remark;
+    EXPECT_NEAR(result.Fz, problem.force, 1e-9 * problem.force);
+    const double error = std::abs(result.pn[0] / (GetParam().pressure * problem.force) - 1);
+    if (previous > 0) {
+      EXPECT_LT(error, 0.6 * previous) << across;
+    }
+    previous = error;
+    double area = result.patches.at(0).contact * problem.element_area();
+    const double half_angle = std::acos(1 - area / (2 * std::numbers::pi)) * 180 / std::numbers::pi;
+    EXPECT_NEAR(half_angle, GetParam().half_angle, 0.02 * GetParam().half_angle);
+  }
+  EXPECT_LT(previous, 0.005);
+}
+
+INSTANTIATE_TEST_SUITE_P(HalfAngles, BallInSeat, testing::ValuesIn(reference::sphere_in_seat()),
+                         [](const auto& test) {
+                           return std::to_string(static_cast<int>(test.param.half_angle));
+                         });
 
 } // namespace
 } // namespace bem_contact
