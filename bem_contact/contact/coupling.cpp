@@ -145,6 +145,7 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
   solution.shear.slip = VectorXd::Zero(2 * n);
   solution.shear.solver = "none";
   solution.shear.converged = true;
+  start_from_coarse(problem, options, solution);
 
   VectorXd sine(n);
   for (int i = 0; i < n; ++i)

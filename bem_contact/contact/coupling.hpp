@@ -22,4 +22,9 @@ struct Solution {
 /// Once through where shear does not act on the normal problem.
 Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options);
 
+/// Pressures, states and (steady rolling) tractions of the same problem on elements twice as large, and of
+/// that on larger ones: where to start from. Rows equally far apart have there the numbers of those in the
+/// middle of the contact. Leaves a small problem as it is.
+void start_from_coarse(const ContactProblem& problem, const SolverOptions& options, Solution& start);
+
 } // namespace bem_contact::contact

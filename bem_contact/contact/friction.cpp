@@ -40,6 +40,34 @@ TangentialSystem::TangentialSystem(const ContactProblem& the_problem)
   }
 }
 
+StepBox::StepBox(const InfluenceNumbers& numbers, const Box& the_box, const SlipStep& the_rule)
+    : box(the_box), rule(the_rule),
+      tt(numbers, box.mx, {component_x, component_s}, {component_x, component_s}, {box.first_s, box.ms}),
+      inverse(numbers, box.mx, box.ms, {component_x, component_s}, {component_x, component_s},
+              box.first_s + box.ms / 2),
+      in(2 * box.size()), out(2 * box.size()) {
+  inverse.invert_step(rule.present, 1.0 / box.mx);
+}
+
+void StepBox::step() {
+  if (rule.present[1] != 0)
+    return tt.apply_step(in, out);
+  tt.apply(in, out);
+  for (double& v : out)
+    v *= rule.present[0];
+}
+
+void StepBox::invert() {
+  inverse.apply(in, out, 0);
+}
+
+StepBox& TangentialSystem::box_for(const std::vector<int>& contact) const {
+  const Box needed = box_around(contact, problem->grid);
+  if (!box_ || !box_->box.contains(needed))
+    box_.emplace(problem->numbers, needed, rule);
+  return *box_;
+}
+
 VectorXd TangentialSystem::displacement(const VectorXd& p, int columns) const {
   VectorXd u(p.size());
   tt.apply({p.data(), static_cast<std::size_t>(p.size())}, {u.data(), static_cast<std::size_t>(u.size())},

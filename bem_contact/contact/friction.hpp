@@ -1,6 +1,8 @@
 #pragma once
 
+#include "bem_contact/contact/box.hpp"
 #include "bem_contact/contact/operator.hpp"
+#include "bem_contact/contact/plane_operator.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/contact/solve.hpp"
 
@@ -29,6 +31,21 @@ private:
   std::vector<double> values_;
 };
 
+/// B on a box around the contact and an approximate inverse of it; fields [2][box.ms][box.mx].
+struct StepBox {
+  StepBox(const InfluenceNumbers& numbers, const Box& box, const SlipStep& rule);
+
+  /// out = B in, or about B^-1 in
+  void step();
+  void invert();
+
+  Box box;
+  SlipStep rule;
+  StripOperator tt;
+  PlaneOperator inverse;
+  std::vector<double> in, out;
+};
+
 /// One step of rolling or shift on a grid; vectors are fields of two components, [2][ms][mx].
 class TangentialSystem {
 public:
@@ -36,9 +53,10 @@ public:
 
   int size() const { return problem->grid.size(); }
   Eigen::VectorXd displacement(const Eigen::VectorXd& p,
-                               int columns = 0) const;  ///< A_tt p at x + columns dx, mm
-  Eigen::VectorXd step(const Eigen::VectorXd& p) const; ///< B_tt p, mm
-  const StepNumbers& step_numbers() const;              ///< made when first asked for
+                               int columns = 0) const;     ///< A_tt p at x + columns dx, mm
+  Eigen::VectorXd step(const Eigen::VectorXd& p) const;    ///< B_tt p, mm
+  const StepNumbers& step_numbers() const;                 ///< made when first asked for
+  StepBox& box_for(const std::vector<int>& contact) const; ///< the last one is kept while it fits
 
   const ContactProblem* problem;
   SlipStep rule;
@@ -47,6 +65,7 @@ public:
 
 private:
   mutable std::optional<StepNumbers> step_numbers_;
+  mutable std::optional<StepBox> box_;
 };
 
 /// |p_t| <= bound; S = drive - B_tt p; stick or slip along S.
@@ -59,7 +78,7 @@ struct TangentialTask {
 };
 
 struct TangentialState {
-  Eigen::VectorXd p, slip; ///< p_t, MPa; S = drive - B p, mm
+  Eigen::VectorXd p, slip; ///< p_t, MPa; S = drive - B p in contact, mm
   int iterations = 0;
   bool converged = false;
   double violation = 0;

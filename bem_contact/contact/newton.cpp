@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace bem_contact::contact {
 namespace {
@@ -20,10 +19,18 @@ constexpr int dense_limit = 120;
 /// Above this many the dense matrix is not even a fall-back.
 constexpr int dense_memory_limit = 3000;
 
+/// The eigenvalue of M along the boundary of the friction disc above which slip counts as sticking there.
+constexpr double directed = 0.1;
+/// GMRES: the most products.
+constexpr int most_products = 250;
+
 /// Unknowns in the order of the contact list: [x, s] of the first element, of the second, ...
 struct Compressed {
   const TangentialSystem& system;
   const TangentialTask& task;
+  StepBox& box;
+  std::vector<int> local; ///< numbers of the elements in the box
+  VectorXd stiffness, bound;
 
   int unknowns() const { return 2 * static_cast<int>(task.contact.size()); }
   VectorXd gather(const VectorXd& field) const {
@@ -42,6 +49,27 @@ struct Compressed {
     }
     return field;
   }
+  /// B v, or an approximate B^-1 v
+  template <class Apply> void in_box(Apply apply, const VectorXd& v, VectorXd& result) const {
+    const int n = box.box.size();
+    std::fill(box.in.begin(), box.in.end(), 0.0);
+    for (int a = 0; a < unknowns() / 2; ++a) {
+      box.in[local[a]] = v[2 * a];
+      box.in[n + local[a]] = v[2 * a + 1];
+    }
+    apply();
+    result.resize(unknowns());
+    for (int a = 0; a < unknowns() / 2; ++a) {
+      result[2 * a] = box.out[local[a]];
+      result[2 * a + 1] = box.out[n + local[a]];
+    }
+  }
+  void step(const VectorXd& v, VectorXd& result) const {
+    in_box([this] { box.step(); }, v, result);
+  }
+  void inverse(const VectorXd& v, VectorXd& result) const {
+    in_box([this] { box.invert(); }, v, result);
+  }
 };
 
 /// F = p - Proj(p + r S) and the derivative M of the projection, element by element.
@@ -54,9 +82,8 @@ Linearisation linearise(const Compressed& c, const VectorXd& p, const VectorXd& 
   const int n = c.unknowns() / 2;
   Linearisation result{VectorXd(2 * n), std::vector<Matrix2d>(n)};
   for (int a = 0; a < n; ++a) {
-    const int i = c.task.contact[a];
-    const double bound = c.task.bound[i];
-    const Vector2d z = p.segment<2>(2 * a) + c.system.stiffness[i] * slip.segment<2>(2 * a);
+    const double bound = c.bound[a];
+    const Vector2d z = p.segment<2>(2 * a) + c.stiffness[a] * slip.segment<2>(2 * a);
     const double length = z.norm();
     if (length <= bound) {
       result.residual.segment<2>(2 * a) = p.segment<2>(2 * a) - z;
@@ -71,14 +98,39 @@ Linearisation linearise(const Compressed& c, const VectorXd& p, const VectorXd& 
 }
 
 /// J v = v - M (v - r B v)
-VectorXd apply_jacobian(const Compressed& c, const Linearisation& at, const VectorXd& v) {
-  const VectorXd step = c.gather(c.system.step(c.scatter(v)));
-  VectorXd result = v;
+void apply_jacobian(const Compressed& c, const Linearisation& at, const VectorXd& v, VectorXd& result) {
+  c.step(v, result);
   for (int a = 0; a < c.unknowns() / 2; ++a)
-    result.segment<2>(2 * a) -=
-        at.projection[a] *
-        (v.segment<2>(2 * a) - c.system.stiffness[c.task.contact[a]] * step.segment<2>(2 * a));
-  return result;
+    result.segment<2>(2 * a) =
+        v.segment<2>(2 * a) -
+        at.projection[a] * (v.segment<2>(2 * a) - c.stiffness[a] * result.segment<2>(2 * a));
+}
+
+/// About J^-1 v. Where M is (nearly) the identity, in one direction or both, J is r B: the inverse of the
+/// periodic operator. In the other directions J is diagonal.
+void precondition(const Compressed& c, const Linearisation& at, const VectorXd& v, VectorXd& result) {
+  VectorXd kept(v.size());
+  const int n = c.unknowns() / 2;
+  for (int a = 0; a < n; ++a) {
+    const double m = at.projection[a].trace();
+    if (m >= 2)
+      kept.segment<2>(2 * a) = v.segment<2>(2 * a) / c.stiffness[a];
+    else if (m > directed)
+      kept.segment<2>(2 * a) = at.projection[a] * v.segment<2>(2 * a) / (m * m * c.stiffness[a]);
+    else
+      kept.segment<2>(2 * a).setZero();
+  }
+  c.inverse(kept, result);
+  for (int a = 0; a < n; ++a) {
+    const double m = at.projection[a].trace();
+    if (m >= 2)
+      continue;
+    const Vector2d w = v.segment<2>(2 * a), tangential = at.projection[a] * w / m;
+    if (m > directed)
+      result.segment<2>(2 * a) = w - tangential + at.projection[a] * result.segment<2>(2 * a) / m;
+    else
+      result.segment<2>(2 * a) = w - tangential + tangential / (1 - m + m * 0.3);
+  }
 }
 
 MatrixXd dense_jacobian(const Compressed& c, const Linearisation& at) {
@@ -102,30 +154,31 @@ MatrixXd dense_jacobian(const Compressed& c, const Linearisation& at) {
   return jacobian;
 }
 
-/// Restarted GMRES (Saad, Schultz 1986). True when the residual fell to tolerance * |rhs|.
-bool gmres(const std::function<VectorXd(const VectorXd&)>& apply, const VectorXd& rhs, double tolerance,
-           int restart, int most, VectorXd& x) {
-  x = VectorXd::Zero(rhs.size());
-  const double target = tolerance * rhs.norm();
-  VectorXd r = rhs;
-  for (int done = 0; done < most;) {
-    const double beta = r.norm();
-    if (beta <= target)
+/// GMRES (Saad, Schultz 1986), preconditioned from the right. True when the residual fell to
+/// tolerance * |rhs|; x is the best there is in any case.
+class Gmres {
+public:
+  template <class Apply, class Precondition>
+  bool solve(const Apply& apply, const Precondition& precondition, const VectorXd& rhs, double tolerance,
+             int most, VectorXd& x) {
+    const double beta = rhs.norm(), target = tolerance * beta;
+    x.setZero(rhs.size());
+    if (beta == 0)
       return true;
-    MatrixXd basis(rhs.size(), restart + 1), h = MatrixXd::Zero(restart + 1, restart);
-    VectorXd g = VectorXd::Zero(restart + 1), cosine(restart), sine(restart);
-    basis.col(0) = r / beta;
+    basis_.clear();
+    basis_.push_back(rhs / beta);
+    MatrixXd h = MatrixXd::Zero(most + 1, most);
+    VectorXd g = VectorXd::Zero(most + 1), cosine(most), sine(most);
     g[0] = beta;
     int k = 0;
-    while (k < restart && done < most && std::abs(g[k]) > target) {
-      VectorXd w = apply(basis.col(k));
-      ++done;
-      for (int pass = 0; pass < 2; ++pass) {
-        const VectorXd overlap = basis.leftCols(k + 1).transpose() * w;
-        h.col(k).head(k + 1) += overlap;
-        w -= basis.leftCols(k + 1) * overlap;
+    while (k < most && std::abs(g[k]) > target) {
+      precondition(basis_[k], z_);
+      apply(z_, w_);
+      for (int i = 0; i <= k; ++i) {
+        h(i, k) = basis_[i].dot(w_);
+        w_ -= h(i, k) * basis_[i];
       }
-      const double length = w.norm();
+      const double length = w_.norm();
       for (int i = 0; i < k; ++i) {
         const double upper = h(i, k), lower = h(i + 1, k);
         h(i, k) = cosine[i] * upper + sine[i] * lower;
@@ -142,22 +195,32 @@ bool gmres(const std::function<VectorXd(const VectorXd&)>& apply, const VectorXd
       ++k;
       if (!(length > 1e-14 * diagonal))
         break;
-      basis.col(k) = w / length;
+      basis_.push_back(w_ / length);
     }
     if (k == 0)
       return false;
-    x += basis.leftCols(k) * h.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k));
-    r = rhs - apply(x);
+    const VectorXd y = h.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k));
+    w_.setZero(rhs.size());
+    for (int i = 0; i < k; ++i)
+      w_ += y[i] * basis_[i];
+    precondition(w_, x);
+    return std::abs(g[k]) <= target;
   }
-  return r.norm() <= target;
-}
 
-VectorXd newton_step(const Compressed& c, const Linearisation& at, std::string& solver) {
+private:
+  std::vector<VectorXd> basis_;
+  VectorXd z_, w_;
+};
+
+VectorXd newton_step(const Compressed& c, const Linearisation& at, Gmres& gmres, double tolerance,
+                     std::string& solver) {
   const int elements = c.unknowns() / 2;
   if (elements > dense_limit) {
     VectorXd step;
-    const auto apply = [&](const VectorXd& v) { return apply_jacobian(c, at, v); };
-    if (gmres(apply, -at.residual, 1e-4, 150, 450, step) || elements > dense_memory_limit) {
+    const auto apply = [&](const VectorXd& v, VectorXd& result) { apply_jacobian(c, at, v, result); };
+    const auto inverse = [&](const VectorXd& v, VectorXd& result) { precondition(c, at, v, result); };
+    if (gmres.solve(apply, inverse, -at.residual, tolerance, most_products, step) ||
+        elements > dense_memory_limit) {
       solver = "Newton, GMRES";
       return step;
     }
@@ -173,14 +236,22 @@ VectorXd newton_step(const Compressed& c, const Linearisation& at, std::string& 
 
 void newton(const TangentialSystem& system, const TangentialTask& task, const SolverOptions& options,
             TangentialState& state) {
-  const Compressed c{system, task};
+  StepBox& box = system.box_for(task.contact);
+  Compressed c{system, task, box, box.box.local(task.contact, system.problem->grid.mx), {}, {}};
+  c.stiffness.resize(c.unknowns() / 2);
+  c.bound.resize(c.unknowns() / 2);
+  for (std::size_t a = 0; a < task.contact.size(); ++a) {
+    c.stiffness[a] = system.stiffness[task.contact[a]];
+    c.bound[a] = task.bound[task.contact[a]];
+  }
   const VectorXd drive = c.gather(task.drive);
-  const auto slip_of = [&](const VectorXd& p) {
-    return VectorXd(drive - c.gather(system.step(c.scatter(p))));
-  };
-  VectorXd p = c.gather(state.p), slip = slip_of(p);
+  Gmres gmres;
+  VectorXd p = c.gather(state.p), slip, step_slip;
+  c.step(p, slip);
+  slip = drive - slip;
   Linearisation at = linearise(c, p, slip);
   int failed_searches = 0, steps = 0;
+  double last = 1;
   state.converged = false;
   for (int k = 0; k <= options.max_tangential; ++k) {
     state.violation = coulomb_violation(system, task, c.scatter(p), c.scatter(slip));
@@ -189,12 +260,17 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
       break;
     ++state.iterations;
     ++steps;
-    const VectorXd step = newton_step(c, at, state.solver);
+    // no more precise than the states are known: quadratic convergence shows when they are
+    const double before = at.residual.norm();
+    const double ratio = k == 0 ? 1 : before / last;
+    const double forcing = std::clamp(0.3 * ratio * ratio, 1e-4, k == 0 ? 1e-2 : 5e-2);
+    last = before;
+    const VectorXd step = newton_step(c, at, gmres, forcing, state.solver);
     if (!step.allFinite())
       break;
-    const VectorXd step_slip = -c.gather(system.step(c.scatter(step)));
+    c.step(step, step_slip);
+    step_slip = -step_slip;
     double length = 1;
-    const double before = at.residual.norm();
     bool decreased = false;
     for (int halving = 0; halving < 6 && !decreased; ++halving, length *= 0.5) {
       const VectorXd trial = p + length * step, trial_slip = slip + length * step_slip;
@@ -209,7 +285,8 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
     failed_searches += !decreased;
   }
   state.p = c.scatter(p);
-  state.slip = task.drive - system.step(state.p);
+  c.step(p, slip);
+  state.slip = c.scatter(drive - slip);
   if (!state.converged)
     state.remark += "Newton: no answer in " + std::to_string(steps) + " steps; ";
 }

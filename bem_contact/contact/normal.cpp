@@ -32,63 +32,94 @@ Eigen::MatrixXd dense_block(const NormalSystem& system, const std::vector<int>& 
   return matrix;
 }
 
-/// A_CC y = right-hand side on the active elements (zero elsewhere), starting from y. False when it fails.
+/// A_CC y = right-hand side on the active elements, starting from y; both fields. The residual falls below
+/// `target` everywhere. False when it fails.
 bool conjugate_gradients(const NormalSystem& system, const std::vector<int>& list, const VectorXd& rhs,
-                         VectorXd& y, double tolerance) {
-  const auto restricted = [&list](const VectorXd& v) {
-    VectorXd r = VectorXd::Zero(v.size());
-    for (const int i : list)
-      r[i] = v[i];
-    return r;
-  };
-  const VectorXd b = restricted(rhs);
-  y = restricted(y);
-  VectorXd r = b - restricted(system.apply(y)), d = r;
-  double rho = r.squaredNorm();
-  const double target = tolerance * tolerance * b.squaredNorm();
-  const int most = 50 + 4 * static_cast<int>(list.size());
-  for (int k = 0; k < most && rho > target; ++k) {
-    const VectorXd q = restricted(system.apply(d));
-    const double curvature = d.dot(q);
+                         double target, VectorXd& y) {
+  NormalBox& at = system.box_for(list);
+  const std::vector<int> local = at.box.local(list, system.grid.mx);
+  const auto count = static_cast<std::ptrdiff_t>(list.size());
+  for (auto* v : {&at.x, &at.r, &at.z, &at.d})
+    std::fill(v->begin(), v->end(), 0.0);
+  for (std::ptrdiff_t a = 0; a < count; ++a)
+    at.x[local[a]] = y[list[a]];
+  at.nn.apply(at.x, at.q);
+  double worst = 0;
+  for (std::ptrdiff_t a = 0; a < count; ++a) {
+    at.r[local[a]] = rhs[list[a]] - at.q[local[a]];
+    worst = std::max(worst, std::abs(at.r[local[a]]));
+  }
+  double rho = 0;
+  const int most = 50 + static_cast<int>(count);
+  for (int k = 0; k < most && worst > target; ++k) {
+    // z = r preconditioned, on the active elements; Polak-Ribiere's beta forgives what the FFT rounds
+    at.inverse.apply(at.r, at.q, 0);
+    double next = 0, overlap = 0;
+    for (const int l : local) {
+      next += at.r[l] * at.q[l];
+      overlap += at.r[l] * at.z[l];
+      at.z[l] = at.q[l];
+    }
+    if (!(next > 0))
+      return false;
+    const double beta = k == 0 ? 0 : std::max(0.0, (next - overlap) / rho);
+    rho = next;
+    for (const int l : local)
+      at.d[l] = at.z[l] + beta * at.d[l];
+    at.nn.apply(at.d, at.q);
+    double curvature = 0;
+    for (const int l : local)
+      curvature += at.d[l] * at.q[l];
     if (!(curvature > 0))
       return false;
     const double alpha = rho / curvature;
-    y += alpha * d;
-    r -= alpha * q;
-    const double next = r.squaredNorm();
-    d = r + (next / rho) * d;
-    rho = next;
+    worst = 0;
+    for (const int l : local) {
+      at.x[l] += alpha * at.d[l];
+      at.r[l] -= alpha * at.q[l];
+      worst = std::max(worst, std::abs(at.r[l]));
+    }
   }
-  return rho <= target;
+  y.setZero();
+  for (std::ptrdiff_t a = 0; a < count; ++a)
+    y[list[a]] = at.x[local[a]];
+  return worst <= target;
 }
 
-/// Solutions of A_CC y = cos and A_CC y = -gap, whence p = q y_cos + y_gap for every approach q.
-struct TwoSolutions {
-  VectorXd cosine, gap;
+/// Solutions of A_CC y = q cos - gap and, where the force is given, A_CC unit = cos: what more approach adds.
+struct Response {
+  VectorXd p, unit;
 };
 
-bool solve_on(const NormalSystem& system, const std::vector<int>& list, const VectorXd& gap,
-              TwoSolutions& y) {
-  if (static_cast<int>(list.size()) > dense_limit)
-    return conjugate_gradients(system, list, system.cosine, y.cosine, 1e-12) &&
-           conjugate_gradients(system, list, -gap, y.gap, 1e-12);
-  Eigen::MatrixXd rhs(list.size(), 2);
+/// `precision` is relative to the largest right-hand side.
+bool solve_on(const NormalSystem& system, const std::vector<int>& list, const VectorXd& rhs, bool with_unit,
+              double precision, Response& y) {
+  if (static_cast<int>(list.size()) > dense_limit) {
+    double largest = 0;
+    for (const int i : list)
+      largest = std::max(largest, std::abs(rhs[i]));
+    // the unit response corrects a force that is nearly right, and need not be precise at first
+    return conjugate_gradients(system, list, rhs, precision * largest, y.p) &&
+           (!with_unit || conjugate_gradients(system, list, system.cosine, std::sqrt(precision), y.unit));
+  }
+  Eigen::MatrixXd right(list.size(), 2);
   for (std::size_t a = 0; a < list.size(); ++a)
-    rhs.row(a) << system.cosine[list[a]], -gap[list[a]];
+    right.row(a) << rhs[list[a]], system.cosine[list[a]];
   Eigen::MatrixXd matrix = dense_block(system, list);
-  if (!solve_cholesky(matrix, rhs))
+  if (!solve_cholesky(matrix, right))
     return false;
-  y.cosine.setZero();
-  y.gap.setZero();
+  y.p.setZero();
+  y.unit.setZero();
   for (std::size_t a = 0; a < list.size(); ++a) {
-    y.cosine[list[a]] = rhs(a, 0);
-    y.gap[list[a]] = rhs(a, 1);
+    y.p[list[a]] = right(a, 0);
+    y.unit[list[a]] = right(a, 1);
   }
   return true;
 }
 
 /// The elements that overlap at the approach at which they, uniformly loaded, would carry the force.
-std::vector<char> first_guess(const NormalSystem& system, const VectorXd& gap, const NormalLoad& load) {
+std::vector<char> first_guess(const NormalSystem& system, const VectorXd& gap, const NormalLoad& load,
+                              double& approach) {
   const int n = static_cast<int>(gap.size());
   const auto overlapping = [&](double q) {
     std::vector<char> active(n);
@@ -121,10 +152,25 @@ std::vector<char> first_guess(const NormalSystem& system, const VectorXd& gap, c
     const double carried = compliance > 0 ? overlap / compliance * cosines * system.element_area : 0;
     (carried < load.force ? low : high) = q;
   }
+  approach = high;
   return overlapping(high);
 }
 
 } // namespace
+
+NormalBox::NormalBox(const InfluenceNumbers& numbers, const Box& the_box)
+    : box(the_box), nn(numbers, box.mx, {component_n}, {component_n}, {box.first_s, box.ms}),
+      inverse(numbers, box.mx, box.ms, {component_n}, {component_n}, box.first_s + box.ms / 2) {
+  inverse.invert();
+  for (auto* v : {&x, &r, &z, &d, &q})
+    v->assign(box.size(), 0.0);
+}
+
+NormalBox& NormalSystem::box_for(const std::vector<int>& elements) const {
+  if (!box_ || !box_->box.contains(box_around(elements, grid)))
+    box_.emplace(*numbers, box_around(elements, grid, 1 + std::min(grid.mx, grid.ms) / 60));
+  return *box_;
+}
 
 NormalSystem::NormalSystem(const ContactGrid& the_grid, const InfluenceNumbers& the_numbers,
                            std::span<const ContactRow> rows, double area)
@@ -145,12 +191,13 @@ VectorXd NormalSystem::apply(const VectorXd& p) const {
 void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalLoad& load,
                   const SolverOptions& options, NormalState& state) {
   const int n = static_cast<int>(gap.size());
+  const double start = state.approach;
   state.converged = false;
-  state.p = VectorXd::Zero(n);
   state.approach = load.approach;
   state.solver = "active set";
   if (load.kind == LoadKind::force && load.force <= 0) {
     state.active.assign(n, 0);
+    state.p.setZero(n);
     state.solver = "none";
     state.converged = load.force == 0;
     state.approach = 0;
@@ -158,32 +205,49 @@ void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalL
       state.remark = "the shear tractions alone carry more than the force prescribed";
     return;
   }
+  const bool by_force = load.kind == LoadKind::force;
+  double precision = std::clamp(1e-2 * options.tolerance, 1e-13, 1e-6);
+  const double wanted = precision;
   if (state.active.size() != static_cast<std::size_t>(n) ||
-      std::none_of(state.active.begin(), state.active.end(), [](char a) { return a != 0; }))
-    state.active = first_guess(system, gap, load);
+      std::none_of(state.active.begin(), state.active.end(), [](char a) { return a != 0; })) {
+    state.active = first_guess(system, gap, load, state.approach);
+    state.p.setZero(n);
+    precision = 1e-3;
+  } else {
+    precision = std::max(wanted, 1e-4);
+    if (by_force)
+      state.approach = start;
+  }
+  if (state.p.size() != n)
+    state.p.setZero(n);
 
-  TwoSolutions y{VectorXd::Zero(n), VectorXd::Zero(n)};
+  Response y{state.p, VectorXd::Zero(n)};
   int fewest = n + 1, without_progress = 0;
   for (int step = 0; step < options.max_normal; ++step) {
     const std::vector<int> list = indices_of(state.active);
     ++state.iterations;
-    if (list.empty() && load.kind == LoadKind::force)
+    if (list.empty() && by_force)
       break;
-    if (!solve_on(system, list, gap, y)) {
+    if (!solve_on(system, list, state.approach * system.cosine - gap, by_force, precision, y)) {
       state.remark = "active set: a linear system was not positive definite";
       break;
     }
-    const double q =
-        load.kind == LoadKind::approach
-            ? load.approach
-            : (load.force / system.element_area - system.cosine.dot(y.gap)) / system.cosine.dot(y.cosine);
-    state.p = q * y.cosine + y.gap;
-    state.approach = q;
+    state.p = y.p;
+    double moved = 0; // what more approach adds, of its own imprecise response
+    if (by_force) {
+      const double more =
+          (load.force / system.element_area - system.cosine.dot(y.p)) / system.cosine.dot(y.unit);
+      state.approach += more;
+      state.p += more * y.unit;
+      moved = std::abs(more) * std::sqrt(precision);
+    }
+    y.p = state.p;
     const VectorXd u = system.apply(state.p);
-    const VectorXd e = gap - q * system.cosine + u;
-    // rounding and the residual of the conjugate gradients must not change a set
-    const double least_p = -1e-11 * state.p.cwiseAbs().maxCoeff();
-    const double least_e = -1e-11 * u.cwiseAbs().maxCoeff();
+    const VectorXd e = gap - state.approach * system.cosine + u;
+    // the residual of the conjugate gradients and rounding must not change a set
+    const double largest_u = u.cwiseAbs().maxCoeff();
+    const double least_p = -std::max(precision, 1e-11) * state.p.cwiseAbs().maxCoeff();
+    const double least_e = -std::max(precision, 1e-11) * largest_u;
     int changes = 0;
     for (int i = 0; i < n; ++i) {
       const bool wrong = state.active[i] ? state.p[i] < least_p : e[i] < least_e;
@@ -192,10 +256,14 @@ void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalL
         ++changes;
       }
     }
-    if (changes == 0) {
+    const bool precise = static_cast<int>(list.size()) <= dense_limit ||
+                         (precision <= wanted && moved <= precision * largest_u);
+    if (changes == 0 && precise) {
       state.converged = true;
       break;
     }
+    // sets that hardly change are worth knowing better
+    precision = changes == 0 ? wanted : std::max(wanted, std::min(precision, 1e-2 * changes / double(n)));
     without_progress = changes < fewest ? 0 : without_progress + 1;
     fewest = std::min(fewest, changes);
     if (without_progress >= 12) {

@@ -1,14 +1,28 @@
 #pragma once
 
+#include "bem_contact/contact/box.hpp"
 #include "bem_contact/contact/operator.hpp"
+#include "bem_contact/contact/plane_operator.hpp"
 #include "bem_contact/contact/solve.hpp"
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace bem_contact::contact {
+
+/// The operator on a box around the active set, an approximate inverse of it, and the vectors of conjugate
+/// gradients.
+struct NormalBox {
+  NormalBox(const InfluenceNumbers& numbers, const Box& box);
+
+  Box box;
+  StripOperator nn;
+  PlaneOperator inverse;
+  std::vector<double> x, r, z, d, q;
+};
 
 /// What stays the same over the outer iterations. Fields are [ms][mx].
 struct NormalSystem {
@@ -16,6 +30,8 @@ struct NormalSystem {
                double element_area);
 
   Eigen::VectorXd apply(const Eigen::VectorXd& p) const;
+  /// Around these elements; the last one is kept while it fits.
+  NormalBox& box_for(const std::vector<int>& elements) const;
 
   ContactGrid grid;
   const InfluenceNumbers* numbers; ///< of the problem, which outlives this
@@ -23,6 +39,9 @@ struct NormalSystem {
   Eigen::VectorXd cosine;  ///< cos(delta) of each element
   double element_area = 0; ///< mm^2
   double self = 0;         ///< largest self number, mm/MPa
+
+private:
+  mutable std::optional<NormalBox> box_;
 };
 
 struct NormalLoad {
@@ -41,10 +60,12 @@ struct NormalState {
 };
 
 /// min 1/2 p'A p + (gap - q cos)'p over p >= 0; q is given, or the multiplier of the force balance.
-/// `gap` contains all displacements but those of p_n. Starts from state.active when that is not empty.
+/// `gap` contains all displacements but those of p_n.
 ///
-/// Primal-dual active set (Hintermueller, Ito, Kunisch 2002); the linear systems by Cholesky or by conjugate
-/// gradients with the FFT. Where the sets cycle: MPRGP, inside a bracketing of q when the force is given.
+/// Primal-dual active set (Hintermueller, Ito, Kunisch 2002); the linear systems by Cholesky or, as precisely
+/// as the sets are known, by conjugate gradients with the FFT, preconditioned by the inverse of the periodic
+/// operator (Vollebregt 2014). Starts from state.active, state.p and state.approach where active is not
+/// empty. Where the sets cycle: MPRGP, inside a bracketing of q when the force is given.
 void solve_normal(const NormalSystem& system, const Eigen::VectorXd& gap, const NormalLoad& load,
                   const SolverOptions& options, NormalState& state);
 

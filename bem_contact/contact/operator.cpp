@@ -1,55 +1,19 @@
 #include "bem_contact/contact/operator.hpp"
 
 #include "bem_contact/contact/dense.hpp"
+#include "bem_contact/contact/fft.hpp"
+#include "bem_contact/contact/plane_operator.hpp"
 #include "bem_contact/contact/rolling_step.hpp"
 
 #include <Eigen/Dense>
-#include <fftw3.h>
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <numbers>
+#include <optional>
 
 namespace bem_contact::contact {
 namespace {
-
-/// FFTW's planner is not thread-safe; its execution is.
-std::mutex& planner() {
-  static std::mutex mutex;
-  return mutex;
-}
-
-struct FreeBuffer {
-  void operator()(double* p) const { fftw_free(p); }
-};
-using Buffer = std::unique_ptr<double[], FreeBuffer>;
-
-Buffer make_buffer(std::size_t n) {
-  Buffer buffer(fftw_alloc_real(std::max<std::size_t>(n, 1)));
-  std::fill_n(buffer.get(), n, 0.0);
-  return buffer;
-}
-
-struct DestroyPlan {
-  void operator()(fftw_plan plan) const {
-    const std::lock_guard lock(planner());
-    fftw_destroy_plan(plan);
-  }
-};
-using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, DestroyPlan>;
-
-/// The smallest length >= n whose prime factors are 2, 3 and 5.
-int good_length(int n) {
-  for (;; ++n) {
-    int rest = n;
-    for (const int prime : {2, 3, 5})
-      while (rest % prime == 0)
-        rest /= prime;
-    if (rest == 1)
-      return n;
-  }
-}
 
 /// ax = A x and ay = A y in one pass over the column-major A: fetching A is what takes the time.
 void multiply(const double* __restrict a, int rows, int columns, const double* x, const double* y,
@@ -79,19 +43,24 @@ struct StripOperator::Impl {
   int mx = 0, ms = 0, length = 0, frequencies = 0, lines_in = 0, lines_out = 0;
   std::vector<int> outputs, inputs;
   std::vector<double> spectrum; ///< [frequency], column-major lines_out x lines_in
-  Buffer space_in, re_in, im_in, re_out, im_out, space_out;
-  Plan forward, backward;
+  FftBuffer space_in, re_in, im_in, re_out, im_out, space_out;
+  FftPlan forward, backward;
+  std::optional<PlaneOperator> plane; ///< does all the work where the numbers are translational
 
   void apply(std::span<const double> p) const;
 };
 
 StripOperator::StripOperator(const InfluenceNumbers& numbers, int mx, std::vector<int> outputs,
-                             std::vector<int> inputs)
+                             std::vector<int> inputs, RowRange range)
     : impl_(std::make_unique<Impl>()) {
   Impl& o = *impl_;
   o.mx = mx;
-  o.ms = numbers.rows;
-  o.length = good_length(2 * (mx + rolling_columns) + 1);
+  o.ms = range.count < 0 ? numbers.rows - range.first : range.count;
+  if (numbers.translational) {
+    o.plane.emplace(numbers, mx, o.ms, std::move(outputs), std::move(inputs));
+    return;
+  }
+  o.length = good_fft_length(2 * (mx + rolling_columns) + 1);
   o.frequencies = o.length / 2 + 1;
   o.outputs = std::move(outputs);
   o.inputs = std::move(inputs);
@@ -119,7 +88,7 @@ StripOperator::StripOperator(const InfluenceNumbers& numbers, int mx, std::vecto
       for (int m = 0; m < used; ++m)
         for (int row_i = 0; row_i < o.ms; ++row_i)
           for (int row_j = 0; row_j < o.ms; ++row_j)
-            values(row_j * o.ms + row_i, m) = numbers.at(m, row_i, i, row_j, j);
+            values(row_j * o.ms + row_i, m) = numbers.at(m, range.first + row_i, i, range.first + row_j, j);
       const Eigen::MatrixXd transformed = product(values, parity(i, j) > 0 ? cosines : sines);
       const double sign = parity(i, j) < 0 && i == component_x ? -1.0 : 1.0;
       for (int k = 0; k < o.frequencies; ++k)
@@ -131,13 +100,13 @@ StripOperator::StripOperator(const InfluenceNumbers& numbers, int mx, std::vecto
     }
 
   const auto spectral = [&o](int lines) { return static_cast<std::size_t>(lines) * o.frequencies; };
-  o.space_in = make_buffer(static_cast<std::size_t>(o.lines_in) * o.length);
-  o.space_out = make_buffer(static_cast<std::size_t>(o.lines_out) * o.length);
-  o.re_in = make_buffer(spectral(o.lines_in));
-  o.im_in = make_buffer(spectral(o.lines_in));
-  o.re_out = make_buffer(spectral(o.lines_out));
-  o.im_out = make_buffer(spectral(o.lines_out));
-  const std::lock_guard lock(planner());
+  o.space_in = make_fft_buffer(static_cast<std::size_t>(o.lines_in) * o.length);
+  o.space_out = make_fft_buffer(static_cast<std::size_t>(o.lines_out) * o.length);
+  o.re_in = make_fft_buffer(spectral(o.lines_in));
+  o.im_in = make_fft_buffer(spectral(o.lines_in));
+  o.re_out = make_fft_buffer(spectral(o.lines_out));
+  o.im_out = make_fft_buffer(spectral(o.lines_out));
+  const std::lock_guard lock(fft_planner());
   // spectra lie frequency by frequency, lines contiguous, for the products
   const fftw_iodim in_dims{o.length, 1, o.lines_in}, in_many{o.lines_in, o.length, 1};
   o.forward.reset(fftw_plan_guru_split_dft_r2c(1, &in_dims, 1, &in_many, o.space_in.get(), o.re_in.get(),
@@ -188,6 +157,8 @@ void StripOperator::Impl::apply(std::span<const double> p) const {
 
 void StripOperator::apply(std::span<const double> p, std::span<double> u, int columns) const {
   const Impl& o = *impl_;
+  if (o.plane)
+    return o.plane->apply(p, u, columns);
   o.apply(p);
   const double scale = 1.0 / o.length;
   for (int line = 0; line < o.lines_out; ++line)
@@ -198,6 +169,8 @@ void StripOperator::apply(std::span<const double> p, std::span<double> u, int co
 
 void StripOperator::apply_step(std::span<const double> p, std::span<double> u) const {
   const Impl& o = *impl_;
+  if (o.plane)
+    return o.plane->apply_step(p, u);
   o.apply(p);
   const double scale = 1.0 / o.length;
   for (int line = 0; line < o.lines_out; ++line) {

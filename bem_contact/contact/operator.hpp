@@ -8,15 +8,22 @@
 
 namespace bem_contact::contact {
 
+/// A run of the numbers' rows; count < 0: all from `first` on.
+struct RowRange {
+  int first = 0, count = -1;
+};
+
 /// u = A p on the grid [ms][mx], for some components: block Toeplitz in x, full in s. FFT in x, one real
 /// (outputs * ms) x (inputs * ms) matrix a frequency: a longitudinal traction multiplied by i (and likewise
-/// the displacement) makes the even and the odd numbers real alike.
+/// the displacement) makes the even and the odd numbers real alike. Numbers that are translational in s:
+/// FFT in x and s (plane_operator.hpp).
 ///
 /// Fields are component-major: component c of element (ix, is) at (c * ms + is) * mx + ix, in the order of
 /// `inputs` and `outputs`. One object serves one thread at a time.
 class StripOperator {
 public:
-  StripOperator(const InfluenceNumbers& numbers, int mx, std::vector<int> outputs, std::vector<int> inputs);
+  StripOperator(const InfluenceNumbers& numbers, int mx, std::vector<int> outputs, std::vector<int> inputs,
+                RowRange rows = {});
   ~StripOperator();
   StripOperator(StripOperator&&) noexcept;
   StripOperator& operator=(StripOperator&&) noexcept;

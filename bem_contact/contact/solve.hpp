@@ -10,6 +10,7 @@ struct SolverOptions {
   int max_normal = 200;     ///< active-set changes
   int max_tangential = 100; ///< Newton steps for given p_n
   int max_sweeps = 1000;    ///< where Newton fails
+  bool only_newton = false; ///< nothing else where Newton fails
   bool estimate_discretisation = true;
 };
 

@@ -21,7 +21,7 @@ void solve_tangential(const TangentialSystem& system, const TangentialTask& task
   }
   const Eigen::VectorXd start = state.p;
   newton(system, task, options, state);
-  if (state.converged)
+  if (state.converged || options.only_newton)
     return;
 
   state.p = start;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <span>
 
 /// The slow obvious version: dense matrices and relaxation, against the solvers on random small problems.
 namespace bem_contact {
@@ -137,6 +138,44 @@ TEST(Oracle, OperatorIsTheDenseSum) {
       EXPECT_NEAR(normal[i], sum, 1e-12);
       EXPECT_NEAR(turned[n + i], along, 1e-12);
     }
+  }
+}
+
+/// Numbers that are stored once for all rows equally far apart go another way (FFT in both directions), and
+/// so do a few rows out of many.
+TEST(Oracle, TranslationalNumbersGiveTheSameDisplacements) {
+  std::mt19937 random(5);
+  for (const auto& [mx, ms] : {std::pair{9, 7}, std::pair{1, 6}, std::pair{8, 1}, std::pair{16, 11}}) {
+    ContactProblem problem = scenes::flat({23000, 0.31}, {82000, 0.0}, mx, ms, 0.5, 0.3, 1e-3, 1e-3);
+    for (double& v : problem.numbers.values) // nothing but x and s may be assumed
+      v *= std::uniform_real_distribution<>(0.9, 1.1)(random);
+    ASSERT_TRUE(problem.numbers.translational);
+    const InfluenceNumbers table = spelled_out(problem.numbers);
+    const int n = mx * ms;
+    std::vector<double> p(3 * n), once(3 * n), spelled(3 * n);
+    for (double& v : p)
+      v = std::uniform_real_distribution<>(-1, 1)(random);
+    const contact::StripOperator a(problem.numbers, mx, {0, 1, 2}, {0, 1, 2}),
+        b(table, mx, {0, 1, 2}, {0, 1, 2});
+    const double scale = problem.numbers.at(0, 0, 2, 0, 2);
+    for (const int columns : {0, 1, 2}) {
+      a.apply(p, once, columns);
+      b.apply(p, spelled, columns);
+      for (int i = 0; i < 3 * n; ++i)
+        EXPECT_NEAR(once[i], spelled[i], 1e-13 * scale) << columns;
+    }
+    a.apply_step(p, once);
+    b.apply_step(p, spelled);
+    for (int i = 0; i < 3 * n; ++i)
+      EXPECT_NEAR(once[i], spelled[i], 1e-13 * scale);
+    if (ms < 4)
+      continue;
+    const std::span<const double> part(p.data(), 3 * mx);
+    std::vector<double> three(3 * mx), of_table(3 * mx);
+    contact::StripOperator(problem.numbers, mx, {2}, {1}, {2, 3}).apply(part, three);
+    contact::StripOperator(table, mx, {2}, {1}, {2, 3}).apply(part, of_table);
+    for (int i = 0; i < 3 * mx; ++i)
+      EXPECT_NEAR(three[i], of_table[i], 1e-13 * scale);
   }
 }
 
