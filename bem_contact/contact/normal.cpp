@@ -228,6 +228,9 @@ void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalL
     ++state.iterations;
     if (list.empty() && by_force)
       break;
+    const bool direct = static_cast<int>(list.size()) <= dense_limit;
+    if (direct)
+      precision = wanted;
     if (!solve_on(system, list, state.approach * system.cosine - gap, by_force, precision, y)) {
       state.remark = "active set: a linear system was not positive definite";
       break;
@@ -239,7 +242,7 @@ void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalL
           (load.force / system.element_area - system.cosine.dot(y.p)) / system.cosine.dot(y.unit);
       state.approach += more;
       state.p += more * y.unit;
-      moved = std::abs(more) * std::sqrt(precision);
+      moved = direct ? 0 : std::abs(more) * std::sqrt(precision);
     }
     y.p = state.p;
     const VectorXd u = system.apply(state.p);
@@ -256,8 +259,7 @@ void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalL
         ++changes;
       }
     }
-    const bool precise = static_cast<int>(list.size()) <= dense_limit ||
-                         (precision <= wanted && moved <= precision * largest_u);
+    const bool precise = precision <= wanted && moved <= precision * largest_u;
     if (changes == 0 && precise) {
       state.converged = true;
       break;
