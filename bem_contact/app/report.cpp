@@ -1,5 +1,7 @@
 #include "bem_contact/app/report.hpp"
 
+#include "bem_contact/app/stresses_output.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -205,6 +207,7 @@ json to_json(const SceneResult& r) {
             {"normal_iterations", r.result.normal_iterations},
             {"tangential_iterations", r.result.tangential_iterations},
             {"remark", r.result.remark}}},
+          {"stresses", stresses_json(r.stresses)},
           {"warnings", r.warnings},
           {"seconds",
            {{"geometry", r.seconds.geometry},
@@ -248,6 +251,7 @@ std::string to_text(const SceneResult& r) {
                        r.result.outer_iterations, r.result.outer_rate);
   if (!r.history.empty())
     out += fmt::format("the last of {} steps\n", r.history.size());
+  out += stresses_text(r.stresses);
   const Certificate& c = r.result.certificate;
   out += fmt::format("certificate: worst violation {:.1e} of {:.0e} allowed, {}", c.worst(), c.tolerance,
                      c.holds() ? "holds" : "DOES NOT HOLD");

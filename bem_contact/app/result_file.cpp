@@ -1,6 +1,7 @@
 #include "bem_contact/app/result_file.hpp"
 
 #include "bem_contact/app/report.hpp"
+#include "bem_contact/app/stresses_output.hpp"
 
 #include <algorithm>
 
@@ -87,6 +88,9 @@ void add_result(H5Table& table, const SceneResult& r) {
   std::vector<double> state(c.state.size());
   std::ranges::transform(c.state, state.begin(), [](ElementState e) { return double(e); });
   table.datasets[group + "state"] = field(grid, state, "1", "0 exterior, 1 adhesion, 2 slip");
+
+  if (r.stresses)
+    add_stresses(table, group + "stresses/", *r.stresses);
 
   auto& a = table.attributes;
   a[group + "model"] = r.model;

@@ -167,6 +167,16 @@ Schema schema_of(SceneFile& f, Youngs& young) {
   s.add("strip.inclination", f.strip.inclination,
         {.doc = "CSV file with columns is, delta instead of radius", .kinds = patch});
 
+  s.add("stresses.x", f.stresses.x,
+        {.doc = "Stresses below the surface of the rail (patch: lower body), at every x, s and depth",
+         .unit = "mm"});
+  s.add("stresses.s", f.stresses.s,
+        {.doc = "Arc length from the reference point (patch: the middle of the grid)", .unit = "mm"});
+  s.add("stresses.depths", f.stresses.depths,
+        {.doc = "Depths along the surface's normal; none: stresses are not asked for",
+         .unit = "mm",
+         .above = 0});
+
   s.add("solver.model", f.solver.model,
         {.doc = "Influence numbers of the half-space, of the bodies, or the cheapest that serves",
          .choices = {"auto", "halfspace", "tangent_plane", "fem"}});

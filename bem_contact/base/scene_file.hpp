@@ -75,6 +75,13 @@ struct SceneFile {
     std::string inclination;          ///< CSV file with columns is, delta instead of radius
   } strip;
 
+  struct Stresses { ///< [stresses]: below the surface of the rail (patch: the lower body), at every (x, s,
+                    ///< depth)
+    std::vector<double> x{0.0}; ///< mm
+    std::vector<double> s{0.0}; ///< arc length from the reference point (patch: the middle of the grid), mm
+    std::vector<double> depths; ///< along n, mm; none: not asked for
+  } stresses;
+
   struct Solver {               ///< [solver]
     std::string model = "auto"; ///< auto | halfspace | tangent_plane | fem
     double tolerance = 1e-8;

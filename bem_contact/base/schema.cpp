@@ -54,6 +54,12 @@ struct Print {
   std::string operator()(const Point2* v) const {
     return fmt::format("[{}, {}]", number_text(v->y), number_text(v->z));
   }
+  std::string operator()(const std::vector<double>* list) const {
+    std::vector<std::string> numbers;
+    for (const double v : *list)
+      numbers.push_back(number_text(v));
+    return fmt::format("[{}]", fmt::join(numbers, ", "));
+  }
   std::string operator()(const TableList& list) const { return list.example; }
 };
 
@@ -63,6 +69,7 @@ struct TypeName {
   std::string operator()(const bool*) const { return "true or false"; }
   std::string operator()(const std::string*) const { return "text"; }
   std::string operator()(const Point2*) const { return "two numbers"; }
+  std::string operator()(const std::vector<double>*) const { return "list of numbers"; }
   std::string operator()(const TableList&) const { return "list of tables"; }
 };
 
@@ -180,6 +187,8 @@ void Schema::check(const Key& key) const {
     check_number((*point)->y);
     check_number((*point)->z);
   }
+  if (auto* const* list = std::get_if<std::vector<double>*>(&key.target))
+    std::for_each((*list)->begin(), (*list)->end(), check_number);
   if (const auto* text = std::get_if<std::string*>(&key.target); text && !rule.choices.empty()) {
     if (std::count(rule.choices.begin(), rule.choices.end(), **text))
       return;
@@ -243,6 +252,15 @@ struct SchemaReader {
       if (!pair || pair->size() != 2 || !(*pair)[0].is_number() || !(*pair)[1].is_number())
         wrong_type();
       **point = {*(*pair)[0].value<double>(), *(*pair)[1].value<double>()};
+    } else if (auto* const* numbers = std::get_if<std::vector<double>*>(&key.target)) {
+      if (!node.is_array())
+        wrong_type();
+      (*numbers)->clear();
+      for (const toml::node& element : *node.as_array()) {
+        if (!element.is_number())
+          wrong_type();
+        (*numbers)->push_back(*element.value<double>());
+      }
     } else if (const auto* list = std::get_if<TableList>(&key.target)) {
       if (!node.is_array_of_tables() && !(node.is_array() && node.as_array()->empty()))
         wrong_type();

@@ -56,6 +56,10 @@ public:
   void add(std::string path, Point2& value, KeyRule rule) {
     add_key(std::move(path), &value, std::move(rule));
   }
+  /// A list of numbers; the rule's range holds for each.
+  void add(std::string path, std::vector<double>& value, KeyRule rule) {
+    add_key(std::move(path), &value, std::move(rule));
+  }
   /// Keys of an element's schema have the path of the list before their names.
   void add(std::string path, TableList list, KeyRule rule) {
     add_key(std::move(path), std::move(list), std::move(rule));
@@ -76,7 +80,7 @@ public:
   std::string print() const;
 
 private:
-  using Target = std::variant<double*, int*, bool*, std::string*, Point2*, TableList>;
+  using Target = std::variant<double*, int*, bool*, std::string*, Point2*, std::vector<double>*, TableList>;
   struct Key {
     std::string path;
     Target target;

@@ -317,6 +317,18 @@ std::string turn_text(double turn) {
       turn * 180 / std::numbers::pi, 100 * predicted_halfspace_error(turn));
 }
 
+void add_stresses(SceneResult& out, const SceneFile& scene) {
+  if (scene.stresses.depths.empty() || !out.result.converged)
+    return;
+  out.stresses = stresses_below(scene.stresses, out.problem, out.result, scene.grid.plane_strain,
+                                scene.rail.material.poisson, out.reference.s);
+  const double turn = turn_of_contact(out);
+  if (predicted_halfspace_error(turn) > halfspace_tolerance)
+    out.warnings.push_back(fmt::format("the stresses below the surface are those of a half-space under these "
+                                       "tractions: an approximation here, for {}",
+                                       turn_text(turn)));
+}
+
 } // namespace
 
 double predicted_halfspace_error(double turn) {
@@ -353,6 +365,7 @@ SceneResult solve_scene(const SceneFile& scene, const std::string& wanted) {
     out.reason = "asked for";
   }
   finish(out, stage);
+  add_stresses(out, scene);
   out.seconds.numbers += probe.numbers;
   out.seconds.solve += probe.solve;
   out.seconds.total = watch.seconds();
@@ -387,6 +400,8 @@ Comparison compare_scene(const SceneFile& scene) {
   }
   finish(out.fem, stage);
   finish(out.halfspace, stage);
+  add_stresses(out.fem, scene);
+  add_stresses(out.halfspace, scene);
   out.fem.reason = out.halfspace.reason = "compared at equal vertical force";
   out.fem.seconds.total = out.halfspace.seconds.total = watch.seconds();
   return out;

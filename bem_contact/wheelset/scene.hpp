@@ -4,7 +4,9 @@
 #include "bem_contact/contact/history.hpp"
 #include "bem_contact/contact/problem.hpp"
 #include "bem_contact/contact/solve.hpp"
+#include "bem_contact/wheelset/stresses.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,7 @@ struct SceneResult {
   double moment = 0;           ///< Mz about the vertical axis through the reference point, N mm
   std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none
   std::vector<Point2> rail_profile, wheel_profile; ///< near the contact at approach 0, frame of the rows, mm
+  std::optional<StressesBelow> stresses;           ///< where the scene asks for them
   std::vector<std::string> warnings;
   PhaseSeconds seconds;
 };

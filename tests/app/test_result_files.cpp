@@ -104,6 +104,32 @@ TEST_F(ResultFiles, AResultHasFieldsWithUnits) {
   EXPECT_THAT(described.out, HasSubstr("halfspace/p_n"));
 }
 
+TEST_F(ResultFiles, StressesBelowTheSurfaceWhereAskedFor) {
+  const std::string file = (folder_ / "b.h5").string();
+  const std::string patch =
+      "kind = \"patch\"\nload.force = 1e4\nmotion.frictionless = true\n[grid]\ndx = 0.5\n"
+      "ds = 0.5\nmx = 16\nms = 16\n[gap]\na = 1e-3\nb = 1e-3\n";
+  const Outcome without = run("solve '" + write("w.toml", patch).string() + "' --json");
+  ASSERT_EQ(without.code, 0) << without.err;
+  EXPECT_TRUE(json::parse(without.out)["stresses"].is_null());
+  const std::string asked = patch + "[stresses]\nx = [0, 1]\ns = [-1, 0, 1]\ndepths = [0.5, 1.5]\n";
+  const Outcome r = run("solve '" + write("s.toml", asked).string() + "' --json -o '" + file + "'");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const json j = json::parse(r.out)["stresses"];
+  ASSERT_EQ(j["stress"].size(), 12u);
+  ASSERT_EQ(j["stress"][0].size(), j["components"].size());
+  EXPECT_LT(j["stress"][2][2].get<double>(), 0) << "below the contact n is compressed";
+  // s = -1 and s = 1 are mirror images: points 0, 1 and 4, 5
+  EXPECT_NEAR(j["von_mises"][0].get<double>(), j["von_mises"][4].get<double>(), 1e-6);
+  const H5Table table = read_h5(file);
+  const H5Dataset& stress = table.datasets.at("halfspace/stresses/stress");
+  EXPECT_THAT(stress.shape, ::testing::ElementsAre(2, 3, 2, 6));
+  EXPECT_EQ(stress.unit, "MPa");
+  EXPECT_DOUBLE_EQ(stress.values[6 * 5 + 2], j["stress"][5][2].get<double>());
+  EXPECT_THAT(run("solve '" + (folder_ / "s.toml").string() + "'").out,
+              HasSubstr("below the surface: largest shear"));
+}
+
 TEST_F(ResultFiles, InfluenceFunctionsOfAnotherWheelOrStripAreRefused) {
   const std::string folder = std::string(CONFORMAL_SOURCE_DIR) + "/data/influence/";
   const std::string files = sides(folder + "small_rail.h5", folder + "small_wheel.h5");

@@ -173,4 +173,24 @@ TEST(SceneFile, a_missing_file_is_named) {
 }
 
 } // namespace
+TEST(SceneFile, ListsOfNumbers) {
+  const std::string patch = "kind = \"patch\"\nload.force = 1\n[grid]\nmx = 2\nms = 2\n[stresses]\n";
+  EXPECT_THAT(parse_scene_file(patch + "depths = [0.5, 1]").stresses.depths, testing::ElementsAre(0.5, 1));
+  EXPECT_THAT(parse_scene_file(patch + "x = []").stresses.x, testing::IsEmpty());
+  const auto refusal = [&](const std::string& line) {
+    try {
+      parse_scene_file(patch + line, "scene.toml");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_THAT(refusal("depths = 2"),
+              testing::HasSubstr("scene.toml:7: stresses.depths is a whole number (it must be of "
+                                 "type: list of numbers)"));
+  EXPECT_THAT(refusal("depths = [1, \"2\"]"), testing::HasSubstr("must be of type: list of numbers"));
+  EXPECT_THAT(refusal("depths = [1, -2]"),
+              testing::HasSubstr("[1.0, -2.0] (out of range) Give a value > 0 mm"));
+}
+
 } // namespace bem_contact

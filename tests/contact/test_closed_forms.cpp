@@ -1,0 +1,124 @@
+#include "bem_contact/reference/hertz.hpp"
+#include "bem_contact/reference/rolling.hpp"
+#include "tests/contact/scenes.hpp"
+
+#include <gmock/gmock.h>
+
+#include <array>
+
+/// Closed forms as limits: the error at several sizes of the elements, and what extrapolation leaves.
+namespace bem_contact {
+namespace {
+
+/// Steuermann 1939: gap A r^4. The force for a given approach, of first order or better, extrapolated to .1
+/// %.
+TEST(ClosedForms, SteuermannsQuartic) {
+  const double radius = 3, coefficient = 1e-4;
+  const auto exact = reference::steuermann_by_radius(
+      coefficient, reference::contact_modulus(scenes::steel, scenes::steel), radius);
+  double previous = 0, force_before = 0;
+  for (const int across : {10, 20, 40}) {
+    const int n = across * 6 / 5;
+    ContactProblem problem =
+        scenes::flat(scenes::steel, scenes::steel, n, n, 2 * radius / across, 2 * radius / across, 0, 0);
+    for (int i = 0; i < problem.grid.size(); ++i) {
+      const double x = problem.grid.x(i % n), s = problem.rows[i / n].s, square = x * x + s * s;
+      problem.gap[i] = coefficient * square * square;
+    }
+    problem.load = LoadKind::approach;
+    problem.approach = exact.approach;
+    const ContactResult result = solve(problem);
+    ASSERT_TRUE(result.converged);
+    const double error = std::abs(result.Fz / exact.force - 1);
+    if (previous > 0) {
+      EXPECT_LT(error, 0.4 * previous) << across;
+    }
+    if (across == 40) {
+      EXPECT_LT(error, 0.01);
+      EXPECT_NEAR((4 * result.Fz - force_before) / 3, exact.force, 0.002 * exact.force);
+      EXPECT_NEAR(std::sqrt(result.patches[0].area / std::numbers::pi), radius, 0.02 * radius);
+      // the pressure is flat in the middle and largest in a ring: Johnson 1985, eq. 5.26: p ~ (1 + 2 r^2/a^2)
+      // ...
+      const double middle = result.pn[(n / 2) * n + n / 2];
+      EXPECT_LT(middle, result.patches[0].pmax);
+    }
+    previous = error;
+    force_before = result.Fz;
+  }
+}
+
+/// Kalker's coefficients. A pattern of whole elements covers up to 1.5 % more than the ellipse, and how much
+/// changes from size to size; the mean over four positions of the grid on the ellipse (by half an element) is
+/// of first order in the size, and two sizes with c^2 = area in contact / pi give the limit.
+struct Coefficients {
+  std::array<double, 5> value{}; ///< C11, C22, C23 of spin, C23 of lateral creepage, C33
+};
+
+Coefficients mean_coefficients(const reference::CreepCoefficients& k, int across) {
+  const Material material{1, k.poisson};
+  const double modulus = reference::contact_modulus(material, material), unit = 1e-4;
+  // Hertz: the ratio of curvatures that gives the ratio of semi-axes, then the force that gives their size
+  double low = 1e-3, high = 1e3;
+  for (int step = 0; step < 60; ++step) {
+    const double ratio = std::sqrt(low * high);
+    const auto h = reference::hertz_by_force(1e-3, 1e-3 * ratio, modulus, 1);
+    (h.semi_axis_x / h.semi_axis_s < k.a_over_b ? low : high) = ratio;
+  }
+  const double a = std::max(1.0, k.a_over_b), b = a / k.a_over_b, curvature_s = 1e-3 * low;
+  const double force = std::pow(a / reference::hertz_by_force(1e-3, curvature_s, modulus, 1).semi_axis_x, 3);
+  const int n = across * 11 / 10 + 2;
+  SolverOptions options;
+  options.estimate_discretisation = false;
+  Coefficients mean;
+  ContactProblem problem = scenes::flat(material, material, n, n, 2 * a / across, 2 * b / across, 0, 0);
+  problem.force = force;
+  const ContactProblem centred = problem;
+  for (int shift = 0; shift < 4; ++shift) {
+    const double shift_x = 0.5 * (shift % 2) * problem.grid.dx, shift_s = 0.5 * (shift / 2) * problem.grid.ds;
+    problem.grid.x0 = centred.grid.x0 + shift_x;
+    for (int is = 0; is < n; ++is)
+      problem.rows[is].s = problem.rows[is].position.y = centred.rows[is].s + shift_s;
+    for (int i = 0; i < problem.grid.size(); ++i) {
+      const double x = problem.grid.x(i % n), s = problem.rows[i / n].s;
+      problem.gap[i] = 1e-3 * x * x + curvature_s * s * s;
+    }
+    std::array<ContactResult, 3> rolled;
+    for (int i = 0; i < 3; ++i) {
+      scenes::set_creepage(problem, 1e6, i == 0 ? unit : 0, i == 1 ? unit : 0, i == 2 ? unit : 0);
+      rolled[i] = solve(problem, options);
+      EXPECT_TRUE(rolled[i].converged) << rolled[i].remark;
+    }
+    const auto& [along, lateral, spin] = rolled;
+    const double cc = along.patches[0].area / std::numbers::pi, c = std::sqrt(cc);
+    const std::array<double, 5> values{along.Fx / (cc * unit), lateral.Fy / (cc * unit),
+                                       spin.Fy / (cc * c * unit), -lateral.Mz / (cc * c * unit),
+                                       spin.Mz / (cc * cc * unit)};
+    for (int i = 0; i < 5; ++i)
+      mean.value[i] += values[i] / 4;
+  }
+  return mean;
+}
+
+struct KalkersCoefficients : testing::TestWithParam<int> {};
+
+TEST_P(KalkersCoefficients, WithinHalfAPercentExtrapolated) {
+  const reference::CreepCoefficients& k = reference::creep_coefficients()[GetParam()];
+  const std::array<double, 5> expected{k.c11, k.c22, k.c23, k.c23, k.c33};
+  const Coefficients coarse = mean_coefficients(k, 20), fine = mean_coefficients(k, 40);
+  double coarse_error = 0, fine_error = 0, limit_error = 0;
+  for (int i = 0; i < 5; ++i) {
+    const double limit = 2 * fine.value[i] - coarse.value[i];
+    EXPECT_NEAR(limit, expected[i], 0.005 * expected[i]) << i;
+    coarse_error += std::abs(coarse.value[i] / expected[i] - 1);
+    fine_error += std::abs(fine.value[i] / expected[i] - 1);
+    limit_error += std::abs(limit / expected[i] - 1);
+  }
+  EXPECT_LT(fine_error, 0.75 * coarse_error);
+  EXPECT_LT(limit_error, fine_error);
+}
+
+INSTANTIATE_TEST_SUITE_P(References, KalkersCoefficients, testing::Range(0, 6),
+                         [](const auto& test) { return "point" + std::to_string(test.index); });
+
+} // namespace
+} // namespace bem_contact
