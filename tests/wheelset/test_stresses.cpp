@@ -64,8 +64,9 @@ TEST(StressesBelow, LineContact) {
     EXPECT_NEAR(t.xx, 0.3 * (t.ss + t.nn), 1e-4 * p0);
 }
 
-/// On every horizontal plane the tractions have the resultant of the surface's. Beyond the square |x|, |s| < l lies
-/// the share 3 sqrt(2) z/(pi l) of the shear (Cerruti's point force far away; of the pressure (z/l)^3).
+/// On every horizontal plane the tractions have the resultant of the surface's. Beyond the square |x|, |s| <
+/// l lies the share 3 sqrt(2) z/(pi l) of the shear (Cerruti's point force far away; of the pressure
+/// (z/l)^3).
 TEST(StressesBelow, CarryTheForcesDown) {
   SceneFile scene =
       parse_scene_file("kind = \"patch\"\nload.force = 2e4\n[motion]\nfriction = 0.3\nxi = 3e-4\n"
