@@ -4,8 +4,9 @@
 namespace bem_contact {
 namespace {
 
-/// Numbers that are symmetric with a positive diagonal but not positive definite: every solver must give up.
-TEST(HardCases, IndefiniteNumbersAreRefused) {
+/// Numbers that are symmetric with a positive diagonal but not positive definite: solvers that count on it
+/// end, and what MPRGP and rolling on may still find fulfils every condition of contact, a minimum or not.
+TEST(HardCases, IndefiniteNumbers) {
   for (const LoadKind load : {LoadKind::approach, LoadKind::force}) {
     ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, 8, 8, 0.5, 0.5, 1e-3, 1e-3);
     problem.load = load;
@@ -17,10 +18,9 @@ TEST(HardCases, IndefiniteNumbersAreRefused) {
         problem.numbers.at(1, row, i, row, i) = too_much;
     }
     scenes::set_creepage(problem, 0.3, 1e-3, 1e-3, 0);
-    const ContactResult result = hard::certified_or_refused(
-        std::string("indefinite numbers, ") + (load == LoadKind::force ? "force" : "approach"),
-        "no minimum: energy falls without bound", problem);
-    EXPECT_FALSE(result.converged);
+    hard::certified_or_refused(std::string("indefinite numbers, ") +
+                                   (load == LoadKind::force ? "force" : "approach"),
+                               "no minimum: energy falls without bound", problem);
   }
 }
 
