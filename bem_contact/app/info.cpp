@@ -1,6 +1,7 @@
 #include "bem_contact/app/info.hpp"
 
 #include "bem_contact/app/result_file.hpp"
+#include "bem_contact/app/sweep_file.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 
 #include <fmt/format.h>
@@ -11,8 +12,15 @@ namespace bem_contact::app {
 
 namespace {
 
-std::string describe_result(const H5Table& table) {
-  std::string out = "A result of bem_contact\n";
+H5Table without_cases(H5Table table) {
+  std::erase_if(table.attributes, [](const auto& a) {
+    return a.first.find('/') != std::string::npos || a.first == "scene_text";
+  });
+  return table;
+}
+
+std::string describe_result(const H5Table& table, const std::string& title) {
+  std::string out = title + "\n";
   for (const auto& [name, value] : table.attributes)
     out += std::holds_alternative<std::string>(value)
                ? fmt::format("  {}: {}\n", name, std::get<std::string>(value))
@@ -53,10 +61,15 @@ std::string describe_influence(const InfluenceFunction& f) {
 } // namespace
 
 std::string describe_file(const std::filesystem::path& file) {
-  const H5Table table = read_h5(file);
-  const auto format = table.attributes.find("format");
-  if (format != table.attributes.end() && format->second == H5Attribute(std::string(result_format)))
-    return describe_result(table);
+  const H5Table top = read_h5_top(file); // a sweep's fields may be large
+  const auto format = top.attributes.find("format");
+  const auto is = [&](const char* name) {
+    return format != top.attributes.end() && format->second == H5Attribute(std::string(name));
+  };
+  if (is(result_format))
+    return describe_result(read_h5(file), "A result of bem_contact");
+  if (is(sweep_format))
+    return describe_result(without_cases(top), "A sweep of bem_contact; cases/000012/ is a result file");
   return describe_influence(read_influence_file(file));
 }
 

@@ -2,6 +2,7 @@
 #include "bem_contact/app/info.hpp"
 #include "bem_contact/app/report.hpp"
 #include "bem_contact/app/result_file.hpp"
+#include "bem_contact/app/sweep_command.hpp"
 #include "bem_contact/app/vtk_file.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -12,6 +13,7 @@
 #include <array>
 #include <filesystem>
 #include <fmt/format.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
@@ -31,12 +33,7 @@ struct Arguments {
 void check_outputs(const Arguments& arguments, const SceneFile& scene,
                    std::vector<std::filesystem::path> outputs) {
   std::vector<std::filesystem::path> taken{arguments.file};
-  for (const std::string& name :
-       {scene.rail.profile, scene.rail.influence, scene.wheel.profile, scene.wheel.influence, scene.gap.table,
-        scene.strip.inclination, scene.motion.slip_table, scene.motion.friction_table,
-        scene.motion.step_table, scene.motion.start_table})
-    if (!name.empty())
-      taken.push_back(scene.folder / name);
+  std::ranges::move(input_files(scene), std::back_inserter(taken));
   for (std::filesystem::path& output : outputs) {
     refuse_overwriting(output, taken);
     taken.push_back(std::move(output));
@@ -119,6 +116,22 @@ CLI::App* add_expand(CLI::App& influence, app::ExpandRequest& r) {
   return expand;
 }
 
+CLI::App* add_sweep(CLI::App& cli, app::SweepRequest& r) {
+  CLI::App* sweep = cli.add_subcommand("sweep", "Solve a scene for lists or ranges of any of its keys");
+  sweep->add_option("scene", r.scene, "Scene file (TOML) with a table [sweep]")->required();
+  sweep->add_option("-o,--output", r.output, "File of all cases (HDF5)")->required();
+  sweep->add_option("--csv", r.csv, "Summary, one line a case");
+  sweep->add_option("--model", r.model, "Influence numbers; the scene's own choice if not given")
+      ->check(CLI::IsMember({"auto", "halfspace", "tangent_plane", "fem"}));
+  sweep->add_option("--jobs", r.jobs, "Processes side by side; 0: one a core")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  CLI::Option* part = sweep->add_option("--part", r.part, "I/N: solve the I-th of N shares");
+  sweep->add_flag("--merge", r.merge, "Solve nothing; write what the shares have solved")->excludes(part);
+  sweep->footer(app::sweep_help());
+  return sweep;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -160,6 +173,9 @@ int main(int argc, char** argv) {
   app::ExpandRequest request;
   CLI::App* expand = add_expand(*influence, request);
 
+  app::SweepRequest sweep_request;
+  CLI::App* sweep = add_sweep(cli, sweep_request);
+
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -178,6 +194,11 @@ int main(int argc, char** argv) {
       return run_compare(arguments);
     if (*check)
       return run_check(arguments);
+    if (*sweep) {
+      const app::SweepSummary summary = app::sweep_command(sweep_request);
+      fmt::print("{}", summary.text);
+      return summary.certified ? success : no_convergence;
+    }
     if (*info) {
       fmt::print("{}", app::describe_file(arguments.file));
       return success;

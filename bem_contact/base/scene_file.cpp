@@ -1,7 +1,6 @@
 #include "bem_contact/base/scene_file.hpp"
 
 #include "bem_contact/base/material_keys.hpp"
-#include "bem_contact/base/schema.hpp"
 
 #include <fmt/format.h>
 
@@ -249,11 +248,15 @@ void check_wheel_rail(const SceneFile& f, const Schema& s) {
 
 } // namespace
 
-SceneFile parse_scene_file(std::string_view toml, std::string_view source_name) {
+SceneFile parse_scene_file(std::string_view toml, std::string_view source_name,
+                           std::span<const SceneChange> changes) {
   SceneFile file;
   Youngs young;
   Schema schema = schema_of(file, young);
+  schema.skip("sweep");
   schema.read(toml, source_name);
+  for (const SceneChange& change : changes)
+    schema.set(change.key, change.value, change.line);
   settle_material(schema, "rail.material", file.rail.material, young.rail);
   settle_material(schema, "wheel.material", file.wheel.material, young.wheel);
   check_load(file, schema);
@@ -273,6 +276,17 @@ SceneFile read_scene_file(const std::filesystem::path& path) {
   SceneFile file = parse_scene_file(read_text_file(path.string(), "scene file"), path.string());
   file.folder = path.parent_path();
   return file;
+}
+
+std::vector<std::filesystem::path> input_files(const SceneFile& scene) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name :
+       {scene.rail.profile, scene.rail.influence, scene.wheel.profile, scene.wheel.influence, scene.gap.table,
+        scene.strip.inclination, scene.motion.slip_table, scene.motion.friction_table,
+        scene.motion.step_table, scene.motion.start_table})
+    if (!name.empty())
+      files.push_back(scene.folder / name);
+  return files;
 }
 
 std::string default_scene_file() {

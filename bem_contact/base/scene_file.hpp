@@ -1,8 +1,10 @@
 #pragma once
 
 #include "bem_contact/base/material.hpp"
+#include "bem_contact/base/schema.hpp"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -89,8 +91,20 @@ struct SceneFile {
   } solver;
 };
 
+/// A key of a scene with another value than its file says (base/sweep_file.hpp).
+struct SceneChange {
+  std::string key; ///< dotted: "position.lateral"
+  SchemaValue value;
+  int line = 0; ///< of the file, for messages
+};
+
+/// A table [sweep] is passed over.
 SceneFile read_scene_file(const std::filesystem::path& file);
-SceneFile parse_scene_file(std::string_view toml, std::string_view source_name = "text");
+SceneFile parse_scene_file(std::string_view toml, std::string_view source_name = "text",
+                           std::span<const SceneChange> changes = {});
 std::string default_scene_file();
+
+/// All files that the scene names, and all that it could: a profile may be a standard's name.
+std::vector<std::filesystem::path> input_files(const SceneFile& scene);
 
 } // namespace bem_contact

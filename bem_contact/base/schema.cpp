@@ -205,6 +205,8 @@ struct SchemaReader {
     for (const auto& [name, node] : table) {
       const std::string path =
           prefix.empty() ? std::string(name.str()) : prefix + "." + std::string(name.str());
+      if (node.is_table() && path == schema.skipped_)
+        continue;
       // A table made by a dotted key has no line of its own; its key has.
       const auto begin = node.source().begin.line ? node.source().begin : name.source().begin;
       schema.lines_[path] = static_cast<int>(begin.line);
@@ -302,13 +304,26 @@ void Schema::read(std::string_view toml, std::string_view source_name) {
   }
   require_needed();
   for (const Key& key : keys_)
-    if (has(key.path) && !belongs(key)) {
-      const std::string kind = *std::get<std::string*>(find(kind_path_)->target);
-      refuse(key.path,
-             fmt::format("the key has no meaning where {} is \"{}\", only where it is {}", kind_path_, kind,
-                         fmt::join(key.rule.kinds, " or ")),
-             "Remove it.");
-    }
+    require_kind(key);
+}
+
+void Schema::require_kind(const Key& key) const {
+  if (!has(key.path) || belongs(key))
+    return;
+  const std::string kind = *std::get<std::string*>(find(kind_path_)->target);
+  refuse(key.path,
+         fmt::format("the key has no meaning where {} is \"{}\", only where it is {}", kind_path_, kind,
+                     fmt::join(key.rule.kinds, " or ")),
+         "Remove it.");
+}
+
+void Schema::set(const std::string& path, const SchemaValue& value, int line) {
+  lines_[path] = line;
+  const Key* key = find(path);
+  if (!key)
+    refuse_unknown(path, false);
+  std::visit([&](const auto& v) { SchemaReader{*this}.assign(*key, toml::value(v)); }, value);
+  require_kind(*key);
 }
 
 std::string Schema::print() const {

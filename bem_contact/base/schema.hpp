@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/conventions.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
@@ -36,6 +37,9 @@ struct TableList {
   std::string example; ///< a list as TOML, for messages and print()
 };
 
+/// A value that stands for the one in the file.
+using SchemaValue = std::variant<double, std::int64_t, bool, std::string>;
+
 /// The schema of a TOML case file, bound to the members of one struct: one add() a key declares its name,
 /// type, default (the member's value), unit, range and documentation, and is all that parsing, checking and
 /// printing know of it.
@@ -64,12 +68,18 @@ public:
   void add(std::string path, TableList list, KeyRule rule) {
     add_key(std::move(path), std::move(list), std::move(rule));
   }
+  /// A table that read() passes over: somebody else reads it.
+  void skip(std::string table) { skipped_ = std::move(table); }
   /// The text key that tells the kind of file (KeyRule::kinds).
   void kind_is(std::string path) { kind_path_ = std::move(path); }
 
   /// Sets the bound members. Throws InputError naming source, line and key: not TOML, unknown key or table
   /// (with the nearest names), wrong type, not finite, out of range, a key of another kind of file.
   void read(std::string_view toml, std::string_view source_name);
+
+  /// After read(): gives a key another value, as if line `line` of the file said so. Throws what read()
+  /// would.
+  void set(const std::string& path, const SchemaValue& value, int line);
 
   /// For checks across keys, after read(): whether the file has the key, and InputError at its line.
   bool has(std::string_view path) const { return lines_.contains(std::string(path)); }
@@ -89,12 +99,13 @@ private:
   void add_key(std::string path, Target target, KeyRule rule);
   const Key* find(std::string_view path) const;
   bool belongs(const Key& key) const;
+  void require_kind(const Key& key) const;
   void check(const Key& key) const;
   void require_needed() const;
   std::string where(std::string_view path) const;
   [[noreturn]] void refuse_unknown(const std::string& path, bool is_table) const;
 
-  std::string title_, kind_path_, source_;
+  std::string title_, kind_path_, skipped_, source_;
   std::vector<Key> keys_;
   std::map<std::string, int> lines_; ///< of the keys and tables that the file has
   friend struct SchemaReader;

@@ -128,12 +128,13 @@ bool read_dataset(hid_t set, H5Dataset& data) {
          H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) >= 0;
 }
 
-bool read_object(hid_t root, const std::string& path, H5Table& table) {
+/// `deep`: datasets in groups too.
+bool read_object(hid_t root, const std::string& path, bool deep, H5Table& table) {
   const H5Handle object(H5Oopen(root, path.c_str(), H5P_DEFAULT), H5Oclose);
   if (object < 0)
     return false;
   const H5I_type_t kind = H5Iget_type(object);
-  if (kind == H5I_DATASET) {
+  if (kind == H5I_DATASET && (deep || path.find('/') == std::string::npos)) {
     H5Dataset data;
     if (!read_dataset(object, data))
       return false;
@@ -145,28 +146,7 @@ bool read_object(hid_t root, const std::string& path, H5Table& table) {
   return true;
 }
 
-} // namespace
-
-void write_h5(const std::filesystem::path& file, const H5Table& table) {
-  const QuietHdf5 silence;
-  std::filesystem::path temporary = file;
-  temporary += ".tmp";
-  try {
-    const H5Handle root(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
-    check(root >= 0, file, "it cannot be created");
-    write_all(root, table, file);
-    check(H5Fflush(root, H5F_SCOPE_GLOBAL) >= 0, file, "its contents cannot be flushed");
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw;
-  }
-  std::error_code failed;
-  std::filesystem::rename(temporary, file, failed);
-  check(!failed, file, failed.message());
-}
-
-H5Table read_h5(const std::filesystem::path& file) {
+H5Table read_paths(const std::filesystem::path& file, bool deep) {
   const QuietHdf5 silence;
   if (!std::filesystem::is_regular_file(file))
     throw InputError("The file '" + file.string() + "' cannot be read", "there is no such file",
@@ -180,11 +160,64 @@ H5Table read_h5(const std::filesystem::path& file) {
   bool whole = root >= 0 && H5Ovisit2(root, H5_INDEX_NAME, H5_ITER_INC, add, &paths, H5O_INFO_BASIC) >= 0;
   H5Table table;
   for (const std::string& path : paths)
-    whole = whole && read_object(root, path, table);
+    whole = whole && read_object(root, path, deep, table);
   if (!whole)
     throw InputError("The file '" + file.string() + "' cannot be read", "it is not HDF5, or truncated",
                      "Make it again.");
   return table;
+}
+
+} // namespace
+
+struct H5Writer::Impl {
+  std::filesystem::path file, temporary;
+  hid_t root = -1;
+};
+
+H5Writer::H5Writer(std::filesystem::path file) : impl_(std::make_unique<Impl>()) {
+  const QuietHdf5 silence;
+  impl_->temporary = file;
+  impl_->temporary += ".tmp";
+  impl_->file = std::move(file);
+  impl_->root = H5Fcreate(impl_->temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  check(impl_->root >= 0, impl_->file, "it cannot be created");
+}
+
+H5Writer::~H5Writer() {
+  if (impl_->root < 0)
+    return;
+  const QuietHdf5 silence;
+  H5Fclose(impl_->root);
+  std::error_code ignored;
+  std::filesystem::remove(impl_->temporary, ignored);
+}
+
+void H5Writer::add(const H5Table& table) {
+  const QuietHdf5 silence;
+  write_all(impl_->root, table, impl_->file);
+}
+
+void H5Writer::finish() {
+  const QuietHdf5 silence;
+  check(H5Fflush(impl_->root, H5F_SCOPE_GLOBAL) >= 0, impl_->file, "its contents cannot be flushed");
+  H5Fclose(std::exchange(impl_->root, -1));
+  std::error_code failed;
+  std::filesystem::rename(impl_->temporary, impl_->file, failed);
+  check(!failed, impl_->file, failed.message());
+}
+
+void write_h5(const std::filesystem::path& file, const H5Table& table) {
+  H5Writer writer(file);
+  writer.add(table);
+  writer.finish();
+}
+
+H5Table read_h5(const std::filesystem::path& file) {
+  return read_paths(file, true);
+}
+
+H5Table read_h5_top(const std::filesystem::path& file) {
+  return read_paths(file, false);
 }
 
 } // namespace bem_contact

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,12 +26,31 @@ struct H5Table {
   std::map<std::string, H5Attribute> attributes;
 };
 
-/// Writes under a temporary name beside `file` and renames when complete: `file` is whole or absent.
-/// Throws InputError where it cannot be written.
+/// A file written table by table, for more than memory holds. Under a temporary name beside `file`, renamed
+/// by finish(): `file` is whole or absent. Throws InputError where it cannot be written.
+class H5Writer {
+public:
+  explicit H5Writer(std::filesystem::path file);
+  ~H5Writer(); ///< removes what was not finished
+  H5Writer(const H5Writer&) = delete;
+  H5Writer& operator=(const H5Writer&) = delete;
+
+  /// Names must be new to the file, but for groups.
+  void add(const H5Table& table);
+  void finish();
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The whole file at once.
 void write_h5(const std::filesystem::path& file, const H5Table& table);
 
 /// Reads every dataset of numbers and every attribute (of the file and its groups) that is text or a number.
 /// Throws InputError for a missing file or one that is not whole HDF5.
 H5Table read_h5(const std::filesystem::path& file);
+/// The same without the datasets that lie in groups.
+H5Table read_h5_top(const std::filesystem::path& file);
 
 } // namespace bem_contact

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "bem_contact/app/sweep_record.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace bem_contact::app {
+
+/// The file that the cases of a running sweep are appended to, one sealed record each, so that a kill at any
+/// moment loses nothing that was finished: a record it left half written is cut off. One process writes it.
+///     bem_contact sweep 1\n<digest>\n
+///     then [u64 bytes][record][SHA-256 of the record, 64 characters], in the machine's own byte order
+class SweepJournal {
+public:
+  /// Makes the file or goes on with it; `seen` is called with each record that is whole.
+  /// Throws InputError where it belongs to a sweep of another digest, is in use, or cannot be written.
+  SweepJournal(std::filesystem::path file, const std::string& digest,
+               const std::function<void(const CaseRecord&)>& seen);
+  ~SweepJournal();
+  SweepJournal(const SweepJournal&) = delete;
+  SweepJournal& operator=(const SweepJournal&) = delete;
+
+  /// `record`: to_bytes() of one.
+  void append(const std::string& record);
+
+private:
+  std::filesystem::path file_;
+  int handle_ = -1;
+};
+
+/// Calls `seen` with each whole record of a journal; returns the number of bytes that are whole (0: none, or
+/// no journal). Throws InputError for a journal of another digest.
+std::size_t read_journal(const std::filesystem::path& file, const std::string& digest,
+                         const std::function<void(const CaseRecord&)>& seen);
+
+/// The journals of an output: "SWEEP.h5.part", "SWEEP.h5.part-2-of-8", ...
+std::vector<std::filesystem::path> journals_of(const std::filesystem::path& output);
+std::filesystem::path journal_name(const std::filesystem::path& output, int part, int parts);
+
+} // namespace bem_contact::app

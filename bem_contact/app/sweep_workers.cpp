@@ -1,0 +1,194 @@
+#include "bem_contact/app/sweep_workers.hpp"
+
+#include "bem_contact/base/error.hpp"
+
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <deque>
+#include <fmt/format.h>
+#include <iterator>
+
+namespace bem_contact::app {
+
+namespace {
+
+/// The ends of the pipes in a worker.
+constexpr int orders = 3, answers = 4;
+
+bool read_bytes(int handle, void* to, std::size_t count) {
+  for (auto* at = static_cast<char*>(to); count > 0;) {
+    const ssize_t n = read(handle, at, count);
+    if (n < 0 && errno == EINTR)
+      continue;
+    if (n <= 0)
+      return false;
+    at += n;
+    count -= static_cast<std::size_t>(n);
+  }
+  return true;
+}
+
+bool write_bytes(int handle, const void* from, std::size_t count) {
+  for (const auto* at = static_cast<const char*>(from); count > 0;) {
+    const ssize_t n = write(handle, at, count);
+    if (n < 0 && errno == EINTR)
+      continue;
+    if (n <= 0)
+      return false;
+    at += n;
+    count -= static_cast<std::size_t>(n);
+  }
+  return true;
+}
+
+/// Never returns: takes a chunk, answers with its cases, until there are no more orders.
+[[noreturn]] void work(const WorkerCalls& calls) {
+  for (std::uint64_t count = 0; read_bytes(orders, &count, sizeof count);) {
+    Chunk chunk(count);
+    if (!read_bytes(orders, chunk.data(), count * sizeof chunk[0]))
+      _exit(1);
+    const CaseSolver solver = calls.make_solver();
+    for (const std::size_t index : chunk) {
+      const std::string result = solver(index);
+      const std::uint64_t bytes = result.size();
+      if (!write_bytes(answers, &bytes, sizeof bytes) || !write_bytes(answers, result.data(), bytes))
+        _exit(1);
+    }
+  }
+  _exit(0);
+}
+
+struct Worker {
+  pid_t process = 0;
+  int orders = -1, answers = -1;
+  Chunk chunk;
+  std::size_t solved = 0; ///< of its chunk
+
+  bool busy() const { return solved < chunk.size(); }
+
+  void start(const WorkerCalls& calls) {
+    int to[2] = {-1, -1}, from[2] = {-1, -1};
+    if (pipe(to) != 0 || pipe(from) != 0 || (process = fork()) < 0)
+      throw Error("No process to solve cases can be started", std::strerror(errno),
+                  "Give a smaller --jobs, or end other programs.");
+    if (process == 0) {
+      prctl(PR_SET_PDEATHSIG, SIGKILL);
+      const int read_end = dup(to[0]), write_end = dup(from[1]); // both above `answers`
+      dup2(read_end, app::orders);
+      dup2(write_end, app::answers);
+      close_range(app::answers + 1, ~0U, 0); // above all the journal, whose lock must end with its owner
+      work(calls);
+    }
+    close(to[0]);
+    close(from[1]);
+    orders = to[1];
+    answers = from[0];
+  }
+
+  /// Where it is dead already, its answers end at once.
+  void give(Chunk next) {
+    chunk = std::move(next);
+    solved = 0;
+    const std::uint64_t count = chunk.size();
+    if (write_bytes(orders, &count, sizeof count))
+      write_bytes(orders, chunk.data(), count * sizeof chunk[0]);
+  }
+
+  /// Closes its pipes and says how it ended.
+  std::string end() {
+    close(orders);
+    close(answers);
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    process = 0;
+    chunk.clear();
+    return WIFSIGNALED(status)
+               ? fmt::format("the process that solved it was ended by signal {} ({})", WTERMSIG(status),
+                             strsignal(WTERMSIG(status)))
+               : fmt::format("the process that solved it ended with code {}", WEXITSTATUS(status));
+  }
+};
+
+/// A worker that dies must not take this process with it.
+class NoPipeSignal {
+public:
+  NoPipeSignal() : before_(std::signal(SIGPIPE, SIG_IGN)) {}
+  ~NoPipeSignal() { std::signal(SIGPIPE, before_); }
+
+private:
+  void (*before_)(int);
+};
+
+} // namespace
+
+void solve_in_processes(std::vector<Chunk> chunks, int jobs, const WorkerCalls& calls) {
+  const NoPipeSignal no_signal;
+  std::deque<Chunk> open(std::make_move_iterator(chunks.begin()), std::make_move_iterator(chunks.end()));
+  std::vector<Worker> workers(std::min<std::size_t>(std::max(jobs, 1), open.size()));
+  try {
+    for (Worker& w : workers)
+      w.start(calls);
+    for (;;) {
+      std::vector<pollfd> waiting;
+      std::vector<Worker*> who;
+      for (Worker& w : workers) {
+        if (!w.busy() && !open.empty()) {
+          w.give(std::move(open.front()));
+          open.pop_front();
+        }
+        if (w.busy()) {
+          waiting.push_back({w.answers, POLLIN, 0});
+          who.push_back(&w);
+        }
+      }
+      if (waiting.empty())
+        break;
+      if (poll(waiting.data(), waiting.size(), -1) < 0)
+        continue;
+      for (std::size_t i = 0; i < waiting.size(); ++i) {
+        if (waiting[i].revents == 0)
+          continue;
+        Worker& w = *who[i];
+        std::uint64_t bytes = 0;
+        std::string result;
+        bool whole = read_bytes(w.answers, &bytes, sizeof bytes);
+        if (whole) {
+          result.resize(bytes);
+          whole = read_bytes(w.answers, result.data(), bytes);
+        }
+        if (whole) {
+          calls.done(w.chunk[w.solved++], std::move(result));
+          continue;
+        }
+        // What it was at is lost; the rest of its chunk is not.
+        const std::size_t lost = w.chunk[w.solved];
+        Chunk rest(w.chunk.begin() + static_cast<std::ptrdiff_t>(w.solved) + 1, w.chunk.end());
+        calls.died(lost, w.end());
+        if (!rest.empty())
+          open.push_front(std::move(rest));
+        w.start(calls);
+      }
+    }
+  } catch (...) {
+    for (Worker& w : workers)
+      if (w.process != 0) {
+        kill(w.process, SIGKILL);
+        w.end();
+      }
+    throw;
+  }
+  for (Worker& w : workers)
+    if (w.process != 0)
+      w.end();
+}
+
+} // namespace bem_contact::app

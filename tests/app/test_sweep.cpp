@@ -1,0 +1,292 @@
+#include "bem_contact/app/sweep_journal.hpp"
+#include "bem_contact/app/sweep_workers.hpp"
+#include "bem_contact/influence/h5_table.hpp"
+#include "tests/app/run_program.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <gmock/gmock.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <thread>
+
+namespace {
+
+using namespace bem_contact;
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const std::string patch =
+    "kind = \"patch\"\nmotion.friction = 0.3\n[grid]\ndx = 0.5\nds = 0.5\nmx = 16\nms = 16\n"
+    "[gap]\na = 1e-3\nb = 1e-3\n[sweep]\n";
+const std::string cases =
+    patch + "load.force = [4e3, 5e3, 6e3, 7e3]\nmotion.xi = { from = 0, to = 2e-3, count = 5 }\n";
+
+class Sweep : public ProgramTest {
+protected:
+  std::string scene(const std::string& text) const {
+    return std::string("'").append(write("s.toml", text).string()).append("'");
+  }
+  fs::path out() const { return folder_ / "o.h5"; }
+  fs::path journal() const { return folder_ / "o.h5.part"; }
+  Outcome sweep(const std::string& text, const std::string& more = "") const {
+    return run("sweep " + scene(text) + " -o '" + out().string() + "' " + more);
+  }
+  /// All that a sweep found, but not how long it took.
+  static H5Table found(const fs::path& file) {
+    H5Table table = read_h5(file);
+    for (const char* name : {"seconds", "cpu_seconds"})
+      table.datasets.erase(name);
+    std::erase_if(table.attributes, [](const auto& a) { return a.first.ends_with("/seconds"); });
+    return table;
+  }
+  static void expect_equal(const H5Table& a, const H5Table& b) {
+    EXPECT_EQ(a.attributes, b.attributes);
+    ASSERT_EQ(a.datasets.size(), b.datasets.size());
+    for (const auto& [name, data] : a.datasets) {
+      ASSERT_TRUE(b.datasets.contains(name)) << name;
+      const H5Dataset& other = b.datasets.at(name);
+      ASSERT_EQ(data.shape, other.shape) << name;
+      for (std::size_t i = 0; i < data.values.size(); ++i)
+        ASSERT_TRUE(data.values[i] == other.values[i] ||
+                    (std::isnan(data.values[i]) && std::isnan(other.values[i])))
+            << name << " " << i << ": " << data.values[i] << " " << other.values[i];
+    }
+  }
+};
+
+TEST_F(Sweep, EachCaseIsWhatSolveSaysOfIt) {
+  const Outcome r = sweep(cases, "--csv '" + (folder_ / "o.csv").string() + "'");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("20 certified, of 20 cases"));
+  EXPECT_FALSE(fs::exists(journal()));
+  const H5Table table = read_h5(out());
+  const auto top = [&](const char* name) { return table.datasets.at(name).values[13]; }; // 6e3, 1.5e-3
+  EXPECT_EQ(top("load.force"), 6e3);
+  EXPECT_EQ(top("motion.xi"), 1.5e-3);
+
+  std::string one = cases.substr(0, cases.find("[sweep]"));
+  one.replace(one.find("motion.friction = 0.3"), 21,
+              "load.force = 6e3\nmotion.friction = 0.3\nmotion.xi = 1.5e-3");
+  const Outcome s = run("solve '" + write("one.toml", one).string() + "' --json");
+  ASSERT_EQ(s.code, 0) << s.err;
+  const auto j = nlohmann::json::parse(s.out);
+  EXPECT_NEAR(top("Fx"), j["totals"]["Fx"].get<double>(), 1e-9 * 6e3);
+  EXPECT_NEAR(top("Fz"), 6e3, 1e-4);
+  EXPECT_EQ(top("contact"), j["patches"][0]["contact"].get<double>());
+  EXPECT_EQ(table.datasets.at("cases/000013/halfspace/p_n").shape, (std::vector<std::size_t>{16, 16}));
+
+  const std::string csv = text_of(folder_ / "o.csv");
+  EXPECT_THAT(csv, HasSubstr("case,load.force,motion.xi,status,seconds,cpu_seconds,Fx,"));
+  EXPECT_THAT(csv, HasSubstr("\n13,6000,0.0015,certified,"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 21);
+}
+
+TEST_F(Sweep, ResultsDoNotDependOnTheNumberOfProcesses) {
+  ASSERT_EQ(sweep(cases, "--jobs 1").code, 0);
+  const H5Table one = found(out());
+  fs::remove(out());
+  ASSERT_EQ(sweep(cases, "--jobs 5").code, 0);
+  expect_equal(one, found(out()));
+}
+
+TEST_F(Sweep, KilledItGoesOnAndSolvesNothingTwice) {
+  ASSERT_EQ(sweep(cases).code, 0);
+  const H5Table whole = found(out());
+  fs::remove(out());
+
+  const std::string file = (folder_ / "s.toml").string(), output = out().string();
+  int killed = 0;
+  for (int attempt = 0; attempt < 200 && !fs::exists(out()); ++attempt) {
+    const auto before = fs::exists(journal()) ? fs::file_size(journal()) : 0;
+    const pid_t process = fork();
+    ASSERT_GE(process, 0);
+    if (process == 0) {
+      std::freopen("/dev/null", "w", stderr);
+      std::freopen("/dev/null", "w", stdout);
+      execl(BEM_CONTACT, BEM_CONTACT, "sweep", file.c_str(), "-o", output.c_str(), "--jobs", "2", nullptr);
+      _exit(127);
+    }
+    // Kill it once it has got a little further, at a moment of no importance to it.
+    for (int wait = 0; wait < 5000; ++wait) {
+      std::error_code ignored;
+      const auto size = fs::file_size(journal(), ignored);
+      if (waitpid(process, nullptr, WNOHANG) == process)
+        break;
+      if (!ignored && size > before + 20000 * std::size_t(1 + attempt % 3)) {
+        kill(process, SIGKILL);
+        waitpid(process, nullptr, 0);
+        ++killed;
+        break;
+      }
+      std::this_thread::sleep_for(std::chrono::microseconds(500));
+    }
+    // Whatever was whole stays.
+    if (fs::exists(journal())) {
+      EXPECT_GE(fs::file_size(journal()), before);
+    }
+  }
+  EXPECT_GE(killed, 1);
+  ASSERT_TRUE(fs::exists(out()));
+  expect_equal(whole, found(out()));
+}
+
+TEST_F(Sweep, AJournalCutAnywhereLosesOnlyTheLastCase) {
+  const std::string few = patch + "load.force = [4e3, 5e3, 6e3]\n";
+  ASSERT_EQ(sweep(few).code, 0);
+  const H5Table whole = found(out());
+  fs::remove(out());
+  ASSERT_EQ(sweep(few, "--part 1/2").code, 0); // the journal of a share stays
+  fs::rename(folder_ / "o.h5.part-1-of-2", folder_ / "kept");
+  const std::string bytes = text_of(folder_ / "kept");
+  const std::size_t header = std::string("bem_contact sweep 1\n").size() + 64 + 1;
+  for (const std::size_t length :
+       {std::size_t{0}, std::size_t{5}, header - 1, header, header + 3, bytes.size() / 2, bytes.size() - 1}) {
+    fs::remove(out());
+    std::ofstream(journal(), std::ios::binary) << bytes.substr(0, length);
+    ASSERT_EQ(sweep(few).code, 0) << length;
+    expect_equal(whole, found(out()));
+  }
+  // A byte that is not what was written: nothing from there on is believed.
+  fs::remove(out());
+  std::string wrong = bytes;
+  wrong[header + 100] ^= 1;
+  std::ofstream(journal(), std::ios::binary) << wrong;
+  ASSERT_EQ(sweep(few).code, 0);
+  expect_equal(whole, found(out()));
+}
+
+TEST_F(Sweep, FinishedItSolvesNothingAndSaysSo) {
+  ASSERT_EQ(sweep(cases).code, 0);
+  const auto time = fs::last_write_time(out());
+  const Outcome again = sweep(cases, "--csv '" + (folder_ / "o.csv").string() + "'");
+  EXPECT_EQ(again.code, 0);
+  EXPECT_THAT(again.out, HasSubstr("nothing was solved"));
+  EXPECT_EQ(again.err, "");
+  EXPECT_EQ(fs::last_write_time(out()), time);
+  EXPECT_TRUE(fs::exists(folder_ / "o.csv"));
+  const Outcome info = run("info '" + out().string() + "'");
+  EXPECT_EQ(info.code, 0) << info.err;
+  EXPECT_THAT(info.out, HasSubstr("A sweep of bem_contact"));
+  EXPECT_THAT(info.out, HasSubstr("motion.xi [20]"));
+}
+
+TEST_F(Sweep, AFailedCaseIsRecordedWithItsReasonAndTheOthersAreSolved) {
+  const std::string text = "kind = \"wheel_rail\"\nrail.profile = \"60E1\"\nwheel.profile = \"S1002\"\n"
+                           "load.force = 1e4\nmotion.frictionless = true\n[grid]\ndx = 1.0\nds = 0.5\n"
+                           "[sweep]\nposition.lateral = [0, 300, 1]\n";
+  const Outcome r = sweep(text, "--csv '" + (folder_ / "o.csv").string() + "' --model halfspace");
+  EXPECT_EQ(r.code, 3) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("2 certified, 1 refused, of 3 cases"));
+  const H5Table table = read_h5(out());
+  EXPECT_EQ(table.datasets.at("status").values, (std::vector<double>{1, 3, 1}));
+  EXPECT_TRUE(std::isnan(table.datasets.at("Fz").values[1]));
+  EXPECT_THAT(std::get<std::string>(table.attributes.at("cases/000001/reason")),
+              HasSubstr("position.lateral"));
+  EXPECT_THAT(text_of(folder_ / "o.csv"), HasSubstr("\n1,300,refused,"));
+  EXPECT_EQ(sweep(text, "--model halfspace").code, 3); // complete, and still not all certified
+}
+
+TEST_F(Sweep, SharesMergedAreTheWhole) {
+  ASSERT_EQ(sweep(cases).code, 0);
+  const H5Table whole = found(out());
+  fs::remove(out());
+  for (const char* part : {"2/3", "1/3"}) {
+    const Outcome r = sweep(cases, std::string("--part ") + part);
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_FALSE(fs::exists(out()));
+  }
+  Outcome merged = sweep(cases, "--merge");
+  EXPECT_EQ(merged.code, 3);
+  EXPECT_THAT(merged.out, HasSubstr("6 missing"));
+  EXPECT_EQ(read_h5(out()).attributes.at("missing"), H5Attribute(6.0));
+  ASSERT_EQ(sweep(cases, "--part 3/3").code, 0);
+  merged = sweep(cases, "--merge");
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  expect_equal(whole, found(out()));
+  EXPECT_FALSE(fs::exists(folder_ / "o.h5.part-1-of-3"));
+}
+
+TEST_F(Sweep, AnotherSweepIsNeverMixedInOrLost) {
+  ASSERT_EQ(sweep(cases).code, 0);
+  const std::string before = text_of(out());
+  const Outcome other = sweep(patch + "load.force = [1e3]\n");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("is not of this sweep"));
+  EXPECT_EQ(sweep(cases, "--model fem").code, 2); // another model is another sweep
+  EXPECT_EQ(text_of(out()), before);
+
+  fs::remove(out());
+  ASSERT_EQ(sweep(cases, "--part 1/2").code, 0);
+  EXPECT_THAT(sweep(patch + "load.force = [1e3]\n").err, HasSubstr("belongs to another sweep"));
+  EXPECT_THAT(run("sweep " + scene(cases) + " -o '" + (folder_ / "s.toml").string() + "'").err,
+              HasSubstr("would overwrite"));
+}
+
+TEST_F(Sweep, WrongInputIsRefusedBeforeAnythingIsSolved) {
+  const auto refused = [&](const std::string& text, const std::string& more, const std::string& words) {
+    const Outcome r = sweep(text, more);
+    EXPECT_EQ(r.code, 2) << words;
+    EXPECT_THAT(r.err, HasSubstr(words));
+    EXPECT_FALSE(fs::exists(out()));
+    EXPECT_FALSE(fs::exists(journal()));
+  };
+  refused(patch + "load.force = [1e3, 2e3, -1]\n", "", "load.force = -1.0 (out of range)");
+  refused(patch, "", "no table [sweep]");
+  refused(cases, "--part 4/3", "--part 4/3 cannot be");
+  refused(cases, "--part 1of3", "is not of the form 2/8");
+  refused(cases, "--part 1/2 --merge", "excludes");
+  refused(cases, "--jobs -1", "--jobs");
+}
+
+TEST_F(Sweep, TwoCannotWriteOneJournal) {
+  const std::string digest(64, 'a');
+  const auto ignore = [](const app::CaseRecord&) {};
+  const app::SweepJournal first(journal(), digest, ignore);
+  try {
+    const app::SweepJournal second(journal(), digest, ignore);
+    FAIL();
+  } catch (const std::exception& error) {
+    EXPECT_THAT(error.what(), HasSubstr("in use"));
+  }
+}
+
+TEST(SweepWorkers, AProcessThatDiesCostsItsCaseAlone) {
+  std::map<std::size_t, std::string> done, died;
+  app::WorkerCalls calls;
+  calls.make_solver = [] {
+    return [](std::size_t index) {
+      if (index % 5 == 3)
+        raise(SIGKILL);
+      if (index == 7)
+        _exit(9);
+      return std::to_string(index * index);
+    };
+  };
+  calls.done = [&](std::size_t index, std::string result) { done[index] = std::move(result); };
+  calls.died = [&](std::size_t index, const std::string& reason) { died[index] = reason; };
+  app::solve_in_processes({{0, 1, 2, 3, 4, 5}, {6, 7, 8, 9, 10, 11}, {12, 13}}, 2, calls);
+  ASSERT_EQ(died.size(), 4u);
+  for (const std::size_t index : {3, 8, 13})
+    EXPECT_THAT(died.at(index), HasSubstr("signal 9")) << index;
+  EXPECT_THAT(died.at(7), HasSubstr("code 9"));
+  ASSERT_EQ(done.size(), 10u);
+  for (const auto& [index, result] : done)
+    EXPECT_EQ(result, std::to_string(index * index));
+}
+
+TEST(SweepWorkers, EachChunkBeginsAnew) {
+  std::map<std::size_t, std::string> done;
+  app::WorkerCalls calls;
+  calls.make_solver = [] { return [former = 0](std::size_t) mutable { return std::to_string(former++); }; };
+  calls.done = [&](std::size_t index, std::string result) { done[index] = std::move(result); };
+  calls.died = [&](std::size_t index, const std::string& reason) { ADD_FAILURE() << index << reason; };
+  app::solve_in_processes({{0, 1, 2}, {3, 4}, {5}, {6, 7}}, 2, calls);
+  const std::map<std::size_t, std::string> expected{{0, "0"}, {1, "1"}, {2, "2"}, {3, "0"},
+                                                    {4, "1"}, {5, "0"}, {6, "0"}, {7, "1"}};
+  EXPECT_EQ(done, expected);
+}
+
+} // namespace
