@@ -43,10 +43,14 @@ TangentialSystem::TangentialSystem(const ContactProblem& the_problem)
 StepBox::StepBox(const InfluenceNumbers& numbers, const Box& the_box, const SlipStep& the_rule)
     : box(the_box), rule(the_rule),
       tt(numbers, box.mx, {component_x, component_s}, {component_x, component_s}, {box.first_s, box.ms}),
-      inverse(numbers, box.mx, box.ms, {component_x, component_s}, {component_x, component_s},
-              box.first_s + box.ms / 2),
-      in(2 * box.size()), out(2 * box.size()) {
-  inverse.invert_step(rule.present, 1.0 / box.mx);
+      sticks(box.size()), in(2 * box.size()), out(2 * box.size()) {
+  for (const int c : {component_x, component_s})
+    for (const auto factor : {PlaneOperator::Factor::behind, PlaneOperator::Factor::ahead}) {
+      auto& list = factor == PlaneOperator::Factor::behind ? behind : ahead;
+      list.emplace_back(numbers, box.mx, box.ms, std::vector<int>{c}, std::vector<int>{c},
+                        box.first_s + box.ms / 2);
+      list.back().invert_factor(factor);
+    }
 }
 
 void StepBox::step() {
@@ -58,7 +62,24 @@ void StepBox::step() {
 }
 
 void StepBox::invert() {
-  inverse.apply(in, out, 0);
+  const std::size_t n = box.size();
+  const auto& d = rule.present;
+  for (const std::size_t c : {0, 1}) {
+    const std::span<double> from(&in[c * n], n), to(&out[c * n], n);
+    behind[c].apply(from, to, 0);
+    for (int is = 0; is < box.ms; ++is) {
+      double u1 = 0, u2 = 0; // of the elements ahead, where they stick
+      for (int i = (is + 1) * box.mx - 1; i >= is * box.mx; --i) {
+        to[i] = sticks[i] ? (to[i] - d[1] * u1 - d[2] * u2) / d[0] : 0.0;
+        u2 = u1;
+        u1 = to[i];
+      }
+    }
+    ahead[c].apply(to, to, 0);
+    for (std::size_t i = 0; i < n; ++i)
+      if (!sticks[i])
+        to[i] = 0;
+  }
 }
 
 StepBox& TangentialSystem::box_for(const std::vector<int>& contact) const {

@@ -35,14 +35,19 @@ private:
 struct StepBox {
   StepBox(const InfluenceNumbers& numbers, const Box& box, const SlipStep& rule);
 
-  /// out = B in, or about B^-1 in
+  /// out = B in
   void step();
+  /// out = about B_SS^-1 in, S the elements whose `sticks` is set; zero elsewhere, in `in` as well.
+  ///
+  /// B = D A with D = sum_k step[k] (x + k dx), x and s apart. Where S ends ahead, at the leading edge, the
+  /// inverse is nearly exact: A_behind^-1, then D^-1 from that edge on, then A_ahead^-1, each on S alone.
   void invert();
 
   Box box;
   SlipStep rule;
   StripOperator tt;
-  PlaneOperator inverse;
+  std::vector<PlaneOperator> behind, ahead; ///< of A_xx, A_ss
+  std::vector<char> sticks;
   std::vector<double> in, out;
 };
 

@@ -20,7 +20,7 @@ constexpr int dense_limit = 120;
 constexpr int dense_memory_limit = 3000;
 
 /// The eigenvalue of M along the boundary of the friction disc above which slip counts as sticking there.
-constexpr double directed = 0.1;
+constexpr double directed = 0.5;
 /// GMRES: the most products.
 constexpr int most_products = 250;
 
@@ -49,7 +49,7 @@ struct Compressed {
     }
     return field;
   }
-  /// B v, or an approximate B^-1 v
+  /// B v, or about B^-1 v on box.sticks
   template <class Apply> void in_box(Apply apply, const VectorXd& v, VectorXd& result) const {
     const int n = box.box.size();
     std::fill(box.in.begin(), box.in.end(), 0.0);
@@ -106,13 +106,14 @@ void apply_jacobian(const Compressed& c, const Linearisation& at, const VectorXd
         at.projection[a] * (v.segment<2>(2 * a) - c.stiffness[a] * result.segment<2>(2 * a));
 }
 
-/// About J^-1 v. Where M is (nearly) the identity, in one direction or both, J is r B: the inverse of the
-/// periodic operator. In the other directions J is diagonal.
+/// About J^-1 v. Where M is (nearly) the identity, in one direction or both, J is r B. In the other
+/// directions J is diagonal.
 void precondition(const Compressed& c, const Linearisation& at, const VectorXd& v, VectorXd& result) {
   VectorXd kept(v.size());
   const int n = c.unknowns() / 2;
   for (int a = 0; a < n; ++a) {
     const double m = at.projection[a].trace();
+    c.box.sticks[c.local[a]] = m > directed;
     if (m >= 2)
       kept.segment<2>(2 * a) = v.segment<2>(2 * a) / c.stiffness[a];
     else if (m > directed)
@@ -237,6 +238,7 @@ VectorXd newton_step(const Compressed& c, const Linearisation& at, Gmres& gmres,
 void newton(const TangentialSystem& system, const TangentialTask& task, const SolverOptions& options,
             TangentialState& state) {
   StepBox& box = system.box_for(task.contact);
+  std::fill(box.sticks.begin(), box.sticks.end(), 0);
   Compressed c{system, task, box, box.box.local(task.contact, system.problem->grid.mx), {}, {}};
   c.stiffness.resize(c.unknowns() / 2);
   c.bound.resize(c.unknowns() / 2);

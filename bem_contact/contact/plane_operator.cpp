@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 
 namespace bem_contact::contact {
 namespace {
@@ -198,24 +197,42 @@ void PlaneOperator::invert() {
   }
 }
 
-void PlaneOperator::invert_step(const std::array<double, 3>& weights, double damping) {
+void PlaneOperator::invert_factor(Factor factor) {
   const Impl& o = *impl_;
-  for (int k = 0; k < o.frequencies; ++k) {
-    const double angle = 2 * std::numbers::pi * k / o.length_x;
-    Complex step = damping;
-    for (int c = 0; c <= rolling_columns; ++c)
-      step += weights[c] * std::polar(1.0, angle * c);
-    for (int l = 0; l < o.length_s; ++l) {
-      Complex &xx = o.symbol_at(k, 0, 0)[l], &xs = o.symbol_at(k, 0, 1)[l], &sx = o.symbol_at(k, 1, 0)[l],
-              &ss = o.symbol_at(k, 1, 1)[l];
-      const Complex factor = 1.0 / (step * (xx * ss - xs * sx));
-      const Complex a = ss * factor, b = -xs * factor, c = -sx * factor, d = xx * factor;
-      xx = a;
-      xs = b;
-      sx = c;
-      ss = d;
-    }
+  const int n = o.length_x, half = n / 2;
+  double largest = 0;
+  for (int k = 0; k < o.frequencies; ++k)
+    for (int l = 0; l < o.length_s; ++l)
+      largest = std::max(largest, o.symbol_at(k, 0, 0)[l].real());
+  // the part of the logarithm whose kernel lies behind (or ahead) only, one frequency of s at a time
+  const std::size_t together = static_cast<std::size_t>(o.frequencies) * o.length_s;
+  FftBuffer spectrum = make_fft_buffer(together), one_sided = make_fft_buffer(2 * together);
+  FftBuffer kernel = make_fft_buffer(static_cast<std::size_t>(n) * o.length_s);
+  FftPlan to_kernel, to_spectrum;
+  {
+    const std::lock_guard lock(fft_planner());
+    const int count = half + 1;
+    const fftw_r2r_kind even = FFTW_REDFT00;
+    to_kernel.reset(fftw_plan_many_r2r(1, &count, o.length_s, spectrum.get(), nullptr, 1, count,
+                                       spectrum.get(), nullptr, 1, count, &even, FFTW_ESTIMATE));
+    to_spectrum.reset(fftw_plan_many_dft_r2c(1, &n, o.length_s, kernel.get(), nullptr, 1, n,
+                                             raw(complex(one_sided)), nullptr, 1, count, FFTW_ESTIMATE));
   }
+  for (int l = 0; l < o.length_s; ++l)
+    for (int k = 0; k <= half; ++k)
+      spectrum[static_cast<std::size_t>(l) * (half + 1) + k] =
+          std::log(std::max(std::abs(o.symbol_at(k, 0, 0)[l].real()), 1e-4 * largest));
+  fftw_execute(to_kernel.get());
+  for (int l = 0; l < o.length_s; ++l)
+    for (int m = 0; m <= half; ++m)
+      kernel[static_cast<std::size_t>(l) * n + m] =
+          spectrum[static_cast<std::size_t>(l) * (half + 1) + m] / n * (m == 0 || m == half ? 0.5 : 1.0);
+  fftw_execute(to_spectrum.get());
+  for (int l = 0; l < o.length_s; ++l)
+    for (int k = 0; k <= half; ++k) {
+      const Complex behind = std::exp(-complex(one_sided)[static_cast<std::size_t>(l) * (half + 1) + k]);
+      o.symbol_at(k, 0, 0)[l] = factor == Factor::behind ? behind : std::conj(behind);
+    }
 }
 
 } // namespace bem_contact::contact

@@ -2,7 +2,6 @@
 
 #include "bem_contact/influence/influence_numbers.hpp"
 
-#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -25,12 +24,15 @@ public:
   void apply(std::span<const double> p, std::span<double> u, int columns) const;
   void apply_step(std::span<const double> p, std::span<double> u) const;
 
-  /// Turns this into an approximate inverse of A (or of sum_k step[k] A(x + k dx)), for preconditioning: the
-  /// inverse of the periodic operator, which knows nothing of the border of the contact. What rolls endlessly
-  /// without change has no slip: `damping` is added to the symbol of the step, as if tractions were forgotten
-  /// over 1/damping elements.
+  /// Turns this (one component) into an approximate inverse of A, for preconditioning: the inverse of the
+  /// periodic operator, which knows nothing of the border of the contact.
   void invert();
-  void invert_step(const std::array<double, 3>& step, double damping);
+
+  /// The same of one of the two factors of A: A = A_ahead A_behind, where A_behind p at x depends on p at
+  /// <= x alone and A_ahead on p at >= x. Between them a border across x can be respected (Wiener, Hopf
+  /// 1931).
+  enum class Factor { behind, ahead };
+  void invert_factor(Factor factor);
 
 private:
   struct Impl;
