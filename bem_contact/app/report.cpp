@@ -51,7 +51,7 @@ json extrapolated_json(const SceneResult& r) {
   return {{"Fx", e.Fx},
           {"Fy", e.Fy},
           {"Fz", e.Fz},
-          {"Mz", e.Mz + r.reference.position.y * e.Fx},
+          {"Mz", e.Mz + r.reference.position.y * e.Fx - r.reference.x * e.Fy},
           {"approach", e.approach}};
 }
 

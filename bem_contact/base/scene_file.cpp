@@ -23,6 +23,10 @@ void add_side(Schema& s, const std::string& name, const std::string& role, Scene
 }
 
 void add_position(Schema& s, SceneFile::Position& p) {
+  s.add("position.side", p.side,
+        {.doc = "Which wheel of the wheelset; y, s and what is along them are counted towards its side",
+         .choices = {"right", "left"},
+         .kinds = wheel_rail});
   s.add("position.lateral", p.lateral,
         {.doc = "Lateral displacement of the wheelset, positive to the right",
          .unit = "mm",
@@ -41,11 +45,30 @@ void add_position(Schema& s, SceneFile::Position& p) {
          .at_least = -0.5,
          .at_most = 0.5,
          .kinds = wheel_rail});
-  s.add(
-      "position.roll", p.roll,
-      {.doc = "Roll of the wheelset", .unit = "rad", .at_least = -0.5, .at_most = 0.5, .kinds = wheel_rail});
+  s.add("position.roll", p.roll,
+        {.doc = "Roll of the wheelset, right side down",
+         .unit = "rad",
+         .at_least = -0.5,
+         .at_most = 0.5,
+         .kinds = wheel_rail});
+  s.add("position.yaw", p.yaw,
+        {.doc = "Yaw of the wheelset, its front to the right",
+         .unit = "rad",
+         .at_least = -0.1,
+         .at_most = 0.1,
+         .kinds = wheel_rail});
   s.add("position.wheel_radius", p.wheel_radius,
         {.doc = "Nominal wheel radius, at the tape circle", .unit = "mm", .above = 0, .kinds = wheel_rail});
+  s.add("position.rail_lateral", p.rail_lateral,
+        {.doc = "Deviation of the rail from its place, to the right", .unit = "mm", .kinds = wheel_rail});
+  s.add("position.rail_vertical", p.rail_vertical,
+        {.doc = "Deviation of the rail from its place, down", .unit = "mm", .kinds = wheel_rail});
+  s.add("position.rail_roll", p.rail_roll,
+        {.doc = "Turn of the rail about the origin of its profile, right side down",
+         .unit = "rad",
+         .at_least = -0.5,
+         .at_most = 0.5,
+         .kinds = wheel_rail});
 }
 
 /// Young's moduli as read, before they become shear moduli.

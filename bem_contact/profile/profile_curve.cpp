@@ -82,6 +82,14 @@ ProfileCurve ProfileCurve::from_pieces(std::string name, std::vector<CurvePiece>
   return curve;
 }
 
+std::vector<double> ProfileCurve::joints() const {
+  std::vector<double> s;
+  for (const CurvePiece& piece : pieces_)
+    s.push_back(piece.s0);
+  s.push_back(s_end_);
+  return s;
+}
+
 const CurvePiece& ProfileCurve::piece_at(double s) const {
   const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), s,
                                       [](double value, const CurvePiece& piece) { return value < piece.s0; });

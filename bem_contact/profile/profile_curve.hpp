@@ -42,6 +42,9 @@ public:
   double s_begin() const { return s_begin_; }
   double s_end() const { return s_end_; }
 
+  /// Arc lengths where pieces begin, and s_end(): tangent and curvature may jump there, and nowhere else.
+  std::vector<double> joints() const;
+
   /// Position, tangent and curvature at arc length s; at a joint those of the piece that begins. Throws
   /// InputError when s is off the curve by more than 1e-9 mm.
   CurvePoint at(double s) const;

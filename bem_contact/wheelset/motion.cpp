@@ -117,9 +117,9 @@ void prescribe_step(ContactProblem& problem, const SceneFile& scene, const Wheel
   if (!placed)
     set_rigid_slip(problem, creepage, step.x.value_or(0.0));
   else if (problem.motion == MotionKind::shift)
-    set_rigid_shift(problem, placed->reference.position, placed->reference.delta, creepage);
+    set_rigid_shift(problem, placed->reference, creepage);
   else
-    set_rigid_slip(problem, placed->pair, placed->reference.position, placed->reference.delta, creepage);
+    set_rigid_slip(problem, placed->pair, placed->reference, creepage);
 }
 
 } // namespace bem_contact

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "bem_contact/base/scene_file.hpp"
-#include "bem_contact/profile/profile_curve.hpp"
+#include "bem_contact/wheelset/tabulated_profile.hpp"
 
-#include <vector>
+#include <array>
 
 namespace bem_contact {
 
@@ -20,47 +20,45 @@ struct Pose {
   Point2 to_section(Point2 track) const;
 };
 
-/// A right-hand wheel on a right-hand rail, yaw 0. Track frame: y from the track's centre line, z down from
-/// the highest point of the rail. Both curves stay in their own section frames.
+/// A point or vector of the track frame (x, y, z), mm.
+using Vector3 = std::array<double, 3>;
+
+/// The wheel as it stands: the centre of its tape circle on the axle, and three unit vectors that are the
+/// track's x, y, z where it is neither rolled nor yawed.
+struct WheelFrame {
+  Vector3 centre{}, forward{}, axle{}, down{};
+};
+
+/// A wheel on a rail. Track frame: x from the wheelset's centre, y from the track's centre line towards the
+/// side of this wheel, z down from the highest point of the rail (as it stands without deviations). Both
+/// curves stay in their own section frames.
+///
+/// A wheel on the left is its mirror image: y to the left, and yaw, roll and lateral displacement change
+/// sign. Longitudinal quantities, pressures and Fz are what they are; those along y or s, and moments about
+/// z, are counted to the left.
 ///
 /// Rail: inclined by cant towards the track centre; its gauge face (the point nearest to the track centre
 /// within gauge_height below the top) is at y = gauge / 2. Without cant its axis is at gauge / 2 plus half
-/// the head's width.
-/// Wheel: the wheelset's centre is displaced by `lateral` and rolled about that centre; the tape circle is at
+/// the head's width. Then moved by its deviations and turned about the origin of its section.
+/// Wheel: the wheelset's centre is displaced by `lateral`; the wheelset is rolled about it (right side down),
+/// then yawed about the vertical through it (right-hand side backwards). The tape circle is at
 /// back_to_back / 2 + 70 mm from it. The wheel's surface is the profile turned about the axle,
 /// r = wheel_radius + z of its section.
 struct WheelOnRail {
-  ProfileCurve rail, wheel;
-  Pose rail_pose, wheel_pose;
-  double wheel_radius = 460; ///< nominal, at the tape circle, mm
+  TabulatedProfile rail, wheel;
+  Pose rail_pose, wheel_pose; ///< of the wheel: before the yaw
+  double wheel_radius = 460;  ///< nominal, at the tape circle, mm
+  double yaw = 0;             ///< rad, towards +y in front
+  double centre_y = 0;        ///< the vertical about which it is yawed, mm
 
-  /// A point of the rail or wheel profile at its own arc length, in the track frame (wheel: in the plane
-  /// x = 0). Curvature and s are those of the curve; delta is the track frame's.
+  /// A point of the rail's profile at its own arc length, in the track frame; delta too, curvature as it is.
   CurvePoint rail_at(double s) const;
-  CurvePoint wheel_at(double s) const;
-  /// The axle seen from the track, a point of it (above the tape circle), mm.
-  Point2 axle() const { return wheel_pose.to_track({0, -wheel_radius}); }
+  WheelFrame wheel_frame() const;
 };
 
 /// Places both; the wheel stands with its tape circle wherever the axle height -wheel_radius puts it, so
 /// that it may hang above or cut into the rail: see lower_to_touch().
 /// Throws InputError where the rail has no gauge face at the given height.
-WheelOnRail place(const SceneFile::Position& position, ProfileCurve rail, ProfileCurve wheel);
-
-/// One local minimum of the vertical distance of the two profiles.
-struct TouchPoint {
-  double rail_s = 0, wheel_s = 0; ///< arc length on either profile, mm
-  Point2 position;                ///< on the rail, track frame
-  double delta = 0;               ///< inclination of the rail there, rad
-  double distance = 0;            ///< vertical distance from rail to wheel, mm (< 0: they overlap)
-};
-
-/// All local minima of the vertical distance in the plane x = 0, smallest distance first.
-/// Throws InputError when no part of the wheel is above the rail, or when the smallest distance is at the end
-/// of a profile.
-std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair);
-
-/// Moves the wheel along z until it just touches; returns the touch points then (the first has distance 0).
-std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair);
+WheelOnRail place(const SceneFile::Position& position, TabulatedProfile rail, TabulatedProfile wheel);
 
 } // namespace bem_contact

@@ -3,124 +3,40 @@
 #include "bem_contact/base/error.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <numbers>
-#include <optional>
 
 namespace bem_contact {
 
-namespace {
-
-/// The wheel cut by a plane x = const, over the arc length of its profile.
-class WheelSection {
-public:
-  WheelSection(const WheelOnRail& pair, double x) : pair_(pair), x2_(x * x) {}
-
-  /// Nothing where the wheel's radius is smaller than |x|.
-  std::optional<Point2> at(double s) const { return from_section(pair_.wheel.at(s).position); }
-  std::optional<Point2> from_section(Point2 p) const {
-    const double r = pair_.wheel_radius + p.z, square = r * r - x2_;
-    if (r <= 0 || square <= 0)
-      return std::nullopt;
-    return pair_.wheel_pose.to_track({p.y, std::sqrt(square) - pair_.wheel_radius});
-  }
-
-private:
-  const WheelOnRail& pair_;
-  double x2_;
-};
-
-double along(Point2 p, const ContactRow& row) {
-  return dot(p - row.position, tangent_of(row.delta));
-}
-double outward(Point2 p, const ContactRow& row) {
-  return -dot(p - row.position, normal_of(row.delta));
-}
-
-/// Root of along(section(s)) in [a, b], by the regula falsi of Anderson and Bjorck with bisection behind it.
-double intersect(const WheelSection& section, const ContactRow& row, double a, double b, double fa,
-                 double fb) {
-  for (int i = 0; i < 100 && std::abs(b - a) > 1e-13; ++i) {
-    const double m = i % 8 == 7 ? 0.5 * (a + b) : b - fb * (b - a) / (fb - fa);
-    const auto p = section.at(std::clamp(m, std::min(a, b), std::max(a, b)));
-    const double fm = p ? along(*p, row) : 0.0;
-    if (std::abs(fm) < 1e-14)
-      return m;
-    if ((fm > 0) != (fb > 0)) {
-      a = b, fa = fb;
-    } else {
-      const double g = 1 - fm / fb;
-      fa *= g > 0 ? g : 0.5;
-    }
-    b = m, fb = fm;
-  }
-  return b;
-}
-
-} // namespace
-
-std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const ContactRow> rows,
-                                        std::span<const double> x) {
-  const double length = pair.wheel.s_end() - pair.wheel.s_begin();
-  const int n = std::max(2, static_cast<int>(std::ceil(length / 0.25)));
-  std::vector<double> s(n + 1);
-  std::vector<Point2> profile(n + 1);
-  for (int k = 0; k <= n; ++k) {
-    s[k] = k == n ? pair.wheel.s_end() : pair.wheel.s_begin() + length * k / n;
-    profile[k] = pair.wheel.at(s[k]).position;
-  }
-
-  // A wheel that overlaps the rail by more than this is on another side of the flange.
-  constexpr double deepest_overlap = 2.0;
-  std::vector<double> gap(rows.size() * x.size(), excluded_gap);
-  std::vector<std::optional<Point2>> points(n + 1);
-  for (std::size_t ix = 0; ix < x.size(); ++ix) {
-    const WheelSection section(pair, x[ix]);
-    std::ranges::transform(profile, points.begin(), [&](Point2 p) { return section.from_section(p); });
-    for (std::size_t is = 0; is < rows.size(); ++is) {
-      const ContactRow& row = rows[is];
-      double& best = gap[is * x.size() + ix];
-      for (int k = 0; k < n; ++k) {
-        if (!points[k] || !points[k + 1])
-          continue;
-        const double fa = along(*points[k], row), fb = along(*points[k + 1], row);
-        if ((fa > 0) == (fb > 0))
-          continue;
-        const double ha = outward(*points[k], row), hb = outward(*points[k + 1], row);
-        if (std::max(ha, hb) < -deepest_overlap || std::min(ha, hb) > best)
-          continue;
-        const auto p = section.at(intersect(section, row, s[k], s[k + 1], fa, fb));
-        if (p && outward(*p, row) > -deepest_overlap)
-          best = std::min(best, outward(*p, row));
-      }
-    }
-  }
-  return gap;
-}
-
-ContactEstimate estimate_contact(const WheelOnRail& pair, const Material& rail, const Material& wheel,
-                                 double force, double approach, bool approach_given) {
-  constexpr double ds = 0.1, x1 = 4.0;
+ContactEstimate estimate_contact(const WheelOnRail& pair, const ContactLocus& locus, const Material& rail,
+                                 const Material& wheel, double force, double approach, bool approach_given) {
+  constexpr double ds = 0.1;
   ContactEstimate out;
   std::vector<ContactRow> rows;
+  int near = 0;
   for (double s = pair.rail.s_begin() + ds; s < pair.rail.s_end(); s += ds) {
-    const CurvePoint p = pair.rail_at(s);
-    rows.push_back({s, p.position, p.delta});
+    const CurvePoint p = pair.rail.quick(s, near);
+    rows.push_back({s, pair.rail_pose.to_track(p.position), p.delta + pair.rail_pose.angle});
   }
-  const std::array<double, 2> x{0.0, x1};
-  const std::vector<double> gap = undeformed_distance(pair, rows, x);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double h0 = gap[2 * i], h1 = gap[2 * i + 1];
-    const bool missed = h0 >= excluded_gap || h1 >= excluded_gap;
-    out.slices.push_back({rows[i].s, rows[i].delta, missed ? excluded_gap : h0,
-                          missed ? 1.0 : std::max((h1 - h0) / (x1 * x1), 1e-6)});
-  }
+  const std::vector<RowOnLocus> nearest = rows_on_locus(locus, rows);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    out.slices.push_back({rows[i].s, rows[i].delta, nearest[i].distance, nearest[i].x,
+                          nearest[i].hit() ? std::max(nearest[i].half, 0.05 / pair.wheel_radius) : 1.0});
 
   const double compliance =
       (1 - rail.poisson) / (2 * rail.shear_modulus) + (1 - wheel.poisson) / (2 * wheel.shear_modulus);
   const auto half_length_squared = [](const ContactEstimate::Slice& c, double q) {
     return (q * std::cos(c.delta) - c.gap) / c.half;
   };
+  // Midpoint rule in the angle: I2 = integral of xl cos^2 / sqrt(xl^2 sin^2 + t^2).
+  constexpr int points = 32;
+  std::array<double, points> sine2{}, cosine2{};
+  for (int j = 0; j < points; ++j) {
+    sine2[j] = std::pow(std::sin(std::numbers::pi * ((j + 0.5) / points - 0.5)), 2);
+    cosine2[j] = 1 - sine2[j];
+  }
   // N = pi E* q I1/I2 for each area; I1, I2: Kik and Piotrowski, integrals of sqrt(x_l^2 - x^2) and the same
   // over r.
   const auto force_at = [&](double q, double* turn) {
@@ -138,12 +54,8 @@ ContactEstimate estimate_contact(const WheelOnRail& pair, const Material& rail, 
         const double xl2 = half_length_squared(out.slices[k], 0.55 * q);
         const double t = std::max(std::abs(out.slices[k].s - out.slices[deepest].s), 0.25 * ds);
         i1 += ds * std::numbers::pi * xl2 / 2;
-        constexpr int points = 32;
-        for (int j = 0; j < points; ++j) {
-          const double angle = std::numbers::pi * ((j + 0.5) / points - 0.5);
-          i2 += ds * xl2 * std::pow(std::cos(angle), 2) /
-                std::sqrt(xl2 * std::pow(std::sin(angle), 2) + t * t) * std::numbers::pi / points;
-        }
+        for (int j = 0; j < points; ++j)
+          i2 += ds * xl2 * cosine2[j] / std::sqrt(xl2 * sine2[j] + t * t) * std::numbers::pi / points;
       }
       const double normal = std::numbers::pi / compliance * depth(deepest) * i1 / i2;
       const double vertical = normal * std::cos(out.slices[deepest].delta);
@@ -160,12 +72,19 @@ ContactEstimate estimate_contact(const WheelOnRail& pair, const Material& rail, 
   if (approach_given) {
     out.approach = approach;
   } else {
-    double lo = 0, hi = 1e-4;
-    while (force_at(hi, nullptr) < force && hi < 10)
-      hi *= 2;
-    for (int i = 0; i < 50; ++i) {
-      const double mid = 0.5 * (lo + hi);
-      (force_at(mid, nullptr) < force ? lo : hi) = mid;
+    // F^(2/3) is nearly linear in q: regula falsi (Illinois) in it.
+    const auto excess = [&](double q) { return std::cbrt(std::pow(force_at(q, nullptr) / force, 2)) - 1; };
+    double lo = 0, hi = 1e-4, at_lo = -1, at_hi = excess(hi);
+    while (at_hi < 0 && hi < 10)
+      lo = hi, at_lo = at_hi, hi *= 2, at_hi = excess(hi);
+    for (int i = 0; i < 60 && at_hi > 0 && hi - lo > 1e-9 * hi; ++i) {
+      const double q = lo - at_lo * (hi - lo) / (at_hi - at_lo), f = excess(q);
+      if ((f > 0) == (at_hi > 0))
+        hi = q, at_hi = f, at_lo *= 0.5;
+      else
+        lo = q, at_lo = f, at_hi *= 0.5;
+      if (std::abs(f) < 1e-8)
+        break;
     }
     out.approach = hi;
   }
@@ -176,7 +95,8 @@ ContactEstimate estimate_contact(const WheelOnRail& pair, const Material& rail, 
 GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin) {
   GridPlan plan{origin, 0, grid.ms, grid.mx, grid.dx, grid.ds};
   const double q = 0.9 * std::max(estimate.approach, 1e-4);
-  double from = 0, to = 0, half_length = 0;
+  double from = 0, to = 0, x_from = 0, x_to = 0;
+  bool any = false;
   const ContactEstimate::Slice* nearest = nullptr;
   for (const ContactEstimate::Slice& c : estimate.slices) {
     if (!nearest || c.gap < nearest->gap)
@@ -184,12 +104,15 @@ GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid,
     const double depth = q * std::cos(c.delta) - c.gap;
     if (depth <= 0)
       continue;
-    from = half_length == 0 ? c.s : from;
+    const double half_length = std::sqrt(depth / c.half);
+    from = any ? from : c.s;
     to = c.s;
-    half_length = std::max(half_length, std::sqrt(depth / c.half));
+    x_from = any ? std::min(x_from, c.x - half_length) : c.x - half_length;
+    x_to = any ? std::max(x_to, c.x + half_length) : c.x + half_length;
+    any = true;
   }
-  if (half_length == 0)
-    from = to = nearest ? nearest->s : 0;
+  if (!any && nearest)
+    from = to = nearest->s, x_from = x_to = nearest->x;
   if (grid.s_from != 0 || grid.s_to != 0)
     from = grid.s_from + 0.5 * grid.ds, to = grid.s_to - 0.5 * grid.ds;
 
@@ -201,7 +124,8 @@ GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid,
     plan.first = row_of(0.5 * (from + to)) - plan.rows / 2;
   }
   if (plan.columns == 0)
-    plan.columns = 2 * (static_cast<int>(std::ceil(half_length / grid.dx)) + 2);
+    plan.columns = 2 * (static_cast<int>(std::ceil(0.5 * (x_to - x_from) / grid.dx)) + 2);
+  plan.x_centre = grid.dx * std::round(0.5 * (x_from + x_to) / grid.dx);
   return plan;
 }
 
@@ -218,13 +142,6 @@ std::vector<ContactRow> rail_rows(const WheelOnRail& pair, const GridPlan& plan)
     rows.push_back({p.s, p.position, p.delta});
   }
   return rows;
-}
-
-std::vector<double> wheel_stations(const WheelOnRail& pair, std::span<const ContactRow> rows) {
-  std::vector<double> s;
-  for (const ContactRow& row : rows)
-    s.push_back(pair.wheel.nearest(pair.wheel_pose.to_section(row.position)).s);
-  return s;
 }
 
 } // namespace bem_contact

@@ -1,22 +1,11 @@
 #pragma once
 
-#include "bem_contact/contact/problem.hpp"
-#include "bem_contact/wheelset/placement.hpp"
+#include "bem_contact/wheelset/undeformed_distance.hpp"
 
 #include <span>
 #include <vector>
 
 namespace bem_contact {
-
-/// Undeformed distance given to an element whose normal misses the other body, mm: far beyond any approach.
-inline constexpr double excluded_gap = 100.0;
-
-/// Undeformed distance along the rail's normal n from the rail to the exact wheel surface of revolution, mm;
-/// field [rows][x]. A point whose normal misses the wheel gets excluded_gap.
-/// At x the wheel is cut by a plane x = const: that section is (y, sqrt((R + z)^2 - x^2) - R) over its
-/// profile, and the distance is found by intersecting it with the normal (no quadratic approximation).
-std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const ContactRow> rows,
-                                        std::span<const double> x);
 
 /// A Hertz-like estimate of where and how far the bodies touch. Semi-Hertzian method of Kik and Piotrowski
 /// (1996): the contact is where they would overlap at 0.55 of the approach.
@@ -24,8 +13,9 @@ struct ContactEstimate {
   struct Slice {
     double s = 0;     ///< arc length on the rail, mm
     double delta = 0; ///< rad, track frame
-    double gap = 0;   ///< undeformed distance at x = 0, mm
-    double half = 0;  ///< a in h(x) = gap + half x^2, 1/mm
+    double gap = 0;   ///< least undeformed distance along x, mm
+    double x = 0;     ///< where it is, mm
+    double half = 0;  ///< h(x') = gap + half (x' - x)^2, 1/mm
   };
   std::vector<Slice> slices; ///< the whole head, equally spaced
   double approach = 0;       ///< mm
@@ -34,15 +24,18 @@ struct ContactEstimate {
 };
 
 /// For a vertical force (N) or, with `approach_given`, for an approach (mm).
-ContactEstimate estimate_contact(const WheelOnRail& pair, const Material& rail, const Material& wheel,
-                                 double force, double approach, bool approach_given);
+ContactEstimate estimate_contact(const WheelOnRail& pair, const ContactLocus& locus, const Material& rail,
+                                 const Material& wheel, double force, double approach, bool approach_given);
 
 /// Which rows and columns are solved for. Row I has its centre at origin + (first + I) ds on the rail's arc
-/// length; columns lie symmetric about x = 0.
+/// length; columns lie symmetric about x_centre.
 struct GridPlan {
   double origin = 0; ///< mm
   int first = 0, rows = 0, columns = 0;
   double dx = 0, ds = 0; ///< mm
+  double x_centre = 0;   ///< a whole multiple of dx, mm
+
+  double x0() const { return x_centre - 0.5 * (columns - 1) * dx; } ///< of the first column
 
   double s(int row) const { return origin + (first + row) * ds; }
   double s_from() const { return s(0) - 0.5 * ds; }
@@ -56,7 +49,5 @@ GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid,
 
 /// The rail's rows of a plan, in the track frame.
 std::vector<ContactRow> rail_rows(const WheelOnRail& pair, const GridPlan& plan);
-/// Arc length of the nearest point of the wheel's profile (plane x = 0) for each row.
-std::vector<double> wheel_stations(const WheelOnRail& pair, std::span<const ContactRow> rows);
 
 } // namespace bem_contact

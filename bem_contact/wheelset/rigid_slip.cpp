@@ -2,43 +2,48 @@
 
 namespace bem_contact {
 
-void set_rigid_slip(ContactProblem& problem, const WheelOnRail& pair, Point2 reference,
-                    double reference_delta, const Creepage& creepage) {
+void set_rigid_slip(ContactProblem& problem, const WheelOnRail& pair, const ReferencePoint& reference,
+                    const Creepage& creepage) {
   const ContactGrid& grid = problem.grid;
   problem.slip_x.resize(grid.size());
   problem.slip_s.resize(grid.size());
-  const Point2 radial = normal_of(pair.wheel_pose.angle); // from the axle down through the wheel
+  const WheelFrame frame = pair.wheel_frame();
+  // a x (X - C)
+  const auto around_axle = [&](double x, Point2 p) {
+    const Vector3 r{x - frame.centre[0], p.y - frame.centre[1], p.z - frame.centre[2]};
+    const Vector3& a = frame.axle;
+    return Vector3{a[1] * r[2] - a[2] * r[1], a[2] * r[0] - a[0] * r[2], a[0] * r[1] - a[1] * r[0]};
+  };
   const double radius =
-      creepage.rolling_radius > 0 ? creepage.rolling_radius : dot(reference - pair.axle(), radial);
+      creepage.rolling_radius > 0 ? creepage.rolling_radius : around_axle(reference.x, reference.position)[0];
   const double turning = (1 - creepage.xi) / radius; // 1 / R_roll
-  const Point2 tangent = tangent_of(reference_delta);
+  const Point2 tangent = tangent_of(reference.delta);
   for (int is = 0; is < grid.ms; ++is) {
     const ContactRow& row = problem.rows[is];
     const Point2 along = tangent_of(row.delta);
-    const double r = dot(row.position - pair.axle(), radial);
-    const double s = dot(row.position - reference, tangent);
+    const double s = dot(row.position - reference.position, tangent);
     for (int ix = 0; ix < grid.mx; ++ix) {
       const double x = grid.x(ix);
+      const Vector3 turned = around_axle(x, row.position);
       // phi e_n x (r - reference), with e_n x e_x = e_s and e_n x e_s = -e_x at the reference point.
-      const Point2 lateral = x * turning * radial + (creepage.eta + creepage.phi * x) * tangent;
-      problem.slip_x[is * grid.mx + ix] = 1 - r * turning - creepage.phi * s;
-      problem.slip_s[is * grid.mx + ix] = dot(lateral, along);
+      const Point2 added = (creepage.eta + creepage.phi * (x - reference.x)) * tangent;
+      problem.slip_x[is * grid.mx + ix] = 1 - turning * turned[0] - creepage.phi * s;
+      problem.slip_s[is * grid.mx + ix] = dot(added - turning * Point2{turned[1], turned[2]}, along);
     }
   }
 }
 
-void set_rigid_shift(ContactProblem& problem, Point2 reference, double reference_delta,
-                     const Creepage& creepage) {
+void set_rigid_shift(ContactProblem& problem, const ReferencePoint& reference, const Creepage& creepage) {
   const ContactGrid& grid = problem.grid;
   problem.slip_x.resize(grid.size());
   problem.slip_s.resize(grid.size());
   for (int is = 0; is < grid.ms; ++is) {
     const ContactRow& row = problem.rows[is];
-    const double s = dot(row.position - reference, tangent_of(reference_delta));
-    const double share = std::cos(row.delta - reference_delta);
+    const double s = dot(row.position - reference.position, tangent_of(reference.delta));
+    const double share = std::cos(row.delta - reference.delta);
     for (int ix = 0; ix < grid.mx; ++ix) {
       problem.slip_x[is * grid.mx + ix] = creepage.xi - creepage.phi * s;
-      problem.slip_s[is * grid.mx + ix] = (creepage.eta + creepage.phi * grid.x(ix)) * share;
+      problem.slip_s[is * grid.mx + ix] = (creepage.eta + creepage.phi * (grid.x(ix) - reference.x)) * share;
     }
   }
 }

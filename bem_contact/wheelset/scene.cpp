@@ -254,7 +254,7 @@ SceneResult solve_grown(Stage& stage, const std::string& model, bool tangential)
 
 void finish(SceneResult& out, const Stage& stage) {
   out.reference = stage.reference();
-  out.moment = out.result.Mz + out.reference.position.y * out.result.Fx;
+  out.moment = out.result.Mz + out.reference.position.y * out.result.Fx - out.reference.x * out.result.Fy;
   if (stage.wheel_rail || stage.files.complete())
     out.wheel_s = stage.contact.wheel_s;
   if (stage.wheel_rail) {

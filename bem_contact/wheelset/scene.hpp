@@ -4,6 +4,7 @@
 #include "bem_contact/contact/history.hpp"
 #include "bem_contact/contact/problem.hpp"
 #include "bem_contact/contact/solve.hpp"
+#include "bem_contact/wheelset/rigid_slip.hpp"
 #include "bem_contact/wheelset/stresses.hpp"
 
 #include <optional>
@@ -11,14 +12,6 @@
 #include <vector>
 
 namespace bem_contact {
-
-/// Where approach, creepages and moments refer to: the deepest point (wheel_rail) or the middle of the grid
-/// (patch).
-struct ReferencePoint {
-  Point2 position;  ///< on the rail, frame of the rows, mm
-  double s = 0;     ///< arc length on the rail, mm
-  double delta = 0; ///< rad
-};
 
 /// Wall-clock seconds by phase.
 struct PhaseSeconds {

@@ -8,35 +8,46 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <numbers>
+#include <optional>
 
 namespace bem_contact {
 
 namespace {
 
-std::vector<Point2> track_points(const ProfileCurve& curve, const Pose& pose, double from, double to) {
+/// Points 0.1 mm apart that `at` gives for arc lengths within both ranges; those it does not give are left
+/// out.
+template <class At>
+std::vector<Point2> track_points(const TabulatedProfile& curve, double from, double to, const At& at) {
   from = std::max(from, curve.s_begin());
   to = std::min(to, curve.s_end());
   std::vector<Point2> points;
   const int n = std::max(2, static_cast<int>((to - from) / 0.1));
   for (int i = 0; i <= n; ++i)
-    points.push_back(pose.to_track(curve.at(i == n ? to : from + (to - from) * i / n).position));
+    if (const std::optional<CurvePoint> p = at(i == n ? to : from + (to - from) * i / n))
+      points.push_back(p->position);
   return points;
 }
 
 } // namespace
 
+WheelRailProfiles read_profiles(const SceneFile& scene) {
+  return {named_profile(scene.rail.profile, ProfileKind::rail, scene.folder),
+          named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder)};
+}
+
 WheelRailScene place_wheel_rail(const SceneFile& scene) {
-  WheelRailScene out{place(scene.position, named_profile(scene.rail.profile, ProfileKind::rail, scene.folder),
-                           named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder)),
-                     {},
-                     {},
-                     {},
-                     {}};
-  out.touch = lower_to_touch(out.pair);
+  return place_wheel_rail(scene, read_profiles(scene));
+}
+
+WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles& profiles) {
+  WheelOnRail pair = place(scene.position, profiles.rail, profiles.wheel);
+  std::vector<TouchPoint> touch = lower_to_touch(pair);
+  ContactLocus locus(pair);
+  WheelRailScene out{std::move(pair), std::move(locus), std::move(touch), {}, {}, {}};
   const TouchPoint& deepest = out.touch.front();
-  out.reference = {deepest.position, deepest.rail_s, deepest.delta};
-  out.estimate = estimate_contact(out.pair, scene.rail.material, scene.wheel.material, scene.load.force,
-                                  scene.load.approach, scene.load.has_approach);
+  out.reference = {deepest.position, deepest.rail_s, deepest.delta, deepest.x};
+  out.estimate = estimate_contact(out.pair, out.locus, scene.rail.material, scene.wheel.material,
+                                  scene.load.force, scene.load.approach, scene.load.has_approach);
   constexpr double largest_approach = 1.0; // mm: a hundred times the load at which steel yields
   if (out.estimate.approach > largest_approach)
     throw InputError("The load is far beyond elastic contact",
@@ -54,19 +65,21 @@ PreparedContact prepare_wheel_rail(const WheelRailScene& placed, const SceneFile
   const GridPlan& plan = placed.plan;
   PreparedContact out;
   ContactProblem& problem = out.problem;
-  problem.grid = {plan.columns, plan.rows, plan.dx, plan.ds, -0.5 * (plan.columns - 1) * plan.dx};
+  problem.grid = {plan.columns, plan.rows, plan.dx, plan.ds, plan.x0()};
   problem.rows = rail_rows(placed.pair, plan);
 
-  // Symmetric in x: half of the columns are computed.
-  const int half = (plan.columns + 1) / 2;
-  std::vector<double> x(half);
-  for (int ix = 0; ix < half; ++ix)
+  // Without yaw symmetric in x: half of the columns are computed.
+  const bool symmetric = placed.pair.yaw == 0 && plan.x_centre == 0;
+  const int computed = symmetric ? (plan.columns + 1) / 2 : plan.columns;
+  std::vector<double> x(computed);
+  for (int ix = 0; ix < computed; ++ix)
     x[ix] = problem.grid.x(ix);
-  const std::vector<double> gap = undeformed_distance(placed.pair, problem.rows, x);
+  const std::vector<double> gap =
+      undeformed_distance(placed.pair, rows_on_locus(placed.locus, problem.rows), problem.rows, x);
   problem.gap.resize(problem.grid.size());
   for (int is = 0; is < plan.rows; ++is)
     for (int ix = 0; ix < plan.columns; ++ix)
-      problem.gap[is * plan.columns + ix] = gap[is * half + std::min(ix, plan.columns - 1 - ix)];
+      problem.gap[is * plan.columns + ix] = gap[is * computed + (ix < computed ? ix : plan.columns - 1 - ix)];
 
   set_motion(problem, scene, placed.reference.delta);
   if (problem.tangential)
@@ -74,7 +87,7 @@ PreparedContact prepare_wheel_rail(const WheelRailScene& placed, const SceneFile
 
   for (const ContactRow& row : problem.rows)
     out.rail_s.push_back(row.s);
-  out.wheel_s = wheel_stations(placed.pair, problem.rows);
+  out.wheel_s = wheel_stations(placed.locus, problem.rows);
   const CurvePoint at_contact = placed.pair.wheel.at(placed.touch.front().wheel_s);
   out.contact_radius = placed.pair.wheel_radius + at_contact.position.z;
   return out;
@@ -84,22 +97,25 @@ std::pair<std::vector<Point2>, std::vector<Point2>> profiles_near(const WheelRai
                                                                   double s_to) {
   constexpr double margin = 12;
   const WheelOnRail& pair = placed.pair;
-  const auto wheel_near = [&](double s) {
-    return pair.wheel.nearest(pair.wheel_pose.to_section(pair.rail_at(s).position)).s;
-  };
-  const auto [lo, hi] = std::minmax({wheel_near(s_from), wheel_near(s_to)});
-  return {track_points(pair.rail, pair.rail_pose, s_from - margin, s_to + margin),
-          track_points(pair.wheel, pair.wheel_pose, lo - margin, hi + margin)};
+  const CurvePoint first = pair.rail_at(s_from), last = pair.rail_at(s_to);
+  const std::vector<ContactRow> ends{{s_from, first.position, first.delta},
+                                     {s_to, last.position, last.delta}};
+  const std::vector<double> wheel_s = wheel_stations(placed.locus, ends);
+  const auto [lo, hi] = std::ranges::minmax(wheel_s);
+  return {track_points(pair.rail, s_from - margin, s_to + margin,
+                       [&](double s) { return std::optional(pair.rail_at(s)); }),
+          track_points(pair.wheel, lo - margin, hi + margin, [&](double s) { return placed.locus.at(s); })};
 }
 
 std::vector<std::string> describe(const WheelRailScene& placed) {
   std::vector<std::string> lines;
   for (const TouchPoint& p : placed.touch)
     if (p.distance < 1.0)
-      lines.push_back(fmt::format(
-          "touch point: rail s = {:.3f} mm, wheel s = {:.3f} mm, y = {:.3f} mm, z = {:.3f} mm, "
-          "inclination {:.2f} degrees, vertical distance {:.4f} mm",
-          p.rail_s, p.wheel_s, p.position.y, p.position.z, p.delta * 180 / std::numbers::pi, p.distance));
+      lines.push_back(fmt::format("touch point: rail s = {:.3f} mm, wheel s = {:.3f} mm, x = {:.3f} mm, y = "
+                                  "{:.3f} mm, z = {:.3f} mm, "
+                                  "inclination {:.2f} degrees, vertical distance {:.4f} mm",
+                                  p.rail_s, p.wheel_s, p.x, p.position.y, p.position.z,
+                                  p.delta * 180 / std::numbers::pi, p.distance));
   lines.push_back(fmt::format("estimate: approach {:.4f} mm, vertical force {:.0f} N",
                               placed.estimate.approach, placed.estimate.force));
   return lines;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/wheelset/contact_search.hpp"
 #include "bem_contact/wheelset/pair_numbers.hpp"
 #include "bem_contact/wheelset/potential_contact.hpp"
 #include "bem_contact/wheelset/scene.hpp"
@@ -11,13 +12,21 @@ namespace bem_contact {
 /// A `wheel_rail` scene: the bodies in touch, and the grid that is solved for.
 struct WheelRailScene {
   WheelOnRail pair;
+  ContactLocus locus;            ///< of the pair as it stands
   std::vector<TouchPoint> touch; ///< the deepest first
   ContactEstimate estimate;
   ReferencePoint reference; ///< the deepest point
   GridPlan plan;
 };
 
-/// Reads the profiles, places the bodies, lowers the wheel until it touches, estimates the contact.
+/// Both profiles, tabulated: read once for a sequence of cases with the same bodies.
+struct WheelRailProfiles {
+  TabulatedProfile rail, wheel;
+};
+WheelRailProfiles read_profiles(const SceneFile& scene);
+
+/// Places the bodies, lowers the wheel until it touches, estimates the contact. Without profiles, reads them.
+WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles& profiles);
 WheelRailScene place_wheel_rail(const SceneFile& scene);
 
 /// Rows centred on the stations of the rail's influence file where there is one.
@@ -26,7 +35,8 @@ GridPlan plan_wheel_rail(const WheelRailScene& placed, const SceneFile& scene, c
 /// The contact on the rows and columns of `placed.plan`: gap, rigid slip, stations on both bodies.
 PreparedContact prepare_wheel_rail(const WheelRailScene& placed, const SceneFile& scene);
 
-/// Both profiles around the rows s_from .. s_to of the rail, for pictures (track frame, plane x = 0).
+/// Both profiles around the rows s_from .. s_to of the rail, for pictures (track frame, the wheel's contact
+/// locus).
 std::pair<std::vector<Point2>, std::vector<Point2>> profiles_near(const WheelRailScene& placed, double s_from,
                                                                   double s_to);
 /// In words: touch points and the estimate.

@@ -85,7 +85,7 @@ TEST(UndeformedDistance, IsLargeWhereTheNormalMissesTheWheel) {
 TEST(WheelStations, RunAgainstTheRail) {
   const WheelOnRail pair = shapes::arcs(10, -10.2, 460);
   const std::vector<ContactRow> rows = rows_of(pair, -5, 5, 0.5);
-  const std::vector<double> s = wheel_stations(pair, rows);
+  const std::vector<double> s = wheel_stations(ContactLocus(pair), rows);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     // The nearest point lies on the ray from the groove's centre (0, 10.2) through the rail's point.
     const Point2 d = rows[i].position - Point2{0, 10.2};
@@ -97,7 +97,7 @@ TEST(Estimate, OfASphereIsNearHertz) {
   // Ball R 50 on a rail that is all but flat: REFERENCES 2.1 for a sphere on a plane, E 210000, nu .3.
   const Material steel{210000 / 2.6, 0.3};
   const WheelOnRail pair{shapes::rail_arc(1e5, 1e-4), shapes::wheel_arc(50, 0.5), {}, {}, 50};
-  const ContactEstimate estimate = estimate_contact(pair, steel, steel, 1000, 0, false);
+  const ContactEstimate estimate = estimate_contact(pair, ContactLocus(pair), steel, steel, 1000, 0, false);
   EXPECT_NEAR(estimate.approach, 0.0094540719, 0.1 * 0.0094540719);
   EXPECT_NEAR(estimate.force, 1000, 1);
 }
@@ -105,7 +105,7 @@ TEST(Estimate, OfASphereIsNearHertz) {
 TEST(GridPlan, CoversTheContactSymmetrically) {
   const Material steel{};
   const WheelOnRail pair = shapes::arcs(80, -300, 460, 0.2);
-  const ContactEstimate estimate = estimate_contact(pair, steel, steel, 5e4, 0, false);
+  const ContactEstimate estimate = estimate_contact(pair, ContactLocus(pair), steel, steel, 5e4, 0, false);
   SceneFile::Grid grid;
   grid.dx = 0.5;
   grid.ds = 0.25;

@@ -1,4 +1,4 @@
-#include "bem_contact/wheelset/placement.hpp"
+#include "bem_contact/wheelset/contact_search.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/read_profile.hpp"
@@ -130,7 +130,8 @@ TEST(ContactSearch, TheWheelNeverCutsIntoTheRailOnceLowered) {
     for (const TouchPoint& p : find_touch_points(pair))
       EXPECT_GE(p.distance, -1e-9) << lateral;
     // At a touch point the tangents are parallel.
-    EXPECT_NEAR(pair.wheel_at(touch.front().wheel_s).delta - pi, touch.front().delta, 2e-3) << lateral;
+    EXPECT_NEAR(ContactLocus(pair).at(touch.front().wheel_s)->delta - pi, touch.front().delta, 2e-3)
+        << lateral;
   }
 }
 

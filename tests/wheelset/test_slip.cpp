@@ -1,6 +1,7 @@
 #include "bem_contact/wheelset/rigid_slip.hpp"
 
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/wheelset/contact_search.hpp"
 #include "tests/wheelset/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +13,8 @@ using namespace bem_contact;
 struct Rolling {
   WheelOnRail pair;
   ContactProblem problem;
-  Point2 reference;
-  double delta = 0, radius = 0;
+  ReferencePoint reference;
+  double radius = 0;
 };
 
 /// S1002 on 60E1 with rows of ds about the deepest point; row 10 is the deepest point itself.
@@ -25,18 +26,16 @@ Rolling rolling(double lateral, double roll, const Creepage& creepage, double ds
       place(position, named_profile("60E1", ProfileKind::rail), named_profile("S1002", ProfileKind::wheel)),
       {},
       {},
-      0,
       0};
   const TouchPoint touch = lower_to_touch(r.pair).front();
-  r.reference = touch.position;
-  r.delta = touch.delta;
-  r.radius = dot(touch.position - r.pair.axle(), normal_of(roll));
+  r.reference = {touch.position, touch.rail_s, touch.delta, touch.x};
+  r.radius = dot(touch.position - r.pair.wheel_pose.to_track({0, -r.pair.wheel_radius}), normal_of(roll));
   r.problem.grid = {21, 21, 0.1, ds, -1.0};
   for (int i = -10; i <= 10; ++i) {
     const CurvePoint p = r.pair.rail_at(touch.rail_s + i * ds);
     r.problem.rows.push_back({p.s, p.position, p.delta});
   }
-  set_rigid_slip(r.problem, r.pair, r.reference, r.delta, creepage);
+  set_rigid_slip(r.problem, r.pair, r.reference, creepage);
   return r;
 }
 
@@ -67,8 +66,8 @@ TEST(RigidSlip, AGivenRollingRadiusHoldsWhereverTheBodiesTouch) {
 TEST(RigidSlip, GeometricSpinIsSineOfInclinationOverRadius) {
   // Classical check: w_x = -phi s, w_s = phi x with phi = sin(delta) / R: negative at the gauge corner.
   const Rolling r = rolling(7.2, 0, {});
-  ASSERT_LT(r.delta, -0.5);
-  const double phi = std::sin(r.delta) / r.radius;
+  ASSERT_LT(r.reference.delta, -0.5);
+  const double phi = std::sin(r.reference.delta) / r.radius;
   const double across = (slip_x(r, 10, 11) - slip_x(r, 10, 9)) / (r.problem.rows[11].s - r.problem.rows[9].s);
   const double along = (slip_s(r, 11, 10) - slip_s(r, 9, 10)) / 0.2;
   EXPECT_NEAR(-across, phi, 1e-3 * std::abs(phi));
@@ -88,7 +87,7 @@ TEST(RigidSlip, ARolledAxleTurnsTheSpin) {
   const double roll = 0.02;
   const Rolling r = rolling(0, roll, {});
   const double along = (slip_s(r, 11, 10) - slip_s(r, 9, 10)) / 0.2;
-  EXPECT_NEAR(along, std::sin(r.delta - roll) / r.radius, 1e-9);
+  EXPECT_NEAR(along, std::sin(r.reference.delta - roll) / r.radius, 1e-9);
 }
 
 TEST(RigidSlip, OfAPatchIsThatOfAPlane) {
