@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 namespace bem_contact {
 
@@ -85,17 +86,17 @@ private:
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
-/// Indices in [from, to] of local minima of `distance` that a barrier separates, the lowest of each group.
-/// The ends are none.
+/// Indices in (from, to) of local minima that a barrier separates from each other and from lower ends, the
+/// lowest of each group.
 std::vector<int> separate_minima(const std::vector<double>& distance, int from, int to) {
-  std::vector<int> kept;
-  for (int i = from + 1; i < to; ++i) {
-    if (!(distance[i] < distance[i - 1] && distance[i] <= distance[i + 1]))
+  std::vector<int> kept{from};
+  for (int i = from + 1; i <= to; ++i) {
+    if (i < to && !(distance[i] < distance[i - 1] && distance[i] <= distance[i + 1]))
       continue;
     int candidate = i;
     while (!kept.empty()) {
       const int other = kept.back();
-      const double barrier = *std::max_element(distance.begin() + other, distance.begin() + candidate);
+      const double barrier = *std::max_element(distance.begin() + other, distance.begin() + candidate + 1);
       if (barrier - std::max(distance[other], distance[candidate]) >= flat_distance)
         break;
       candidate = distance[other] < distance[candidate] ? other : candidate;
@@ -103,6 +104,7 @@ std::vector<int> separate_minima(const std::vector<double>& distance, int from, 
     }
     kept.push_back(candidate);
   }
+  std::erase_if(kept, [&](int k) { return k == from || k == to; });
   return kept;
 }
 
