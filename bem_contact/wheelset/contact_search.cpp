@@ -108,9 +108,6 @@ std::vector<int> separate_minima(const std::vector<double>& distance, int from, 
   return kept;
 }
 
-/// Why a stretch of the locus over the rail ends.
-enum class End { profile, locus, fold };
-
 struct Search {
   const WheelOnRail& pair;
   ContactLocus locus{pair};
@@ -183,21 +180,6 @@ TouchPoint Search::refined(int k, int from, int to) {
   return touch;
 }
 
-[[noreturn]] void refuse_end(const Search& search, int k, End end) {
-  const ContactLocus::Node& node = search.locus.nodes()[k];
-  if (end == End::locus)
-    throw InputError(
-        "The wheel is yawed too far for its profile",
-        fmt::format("the contact locus ends at s = {:.2f} mm of the wheel's profile, y = {:.2f} mm, "
-                    "where the wheel is nearest to the rail",
-                    node.s, node.position.y),
-        "Give a smaller position.yaw.");
-  throw InputError("The wheel touches the rail at the end of a profile",
-                   fmt::format("the smallest vertical distance is at y = {:.2f} mm, where one of them ends",
-                               node.position.y),
-                   "Check position.lateral and the extent of the profiles.");
-}
-
 } // namespace
 
 std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair) {
@@ -223,7 +205,6 @@ std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair) {
   // else along x. What is left are stretches on which y falls.
   std::vector<TouchPoint> points;
   int lowest_end = -1;
-  End end_kind = End::profile;
   for (int from = 0; from < n;) {
     int to = from;
     while (to + 1 < n && nodes[to + 1].joined && nodes[to + 1].position.y <= nodes[to].position.y &&
@@ -231,14 +212,10 @@ std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair) {
       ++to;
     if (std::isfinite(search.distance[from])) {
       const auto consider_end = [&](int k, int beyond) {
-        End kind = End::profile;
-        if (beyond >= 0 && beyond < n && std::isfinite(search.distance[beyond]))
-          kind = nodes[std::max(k, beyond)].joined ? End::fold : End::locus;
-        else if ((beyond < 0 && nodes[k].s > pair.wheel.s_begin() + 1e-9) ||
-                 (beyond >= n && nodes[k].s < pair.wheel.s_end() - 1e-9))
-          kind = End::locus;
-        if (kind != End::fold && (lowest_end < 0 || search.distance[k] < search.distance[lowest_end]))
-          lowest_end = k, end_kind = kind;
+        const bool fold = beyond >= 0 && beyond < n && std::isfinite(search.distance[beyond]) &&
+                          nodes[std::max(k, beyond)].joined;
+        if (!fold && (lowest_end < 0 || search.distance[k] < search.distance[lowest_end]))
+          lowest_end = k;
       };
       consider_end(from, from - 1);
       consider_end(to, to + 1);
@@ -249,7 +226,10 @@ std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair) {
   }
   std::ranges::sort(points, {}, &TouchPoint::distance);
   if (lowest_end >= 0 && (points.empty() || search.distance[lowest_end] < points.front().distance))
-    refuse_end(search, lowest_end, end_kind);
+    throw InputError("The wheel touches the rail at the end of a profile",
+                     fmt::format("the smallest vertical distance is at y = {:.2f} mm, where one of them ends",
+                                 nodes[lowest_end].position.y),
+                     "Check position.lateral and the extent of the profiles.");
   return points;
 }
 

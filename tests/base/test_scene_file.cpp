@@ -151,6 +151,8 @@ TEST(SceneFile, geometry_that_cannot_be) {
   const std::string loaded = rolling + "[load]\nforce = 1\n";
   EXPECT_THAT(refusal(loaded + "[position]\nback_to_back = 1500"), HasSubstr("the gauge is only 1435 mm"));
   EXPECT_THAT(refusal(loaded + "[position]\ncant = 1.4"), HasSubstr("(out of range)"));
+  EXPECT_THAT(refusal(loaded + "[position]\nyaw = 0.11"), HasSubstr("(out of range)"));
+  EXPECT_THAT(refusal(loaded + "[position]\nside = \"lft\""), HasSubstr("left"));
   EXPECT_THAT(refusal(loaded + "[grid]\ns_from = -20\ns_to = -40"),
               HasSubstr("Give s_to greater than s_from"));
   EXPECT_THAT(refusal(loaded + "[position]\nlateral = nan"), HasSubstr("(the value must be finite)"));

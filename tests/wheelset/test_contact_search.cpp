@@ -24,12 +24,17 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// as a height. Independent of what it checks but for the curves and the rail's pose.
 class BruteForce {
 public:
-  BruteForce(const TabulatedProfile& rail, const TabulatedProfile& wheel) : wheel_(wheel) {
+  BruteForce(const TabulatedProfile& rail, const TabulatedProfile& wheel, double reach)
+      : angles(2 * static_cast<int>(reach / dangle) + 1), wheel_(wheel) {
     const int n = static_cast<int>(std::ceil((rail.s_end() - rail.s_begin()) / 2e-3));
     for (int i = 0; i <= n; ++i)
       rail_.push_back(rail.at(std::min(rail.s_begin() + 2e-3 * i, rail.s_end())).position);
     for (double s = wheel.s_begin(); s <= wheel.s_end(); s += ds)
       profile_.push_back(wheel.at(s));
+    for (const TabulatedProfile::Node& node : wheel.nodes())
+      if (dot(node.before, node.after) < 0.99) // at an edge the angle of the least distance leaps with s
+        profile_.push_back(wheel.at(node.s));
+    std::ranges::sort(profile_, {}, &CurvePoint::s);
   }
 
   struct Minimum {
@@ -83,9 +88,12 @@ public:
     return least;
   }
 
-  /// What is left at p and on either side. Where the rail is steep its raster is that much coarser in z.
-  bool is_minimum(const TouchPoint& p, double theta) const {
-    const double tolerance = 1e-6 / std::pow(std::cos(p.delta), 2);
+  /// What may differ there: 1e-6 mm and what the chords of the raster miss of the rail.
+  static double tolerance(const WheelOnRail& pair, double rail_s) {
+    const CurvePoint p = pair.rail_at(rail_s);
+    return 1e-6 + dy * dy / 8 * std::abs(p.curvature / std::pow(std::cos(p.delta), 3));
+  }
+  bool is_minimum(const TouchPoint& p, double theta, double tolerance) const {
     const auto excess = [&](double s) { return least_over_angle(s, theta).distance - p.distance; };
     return std::abs(excess(p.wheel_s)) < tolerance && excess(p.wheel_s - 0.02) > -tolerance &&
            excess(p.wheel_s + 0.02) > -tolerance;
@@ -93,8 +101,8 @@ public:
 
 private:
   static constexpr double ds = 0.25, dangle = 2e-3;
-  static constexpr int angles = 101;
-  static double angle(int j) { return dangle * (j - angles / 2); }
+  int angles; ///< of the raster
+  double angle(int j) const { return dangle * (j - angles / 2); }
 
   void stand(const SceneFile::Position& position, const WheelOnRail& pair) {
     const double side = position.side == "left" ? -1 : 1;
@@ -158,7 +166,7 @@ private:
     const double s = golden(s0 - 2 * ds, s0 + 2 * ds, 1e-6,
                             [&](double t) { return least_over_angle(t, theta0).distance; });
     const Minimum m = least_over_angle(s, theta0);
-    return std::abs(s - s0) > 1.9 * ds || std::abs(m.theta - theta0) > 1.9 * dangle ? Minimum{} : m;
+    return std::abs(m.s - s0) > 1.9 * ds || std::abs(m.theta - theta0) > 1.9 * dangle ? Minimum{} : m;
   }
 
   static constexpr double dy = 1e-3;
@@ -175,8 +183,8 @@ struct Tally {
 };
 
 void compare_with_brute_force(const TabulatedProfile& rail, const TabulatedProfile& wheel, int cases,
-                              unsigned seed, Tally& tally) {
-  BruteForce brute(rail, wheel);
+                              unsigned seed, Tally& tally, double reach = 0.1) {
+  BruteForce brute(rail, wheel, reach);
   std::mt19937 random(seed);
   const auto uniform = [&](double a, double b) { return std::uniform_real_distribution(a, b)(random); };
   for (int i = 0; i < cases; ++i) {
@@ -202,14 +210,16 @@ void compare_with_brute_force(const TabulatedProfile& rail, const TabulatedProfi
     ASSERT_FALSE(minima.empty());
     tally.worst = std::max(tally.worst, std::abs(found.front().distance - minima.front().distance));
     tally.several += found.size() > 1 && found[1].distance < found[0].distance + 0.5;
-    EXPECT_NEAR(found.front().distance, minima.front().distance, 1e-6)
+    EXPECT_NEAR(found.front().distance, minima.front().distance,
+                BruteForce::tolerance(pair, found.front().rail_s))
         << "case " << i << ": y " << position.lateral << " yaw " << position.yaw << " brute at x "
         << minima.front().x << " y " << minima.front().y << ", found x " << found.front().x << " y "
         << found.front().position.y;
     // Every minimum is there, unless less than a barrier tells it from a lower one.
     for (const BruteForce::Minimum& m : minima) {
-      const bool known = std::ranges::any_of(
-          found, [&](const TouchPoint& p) { return std::abs(p.distance - m.distance) < 1e-6; });
+      const bool known = std::ranges::any_of(found, [&](const TouchPoint& p) {
+        return std::abs(p.distance - m.distance) < BruteForce::tolerance(pair, p.rail_s);
+      });
       if (!known) {
         EXPECT_LT(brute.barrier(m), flat_distance)
             << "case " << i << ": " << m.distance << " at x " << m.x << " y " << m.y;
@@ -219,7 +229,8 @@ void compare_with_brute_force(const TabulatedProfile& rail, const TabulatedProfi
     for (const TouchPoint& p : found) {
       const Point2 section = wheel.at(p.wheel_s).position;
       const double forward = p.x - frame.centre[0] - section.y * frame.axle[0];
-      EXPECT_TRUE(brute.is_minimum(p, std::asin(forward / (position.wheel_radius + section.z))))
+      EXPECT_TRUE(brute.is_minimum(p, std::asin(forward / (position.wheel_radius + section.z)),
+                                   BruteForce::tolerance(pair, p.rail_s)))
           << "case " << i << ": " << p.distance << " at x " << p.x << " y " << p.position.y;
     }
   }
@@ -266,6 +277,70 @@ TEST(ContactSearch, FindsWhatBruteForceFindsOnSampleProfiles) {
     for (const TabulatedProfile& wheel : wheels)
       compare_with_brute_force(rail, wheel, 100, 3, tally);
   report("sample profiles", tally);
+}
+
+TabulatedProfile polyline(const char* name, std::vector<Point2> corners) {
+  std::vector<Point2> points{corners.front()};
+  for (std::size_t k = 0; k + 1 < corners.size(); ++k)
+    for (int i = 1; i <= 10; ++i)
+      points.push_back(corners[k] + 0.1 * i * (corners[k + 1] - corners[k]));
+  return ProfileCurve::through_points(name, points);
+}
+
+TEST(ContactSearch, FindsWhatBruteForceFindsAtKinks) {
+  // A tread with a square flange: a hollow corner and two sharp edges, on which a yawed wheel rides.
+  Tally tally;
+  compare_with_brute_force(named_profile("60E1", ProfileKind::rail),
+                           polyline("square flange", {{60, -2}, {-32, 0}, {-34, 20}, {-55, 21}, {-70, 5}}),
+                           60, 4, tally, 0.6);
+  report("square flange on 60E1", tally);
+  EXPECT_EQ(tally.refused, 0);
+}
+
+TEST(ContactSearch, AYawedFlangeTouchesInFront) {
+  // Front to the right: the flange of the right wheel, which runs to the left of its rail, meets it in front
+  // of the wheel's centre by r tan(yaw) tan(slope); the wheel itself has gone back by 750 mm sin(yaw).
+  for (const double yaw : {0.01, -0.01}) {
+    SceneFile::Position position;
+    position.lateral = 9;
+    position.yaw = yaw;
+    WheelOnRail pair =
+        place(position, named_profile("60E1", ProfileKind::rail), named_profile("S1002", ProfileKind::wheel));
+    const TouchPoint touch = lower_to_touch(pair).front();
+    ASSERT_LT(touch.delta, -1.0);
+    const double radius = 460 + pair.wheel.at(touch.wheel_s).position.z;
+    EXPECT_NEAR(touch.x, -750 * std::sin(yaw) + radius * std::tan(yaw) * std::tan(-touch.delta), 0.05 * 17);
+    EXPECT_GT(yaw * (touch.x + 750 * std::sin(yaw)), 0);
+  }
+}
+
+TEST(ContactSearch, AYawedBallTouchesBelowItsCentre) {
+  // A ball of radius 20 about the axle, 700 mm from the vertical it is yawed about.
+  WheelOnRail pair = shapes::arcs(80, 20, 20);
+  pair.yaw = 0.3;
+  pair.centre_y = -700;
+  const TouchPoint touch = lower_to_touch(pair).front();
+  const double y = -700 + 700 * std::cos(0.3);
+  EXPECT_NEAR(touch.x, -700 * std::sin(0.3), 1e-5);
+  EXPECT_NEAR(touch.delta, std::asin(y / 100), 1e-4);
+}
+
+TEST(ContactSearch, ALineContactIsOne) {
+  // A conical wheel on a rail whose head has a flat of the same slope, 10 mm wide between arcs of 40 mm:
+  // within flat_distance the arcs add sqrt(2 * 40 * 2e-5) on either side.
+  const double slope = -0.05;
+  std::vector<CurvePiece> head{arc_piece({0, 0}, slope - 1, 1 / 40.0, 40), arc_piece({0, 0}, slope, 0, 10),
+                               arc_piece({0, 0}, slope, 1 / 40.0, 40)};
+  const TabulatedProfile rail(ProfileCurve::from_pieces("flat head", head));
+  const TabulatedProfile wheel(ProfileCurve::from_pieces(
+      "cone", {line_piece({300, 300 * std::tan(slope)}, {-300, -300 * std::tan(slope)})}));
+  WheelOnRail pair{rail, wheel, {}, {{rail.at(0).position.y, 0}, 0}, 460};
+  const std::vector<TouchPoint> touch = lower_to_touch(pair);
+  ASSERT_EQ(touch.size(), 1u);
+  EXPECT_NEAR(touch[0].s_to - touch[0].s_from, 10 + 2 * std::sqrt(80 * flat_distance), 1e-3);
+  // Yawed, the cone is round along x there and touches in a point or two, still reported once.
+  pair.yaw = 0.02;
+  EXPECT_EQ(lower_to_touch(pair).size(), 1u);
 }
 
 } // namespace

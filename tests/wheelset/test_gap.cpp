@@ -1,6 +1,8 @@
 #include "bem_contact/wheelset/potential_contact.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/wheelset/contact_search.hpp"
 #include "tests/wheelset/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -73,6 +75,55 @@ TEST(UndeformedDistance, ConformalArcsAreTheirDifferenceOfRadii) {
     const double exact = std::sqrt(10.2 * 10.2 - std::pow(0.2 * std::sin(t), 2)) - 10 - 0.2 * std::cos(t);
     EXPECT_NEAR(gap[i], exact, 2e-7) << rows[i].s;
   }
+}
+
+TEST(UndeformedDistance, OfAYawedAndRolledWheelEndsOnItsSurface) {
+  // The point that far out along the normal, turned back by yaw and roll, lies on the profile at its radius,
+  // and no point before it does.
+  for (const double lateral : {-3.0, 6.6, 8.0})
+    for (const double yaw : {-0.024, 0.01}) {
+      SceneFile::Position position;
+      position.lateral = lateral, position.yaw = yaw, position.roll = 0.005;
+      WheelOnRail pair = place(position, named_profile("60E1", ProfileKind::rail),
+                               named_profile("S1002", ProfileKind::wheel));
+      const double before = pair.wheel_pose.origin.z;
+      const TouchPoint touch = lower_to_touch(pair).front();
+      const double height = -460 + pair.wheel_pose.origin.z - before; // of the wheelset's centre
+      const auto above_profile = [&](double x, Point2 p) {
+        const double across = (p.y - lateral) * std::cos(yaw) - x * std::sin(yaw);
+        const double forward = x * std::cos(yaw) + (p.y - lateral) * std::sin(yaw);
+        const double axial = across * std::cos(0.005) + (p.z - height) * std::sin(0.005);
+        const double down = -across * std::sin(0.005) + (p.z - height) * std::cos(0.005);
+        const Point2 q{axial - 750, std::hypot(forward, down) - 460};
+        const CurvePoint nearest = pair.wheel.nearest(q);
+        return dot(nearest.position - q, normal_of(nearest.delta)); // < 0: inside the wheel
+      };
+      const std::vector<ContactRow> rows = rows_of(pair, touch.rail_s - 6, touch.rail_s + 6, 1);
+      const std::vector<double> x{touch.x - 15, touch.x - 4, touch.x, touch.x + 0.3, touch.x + 9};
+      const std::vector<double> gap = undeformed_distance(pair, rows, x);
+      for (std::size_t is = 0; is < rows.size(); ++is)
+        for (std::size_t ix = 0; ix < x.size(); ++ix) {
+          const double h = gap[is * x.size() + ix];
+          if (h >= excluded_gap)
+            continue;
+          const auto at = [&](double t) { return rows[is].position - t * normal_of(rows[is].delta); };
+          EXPECT_NEAR(above_profile(x[ix], at(h)), 0, 1e-8);
+          for (double t = h - 0.01; t > -2; t -= 0.1)
+            EXPECT_GT(above_profile(x[ix], at(t)), 0) << t << " before " << h;
+        }
+      // At the touch point it is zero and rises on all sides.
+      const CurvePoint p = pair.rail_at(touch.rail_s);
+      const std::vector<ContactRow> row{{p.s, p.position, p.delta}};
+      const std::vector<double> around =
+          undeformed_distance(pair, row, std::vector<double>{touch.x, touch.x - 1, touch.x + 1});
+      EXPECT_NEAR(around[0], 0, 1e-8);
+      EXPECT_GT(around[1], 2e-4);
+      EXPECT_NEAR(around[1], around[2], 0.1 * around[1]);
+      // The curvature that the estimate uses.
+      const RowOnLocus on = rows_on_locus(ContactLocus(pair), row).front();
+      EXPECT_NEAR(on.x, touch.x, 1e-3);
+      EXPECT_NEAR(on.half, 0.5 * (around[1] + around[2]), 0.05 * on.half);
+    }
 }
 
 TEST(UndeformedDistance, IsLargeWhereTheNormalMissesTheWheel) {

@@ -72,6 +72,50 @@ TEST(Placement, RollAboutTheWheelsetsCentreLowersTheRightWheel) {
   EXPECT_NEAR(tape.z, -460 + 750 * std::sin(0.01) + 460 * std::cos(0.01), 1e-9);
 }
 
+TEST(Placement, TheLeftWheelIsTheMirrorImage) {
+  SceneFile::Position right, left;
+  right.lateral = 3, right.yaw = 0.01, right.roll = 0.02, right.cant = 0.025;
+  right.rail_lateral = 0.4, right.rail_vertical = 0.3, right.rail_roll = 0.01;
+  left = right;
+  left.side = "left";
+  left.lateral = -3, left.yaw = -0.01, left.roll = -0.02, left.rail_lateral = -0.4, left.rail_roll = -0.01;
+  const WheelOnRail a = s1002_on_60e1(right), b = s1002_on_60e1(left);
+  EXPECT_EQ(a.rail_pose.origin.y, b.rail_pose.origin.y);
+  EXPECT_EQ(a.rail_pose.origin.z, b.rail_pose.origin.z);
+  EXPECT_EQ(a.rail_pose.angle, b.rail_pose.angle);
+  EXPECT_EQ(a.wheel_frame().centre, b.wheel_frame().centre);
+  EXPECT_EQ(a.wheel_frame().axle, b.wheel_frame().axle);
+  // And a wheelset rolled right side down lifts the left wheel.
+  right = left = {};
+  right.roll = left.roll = 0.01;
+  left.side = "left";
+  EXPECT_GT(s1002_on_60e1(right).wheel_frame().centre[2], -460);
+  EXPECT_LT(s1002_on_60e1(left).wheel_frame().centre[2], -460);
+}
+
+TEST(Placement, YawTurnsTheFrontToTheRightAndTakesTheRightWheelBack) {
+  SceneFile::Position position;
+  position.yaw = 0.02;
+  position.lateral = 5;
+  const WheelFrame frame = s1002_on_60e1(position).wheel_frame();
+  EXPECT_NEAR(frame.forward[0], std::cos(0.02), 1e-15);
+  EXPECT_NEAR(frame.forward[1], std::sin(0.02), 1e-15);
+  EXPECT_NEAR(frame.centre[0], -750 * std::sin(0.02), 1e-12);
+  EXPECT_NEAR(frame.centre[1], 5 + 750 * std::cos(0.02), 1e-12);
+}
+
+TEST(Placement, DeviationsMoveTheRailAlone) {
+  SceneFile::Position position;
+  const WheelOnRail nominal = s1002_on_60e1(position);
+  position.rail_lateral = 1.5, position.rail_vertical = 0.7, position.rail_roll = 0.02;
+  const WheelOnRail moved = s1002_on_60e1(position);
+  const Point2 by = moved.rail_at(0).position - nominal.rail_at(0).position;
+  EXPECT_NEAR(by.y, 1.5, 1e-12);
+  EXPECT_NEAR(by.z, 0.7, 1e-12);
+  EXPECT_NEAR(moved.rail_at(10).delta - nominal.rail_at(10).delta, 0.02, 1e-14);
+  EXPECT_EQ(moved.wheel_frame().centre, nominal.wheel_frame().centre);
+}
+
 TEST(Placement, PoseGoesThereAndBack) {
   const Pose pose{{12, -3}, 0.7};
   const Point2 p = pose.to_section(pose.to_track({4, 9}));
