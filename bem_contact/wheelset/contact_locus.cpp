@@ -6,7 +6,7 @@ namespace bem_contact {
 
 namespace {
 
-constexpr double smooth = 1e-9;   // turn of the tangent at a node that is no kink
+constexpr double smooth = 1e-9;    // turn of the tangent at a node that is no kink
 constexpr double fan_step = 0.005; // rad, of the nodes at an edge
 
 /// Angle from a to b, of unit vectors.

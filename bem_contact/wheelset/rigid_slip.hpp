@@ -36,8 +36,8 @@ void set_rigid_slip(ContactProblem& problem, const WheelOnRail& pair, const Refe
                     const Creepage& creepage);
 
 /// A shift of the wheel that does not turn, on the same frames, mm: w_x = xi - phi s, w_s = (eta + phi x)
-/// cos(delta - delta of the reference point), xi, eta in mm and phi in rad, s along the tangent there, s and x
-/// from there.
+/// cos(delta - delta of the reference point), xi, eta in mm and phi in rad, s along the tangent there, s and
+/// x from there.
 void set_rigid_shift(ContactProblem& problem, const ReferencePoint& reference, const Creepage& creepage);
 
 /// The same as set_rigid_slip for a patch given directly: w_x = xi - phi s, w_s = eta + phi x (s measured
