@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <string>
+#include <string_view>
 #include <system_error>
 
 namespace bem_contact::meshes {
@@ -69,6 +71,15 @@ void write_with_gmsh(const QuadMesh& mesh, const std::string& file) {
   });
 }
 
+/// Gmsh does not tell when the disk is full: a whole file ends with its elements.
+bool is_whole(const std::filesystem::path& file) {
+  constexpr std::string_view end = "$EndElements\n";
+  std::ifstream in(file, std::ios::binary);
+  std::string found(end.size(), '\0');
+  return in.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end) &&
+         in.read(found.data(), static_cast<std::streamsize>(found.size())) && found == end;
+}
+
 } // namespace
 
 void write_msh(const QuadMesh& mesh, const std::filesystem::path& file) {
@@ -85,9 +96,11 @@ void write_msh(const QuadMesh& mesh, const std::filesystem::path& file) {
     std::filesystem::remove(temporary, error);
     throw;
   }
-  std::filesystem::rename(temporary, file, error);
-  if (error) {
-    const std::string why = error.message();
+  const bool whole = is_whole(temporary);
+  if (whole)
+    std::filesystem::rename(temporary, file, error);
+  if (!whole || error) {
+    const std::string why = whole ? error.message() : "writing stopped early, the disk may be full";
     std::filesystem::remove(temporary, error);
     throw InputError(fmt::format("the mesh cannot be written to '{}'", file.string()), why,
                      "Give another file with -o.");

@@ -59,10 +59,15 @@ std::string sha256(std::span<const std::byte> data) {
   return hex;
 }
 
+void seal(std::span<std::byte> whole_file, int format_major, int format_minor) {
+  const auto text = make_seal(format_major, format_minor, whole_file);
+  std::memcpy(whole_file.data(), text.data(), text.size());
+}
+
 void seal_file(const std::filesystem::path& file, int format_major, int format_minor) {
-  const auto seal = make_seal(format_major, format_minor, read_bytes(file));
+  const auto text = make_seal(format_major, format_minor, read_bytes(file));
   std::fstream out(file, std::ios::binary | std::ios::in | std::ios::out);
-  out.write(seal.data(), seal.size());
+  out.write(text.data(), text.size());
   out.close();
   if (!out)
     throw InputError("the influence file '" + file.string() + "' cannot be written", "the disk may be full",
@@ -96,8 +101,8 @@ void check_seal(const std::filesystem::path& file, int format_major) {
     throw InputError("the influence file " + name + " is truncated",
                      "it holds " + std::to_string(bytes.size()) + " of " + std::to_string(size) + " bytes",
                      again);
-  const auto seal = make_seal(major, minor, bytes);
-  if (std::memcmp(seal.data(), bytes.data(), seal_size) != 0)
+  const auto expected = make_seal(major, minor, bytes);
+  if (std::memcmp(expected.data(), bytes.data(), seal_size) != 0)
     throw InputError("the influence file " + name + " was altered", "its checksum does not hold", again);
 }
 

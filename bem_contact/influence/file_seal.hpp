@@ -19,7 +19,8 @@ std::string sha256(std::span<const std::byte> data);
 /// The HDF5 library is given only files whose seal holds, so that no damaged file reaches it.
 inline constexpr std::size_t seal_size = 512;
 
-/// Writes the seal over the first 512 bytes of a complete file.
+/// Writes the seal over the first 512 bytes of a complete file, in memory or on disk.
+void seal(std::span<std::byte> whole_file, int format_major, int format_minor);
 void seal_file(const std::filesystem::path& file, int format_major, int format_minor);
 
 /// Throws InputError for a file that is missing, no influence file, of another major version, truncated or

@@ -1,10 +1,12 @@
 #include "bem_contact/influence/h5_table.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/h5_handle.hpp"
+#include "bem_contact/influence/h5_image.hpp"
 
 #include <numeric>
-#include <system_error>
+#include <ostream>
 #include <utility>
 
 namespace bem_contact {
@@ -207,9 +209,9 @@ void H5Writer::finish() {
 }
 
 void write_h5(const std::filesystem::path& file, const H5Table& table) {
-  H5Writer writer(file);
-  writer.add(table);
-  writer.finish();
+  const QuietHdf5 silence;
+  const std::string image = h5_image(0, [&](hid_t root) { write_all(root, table, file); });
+  write_whole(file, [&](std::ostream& out) { out << image; });
 }
 
 H5Table read_h5(const std::filesystem::path& file) {

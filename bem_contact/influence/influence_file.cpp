@@ -1,11 +1,12 @@
 #include "bem_contact/influence/influence_file.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/h5_handle.hpp"
+#include "bem_contact/influence/h5_image.hpp"
 
-#include <unistd.h>
-
+#include <ostream>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -178,16 +179,7 @@ std::vector<double> unpacked(const std::vector<double>& lower, std::size_t n, st
   return kernel;
 }
 
-void write_contents(const std::filesystem::path& file, const InfluenceFunction& f) {
-  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "a property list");
-  check(H5Pset_userblock(creation, seal_size), "the user block");
-  check(H5Pset_obj_track_times(creation, false), "the root group"); // the same numbers give the same bytes
-  // The oldest format whose headers carry checksums (HDF5 1.8): the library is not safe on damaged ones
-  // without.
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a property list");
-  check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "the file's version");
-  const Handle root(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose,
-                    "creating '" + file.string() + "'");
+void write_contents(hid_t root, const InfluenceFunction& f) {
   write_attribute(root, "format_major", influence_format_major);
   write_attribute(root, "format_minor", influence_format_minor);
   for_each_scalar(f, [&](const char* name, const auto& value) { write_attribute(root, name, value); });
@@ -202,7 +194,6 @@ void write_contents(const std::filesystem::path& file, const InfluenceFunction& 
   write_table(root, "kernel", {nk, n * (n + 1) / 2}, packed(f.kernel, n, nk), "mm/MPa", true);
   write_table(root, "remote", {nk, 6, n}, f.remote, "mm/MPa, 1/MPa", true);
   write_table(root, "remote_self", {nk, 6, 6}, f.remote_self, "mm/MPa and per mm of each rotation");
-  check(H5Fflush(root, H5F_SCOPE_GLOBAL), "writing '" + file.string() + "'");
 }
 
 InfluenceFunction read_contents(const std::filesystem::path& file) {
@@ -240,18 +231,9 @@ InfluenceFunction read_influence_file(const std::filesystem::path& file) {
 void write_influence_file(const std::filesystem::path& file, const InfluenceFunction& function) {
   validate(function);
   const QuietHdf5 quiet;
-  std::filesystem::path temporary = file;
-  temporary += ".tmp" + std::to_string(getpid());
-  try {
-    write_contents(temporary, function);
-    seal_file(temporary, influence_format_major, influence_format_minor);
-    std::filesystem::rename(temporary, file);
-  } catch (const std::exception& error) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw InputError("the influence file '" + file.string() + "' cannot be written", error.what(),
-                     "check that its folder exists and has room");
-  }
+  std::string image = h5_image(seal_size, [&](hid_t root) { write_contents(root, function); });
+  seal(std::as_writable_bytes(std::span(image)), influence_format_major, influence_format_minor);
+  write_whole(file, [&](std::ostream& out) { out << image; });
 }
 
 } // namespace bem_contact

@@ -1,0 +1,73 @@
+#include "bem_contact/influence/h5_image.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/h5_handle.hpp"
+
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+namespace bem_contact {
+namespace {
+
+void check(bool good, const char* what) {
+  if (!good)
+    throw InputError(std::string("HDF5 failed at ") + what, "the memory may be full",
+                     "close other programs, or write a smaller file");
+}
+
+// The memory of HDF5's core driver goes through these, so that the bytes can be taken when the file is
+// closed: H5Fget_file_image of 1.10 gives a superblock whose checksum does not hold.
+struct Taken {
+  hsize_t size = 0;
+  std::string bytes;
+};
+
+void* allocate(size_t size, H5FD_file_image_op_t, void*) {
+  return std::malloc(size);
+}
+void* copy(void* to, const void* from, size_t size, H5FD_file_image_op_t, void*) {
+  return std::memcpy(to, from, size);
+}
+void* reallocate(void* memory, size_t size, H5FD_file_image_op_t, void*) {
+  return std::realloc(memory, size);
+}
+herr_t take(void* memory, H5FD_file_image_op_t operation, void* data) {
+  auto& taken = *static_cast<Taken*>(data);
+  if (operation == H5FD_FILE_IMAGE_OP_FILE_CLOSE)
+    taken.bytes.assign(static_cast<const char*>(memory), static_cast<std::size_t>(taken.size));
+  std::free(memory);
+  return 0;
+}
+void* share(void* data) {
+  return data;
+}
+herr_t keep(void*) {
+  return 0;
+}
+
+} // namespace
+
+std::string h5_image(std::size_t user_block, const std::function<void(hid_t root)>& fill) {
+  constexpr std::size_t increment = 1 << 20;
+  Taken taken;
+  H5FD_file_image_callbacks_t callbacks{allocate, copy, reallocate, take, share, keep, &taken};
+  const H5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose), access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  check(creation >= 0 && access >= 0 && H5Pset_userblock(creation, user_block) >= 0 &&
+            H5Pset_obj_track_times(creation, false) >= 0 &&
+            H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18) >= 0 &&
+            H5Pset_fapl_core(access, increment, false) >= 0 &&
+            H5Pset_file_image_callbacks(access, &callbacks) >= 0,
+        "its property lists");
+  {
+    const H5Handle root(H5Fcreate("in memory", H5F_ACC_TRUNC, creation, access), H5Fclose);
+    check(root >= 0, "making a file in memory");
+    fill(root);
+    check(H5Fflush(root, H5F_SCOPE_GLOBAL) >= 0 && H5Fget_filesize(root, &taken.size) >= 0,
+          "flushing a file in memory");
+  }
+  check(!taken.bytes.empty(), "closing a file in memory");
+  return std::move(taken.bytes);
+}
+
+} // namespace bem_contact
