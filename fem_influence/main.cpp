@@ -99,10 +99,10 @@ int main(int argc, char** argv) {
   } catch (const fem::FellowFailed&) {
     code = 2;
   } catch (const InputError& error) {
-    fmt::print(stderr, "fem_influence: {}\n", error.what());
+    fmt::print(stderr, "error: {}\n", error.what());
     code = 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "fem_influence: {}\n", error.what());
+    fmt::print(stderr, "error: {}\n", error.what());
     code = 1;
   }
   MPI_Finalize();

@@ -2,6 +2,8 @@
 
 #include "bem_contact/app/result_file.hpp"
 #include "bem_contact/app/sweep_file.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +21,7 @@ H5Table without_cases(H5Table table) {
   return table;
 }
 
-std::string describe_result(const H5Table& table, const std::string& title) {
+std::string describe_table(const H5Table& table, const std::string& title) {
   std::string out = title + "\n";
   for (const auto& [name, value] : table.attributes)
     out += std::holds_alternative<std::string>(value)
@@ -31,7 +33,7 @@ std::string describe_result(const H5Table& table, const std::string& title) {
   return out;
 }
 
-std::string describe_influence(const InfluenceFunction& f) {
+std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes) {
   const double half = 0.5 * f.station_width;
   const auto degrees = [](double rad) { return rad * 180 / std::numbers::pi; };
   std::string out = "Influence functions of one body\n";
@@ -47,30 +49,41 @@ std::string describe_influence(const InfluenceFunction& f) {
       "  strip: {} stations {:g} mm wide, s = {:.3f} .. {:.3f} mm, inclination {:.2f} .. {:.2f} degrees\n",
       f.station_count(), f.station_width, f.stations.front().s - half, f.stations.back().s + half,
       degrees(f.stations.front().delta), degrees(f.stations.back().delta));
+  const double shortest = f.wavenumber.back() > 0 ? 10 / f.wavenumber.back() : 0.0;
   out += fmt::format(
-      "  {} wavenumbers, 0 .. {:g} 1/mm; half period {:g} mm; shortest element along x {:.3g} mm\n",
-      f.wavenumber_count(), f.wavenumber.back(), f.half_period,
-      f.wavenumber.back() > 0 ? 10 / f.wavenumber.back() : 0.0);
-  out += fmt::format("  Maxwell-Betti {:.1e}, reaction against load {:.1e}, estimated error {}\n",
-                     f.betti_error, f.reaction_error,
+      "  {} wavenumbers, 0 .. {:g} 1/mm; half period {:g} mm: elements along x from {:.3g} mm{}, a "
+      "patch up to {:.4g} mm long\n",
+      f.wavenumber_count(), f.wavenumber.back(), f.half_period, shortest,
+      f.invariance == Invariance::revolution ? " (at the reference radius)" : "", f.half_period);
+  out += fmt::format("  estimated error {}; Maxwell-Betti {:.1e}, reaction against load {:.1e}\n",
                      f.estimated_error < 0 ? std::string("not given")
-                                           : fmt::format("{:.2e} of self", f.estimated_error));
+                                           : fmt::format("{:.2e} of the self number", f.estimated_error),
+                     f.betti_error, f.reaction_error);
+  out += fmt::format("  size: {:.2f} MB on disk, {:.0f} MB in memory\n", 1e-6 * static_cast<double>(bytes),
+                     8e-6 * static_cast<double>(f.kernel.size() + f.remote.size()));
   return out;
 }
 
 } // namespace
 
 std::string describe_file(const std::filesystem::path& file) {
+  // Only files whose seal holds go to HDF5.
+  if (begins_with_seal(file))
+    return describe_influence(read_influence_file(file), std::filesystem::file_size(file));
   const H5Table top = read_h5_top(file); // a sweep's fields may be large
   const auto format = top.attributes.find("format");
   const auto is = [&](const char* name) {
     return format != top.attributes.end() && format->second == H5Attribute(std::string(name));
   };
   if (is(result_format))
-    return describe_result(read_h5(file), "A result of bem_contact");
+    return describe_table(read_h5(file), "A result of bem_contact");
   if (is(sweep_format))
-    return describe_result(without_cases(top), "A sweep of bem_contact; cases/000012/ is a result file");
-  return describe_influence(read_influence_file(file));
+    return describe_table(without_cases(top), "A sweep of bem_contact; cases/000012/ is a result file");
+  if (is("conformal-contact influence numbers 1"))
+    return describe_table(read_h5(file), "Plain influence numbers");
+  throw InputError(fmt::format("'{}' is not a file of this project", file.string()),
+                   "it is HDF5 and neither influence functions, nor plain numbers, nor a result, nor a sweep",
+                   "Name a file that fem_influence or bem_contact wrote.");
 }
 
 } // namespace bem_contact::app

@@ -74,6 +74,12 @@ void seal_file(const std::filesystem::path& file, int format_major, int format_m
                      "make room and run again");
 }
 
+bool begins_with_seal(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string found(std::strlen(title), '\0');
+  return in.read(found.data(), static_cast<std::streamsize>(found.size())) && found == title;
+}
+
 void check_seal(const std::filesystem::path& file, int format_major) {
   const std::vector<std::byte> bytes = read_bytes(file);
   const std::string name = "'" + file.string() + "'";

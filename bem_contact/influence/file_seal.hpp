@@ -23,6 +23,9 @@ inline constexpr std::size_t seal_size = 512;
 void seal(std::span<std::byte> whole_file, int format_major, int format_minor);
 void seal_file(const std::filesystem::path& file, int format_major, int format_minor);
 
+/// Whether a file begins as a seal does, damaged or not; false where it cannot be read.
+bool begins_with_seal(const std::filesystem::path& file);
+
 /// Throws InputError for a file that is missing, no influence file, of another major version, truncated or
 /// altered.
 void check_seal(const std::filesystem::path& file, int format_major);

@@ -432,10 +432,15 @@ std::vector<std::string> check_scene(const SceneFile& scene) {
       return;
     }
     const auto [lo, hi] = std::ranges::minmax(s);
+    const double from = f->stations.front().s - f->station_width / 2,
+                 to = f->stations.back().s + f->station_width / 2;
+    const double off = std::max(from - (lo - problem.grid.ds / 2), hi + problem.grid.ds / 2 - to);
     lines.push_back(fmt::format(
-        "{}: influence file of '{}', strip s = {:.2f} .. {:.2f} mm; rows need {:.2f} .. {:.2f} mm", name,
-        f->body, f->stations.front().s - f->station_width / 2, f->stations.back().s + f->station_width / 2,
-        lo - problem.grid.ds / 2, hi + problem.grid.ds / 2));
+        "{}: influence file of '{}', strip s = {:.2f} .. {:.2f} mm; rows need {:.2f} .. {:.2f} mm: {}", name,
+        f->body, from, to, lo - problem.grid.ds / 2, hi + problem.grid.ds / 2,
+        off <= 0.01 * problem.grid.ds
+            ? "covered"
+            : fmt::format("they leave the strip by {:.2f} mm, where fem serves no contact", off)));
   };
   side("rail", stage.files.rail, stage.contact.rail_s);
   side("wheel", stage.files.wheel, stage.contact.wheel_s);

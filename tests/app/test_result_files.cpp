@@ -222,6 +222,21 @@ TEST_F(ResultFiles, InfoDescribesAnInfluenceFile) {
   EXPECT_EQ(r.code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("made up 60E1"));
   EXPECT_THAT(r.out, HasSubstr("48 stations 0.5 mm wide"));
+  for (const char* said :
+       {"elements along x from", "held: ", "estimated error", "Maxwell-Betti", "MB on disk"})
+    EXPECT_THAT(r.out, HasSubstr(said));
+}
+
+TEST_F(ResultFiles, CheckSaysWhetherTheStripsCoverTheRows) {
+  influence("wide.h5", "60E1", ProfileKind::rail, -44, -20);
+  influence("narrow.h5", "60E1", ProfileKind::rail, -44, -41);
+  influence("wheel.h5", "S1002", ProfileKind::wheel, 22, 48);
+  const Outcome wide = run("check '" + scene("wide.toml", sides("wide.h5", "wheel.h5")) + "'");
+  EXPECT_EQ(wide.code, 0) << wide.err;
+  EXPECT_THAT(wide.out, HasSubstr("mm: covered"));
+  const Outcome narrow = run("check '" + scene("narrow.toml", sides("narrow.h5", "wheel.h5")) + "'");
+  EXPECT_EQ(narrow.code, 0) << narrow.err;
+  EXPECT_THAT(narrow.out, HasSubstr("they leave the strip by"));
 }
 
 TEST_F(ResultFiles, TheSmallSceneIsConformalUnderTheShippedInfluenceFiles) {
