@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/h5_handle.hpp"
 
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
@@ -19,9 +20,16 @@ void check(bool good, const char* what) {
 // The memory of HDF5's core driver goes through these, so that the bytes can be taken when the file is
 // closed: H5Fget_file_image of 1.10 gives a superblock whose checksum does not hold.
 struct Taken {
-  hsize_t size = 0;
+  std::size_t user_block = 0;
   std::string bytes;
 };
+
+/// The buffer grows in steps; where the file ends is said by its superblock (version 2, byte 28).
+std::size_t end_of_file(const char* superblock) {
+  std::uint64_t end = 0;
+  std::memcpy(&end, superblock + 28, sizeof end);
+  return static_cast<std::size_t>(end);
+}
 
 void* allocate(size_t size, H5FD_file_image_op_t, void*) {
   return std::malloc(size);
@@ -35,7 +43,8 @@ void* reallocate(void* memory, size_t size, H5FD_file_image_op_t, void*) {
 herr_t take(void* memory, H5FD_file_image_op_t operation, void* data) {
   auto& taken = *static_cast<Taken*>(data);
   if (operation == H5FD_FILE_IMAGE_OP_FILE_CLOSE)
-    taken.bytes.assign(static_cast<const char*>(memory), static_cast<std::size_t>(taken.size));
+    taken.bytes.assign(static_cast<const char*>(memory),
+                       end_of_file(static_cast<const char*>(memory) + taken.user_block));
   std::free(memory);
   return 0;
 }
@@ -50,7 +59,7 @@ herr_t keep(void*) {
 
 std::string h5_image(std::size_t user_block, const std::function<void(hid_t root)>& fill) {
   constexpr std::size_t increment = 1 << 20;
-  Taken taken;
+  Taken taken{user_block, {}};
   H5FD_file_image_callbacks_t callbacks{allocate, copy, reallocate, take, share, keep, &taken};
   const H5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose), access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   check(creation >= 0 && access >= 0 && H5Pset_userblock(creation, user_block) >= 0 &&
@@ -63,8 +72,7 @@ std::string h5_image(std::size_t user_block, const std::function<void(hid_t root
     const H5Handle root(H5Fcreate("in memory", H5F_ACC_TRUNC, creation, access), H5Fclose);
     check(root >= 0, "making a file in memory");
     fill(root);
-    check(H5Fflush(root, H5F_SCOPE_GLOBAL) >= 0 && H5Fget_filesize(root, &taken.size) >= 0,
-          "flushing a file in memory");
+    check(H5Fflush(root, H5F_SCOPE_GLOBAL) >= 0, "flushing a file in memory");
   }
   check(!taken.bytes.empty(), "closing a file in memory");
   return std::move(taken.bytes);
