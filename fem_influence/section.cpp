@@ -82,6 +82,14 @@ void require_on_curve(Point2 a, Point2 b, const ProfileCurve& curve) {
                      "mesh the body file that is used here");
 }
 
+/// Whether an edge belongs to the profile though not to its strip.
+bool along_curve(Point2 a, Point2 b, const ProfileCurve& curve) {
+  constexpr double on_it = 1e-6; // mm
+  const Point2 middle = 0.5 * (a + b);
+  const auto off = [&](Point2 p) { return norm(curve.nearest(p).position - p); };
+  return off(a) < on_it && off(b) < on_it && off(middle) < 0.1 * norm(b - a);
+}
+
 /// The profile curve as deal.II's manifold: new points halve the arc length.
 class OnCurve : public dealii::Manifold<2> {
 public:
@@ -192,9 +200,13 @@ Section::Section(const std::filesystem::path& path, int degree, const ProfileCur
   require_groups(impl_->mesh, path);
   for (const auto& cell : impl_->mesh.active_cell_iterators())
     for (const auto f : cell->face_indices())
-      if (on_strip(cell, f)) {
-        require_on_curve(plain(cell->face(f)->vertex(0)), plain(cell->face(f)->vertex(1)), curve);
-        cell->face(f)->set_manifold_id(curve_id);
+      if (cell->at_boundary(f)) {
+        const Point2 a = plain(cell->face(f)->vertex(0)), b = plain(cell->face(f)->vertex(1));
+        if (on_strip(cell, f))
+          require_on_curve(a, b, curve);
+        // Straight edges next to the strip would be felt on it: all of the profile is curved.
+        if (on_strip(cell, f) || along_curve(a, b, curve))
+          cell->face(f)->set_manifold_id(curve_id);
       }
   impl_->mesh.set_manifold(curve_id, OnCurve(curve));
   refine(impl_->mesh, curve, strip, refinement);
