@@ -55,6 +55,20 @@ std::string fingerprint(const BodyFile& body, const ProfileCurve& curve, const s
   return "harmonic 3 " + std::to_string(hash);
 }
 
+/// Meshes of mesh_body say at their end which body file they were made from; others say nothing.
+void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh) {
+  std::ifstream in(mesh, std::ios::binary | std::ios::ate);
+  const auto size = static_cast<std::streamoff>(in.tellg());
+  constexpr std::streamoff tail = 200;
+  in.seekg(std::max<std::streamoff>(0, size - tail));
+  const std::string text{std::istreambuf_iterator<char>(in), {}}, mark = "$Comments\nbody file ";
+  const auto at = text.find(mark);
+  if (at != std::string::npos && text.substr(at + mark.size(), 16) != mesh_digest(body, curve.digest()))
+    throw InputError("The mesh '" + mesh.string() + "' was made from another body file",
+                     "its digest of [body], [strip] and [mesh] is another one",
+                     "make it anew: mesh_body BODY.toml -o " + mesh.string());
+}
+
 std::string method_of(const BodyFile& body, std::size_t cells) {
   return "harmonic, degree " + std::to_string(body.harmonic.degree) + ", " + std::to_string(cells) +
          " quadrilaterals, halved " + std::to_string(body.harmonic.border_levels) +
@@ -184,6 +198,7 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
     function = describe(body, curve, stations,
                         wavenumber_samples(half_period_of(body), shortest_reference_dx(body, stations),
                                            body.harmonic.samples_per_decade));
+    require_mesh_of(body, curve, mesh);
     run.solver(); // what is wrong with the mesh is found before anything is written
     for (std::size_t k = 0; k < function.wavenumber_count(); ++k)
       tasks.push_back({false, k});

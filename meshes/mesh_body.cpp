@@ -1,6 +1,7 @@
 #include "meshes/mesh_body.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
 #include "meshes/outline.hpp"
 
 #include <fmt/format.h>
@@ -63,6 +64,7 @@ QuadMesh mesh_section(const BodyFile& body) {
   QuadMesh mesh = split(coarse_mesh(outline), outline);
   smooth(mesh, sweeps);
   mesh.name = section.name;
+  mesh.body_digest = mesh_digest(body, body_profile(body).digest());
   mesh.section_area = area(section);
 
   const Quality report = quality(mesh);

@@ -18,8 +18,9 @@ inline constexpr double poor_quality = 0.2;     ///< below which the program war
 QuadMesh mesh_section(const BodyFile& body);
 
 /// Writes the mesh as MSH 4.1 (ASCII), first order, x and y of the file being (y, z) of the section, with
-/// the physical curves contact 1, held 2, free 3 and the physical surface body 10. Written under a
-/// temporary name and renamed. Throws InputError when the file cannot be written.
+/// the physical curves contact 1, held 2, free 3, the physical surface body 10 and, in $Comments at the end,
+/// the body file's digest. Written under a temporary name and renamed. Throws InputError when the file cannot
+/// be written.
 void write_msh(const QuadMesh& mesh, const std::filesystem::path& file);
 
 } // namespace bem_contact::meshes

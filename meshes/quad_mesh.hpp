@@ -18,6 +18,7 @@ struct BoundaryEdge {
 /// First-order quadrilaterals of a section; vertices of a quad run from +y towards +z.
 struct QuadMesh {
   std::string name;           ///< of the body
+  std::string body_digest;    ///< mesh_digest() of the body file; "" for none
   double section_area = 0;    ///< of the true section, mm^2
   std::vector<Point2> points; ///< (y, z), mm
   std::vector<std::array<int, 4>> quads;

@@ -92,6 +92,13 @@ void write_msh(const QuadMesh& mesh, const std::filesystem::path& file) {
   std::error_code error;
   try {
     write_with_gmsh(mesh, temporary.string());
+    if (!mesh.body_digest.empty()) {
+      std::ofstream end(temporary, std::ios::app);
+      end << "$Comments\nbody file " << mesh.body_digest << "\n$EndComments\n" << std::flush;
+      if (!end)
+        throw InputError(fmt::format("the mesh cannot be written to '{}'", file.string()),
+                         "the disk may be full", "Make room, or give another file with -o.");
+    }
   } catch (...) {
     std::filesystem::remove(temporary, error);
     throw;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace bem_contact {
 
@@ -223,6 +224,23 @@ BodyFile read_body_file(const std::filesystem::path& path) {
   BodyFile file = parse_body_file(read_text_file(path.string(), "body file"), path.string());
   file.folder = path.parent_path();
   return file;
+}
+
+std::string mesh_digest(const BodyFile& file, std::uint64_t profile_digest) {
+  const auto& [body, strip, mesh] = std::tie(file.body, file.strip, file.mesh);
+  std::string all =
+      fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", profile_digest, body.graft_onto,
+                  body.graft_at.y, body.graft_at.z, body.graft_angle, body.held, body.kind, body.profile,
+                  body.radius, body.size, body.reference_radius, strip.from, strip.to, strip.station_width,
+                  mesh.elements_per_station, mesh.grading, mesh.largest);
+  for (const auto& piece : body.outline)
+    all += fmt::format(" {} {} {} {}", piece.to.y, piece.to.z, piece.radius, piece.group);
+  for (const auto& hole : body.holes)
+    all += fmt::format(" {} {} {} {}", hole.centre.y, hole.centre.z, hole.radius, hole.group);
+  std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a
+  for (const char c : all)
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return fmt::format("{:016x}", hash);
 }
 
 std::string default_body_file() {

@@ -3,6 +3,7 @@
 #include "bem_contact/base/conventions.hpp"
 #include "bem_contact/base/material.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -76,6 +77,9 @@ struct BodyFile {
 /// Throws InputError (unknown key with the nearest names, wrong type, value out of range).
 BodyFile read_body_file(const std::filesystem::path& file);
 BodyFile parse_body_file(std::string_view toml, std::string_view source_name = "text");
+/// Digest of all that a mesh depends on, [body], [strip], [mesh] and the digest of the profile curve: tells
+/// the mesh of one body file from that of another. 16 hexadecimal digits.
+std::string mesh_digest(const BodyFile& body, std::uint64_t profile_digest);
 /// The whole schema with defaults, units, ranges and one line of documentation per key, as valid TOML.
 std::string default_body_file();
 

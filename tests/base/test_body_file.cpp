@@ -48,6 +48,19 @@ TEST(BodyFile, the_tolerance_chooses_what_is_not_given) {
   EXPECT_THAT(refusal("tolerance = 0.1"), HasSubstr("tolerance"));
 }
 
+TEST(BodyFile, the_digest_of_a_mesh_sees_what_the_mesh_depends_on) {
+  const auto digest = [](const char* toml, std::uint64_t profile = 1) {
+    return mesh_digest(parse_body_file(toml), profile);
+  };
+  const std::string usual = digest("");
+  EXPECT_EQ(usual.size(), 16u);
+  EXPECT_EQ(digest("[material]\npoisson = 0.3\n[harmonic]\ndegree = 2"), usual);
+  EXPECT_NE(digest("", 2), usual);
+  EXPECT_NE(digest("[body]\nprofile = \"60E2\""), usual);
+  EXPECT_NE(digest("[strip]\nto = -25"), usual);
+  EXPECT_NE(digest("[mesh]\ngrading = 0.2"), usual);
+}
+
 TEST(BodyFile, the_printed_schema_is_a_valid_file_with_the_defaults) {
   const BodyFile printed = parse_body_file(default_body_file()), defaults;
   EXPECT_EQ(printed.strip.to, defaults.strip.to);

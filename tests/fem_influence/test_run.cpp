@@ -35,6 +35,11 @@ BodyFile small_block() {
   return body;
 }
 
+constexpr const char* program_body = "[body]\nkind = \"block\"\nsize = 40.0\n"
+                                     "[strip]\nfrom = -2.0\nto = 2.0\nstation_width = 0.5\n"
+                                     "[harmonic]\ndegree = 2\nhalf_period = 120.0\nshortest_dx = 0.5\n"
+                                     "samples_per_decade = 6\nremote_distance = 20.0\n";
+
 std::string bytes(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -164,10 +169,7 @@ TEST_F(Run, finished_wavenumbers_of_another_material_are_not_taken_over) {
 }
 
 TEST_F(Run, the_program_gives_the_same_file_on_one_two_and_four_processes) {
-  write_text(folder_ / "body.toml", "[body]\nkind = \"block\"\nsize = 40.0\n"
-                                    "[strip]\nfrom = -2.0\nto = 2.0\nstation_width = 0.5\n"
-                                    "[harmonic]\ndegree = 2\nhalf_period = 120.0\nshortest_dx = 0.5\n"
-                                    "samples_per_decade = 6\nremote_distance = 20.0\n");
+  write_text(folder_ / "body.toml", program_body);
   const auto run = [&](int processes) {
     const auto out = folder_ / ("out" + std::to_string(processes) + ".h5");
     // A clean environment: this program is an MPI process itself, and mpirun would take its settings over.
@@ -227,6 +229,37 @@ TEST_F(Run, refuses_a_strip_that_does_not_match_the_mesh) {
   body = small_block();
   body.harmonic.half_period = 1;
   EXPECT_THAT(error_of("block.msh", "out.h5", body), HasSubstr("does not exceed that of harmonic 8"));
+}
+
+TEST_F(Run, refuses_the_mesh_of_another_body_file) {
+  const BodyFile body = small_block();
+  const ProfileCurve curve = straight_line(40);
+  const std::string mesh = bytes(folder_ / "block.msh");
+  const auto marked = [&](const std::string& digest) {
+    write_text(folder_ / "marked.msh", mesh + "$Comments\nbody file " + digest + "\n$EndComments\n");
+  };
+  BodyFile other = body;
+  other.body.size = 50;
+  marked(mesh_digest(other, curve.digest()));
+  EXPECT_THAT(error_of("marked.msh"),
+              AllOf(HasSubstr("was made from another body file"), HasSubstr("mesh_body")));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out.h5.part"));
+  marked(mesh_digest(body, curve.digest()));
+  EXPECT_EQ(error_of("marked.msh"), "no InputError");
+}
+
+// The program, with a limit on the size of its files: as a disk that is full.
+TEST_F(Run, a_full_disk_leaves_nothing_under_the_final_name) {
+  write_text(folder_ / "body.toml", program_body);
+  const std::string command = "cd " + (folder_ / "").string() + " && trap '' XFSZ && ulimit -f 40 && " +
+                              "OPENBLAS_NUM_THREADS=1 OMPI_MCA_btl=self " FEM_INFLUENCE_PROGRAM
+                              " body.toml block.msh -o full.h5 2> messages";
+  const char* path = std::getenv("PATH");
+  const int status = std::system(
+      ("env -i PATH='" + std::string(path ? path : "") + "' bash -c \"" + command + "\"").c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 2) << bytes(folder_ / "messages");
+  EXPECT_THAT(bytes(folder_ / "messages"), HasSubstr("the disk may be full"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "full.h5"));
 }
 
 TEST_F(Run, refuses_an_output_that_cannot_be_written) {
