@@ -121,10 +121,10 @@ SparseColumns station_functionals(const Section& section, const ProfileCurve& cu
 
 SparseColumns remote_functionals(const Section& section, std::span<const Station> stations, double distance) {
   const auto from_strip = [&](Point2 p) {
-    double nearest = std::numeric_limits<double>::max();
+    double nearest = std::numeric_limits<double>::max(); // squared: asked for at every quadrature point
     for (const Station& station : stations)
-      nearest = std::min(nearest, norm(p - station.position));
-    return nearest;
+      nearest = std::min(nearest, dot(p - station.position, p - station.position));
+    return std::sqrt(nearest);
   };
   double largest = 0;
   for (const Point2 p : section.node_positions())
