@@ -15,6 +15,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <optional>
 
 namespace bem_contact::fem {
@@ -144,7 +145,7 @@ public:
       const Section section(mesh_, body_.harmonic.degree, curve_, body_.strip,
                             {.borders = body_.harmonic.border_levels});
       cells_ = section.cell_count();
-      solver_.emplace(section, body_, curve_);
+      solver_ = std::make_unique<HarmonicSolver>(section, body_, curve_);
       unknowns_ = solver_->unknowns();
     }
     return *solver_;
@@ -153,7 +154,11 @@ public:
     solver();
     return pack(solver_->at(wavenumber));
   }
-  Timing timing() const { return timing_ + (solver_ ? solver_->timing() : Timing{}); }
+  Timing timing() const {
+    if (solver_)
+      return timing_ + solver_->timing();
+    return timing_;
+  }
   std::size_t cells() const { return cells_; }
   std::size_t unknowns() const { return unknowns_; }
   void release() {
@@ -165,7 +170,7 @@ private:
   const BodyFile& body_;
   const ProfileCurve& curve_;
   std::filesystem::path mesh_;
-  std::optional<HarmonicSolver> solver_;
+  std::unique_ptr<HarmonicSolver> solver_;
   std::size_t cells_ = 0, unknowns_ = 0;
   Timing timing_;
 };
