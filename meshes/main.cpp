@@ -2,6 +2,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "meshes/mesh_body.hpp"
+#include "meshes/solid_mesh.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -10,7 +11,9 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -20,7 +23,10 @@ constexpr const char* description =
     "Meshes the cross-section of a rail, wheel, block, disc or bore in quadrilaterals, graded to its "
     "contact\n"
     "strip. The .msh opens in gmsh; its x and y are y (to the right) and z (down) of the section, mm.\n"
-    "Physical groups: curves contact = 1, held = 2, free = 3; surface body = 10.";
+    "Physical groups: curves contact = 1, held = 2, free = 3; surface body = 10.\n"
+    "With --solid it meshes half of the 3-D body (x >= 0) in hexahedra, coarsely: fem_influence --solid "
+    "refines\n"
+    "them towards the load. Surfaces contact = 1, held = 2, free = 3, symmetry = 4; volume body = 10.";
 
 constexpr const char* example = "Example:\n"
                                 "  mesh_body data/bodies/rail_60E1_gauge_corner.toml -o rail.msh --quality\n"
@@ -36,19 +42,26 @@ void print_quality(const meshes::QuadMesh& mesh, const meshes::Quality& quality)
              quality.worst.y, quality.worst.z);
 }
 
-int run(const std::string& body_file, const std::string& output, bool report) {
+int run(const std::string& body_file, const std::string& output, bool solid, bool report) {
   const BodyFile body = read_body_file(body_file);
   refuse_overwriting(output, std::array<std::filesystem::path, 1>{body_file});
-  const meshes::QuadMesh mesh = meshes::mesh_section(body);
-  meshes::write_msh(mesh, output);
+  std::optional<meshes::SolidMesh> whole;
+  if (solid)
+    whole = meshes::mesh_solid(body);
+  const meshes::QuadMesh mesh = solid ? std::move(whole->section) : meshes::mesh_section(body);
+  solid ? meshes::write_msh(*whole, output) : meshes::write_msh(mesh, output);
   const meshes::Quality quality = meshes::quality(mesh);
   if (quality.smallest < meshes::poor_quality)
     fmt::print(stderr,
                "warning: the smallest scaled Jacobian is {:.3f} (below {} near y = {:.3f}, z = {:.3f} mm) "
                "Lower [mesh] grading or move the strip's ends.\n",
                quality.smallest, meshes::poor_quality, quality.worst.y, quality.worst.z);
-  fmt::print("{}: {} quadrilaterals, smallest scaled Jacobian {:.2f}, written to {}\n", mesh.name,
-             quality.quads, quality.smallest, output);
+  if (solid)
+    fmt::print("{}: {} hexahedra in {} layers, smallest scaled Jacobian {:.2f}, written to {}\n", mesh.name,
+               whole->hexahedra.size(), whole->layers.size() - 1, quality.smallest, output);
+  else
+    fmt::print("{}: {} quadrilaterals, smallest scaled Jacobian {:.2f}, written to {}\n", mesh.name,
+               quality.quads, quality.smallest, output);
   if (report)
     print_quality(mesh, quality);
   return 0;
@@ -60,9 +73,10 @@ int main(int argc, char** argv) {
   CLI::App app(description, "mesh_body");
   app.footer(example);
   std::string body_file, output;
-  bool report = false, print_default = false;
+  bool report = false, solid = false, print_default = false;
   app.add_option("BODY.toml", body_file, "body file");
   app.add_option("-o,--output", output, "mesh to write, e.g. rail.msh");
+  app.add_flag("--solid", solid, "mesh the 3-D body in hexahedra ([solid] of the body file)");
   app.add_flag("--quality", report, "print sizes, areas and the quality of the mesh");
   app.add_flag("--print-default", print_default, "print all keys of a body file with defaults and units");
   try {
@@ -77,7 +91,7 @@ int main(int argc, char** argv) {
     }
     if (body_file.empty() || output.empty())
       throw InputError("nothing to mesh", "a body file and -o OUT.msh are needed", "See mesh_body --help.");
-    return run(body_file, output, report);
+    return run(body_file, output, solid, report);
   } catch (const InputError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return 2;

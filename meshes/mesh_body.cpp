@@ -54,10 +54,10 @@ void check_strip(const QuadMesh& mesh, const Piece& strip, int edges, const std:
 
 } // namespace
 
-QuadMesh mesh_section(const BodyFile& body) {
+QuadMesh mesh_section(const BodyFile& body, double edge_angle) {
   const Section section = make_section(body);
   const int edges = strip_edges(body);
-  const Outline outline = divide(section, edges, body.mesh);
+  const Outline outline = divide(section, edges, body.mesh, edge_angle);
   refuse_crossings(outline, section.name);
 
   constexpr int sweeps = 10;

@@ -8,12 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace bem_contact::meshes {
 namespace {
 
-constexpr double edge_angle = 7.5 * std::numbers::pi / 180; // an arc turns by at most this in one edge
 constexpr double level_ratio = 1.05;
 constexpr double ray_step = 0.5; // mm between the places where the body's thickness is measured
 
@@ -74,7 +72,7 @@ std::vector<Candidate> thickness_candidates(const std::vector<Segment>& outline)
   return candidates;
 }
 
-void add_geometry(SizeField& size, const std::vector<Span>& spans) {
+void add_geometry(SizeField& size, const std::vector<Span>& spans, double edge_angle) {
   std::vector<Candidate> candidates = thickness_candidates(polygon(spans));
   for (const auto& span : spans)
     if (span.group != Group::contact)
@@ -195,7 +193,7 @@ double SizeField::operator()(Point2 p) const {
   return size;
 }
 
-Outline divide(const Section& section, int strip_edges, const BodyFile::Mesh& mesh) {
+Outline divide(const Section& section, int strip_edges, const BodyFile::Mesh& mesh, double edge_angle) {
   refuse_odd_strip_at_corner(section, strip_edges);
   std::vector<std::vector<Span>> loops;
   std::vector<Span> all;
@@ -211,7 +209,7 @@ Outline divide(const Section& section, int strip_edges, const BodyFile::Mesh& me
   Outline outline{{}, SizeField(mesh.largest, mesh.grading)};
   const Piece& piece = section.loops.front().front();
   outline.size.add((piece.to - piece.from) / strip_edges, places);
-  add_geometry(outline.size, all);
+  add_geometry(outline.size, all, edge_angle);
 
   bool odd = false;
   for (const auto& spans : loops) {

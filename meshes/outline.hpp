@@ -2,6 +2,7 @@
 
 #include "meshes/section.hpp"
 
+#include <numbers>
 #include <vector>
 
 namespace bem_contact::meshes {
@@ -38,10 +39,13 @@ struct Outline {
   SizeField size;
 };
 
+inline constexpr double fine_edge_angle = 7.5 * std::numbers::pi / 180;
+
 /// Divides a section's outline: the strip in `strip_edges` equal edges of arc length, the rest as the
-/// strip's grading, its arcs (7.5 degrees an edge) and half the thickness of the body there ask for.
+/// strip's grading, its arcs (`edge_angle` an edge) and half the thickness of the body there ask for.
 /// Throws InputError for an odd number of strip edges up to a corner.
-Outline divide(const Section& section, int strip_edges, const BodyFile::Mesh& mesh);
+Outline divide(const Section& section, int strip_edges, const BodyFile::Mesh& mesh,
+               double edge_angle = fine_edge_angle);
 
 /// Throws InputError when edges of the outline cross or touch each other, or a hole is not within the body.
 void refuse_crossings(const Outline& outline, const std::string& name);

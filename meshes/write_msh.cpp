@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "meshes/gmsh_session.hpp"
+#include "meshes/solid_mesh.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +14,7 @@
 namespace bem_contact::meshes {
 namespace {
 
-constexpr int line_type = 1, quad_type = 3;
+constexpr int line_type = 1, quad_type = 3, hexahedron_type = 5;
 
 std::size_t tag(int vertex) {
   return static_cast<std::size_t>(vertex) + 1;
@@ -50,6 +51,12 @@ void add_elements(const QuadMesh& mesh) {
   gmsh::model::mesh::addElementsByType(body_group, quad_type, {}, quads);
 }
 
+void write(const std::string& file) {
+  gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
+  gmsh::option::setNumber("Mesh.Binary", 0);
+  gmsh::write(file);
+}
+
 void write_with_gmsh(const QuadMesh& mesh, const std::string& file) {
   const GmshSession session(mesh.name);
   gmsh_call([&] {
@@ -65,9 +72,43 @@ void write_with_gmsh(const QuadMesh& mesh, const std::string& file) {
     gmsh::model::setPhysicalName(2, body_group, "body");
     add_nodes(mesh);
     add_elements(mesh);
-    gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
-    gmsh::option::setNumber("Mesh.Binary", 0);
-    gmsh::write(file);
+    write(file);
+  });
+}
+
+void write_with_gmsh(const SolidMesh& mesh, const std::string& file) {
+  const GmshSession session(mesh.name);
+  gmsh_call([&] {
+    const std::pair<int, const char*> groups[] = {{static_cast<int>(Group::contact), "contact"},
+                                                  {static_cast<int>(Group::held), "held"},
+                                                  {static_cast<int>(Group::free), "free"},
+                                                  {symmetry_group, "symmetry"}};
+    for (const auto& [group, name] : groups) {
+      gmsh::model::addDiscreteEntity(2, group);
+      gmsh::model::addPhysicalGroup(2, {group}, group);
+      gmsh::model::setPhysicalName(2, group, name);
+    }
+    gmsh::model::addDiscreteEntity(3, body_group, {1, 2, 3, 4});
+    gmsh::model::addPhysicalGroup(3, {body_group}, body_group);
+    gmsh::model::setPhysicalName(3, body_group, "body");
+    std::vector<std::size_t> tags;
+    std::vector<double> coordinates;
+    for (const Point3& p : mesh.points) {
+      tags.push_back(tags.size() + 1);
+      coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
+    }
+    gmsh::model::mesh::addNodes(3, body_group, tags, coordinates);
+    std::vector<std::size_t> faces[4], hexahedra;
+    for (const auto& face : mesh.faces)
+      for (const int vertex : face.vertices)
+        faces[face.group - 1].push_back(tag(vertex));
+    for (const auto& hexahedron : mesh.hexahedra)
+      for (const int vertex : hexahedron)
+        hexahedra.push_back(tag(vertex));
+    for (const auto& [group, name] : groups)
+      gmsh::model::mesh::addElementsByType(group, quad_type, {}, faces[group - 1]);
+    gmsh::model::mesh::addElementsByType(body_group, hexahedron_type, {}, hexahedra);
+    write(file);
   });
 }
 
@@ -80,9 +121,16 @@ bool is_whole(const std::filesystem::path& file) {
          in.read(found.data(), static_cast<std::streamsize>(found.size())) && found == end;
 }
 
-} // namespace
+/// Says which body file the mesh belongs to; false when the disk is full.
+bool add_comment(const std::string& body_digest, const std::filesystem::path& file) {
+  if (body_digest.empty())
+    return true;
+  std::ofstream out(file, std::ios::app);
+  out << "$Comments\nbody file " << body_digest << "\n$EndComments\n" << std::flush;
+  return out.good();
+}
 
-void write_msh(const QuadMesh& mesh, const std::filesystem::path& file) {
+template <class Mesh> void write_whole(const Mesh& mesh, const std::filesystem::path& file) {
   // Gmsh tells the format by the name's end.
   std::filesystem::path temporary = file;
   temporary += ".partial.msh";
@@ -90,20 +138,14 @@ void write_msh(const QuadMesh& mesh, const std::filesystem::path& file) {
     throw InputError(fmt::format("the mesh cannot be written to '{}'", file.string()),
                      "its folder does not exist or may not be written to", "Give another file with -o.");
   std::error_code error;
+  bool whole = false;
   try {
     write_with_gmsh(mesh, temporary.string());
-    if (!mesh.body_digest.empty()) {
-      std::ofstream end(temporary, std::ios::app);
-      end << "$Comments\nbody file " << mesh.body_digest << "\n$EndComments\n" << std::flush;
-      if (!end)
-        throw InputError(fmt::format("the mesh cannot be written to '{}'", file.string()),
-                         "the disk may be full", "Make room, or give another file with -o.");
-    }
+    whole = is_whole(temporary) && add_comment(mesh.body_digest, temporary);
   } catch (...) {
     std::filesystem::remove(temporary, error);
     throw;
   }
-  const bool whole = is_whole(temporary);
   if (whole)
     std::filesystem::rename(temporary, file, error);
   if (!whole || error) {
@@ -112,6 +154,16 @@ void write_msh(const QuadMesh& mesh, const std::filesystem::path& file) {
     throw InputError(fmt::format("the mesh cannot be written to '{}'", file.string()), why,
                      "Give another file with -o.");
   }
+}
+
+} // namespace
+
+void write_msh(const QuadMesh& mesh, const std::filesystem::path& file) {
+  write_whole(mesh, file);
+}
+
+void write_msh(const SolidMesh& mesh, const std::filesystem::path& file) {
+  write_whole(mesh, file);
 }
 
 } // namespace bem_contact::meshes

@@ -136,6 +136,25 @@ Schema schema_of(BodyFile& f, double& young) {
                 "the largest",
          .unit = "mm",
          .at_least = 0});
+
+  s.add("solid.size", f.solid.size,
+        {.doc = "3-D method: element size on the strip before the mesh is refined towards the load",
+         .unit = "mm",
+         .above = 0});
+  s.add("solid.degree", f.solid.degree,
+        {.doc = "Degree of the finite elements", .at_least = 1, .at_most = 4});
+  s.add("solid.dx", f.solid.dx,
+        {.doc = "Element length along x; 0: the station width", .unit = "mm", .at_least = 0});
+  s.add("solid.offsets", f.solid.offsets,
+        {.doc = "Influence numbers at x = 0, dx, .. (offsets - 1) dx", .at_least = 1, .at_most = 2000});
+  s.add("solid.elements_per_load", f.solid.elements_per_load,
+        {.doc = "Element edges along each side of the loaded element", .at_least = 1, .at_most = 64});
+  s.add("solid.grading", f.solid.grading,
+        {.doc = "Element size grows by this much per mm of distance from the loaded element",
+         .above = 0,
+         .at_most = 2});
+  s.add("solid.loads_at_once", f.solid.loads_at_once,
+        {.doc = "Stations loaded on one refined mesh: more need more memory", .at_least = 1});
   return s;
 }
 

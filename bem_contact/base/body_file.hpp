@@ -68,6 +68,15 @@ struct BodyFile {
     double remote_distance =
         0; ///< the remote section lies between one and two times this from the strip; 0: automatic
   } harmonic;
+  struct Solid {
+    double size = 2.5;         ///< element size on the strip of the 3-D mesh, before it is refined, mm
+    int degree = 2;            ///< of the finite elements
+    double dx = 0;             ///< element length along x, mm; 0: the station width
+    int offsets = 41;          ///< numbers at x = 0, dx, .. (offsets - 1) dx
+    int elements_per_load = 4; ///< element edges along each side of the loaded element
+    double grading = 0.25;     ///< h <= h_load + grading * distance from the loaded element
+    int loads_at_once = 4;     ///< stations loaded on one refined mesh
+  } solid;
   /// Not keys: whether the file has those that follow from the tolerance else.
   struct Given {
     bool grading = false, degree = false, border_levels = false, samples_per_decade = false;
