@@ -2,9 +2,13 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
+#include "bem_contact/influence/expand.hpp"
+#include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "fem_influence/parallel.hpp"
 #include "fem_influence/run.hpp"
+#include "fem_influence/solid_run.hpp"
+#include "fem_influence/strip.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -17,6 +21,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <sstream>
+#include <vector>
 
 namespace {
 
@@ -73,6 +79,73 @@ void run(const std::string& body_file, const std::string& mesh, const std::strin
     print(report, output);
 }
 
+struct SolidArguments {
+  bool solid = false;
+  std::string check, loads, vtu;
+  int component = component_n;
+};
+
+std::vector<int> station_numbers(const std::string& text, std::size_t stations) {
+  std::vector<int> numbers;
+  if (text.empty())
+    return {static_cast<int>(stations / 2)};
+  std::istringstream in(text);
+  for (std::string word; std::getline(in, word, ',');)
+    try {
+      std::size_t end = 0;
+      numbers.push_back(std::stoi(word, &end));
+      if (end != word.size())
+        throw std::invalid_argument(word);
+    } catch (const std::logic_error&) {
+      throw InputError("'" + text + "' is no list of stations", "'" + word + "' is no whole number",
+                       "give --load-station as in 12 or 12,40,66");
+    }
+  return numbers;
+}
+
+void print_check(const std::vector<fem::SolidDifference>& bands) {
+  constexpr const char* name = "xsn";
+  fmt::print("{:<16}{:>9}  largest of self and of local, %; then each component of local, %\n", "distance",
+             "elements");
+  for (const auto& band : bands) {
+    if (band.elements == 0)
+      continue;
+    double self = 0, local = 0;
+    std::string each;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        self = std::max(self, band.of_self[i][j]);
+        local = std::max(local, band.of_local[i][j]);
+        each += fmt::format(" {}{} {:.3f}", name[i], name[j], 100 * band.of_local[i][j]);
+      }
+    fmt::print("{:<16}{:>9}  {:.3f} {:.3f} {}\n",
+               band.up_to == 0 ? "loaded element" : fmt::format("to {} mm", band.up_to), band.elements,
+               100 * self, 100 * local, each);
+  }
+}
+
+void run_solid(const std::string& body_file, const std::string& mesh, const SolidArguments& arguments) {
+  const BodyFile body = read_body_file(body_file);
+  if (!arguments.vtu.empty())
+    refuse_overwriting(arguments.vtu, std::array<std::filesystem::path, 3>{body_file, mesh, arguments.check});
+  const ProfileCurve curve = body_profile(body);
+  const std::vector<int> loads =
+      station_numbers(arguments.loads, fem::make_stations(body.strip, curve).size());
+  fem::SolidReport report;
+  const fem::SolidNumbers numbers = fem::solid_numbers(body, curve, mesh, loads, report,
+                                                       {arguments.vtu, loads.front(), arguments.component});
+  fmt::print(stderr, "{}: {} cells, {} unknowns, {:.1f} s, {:.2f} GiB, Maxwell-Betti {:.1e}\n", mesh,
+             report.cells, report.unknowns, report.seconds, report.peak_memory, report.betti_error);
+  if (!arguments.check.empty()) {
+    const InfluenceFunction function = read_influence_file(arguments.check);
+    require_profile(function, curve.name(), curve.digest());
+    require_material(function, body.material);
+    print_check(fem::compare(numbers, expand(function, {.dx = numbers.dx,
+                                                        .offsets = numbers.offsets,
+                                                        .structural = StructuralCompliance::included})));
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -83,7 +156,16 @@ int main(int argc, char** argv) {
   std::string body_file, mesh, output;
   app.add_option("body", body_file, "Body file (TOML), the one mesh_body read")->required();
   app.add_option("mesh", mesh, "Mesh of the cross-section (gmsh .msh)")->required();
-  app.add_option("-o,--output", output, "Influence file to write (.h5)")->required();
+  app.add_option("-o,--output", output, "Influence file to write (.h5)");
+  SolidArguments solid;
+  app.add_flag("--solid", solid.solid, "The mesh is 3-D (mesh_body --solid, or your own)");
+  app.add_option("--check", solid.check, "Influence file of the same body to compare the 3-D numbers with");
+  app.add_option(
+      "--load-station", solid.loads,
+      "Stations to load, from 0, as in 12 or 12,40 (with --check and --vtu; default: the middle one)");
+  app.add_option("--load-component", solid.component, "Component of the load: 0 = x, 1 = s, 2 = n (default)")
+      ->check(CLI::Range(0, 2));
+  app.add_option("--vtu", solid.vtu, "Displacement field of one load for ParaView (.vtu)");
   // Before MPI starts, so that --help and misspelt options need no MPI.
   try {
     app.parse(argc, argv);
@@ -95,7 +177,10 @@ int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
   int code = 0;
   try {
-    run(body_file, mesh, output);
+    if (solid.solid)
+      run_solid(body_file, mesh, solid);
+    else
+      run(body_file, mesh, output);
   } catch (const fem::FellowFailed&) {
     code = 2;
   } catch (const InputError& error) {

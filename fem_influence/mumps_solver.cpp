@@ -127,6 +127,10 @@ MumpsSolver::~MumpsSolver() {
   impl_->call(-2);
 }
 
+double MumpsSolver::estimated_memory() const {
+  return impl_->id.infog[15] * 1e6 / (1024.0 * 1024.0 * 1024.0);
+}
+
 void MumpsSolver::factorize(std::span<const double> value) {
   impl_->value.assign(value.begin(), value.end());
   impl_->value.insert(impl_->value.end(), impl_->border_value.begin(), impl_->border_value.end());

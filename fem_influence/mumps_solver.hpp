@@ -28,6 +28,8 @@ public:
   MumpsSolver(const MumpsSolver&) = delete;
   MumpsSolver& operator=(const MumpsSolver&) = delete;
 
+  double estimated_memory() const; ///< of the factorization, by the analysis, GiB
+
   /// Throws InputError where the matrix is not positive definite, Error where memory is short.
   void factorize(std::span<const double> value);
 

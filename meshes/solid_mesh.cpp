@@ -18,7 +18,7 @@ namespace bem_contact::meshes {
 namespace {
 
 // Coarse away from the load: the program that refines the mesh knows where accuracy is wanted.
-constexpr double coarse_edge_angle = std::numbers::pi / 8, layer_growth = 0.6;
+constexpr double coarse_edge_angle = std::numbers::pi / 12, layer_growth = 0.6;
 constexpr double coarse_gradings[] = {0.8, 0.65, 0.5}, good_quality = 0.3;
 constexpr double widest_sector = 20 * std::numbers::pi / 180; // of one layer of a wheel
 
