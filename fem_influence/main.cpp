@@ -7,7 +7,7 @@
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "fem_influence/parallel.hpp"
 #include "fem_influence/run.hpp"
-#include "fem_influence/solid_run.hpp"
+#include "fem_influence/solid_check.hpp"
 #include "fem_influence/strip.hpp"
 
 #include <CLI/CLI.hpp>
@@ -140,9 +140,13 @@ void run_solid(const std::string& body_file, const std::string& mesh, const Soli
     const InfluenceFunction function = read_influence_file(arguments.check);
     require_profile(function, curve.name(), curve.digest());
     require_material(function, body.material);
-    print_check(fem::compare(numbers, expand(function, {.dx = numbers.dx,
-                                                        .offsets = numbers.offsets,
-                                                        .structural = StructuralCompliance::included})));
+    const InfluenceNumbers reference =
+        expand(function,
+               {.dx = numbers.dx, .offsets = numbers.offsets, .structural = StructuralCompliance::included});
+    for (const bool removed : {false, true}) {
+      fmt::print("{}\n", removed ? "rigid motion of the differences removed:" : "as computed:");
+      print_check(fem::compare(numbers, reference, function.reference_radius, removed));
+    }
   }
 }
 

@@ -129,37 +129,4 @@ SolidNumbers solid_numbers(const BodyFile& body, const ProfileCurve& curve, cons
   return result;
 }
 
-std::vector<SolidDifference> compare(const SolidNumbers& a, const InfluenceNumbers& reference) {
-  if (reference.rows != static_cast<int>(a.stations.size()) || reference.offsets < a.offsets ||
-      std::abs(reference.dx - a.dx) > 1e-9 * a.dx || std::abs(reference.ds - a.ds) > 1e-9 * a.ds)
-    throw InputError("The influence numbers cannot be compared", "they belong to other stations or elements",
-                     "compute both from one body file");
-  std::vector<SolidDifference> bands{{.up_to = 0}, {.up_to = 1.6}, {.up_to = 4.5}, {.up_to = 16}};
-  for (std::size_t load = 0; load < a.loads.size(); ++load) {
-    const int J = a.loads[load];
-    for (int m = 0; m < a.offsets; ++m)
-      for (int I = 0; I < reference.rows; ++I) {
-        const Station &p = a.stations[static_cast<std::size_t>(I)],
-                      &q = a.stations[static_cast<std::size_t>(J)];
-        const double distance = std::hypot(m * a.dx, norm(p.position - q.position));
-        const auto band = std::find_if(bands.begin(), bands.end(),
-                                       [&](const auto& b) { return distance <= b.up_to * (1 + 1e-9); });
-        if (band == bands.end())
-          continue;
-        ++band->elements;
-        double local = 0;
-        for (int i = 0; i < 3; ++i)
-          local = std::max(local, std::abs(reference.at(m, I, i, J, i)));
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j) {
-            const double difference = std::abs(a.at(load, j, m, I, i) - reference.at(m, I, i, J, j));
-            const double self = std::sqrt(reference.at(0, J, i, J, i) * reference.at(0, J, j, J, j));
-            band->of_self[i][j] = std::max(band->of_self[i][j], difference / self);
-            band->of_local[i][j] = std::max(band->of_local[i][j], difference / local);
-          }
-      }
-  }
-  return bands;
-}
-
 } // namespace bem_contact::fem

@@ -49,16 +49,4 @@ SolidNumbers solid_numbers(const BodyFile& body, const ProfileCurve& curve, cons
                            std::vector<int> loads, SolidReport& report, const FieldWanted& field = {},
                            const SolidProgress& progress = {});
 
-/// Largest differences to other numbers in bands of distance from the load.
-struct SolidDifference {
-  double up_to = 0;           ///< distance, mm; the first band, 0, is the loaded element
-  int elements = 0;           ///< compared
-  double of_self[3][3] = {};  ///< largest |difference| of A_ij over sqrt(A_ii A_jj) of the loaded element
-  double of_local[3][3] = {}; ///< over max_i |A_ii| at the same element
-};
-
-/// Bands: the loaded element, then up to 1.6, 4.5, 16 mm (distance between the elements' centres).
-/// `reference`: of all stations, the same dx and ds and at least as many offsets.
-std::vector<SolidDifference> compare(const SolidNumbers& numbers, const InfluenceNumbers& reference);
-
 } // namespace bem_contact::fem

@@ -23,6 +23,8 @@ constexpr double coarse_gradings[] = {0.8, 0.65, 0.5}, good_quality = 0.3;
 constexpr double widest_sector = 20 * std::numbers::pi / 180; // of one layer of a wheel
 
 double reference_radius(const BodyFile& body) {
+  if (body.body.kind == "outline")
+    return body.body.reference_radius;
   return body.body.kind == "wheel" ? WheelSection{}.tape_radius : 0.0;
 }
 

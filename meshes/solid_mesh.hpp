@@ -35,11 +35,11 @@ struct SolidMesh {
 };
 
 /// The 3-D body, for loads on the strip near x = 0: a prism extruded from x = 0 to harmonic.half_period, a
-/// wheel swept round its axle from theta = 0 to pi; both ends are mirror planes, so that the body is the one
-/// that the Fourier series of the harmonic method describes. On the strip, edges are as many whole stations
-/// long (a power of two of them) as solid.size allows: halving them again and again ends at the stations'
-/// borders, as halving the first layer does at dx / 2. To that end the group `contact` may reach a few
-/// stations beyond the strip. Away from the strip and along x elements grow by mesh.grading.
+/// body of revolution swept round its axle from theta = 0 to pi; both ends are mirror planes, so that the
+/// body is the one that the Fourier series of the harmonic method describes. On the strip, edges are as many
+/// whole stations long (a power of two of them) as solid.size allows: halving them again and again ends at
+/// the stations' borders, as halving the first layer does at dx / 2. To that end the group `contact` may
+/// reach a few stations beyond the strip. Away from the strip and along x elements grow by mesh.grading.
 /// Throws InputError as mesh_section does.
 SolidMesh mesh_solid(const BodyFile& body);
 

@@ -73,8 +73,8 @@ struct BodyFile {
     int degree = 2;            ///< of the finite elements
     double dx = 0;             ///< element length along x, mm; 0: the station width
     int offsets = 41;          ///< numbers at x = 0, dx, .. (offsets - 1) dx
-    int elements_per_load = 4; ///< element edges along each side of the loaded element
-    double grading = 0.25;     ///< h <= h_load + grading * distance from the loaded element
+    int elements_per_load = 8; ///< element edges along each side of the loaded element
+    double grading = 0.3;      ///< h <= h_load + grading * distance from the loaded element
     int loads_at_once = 4;     ///< stations loaded on one refined mesh
   } solid;
   /// Not keys: whether the file has those that follow from the tolerance else.
