@@ -1,0 +1,200 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/halfspace/rectangle.hpp"
+#include "fem_influence/solid_check.hpp"
+#include "fem_influence/solid_surface.hpp"
+#include "section_meshes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <sstream>
+
+namespace bem_contact::fem::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+constexpr double half = 48; // of the block along x and y, and its depth
+
+/// x from 0 to half, y from -half to half, z from 0 to half in a few hexahedra; MSH 2.2. `contact`: the
+/// number of the top's group; `tetrahedron`: adds one.
+void write_box(const std::filesystem::path& file, int contact = 1, bool tetrahedron = false) {
+  const std::vector<double> x = {0, 3, 8, 20, half}, y = {-half, -20, -8, -3, 0, 3, 8, 20, half}, z = x;
+  const auto at = [&](std::size_t i, std::size_t j, std::size_t k) {
+    return 1 + i + x.size() * (j + y.size() * k);
+  };
+  std::ostringstream nodes, elements;
+  std::size_t node = 0, element = 0;
+  for (const double c : z)
+    for (const double b : y)
+      for (const double a : x)
+        nodes << ++node << ' ' << a << ' ' << b << ' ' << c << '\n';
+  const auto quad = [&](int group, std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+    elements << ++element << " 3 2 " << group << ' ' << group << ' ' << a << ' ' << b << ' ' << c << ' ' << d
+             << '\n';
+  };
+  const std::size_t nx = x.size() - 1, ny = y.size() - 1, nz = z.size() - 1;
+  for (std::size_t i = 0; i < nx; ++i)
+    for (std::size_t j = 0; j < ny; ++j) {
+      quad(contact, at(i, j, 0), at(i + 1, j, 0), at(i + 1, j + 1, 0), at(i, j + 1, 0));
+      quad(2, at(i, j, nz), at(i + 1, j, nz), at(i + 1, j + 1, nz), at(i, j + 1, nz));
+    }
+  for (std::size_t k = 0; k < nz; ++k) {
+    for (std::size_t j = 0; j < ny; ++j) {
+      quad(4, at(0, j, k), at(0, j + 1, k), at(0, j + 1, k + 1), at(0, j, k + 1));
+      quad(3, at(nx, j, k), at(nx, j + 1, k), at(nx, j + 1, k + 1), at(nx, j, k + 1));
+    }
+    for (std::size_t i = 0; i < nx; ++i)
+      for (const std::size_t j : {std::size_t{0}, ny})
+        quad(3, at(i, j, k), at(i + 1, j, k), at(i + 1, j, k + 1), at(i, j, k + 1));
+  }
+  for (std::size_t k = 0; k < nz; ++k)
+    for (std::size_t j = 0; j < ny; ++j)
+      for (std::size_t i = 0; i < nx; ++i) {
+        elements << ++element << " 5 2 10 10";
+        for (const std::size_t c : {k, k + 1})
+          elements << ' ' << at(i, j, c) << ' ' << at(i + 1, j, c) << ' ' << at(i + 1, j + 1, c) << ' '
+                   << at(i, j + 1, c);
+        elements << '\n';
+      }
+  if (tetrahedron)
+    elements << ++element << " 4 2 10 10 " << at(0, 0, 0) << ' ' << at(1, 0, 0) << ' ' << at(0, 1, 0) << ' '
+             << at(0, 0, 1) << '\n';
+  std::ofstream(file) << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
+                      << node << '\n'
+                      << nodes.str() << "$EndNodes\n$Elements\n"
+                      << element << '\n'
+                      << elements.str() << "$EndElements\n";
+}
+
+BodyFile block() {
+  BodyFile body;
+  body.body.kind = "block";
+  body.strip = {-4, 4, 1};
+  body.solid.offsets = 4;
+  body.solid.elements_per_load = 4;
+  body.solid.grading = 0.5;
+  return body;
+}
+
+class Solid : public ::testing::Test {
+protected:
+  std::string error_of(const BodyFile& body = block(), const std::vector<int>& loads = {4}) {
+    SolidReport report;
+    try {
+      solid_numbers(body, straight_line(half), folder_ / "box.msh", loads, report);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no InputError";
+  }
+  Folder folder_;
+};
+
+TEST_F(Solid, flat_block_converges_to_the_halfspace) {
+  write_box(folder_ / "box.msh");
+  BodyFile body = block();
+  const InfluenceNumbers exact = halfspace::numbers(body.material, 1, 1, 4, 8);
+  double before = 0;
+  for (const int elements : {2, 4}) {
+    body.solid.elements_per_load = elements;
+    SolidReport report;
+    const SolidNumbers numbers = solid_numbers(body, straight_line(half), folder_ / "box.msh", {4}, report);
+    double self = 0;
+    for (int i = 0; i < 3; ++i) {
+      // The block's own motion reaches some percent of the self number: the differences to the elements
+      // three millimetres off are free of it.
+      const double here = numbers.at(0, i, 0, 4, i) - numbers.at(0, i, 0, 1, i),
+                   there = exact.at(0, 4, i, 4, i) - exact.at(0, 1, i, 4, i);
+      self = std::max(self, std::abs(here / there - 1));
+    }
+    if (before > 0) {
+      EXPECT_LT(self, 0.006);
+      EXPECT_LT(self, before / 2.5);
+    }
+    before = self;
+  }
+}
+
+TEST_F(Solid, loads_of_one_mesh_are_reciprocal_and_the_field_is_written) {
+  write_box(folder_ / "box.msh");
+  BodyFile body = block();
+  body.solid.elements_per_load = 1;
+  body.solid.loads_at_once = 2;
+  SolidReport report;
+  const SolidNumbers numbers = solid_numbers(body, straight_line(half), folder_ / "box.msh", {2, 5}, report,
+                                             {folder_ / "field.vtu", 5, component_n});
+  EXPECT_LT(report.betti_error, 1e-10);
+  EXPECT_GT(numbers.at(0, component_n, 0, 2, component_n), 0);
+  EXPECT_LT(numbers.at(0, component_n, 1, 2, component_x),
+            0); // a pressure pulls what lies ahead towards itself
+  std::ifstream in(folder_ / "field.vtu");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_THAT(text, AllOf(HasSubstr("VTKFile"), HasSubstr("displacement_mm")));
+}
+
+TEST_F(Solid, refuses_what_does_not_fit) {
+  EXPECT_THAT(error_of(), AllOf(HasSubstr("cannot be read"), HasSubstr("mesh_body --solid")));
+  write_box(folder_ / "box.msh", 7);
+  EXPECT_THAT(error_of(), HasSubstr("has no group 'contact' (physical surface 1)"));
+  write_box(folder_ / "box.msh", 1, true);
+  EXPECT_THAT(error_of(), HasSubstr("hexahedra"));
+  write_box(folder_ / "box.msh");
+  EXPECT_THAT(error_of(block(), {8}), HasSubstr("There is no station 8 to load (the strip has 8"));
+  BodyFile far = block();
+  far.solid.offsets = 80;
+  far.solid.elements_per_load = 1;
+  EXPECT_THAT(error_of(far), HasSubstr("The mesh's group 'contact' does not cover the strip"));
+  SolidReport report;
+  try {
+    solid_numbers(block(), full_circle(40, true), folder_ / "box.msh", {4}, report);
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("does not fit the profile"));
+  }
+}
+
+TEST(SolidSurface, frame_and_places_of_a_wheel) {
+  const ContactSurface surface(straight_line(20, true), 460);
+  for (const double x : {0.0, 3.0, -2.0, 460 * std::numbers::pi}) {
+    const Vector3 p = surface.position({5, x});
+    const SurfacePoint back = surface.nearest(p);
+    EXPECT_NEAR(back.s, 5, 1e-9);
+    EXPECT_NEAR(back.x, x, 1e-9);
+    const auto frame = surface.frame({5, x});
+    EXPECT_NEAR(frame[component_n][0], -std::sin(x / 460), 1e-12); // into the wheel: towards the axle
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        double product = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+          product += frame[i][c] * frame[j][c];
+        EXPECT_NEAR(product, i == j ? 1 : 0, 1e-12);
+      }
+  }
+}
+
+TEST(SolidSurface, a_patch_is_shared_out_among_skewed_faces) {
+  const SurfacePatch patch{-0.3, 0.4, 0, 0.5};
+  // Two faces whose common side runs aslant through the patch.
+  const std::array<SurfacePoint, 4> left{{{-1, 0}, {0.2, 0}, {-1, 1}, {-0.4, 1}}},
+      right{{{0.2, 0}, {1, 0}, {-0.4, 1}, {1, 1}}};
+  double area = 0, moment = 0;
+  for (const auto& face : {left, right})
+    for_each_common_point(face, patch, [&](const FacePoint& p) {
+      area += p.weight;
+      moment += p.weight * p.place.s * p.place.s * p.place.x;
+      const double low = (1 - p.xi) * face[0].s + p.xi * face[1].s,
+                   high = (1 - p.xi) * face[2].s + p.xi * face[3].s;
+      EXPECT_NEAR((1 - p.eta) * low + p.eta * high, p.place.s, 1e-12);
+    });
+  EXPECT_NEAR(area, patch.area(), 1e-12);
+  EXPECT_NEAR(moment, (0.4 * 0.4 * 0.4 + 0.3 * 0.3 * 0.3) / 3 * 0.125, 1e-12);
+}
+
+} // namespace
+} // namespace bem_contact::fem::test
