@@ -8,6 +8,7 @@
 #include "fem_influence/parallel.hpp"
 #include "fem_influence/run.hpp"
 #include "fem_influence/solid_check.hpp"
+#include "fem_influence/solid_file.hpp"
 #include "fem_influence/strip.hpp"
 
 #include <CLI/CLI.hpp>
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <numeric>
 #include <optional>
 #include <sstream>
 #include <vector>
@@ -124,18 +126,46 @@ void print_check(const std::vector<fem::SolidDifference>& bands) {
   }
 }
 
-void run_solid(const std::string& body_file, const std::string& mesh, const SolidArguments& arguments) {
+void run_solid(const std::string& body_file, const std::string& mesh, const std::string& output,
+               const SolidArguments& arguments) {
+  if (fem::process_rank() != 0) // one process does it all
+    return;
   const BodyFile body = read_body_file(body_file);
-  if (!arguments.vtu.empty())
-    refuse_overwriting(arguments.vtu, std::array<std::filesystem::path, 3>{body_file, mesh, arguments.check});
+  for (const std::string& file : {output, arguments.vtu})
+    refuse_overwriting(file, std::array<std::filesystem::path, 3>{body_file, mesh, arguments.check});
+  if (!output.empty())
+    fem::require_writable(output);
   const ProfileCurve curve = body_profile(body);
-  const std::vector<int> loads =
-      station_numbers(arguments.loads, fem::make_stations(body.strip, curve).size());
+  const std::size_t stations = fem::make_stations(body.strip, curve).size();
+  const std::vector<int> chosen = station_numbers(arguments.loads, stations);
+  std::vector<int> loads = chosen;
+  if (!output.empty()) { // a file needs them all
+    loads.resize(stations);
+    std::iota(loads.begin(), loads.end(), 0);
+  }
+  std::optional<Progress> bar;
+  std::size_t shown = 0;
   fem::SolidReport report;
   const fem::SolidNumbers numbers = fem::solid_numbers(body, curve, mesh, loads, report,
-                                                       {arguments.vtu, loads.front(), arguments.component});
+                                                       {arguments.vtu, chosen.front(), arguments.component},
+                                                       [&](std::size_t done, std::size_t all) {
+                                                         if (!bar)
+                                                           bar.emplace("loaded stations", all);
+                                                         bar->step(done - shown);
+                                                         shown = done;
+                                                         if (done == all)
+                                                           bar->finish();
+                                                       });
   fmt::print(stderr, "{}: {} cells, {} unknowns, {:.1f} s, {:.2f} GiB, Maxwell-Betti {:.1e}\n", mesh,
              report.cells, report.unknowns, report.seconds, report.peak_memory, report.betti_error);
+  if (!output.empty()) {
+    InfluenceFunction function = fem::as_table(body, curve, numbers, report);
+    function.estimated_error = fem::mesh_error(body, curve, mesh, numbers);
+    write_influence_file(output, function);
+    fmt::print(stderr, "{}: table of {} offsets, Maxwell-Betti between meshes {:.1e}, estimated error {}\n",
+               output, numbers.offsets, function.betti_error,
+               function.estimated_error < 0 ? "none" : fmt::format("{:.1e}", function.estimated_error));
+  }
   if (!arguments.check.empty()) {
     const InfluenceFunction function = read_influence_file(arguments.check);
     require_profile(function, curve.name(), curve.digest());
@@ -182,7 +212,11 @@ int main(int argc, char** argv) {
   int code = 0;
   try {
     if (solid.solid)
-      run_solid(body_file, mesh, solid);
+      run_solid(body_file, mesh, output, solid);
+    else if (output.empty() || !solid.check.empty() || !solid.vtu.empty() || !solid.loads.empty())
+      throw InputError(output.empty() ? "There is no file to write" : "The mesh of a section serves -o alone",
+                       "--check, --load-station and --vtu belong to 3-D meshes",
+                       "give -o OUT.h5, or --solid with a 3-D mesh");
     else
       run(body_file, mesh, output);
   } catch (const fem::FellowFailed&) {

@@ -20,9 +20,17 @@
 
 namespace bem_contact::fem {
 
-namespace {
-
-constexpr std::size_t errors_each = 2; // of a wavenumber: Betti, reaction
+std::string body_name(const BodyFile& body) {
+  const auto millimetres = [](double v) {
+    return std::to_string(std::lround(v * 1000) / 1000.0).substr(0, 7) + " mm";
+  };
+  if (body.body.kind == "rail" || body.body.kind == "wheel")
+    return body.body.kind + " " + body.body.profile;
+  if (body.body.kind == "outline")
+    return body.body.name;
+  return body.body.kind + (body.body.kind == "block" ? " of half width " + millimetres(body.body.size)
+                                                     : " of radius " + millimetres(body.body.radius));
+}
 
 void require_writable(const std::filesystem::path& output) {
   const auto folder = output.has_parent_path() ? output.parent_path() : std::filesystem::path(".");
@@ -34,6 +42,10 @@ void require_writable(const std::filesystem::path& output) {
     throw InputError("The file '" + output.string() + "' cannot be written", "a folder has that name",
                      "choose another file");
 }
+
+namespace {
+
+constexpr std::size_t errors_each = 2; // of a wavenumber: Betti, reaction
 
 /// FNV-1a of all that the numbers depend on: finished wavenumbers of another run are not taken over.
 std::string fingerprint(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh) {

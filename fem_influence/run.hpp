@@ -5,8 +5,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 namespace bem_contact::fem {
+
+std::string body_name(const BodyFile& body); ///< as influence files have it
+/// Throws InputError where an output cannot be written: before the hours, not after.
+void require_writable(const std::filesystem::path& output);
 
 struct RunReport {
   std::size_t cells = 0, unknowns = 0, stations = 0, wavenumbers = 0, companion_wavenumbers = 0;

@@ -49,18 +49,23 @@ std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes)
       "  strip: {} stations {:g} mm wide, s = {:.3f} .. {:.3f} mm, inclination {:.2f} .. {:.2f} degrees\n",
       f.station_count(), f.station_width, f.stations.front().s - half, f.stations.back().s + half,
       degrees(f.stations.front().delta), degrees(f.stations.back().delta));
-  const double shortest = f.wavenumber.back() > 0 ? 10 / f.wavenumber.back() : 0.0;
-  out += fmt::format(
-      "  {} wavenumbers, 0 .. {:g} 1/mm; half period {:g} mm: elements along x from {:.3g} mm{}, a "
-      "patch up to {:.4g} mm long\n",
-      f.wavenumber_count(), f.wavenumber.back(), f.half_period, shortest,
-      f.invariance == Invariance::revolution ? " (at the reference radius)" : "", f.half_period);
+  const double shortest = f.wavenumber.empty() || f.wavenumber.back() <= 0 ? 0.0 : 10 / f.wavenumber.back();
+  if (f.is_table())
+    out += fmt::format(
+        "  table of {} influence numbers along x, elements of {:g} mm and whole multiples of it\n",
+        f.table_offsets(), f.table_dx);
+  else
+    out += fmt::format(
+        "  {} wavenumbers, 0 .. {:g} 1/mm; half period {:g} mm: elements along x from {:.3g} mm{}, a "
+        "patch up to {:.4g} mm long\n",
+        f.wavenumber_count(), f.wavenumber.back(), f.half_period, shortest,
+        f.invariance == Invariance::revolution ? " (at the reference radius)" : "", f.half_period);
   out += fmt::format("  estimated error {}; Maxwell-Betti {:.1e}, reaction against load {:.1e}\n",
                      f.estimated_error < 0 ? std::string("not given")
                                            : fmt::format("{:.2e} of the self number", f.estimated_error),
                      f.betti_error, f.reaction_error);
   out += fmt::format("  size: {:.2f} MB on disk, {:.0f} MB in memory\n", 1e-6 * static_cast<double>(bytes),
-                     8e-6 * static_cast<double>(f.kernel.size() + f.remote.size()));
+                     8e-6 * static_cast<double>(f.kernel.size() + f.remote.size() + f.table.size()));
   return out;
 }
 

@@ -17,6 +17,8 @@ struct ExpandOptions {
 /// (series_weights.hpp), Maxwell-Betti exact. On a body of revolution the unit traction is 1 MPa per area of
 /// the contact radius. Throws InputError where dx is too short for the largest wavenumber (k_max dx/2 < 5),
 /// the patch is longer than the half period, or the stations asked for are not there.
+/// A table serves its own element length and whole multiples of it, as exact sums, `included` alone, and
+/// no plane strain; all else throws InputError.
 InfluenceNumbers expand(const InfluenceFunction& function, const ExpandOptions& options);
 
 } // namespace bem_contact

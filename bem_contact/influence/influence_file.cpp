@@ -179,9 +179,22 @@ std::vector<double> unpacked(const std::vector<double>& lower, std::size_t n, st
   return kernel;
 }
 
+int format_minor_of(const InfluenceFunction& f) {
+  return f.is_table() ? table_format_minor : influence_format_minor;
+}
+
+/// The upper triangles of a table by Maxwell-Betti.
+void reflect(std::vector<double>& table, std::size_t n) {
+  for (std::size_t m = 0; m < table.size() / (n * n); ++m)
+    for (std::size_t row = 0; row < n; ++row)
+      for (std::size_t column = 0; column < row; ++column)
+        table[(m * n + column) * n + row] = parity(static_cast<int>(row % 3), static_cast<int>(column % 3)) *
+                                            table[(m * n + row) * n + column];
+}
+
 void write_contents(hid_t root, const InfluenceFunction& f) {
   write_attribute(root, "format_major", influence_format_major);
-  write_attribute(root, "format_minor", influence_format_minor);
+  write_attribute(root, "format_minor", format_minor_of(f));
   for_each_scalar(f, [&](const char* name, const auto& value) { write_attribute(root, name, value); });
   write_attribute(root, "invariance",
                   std::string(f.invariance == Invariance::revolution ? revolution_name : prismatic_name));
@@ -190,6 +203,13 @@ void write_contents(hid_t root, const InfluenceFunction& f) {
   for (const Station& station : f.stations)
     table.insert(table.end(), {station.s, station.position.y, station.position.z, station.delta});
   write_table(root, "stations", {ns, 4}, table, "mm, mm, mm, rad");
+  if (f.is_table()) {
+    const hsize_t nm = f.table_offsets();
+    write_attribute(root, "table_dx", f.table_dx);
+    write_table(root, "table", {nm, n * (n + 1) / 2}, packed(f.table, n, nm), "mm/MPa", true);
+    check(H5Fflush(root, H5F_SCOPE_GLOBAL), "writing '" + file.string() + "'");
+    return;
+  }
   write_table(root, "wavenumber", {nk}, f.wavenumber, "1/mm");
   write_table(root, "kernel", {nk, n * (n + 1) / 2}, packed(f.kernel, n, nk), "mm/MPa", true);
   write_table(root, "remote", {nk, 6, n}, f.remote, "mm/MPa, 1/MPa", true);
@@ -210,8 +230,17 @@ InfluenceFunction read_contents(const std::filesystem::path& file) {
   const std::vector<double> stations = read_table(root, "stations", {0, 4});
   for (std::size_t i = 0; i < stations.size(); i += 4)
     f.stations.push_back({stations[i], {stations[i + 1], stations[i + 2]}, stations[i + 3]});
+  const hsize_t n = 3 * f.station_count();
+  if (H5Lexists(root, "table", H5P_DEFAULT) > 0) {
+    read_attribute(root, "table_dx", f.table_dx);
+    const std::vector<double> lower = read_table(root, "table", {0, n * (n + 1) / 2});
+    const hsize_t nm = lower.size() / (n * (n + 1) / 2);
+    f.table = unpacked(lower, n, nm);
+    reflect(f.table, n);
+    return f;
+  }
   f.wavenumber = read_table(root, "wavenumber", {0});
-  const hsize_t nk = f.wavenumber_count(), n = 3 * f.station_count();
+  const hsize_t nk = f.wavenumber_count();
   f.kernel = unpacked(read_table(root, "kernel", {nk, n * (n + 1) / 2}), n, nk);
   f.remote = read_table(root, "remote", {nk, 6, n});
   f.remote_self = read_table(root, "remote_self", {nk, 6, 6});
@@ -232,7 +261,7 @@ void write_influence_file(const std::filesystem::path& file, const InfluenceFunc
   validate(function);
   const QuietHdf5 quiet;
   std::string image = h5_image(seal_size, [&](hid_t root) { write_contents(root, function); });
-  seal(std::as_writable_bytes(std::span(image)), influence_format_major, influence_format_minor);
+  seal(std::as_writable_bytes(std::span(image)), influence_format_major, format_minor_of(function));
   write_whole(file, [&](std::ostream& out) { out << image; });
 }
 

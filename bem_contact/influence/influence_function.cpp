@@ -81,11 +81,36 @@ void validate_kernel(const InfluenceFunction& f) {
   }
 }
 
+void validate_table(const InfluenceFunction& f) {
+  require(std::isfinite(f.table_dx) && f.table_dx > 0, "the element length of its table is not positive",
+          std::to_string(f.table_dx) + " mm");
+  require(f.wavenumber.empty() && f.kernel.empty() && f.remote.empty() && f.remote_self.empty(),
+          "it has both a kernel and a table", "one of them says all");
+  require(f.table_offsets() > 0, "its table is empty", "no offsets");
+  const std::size_t n = 3 * f.station_count();
+  require_length(f.table, f.table_offsets() * n * n, "its table");
+  require_finite(f.table, "its table");
+  for (std::size_t row = 0; row < n; ++row)
+    require(f.table[row * n + row] > 0, "its table's diagonal is not positive", "row " + std::to_string(row));
+  for (std::size_t m = 0; m < f.table_offsets(); ++m)
+    for (std::size_t row = 0; row < n; ++row)
+      for (std::size_t column = 0; column <= row; ++column) {
+        const double a = f.table[(m * n + row) * n + column], b = f.table[(m * n + column) * n + row];
+        require(a == parity(static_cast<int>(row % 3), static_cast<int>(column % 3)) * b,
+                "its table is not reciprocal",
+                "offset " + std::to_string(m) + ", row " + std::to_string(row) + ", column " +
+                    std::to_string(column));
+      }
+}
+
 } // namespace
 
 void validate(const InfluenceFunction& f) {
   validate_metadata(f);
   validate_stations(f);
+  if (f.table_dx != 0)
+    return validate_table(f);
+  require(f.table.empty(), "its table has no element length", "table_dx is 0");
   require(!f.wavenumber.empty(), "it has no wavenumbers", "the kernel is empty");
   require_finite(f.wavenumber, "its wavenumber table");
   require(f.wavenumber.front() == 0, "its first wavenumber is not 0",

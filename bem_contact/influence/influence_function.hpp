@@ -60,6 +60,12 @@ struct InfluenceFunction {
   std::vector<double> remote;      ///< NK x 6 x 3NS
   std::vector<double> remote_self; ///< NK x 6 x 6
 
+  /// Instead of the four above: influence numbers of elements table_dx long at x = 0, table_dx, .., all
+  /// compliance included. table[m][3 I + i][3 J + j] as InfluenceNumbers::values, Maxwell-Betti to the last
+  /// bit; on a body of revolution x and the unit load are those of the reference radius.
+  double table_dx = 0; ///< mm; 0: the function is given by its kernel
+  std::vector<double> table;
+
   /// What the file says of its own error, each relative to the self number (largest over components).
   double betti_error = 0;    ///< asymmetry before the storage step
   double reaction_error = 0; ///< | reaction - load | / load at k = 0
@@ -68,10 +74,12 @@ struct InfluenceFunction {
 
   std::size_t station_count() const { return stations.size(); }
   std::size_t wavenumber_count() const { return wavenumber.size(); }
+  bool is_table() const { return table_dx > 0; }
+  std::size_t table_offsets() const { return table.size() / (9 * stations.size() * stations.size()); }
 };
 
 /// Throws InputError unless sizes agree, all numbers are finite, stations and wavenumbers ascend, the
-/// kernel is symmetric and its diagonal is positive.
+/// kernel is symmetric and its diagonal is positive, or the same of a table.
 void validate(const InfluenceFunction& function);
 
 } // namespace bem_contact

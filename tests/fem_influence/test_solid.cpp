@@ -151,8 +151,10 @@ TEST_F(Solid, refuses_what_does_not_fit) {
   far.solid.elements_per_load = 1;
   EXPECT_THAT(error_of(far), HasSubstr("The mesh's group 'contact' does not cover the strip"));
   SolidReport report;
+  BodyFile bore = block();
+  bore.strip = {4, 12, 1};
   try {
-    solid_numbers(block(), full_circle(40, true), folder_ / "box.msh", {4}, report);
+    solid_numbers(bore, full_circle(40, true), folder_ / "box.msh", {4}, report);
     ADD_FAILURE();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("does not fit the profile"));

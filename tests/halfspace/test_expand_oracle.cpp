@@ -59,3 +59,59 @@ TEST(ExpandOracle, SignsOfTheCoupling) {
   EXPECT_GT(a.at(0, 2, component_n, 0, component_s), 0);
   EXPECT_GT(a.at(2, 2, component_x, 0, component_s), 0);
 }
+
+// --- a table of influence numbers --------------------------------------------------------------------
+
+namespace {
+
+/// The half-space as a table of elements .25 mm long at 24 offsets.
+InfluenceFunction halfspace_table() {
+  InfluenceFunction f = halfspace_function(steel, 5, 0.2, 0.2);
+  f.wavenumber.clear();
+  f.kernel.clear();
+  f.remote.clear();
+  f.remote_self.clear();
+  f.table_dx = 0.25;
+  f.table = spelled_out(halfspace::numbers(steel, 0.25, 0.2, 24, 5)).values;
+  return f;
+}
+
+std::string refusal(const InfluenceFunction& f, const ExpandOptions& options) {
+  try {
+    expand(f, options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no InputError";
+}
+
+} // namespace
+
+TEST(ExpandTable, WholeMultiplesAreExactSums) {
+  const InfluenceFunction f = halfspace_table();
+  for (const auto& [dx, offsets] : {std::pair{0.25, 24}, {0.5, 12}, {0.75, 8}, {1.5, 4}})
+    EXPECT_LT(expansion_error(f, dx, offsets), 1e-11) << dx;
+}
+
+TEST(ExpandTable, ServesARunOfStations) {
+  const InfluenceNumbers all =
+      expand(halfspace_table(), {.dx = 0.5, .offsets = 3, .structural = StructuralCompliance::included});
+  const InfluenceNumbers some = expand(halfspace_table(), {.dx = 0.5,
+                                                           .offsets = 3,
+                                                           .structural = StructuralCompliance::included,
+                                                           .first_station = 2,
+                                                           .stations = 2});
+  EXPECT_EQ(some.rows, 2);
+  EXPECT_EQ(some.at(2, 1, component_x, 0, component_n), all.at(2, 3, component_x, 2, component_n));
+}
+
+TEST(ExpandTable, RefusesOtherLengthsAndWhatItDoesNotKnow) {
+  using testing::HasSubstr;
+  const InfluenceFunction f = halfspace_table();
+  constexpr auto included = StructuralCompliance::included;
+  for (const double dx : {0.3, 0.125, 0.0})
+    EXPECT_THAT(refusal(f, {.dx = dx, .structural = included}), HasSubstr("a whole multiple of it")) << dx;
+  EXPECT_THAT(refusal(f, {.dx = 0.5, .offsets = 13, .structural = included}),
+              HasSubstr("the patch is longer than the table"));
+  EXPECT_THAT(refusal(f, {.dx = 0.25}), HasSubstr("use structural compliance 'included'"));
+}

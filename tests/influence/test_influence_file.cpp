@@ -204,3 +204,50 @@ TEST(InfluenceFile, RequirementsNameWhatDoesNotFit) {
   EXPECT_THAT(message_of([&] { require_strip(f, std::nan(""), -30.5); }),
               HasSubstr("leaves the contact strip"));
 }
+
+namespace {
+
+InfluenceFunction sample_table() {
+  InfluenceFunction f = sample_function();
+  f.table_dx = 0.5;
+  for (int m = 0; m < 4; ++m)
+    for (int a = 0; a < 9; ++a)
+      for (int b = 0; b < 9; ++b) {
+        const int sign = a < b ? parity(a % 3, b % 3) : 1;
+        f.table.push_back(a == b ? 3e-6 / (1 + m) : sign * 1e-6 * std::cos(a * b + m) / (1 + a + b));
+      }
+  for (auto* kernel : {&f.wavenumber, &f.kernel, &f.remote, &f.remote_self})
+    kernel->clear();
+  return f;
+}
+
+} // namespace
+
+TEST(InfluenceFile, ReadsATableAsVersionOneOne) {
+  const TemporaryFolder folder;
+  const InfluenceFunction f = sample_table();
+  write_influence_file(folder / "a.h5", f);
+  const InfluenceFunction g = read_influence_file(folder / "a.h5");
+  EXPECT_EQ(g.table_dx, f.table_dx);
+  EXPECT_EQ(g.table, f.table);
+  EXPECT_EQ(g.table_offsets(), 4u);
+  EXPECT_TRUE(g.kernel.empty());
+  EXPECT_THAT(bytes_of(folder / "a.h5"), HasSubstr("\nformat 1.1\n"));
+  write_influence_file(folder / "b.h5", sample_function());
+  EXPECT_THAT(bytes_of(folder / "b.h5"), HasSubstr("\nformat 1.0\n"));
+}
+
+TEST(InfluenceFile, RefusesTablesThatAreNone) {
+  const auto refused = [](auto&& change) {
+    InfluenceFunction f = sample_table();
+    change(f);
+    return message_of([&] { validate(f); });
+  };
+  EXPECT_THAT(refused([](auto& f) { f.table[1] += 1e-9; }), HasSubstr("its table is not reciprocal"));
+  EXPECT_THAT(refused([](auto& f) { f.table[0] = 0; }), HasSubstr("diagonal is not positive"));
+  EXPECT_THAT(refused([](auto& f) { f.table.pop_back(); }), HasSubstr("its table has the wrong size"));
+  EXPECT_THAT(refused([](auto& f) { f.table[20] = NAN; }), HasSubstr("its table is not finite"));
+  EXPECT_THAT(refused([](auto& f) { f.table_dx = 0; }), HasSubstr("its table has no element length"));
+  EXPECT_THAT(refused([](auto& f) { f.table_dx = -1; }), HasSubstr("is not positive"));
+  EXPECT_THAT(refused([](auto& f) { f.wavenumber = {0}; }), HasSubstr("both a kernel and a table"));
+}
