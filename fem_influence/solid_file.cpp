@@ -68,7 +68,7 @@ double mesh_error(const BodyFile& body, const ProfileCurve& curve, const std::fi
           const double self = std::sqrt(numbers.at(middle, i, 0, J, i) * numbers.at(middle, j, 0, J, j));
           worst = std::max(worst, std::abs(other.at(0, j, m, I, i) - numbers.at(middle, j, m, I, i)) / self);
         }
-  return worst / 3;
+  return worst / 2;
 }
 
 } // namespace bem_contact::fem

@@ -11,7 +11,7 @@ InfluenceFunction as_table(const BodyFile& body, const ProfileCurve& curve, cons
                            const SolidReport& report);
 
 /// Error by the meshes, relative to the self number, largest over the first offsets: against one load with
-/// elements twice as large; errors go as h^2, so that the difference is divided by 3.
+/// elements twice as large. Errors go as h^2 and are a third of the difference; half of it is given.
 double mesh_error(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh,
                   const SolidNumbers& numbers);
 
