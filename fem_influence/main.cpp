@@ -136,6 +136,7 @@ void run_solid(const std::string& body_file, const std::string& mesh, const std:
   if (!output.empty())
     fem::require_writable(output);
   const ProfileCurve curve = body_profile(body);
+  fem::require_mesh_of(body, curve, mesh);
   const std::size_t stations = fem::make_stations(body.strip, curve).size();
   const std::vector<int> chosen = station_numbers(arguments.loads, stations);
   std::vector<int> loads = chosen;

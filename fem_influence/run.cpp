@@ -43,6 +43,19 @@ void require_writable(const std::filesystem::path& output) {
                      "choose another file");
 }
 
+void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh) {
+  std::ifstream in(mesh, std::ios::binary | std::ios::ate);
+  const auto size = static_cast<std::streamoff>(in.tellg());
+  constexpr std::streamoff tail = 200;
+  in.seekg(std::max<std::streamoff>(0, size - tail));
+  const std::string text{std::istreambuf_iterator<char>(in), {}}, mark = "$Comments\nbody file ";
+  const auto at = text.find(mark);
+  if (at != std::string::npos && text.substr(at + mark.size(), 16) != mesh_digest(body, curve.digest()))
+    throw InputError("The mesh '" + mesh.string() + "' was made from another body file",
+                     "its digest of [body], [strip] and [mesh] is another one",
+                     "make it anew: mesh_body BODY.toml -o " + mesh.string());
+}
+
 namespace {
 
 constexpr std::size_t errors_each = 2; // of a wavenumber: Betti, reaction
@@ -66,20 +79,6 @@ std::string fingerprint(const BodyFile& body, const ProfileCurve& curve, const s
         double(body.harmonic.samples_per_decade), body.harmonic.remote_distance})
     mix(&value, sizeof value);
   return "harmonic 3 " + std::to_string(hash);
-}
-
-/// Meshes of mesh_body say at their end which body file they were made from; others say nothing.
-void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh) {
-  std::ifstream in(mesh, std::ios::binary | std::ios::ate);
-  const auto size = static_cast<std::streamoff>(in.tellg());
-  constexpr std::streamoff tail = 200;
-  in.seekg(std::max<std::streamoff>(0, size - tail));
-  const std::string text{std::istreambuf_iterator<char>(in), {}}, mark = "$Comments\nbody file ";
-  const auto at = text.find(mark);
-  if (at != std::string::npos && text.substr(at + mark.size(), 16) != mesh_digest(body, curve.digest()))
-    throw InputError("The mesh '" + mesh.string() + "' was made from another body file",
-                     "its digest of [body], [strip] and [mesh] is another one",
-                     "make it anew: mesh_body BODY.toml -o " + mesh.string());
 }
 
 std::string method_of(const BodyFile& body, std::size_t cells) {

@@ -12,6 +12,9 @@ namespace bem_contact::fem {
 std::string body_name(const BodyFile& body); ///< as influence files have it
 /// Throws InputError where an output cannot be written: before the hours, not after.
 void require_writable(const std::filesystem::path& output);
+/// Meshes of mesh_body say at their end which body file they were made from (others say nothing): throws
+/// InputError where it is another one.
+void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh);
 
 struct RunReport {
   std::size_t cells = 0, unknowns = 0, stations = 0, wavenumbers = 0, companion_wavenumbers = 0;

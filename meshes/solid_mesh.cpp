@@ -106,6 +106,7 @@ std::vector<double> layers_of(const BodyFile& body) {
 
 SolidMesh mesh_solid(const BodyFile& body) {
   SolidMesh mesh;
+  mesh.body_digest = mesh_digest(body, body_profile(body).digest());
   mesh.section = coarse_section(coarse_body(body));
   mesh.layers = layers_of(body);
   const QuadMesh& section = mesh.section;

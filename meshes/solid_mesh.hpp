@@ -26,7 +26,8 @@ struct SurfaceFace {
 
 /// Half of a body (x >= 0) in first-order hexahedra: the section's quadrilaterals, swept.
 struct SolidMesh {
-  std::string name; ///< of the body
+  std::string name;        ///< of the body
+  std::string body_digest; ///< mesh_digest() of the body file
   QuadMesh section;
   std::vector<double> layers; ///< where the sections lie: x, or R_ref theta, ascending from 0, mm
   std::vector<Point3> points; ///< section by section

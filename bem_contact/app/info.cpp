@@ -49,7 +49,7 @@ std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes)
       "  strip: {} stations {:g} mm wide, s = {:.3f} .. {:.3f} mm, inclination {:.2f} .. {:.2f} degrees\n",
       f.station_count(), f.station_width, f.stations.front().s - half, f.stations.back().s + half,
       degrees(f.stations.front().delta), degrees(f.stations.back().delta));
-  const double shortest = f.wavenumber.empty() || f.wavenumber.back() <= 0 ? 0.0 : 10 / f.wavenumber.back();
+  const double shortest = f.is_table() || f.wavenumber.back() <= 0 ? 0.0 : 10 / f.wavenumber.back();
   if (f.is_table())
     out += fmt::format(
         "  table of {} influence numbers along x, elements of {:g} mm and whole multiples of it\n",
