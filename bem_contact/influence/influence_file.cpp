@@ -207,7 +207,6 @@ void write_contents(hid_t root, const InfluenceFunction& f) {
     const hsize_t nm = f.table_offsets();
     write_attribute(root, "table_dx", f.table_dx);
     write_table(root, "table", {nm, n * (n + 1) / 2}, packed(f.table, n, nm), "mm/MPa", true);
-    check(H5Fflush(root, H5F_SCOPE_GLOBAL), "writing '" + file.string() + "'");
     return;
   }
   write_table(root, "wavenumber", {nk}, f.wavenumber, "1/mm");
@@ -231,7 +230,7 @@ InfluenceFunction read_contents(const std::filesystem::path& file) {
   for (std::size_t i = 0; i < stations.size(); i += 4)
     f.stations.push_back({stations[i], {stations[i + 1], stations[i + 2]}, stations[i + 3]});
   const hsize_t n = 3 * f.station_count();
-  if (H5Lexists(root, "table", H5P_DEFAULT) > 0) {
+  if (n > 0 && H5Lexists(root, "table", H5P_DEFAULT) > 0) {
     read_attribute(root, "table_dx", f.table_dx);
     const std::vector<double> lower = read_table(root, "table", {0, n * (n + 1) / 2});
     const hsize_t nm = lower.size() / (n * (n + 1) / 2);
