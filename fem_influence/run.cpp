@@ -20,18 +20,6 @@
 
 namespace bem_contact::fem {
 
-std::string body_name(const BodyFile& body) {
-  const auto millimetres = [](double v) {
-    return std::to_string(std::lround(v * 1000) / 1000.0).substr(0, 7) + " mm";
-  };
-  if (body.body.kind == "rail" || body.body.kind == "wheel")
-    return body.body.kind + " " + body.body.profile;
-  if (body.body.kind == "outline")
-    return body.body.name;
-  return body.body.kind + (body.body.kind == "block" ? " of half width " + millimetres(body.body.size)
-                                                     : " of radius " + millimetres(body.body.radius));
-}
-
 void require_writable(const std::filesystem::path& output) {
   const auto folder = output.has_parent_path() ? output.parent_path() : std::filesystem::path(".");
   if (!std::filesystem::is_directory(folder) || ::access(folder.c_str(), W_OK) != 0)

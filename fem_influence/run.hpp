@@ -9,7 +9,6 @@
 
 namespace bem_contact::fem {
 
-std::string body_name(const BodyFile& body); ///< as influence files have it
 /// Throws InputError where an output cannot be written: before the hours, not after.
 void require_writable(const std::filesystem::path& output);
 /// Meshes of mesh_body say at their end which body file they were made from (others say nothing): throws

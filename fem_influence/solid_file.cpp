@@ -1,6 +1,7 @@
 #include "fem_influence/solid_file.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
 #include "fem_influence/run.hpp"
 
 #include <algorithm>
