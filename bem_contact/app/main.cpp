@@ -148,7 +148,7 @@ int main(int argc, char** argv) {
   CLI::App* solve = cli.add_subcommand("solve", "Solve a scene");
   solve->add_option("scene", arguments.file, "Scene file (TOML)")->required();
   solve->add_option("--model", arguments.model, "Influence numbers; the scene's own choice if not given")
-      ->check(CLI::IsMember({"auto", "halfspace", "tangent_plane", "fem"}));
+      ->check(CLI::IsMember({"auto", "hertz", "halfspace", "tangent_plane", "fem"}));
   solve->add_flag("--json", arguments.json, "Print one JSON object on standard output");
   solve->add_option("-o,--output", arguments.output, "Result file (HDF5)");
   solve->add_option("--vtk", arguments.vtk, "Surface with the result for ParaView (.vts)");

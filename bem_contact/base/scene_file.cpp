@@ -200,8 +200,13 @@ Schema schema_of(SceneFile& f, Youngs& young) {
          .above = 0});
 
   s.add("solver.model", f.solver.model,
-        {.doc = "Influence numbers of the half-space, of the bodies, or the cheapest that serves",
-         .choices = {"auto", "halfspace", "tangent_plane", "fem"}});
+        {.doc =
+             "Hertz's closed form (frictionless); influence numbers of the half-space, of half-spaces in the "
+             "elements' tangent planes, of the bodies; or the cheapest of these that serves",
+         .choices = {"auto", "hertz", "halfspace", "tangent_plane", "fem"}});
+  s.add(
+      "solver.model_tolerance", f.solver.model_tolerance,
+      {.doc = "For auto: predicted error of the largest pressure that is allowed", .above = 0, .at_most = 1});
   s.add("solver.tolerance", f.solver.tolerance,
         {.doc = "Relative tolerance of the iterations", .above = 0, .at_most = 1e-7});
   s.add("solver.max_outer", f.solver.max_outer,

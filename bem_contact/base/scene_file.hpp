@@ -89,8 +89,9 @@ struct SceneFile {
     std::vector<double> depths; ///< along n, mm; none: not asked for
   } stresses;
 
-  struct Solver {               ///< [solver]
-    std::string model = "auto"; ///< auto | halfspace | tangent_plane | fem
+  struct Solver {                  ///< [solver]
+    std::string model = "auto";    ///< auto | hertz | halfspace | tangent_plane | fem
+    double model_tolerance = 0.01; ///< of pmax, for auto
     double tolerance = 1e-8;
     int max_outer = 50;
   } solver;

@@ -89,6 +89,26 @@ HertzContact hertz_by_approach(double curvature_x, double curvature_s, double mo
   return contact(e, curvature_x <= curvature_s, modulus, force_per_axis * major, major);
 }
 
+double hertz_compression(const HertzContact& contact, double modulus, double x, double s) {
+  const double a2 = contact.semi_axis_x * contact.semi_axis_x, b2 = contact.semi_axis_s * contact.semi_axis_s;
+  const double x2 = x * x, s2 = s * s;
+  // the confocal ellipse through the point, x^2/(a^2 + w) + s^2/(b^2 + w) = 1; inside w = 0
+  double from = 0;
+  if (x2 / a2 + s2 / b2 > 1) {
+    const double half = (x2 + s2 - a2 - b2) / 2;
+    from = half + std::sqrt(half * half + x2 * b2 + s2 * a2 - a2 * b2);
+  }
+  // w = t^2, t = sqrt(from) + c e^v: the trapezoidal rule converges exponentially
+  const double scale = std::sqrt(contact.semi_axis_x * contact.semi_axis_s), start = std::sqrt(from);
+  constexpr double step = 0.35;
+  double sum = 0;
+  for (int i = -90; i <= 90; ++i) {
+    const double grown = scale * std::exp(step * i), t = start + grown, w = t * t;
+    sum += grown * (1 - x2 / (a2 + w) - s2 / (b2 + w)) / std::sqrt((a2 + w) * (b2 + w));
+  }
+  return contact.max_pressure * contact.semi_axis_x * contact.semi_axis_s / modulus * step * sum;
+}
+
 HertzLine hertz_line_by_force(double radius, double modulus, double force) {
   require_positive({{"radius", radius}, {"contact modulus", modulus}, {"force", force}});
   const double a = std::sqrt(4 * force * radius / (pi * modulus));

@@ -22,6 +22,11 @@ struct HertzContact {
 HertzContact hertz_by_force(double curvature_x, double curvature_s, double modulus, double force);
 HertzContact hertz_by_approach(double curvature_x, double curvature_s, double modulus, double approach);
 
+/// What the pressure of `contact` lowers both surfaces by together, at (x, s) from its middle, mm: the
+/// integral of Johnson 1985, eqs 3.36 and 3.41, by quadrature (1e-10), inside the ellipse and outside. Inside
+/// it is approach - A x^2 - B s^2.
+double hertz_compression(const HertzContact& contact, double modulus, double x, double s);
+
 /// Two cylinders, plane strain (Johnson 1985, eqs 4.43 to 4.45). Force per length, N/mm.
 struct HertzLine {
   double force = 0, half_width = 0, max_pressure = 0;

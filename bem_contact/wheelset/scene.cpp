@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/wheelset/hertz_model.hpp"
 #include "bem_contact/wheelset/motion.hpp"
 #include "bem_contact/wheelset/pair_numbers.hpp"
 #include "bem_contact/wheelset/wheel_rail_scene.hpp"
@@ -15,7 +16,6 @@ namespace bem_contact {
 
 namespace {
 
-constexpr double halfspace_tolerance = 0.01; // of pmax, for the automatic choice
 constexpr int most_growths = 6;
 constexpr double poor_discretisation = 0.2; // relative error that deserves a warning
 constexpr int few_elements = 40;            // in contact
@@ -168,8 +168,34 @@ InfluenceNumbers numbers_of(const Stage& stage, const std::string& model) {
                                     : halfspace_pair(*stage.scene, stage.contact);
 }
 
+/// Nothing where the problem is not one of Hertz's.
+std::optional<HertzModel> hertz_of(const Stage& stage) {
+  const ContactProblem& problem = stage.contact.problem;
+  if (problem.tangential || stage.contact.plane_strain)
+    return std::nullopt;
+  return fit_hertz(problem, stage.scene->rail.material, stage.scene->wheel.material);
+}
+
+SceneResult solve_by_hertz(const Stage& stage) {
+  const std::optional<HertzModel> model = hertz_of(stage);
+  if (!model)
+    throw InputError(
+        "Hertz's closed form does not fit this contact",
+        "it is for a frictionless contact in three dimensions whose undeformed distance is curved "
+        "both ways and known all over the contact (on at least 5 x 5 elements)",
+        "Set motion.frictionless = true, give a larger grid, or choose another model.");
+  SceneResult out;
+  out.model = "hertz";
+  out.problem = stage.contact.problem;
+  out.problem.numbers.dx = out.problem.grid.dx; // not plane strain
+  out.result = solve_hertz(out.problem, *model, out.displacements);
+  return out;
+}
+
 /// Without `tangential` it is a look at the normal problem, for the choice of the model.
 SceneResult solve_once(Stage& stage, const std::string& model, bool tangential) {
+  if (model == "hertz")
+    return solve_by_hertz(stage);
   SceneResult out;
   out.model = model;
   ContactProblem& problem = stage.contact.problem;
@@ -284,23 +310,18 @@ void finish(SceneResult& out, const Stage& stage) {
         contact));
 }
 
-/// Largest turn of the normal within one connected run of rows in contact, rad.
-double turn_of_contact(const SceneResult& solved) {
-  const ContactGrid& grid = solved.problem.grid;
-  double largest = 0, lo = 0, hi = 0;
-  bool inside = false;
-  for (int is = 0; is < grid.ms; ++is) {
-    bool contact = false;
-    for (int ix = 0; ix < grid.mx && !solved.result.state.empty(); ++ix)
-      contact |= solved.result.state[is * grid.mx + ix] != ElementState::exterior;
-    const double delta = solved.problem.rows[is].delta;
-    lo = contact && inside ? std::min(lo, delta) : delta;
-    hi = contact && inside ? std::max(hi, delta) : delta;
-    inside = contact;
-    if (contact)
-      largest = std::max(largest, hi - lo);
+/// Hertz where he serves; else by a look at the normal problem with half-space numbers.
+ModelChoice choose(Stage& stage, PhaseSeconds& spent) {
+  const double tolerance = stage.scene->solver.model_tolerance;
+  if (const auto hertz = hertz_of(stage)) {
+    ModelChoice choice = choose_hertz(*hertz, tolerance);
+    if (choice.enough)
+      return choice;
   }
-  return largest;
+  const SceneResult normal = solve_grown(stage, "halfspace", false);
+  spent = normal.seconds;
+  const bool equal = stage.scene->rail.material == stage.scene->wheel.material;
+  return choose_model(normal.problem, normal.result, equal, stage.files.complete(), tolerance);
 }
 
 std::string motion_text(const SceneFile& scene) {
@@ -310,60 +331,40 @@ std::string motion_text(const SceneFile& scene) {
                                         : fmt::format("transient rolling, {} steps of dx", steps);
 }
 
-std::string turn_text(double turn) {
-  return fmt::format(
-      "the normal turns by {:.1f} degrees within the patch, for which half-space theory is predicted "
-      "to miss the largest pressure by up to {:.1f} %",
-      turn * 180 / std::numbers::pi, 100 * predicted_halfspace_error(turn));
-}
-
 void add_stresses(SceneResult& out, const SceneFile& scene) {
   if (scene.stresses.depths.empty() || !out.result.converged)
     return;
   out.stresses = stresses_below(scene.stresses, out.problem, out.result, scene.grid.plane_strain,
                                 scene.rail.material.poisson, out.reference.s);
-  const double turn = turn_of_contact(out);
-  if (predicted_halfspace_error(turn) > halfspace_tolerance)
+  const double turn = turn_of_contact(out.problem, out.result);
+  if (predicted_halfspace_error(turn) > scene.solver.model_tolerance)
     out.warnings.push_back(fmt::format("the stresses below the surface are those of a half-space under these "
                                        "tractions: an approximation here, for {}",
-                                       turn_text(turn)));
+                                       halfspace_text(turn)));
 }
 
 } // namespace
 
-double predicted_halfspace_error(double turn) {
-  return 0.66 * 0.25 * turn * turn;
-}
-
 SceneResult solve_scene(const SceneFile& scene, const std::string& wanted) {
   const Stopwatch watch;
   const std::string model = wanted.empty() ? scene.solver.model : wanted;
-  if (model != "auto" && model != "halfspace" && model != "tangent_plane" && model != "fem")
+  const auto known = {"auto", "hertz", "halfspace", "tangent_plane", "fem"};
+  if (std::ranges::find(known, model) == known.end())
     throw InputError(fmt::format("There is no model '{}'", model),
-                     "the models are auto, halfspace, tangent_plane and fem", "Choose one of them.");
+                     fmt::format("the models are {}", fmt::join(known, ", ")), "Choose one of them.");
   Stage stage = prepare(scene, model == "fem");
   SceneResult out;
   PhaseSeconds probe;
+  ModelChoice choice{model, "asked for"};
   if (model == "auto") {
-    SceneResult normal = solve_grown(stage, "halfspace", false);
-    probe = normal.seconds;
-    const double turn = turn_of_contact(normal);
-    const bool concentrated = predicted_halfspace_error(turn) <= halfspace_tolerance;
-    const bool fem = !concentrated && stage.files.complete();
-    if (fem)
+    choice = choose(stage, probe);
+    if (choice.model == "fem")
       stage = prepare(scene, true);
-    out = solve_grown(stage, fem ? "fem" : "halfspace", true);
-    out.reason = turn_text(turn);
-    if (!concentrated && !fem) {
-      out.reason += ": more than the 1 % allowed, but the scene names no influence files of both bodies";
-      out.warnings.push_back("the finite-element model is needed here: " + out.reason);
-    } else {
-      out.reason += fem ? ": more than the 1 % allowed" : ": within the 1 % allowed";
-    }
-  } else {
-    out = solve_grown(stage, model, true);
-    out.reason = "asked for";
   }
+  out = solve_grown(stage, choice.model, true);
+  out.reason = choice.reason;
+  if (!choice.enough)
+    out.warnings.push_back("the finite-element model is needed here: " + out.reason);
   finish(out, stage);
   add_stresses(out, scene);
   out.seconds.numbers += probe.numbers;
@@ -444,9 +445,9 @@ std::vector<std::string> check_scene(const SceneFile& scene) {
   };
   side("rail", stage.files.rail, stage.contact.rail_s);
   side("wheel", stage.files.wheel, stage.contact.wheel_s);
-  lines.push_back(
-      fmt::format("model: {}{}", scene.solver.model,
-                  stage.wheel_rail ? "; by the estimate " + turn_text(stage.wheel_rail->estimate.turn) : ""));
+  lines.push_back(fmt::format(
+      "model: {}{}", scene.solver.model,
+      stage.wheel_rail ? "; by the estimate " + halfspace_text(stage.wheel_rail->estimate.turn) : ""));
   return lines;
 }
 

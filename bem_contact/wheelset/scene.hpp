@@ -4,6 +4,7 @@
 #include "bem_contact/contact/history.hpp"
 #include "bem_contact/contact/problem.hpp"
 #include "bem_contact/contact/solve.hpp"
+#include "bem_contact/wheelset/model_choice.hpp"
 #include "bem_contact/wheelset/rigid_slip.hpp"
 #include "bem_contact/wheelset/stresses.hpp"
 
@@ -23,7 +24,7 @@ struct PhaseSeconds {
 
 /// One scene solved with one model.
 struct SceneResult {
-  std::string model;      ///< "halfspace" | "tangent_plane" | "fem"
+  std::string model;      ///< "hertz" | "halfspace" | "tangent_plane" | "fem"
   std::string reason;     ///< why this model, in a sentence
   ContactProblem problem; ///< grid, rows (wheel_rail: track frame), undeformed distance, rigid slip; values
                           ///< of the numbers left out
@@ -45,21 +46,17 @@ struct Comparison {
   SceneResult halfspace, fem;
 };
 
-/// `model`: "auto", "halfspace", "tangent_plane" or "fem"; "" takes the scene's own.
-/// auto solves the normal problem with half-space numbers; where the turn of the normal within the patch
-/// predicts an error of pmax above 1 % it goes on to fem, if there are influence files.
-/// A wheel_rail grid grows until the contact lies inside; throws InputError where the strip of an influence
-/// file ends before. Throws InputError for wrong input; lack of convergence is in the result.
+/// `model`: "auto", "hertz", "halfspace", "tangent_plane" or "fem"; "" takes the scene's own.
+/// auto takes the cheapest whose predicted error of pmax is within solver.model_tolerance (model_choice.hpp):
+/// hertz by a fit of the undeformed distance, the others by the turn of the normal within the contact that
+/// the normal problem has with half-space numbers; fem only where there are influence files. A wheel_rail
+/// grid grows until the contact lies inside; throws InputError where the strip of an influence file ends
+/// before. Throws InputError for wrong input; lack of convergence is in the result.
 SceneResult solve_scene(const SceneFile& scene, const std::string& model = "");
 Comparison compare_scene(const SceneFile& scene);
 
 /// What would be solved, line by line, after everything short of the solve has been checked.
 /// Throws what solve_scene would throw.
 std::vector<std::string> check_scene(const SceneFile& scene);
-
-/// Predicted relative error of half-space theory in pmax for a patch within which the normal turns by `turn`
-/// rad: 0.66 (turn/2)^2. Hertz against Persson (1964) is low by 0.39 (turn/2)^2, against the sphere in its
-/// seat by 0.66 to 0.61 (turn/2)^2 (REFERENCES 3.1, 3.3): the larger of the two.
-double predicted_halfspace_error(double turn);
 
 } // namespace bem_contact

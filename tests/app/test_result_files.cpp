@@ -106,9 +106,9 @@ TEST_F(ResultFiles, AResultHasFieldsWithUnits) {
 
 TEST_F(ResultFiles, StressesBelowTheSurfaceWhereAskedFor) {
   const std::string file = (folder_ / "b.h5").string();
-  const std::string patch =
-      "kind = \"patch\"\nload.force = 1e4\nmotion.frictionless = true\n[grid]\ndx = 0.5\n"
-      "ds = 0.5\nmx = 16\nms = 16\n[gap]\na = 1e-3\nb = 1e-3\n";
+  const std::string patch = "kind = \"patch\"\nload.force = 1e4\nmotion.frictionless = true\nsolver.model = "
+                            "\"halfspace\"\n[grid]\ndx = 0.5\n"
+                            "ds = 0.5\nmx = 16\nms = 16\n[gap]\na = 1e-3\nb = 1e-3\n";
   const Outcome without = run("solve '" + write("w.toml", patch).string() + "' --json");
   ASSERT_EQ(without.code, 0) << without.err;
   EXPECT_TRUE(json::parse(without.out)["stresses"].is_null());

@@ -78,6 +78,35 @@ TEST(Hertz, SteuermannsQuartic) {
   EXPECT_NEAR((d.force - c.force) / (d.approach - c.approach), 2 * steel * 3, 1e-6 * 2 * steel * 3);
 }
 
+TEST(Hertz, CompressionFollowsTheGapInsideAndThePointForceFarAway) {
+  for (const auto& [a, b] : {std::pair{1e-3, 1e-3}, {4e-4, 2e-3}, {5e-2, 1e-5}}) {
+    const HertzContact c = hertz_by_force(a, b, steel, 1e4);
+    for (const double t : {0.0, 0.4, 1.3, 2.9})
+      for (const double r : {0.0, 0.3, 0.8, 0.999}) {
+        const double x = r * c.semi_axis_x * std::cos(t), s = r * c.semi_axis_s * std::sin(t);
+        EXPECT_NEAR(hertz_compression(c, steel, x, s), c.approach - a * x * x - b * s * s, 1e-9 * c.approach);
+      }
+    const double edge = hertz_compression(c, steel, c.semi_axis_x * (1 + 1e-9), 0);
+    EXPECT_NEAR(edge, c.approach - a * c.semi_axis_x * c.semi_axis_x, 1e-6 * c.approach) << "continuous";
+    const double far = 1e3 * std::max(c.semi_axis_x, c.semi_axis_s);
+    const double point = 1e4 / (std::numbers::pi * steel * far); // Boussinesq
+    EXPECT_NEAR(hertz_compression(c, steel, 0.6 * far, 0.8 * far), point, 1e-5 * point);
+  }
+}
+
+/// A circle outside, Johnson 1985, eq. 3.42a: p0/(2 E* a) ((2a^2 - r^2) asin(a/r) + r^2 (a/r) sqrt(1 -
+/// a^2/r^2)).
+TEST(Hertz, CompressionBesideACircle) {
+  const HertzContact c = hertz_by_force(1e-3, 1e-3, steel, 1e4);
+  const double a = c.semi_axis_x;
+  for (const double r : {1.01 * a, 1.5 * a, 4 * a}) {
+    const double q = a / r;
+    const double exact = c.max_pressure / (2 * steel * a) *
+                         ((2 * a * a - r * r) * std::asin(q) + r * r * q * std::sqrt(1 - q * q));
+    EXPECT_NEAR(hertz_compression(c, steel, 0.6 * r, 0.8 * r), exact, 1e-9 * c.approach);
+  }
+}
+
 TEST(Hertz, RefusesWhatHasNoSolution) {
   EXPECT_THROW(hertz_by_force(0, 1e-3, steel, 1), InputError);
   EXPECT_THROW(hertz_by_force(1e-3, 1e-3, steel, std::nan("")), InputError);

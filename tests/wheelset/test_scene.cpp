@@ -39,9 +39,8 @@ TEST(Scene, HertzPatch) {
                              "[wheel.material]\nshear_modulus = 80769.230769\npoisson = 0.3\n"
                              "[grid]\ndx = 0.6\nds = 0.45\nmx = 30\nms = 30\n"
                              "[gap]\na = 0.00108695652\nb = 0.00166666667\n");
-  const SceneResult r = solve_scene(scene);
+  const SceneResult r = solve_scene(scene, "halfspace");
   EXPECT_EQ(r.model, "halfspace");
-  EXPECT_THAT(r.reason, HasSubstr("within the 1 % allowed"));
   EXPECT_TRUE(r.result.certificate.holds());
   EXPECT_NEAR(largest_pressure(r), 1237.5588, 0.015 * 1237.5588);
   EXPECT_NEAR(r.result.approach, 0.10411895, 0.01 * 0.10411895);
@@ -117,7 +116,7 @@ TEST(Scene, AGridThatIsTooSmallGrows) {
 
 TEST(Scene, AutoAsksForFemWhereTheNormalTurns) {
   const SceneResult corner = solve_scene(wheel_on_rail(6.65, 1e5), "auto");
-  EXPECT_EQ(corner.model, "halfspace"); // no influence files to go on with
+  EXPECT_EQ(corner.model, "tangent_plane"); // no influence files to go on with
   ASSERT_EQ(corner.warnings.size(), 1u);
   EXPECT_THAT(corner.warnings[0], HasSubstr("the finite-element model is needed here"));
   EXPECT_THAT(corner.reason, HasSubstr("names no influence files"));
@@ -147,13 +146,18 @@ TEST(Scene, HalfSpaceNumbersOnTheBoreAreNoWorseThanPredicted) {
   SceneFile scene = scene_of("kind = \"patch\"\nload.force = 5734.92\nmotion.frictionless = true\n"
                              "[grid]\nplane_strain = true\nmx = 1\nms = 128\nds = 0.11\n"
                              "[strip]\nradius = -10\nupper_radius = 9.8\n");
-  const SceneResult r = solve_scene(scene);
+  const SceneResult r = solve_scene(scene, "halfspace");
   ASSERT_TRUE(r.result.certificate.holds());
   const double error = std::abs(largest_pressure(r) / 722.77 - 1);
   EXPECT_GT(error, 0.02); // and it is wrong
   EXPECT_LT(error, predicted_halfspace_error(60 * pi / 180));
   EXPECT_NEAR(r.result.Fz, 5734.92, 1e-3);
   EXPECT_NEAR(r.result.Fy, 0, 1e-6);
+  // Equal bodies on a circle in plane strain: auto knows what serves. (9.8 in 10 mm is not quite a perfect
+  // fit.)
+  const SceneResult chosen = solve_scene(scene);
+  EXPECT_EQ(chosen.model, "tangent_plane");
+  EXPECT_NEAR(largest_pressure(chosen), 722.77, 0.01 * 722.77);
 }
 
 TEST(Scene, NoContactIsZeroForce) {
