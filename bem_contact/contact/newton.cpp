@@ -265,7 +265,7 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
     // no more precise than the states are known: quadratic convergence shows when they are
     const double before = at.residual.norm();
     const double ratio = k == 0 ? 1 : before / last;
-    const double forcing = std::clamp(0.3 * ratio * ratio, 1e-4, k == 0 ? 1e-2 : 5e-2);
+    const double forcing = std::clamp(0.3 * ratio * ratio, 1e-4, k == 0 ? 5e-2 : 1e-1);
     last = before;
     const VectorXd step = newton_step(c, at, gmres, forcing, state.solver);
     if (!step.allFinite())
