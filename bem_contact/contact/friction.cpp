@@ -48,7 +48,7 @@ StepBox::StepBox(const InfluenceNumbers& numbers, const Box& the_box, const Slip
     for (const auto factor : {PlaneOperator::Factor::behind, PlaneOperator::Factor::ahead}) {
       auto& list = factor == PlaneOperator::Factor::behind ? behind : ahead;
       list.emplace_back(numbers, box.mx, box.ms, std::vector<int>{c}, std::vector<int>{c},
-                        box.first_s + box.ms / 2);
+                        PlaneOperator::Form::periodic, box.first_s + box.ms / 2);
       list.back().invert_factor(factor);
     }
 }

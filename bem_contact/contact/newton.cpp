@@ -265,7 +265,8 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
     // no more precise than the states are known: quadratic convergence shows when they are
     const double before = at.residual.norm();
     const double ratio = k == 0 ? 1 : before / last;
-    const double forcing = std::clamp(0.3 * ratio * ratio, 1e-4, k == 0 ? 5e-2 : 1e-1);
+    const double enough = std::min(0.1, 0.2 * options.tolerance / state.violation);
+    const double forcing = std::clamp(0.3 * ratio * ratio, std::max(1e-4, enough), 1e-1);
     last = before;
     const VectorXd step = newton_step(c, at, gmres, forcing, state.solver);
     if (!step.allFinite())

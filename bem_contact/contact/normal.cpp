@@ -160,7 +160,8 @@ std::vector<char> first_guess(const NormalSystem& system, const VectorXd& gap, c
 
 NormalBox::NormalBox(const InfluenceNumbers& numbers, const Box& the_box)
     : box(the_box), nn(numbers, box.mx, {component_n}, {component_n}, {box.first_s, box.ms}),
-      inverse(numbers, box.mx, box.ms, {component_n}, {component_n}, box.first_s + box.ms / 2) {
+      inverse(numbers, box.mx, box.ms, {component_n}, {component_n}, PlaneOperator::Form::periodic,
+              box.first_s + box.ms / 2) {
   inverse.invert();
   for (auto* v : {&x, &r, &z, &d, &q})
     v->assign(box.size(), 0.0);

@@ -4,6 +4,7 @@
 #include "bem_contact/contact/fft.hpp"
 #include "bem_contact/contact/plane_operator.hpp"
 #include "bem_contact/contact/rolling_step.hpp"
+#include "bem_contact/contact/simd.hpp"
 
 #include <Eigen/Dense>
 
@@ -16,8 +17,8 @@ namespace bem_contact::contact {
 namespace {
 
 /// ax = A x and ay = A y in one pass over the column-major A: fetching A is what takes the time.
-void multiply(const double* __restrict a, int rows, int columns, const double* x, const double* y,
-              double* __restrict ax, double* __restrict ay) {
+BEM_CONTACT_WIDE void multiply(const double* __restrict a, int rows, int columns, const double* x,
+                               const double* y, double* __restrict ax, double* __restrict ay) {
   std::fill_n(ax, rows, 0.0);
   std::fill_n(ay, rows, 0.0);
   int j = 0;

@@ -2,6 +2,7 @@
 
 #include "bem_contact/contact/fft.hpp"
 #include "bem_contact/contact/rolling_step.hpp"
+#include "bem_contact/contact/simd.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -10,6 +11,9 @@ namespace bem_contact::contact {
 namespace {
 
 using Complex = std::complex<double>;
+
+/// The periodic form is longer than the grid by 1/periodic_margin of it.
+constexpr int periodic_margin = 3;
 
 Complex* complex(const FftBuffer& buffer) {
   return reinterpret_cast<Complex*>(buffer.get());
@@ -25,15 +29,23 @@ int even_length(int n) {
   return n;
 }
 
-/// out += a b, element by element, without the tests for infinity that std::complex makes
-void add_product(const Complex* a, const Complex* b, int n, Complex* out) {
-  const double* x = reinterpret_cast<const double*>(a);
-  const double* y = reinterpret_cast<const double*>(b);
-  double* z = reinterpret_cast<double*>(out);
-  for (int k = 0; k < 2 * n; k += 2) {
-    z[k] += x[k] * y[k] - x[k + 1] * y[k + 1];
-    z[k + 1] += x[k] * y[k + 1] + x[k + 1] * y[k];
-  }
+/// out = a b or out += a b, element by element, without the tests for infinity that std::complex makes
+BEM_CONTACT_WIDE void multiply(const double* __restrict a, const double* __restrict b, int n, bool add,
+                               double* __restrict out) {
+  if (!add)
+    for (int k = 0; k < 2 * n; k += 2) {
+      out[k] = a[k] * b[k] - a[k + 1] * b[k + 1];
+      out[k + 1] = a[k] * b[k + 1] + a[k + 1] * b[k];
+    }
+  else
+    for (int k = 0; k < 2 * n; k += 2) {
+      out[k] += a[k] * b[k] - a[k + 1] * b[k + 1];
+      out[k + 1] += a[k] * b[k + 1] + a[k + 1] * b[k];
+    }
+}
+
+double* parts(Complex* p) {
+  return reinterpret_cast<double*>(p);
 }
 
 } // namespace
@@ -42,8 +54,9 @@ struct PlaneOperator::Impl {
   int mx = 0, ms = 0, length_x = 0, length_s = 0, frequencies = 0, inputs = 0, outputs = 0;
   FftBuffer symbol; ///< complex [frequency][output][input][length_s]
   FftBuffer space_in, space_out;
-  FftBuffer spectrum_in;  ///< complex [frequency][input][length_s]
+  FftBuffer spectrum_in;  ///< complex [frequency][input][length_s]; rows beyond ms stay zero
   FftBuffer spectrum_out; ///< complex [frequency][output][ms]
+  FftBuffer turned_in;    ///< complex [input][length_s]
   FftBuffer turned;       ///< complex [output][length_s]
   FftPlan x_forward, s_forward, s_backward, x_backward;
 
@@ -62,6 +75,7 @@ void PlaneOperator::Impl::make_plans() {
   space_out = make_fft_buffer(lines(outputs));
   spectrum_in = make_fft_buffer(2 * static_cast<std::size_t>(frequencies) * inputs * length_s);
   spectrum_out = make_fft_buffer(2 * static_cast<std::size_t>(frequencies) * outputs * ms);
+  turned_in = make_fft_buffer(2 * static_cast<std::size_t>(inputs) * length_s);
   turned = make_fft_buffer(2 * static_cast<std::size_t>(outputs) * length_s);
   const std::lock_guard lock(fft_planner());
   // lines of one frequency lie side by side, so that the transform in s stays in the cache
@@ -73,12 +87,12 @@ void PlaneOperator::Impl::make_plans() {
   const fftw_iodim out_many[2] = {{outputs, ms, ms * length_x}, {ms, 1, length_x}};
   x_backward.reset(fftw_plan_guru_dft_c2r(1, &out_dims, 2, out_many, raw(complex(spectrum_out)),
                                           space_out.get(), FFTW_ESTIMATE));
-  const auto along_s = [this](int lines_of_s, Complex* data, int sign) {
-    return fftw_plan_many_dft(1, &length_s, lines_of_s, raw(data), nullptr, 1, length_s, raw(data), nullptr,
-                              1, length_s, sign, FFTW_ESTIMATE);
+  const auto along_s = [this](int lines_of_s, Complex* from, Complex* to, int sign) {
+    return fftw_plan_many_dft(1, &length_s, lines_of_s, raw(from), nullptr, 1, length_s, raw(to), nullptr, 1,
+                              length_s, sign, FFTW_ESTIMATE);
   };
-  s_forward.reset(along_s(inputs, complex(spectrum_in), FFTW_FORWARD));
-  s_backward.reset(along_s(outputs, complex(turned), FFTW_BACKWARD));
+  s_forward.reset(along_s(inputs, complex(spectrum_in), complex(turned_in), FFTW_FORWARD));
+  s_backward.reset(along_s(outputs, complex(turned), complex(turned), FFTW_BACKWARD));
 }
 
 void PlaneOperator::Impl::transform_numbers(const InfluenceNumbers& numbers, const std::vector<int>& of_i,
@@ -106,11 +120,13 @@ void PlaneOperator::Impl::transform_numbers(const InfluenceNumbers& numbers, con
           row_i = std::clamp(middle + d / 2, row_i, numbers.rows - 1 - row_j);
           row_j = row_i - d;
         }
-        double* line = &kernel[static_cast<std::size_t>((d + length_s) % length_s) * length_x];
-        for (int m = 0; m < ahead; ++m)
-          line[m] = numbers.at(m, row_i, i, row_j, j);
-        for (int m = 1; m < mx; ++m)
-          line[length_x - m] = parity(i, j) * line[m];
+        double* line = &kernel[static_cast<std::size_t>((d + 2 * length_s) % length_s) * length_x];
+        for (int m = 0; m < ahead; ++m) {
+          const double number = numbers.at(m, row_i, i, row_j, j);
+          line[m % length_x] += number;
+          if (m > 0 && m < mx)
+            line[(2 * length_x - m) % length_x] += parity(i, j) * number;
+        }
       }
       fftw_execute_dft_r2c(along_x.get(), kernel.get(), raw(symbol_at(0, a, b)));
       for (int k = 0; k < frequencies; ++k)
@@ -119,13 +135,14 @@ void PlaneOperator::Impl::transform_numbers(const InfluenceNumbers& numbers, con
 }
 
 PlaneOperator::PlaneOperator(const InfluenceNumbers& numbers, int mx, int ms, std::vector<int> outputs,
-                             std::vector<int> inputs, int middle)
+                             std::vector<int> inputs, Form form, int middle)
     : impl_(std::make_unique<Impl>()) {
   Impl& o = *impl_;
   o.mx = mx;
   o.ms = ms;
-  o.length_x = even_length(2 * mx + rolling_columns - 1);
-  o.length_s = even_length(2 * ms - 1);
+  const bool exact = form == Form::exact;
+  o.length_x = even_length(exact ? 2 * mx + rolling_columns - 1 : mx + 4 + mx / periodic_margin);
+  o.length_s = even_length(exact ? 2 * ms - 1 : ms + 4 + ms / periodic_margin);
   o.frequencies = o.length_x / 2 + 1;
   o.inputs = static_cast<int>(inputs.size());
   o.outputs = static_cast<int>(outputs.size());
@@ -139,21 +156,17 @@ PlaneOperator& PlaneOperator::operator=(PlaneOperator&&) noexcept = default;
 
 /// Leaves u of columns up to mx + 1, times both lengths, in space_out.
 void PlaneOperator::Impl::apply(std::span<const double> p) const {
-  for (int line = 0; line < inputs * ms; ++line) {
-    double* to = &space_in[static_cast<std::size_t>(line) * length_x];
-    std::copy_n(&p[static_cast<std::size_t>(line) * mx], mx, to);
-    std::fill(to + mx, to + length_x, 0.0);
-  }
+  for (int line = 0; line < inputs * ms; ++line) // what lies beyond stays zero
+    std::copy_n(&p[static_cast<std::size_t>(line) * mx], mx,
+                &space_in[static_cast<std::size_t>(line) * length_x]);
   fftw_execute(x_forward.get());
   for (int k = 0; k < frequencies; ++k) {
     Complex* in = complex(spectrum_in) + static_cast<std::size_t>(k) * inputs * length_s;
-    for (int b = 0; b < inputs; ++b)
-      std::fill(in + b * length_s + ms, in + (b + 1) * length_s, Complex());
-    fftw_execute_dft(s_forward.get(), raw(in), raw(in));
-    std::fill_n(turned.get(), 2 * static_cast<std::size_t>(outputs) * length_s, 0.0);
+    fftw_execute_dft(s_forward.get(), raw(in), raw(complex(turned_in)));
     for (int a = 0; a < outputs; ++a)
       for (int b = 0; b < inputs; ++b)
-        add_product(symbol_at(k, a, b), in + b * length_s, length_s, complex(turned) + a * length_s);
+        multiply(parts(symbol_at(k, a, b)), parts(complex(turned_in) + b * length_s), length_s, b > 0,
+                 parts(complex(turned) + a * length_s));
     fftw_execute(s_backward.get());
     for (int a = 0; a < outputs; ++a)
       std::copy_n(complex(turned) + a * length_s, ms,

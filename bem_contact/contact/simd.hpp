@@ -1,0 +1,9 @@
+#pragma once
+
+/// Before a small loop that is worth compiling for the processor's wider registers as well; which is used is
+/// decided when the program is loaded.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define BEM_CONTACT_WIDE __attribute__((target_clones("arch=haswell", "default")))
+#else
+#define BEM_CONTACT_WIDE
+#endif
