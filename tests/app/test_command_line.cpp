@@ -71,6 +71,7 @@ TEST_F(CommandLine, ShippedScenesGiveTheirClosedForms) {
   };
   const auto creepage = [](const json& j) { return j["creepage_found"]["xi"].get<double>(); };
   EXPECT_NEAR(solved("carter")["totals"]["Fx"].get<double>(), 6870, 0.005 * 6870);
+  EXPECT_NEAR(solved("persson_tangent_plane")["pmax"].get<double>(), 14.235, 0.002 * 14.235);
   EXPECT_NEAR(creepage(solved("cattaneo")), 0.0081724, 0.005 * 0.0081724);
   EXPECT_NEAR(creepage(solved("cattaneo_to_carter")), 2.4e-4, 0.01 * 2.4e-4);
   const json unlike = solved("unlike_materials");

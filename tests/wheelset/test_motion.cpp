@@ -57,6 +57,54 @@ TEST_F(Motion, ForcesPrescribedAreReached) {
   EXPECT_NEAR(s.result.Fy, -500, 0.1);
 }
 
+/// Approach or force, creepage or force along x, creepage or force along s: eight ways to say one problem,
+/// unlike bodies, with spin.
+TEST_F(Motion, EveryCombinationOfLoadsIsTheSameProblem) {
+  const auto scene = [this](const std::string& load, const std::string& motion) {
+    SceneFile s = patch(load, motion);
+    s.wheel.material = {23000, 0.31};
+    return s;
+  };
+  const SceneResult known = solve_scene(scene("", "xi = 5e-4\neta = -3e-4\nphi = 2e-4"), "halfspace");
+  ASSERT_TRUE(known.result.converged);
+  for (int k = 0; k < 8; ++k) {
+    SceneFile s = scene("", "phi = 2e-4");
+    if (k & 1)
+      s.load = {.approach = known.result.approach, .has_approach = true};
+    if (k & 2) {
+      s.load.force_x = known.result.Fx;
+      s.load.has_force_x = true;
+    } else
+      s.motion.xi = 5e-4;
+    if (k & 4) {
+      s.load.force_s = known.result.Fs;
+      s.load.has_force_s = true;
+    } else
+      s.motion.eta = -3e-4;
+    const SceneResult r = solve_scene(s, "halfspace");
+    ASSERT_TRUE(r.result.converged) << k;
+    EXPECT_NEAR(r.result.Fz, 1e4, 1) << k;
+    EXPECT_NEAR(r.result.Fx, known.result.Fx, 1e-4 * known.result.Fx) << k;
+    EXPECT_NEAR(r.result.Fy, known.result.Fy, 1e-4 * known.result.Fx) << k;
+    EXPECT_NEAR(s.motion.xi + r.result.creepage_x, 5e-4, 1e-7) << k;
+    EXPECT_NEAR(s.motion.eta + r.result.creepage_s, -3e-4, 1e-7) << k;
+  }
+}
+
+TEST_F(Motion, RigidSlipByElement) {
+  const SceneResult known = solve_scene(patch("", "xi = 5e-4\nphi = 2e-4"), "halfspace");
+  std::string table = "ix, is, wx, ws\n";
+  for (int i = 0; i < 256; ++i) {
+    const double x = (i % 16 - 7.5) * 0.5, s = (i / 16 - 7.5) * 0.5;
+    table += std::to_string(i % 16) + "," + std::to_string(i / 16) + "," + std::to_string(5e-4 - 2e-4 * s) +
+             "," + std::to_string(2e-4 * x) + "\n";
+  }
+  write("slip.csv", table);
+  const SceneResult r = solve_scene(patch("", "slip_table = 'slip.csv'"), "halfspace");
+  EXPECT_NEAR(r.result.Fx, known.result.Fx, 1e-2 * known.result.Fx) << "six digits in the table";
+  EXPECT_NEAR(r.result.Fy, known.result.Fy, 1e-2 * known.result.Fx);
+}
+
 TEST_F(Motion, TransientRollingTendsToSteadyRolling) {
   const SceneResult steady = solve_scene(patch("", "xi = 6e-4\neta = 2e-4"), "halfspace");
   const SceneResult r =
