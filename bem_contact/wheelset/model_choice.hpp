@@ -14,8 +14,9 @@ struct HertzModel;
 double predicted_halfspace_error(double turn);
 
 /// The same for the tangent-plane model: 0.24 (turn/2)^2. Against the influence functions of a 60E1 rail and
-/// an S1002 wheel, 15 to 42 degrees on the gauge corner, it is wrong by .06 to .17 (turn/2)^2, for what it
-/// does not know of is the rest of the body. In plane strain, equal bodies on one circle: it is exact, 0.
+/// an S1002 wheel, 11 to 42 degrees on the gauge corner, it is wrong by .04 to .22 (turn/2)^2 (half-space:
+/// .18 to .44), for what it does not know of is the rest of the body. In plane strain, equal bodies on one
+/// circle: it is exact, 0.
 double predicted_tangent_plane_error(const ContactProblem& problem, double turn, bool equal_bodies);
 
 /// Of Hertz's solution: 5 times what the undeformed distance departs from a quadratic, over the approach (a

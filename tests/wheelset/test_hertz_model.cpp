@@ -157,4 +157,27 @@ TEST(ModelChoice, GoesFromTheCheapestUp) {
   EXPECT_EQ(choose_model(plane, all, false, true, 0.01).model, "fem");
 }
 
+/// Against the bodies' own numbers, with the influence files that are shipped: neither model is wronger than
+/// predicted, and the tangent planes are the better one.
+TEST(ModelChoice, PredictionsHoldOnTheGaugeCorner) {
+  const std::string folder = std::string(CONFORMAL_SOURCE_DIR) + "/data/influence/";
+  for (const double lateral : {6.4, 6.5, 6.65}) {
+    const SceneFile scene = parse_scene_file(
+        "kind = 'wheel_rail'\nposition.lateral = " + std::to_string(lateral) +
+        "\nload.force = 1e5\nmotion.frictionless = true\n[rail]\nprofile = '60E1'\ninfluence = '" + folder +
+        "small_rail.h5'\n[wheel]\nprofile = 'S1002'\ninfluence = '" + folder +
+        "small_wheel.h5'\n[grid]\ndx = 0.5\nds = 0.5\n");
+    const SceneResult fem = solve_scene(scene, "fem");
+    const auto error_of = [&](const char* model) {
+      const SceneResult r = solve_scene(scene, model);
+      return std::abs(r.result.patches.at(0).pmax / fem.result.patches.at(0).pmax - 1);
+    };
+    const double turn = turn_of_contact(fem.problem, fem.result);
+    const double halfspace = error_of("halfspace"), tangent_plane = error_of("tangent_plane");
+    EXPECT_LT(halfspace, predicted_halfspace_error(turn)) << lateral;
+    EXPECT_LT(tangent_plane, predicted_tangent_plane_error(fem.problem, turn, true)) << lateral;
+    EXPECT_LT(tangent_plane, halfspace) << lateral;
+  }
+}
+
 } // namespace
