@@ -1,4 +1,5 @@
 #include "bem_contact/contact/operator.hpp"
+#include "bem_contact/contact/plane_operator.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -176,6 +177,34 @@ TEST(Oracle, TranslationalNumbersGiveTheSameDisplacements) {
     contact::StripOperator(table, mx, {2}, {1}, {2, 3}).apply(part, of_table);
     for (int i = 0; i < 3 * mx; ++i)
       EXPECT_NEAR(three[i], of_table[i], 1e-13 * scale);
+  }
+}
+
+/// The inverses of the two factors, one after the other, undo A, the better the farther away the border of
+/// the grid, beyond which displacements are missed; the first acts on nothing that lies ahead.
+TEST(Oracle, FactorsOfTheOperatorInvertIt) {
+  double before = 1;
+  for (const int half : {5, 10, 20, 40}) {
+    const int m = 2 * half + 1, n = m * m, at = half * m + half;
+    const ContactProblem problem = scenes::flat({23000, 0.31}, {23000, 0.31}, m, m, 0.5, 0.5, 1e-3, 1e-3);
+    contact::PlaneOperator behind(problem.numbers, m, m, {0}, {0}), ahead(problem.numbers, m, m, {0}, {0});
+    behind.invert_factor(contact::PlaneOperator::Factor::behind);
+    ahead.invert_factor(contact::PlaneOperator::Factor::ahead);
+    std::vector<double> p(n, 0.0), u(n), part(n), back(n);
+    p[at] = 1;
+    contact::StripOperator(problem.numbers, m, {0}, {0}).apply(p, u);
+    behind.apply(u, part, 0);
+    ahead.apply(part, back, 0);
+    double error = 0;
+    for (int i = 0; i < n; ++i)
+      error = std::max(error, std::abs(back[i] - p[i]));
+    EXPECT_LT(error, std::sqrt(0.5) * before) << m; // order 1/2 of that distance
+    before = error;
+    behind.apply(p, part, 0);
+    for (int i = 0; i < n; ++i)
+      if (i % m < half) {
+        EXPECT_NEAR(part[i], 0, 0.02 * part[at]) << i;
+      }
   }
 }
 
