@@ -26,9 +26,7 @@ StepNumbers::StepNumbers(const InfluenceNumbers& numbers, int mx, const std::arr
 }
 
 TangentialSystem::TangentialSystem(const ContactProblem& the_problem)
-    : problem(&the_problem), rule(slip_step(the_problem)),
-      tt(the_problem.numbers, the_problem.grid.mx, {component_x, component_s}, {component_x, component_s}),
-      stiffness(the_problem.grid.size()) {
+    : problem(&the_problem), rule(slip_step(the_problem)), stiffness(the_problem.grid.size()) {
   const auto& [mx, ms, dx, ds, x0] = problem->grid;
   const InfluenceNumbers& a = problem->numbers;
   for (int is = 0; is < ms; ++is) {
@@ -89,10 +87,17 @@ StepBox& TangentialSystem::box_for(const std::vector<int>& contact) const {
   return *box_;
 }
 
+const StripOperator& TangentialSystem::whole() const {
+  if (!whole_)
+    whole_.emplace(problem->numbers, problem->grid.mx, std::vector<int>{component_x, component_s},
+                   std::vector<int>{component_x, component_s});
+  return *whole_;
+}
+
 VectorXd TangentialSystem::displacement(const VectorXd& p, int columns) const {
   VectorXd u(p.size());
-  tt.apply({p.data(), static_cast<std::size_t>(p.size())}, {u.data(), static_cast<std::size_t>(u.size())},
-           columns);
+  whole().apply({p.data(), static_cast<std::size_t>(p.size())},
+                {u.data(), static_cast<std::size_t>(u.size())}, columns);
   return u;
 }
 
@@ -100,8 +105,8 @@ VectorXd TangentialSystem::step(const VectorXd& p) const {
   if (problem->motion != MotionKind::steady)
     return rule.present[0] * displacement(p);
   VectorXd u(p.size());
-  tt.apply_step({p.data(), static_cast<std::size_t>(p.size())},
-                {u.data(), static_cast<std::size_t>(u.size())});
+  whole().apply_step({p.data(), static_cast<std::size_t>(p.size())},
+                     {u.data(), static_cast<std::size_t>(u.size())});
   return u;
 }
 

@@ -65,10 +65,12 @@ public:
 
   const ContactProblem* problem;
   SlipStep rule;
-  StripOperator tt;
   Eigen::VectorXd stiffness; ///< 1 / mean of B_xx, B_ss of the element itself, MPa/mm; field of one component
 
 private:
+  const StripOperator& whole() const; ///< A_tt on the whole grid, made when first asked for
+
+  mutable std::optional<StripOperator> whole_;
   mutable std::optional<StepNumbers> step_numbers_;
   mutable std::optional<StepBox> box_;
 };
