@@ -7,6 +7,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/provenance.hpp"
+#include "bem_contact/wheelset/sequence.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -56,7 +57,7 @@ ExitCode verdict(const SceneResult& r) {
 ExitCode run_solve(const Arguments& arguments) {
   const SceneFile scene = read_scene_file(arguments.file);
   check_outputs(arguments, scene, {arguments.output, arguments.vtk});
-  const SceneResult result = solve_scene(scene, arguments.model);
+  const SceneResult result = Sequence().solve(scene, arguments.model);
   if (!arguments.output.empty()) {
     const std::array results{&result};
     write_h5(arguments.output, app::to_table(results, arguments.file));

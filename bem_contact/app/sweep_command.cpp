@@ -8,6 +8,7 @@
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/influence/file_seal.hpp"
+#include "bem_contact/wheelset/sequence.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -16,6 +17,7 @@
 #include <ctime>
 #include <fmt/format.h>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -29,7 +31,7 @@ namespace {
 
 /// Consecutive cases that one process solves: the same whatever --jobs, so that results are too.
 std::size_t chunk_size(std::size_t cases) {
-  return std::clamp<std::size_t>(cases / 32, 1, 16);
+  return std::clamp<std::size_t>(cases / 8, 4, 32);
 }
 
 std::string digest_of(const std::string& text) {
@@ -121,7 +123,8 @@ std::optional<Former> former_output(const std::filesystem::path& output, const s
   return former;
 }
 
-CaseRecord solve_case(const SweepFile& sweep, std::size_t index, const std::string& model) {
+CaseRecord solve_case(Sequence& sequence, const SweepFile& sweep, std::size_t index,
+                      const std::string& model) {
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpu = std::clock();
   CaseRecord record;
@@ -131,7 +134,7 @@ CaseRecord solve_case(const SweepFile& sweep, std::size_t index, const std::stri
     record.reason = reason;
   };
   try {
-    record = record_of(index, solve_scene(sweep.scene(index), model), sweep.fields);
+    record = record_of(index, sequence.solve(sweep.scene(index), model), sweep.fields);
   } catch (const ConvergenceError& error) {
     failed(CaseStatus::not_certified, error.what());
   } catch (const Error& error) {
@@ -182,7 +185,9 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
   calls.make_solver = [&]() -> CaseSolver {
     if (openblas_set_num_threads)
       openblas_set_num_threads(1);
-    return [&](std::size_t index) { return to_bytes(solve_case(sweep, index, request.model)); };
+    return [&, sequence = std::make_shared<Sequence>()](std::size_t index) {
+      return to_bytes(solve_case(*sequence, sweep, index, request.model));
+    };
   };
   calls.done = [&](std::size_t, std::string bytes) { keep(from_bytes(bytes), bytes); };
   calls.died = [&](std::size_t index, const std::string& reason) {

@@ -154,6 +154,16 @@ Schema schema_of(SceneFile& f, Youngs& young) {
         {.doc = "Elements along s; 0 (wheel_rail only): from the undeformed distance",
          .at_least = 0,
          .at_most = 4096});
+  s.add("grid.elements", f.grid.elements,
+        {.doc = "Elements in contact that dx and ds are chosen for; 0: dx and ds as given",
+         .at_least = 0,
+         .at_most = 4000,
+         .kinds = wheel_rail});
+  s.add("grid.accuracy", f.grid.accuracy,
+        {.doc = "Discretisation error that dx and ds are chosen for (0.02: 2 %); 0: dx and ds as given",
+         .at_least = 0,
+         .at_most = 0.5,
+         .kinds = wheel_rail});
   s.add("grid.plane_strain", f.grid.plane_strain,
         {.doc = "One element infinitely long along x (mx = 1), forces per mm", .kinds = patch});
   s.add("grid.s_from", f.grid.s_from,
@@ -269,6 +279,12 @@ void check_wheel_rail(const SceneFile& f, const Schema& s) {
   if (f.position.back_to_back >= f.position.gauge)
     s.refuse("position.back_to_back", fmt::format("the gauge is only {} mm", f.position.gauge),
              "Give a distance between the flange backs smaller than the gauge.");
+  if ((f.grid.elements > 0 || f.grid.accuracy > 0) && (f.grid.mx > 0 || f.grid.ms > 0))
+    s.refuse(f.grid.accuracy > 0 ? "grid.accuracy" : "grid.elements", "the numbers mx or ms are given too",
+             "Leave out grid.mx and grid.ms.");
+  if ((f.grid.elements > 0 || f.grid.accuracy > 0) && f.motion.kind != "steady")
+    s.refuse(f.grid.accuracy > 0 ? "grid.accuracy" : "grid.elements",
+             "a transient needs one grid for all its steps", "Give grid.dx and grid.ds.");
   if ((f.grid.s_from != 0 || f.grid.s_to != 0) && f.grid.s_to <= f.grid.s_from)
     s.refuse("grid.s_to", fmt::format("the rows would run from {} to {} mm", f.grid.s_from, f.grid.s_to),
              "Give s_to greater than s_from, or leave both out.");

@@ -63,9 +63,11 @@ struct SceneFile {
     std::string slip_table; ///< patch: CSV file with columns ix, is, wx, ws instead of creepages
   } motion;
 
-  struct Grid {                  ///< [grid]
-    double dx = 0.5, ds = 0.2;   ///< mm
-    int mx = 0, ms = 0;          ///< patch: size; wheel_rail: 0 = from the undeformed distance
+  struct Grid {                ///< [grid]
+    double dx = 0.5, ds = 0.2; ///< mm
+    int mx = 0, ms = 0;        ///< patch: size; wheel_rail: 0 = from the undeformed distance
+    int elements = 0;          ///< wheel_rail: wanted in contact, instead of dx and ds; 0: as these say
+    double accuracy = 0; ///< wheel_rail: discretisation error wanted, instead of dx and ds; 0: as these say
     bool plane_strain = false;   ///< patch: mx = 1, infinitely long along x, forces per mm
     double s_from = 0, s_to = 0; ///< wheel_rail: rows wanted on the rail's arc length; both 0 = automatic
   } grid;

@@ -133,6 +133,23 @@ void require_capacity(const ContactProblem& problem, const Creepage& creepage) {
                    "prescribe less, or give a creepage (full slip leaves it undetermined)");
 }
 
+/// False, and nothing is set, where the guess is of another grid or has no pressure.
+bool set_start(const StartingPoint& start, const ContactProblem& problem, Solution& solution) {
+  const Eigen::Index n = problem.grid.size();
+  if (start.pn.size() != static_cast<std::size_t>(n) ||
+      std::ranges::none_of(start.pn, [](double p) { return p > 0; }))
+    return false;
+  solution.normal.p = Eigen::Map<const VectorXd>(start.pn.data(), n).cwiseMax(0.0);
+  solution.normal.approach = start.approach;
+  solution.normal.active.resize(start.pn.size());
+  for (Eigen::Index i = 0; i < n; ++i)
+    solution.normal.active[i] = solution.normal.p[i] > 0;
+  if (problem.has_friction())
+    solution.shear.p << Eigen::Map<const VectorXd>(start.px.data(), n),
+        Eigen::Map<const VectorXd>(start.ps.data(), n);
+  return true;
+}
+
 } // namespace
 
 Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options) {
@@ -145,7 +162,8 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
   solution.shear.slip = VectorXd::Zero(2 * n);
   solution.shear.solver = "none";
   solution.shear.converged = true;
-  start_from_coarse(problem, options, solution);
+  if (!options.start || !set_start(*options.start, problem, solution))
+    start_from_coarse(problem, options, solution);
 
   VectorXd sine(n);
   for (int i = 0; i < n; ++i)

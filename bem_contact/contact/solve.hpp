@@ -4,6 +4,12 @@
 
 namespace bem_contact {
 
+/// A guess at the solution; fields of the problem's grid.
+struct StartingPoint {
+  std::vector<double> px, ps, pn; ///< MPa
+  double approach = 0;            ///< mm
+};
+
 struct SolverOptions {
   double tolerance = 1e-8;  ///< of the solvers; the certificate asks for 1e-6
   int max_outer = 50;       ///< normal-tangential (Panagiotopoulos) iterations
@@ -12,6 +18,9 @@ struct SolverOptions {
   int max_sweeps = 1000;    ///< where Newton fails
   bool only_newton = false; ///< nothing else where Newton fails
   bool estimate_discretisation = true;
+  /// Where to start from instead of a coarse grid; a guess on another grid or without pressure is passed
+  /// over.
+  const StartingPoint* start = nullptr;
 };
 
 /// Solves the normal problem or steady rolling. No contact: a result with zero force and no patches.

@@ -15,11 +15,12 @@ namespace bem_contact {
 
 namespace {
 
-std::optional<InfluenceFunction> read_side(const SceneFile& scene, const SceneFile::Side& side) {
+std::shared_ptr<const InfluenceFunction> read_side(const SceneFile& scene, const SceneFile::Side& side) {
   if (side.influence.empty())
-    return std::nullopt;
-  InfluenceFunction function = read_influence_file(scene.folder / side.influence);
-  require_material(function, side.material);
+    return nullptr;
+  auto function =
+      std::make_shared<const InfluenceFunction>(read_influence_file(scene.folder / side.influence));
+  require_material(*function, side.material);
   return function;
 }
 
@@ -29,7 +30,7 @@ std::pair<double, double> strip_of(const InfluenceFunction& f) {
 }
 
 /// Rows of equal width on the rail are a hair shorter or longer on the wheel: allow 1 % of a row.
-bool inside(const std::optional<InfluenceFunction>& f, double s, double ds) {
+bool inside(const std::shared_ptr<const InfluenceFunction>& f, double s, double ds) {
   if (!f)
     return true;
   const auto [from, to] = strip_of(*f);
@@ -140,7 +141,7 @@ InfluenceNumbers fem_pair(const SceneFile& scene, const PairFiles& files, const 
 
 void require_strips(const PairFiles& files, const PreparedContact& contact) {
   const double half = 0.49 * contact.problem.grid.ds;
-  const auto side = [&](const std::optional<InfluenceFunction>& f, const std::vector<double>& s) {
+  const auto side = [&](const std::shared_ptr<const InfluenceFunction>& f, const std::vector<double>& s) {
     if (!f || s.empty())
       return;
     const auto [lo, hi] = std::ranges::minmax(s);

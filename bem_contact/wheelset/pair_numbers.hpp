@@ -4,13 +4,13 @@
 #include "bem_contact/influence/influence_function.hpp"
 #include "bem_contact/wheelset/patch_scene.hpp"
 
-#include <optional>
+#include <memory>
 
 namespace bem_contact {
 
 /// The influence files of both bodies, where the scene names both.
 struct PairFiles {
-  std::optional<InfluenceFunction> rail, wheel;
+  std::shared_ptr<const InfluenceFunction> rail, wheel; ///< shared by the cases of a sequence
 
   bool complete() const { return rail && wheel; }
 };

@@ -92,9 +92,27 @@ ContactEstimate estimate_contact(const WheelOnRail& pair, const ContactLocus& lo
   return out;
 }
 
-GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin) {
+ContactExtent contact_extent(const ContactEstimate& estimate) {
+  ContactExtent out;
+  if (estimate.slices.size() < 2)
+    return out;
+  const double ds = estimate.slices[1].s - estimate.slices[0].s;
+  for (const ContactEstimate::Slice& c : estimate.slices) {
+    const double depth = 0.55 * estimate.approach * std::cos(c.delta) - c.gap;
+    if (depth <= 0)
+      continue;
+    const double length = 2 * std::sqrt(depth / c.half);
+    out.along_x = std::max(out.along_x, length);
+    out.along_s += ds;
+    out.area += length * ds;
+  }
+  return out;
+}
+
+GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin,
+                   double share) {
   GridPlan plan{origin, 0, grid.ms, grid.mx, grid.dx, grid.ds};
-  const double q = 0.9 * std::max(estimate.approach, 1e-4);
+  const double q = share * std::max(estimate.approach, 1e-4);
   double from = 0, to = 0, x_from = 0, x_to = 0;
   bool any = false;
   const ContactEstimate::Slice* nearest = nullptr;

@@ -42,10 +42,21 @@ struct GridPlan {
   double s_to() const { return s(rows - 1) + 0.5 * ds; }
 };
 
-/// Covers every element whose undeformed distance is under 0.9 of the estimated approach (the estimate's
-/// contact needs 0.55), or the rows s_from .. s_to and the numbers mx, ms that the scene asks for.
-/// `origin`: rows are centred at origin + whole multiples of ds (a station of the rail's influence file).
-GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin);
+/// Of the estimated approach: the potential contact when nothing is known of the contact. The estimate's own
+/// needs 0.55.
+inline constexpr double widest_share = 0.9;
+
+/// How large the estimate says that the contact is, mm, mm^2. In s the sum over all areas.
+struct ContactExtent {
+  double along_x = 0, along_s = 0, area = 0;
+};
+ContactExtent contact_extent(const ContactEstimate& estimate);
+
+/// Covers every element whose undeformed distance is under `share` of the estimated approach, or the rows
+/// s_from .. s_to and the numbers mx, ms that the scene asks for. `origin`: rows are centred at origin +
+/// whole multiples of ds (a station of the rail's influence file).
+GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin,
+                   double share = widest_share);
 
 /// The rail's rows of a plan, in the track frame.
 std::vector<ContactRow> rail_rows(const WheelOnRail& pair, const GridPlan& plan);

@@ -5,11 +5,14 @@
 #include "bem_contact/wheelset/hertz_model.hpp"
 #include "bem_contact/wheelset/motion.hpp"
 #include "bem_contact/wheelset/pair_numbers.hpp"
+#include "bem_contact/wheelset/scene_aids.hpp"
 #include "bem_contact/wheelset/wheel_rail_scene.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <memory>
 #include <numbers>
 
 namespace bem_contact {
@@ -40,6 +43,7 @@ struct Stage {
   PreparedContact contact;
   PhaseSeconds seconds;
   bool needs_strips = false; ///< every row must lie on the strips of the influence files
+  SceneAids aids;
 
   ReferencePoint reference() const {
     if (wheel_rail)
@@ -67,12 +71,12 @@ void require_memory(const ContactGrid& grid) {
                      "Use larger elements or fewer of them, above all along s.");
 }
 
-Stage prepare(const SceneFile& scene, bool needs_strips) {
+Stage prepare(const SceneFile& scene, bool needs_strips, const SceneAids& aids = {}) {
   const Stopwatch watch;
-  Stage stage{&scene, {}, {}, {}, {}, needs_strips};
+  Stage stage{&scene, {}, {}, {}, {}, needs_strips, aids};
   if (scene.kind == "wheel_rail") {
-    stage.wheel_rail = place_wheel_rail(scene);
-    stage.files = read_pair_files(scene);
+    stage.wheel_rail = aids.placed ? *aids.placed : place_wheel_rail(scene);
+    stage.files = aids.files ? *aids.files : read_pair_files(scene);
     if (stage.files.rail)
       require_profile(*stage.files.rail, stage.wheel_rail->pair.rail.name(),
                       stage.wheel_rail->pair.rail.digest());
@@ -81,7 +85,7 @@ Stage prepare(const SceneFile& scene, bool needs_strips) {
                       stage.wheel_rail->pair.wheel.digest());
     if (stage.files.wheel)
       require_radius(*stage.files.wheel, scene.position.wheel_radius);
-    stage.wheel_rail->plan = plan_wheel_rail(*stage.wheel_rail, scene, stage.files);
+    stage.wheel_rail->plan = plan_wheel_rail(*stage.wheel_rail, scene, stage.files, aids.potential_share);
     stage.contact = prepare_wheel_rail(*stage.wheel_rail, scene);
     // The estimate is generous: give up rows off the strips, as long as the contact does not need them.
     if (needs_strips && scene.grid.s_from == scene.grid.s_to && scene.grid.ms == 0) {
@@ -162,7 +166,7 @@ void grow(Stage& stage, const Touched& touched) {
   stage.seconds.geometry += watch.seconds();
 }
 
-InfluenceNumbers numbers_of(const Stage& stage, const std::string& model) {
+InfluenceNumbers compute_numbers(const Stage& stage, const std::string& model) {
   return model == "fem"             ? fem_pair(*stage.scene, stage.files, stage.contact)
          : model == "tangent_plane" ? tangent_plane_pair(*stage.scene, stage.contact)
                                     : halfspace_pair(*stage.scene, stage.contact);
@@ -192,6 +196,24 @@ SceneResult solve_by_hertz(const Stage& stage) {
   return out;
 }
 
+InfluenceNumbers numbers_of(const Stage& stage, const std::string& model) {
+  NumbersStore* store = stage.wheel_rail && model != "tangent_plane" ? stage.aids.numbers : nullptr;
+  const auto compute = [&] { return compute_numbers(stage, model); };
+  if (!store)
+    return compute();
+  // All that they depend on: half-space numbers on the grid's size alone.
+  const ContactGrid& grid = stage.contact.problem.grid;
+  const SceneFile& scene = *stage.scene;
+  std::string key = fmt::format("{} {} {} {} {}", model, grid.mx, grid.ms, grid.dx, grid.ds);
+  for (const SceneFile::Side* side : {&scene.rail, &scene.wheel})
+    key += fmt::format(" {} {} {} {}", side->material.shear_modulus, side->material.poisson, side->influence,
+                       side->structural);
+  if (model == "fem")
+    key += fmt::format(" {} {} {}", fmt::join(stage.contact.rail_s, " "),
+                       fmt::join(stage.contact.wheel_s, " "), stage.contact.contact_radius);
+  return store->get(key, compute);
+}
+
 /// Without `tangential` it is a look at the normal problem, for the choice of the model.
 SceneResult solve_once(Stage& stage, const std::string& model, bool tangential) {
   if (model == "hertz")
@@ -204,9 +226,13 @@ SceneResult solve_once(Stage& stage, const std::string& model, bool tangential) 
   problem.numbers = numbers_of(stage, model);
   out.seconds.numbers = numbers.seconds();
   const Stopwatch solving;
+  std::optional<StartingPoint> start;
+  if (stage.wheel_rail && stage.aids.start)
+    start = start_from(*stage.aids.start, problem, stage.wheel_rail->reference.s, problem.force);
   const SolverOptions options{.tolerance = stage.scene->solver.tolerance,
                               .max_outer = stage.scene->solver.max_outer,
-                              .estimate_discretisation = tangential};
+                              .estimate_discretisation = tangential,
+                              .start = start ? &*start : nullptr};
   if (!tangential) {
     ContactProblem normal = problem;
     normal.tangential = false;
@@ -345,21 +371,25 @@ void add_stresses(SceneResult& out, const SceneFile& scene) {
 
 } // namespace
 
-SceneResult solve_scene(const SceneFile& scene, const std::string& wanted) {
+SceneResult solve_scene(const SceneFile& scene, const std::string& model) {
+  return solve_scene(scene, model, {});
+}
+
+SceneResult solve_scene(const SceneFile& scene, const std::string& wanted, const SceneAids& aids) {
   const Stopwatch watch;
   const std::string model = wanted.empty() ? scene.solver.model : wanted;
   const auto known = {"auto", "hertz", "halfspace", "tangent_plane", "fem"};
   if (std::ranges::find(known, model) == known.end())
     throw InputError(fmt::format("There is no model '{}'", model),
                      fmt::format("the models are {}", fmt::join(known, ", ")), "Choose one of them.");
-  Stage stage = prepare(scene, model == "fem");
+  Stage stage = prepare(scene, model == "fem", aids);
   SceneResult out;
   PhaseSeconds probe;
   ModelChoice choice{model, "asked for"};
   if (model == "auto") {
     choice = choose(stage, probe);
     if (choice.model == "fem")
-      stage = prepare(scene, true);
+      stage = prepare(scene, true, aids);
   }
   out = solve_grown(stage, choice.model, true);
   out.reason = choice.reason;
@@ -426,7 +456,7 @@ std::vector<std::string> check_scene(const SceneFile& scene) {
   lines.push_back(problem.tangential
                       ? fmt::format("friction: {:g}, {}", problem.largest_friction(), motion_text(scene))
                       : std::string("friction: none"));
-  const auto side = [&](const char* name, const std::optional<InfluenceFunction>& f,
+  const auto side = [&](const char* name, const std::shared_ptr<const InfluenceFunction>& f,
                         const std::vector<double>& s) {
     if (!f) {
       lines.push_back(fmt::format("{}: no influence file", name));

@@ -56,9 +56,10 @@ WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles&
   return out;
 }
 
-GridPlan plan_wheel_rail(const WheelRailScene& placed, const SceneFile& scene, const PairFiles& files) {
+GridPlan plan_wheel_rail(const WheelRailScene& placed, const SceneFile& scene, const PairFiles& files,
+                         double share) {
   const double origin = files.rail ? files.rail->stations.front().s : 0.5 * scene.grid.ds;
-  return plan_grid(placed.estimate, scene.grid, origin);
+  return plan_grid(placed.estimate, scene.grid, origin, share);
 }
 
 PreparedContact prepare_wheel_rail(const WheelRailScene& placed, const SceneFile& scene) {

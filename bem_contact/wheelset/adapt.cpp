@@ -1,0 +1,52 @@
+#include "bem_contact/wheelset/adapt.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bem_contact {
+
+namespace {
+
+constexpr double order = 0.65;  // of the error in the number of elements
+constexpr double reserve = 1.1; // elements beyond what the accuracy is predicted to need
+constexpr int first_guess = 200;
+
+/// Rounded in the logarithm; `down`: not larger.
+double on_ladder(double length, bool down) {
+  const double step = 4 * std::log2(length);
+  return std::exp2((down ? std::floor(step + 1e-9) : std::round(step)) / 4);
+}
+
+} // namespace
+
+ElementCount::ElementCount(int elements, double accuracy)
+    : accuracy_(accuracy), wanted_(elements > 0 ? elements : first_guess) {}
+
+bool ElementCount::learn(int contact, double error) {
+  if (accuracy_ <= 0 || contact <= 0)
+    return false;
+  if (error < 0) { // nothing is known but that there are few
+    const bool more = contact < most / 2 && wanted_ < most;
+    wanted_ = more ? std::min(most, 2 * std::max(wanted_, contact)) : wanted_;
+    return more;
+  }
+  const double needed = reserve * contact * std::pow(error / accuracy_, 1 / order);
+  const bool again = error > accuracy_ && contact < most;
+  // Errors scatter: come down slowly, and go up by no more than a retry can correct.
+  const double lo = again ? 1.3 * contact : 0.6 * contact, hi = 4.0 * contact;
+  wanted_ = static_cast<int>(std::clamp(std::clamp(needed, lo, hi), double(fewest), double(most)));
+  return again && wanted_ > contact;
+}
+
+ElementSize size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio) {
+  const ContactExtent extent = contact_extent(estimate);
+  if (!(extent.area > 0) || !(extent.along_x > 0) || !(extent.along_s > 0))
+    return {0.5, 0.25};
+  const double element = extent.area * area_ratio / elements;
+  const double aspect = std::clamp(extent.along_x / extent.along_s, 0.4, 2.5);
+  // One is rounded to the nearest, the other such that there are not fewer elements than asked for.
+  const double dx = on_ladder(std::sqrt(element * aspect), false);
+  return {dx, on_ladder(element / dx, true)};
+}
+
+} // namespace bem_contact

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "bem_contact/wheelset/potential_contact.hpp"
+
+namespace bem_contact {
+
+/// How many elements in contact, kept near a number asked for or near what an accuracy needs.
+///
+/// The estimated discretisation error e is that of adhesion, first order, or of the normal problem, second:
+/// with N elements e ~ N^-0.65 lies between. A conformal case, whose error is larger, gets more on its own.
+class ElementCount {
+public:
+  /// `accuracy`: discretisation error wanted; 0: `elements` whatever the error.
+  ElementCount(int elements, double accuracy);
+
+  int wanted() const { return wanted_; }
+  /// After a case with `contact` elements and an estimated error (< 0: too few to estimate). True where the
+  /// case is to be solved again with wanted(), which is larger then.
+  bool learn(int contact, double error);
+
+  static constexpr int fewest = 60, most = 4000;
+
+private:
+  double accuracy_ = 0;
+  int wanted_ = 0;
+};
+
+struct ElementSize {
+  double dx = 0, ds = 0; ///< mm
+};
+
+/// Elements of a size that `elements` of them cover an area like the estimate's, `area_ratio` times as large,
+/// about as many along x as along s. Sizes are powers of 2^(1/4) mm, so that numbers serve several cases.
+ElementSize size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio);
+
+} // namespace bem_contact

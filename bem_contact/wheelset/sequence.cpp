@@ -1,0 +1,129 @@
+#include "bem_contact/wheelset/sequence.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+/// A former case whose bodies touch first this far away is another case, mm.
+constexpr double farthest_start = 3.0;
+/// The next potential contact is this much wider than the former contact needed.
+constexpr double wider = 1.15;
+
+int in_contact(const ContactResult& result) {
+  int sum = 0;
+  for (const PatchSummary& patch : result.patches)
+    sum += patch.contact;
+  return sum;
+}
+
+} // namespace
+
+const WheelRailProfiles& Sequence::profiles(const SceneFile& scene) {
+  if (!options_.keep_files)
+    profiles_.clear();
+  const std::string key =
+      fmt::format("{}\n{}\n{}", scene.folder.string(), scene.rail.profile, scene.wheel.profile);
+  const auto found = profiles_.find(key);
+  return found != profiles_.end() ? found->second
+                                  : profiles_.emplace(key, read_profiles(scene)).first->second;
+}
+
+const PairFiles& Sequence::files(const SceneFile& scene) {
+  if (!options_.keep_files)
+    files_.clear();
+  std::string key = scene.folder.string();
+  for (const SceneFile::Side* side : {&scene.rail, &scene.wheel}) // the reader checks the material
+    key += fmt::format("\n{}\n{} {}", side->influence, side->material.shear_modulus, side->material.poisson);
+  const auto found = files_.find(key);
+  return found != files_.end() ? found->second : files_.emplace(key, read_pair_files(scene)).first->second;
+}
+
+void Sequence::learn(const SceneResult& result, const ContactEstimate& estimate) {
+  const ContactResult& r = result.result;
+  const ContactGrid& grid = result.problem.grid;
+  if (!r.converged || r.patches.empty() || !(estimate.approach > 0)) {
+    former_.reset();
+    share_ = widest_share;
+    return;
+  }
+  double farthest = 0;
+  for (int i = 0; i < grid.size(); ++i)
+    if (r.pn[i] > 0)
+      farthest = std::max(farthest, result.problem.gap[i] / std::cos(result.problem.rows[i / grid.mx].delta));
+  share_ =
+      options_.learn ? std::clamp(wider * farthest / estimate.approach, 0.4, widest_share) : widest_share;
+  const double area = contact_extent(estimate).area;
+  area_ratio_ =
+      options_.learn && area > 0 ? std::clamp(in_contact(r) * grid.dx * grid.ds / area, 0.3, 3.0) : 1.0;
+  if (options_.keep_start)
+    former_ = FormerTractions{
+        grid, result.problem.rows.front().s, result.reference.s, r.Fz, r.approach, r.px, r.ps, r.pn};
+}
+
+SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  ++counts_.cases;
+  if (asked.kind != "wheel_rail" || asked.motion.kind != "steady") {
+    ++counts_.solves;
+    return solve_scene(asked, model);
+  }
+  const WheelRailScene placed = place_wheel_rail(asked, profiles(asked));
+  const PairFiles& read = files(asked);
+  const double geometry = seconds();
+  const bool adapt = asked.grid.elements > 0 || asked.grid.accuracy > 0;
+  if (!count_ || asked_elements_ != asked.grid.elements || asked_accuracy_ != asked.grid.accuracy)
+    count_.emplace(asked.grid.elements, asked.grid.accuracy);
+  asked_elements_ = asked.grid.elements;
+  asked_accuracy_ = asked.grid.accuracy;
+
+  SceneAids aids{&placed, &read, options_.keep_numbers ? &numbers_ : nullptr, nullptr, share_};
+  SceneFile scene = asked;
+  PhaseSeconds spent;
+  for (int round = 1;; ++round) {
+    if (adapt) {
+      const ElementSize size = size_of_elements(placed.estimate, count_->wanted(), area_ratio_);
+      scene.grid.dx = size.dx;
+      scene.grid.ds = size.ds;
+    }
+    const bool near = former_ && std::abs(former_->reference_s - placed.reference.s) < farthest_start;
+    aids.start = near ? &*former_ : nullptr;
+    aids.potential_share = share_;
+    counts_.starts += near;
+    ++counts_.solves;
+    SceneResult out = solve_scene(scene, model, aids);
+    learn(out, placed.estimate);
+    spent.numbers += out.seconds.numbers;
+    spent.solve += out.seconds.solve;
+    spent.geometry += out.seconds.geometry;
+    const double error = out.result.certificate.discretisation;
+    const bool again = adapt && out.result.converged && !out.result.patches.empty() &&
+                       count_->learn(in_contact(out.result), error);
+    if (again && round < most_solves)
+      continue;
+    if (asked.grid.accuracy > 0 && out.result.converged && error > asked.grid.accuracy)
+      out.warnings.push_back(
+          fmt::format("the estimated discretisation error of {:.2g} % is above the {:.2g} % asked "
+                      "for by grid.accuracy",
+                      100 * error, 100 * asked.grid.accuracy));
+    spent.geometry += geometry;
+    spent.total = seconds();
+    out.seconds = spent;
+    return out;
+  }
+}
+
+Sequence::Counts Sequence::counts() const {
+  Counts counts = counts_;
+  counts.numbers_kept = numbers_.found;
+  return counts;
+}
+
+} // namespace bem_contact

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "bem_contact/wheelset/adapt.hpp"
+#include "bem_contact/wheelset/scene_aids.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace bem_contact {
+
+/// What a sequence keeps of earlier cases. Each can be switched off; tools/ablation shows what each saves.
+struct SequenceOptions {
+  bool keep_files = true;   ///< profiles and influence files are read once
+  bool keep_numbers = true; ///< influence numbers of a grid met before are not computed again
+  /// A case starts from the former one's tractions, moved and scaled; from a coarse grid where the bodies
+  /// touch first elsewhere.
+  bool keep_start = true;
+  bool learn = true; ///< potential contact and area in contact, of the estimate's
+};
+
+/// Solves `wheel_rail` scenes one after the other and uses what the former ones taught. Files must not
+/// change meanwhile. Results lie within the certificate of those that solve_scene() finds on the same grid.
+/// One object serves one thread.
+class Sequence {
+public:
+  explicit Sequence(SequenceOptions options = {}) : options_(options) {}
+
+  /// As solve_scene(). Where the scene asks for grid.elements or grid.accuracy, dx and ds are chosen: the
+  /// case is solved again, at most `most_solves` times, until its estimated error is within the accuracy.
+  /// Other kinds of scene are solved by themselves.
+  SceneResult solve(const SceneFile& scene, const std::string& model = "");
+
+  struct Counts {
+    int cases = 0, solves = 0, numbers_kept = 0, starts = 0;
+  };
+  Counts counts() const;
+
+  static constexpr int most_solves = 4;
+
+private:
+  const WheelRailProfiles& profiles(const SceneFile& scene);
+  const PairFiles& files(const SceneFile& scene);
+  void learn(const SceneResult& result, const ContactEstimate& estimate);
+
+  SequenceOptions options_;
+  std::map<std::string, WheelRailProfiles> profiles_;
+  std::map<std::string, PairFiles> files_;
+  NumbersStore numbers_;
+  std::optional<FormerTractions> former_;
+  std::optional<ElementCount> count_;
+  int asked_elements_ = 0;
+  double asked_accuracy_ = 0;
+  double share_ = widest_share, area_ratio_ = 1;
+  Counts counts_;
+};
+
+} // namespace bem_contact
