@@ -104,7 +104,7 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
     spent.solve += out.seconds.solve;
     spent.geometry += out.seconds.geometry;
     const double error = out.result.certificate.discretisation;
-    const bool again = adapt && out.result.converged && !out.result.patches.empty() &&
+    const bool again = adapt && out.model != "hertz" && out.result.converged && !out.result.patches.empty() &&
                        count_->learn(in_contact(out.result), error);
     if (again && round < most_solves)
       continue;

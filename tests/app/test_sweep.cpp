@@ -200,8 +200,8 @@ TEST_F(Sweep, SharesMergedAreTheWhole) {
   }
   Outcome merged = sweep(cases, "--merge");
   EXPECT_EQ(merged.code, 3);
-  EXPECT_THAT(merged.out, HasSubstr("6 missing"));
-  EXPECT_EQ(read_h5(out()).attributes.at("missing"), H5Attribute(6.0));
+  EXPECT_THAT(merged.out, HasSubstr("4 missing"));
+  EXPECT_EQ(read_h5(out()).attributes.at("missing"), H5Attribute(4.0));
   ASSERT_EQ(sweep(cases, "--part 3/3").code, 0);
   merged = sweep(cases, "--merge");
   EXPECT_EQ(merged.code, 0) << merged.err;
