@@ -123,7 +123,7 @@ CLI::App* add_sweep(CLI::App& cli, app::SweepRequest& r) {
   sweep->add_option("-o,--output", r.output, "File of all cases (HDF5)")->required();
   sweep->add_option("--csv", r.csv, "Summary, one line a case");
   sweep->add_option("--model", r.model, "What is taken for the bodies; the scene's own choice if not given")
-      ->check(CLI::IsMember({"auto", "halfspace", "tangent_plane", "fem"}));
+      ->check(CLI::IsMember({"auto", "hertz", "halfspace", "tangent_plane", "fem"}));
   sweep->add_option("--jobs", r.jobs, "Processes side by side; 0: one a core")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
