@@ -1,5 +1,5 @@
 #include "bem_contact/contact/dense.hpp"
-#include "bem_contact/contact/friction.hpp"
+#include "bem_contact/contact/linearise.hpp"
 
 #include <Eigen/Dense>
 
@@ -71,31 +71,6 @@ struct Compressed {
     in_box([this] { box.invert(); }, v, result);
   }
 };
-
-/// F = p - Proj(p + r S) and the derivative M of the projection, element by element.
-struct Linearisation {
-  VectorXd residual;
-  std::vector<Matrix2d> projection;
-};
-
-Linearisation linearise(const Compressed& c, const VectorXd& p, const VectorXd& slip) {
-  const int n = c.unknowns() / 2;
-  Linearisation result{VectorXd(2 * n), std::vector<Matrix2d>(n)};
-  for (int a = 0; a < n; ++a) {
-    const double bound = c.bound[a];
-    const Vector2d z = p.segment<2>(2 * a) + c.stiffness[a] * slip.segment<2>(2 * a);
-    const double length = z.norm();
-    if (length <= bound) {
-      result.residual.segment<2>(2 * a) = p.segment<2>(2 * a) - z;
-      result.projection[a] = Matrix2d::Identity();
-    } else {
-      const Vector2d direction = z / length;
-      result.residual.segment<2>(2 * a) = p.segment<2>(2 * a) - bound * direction;
-      result.projection[a] = bound / length * (Matrix2d::Identity() - direction * direction.transpose());
-    }
-  }
-  return result;
-}
 
 /// J v = v - M (v - r B v)
 void apply_jacobian(const Compressed& c, const Linearisation& at, const VectorXd& v, VectorXd& result) {
@@ -251,7 +226,7 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
   VectorXd p = c.gather(state.p), slip, step_slip;
   c.step(p, slip);
   slip = drive - slip;
-  Linearisation at = linearise(c, p, slip);
+  Linearisation at = linearise(c.stiffness, c.bound, p, slip);
   int failed_searches = 0, steps = 0;
   double last = 1;
   state.converged = false;
@@ -277,7 +252,7 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
     bool decreased = false;
     for (int halving = 0; halving < 6 && !decreased; ++halving, length *= 0.5) {
       const VectorXd trial = p + length * step, trial_slip = slip + length * step_slip;
-      Linearisation there = linearise(c, trial, trial_slip);
+      Linearisation there = linearise(c.stiffness, c.bound, trial, trial_slip);
       decreased = there.residual.norm() < (1 - 1e-4 * length) * before;
       if (decreased || halving == 5) {
         p = trial;
@@ -286,6 +261,17 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
       }
     }
     failed_searches += !decreased;
+    VectorXd trial = p;
+    if (newton_on_rows(system, task.contact, c.stiffness, c.bound, slip, at, trial)) {
+      c.step(trial, step_slip);
+      step_slip = drive - step_slip;
+      Linearisation there = linearise(c.stiffness, c.bound, trial, step_slip);
+      if (there.residual.norm() < at.residual.norm()) {
+        p = trial;
+        slip = step_slip;
+        at = std::move(there);
+      }
+    }
   }
   state.p = c.scatter(p);
   c.step(p, slip);

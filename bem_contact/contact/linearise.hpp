@@ -1,0 +1,28 @@
+#pragma once
+
+#include "bem_contact/contact/friction.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace bem_contact::contact {
+
+/// F = p - Proj(p + r S) and the derivative M of the projection, element by element. Vectors are [x, s] of
+/// the first element, of the second, ...
+struct Linearisation {
+  Eigen::VectorXd residual;
+  std::vector<Eigen::Matrix2d> projection;
+};
+
+Linearisation linearise(const Eigen::VectorXd& stiffness, const Eigen::VectorXd& bound,
+                        const Eigen::VectorXd& p, const Eigen::VectorXd& slip);
+
+/// Newton on the few rows that hold most of the residual, everything else held: at a narrow end of adhesion
+/// slip eats its way through a row one element a step, which need not cost a step of the whole. Changes p of
+/// these rows; false: the residual is not so concentrated. The slip is then that of the former p.
+bool newton_on_rows(const TangentialSystem& system, const std::vector<int>& contact,
+                    const Eigen::VectorXd& stiffness, const Eigen::VectorXd& bound,
+                    const Eigen::VectorXd& slip, const Linearisation& at, Eigen::VectorXd& p);
+
+} // namespace bem_contact::contact
