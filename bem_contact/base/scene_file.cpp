@@ -59,6 +59,12 @@ void add_position(Schema& s, SceneFile::Position& p) {
          .kinds = wheel_rail});
   s.add("position.wheel_radius", p.wheel_radius,
         {.doc = "Nominal wheel radius, at the tape circle", .unit = "mm", .above = 0, .kinds = wheel_rail});
+  s.add("position.vertical", p.vertical,
+        {.doc = "How far the wheelset's centre stands below wheel_radius above the rail, instead of a load",
+         .unit = "mm",
+         .kinds = wheel_rail,
+         .given = &p.has_vertical,
+         .alternative = true});
   s.add("position.rail_lateral", p.rail_lateral,
         {.doc = "Deviation of the rail from its place, to the right", .unit = "mm", .kinds = wheel_rail});
   s.add("position.rail_vertical", p.rail_vertical,
@@ -137,8 +143,18 @@ Schema schema_of(SceneFile& f, Youngs& young) {
   s.add("motion.phi", f.motion.phi,
         {.doc = "Spin creepage; in wheel_rail that of the geometry is added", .unit = "1/mm"});
   s.add("motion.rolling_radius", f.motion.rolling_radius,
-        {.doc = "Forward over angular speed of the wheel where xi = 0; 0: the radius where they touch first",
+        {.doc = "Forward over angular speed of the wheel where xi = 0; 0: what rolls freely in the mean",
          .unit = "mm",
+         .at_least = 0,
+         .kinds = wheel_rail});
+  s.add("motion.speed", f.motion.speed,
+        {.doc = "Forward speed of the wheelset, with motion.pitch_rate instead of rolling_radius",
+         .unit = "mm/s",
+         .at_least = 0,
+         .kinds = wheel_rail});
+  s.add("motion.pitch_rate", f.motion.pitch_rate,
+        {.doc = "Angular speed of the wheelset about its axle, positive as it rolls forwards",
+         .unit = "rad/s",
          .at_least = 0,
          .kinds = wheel_rail});
   s.add("motion.slip_table", f.motion.slip_table,
@@ -172,6 +188,8 @@ Schema schema_of(SceneFile& f, Youngs& young) {
          .kinds = wheel_rail});
   s.add("grid.s_to", f.grid.s_to,
         {.doc = "Last row on the rail's arc length", .unit = "mm", .kinds = wheel_rail});
+  s.add("grid.planar", f.grid.planar,
+        {.doc = "Planar contact: all rows in the tangent plane at the reference point", .kinds = wheel_rail});
 
   s.add("gap.a", f.gap.a,
         {.doc = "Undeformed distance h = a x^2 + b s^2 + c x s", .unit = "1/mm", .kinds = patch});
@@ -225,9 +243,12 @@ Schema schema_of(SceneFile& f, Youngs& young) {
 }
 
 void check_load(const SceneFile& f, const Schema& s) {
-  if (f.load.has_force && f.load.has_approach)
-    s.refuse("load.approach", "load.force is given too", "Give exactly one of load.force and load.approach.");
-  if (!f.load.has_force && !f.load.has_approach)
+  const int given = f.load.has_force + f.load.has_approach + f.position.has_vertical;
+  if (given > 1)
+    s.refuse(f.position.has_vertical ? "position.vertical" : "load.approach",
+             f.load.has_force ? "load.force is given too" : "load.approach is given too",
+             "Give exactly one of load.force, load.approach and position.vertical.");
+  if (given == 0)
     s.refuse("load", "neither force nor approach is given", "Give load.force or load.approach.");
 }
 
@@ -235,6 +256,12 @@ void check_motion(const SceneFile& f, const Schema& s) {
   if (!f.motion.frictionless && f.motion.friction == 0)
     s.refuse("motion.friction", "zero friction leaves nothing to roll on",
              "Set motion.frictionless = true for the normal problem alone, or give friction > 0.");
+  if ((f.motion.speed > 0) != (f.motion.pitch_rate > 0))
+    s.refuse(f.motion.speed > 0 ? "motion.speed" : "motion.pitch_rate", "one does not go without the other",
+             "Give both speed and pitch_rate, or motion.rolling_radius.");
+  if (f.motion.speed > 0 && f.motion.rolling_radius > 0)
+    s.refuse("motion.rolling_radius", "speed and pitch_rate are given too",
+             "Give either the rolling radius or both speed and pitch_rate.");
   if (!f.motion.slip_table.empty() && (f.motion.xi != 0 || f.motion.eta != 0 || f.motion.phi != 0))
     s.refuse("motion.slip_table", "creepages are given too", "Give either the table or xi, eta and phi.");
 }

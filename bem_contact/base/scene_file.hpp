@@ -38,9 +38,11 @@ struct SceneFile {
     /// Deviations of the rail from where gauge and cant put it: to the right, down, and turned right side
     /// down.
     double rail_lateral = 0, rail_vertical = 0, rail_roll = 0; ///< mm, mm, rad
+    double vertical = 0; ///< z of the wheelset's centre over -wheel_radius, mm, instead of a load
+    bool has_vertical = false;
   } position;
 
-  struct Load {          ///< [load]; exactly one of the two
+  struct Load {          ///< [load]; exactly one of the two, or position.vertical
     double force = 0;    ///< vertical (patch: normal) force, N; 0: not given
     double approach = 0; ///< mm; used when has_approach
     bool has_approach = false, has_force = false;
@@ -58,8 +60,9 @@ struct SceneFile {
     std::string step_table;          ///< CSV file with one row a step: load, xi, eta, phi, force_x, force_s
     std::string start_table;         ///< patch: CSV file with columns ix, is, px, ps, pn
     double xi = 0, eta = 0, phi = 0; ///< wheel_rail: spin from the geometry is added to phi; phi in 1/mm
-    double rolling_radius =
-        0;                  ///< wheel_rail: forward over angular speed at xi = 0; 0: that of first touch, mm
+    /// wheel_rail: forward over angular speed at xi = 0, mm; 0: speed / pitch_rate (mm/s, rad/s), where these
+    /// are 0 too what rolls freely under the estimated pressure.
+    double rolling_radius = 0, speed = 0, pitch_rate = 0;
     std::string slip_table; ///< patch: CSV file with columns ix, is, wx, ws instead of creepages
   } motion;
 
@@ -70,6 +73,7 @@ struct SceneFile {
     double accuracy = 0; ///< wheel_rail: discretisation error wanted, instead of dx and ds; 0: as these say
     bool plane_strain = false;   ///< patch: mx = 1, infinitely long along x, forces per mm
     double s_from = 0, s_to = 0; ///< wheel_rail: rows wanted on the rail's arc length; both 0 = automatic
+    bool planar = false;         ///< wheel_rail: all rows in the tangent plane at the reference point
   } grid;
 
   struct Gap {                  ///< [gap], patch

@@ -113,7 +113,7 @@ void prescribe_step(ContactProblem& problem, const SceneFile& scene, const Wheel
   if (!scene.motion.slip_table.empty())
     return;
   const Creepage creepage{step.xi.value_or(scene.motion.xi), step.eta.value_or(scene.motion.eta),
-                          step.phi.value_or(scene.motion.phi), scene.motion.rolling_radius};
+                          step.phi.value_or(scene.motion.phi), placed ? placed->rolling_radius : 0.0};
   if (!placed)
     set_rigid_slip(problem, creepage, step.x.value_or(0.0));
   else if (problem.motion == MotionKind::shift)

@@ -3,92 +3,150 @@
 #include "bem_contact/base/error.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 
 namespace bem_contact {
 
+namespace {
+
+constexpr double slice_width = 0.2; // mm
+constexpr double farthest = 3.0;    // mm: a row that far from the wheel stays out of it
+
+using Slice = ContactEstimate::Slice;
+
+/// What is left of the approach q where the rail is inclined, mm.
+double depth_of(const Slice& c, double q) {
+  return q * c.cosine - c.gap;
+}
+
+/// K(m) - E(m), complete elliptic integrals of the parameter m < 1, by the arithmetic-geometric mean.
+double k_minus_e(double m) {
+  double a = 1, b = std::sqrt(1 - m), sum = m, power = 1;
+  for (int i = 0; i < 12 && a - b > 1e-9; ++i) {
+    const double c = 0.5 * (a - b), mean = 0.5 * (a + b);
+    b = std::sqrt(a * b);
+    a = mean;
+    power *= 2;
+    sum += power * c * c;
+  }
+  return std::numbers::pi / (2 * a) * 0.5 * sum;
+}
+
+/// Vertical force at the approach q and the turn of the normal in the area that bears most of it. Kik and
+/// Piotrowski: N = pi E* q I1/I2 for each area, I1 and I2 the integrals of sqrt(x_l^2 - x^2) and of the same
+/// over r; along x, I2 is 2 S (K - E) with S^2 = x_l^2 + t^2, m = x_l^2 / S^2 at the distance t in s.
+struct Borne {
+  double force = 0, turn = 0;
+};
+Borne borne_at(const std::vector<Slice>& slices, double q, double compliance) {
+  Borne out;
+  double largest = 0;
+  const auto inside = [&](const Slice& c) { return depth_of(c, 0.55 * q) > 0; };
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    if (!inside(slices[i]))
+      continue;
+    std::size_t end = i, deepest = i;
+    for (; end < slices.size() && inside(slices[end]); ++end)
+      if (depth_of(slices[end], q) > depth_of(slices[deepest], q))
+        deepest = end;
+    double i1 = 0, i2 = 0;
+    for (std::size_t k = i; k < end; ++k) {
+      const double xl2 = depth_of(slices[k], 0.55 * q) / slices[k].half;
+      const double t = std::max(std::abs(slices[k].s - slices[deepest].s), 0.25 * slice_width);
+      i1 += std::numbers::pi * xl2 / 2;
+      i2 += 2 * std::sqrt(xl2 + t * t) * k_minus_e(xl2 / (xl2 + t * t));
+    }
+    const double normal = std::numbers::pi / compliance * depth_of(slices[deepest], q) * i1 / i2;
+    const double vertical = normal * slices[deepest].cosine;
+    out.force += vertical;
+    if (vertical > largest) {
+      largest = vertical;
+      out.turn = std::abs(slices[end - 1].delta - slices[i].delta);
+    }
+    i = end;
+  }
+  return out;
+}
+
+/// The q at which a growing force(q), nearly q^1.5, is `wanted`: regula falsi (Illinois) in its power 2/3.
+template <class Force> double approach_for(double wanted, const Force& force) {
+  const auto excess = [&](double q) { return std::cbrt(std::pow(force(q) / wanted, 2)) - 1; };
+  double lo = 0, hi = 1e-4, at_lo = -1, at_hi = excess(hi);
+  while (at_hi < 0 && hi < 10)
+    lo = hi, at_lo = at_hi, hi *= 2, at_hi = excess(hi);
+  for (int i = 0; i < 60 && at_hi > 0 && hi - lo > 1e-12; ++i) {
+    const double q = lo - at_lo * (hi - lo) / (at_hi - at_lo), f = excess(q);
+    if (std::abs(f) < 1e-10)
+      return q;
+    if (f > 0)
+      hi = q, at_hi = f, at_lo *= 0.5;
+    else
+      lo = q, at_lo = f, at_hi *= 0.5;
+  }
+  return hi;
+}
+
+/// Force of a slice of the foundation, up to its stiffness: depth - half x^2 integrated over x.
+double foundation(const Slice& c, double q) {
+  const double depth = depth_of(c, q);
+  return depth > 0 ? 4.0 / 3 * depth * std::sqrt(depth / c.half) * slice_width : 0.0;
+}
+
+void set_centre(ContactEstimate& out, const std::vector<ContactRow>& rows, const WheelFrame& frame,
+                double compliance, double force, double approach, bool approach_given) {
+  // Of a Hertzian contact with p of a few 100 to 1000 MPa at a depth of some 0.05 mm.
+  constexpr double foundation_depth = 10; // mm: p = depth E* / this
+  const auto vertical = [&](double q) {
+    double sum = 0;
+    for (const Slice& c : out.slices)
+      sum += foundation(c, q) * c.cosine;
+    return sum / (compliance * foundation_depth);
+  };
+  const double q = approach_given ? 0.55 * approach : approach_for(force, vertical);
+  double sum = 0, s = 0, x = 0, radius = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double share = foundation(out.slices[i], q);
+    const Vector3 arm{out.slices[i].x - frame.centre[0], rows[i].position.y - frame.centre[1],
+                      rows[i].position.z - frame.centre[2]};
+    sum += share;
+    s += share * rows[i].s;
+    x += share * out.slices[i].x;
+    radius += share * (frame.axle[1] * arm[2] - frame.axle[2] * arm[1]); // (a x arm) along x
+  }
+  out.touching = sum > 0;
+  if (out.touching)
+    out.s = s / sum, out.x = x / sum, out.rolling_radius = radius / sum;
+}
+
+} // namespace
+
 ContactEstimate estimate_contact(const WheelOnRail& pair, const ContactLocus& locus, const Material& rail,
                                  const Material& wheel, double force, double approach, bool approach_given) {
-  constexpr double ds = 0.1;
   ContactEstimate out;
   std::vector<ContactRow> rows;
   int near = 0;
-  for (double s = pair.rail.s_begin() + ds; s < pair.rail.s_end(); s += ds) {
+  for (double s = pair.rail.s_begin() + slice_width; s < pair.rail.s_end(); s += slice_width) {
     const CurvePoint p = pair.rail.quick(s, near);
     rows.push_back({s, pair.rail_pose.to_track(p.position), p.delta + pair.rail_pose.angle});
   }
-  const std::vector<RowOnLocus> nearest = rows_on_locus(locus, rows);
+  const std::vector<RowOnLocus> nearest = rows_on_locus(locus, rows, farthest);
+  // An estimate needs some curvature along x: a yawed hollow wheel may have none.
   for (std::size_t i = 0; i < rows.size(); ++i)
-    out.slices.push_back({rows[i].s, rows[i].delta, nearest[i].distance, nearest[i].x,
+    out.slices.push_back({rows[i].s, rows[i].delta, std::cos(rows[i].delta), nearest[i].distance,
+                          nearest[i].x,
                           nearest[i].hit() ? std::max(nearest[i].half, 0.05 / pair.wheel_radius) : 1.0});
 
   const double compliance =
       (1 - rail.poisson) / (2 * rail.shear_modulus) + (1 - wheel.poisson) / (2 * wheel.shear_modulus);
-  const auto half_length_squared = [](const ContactEstimate::Slice& c, double q) {
-    return (q * std::cos(c.delta) - c.gap) / c.half;
-  };
-  // Midpoint rule in the angle: I2 = integral of xl cos^2 / sqrt(xl^2 sin^2 + t^2).
-  constexpr int points = 32;
-  std::array<double, points> sine2{}, cosine2{};
-  for (int j = 0; j < points; ++j) {
-    sine2[j] = std::pow(std::sin(std::numbers::pi * ((j + 0.5) / points - 0.5)), 2);
-    cosine2[j] = 1 - sine2[j];
-  }
-  // N = pi E* q I1/I2 for each area; I1, I2: Kik and Piotrowski, integrals of sqrt(x_l^2 - x^2) and the same
-  // over r.
-  const auto force_at = [&](double q, double* turn) {
-    double sum = 0, largest = 0;
-    for (std::size_t i = 0; i < out.slices.size(); ++i) {
-      if (half_length_squared(out.slices[i], 0.55 * q) <= 0)
-        continue;
-      std::size_t end = i, deepest = i;
-      const auto depth = [&](std::size_t k) { return q * std::cos(out.slices[k].delta) - out.slices[k].gap; };
-      for (; end < out.slices.size() && half_length_squared(out.slices[end], 0.55 * q) > 0; ++end)
-        if (depth(end) > depth(deepest))
-          deepest = end;
-      double i1 = 0, i2 = 0;
-      for (std::size_t k = i; k < end; ++k) {
-        const double xl2 = half_length_squared(out.slices[k], 0.55 * q);
-        const double t = std::max(std::abs(out.slices[k].s - out.slices[deepest].s), 0.25 * ds);
-        i1 += ds * std::numbers::pi * xl2 / 2;
-        for (int j = 0; j < points; ++j)
-          i2 += ds * xl2 * cosine2[j] / std::sqrt(xl2 * sine2[j] + t * t) * std::numbers::pi / points;
-      }
-      const double normal = std::numbers::pi / compliance * depth(deepest) * i1 / i2;
-      const double vertical = normal * std::cos(out.slices[deepest].delta);
-      sum += vertical;
-      if (turn && vertical > largest) {
-        largest = vertical;
-        *turn = std::abs(out.slices[end - 1].delta - out.slices[i].delta);
-      }
-      i = end;
-    }
-    return sum;
-  };
-
-  if (approach_given) {
-    out.approach = approach;
-  } else {
-    // F^(2/3) is nearly linear in q: regula falsi (Illinois) in it.
-    const auto excess = [&](double q) { return std::cbrt(std::pow(force_at(q, nullptr) / force, 2)) - 1; };
-    double lo = 0, hi = 1e-4, at_lo = -1, at_hi = excess(hi);
-    while (at_hi < 0 && hi < 10)
-      lo = hi, at_lo = at_hi, hi *= 2, at_hi = excess(hi);
-    for (int i = 0; i < 60 && at_hi > 0 && hi - lo > 1e-9 * hi; ++i) {
-      const double q = lo - at_lo * (hi - lo) / (at_hi - at_lo), f = excess(q);
-      if ((f > 0) == (at_hi > 0))
-        hi = q, at_hi = f, at_lo *= 0.5;
-      else
-        lo = q, at_lo = f, at_hi *= 0.5;
-      if (std::abs(f) < 1e-8)
-        break;
-    }
-    out.approach = hi;
-  }
-  out.force = force_at(out.approach, &out.turn);
+  out.approach = approach_given ? approach : approach_for(force, [&](double q) {
+    return borne_at(out.slices, q, compliance).force;
+  });
+  const Borne borne = borne_at(out.slices, out.approach, compliance);
+  out.force = borne.force;
+  out.turn = borne.turn;
+  set_centre(out, rows, locus.frame(), compliance, force, approach, approach_given);
   return out;
 }
 
@@ -98,7 +156,7 @@ ContactExtent contact_extent(const ContactEstimate& estimate) {
     return out;
   const double ds = estimate.slices[1].s - estimate.slices[0].s;
   for (const ContactEstimate::Slice& c : estimate.slices) {
-    const double depth = 0.55 * estimate.approach * std::cos(c.delta) - c.gap;
+    const double depth = 0.55 * estimate.approach * c.cosine - c.gap;
     if (depth <= 0)
       continue;
     const double length = 2 * std::sqrt(depth / c.half);
@@ -109,28 +167,40 @@ ContactExtent contact_extent(const ContactEstimate& estimate) {
   return out;
 }
 
+std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, double q) {
+  std::vector<PotentialArea> areas;
+  bool open = false;
+  for (const Slice& c : estimate.slices) {
+    const double depth = depth_of(c, q);
+    if (depth > 0) {
+      const double half_length = std::sqrt(depth / c.half);
+      if (!open)
+        areas.push_back({c.s, c.s, c.x - half_length, c.x + half_length});
+      PotentialArea& area = areas.back();
+      area.s_to = c.s;
+      area.x_from = std::min(area.x_from, c.x - half_length);
+      area.x_to = std::max(area.x_to, c.x + half_length);
+    }
+    open = depth > 0;
+  }
+  return areas;
+}
+
 GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin,
                    double share) {
   GridPlan plan{origin, 0, grid.ms, grid.mx, grid.dx, grid.ds};
-  const double q = share * std::max(estimate.approach, 1e-4);
+  const std::vector<PotentialArea> areas =
+      potential_areas(estimate, share * std::max(estimate.approach, 1e-4));
   double from = 0, to = 0, x_from = 0, x_to = 0;
-  bool any = false;
-  const ContactEstimate::Slice* nearest = nullptr;
-  for (const ContactEstimate::Slice& c : estimate.slices) {
-    if (!nearest || c.gap < nearest->gap)
-      nearest = &c;
-    const double depth = q * std::cos(c.delta) - c.gap;
-    if (depth <= 0)
-      continue;
-    const double half_length = std::sqrt(depth / c.half);
-    from = any ? from : c.s;
-    to = c.s;
-    x_from = any ? std::min(x_from, c.x - half_length) : c.x - half_length;
-    x_to = any ? std::max(x_to, c.x + half_length) : c.x + half_length;
-    any = true;
+  if (!areas.empty()) {
+    from = areas.front().s_from;
+    to = areas.back().s_to;
+    x_from = std::ranges::min(areas, {}, &PotentialArea::x_from).x_from;
+    x_to = std::ranges::max(areas, {}, &PotentialArea::x_to).x_to;
+  } else if (!estimate.slices.empty()) {
+    const Slice& nearest = *std::ranges::min_element(estimate.slices, {}, &Slice::gap);
+    from = to = nearest.s, x_from = x_to = nearest.x;
   }
-  if (!any && nearest)
-    from = to = nearest->s, x_from = x_to = nearest->x;
   if (grid.s_from != 0 || grid.s_to != 0)
     from = grid.s_from + 0.5 * grid.ds, to = grid.s_to - 0.5 * grid.ds;
 
@@ -158,6 +228,36 @@ std::vector<ContactRow> rail_rows(const WheelOnRail& pair, const GridPlan& plan)
   for (int i = 0; i < plan.rows; ++i) {
     const CurvePoint p = pair.rail_at(plan.s(i));
     rows.push_back({p.s, p.position, p.delta});
+  }
+  return rows;
+}
+
+std::vector<ContactRow> planar_rows(const WheelOnRail& pair, const GridPlan& plan,
+                                    const ReferencePoint& reference) {
+  const Point2 tangent = tangent_of(reference.delta);
+  std::vector<ContactRow> rows;
+  for (int i = 0; i < plan.rows; ++i) {
+    // Along the tangent the rail's points grow with s as long as it turns by less than a right angle.
+    const double wanted = plan.s(i) - reference.s;
+    const auto excess = [&](double s) {
+      return dot(pair.rail_at(s).position - reference.position, tangent) - wanted;
+    };
+    double lo = reference.s, hi = reference.s;
+    const double step = wanted < 0 ? -0.5 : 0.5;
+    for (double& s = wanted < 0 ? lo : hi; excess(s) * step < 0; s += step)
+      if (s + step < pair.rail.s_begin() || s + step > pair.rail.s_end() ||
+          std::cos(pair.rail_at(s + step).delta - reference.delta) <= 0)
+        throw InputError(
+            "The potential contact does not fit on a plane",
+            fmt::format("the rail turns away from the plane at s = {:.2f} mm before it gets {:.2f} mm "
+                        "along it",
+                        s, wanted),
+            "Leave out grid.planar.");
+    for (int n = 0; n < 60; ++n) {
+      const double mid = 0.5 * (lo + hi);
+      (excess(mid) < 0 ? lo : hi) = mid;
+    }
+    rows.push_back({plan.s(i), pair.rail_at(hi).position, reference.delta});
   }
   return rows;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/wheelset/rigid_slip.hpp"
 #include "bem_contact/wheelset/undeformed_distance.hpp"
 
 #include <span>
@@ -9,23 +10,41 @@ namespace bem_contact {
 
 /// A Hertz-like estimate of where and how far the bodies touch. Semi-Hertzian method of Kik and Piotrowski
 /// (1996): the contact is where they would overlap at 0.55 of the approach.
+///
+/// Its centre is that of an elastic foundation (Winkler) under the same load: unlike the point of first touch
+/// it moves continuously when a second area takes over the load, and so does all that refers to it.
 struct ContactEstimate {
   struct Slice {
-    double s = 0;     ///< arc length on the rail, mm
-    double delta = 0; ///< rad, track frame
-    double gap = 0;   ///< least undeformed distance along x, mm
-    double x = 0;     ///< where it is, mm
-    double half = 0;  ///< h(x') = gap + half (x' - x)^2, 1/mm
+    double s = 0;      ///< arc length on the rail, mm
+    double delta = 0;  ///< rad, track frame
+    double cosine = 1; ///< of delta
+    double gap = 0;    ///< least undeformed distance along x, mm
+    double x = 0;      ///< where it is, mm
+    double half = 0;   ///< h(x') = gap + half (x' - x)^2, 1/mm
   };
-  std::vector<Slice> slices; ///< the whole head, equally spaced
+  std::vector<Slice> slices; ///< the whole head, equally spaced; excluded_gap where it is 3 mm or more
   double approach = 0;       ///< mm
   double force = 0;          ///< vertical, N
   double turn = 0;           ///< turn of the normal within the largest area of contact, rad
+  bool touching = false;     ///< else there is no centre
+  double s = 0, x = 0;       ///< the centre: arc length on the rail and along x, mm
+  double rolling_radius = 0; ///< V / omega at which the mean of w_x under the foundation's pressure is 0, mm
 };
 
 /// For a vertical force (N) or, with `approach_given`, for an approach (mm).
 ContactEstimate estimate_contact(const WheelOnRail& pair, const ContactLocus& locus, const Material& rail,
                                  const Material& wheel, double force, double approach, bool approach_given);
+
+/// One area where the undeformed distance is below what the approach asks for.
+struct PotentialArea {
+  double s_from = 0, s_to = 0, x_from = 0, x_to = 0; ///< mm
+};
+/// Of the estimated approach: the potential contact when nothing is known of the contact. The estimate's own
+/// needs 0.55.
+inline constexpr double widest_share = 0.9;
+
+/// All of them, h < q cos(delta), along s.
+std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, double q);
 
 /// Which rows and columns are solved for. Row I has its centre at origin + (first + I) ds on the rail's arc
 /// length; columns lie symmetric about x_centre.
@@ -42,23 +61,24 @@ struct GridPlan {
   double s_to() const { return s(rows - 1) + 0.5 * ds; }
 };
 
-/// Of the estimated approach: the potential contact when nothing is known of the contact. The estimate's own
-/// needs 0.55.
-inline constexpr double widest_share = 0.9;
-
 /// How large the estimate says that the contact is, mm, mm^2. In s the sum over all areas.
 struct ContactExtent {
   double along_x = 0, along_s = 0, area = 0;
 };
 ContactExtent contact_extent(const ContactEstimate& estimate);
 
-/// Covers every element whose undeformed distance is under `share` of the estimated approach, or the rows
-/// s_from .. s_to and the numbers mx, ms that the scene asks for. `origin`: rows are centred at origin +
-/// whole multiples of ds (a station of the rail's influence file).
+/// Covers all areas where h < `share` of the estimated approach times cos(delta), with the rows between them:
+/// what they do to each other is in the one problem. Or the rows s_from .. s_to and the numbers mx, ms that
+/// the scene asks for. `origin`: rows are centred at origin + whole multiples of ds (a station of the rail's
+/// influence file).
 GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin,
                    double share = widest_share);
 
 /// The rail's rows of a plan, in the track frame.
 std::vector<ContactRow> rail_rows(const WheelOnRail& pair, const GridPlan& plan);
+/// The same for planar contact: points of the rail at steps of ds along the tangent at `reference`, all with
+/// its inclination; s counts along the tangent from the reference point's own s.
+std::vector<ContactRow> planar_rows(const WheelOnRail& pair, const GridPlan& plan,
+                                    const ReferencePoint& reference);
 
 } // namespace bem_contact

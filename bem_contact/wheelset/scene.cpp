@@ -92,7 +92,7 @@ Stage prepare(const SceneFile& scene, bool needs_strips, const SceneAids& aids =
       const auto [first, last] = covered_rows(stage.files, stage.contact);
       GridPlan& plan = stage.wheel_rail->plan;
       const int deepest =
-          static_cast<int>(std::lround((stage.wheel_rail->reference.s - plan.s(0)) / plan.ds));
+          static_cast<int>(std::lround((stage.wheel_rail->touch.front().rail_s - plan.s(0)) / plan.ds));
       if (first <= deepest && deepest <= last && (first > 0 || last + 1 < plan.rows)) {
         plan.first += first;
         plan.rows = last - first + 1;
@@ -106,9 +106,11 @@ Stage prepare(const SceneFile& scene, bool needs_strips, const SceneAids& aids =
   if (needs_strips)
     require_strips(stage.files, stage.contact);
   ContactProblem& problem = stage.contact.problem;
-  problem.load = scene.load.has_approach ? LoadKind::approach : LoadKind::force;
-  problem.approach = scene.load.has_approach ? scene.load.approach : 0.0;
-  problem.force = scene.load.has_approach ? 0.0 : scene.load.force;
+  problem.load = scene.load.has_force ? LoadKind::force : LoadKind::approach;
+  problem.approach = scene.load.has_force ? 0.0
+                     : stage.wheel_rail   ? stage.wheel_rail->approach
+                                          : scene.load.approach;
+  problem.force = scene.load.has_force ? scene.load.force : 0.0;
   stage.seconds.geometry = watch.seconds();
   return stage;
 }
@@ -405,7 +407,7 @@ SceneResult solve_scene(const SceneFile& scene, const std::string& wanted, const
 
 Comparison compare_scene(const SceneFile& scene) {
   const Stopwatch watch;
-  if (scene.load.has_approach && scene.motion.kind != "steady")
+  if (!scene.load.has_force && scene.motion.kind != "steady")
     throw InputError("The models cannot be compared over these steps", "only the approach is given",
                      "Give load.force, at which they are compared, or solve the scene with either model.");
   Stage stage = prepare(scene, true);

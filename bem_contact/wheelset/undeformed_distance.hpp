@@ -19,10 +19,12 @@ struct RowOnLocus {
   double half = 0;                ///< the wheel is near distance + half (x' - x)^2 there, 1/mm
   bool hit() const { return distance < excluded_gap; }
 };
-std::vector<RowOnLocus> rows_on_locus(const ContactLocus& locus, std::span<const ContactRow> rows);
+/// Rows farther than `farthest` (mm) from the locus miss it.
+std::vector<RowOnLocus> rows_on_locus(const ContactLocus& locus, std::span<const ContactRow> rows,
+                                      double farthest = 20);
 
 /// Undeformed distance along the rail's normal n from the rail to the exact wheel surface of revolution, mm;
-/// field [rows][x]. A point whose normal misses the wheel gets excluded_gap.
+/// field [rows][x]. A row whose normal misses the wheel, or 20 mm from it, gets excluded_gap.
 /// At x the rolled and yawed wheel is cut by the plane x = const, and the normal intersected with that
 /// section (no quadratic approximation). `on_locus`: of the rows.
 std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const RowOnLocus> on_locus,

@@ -41,13 +41,27 @@ WheelRailScene place_wheel_rail(const SceneFile& scene) {
 
 WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles& profiles) {
   WheelOnRail pair = place(scene.position, profiles.rail, profiles.wheel);
+  const double before = pair.wheel_pose.origin.z;
   std::vector<TouchPoint> touch = lower_to_touch(pair);
+  const double lowered = pair.wheel_pose.origin.z - before;
   ContactLocus locus(pair);
-  WheelRailScene out{std::move(pair), std::move(locus), std::move(touch), {}, {}, {}};
-  const TouchPoint& deepest = out.touch.front();
-  out.reference = {deepest.position, deepest.rail_s, deepest.delta, deepest.x};
+  WheelRailScene out{std::move(pair), std::move(locus), std::move(touch), {}, {}, 0, 0, {}};
+  out.approach = scene.position.has_vertical ? scene.position.vertical - lowered : scene.load.approach;
   out.estimate = estimate_contact(out.pair, out.locus, scene.rail.material, scene.wheel.material,
-                                  scene.load.force, scene.load.approach, scene.load.has_approach);
+                                  scene.load.force, out.approach, !scene.load.has_force);
+  if (out.estimate.touching) {
+    const CurvePoint p = out.pair.rail_at(out.estimate.s);
+    out.reference = {p.position, p.s, p.delta, out.estimate.x};
+    out.rolling_radius = out.estimate.rolling_radius;
+  } else {
+    const TouchPoint& deepest = out.touch.front();
+    out.reference = {deepest.position, deepest.rail_s, deepest.delta, deepest.x};
+    out.rolling_radius = out.pair.wheel_radius + out.pair.wheel.at(deepest.wheel_s).position.z;
+  }
+  if (scene.motion.rolling_radius > 0)
+    out.rolling_radius = scene.motion.rolling_radius;
+  else if (scene.motion.pitch_rate > 0)
+    out.rolling_radius = scene.motion.speed / scene.motion.pitch_rate;
   constexpr double largest_approach = 1.0; // mm: a hundred times the load at which steel yields
   if (out.estimate.approach > largest_approach)
     throw InputError("The load is far beyond elastic contact",
@@ -67,7 +81,8 @@ PreparedContact prepare_wheel_rail(const WheelRailScene& placed, const SceneFile
   PreparedContact out;
   ContactProblem& problem = out.problem;
   problem.grid = {plan.columns, plan.rows, plan.dx, plan.ds, plan.x0()};
-  problem.rows = rail_rows(placed.pair, plan);
+  const bool planar = scene.grid.planar;
+  problem.rows = planar ? planar_rows(placed.pair, plan, placed.reference) : rail_rows(placed.pair, plan);
 
   // Without yaw symmetric in x: half of the columns are computed.
   const bool symmetric = placed.pair.yaw == 0 && plan.x_centre == 0;
@@ -87,10 +102,11 @@ PreparedContact prepare_wheel_rail(const WheelRailScene& placed, const SceneFile
     prescribe_step(problem, scene, &placed, {});
 
   for (const ContactRow& row : problem.rows)
-    out.rail_s.push_back(row.s);
+    out.rail_s.push_back(planar ? placed.pair.rail.nearest(placed.pair.rail_pose.to_section(row.position)).s
+                                : row.s);
   out.wheel_s = wheel_stations(placed.locus, problem.rows);
-  const CurvePoint at_contact = placed.pair.wheel.at(placed.touch.front().wheel_s);
-  out.contact_radius = placed.pair.wheel_radius + at_contact.position.z;
+  // A smooth function of the position: not that of the deepest point.
+  out.contact_radius = placed.estimate.touching ? placed.estimate.rolling_radius : placed.pair.wheel_radius;
   return out;
 }
 
@@ -117,8 +133,15 @@ std::vector<std::string> describe(const WheelRailScene& placed) {
                                   "inclination {:.2f} degrees, vertical distance {:.4f} mm",
                                   p.rail_s, p.wheel_s, p.x, p.position.y, p.position.z,
                                   p.delta * 180 / std::numbers::pi, p.distance));
+  for (const PotentialArea& area : potential_areas(placed.estimate))
+    lines.push_back(fmt::format("potential contact: s = {:.2f} .. {:.2f} mm, x = {:.2f} .. {:.2f} mm",
+                                area.s_from, area.s_to, area.x_from, area.x_to));
   lines.push_back(fmt::format("estimate: approach {:.4f} mm, vertical force {:.0f} N",
                               placed.estimate.approach, placed.estimate.force));
+  lines.push_back(fmt::format("reference point: s = {:.3f} mm, x = {:.3f} mm, inclination {:.2f} degrees; "
+                              "rolling radius {:.3f} mm",
+                              placed.reference.s, placed.reference.x,
+                              placed.reference.delta * 180 / std::numbers::pi, placed.rolling_radius));
   return lines;
 }
 

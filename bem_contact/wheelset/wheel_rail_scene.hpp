@@ -15,7 +15,9 @@ struct WheelRailScene {
   ContactLocus locus;            ///< of the pair as it stands
   std::vector<TouchPoint> touch; ///< the deepest first
   ContactEstimate estimate;
-  ReferencePoint reference; ///< the deepest point
+  ReferencePoint reference;  ///< the estimate's centre; the deepest point where nothing touches
+  double rolling_radius = 0; ///< V / omega where xi = 0: the scene's, or the estimate's, mm
+  double approach = 0;       ///< mm; where the scene prescribes it or the height of the wheelset
   GridPlan plan;
 };
 
@@ -26,6 +28,7 @@ struct WheelRailProfiles {
 WheelRailProfiles read_profiles(const SceneFile& scene);
 
 /// Places the bodies, lowers the wheel until it touches, estimates the contact. Without profiles, reads them.
+/// With position.vertical the approach is what the wheelset stands lower than where it first touches.
 WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles& profiles);
 WheelRailScene place_wheel_rail(const SceneFile& scene);
 

@@ -152,6 +152,10 @@ TEST(SceneFile, geometry_that_cannot_be) {
   EXPECT_THAT(refusal(loaded + "[position]\nback_to_back = 1500"), HasSubstr("the gauge is only 1435 mm"));
   EXPECT_THAT(refusal(loaded + "[position]\ncant = 1.4"), HasSubstr("(out of range)"));
   EXPECT_THAT(refusal(loaded + "[position]\nyaw = 0.11"), HasSubstr("(out of range)"));
+  EXPECT_THAT(refusal(loaded + "[position]\nvertical = 0.1"), HasSubstr("exactly one of"));
+  EXPECT_THAT(refusal(loaded + "[motion]\nspeed = 1e4"), HasSubstr("one does not go without the other"));
+  EXPECT_THAT(refusal(loaded + "[motion]\nspeed = 1e4\npitch_rate = 20\nrolling_radius = 460"),
+              HasSubstr("either the rolling radius or both"));
   EXPECT_THAT(refusal(loaded + "[position]\nside = \"lft\""), HasSubstr("left"));
   EXPECT_THAT(refusal(loaded + "[grid]\ns_from = -20\ns_to = -40"),
               HasSubstr("Give s_to greater than s_from"));

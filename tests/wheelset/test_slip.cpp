@@ -18,8 +18,9 @@ struct Rolling {
 };
 
 /// S1002 on 60E1 with rows of ds about the deepest point; row 10 is the deepest point itself.
-Rolling rolling(double lateral, double roll, const Creepage& creepage, double ds = 0.05) {
+Rolling rolling(double lateral, double roll, const Creepage& creepage, double ds = 0.05, double yaw = 0) {
   SceneFile::Position position;
+  position.yaw = yaw;
   position.lateral = lateral;
   position.roll = roll;
   Rolling r{
@@ -30,7 +31,7 @@ Rolling rolling(double lateral, double roll, const Creepage& creepage, double ds
   const TouchPoint touch = lower_to_touch(r.pair).front();
   r.reference = {touch.position, touch.rail_s, touch.delta, touch.x};
   r.radius = dot(touch.position - r.pair.wheel_pose.to_track({0, -r.pair.wheel_radius}), normal_of(roll));
-  r.problem.grid = {21, 21, 0.1, ds, -1.0};
+  r.problem.grid = {21, 21, 0.1, ds, touch.x - 1.0};
   for (int i = -10; i <= 10; ++i) {
     const CurvePoint p = r.pair.rail_at(touch.rail_s + i * ds);
     r.problem.rows.push_back({p.s, p.position, p.delta});
@@ -88,6 +89,46 @@ TEST(RigidSlip, ARolledAxleTurnsTheSpin) {
   const Rolling r = rolling(0, roll, {});
   const double along = (slip_s(r, 11, 10) - slip_s(r, 9, 10)) / 0.2;
   EXPECT_NEAR(along, std::sin(r.reference.delta - roll) / r.radius, 1e-9);
+}
+
+TEST(RigidSlip, AYawedWheelSlidesToTheLeft) {
+  // Its front turned to the right, it would roll there: going straight on it slides to the left, by tan(yaw)
+  // times the cosine of the inclination, plus the spin from the wheel's centre to the reference point.
+  for (const double lateral : {0.0, 7.5}) {
+    const double yaw = 0.01;
+    const Rolling r = rolling(lateral, 0, {}, 0.05, yaw);
+    const WheelFrame frame = r.pair.wheel_frame();
+    const double ahead = (r.reference.x - frame.centre[0]) * std::cos(yaw) +
+                         (r.reference.position.y - frame.centre[1]) * std::sin(yaw);
+    EXPECT_NEAR(slip_x(r, 10, 10), 0, 1e-12);
+    EXPECT_NEAR(slip_s(r, 10, 10),
+                -std::tan(yaw) * std::cos(r.reference.delta) +
+                    std::sin(r.reference.delta) * ahead / (r.radius * std::cos(yaw)),
+                1e-12)
+        << lateral;
+    EXPECT_LT(slip_s(r, 10, 10), -0.009);
+  }
+}
+
+TEST(RigidSlip, OfALeftWheelIsTheMirrorImage) {
+  // The same motion seen in a mirror: the yaw that pushes the right wheel's flange pulls the left one's.
+  const auto at = [](const char* side, double yaw) {
+    SceneFile::Position position;
+    position.side = side;
+    position.yaw = yaw;
+    WheelOnRail pair =
+        place(position, named_profile("60E1", ProfileKind::rail), named_profile("S1002", ProfileKind::wheel));
+    const TouchPoint touch = lower_to_touch(pair).front();
+    ContactProblem problem;
+    problem.grid = {1, 1, 1, 1, touch.x};
+    problem.rows = {{touch.rail_s, touch.position, touch.delta}};
+    set_rigid_slip(problem, pair, {touch.position, touch.rail_s, touch.delta, touch.x}, {0, 0, 0, 460});
+    return std::pair(problem.slip_x[0], problem.slip_s[0]);
+  };
+  EXPECT_EQ(at("left", -0.01), at("right", 0.01));
+  // Positive: towards its own side. Both wheels of one wheelset slide to the track's left.
+  EXPECT_LT(at("right", 0.01).second, 0);
+  EXPECT_GT(at("left", 0.01).second, 0);
 }
 
 TEST(RigidSlip, OfAPatchIsThatOfAPlane) {
