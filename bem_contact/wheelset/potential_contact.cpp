@@ -217,6 +217,17 @@ GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid,
   return plan;
 }
 
+void cover(GridPlan& plan, const PotentialArea& area) {
+  const auto row_of = [&](double s) { return static_cast<int>(std::lround((s - plan.origin) / plan.ds)); };
+  const int first = std::min(plan.first, row_of(area.s_from) - 2);
+  const int last = std::max(plan.first + plan.rows - 1, row_of(area.s_to) + 2);
+  plan.first = first;
+  plan.rows = last - first + 1;
+  const double reach = std::max(area.x_to - plan.x_centre, plan.x_centre - area.x_from);
+  const int columns = 2 * (static_cast<int>(std::ceil(reach / plan.dx)) + 2);
+  plan.columns += std::max(0, 2 * ((columns - plan.columns + 1) / 2));
+}
+
 std::vector<ContactRow> rail_rows(const WheelOnRail& pair, const GridPlan& plan) {
   if (plan.s_from() < pair.rail.s_begin() || plan.s_to() > pair.rail.s_end())
     throw InputError("The potential contact leaves the rail's profile",

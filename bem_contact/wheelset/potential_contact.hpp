@@ -3,6 +3,7 @@
 #include "bem_contact/wheelset/rigid_slip.hpp"
 #include "bem_contact/wheelset/undeformed_distance.hpp"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -73,6 +74,9 @@ ContactExtent contact_extent(const ContactEstimate& estimate);
 /// influence file).
 GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin,
                    double share = widest_share);
+
+/// Widens a plan so that it covers an area.
+void cover(GridPlan& plan, const PotentialArea& area);
 
 /// The rail's rows of a plan, in the track frame.
 std::vector<ContactRow> rail_rows(const WheelOnRail& pair, const GridPlan& plan);

@@ -168,6 +168,44 @@ void grow(Stage& stage, const Touched& touched) {
   stage.seconds.geometry += watch.seconds();
 }
 
+/// Widens the grid to places outside it where the rigid bodies would overlap at the approach that was found:
+/// a second area that the estimate took for free. Off the strips of influence files there is a warning
+/// instead. Returns whether there is something to solve again.
+bool add_areas(Stage& stage, SceneResult& out) {
+  const SceneFile::Grid& asked = stage.scene->grid;
+  if (!stage.wheel_rail || asked.ms > 0 || asked.s_from != asked.s_to)
+    return false;
+  const Stopwatch watch;
+  GridPlan& plan = stage.wheel_rail->plan;
+  const GridPlan before = plan;
+  const double q = out.result.approach;
+  for (const PotentialArea& area : potential_areas(stage.wheel_rail->estimate, q))
+    for (const TouchPoint& touch : stage.wheel_rail->touch) {
+      const bool outside = touch.rail_s < before.s_from() || touch.rail_s > before.s_to();
+      if (outside && touch.distance < q && area.s_from <= touch.rail_s && touch.rail_s <= area.s_to)
+        cover(plan, area);
+    }
+  if (plan.rows == before.rows && plan.columns == before.columns)
+    return false;
+  PreparedContact wider = prepare_wheel_rail(*stage.wheel_rail, *stage.scene);
+  const auto [first, last] = covered_rows(stage.files, wider);
+  if (stage.needs_strips && last - first + 1 < plan.rows) {
+    out.warnings.push_back(fmt::format("the bodies come as near as the approach at s = {:.1f} .. {:.1f} mm, "
+                                       "where the influence files have no "
+                                       "strip: what may touch there is left out",
+                                       first > 0 ? plan.s(0) : plan.s(last),
+                                       first > 0 ? plan.s(first) : plan.s(plan.rows - 1)));
+    plan = before;
+    return false;
+  }
+  wider.problem.load = stage.contact.problem.load;
+  wider.problem.approach = stage.contact.problem.approach;
+  wider.problem.force = stage.contact.problem.force;
+  stage.contact = std::move(wider);
+  stage.seconds.geometry += watch.seconds();
+  return true;
+}
+
 InfluenceNumbers compute_numbers(const Stage& stage, const std::string& model) {
   return model == "fem"             ? fem_pair(*stage.scene, stage.files, stage.contact)
          : model == "tangent_plane" ? tangent_plane_pair(*stage.scene, stage.contact)
@@ -282,6 +320,8 @@ SceneResult solve_grown(Stage& stage, const std::string& model, bool tangential)
     out.seconds = spent;
     const Touched touched = touched_edges(out);
     if (!touched.any()) {
+      if (round < most_growths && add_areas(stage, out))
+        continue;
       if (grown && (stage.scene->grid.mx > 0 || stage.scene->grid.ms > 0))
         out.warnings.push_back(
             fmt::format("the contact did not fit on the grid asked for: it grew to {} x {} elements",

@@ -133,7 +133,7 @@ std::vector<std::string> describe(const WheelRailScene& placed) {
                                   "inclination {:.2f} degrees, vertical distance {:.4f} mm",
                                   p.rail_s, p.wheel_s, p.x, p.position.y, p.position.z,
                                   p.delta * 180 / std::numbers::pi, p.distance));
-  for (const PotentialArea& area : potential_areas(placed.estimate))
+  for (const PotentialArea& area : potential_areas(placed.estimate, widest_share * placed.estimate.approach))
     lines.push_back(fmt::format("potential contact: s = {:.2f} .. {:.2f} mm, x = {:.2f} .. {:.2f} mm",
                                 area.s_from, area.s_to, area.x_from, area.x_to));
   lines.push_back(fmt::format("estimate: approach {:.4f} mm, vertical force {:.0f} N",
