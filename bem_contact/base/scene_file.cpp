@@ -247,7 +247,8 @@ void check_load(const SceneFile& f, const Schema& s) {
   if (given > 1)
     s.refuse(f.position.has_vertical ? "position.vertical" : "load.approach",
              f.load.has_force ? "load.force is given too" : "load.approach is given too",
-             "Give exactly one of load.force, load.approach and position.vertical.");
+             f.position.has_vertical ? "Give exactly one of load.force, load.approach and position.vertical."
+                                     : "Give exactly one of load.force and load.approach.");
   if (given == 0)
     s.refuse("load", "neither force nor approach is given", "Give load.force or load.approach.");
 }

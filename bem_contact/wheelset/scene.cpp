@@ -189,12 +189,14 @@ bool add_areas(Stage& stage, SceneResult& out) {
     return false;
   PreparedContact wider = prepare_wheel_rail(*stage.wheel_rail, *stage.scene);
   const auto [first, last] = covered_rows(stage.files, wider);
-  if (stage.needs_strips && last - first + 1 < plan.rows) {
-    out.warnings.push_back(fmt::format("the bodies come as near as the approach at s = {:.1f} .. {:.1f} mm, "
-                                       "where the influence files have no "
-                                       "strip: what may touch there is left out",
-                                       first > 0 ? plan.s(0) : plan.s(last),
-                                       first > 0 ? plan.s(first) : plan.s(plan.rows - 1)));
+  const bool off_strips = stage.needs_strips && last - first + 1 < plan.rows;
+  if (off_strips || out.model == "hertz") {
+    const bool below = plan.first < before.first;
+    out.warnings.push_back(fmt::format(
+        "the bodies come as near as the approach at s = {:.1f} .. {:.1f} mm too, {}: what may touch there is "
+        "left out",
+        below ? plan.s(0) : before.s_to(), below ? before.s_from() : plan.s(plan.rows - 1),
+        off_strips ? "where the influence files have no strip" : "and Hertz's closed form is of one area"));
     plan = before;
     return false;
   }
