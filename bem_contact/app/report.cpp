@@ -68,7 +68,7 @@ json history_json(const SceneResult& r) {
     steps.push_back({{"Fx", step.Fx},
                      {"Fy", step.Fy},
                      {"Fz", step.Fz},
-                     {"Mz", step.Mz + r.reference.position.y * step.Fx},
+                     {"Mz", step.Mz + r.reference.position.y * step.Fx - r.reference.x * step.Fy},
                      {"Fs", step.Fs},
                      {"approach", step.approach},
                      {"creepage_found", creepages_json(r.problem, step)},
