@@ -20,7 +20,7 @@ constexpr int dense_limit = 120;
 constexpr int dense_memory_limit = 3000;
 
 /// The eigenvalue of M along the boundary of the friction disc above which slip counts as sticking there.
-constexpr double directed = 0.5;
+constexpr double directed = 0.7;
 /// GMRES: the most products.
 constexpr int most_products = 250;
 
