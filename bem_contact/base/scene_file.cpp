@@ -160,8 +160,10 @@ Schema schema_of(SceneFile& f, Youngs& young) {
   s.add("motion.slip_table", f.motion.slip_table,
         {.doc = "CSV file with columns ix, is, wx, ws (rigid slip) instead of creepages", .kinds = patch});
 
-  s.add("grid.dx", f.grid.dx, {.doc = "Element length along x", .unit = "mm", .above = 0});
-  s.add("grid.ds", f.grid.ds, {.doc = "Element width along s", .unit = "mm", .above = 0});
+  s.add("grid.dx", f.grid.dx,
+        {.doc = "Element length along x", .unit = "mm", .at_least = 1e-6, .at_most = 1e6});
+  s.add("grid.ds", f.grid.ds,
+        {.doc = "Element width along s", .unit = "mm", .at_least = 1e-6, .at_most = 1e6});
   s.add("grid.mx", f.grid.mx,
         {.doc = "Elements along x; 0 (wheel_rail only): from the undeformed distance",
          .at_least = 0,
@@ -219,13 +221,19 @@ Schema schema_of(SceneFile& f, Youngs& young) {
 
   s.add("stresses.x", f.stresses.x,
         {.doc = "Stresses below the surface of the rail (patch: lower body), at every x, s and depth",
-         .unit = "mm"});
+         .unit = "mm",
+         .at_least = -1e6,
+         .at_most = 1e6});
   s.add("stresses.s", f.stresses.s,
-        {.doc = "Arc length from the reference point (patch: the middle of the grid)", .unit = "mm"});
+        {.doc = "Arc length from the reference point (patch: the middle of the grid)",
+         .unit = "mm",
+         .at_least = -1e6,
+         .at_most = 1e6});
   s.add("stresses.depths", f.stresses.depths,
         {.doc = "Depths along the surface's normal; none: stresses are not asked for",
          .unit = "mm",
-         .above = 0});
+         .at_least = 1e-6,
+         .at_most = 1e6});
 
   s.add("solver.model", f.solver.model,
         {.doc =
@@ -236,7 +244,7 @@ Schema schema_of(SceneFile& f, Youngs& young) {
       "solver.model_tolerance", f.solver.model_tolerance,
       {.doc = "For auto: predicted error of the largest pressure that is allowed", .above = 0, .at_most = 1});
   s.add("solver.tolerance", f.solver.tolerance,
-        {.doc = "Relative tolerance of the iterations", .above = 0, .at_most = 1e-7});
+        {.doc = "Relative tolerance of the iterations", .at_least = 1e-13, .at_most = 1e-7});
   s.add("solver.max_outer", f.solver.max_outer,
         {.doc = "Most outer iterations between the normal and the tangential problem", .at_least = 1});
   return s;

@@ -233,7 +233,9 @@ void check_friction(const ContactProblem& problem, const ContactResult& result, 
         elastic_s -= step.present[k] * u[component_s][at + k];
       }
       slips.push_back({rigid_x + elastic_x, rigid_s + elastic_s, problem.kinetic * mu(i) * result.pn[i], i});
-      scale = std::max({scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s)});
+      scale = std::max({scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s),
+                        // rounding, where the creepage found takes back the one given
+                        1e-9 * std::hypot(result.creepage_x, result.creepage_s) * step.length});
       if (!steady) // where all sticks without rigid slip: what the shear tractions hold back
         scale = std::max(
             scale,

@@ -129,14 +129,16 @@ std::vector<char> first_guess(const NormalSystem& system, const VectorXd& gap, c
   };
   if (load.kind == LoadKind::approach)
     return overlapping(load.approach);
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double low = std::numeric_limits<double>::infinity(), cosine = 1;
   for (int i = 0; i < n; ++i)
-    if (system.cosine[i] > 1e-6) {
-      low = std::min(low, gap[i] / system.cosine[i]);
-      high = std::max(high, gap[i] / system.cosine[i]);
+    if (system.cosine[i] > 1e-6 && gap[i] / system.cosine[i] < low) {
+      low = gap[i] / system.cosine[i];
+      cosine = system.cosine[i];
     }
-  // an element alone under the whole force lies beyond every answer
-  high = std::max(high, low + load.force / system.element_area * system.self) + 1e-12 * std::abs(low);
+  // The energy is convex in the force and at most that of this element alone: twice its approach lies beyond
+  // every answer, however high the walls are.
+  double high = low + 2 * load.force / (system.element_area * cosine * cosine) * system.self;
+  high += 1e-12 * std::abs(low);
   for (int step = 0; step < 30; ++step) {
     const double q = 0.5 * (low + high);
     const std::vector<char> active = overlapping(q);

@@ -86,6 +86,8 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
   result.creepage_iterations = solution.creepage.iterations;
   result.outer_rate = solution.rate;
   result.remark = solution.remark;
+  if (!result.converged && result.remark.empty())
+    result.remark = "digits were lost: lengths, forces or moduli lie too many decades apart; ";
   return result;
 }
 

@@ -143,9 +143,11 @@ Matrix3 assemble(const Material& material, const Kernels& k) {
 }
 
 void require_size(double value, const char* name) {
-  if (!(std::isfinite(value) && value > 0))
+  constexpr double least = 1e-30, most = 1e30; // their cubes and ratios stay numbers
+  if (!(value >= least && value <= most))
     throw InputError(std::string("the element's ") + name + " is not a positive number",
-                     std::to_string(value) + " mm", "give a positive length in mm");
+                     value > 0 ? "it lies outside 1e-30 .. 1e30 mm" : std::to_string(value) + " mm",
+                     "give a positive length in mm");
 }
 
 Matrix3 at_point(const Material& material, double x, double s, double a, double b) {

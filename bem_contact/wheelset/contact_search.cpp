@@ -196,7 +196,7 @@ std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair) {
     const auto [lo, hi] = std::ranges::minmax(nodes, {}, [](const auto& p) { return p.position.y; });
     throw InputError(
         "The wheel never meets the rail",
-        fmt::format("the wheel spans y = {:.1f} .. {:.1f} mm and the rail {:.1f} .. {:.1f} mm", lo.position.y,
+        fmt::format("the wheel spans y = {:.6g} .. {:.6g} mm and the rail {:.6g} .. {:.6g} mm", lo.position.y,
                     hi.position.y, search.rail.from(), search.rail.to()),
         "Check position.lateral, position.gauge, position.back_to_back and the sides of the profiles.");
   }

@@ -204,6 +204,13 @@ GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid,
   if (grid.s_from != 0 || grid.s_to != 0)
     from = grid.s_from + 0.5 * grid.ds, to = grid.s_to - 0.5 * grid.ds;
 
+  constexpr double most = 4096; // of the scene file
+  const double columns = (x_to - x_from) / grid.dx + 6, rows = (to - from) / grid.ds + 5;
+  if ((plan.columns == 0 && columns > most) || (plan.rows == 0 && rows > most))
+    throw InputError("The elements are too small for this contact",
+                     fmt::format("it would need about {:.3g} columns and {:.3g} rows, {:g} are allowed",
+                                 columns, rows, most),
+                     "Give larger elements (grid.dx, grid.ds), or fewer rows (grid.s_from, grid.s_to).");
   const auto row_of = [&](double s) { return static_cast<int>(std::lround((s - origin) / grid.ds)); };
   if (plan.rows == 0) {
     plan.first = row_of(from) - (grid.s_from == grid.s_to ? 2 : 0);
@@ -231,7 +238,7 @@ void cover(GridPlan& plan, const PotentialArea& area) {
 std::vector<ContactRow> rail_rows(const WheelOnRail& pair, const GridPlan& plan) {
   if (plan.s_from() < pair.rail.s_begin() || plan.s_to() > pair.rail.s_end())
     throw InputError("The potential contact leaves the rail's profile",
-                     fmt::format("rows need s = {:.2f} .. {:.2f} mm and '{}' spans {:.2f} .. {:.2f} mm",
+                     fmt::format("rows need s = {:.7g} .. {:.7g} mm and '{}' spans {:.7g} .. {:.7g} mm",
                                  plan.s_from(), plan.s_to(), pair.rail.name(), pair.rail.s_begin(),
                                  pair.rail.s_end()),
                      "Change position.lateral, grid.s_from and grid.s_to, or give a longer profile.");

@@ -342,7 +342,8 @@ SceneResult solve_grown(Stage& stage, const std::string& model, bool tangential)
       throw InputError("The contact does not fit on a potential contact of any reasonable size",
                        fmt::format("it still reaches the edge of {} x {} elements", out.problem.grid.mx,
                                    out.problem.grid.ms),
-                       "Give a smaller force or larger elements (grid.dx, grid.ds).");
+                       "Give a smaller force, larger elements (grid.dx, grid.ds), or rows around the contact "
+                       "(grid.s_from, grid.s_to).");
     grow(stage, touched);
     grown = true;
   }

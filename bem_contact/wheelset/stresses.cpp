@@ -2,13 +2,15 @@
 
 #include "bem_contact/base/error.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace bem_contact {
 namespace {
 
 constexpr std::size_t most_points = 1'000'000;
-constexpr double endless = 1e6; // half length of a plane-strain element, in units of its width
+constexpr double most_sums = 1e9; // some minutes
+constexpr double endless = 1e6;   // half length of a plane-strain element, in units of its width
 
 } // namespace
 
@@ -20,6 +22,11 @@ StressesBelow stresses_below(const SceneFile::Stresses& asked, const ContactProb
     throw InputError("Too many stresses below the surface are asked for",
                      fmt::format("{} x {} x {} points", asked.x.size(), asked.s.size(), asked.depths.size()),
                      "Ask for at most a million of them.");
+  const auto loaded = std::count_if(result.pn.begin(), result.pn.end(), [](double p) { return p > 0; });
+  if (double(points) * double(loaded) > most_sums)
+    throw InputError("Too many stresses below the surface are asked for",
+                     fmt::format("{} points under {} elements in contact", points, loaded),
+                     "Ask for fewer points, or give larger elements.");
   StressesBelow out{asked.x, asked.s, asked.depths, {}, {}, {}};
   for (double& s : out.s)
     s += reference_s;

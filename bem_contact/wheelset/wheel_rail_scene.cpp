@@ -65,7 +65,7 @@ WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles&
   constexpr double largest_approach = 1.0; // mm: a hundred times the load at which steel yields
   if (out.estimate.approach > largest_approach)
     throw InputError("The load is far beyond elastic contact",
-                     fmt::format("the bodies would approach by about {:.1f} mm", out.estimate.approach),
+                     fmt::format("the bodies would approach by about {:.3g} mm", out.estimate.approach),
                      "Check load and units (N, mm).");
   return out;
 }

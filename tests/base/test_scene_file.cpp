@@ -196,7 +196,7 @@ TEST(SceneFile, ListsOfNumbers) {
                                  "type: list of numbers)"));
   EXPECT_THAT(refusal("depths = [1, \"2\"]"), testing::HasSubstr("must be of type: list of numbers"));
   EXPECT_THAT(refusal("depths = [1, -2]"),
-              testing::HasSubstr("[1.0, -2.0] (out of range) Give a value > 0 mm"));
+              testing::HasSubstr("[1.0, -2.0] (out of range) Give a value >= 1e-06"));
 }
 
 } // namespace bem_contact
