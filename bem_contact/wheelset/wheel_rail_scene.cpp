@@ -28,6 +28,14 @@ std::vector<Point2> track_points(const TabulatedProfile& curve, double from, dou
   return points;
 }
 
+void require_elastic(double approach) {
+  constexpr double largest = 1.0; // mm: a hundred times the load at which steel yields
+  if (approach > largest)
+    throw InputError("The load is far beyond elastic contact",
+                     fmt::format("the bodies would approach by about {:.3g} mm", approach),
+                     "Check load and units (N, mm).");
+}
+
 } // namespace
 
 WheelRailProfiles read_profiles(const SceneFile& scene) {
@@ -40,6 +48,8 @@ WheelRailScene place_wheel_rail(const SceneFile& scene) {
 }
 
 WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles& profiles) {
+  if (scene.load.has_approach)
+    require_elastic(scene.load.approach);
   WheelOnRail pair = place(scene.position, profiles.rail, profiles.wheel);
   const double before = pair.wheel_pose.origin.z;
   std::vector<TouchPoint> touch = lower_to_touch(pair);
@@ -62,11 +72,7 @@ WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles&
     out.rolling_radius = scene.motion.rolling_radius;
   else if (scene.motion.pitch_rate > 0)
     out.rolling_radius = scene.motion.speed / scene.motion.pitch_rate;
-  constexpr double largest_approach = 1.0; // mm: a hundred times the load at which steel yields
-  if (out.estimate.approach > largest_approach)
-    throw InputError("The load is far beyond elastic contact",
-                     fmt::format("the bodies would approach by about {:.3g} mm", out.estimate.approach),
-                     "Check load and units (N, mm).");
+  require_elastic(out.estimate.approach);
   return out;
 }
 
