@@ -114,7 +114,7 @@ void ablation(const SweepFile& sweep, const std::string& model, const std::vecto
   print_row("files read for each case", run(sweep, model, {.keep_files = false}, exact, same));
   print_row("numbers computed for each case", run(sweep, model, {.keep_numbers = false}, exact, same));
   print_row("no start from the former case", run(sweep, model, {.keep_start = false}, exact, same));
-  print_row("potential contact not learnt", run(sweep, model, {.learn = false}, exact, same));
+  print_row("area in contact not learnt", run(sweep, model, {.learn = false}, exact, same));
   print_row("nothing kept", run(sweep, model, none, exact, same));
   print_row("200 elements", run(sweep, model, all, exact, [](SceneFile& s) { s.grid.elements = 200; }));
   print_row("elements for 2 %", run(sweep, model, all, exact, [](SceneFile& s) { s.grid.accuracy = 0.02; }));
@@ -122,6 +122,9 @@ void ablation(const SweepFile& sweep, const std::string& model, const std::vecto
 
 void accuracy(const SweepFile& sweep, const std::string& model, const std::vector<Reference>& exact) {
   print_head();
+  for (const int wanted : {60, 100, 200, 400, 800})
+    print_row(fmt::format("{} elements", wanted),
+              run(sweep, model, {}, exact, [&](SceneFile& s) { s.grid.elements = wanted; }));
   for (const double wanted : {0.1, 0.05, 0.02, 0.01, 0.005})
     print_row(fmt::format("accuracy {:g} %", 100 * wanted),
               run(sweep, model, {}, exact, [&](SceneFile& s) { s.grid.accuracy = wanted; }));

@@ -38,14 +38,15 @@ bool ElementCount::learn(int contact, double error) {
   return again && wanted_ > contact;
 }
 
-ElementSize size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio) {
+std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio,
+                                           double shortest) {
   const ContactExtent extent = contact_extent(estimate);
   if (!(extent.area > 0) || !(extent.along_x > 0) || !(extent.along_s > 0))
     return {0.5, 0.25};
   const double element = extent.area * area_ratio / elements;
   const double aspect = std::clamp(extent.along_x / extent.along_s, 0.4, 2.5);
   // One is rounded to the nearest, the other such that there are not fewer elements than asked for.
-  const double dx = on_ladder(std::sqrt(element * aspect), false);
+  const double dx = std::max(shortest, on_ladder(std::sqrt(element * aspect), false));
   return {dx, on_ladder(element / dx, true)};
 }
 

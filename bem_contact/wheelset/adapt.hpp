@@ -2,6 +2,8 @@
 
 #include "bem_contact/wheelset/potential_contact.hpp"
 
+#include <utility>
+
 namespace bem_contact {
 
 /// How many elements in contact, kept near a number asked for or near what an accuracy needs.
@@ -18,19 +20,18 @@ public:
   /// case is to be solved again with wanted(), which is larger then.
   bool learn(int contact, double error);
 
-  static constexpr int fewest = 60, most = 4000;
+  /// Fewer have no estimate: the companion has a quarter of them, and needs 40.
+  static constexpr int fewest = 180, most = 4000;
 
 private:
   double accuracy_ = 0;
   int wanted_ = 0;
 };
 
-struct ElementSize {
-  double dx = 0, ds = 0; ///< mm
-};
-
 /// Elements of a size that `elements` of them cover an area like the estimate's, `area_ratio` times as large,
-/// about as many along x as along s. Sizes are powers of 2^(1/4) mm, so that numbers serve several cases.
-ElementSize size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio);
+/// about as many along x as along s: dx, not below `shortest`, and ds, mm. Powers of 2^(1/4) else, so that
+/// numbers serve several cases.
+std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio,
+                                           double shortest = 0);
 
 } // namespace bem_contact

@@ -186,11 +186,10 @@ std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, doub
   return areas;
 }
 
-GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin,
-                   double share) {
+GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin) {
   GridPlan plan{origin, 0, grid.ms, grid.mx, grid.dx, grid.ds};
   const std::vector<PotentialArea> areas =
-      potential_areas(estimate, share * std::max(estimate.approach, 1e-4));
+      potential_areas(estimate, widest_share * std::max(estimate.approach, 1e-4));
   double from = 0, to = 0, x_from = 0, x_to = 0;
   if (!areas.empty()) {
     from = areas.front().s_from;

@@ -40,8 +40,7 @@ ContactEstimate estimate_contact(const WheelOnRail& pair, const ContactLocus& lo
 struct PotentialArea {
   double s_from = 0, s_to = 0, x_from = 0, x_to = 0; ///< mm
 };
-/// Of the estimated approach: the potential contact when nothing is known of the contact. The estimate's own
-/// needs 0.55.
+/// Of the estimated approach: where the bodies may touch. The estimate's own contact needs 0.55.
 inline constexpr double widest_share = 0.9;
 
 /// All of them, h < q cos(delta), along s.
@@ -68,12 +67,11 @@ struct ContactExtent {
 };
 ContactExtent contact_extent(const ContactEstimate& estimate);
 
-/// Covers all areas where h < `share` of the estimated approach times cos(delta), with the rows between them:
+/// Covers all areas where h < 0.9 of the estimated approach times cos(delta), with the rows between them:
 /// what they do to each other is in the one problem. Or the rows s_from .. s_to and the numbers mx, ms that
 /// the scene asks for. `origin`: rows are centred at origin + whole multiples of ds (a station of the rail's
 /// influence file).
-GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin,
-                   double share = widest_share);
+GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin);
 
 /// Widens a plan so that it covers an area.
 void cover(GridPlan& plan, const PotentialArea& area);

@@ -85,7 +85,7 @@ Stage prepare(const SceneFile& scene, bool needs_strips, const SceneAids& aids =
                       stage.wheel_rail->pair.wheel.digest());
     if (stage.files.wheel)
       require_radius(*stage.files.wheel, scene.position.wheel_radius);
-    stage.wheel_rail->plan = plan_wheel_rail(*stage.wheel_rail, scene, stage.files, aids.potential_share);
+    stage.wheel_rail->plan = plan_wheel_rail(*stage.wheel_rail, scene, stage.files);
     stage.contact = prepare_wheel_rail(*stage.wheel_rail, scene);
     // The estimate is generous: give up rows off the strips, as long as the contact does not need them.
     if (needs_strips && scene.grid.s_from == scene.grid.s_to && scene.grid.ms == 0) {

@@ -49,8 +49,6 @@ struct SceneAids {
   const PairFiles* files = nullptr;       ///< of this scene
   NumbersStore* numbers = nullptr;
   const FormerTractions* start = nullptr;
-  /// The potential contact is where the undeformed distance is below this share of the estimated approach.
-  double potential_share = widest_share;
 };
 
 SceneResult solve_scene(const SceneFile& scene, const std::string& model, const SceneAids& aids);

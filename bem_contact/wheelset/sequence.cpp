@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
+#include <utility>
 
 namespace bem_contact {
 
@@ -11,8 +13,16 @@ namespace {
 
 /// A former case whose bodies touch first this far away is another case, mm.
 constexpr double farthest_start = 3.0;
-/// The next potential contact is this much wider than the former contact needed.
-constexpr double wider = 1.15;
+
+/// The shortest element that influence files have numbers for, mm; 0: any. A wheel's is that at its reference
+/// radius, and the contact lies elsewhere.
+double shortest_element(const PairFiles& files) {
+  double shortest = 0;
+  for (const auto& file : {files.rail, files.wheel})
+    if (file && !file->wavenumber.empty() && file->wavenumber.back() > 0)
+      shortest = std::max(shortest, 1.05 * 10 / file->wavenumber.back());
+  return shortest;
+}
 
 int in_contact(const ContactResult& result) {
   int sum = 0;
@@ -48,15 +58,8 @@ void Sequence::learn(const SceneResult& result, const ContactEstimate& estimate)
   const ContactGrid& grid = result.problem.grid;
   if (!r.converged || r.patches.empty() || !(estimate.approach > 0)) {
     former_.reset();
-    share_ = widest_share;
     return;
   }
-  double farthest = 0;
-  for (int i = 0; i < grid.size(); ++i)
-    if (r.pn[i] > 0)
-      farthest = std::max(farthest, result.problem.gap[i] / std::cos(result.problem.rows[i / grid.mx].delta));
-  share_ =
-      options_.learn ? std::clamp(wider * farthest / estimate.approach, 0.4, widest_share) : widest_share;
   const double area = contact_extent(estimate).area;
   area_ratio_ =
       options_.learn && area > 0 ? std::clamp(in_contact(r) * grid.dx * grid.ds / area, 0.3, 3.0) : 1.0;
@@ -84,18 +87,20 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
   asked_elements_ = asked.grid.elements;
   asked_accuracy_ = asked.grid.accuracy;
 
-  SceneAids aids{&placed, &read, options_.keep_numbers ? &numbers_ : nullptr, nullptr, share_};
+  SceneAids aids{&placed, &read, options_.keep_numbers ? &numbers_ : nullptr, nullptr};
   SceneFile scene = asked;
+  // Half-space numbers serve any element; which model auto takes is not known yet.
+  const std::string wanted = model.empty() ? asked.solver.model : model;
+  const double shortest = wanted == "fem" || wanted == "auto" ? shortest_element(read) : 0;
+  const auto size = [&] {
+    return size_of_elements(placed.estimate, count_->wanted(), area_ratio_, shortest);
+  };
   PhaseSeconds spent;
   for (int round = 1;; ++round) {
-    if (adapt) {
-      const ElementSize size = size_of_elements(placed.estimate, count_->wanted(), area_ratio_);
-      scene.grid.dx = size.dx;
-      scene.grid.ds = size.ds;
-    }
+    if (adapt)
+      std::tie(scene.grid.dx, scene.grid.ds) = size();
     const bool near = former_ && std::abs(former_->reference_s - placed.reference.s) < farthest_start;
     aids.start = near ? &*former_ : nullptr;
-    aids.potential_share = share_;
     counts_.starts += near;
     ++counts_.solves;
     SceneResult out = solve_scene(scene, model, aids);
@@ -106,7 +111,7 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
     const double error = out.result.certificate.discretisation;
     const bool again = adapt && out.model != "hertz" && out.result.converged && !out.result.patches.empty() &&
                        count_->learn(in_contact(out.result), error);
-    if (again && round < most_solves)
+    if (again && round < most_solves && size() != std::pair(scene.grid.dx, scene.grid.ds))
       continue;
     if (asked.grid.accuracy > 0 && out.result.converged && error > asked.grid.accuracy)
       out.warnings.push_back(

@@ -16,7 +16,7 @@ struct SequenceOptions {
   /// A case starts from the former one's tractions, moved and scaled; from a coarse grid where the bodies
   /// touch first elsewhere.
   bool keep_start = true;
-  bool learn = true; ///< potential contact and area in contact, of the estimate's
+  bool learn = true; ///< how large the area in contact is beside the estimate's
 };
 
 /// Solves `wheel_rail` scenes one after the other and uses what the former ones taught. Files must not
@@ -51,7 +51,7 @@ private:
   std::optional<ElementCount> count_;
   int asked_elements_ = 0;
   double asked_accuracy_ = 0;
-  double share_ = widest_share, area_ratio_ = 1;
+  double area_ratio_ = 1;
   Counts counts_;
 };
 

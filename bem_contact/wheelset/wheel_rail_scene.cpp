@@ -76,10 +76,9 @@ WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles&
   return out;
 }
 
-GridPlan plan_wheel_rail(const WheelRailScene& placed, const SceneFile& scene, const PairFiles& files,
-                         double share) {
+GridPlan plan_wheel_rail(const WheelRailScene& placed, const SceneFile& scene, const PairFiles& files) {
   const double origin = files.rail ? files.rail->stations.front().s : 0.5 * scene.grid.ds;
-  return plan_grid(placed.estimate, scene.grid, origin, share);
+  return plan_grid(placed.estimate, scene.grid, origin);
 }
 
 PreparedContact prepare_wheel_rail(const WheelRailScene& placed, const SceneFile& scene) {

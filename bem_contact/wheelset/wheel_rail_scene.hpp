@@ -33,8 +33,7 @@ WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles&
 WheelRailScene place_wheel_rail(const SceneFile& scene);
 
 /// Rows centred on the stations of the rail's influence file where there is one.
-GridPlan plan_wheel_rail(const WheelRailScene& placed, const SceneFile& scene, const PairFiles& files,
-                         double share = widest_share);
+GridPlan plan_wheel_rail(const WheelRailScene& placed, const SceneFile& scene, const PairFiles& files);
 
 /// The contact on the rows and columns of `placed.plan`: gap, rigid slip, stations on both bodies.
 PreparedContact prepare_wheel_rail(const WheelRailScene& placed, const SceneFile& scene);

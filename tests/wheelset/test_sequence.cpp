@@ -61,14 +61,6 @@ TEST(Sequence, EachSwitchChangesTheWayAndNotTheResult) {
   }
 }
 
-TEST(Sequence, LearnsHowWideThePotentialContactMustBe) {
-  Sequence sequence;
-  const int first = sequence.solve(rolling(1.0)).problem.grid.size();
-  const SceneResult second = sequence.solve(rolling(1.0));
-  EXPECT_LT(second.problem.grid.size(), first);
-  EXPECT_FALSE(second.result.touches_border);
-}
-
 TEST(Sequence, ComputesTheNumbersOfAGridOnce) {
   Sequence sequence({.learn = false});
   SceneFile scene = rolling(1.0);
@@ -130,6 +122,15 @@ TEST(Sequence, OtherScenesAreSolvedByThemselves) {
   EXPECT_EQ(sequence.counts().starts, 0);
 }
 
+TEST(Sequence, TheShortestElementOfTheFilesIsKept) {
+  const ContactEstimate estimate{{{0, 0, 0, 0, 1e-3}, {0.1, 0, 0, 0, 1e-3}}, 0.1, 1e4, 0};
+  const auto [dx, ds] = size_of_elements(estimate, 3000, 1.0, 0.5);
+  EXPECT_EQ(dx, 0.5);
+  EXPECT_LT(size_of_elements(estimate, 3000, 1.0).first, 0.5);
+  const double area = contact_extent(estimate).area;
+  EXPECT_LE(dx * ds, 1.001 * area / 3000);
+}
+
 TEST(Sequence, ElementsAreGivenInOneWay) {
   EXPECT_THROW(rolling(0.0, 1e5, "elements = 100\nmx = 20\n"), InputError);
   EXPECT_THROW(rolling(0.0, 1e5, "accuracy = 0.6\n"), InputError);
@@ -143,7 +144,7 @@ TEST(ElementCount, MoreWhereTheErrorIsTooLargeFewerWhereItIsNot) {
   EXPECT_FALSE(count.learn(600, 0.002));
   EXPECT_LT(count.wanted(), 600);
   EXPECT_GE(count.wanted(), 0.6 * 600 - 1);
-  EXPECT_FALSE(count.learn(70, 1e-6));
+  EXPECT_FALSE(count.learn(250, 1e-6));
   EXPECT_EQ(count.wanted(), ElementCount::fewest);
 }
 
