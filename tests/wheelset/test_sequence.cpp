@@ -123,7 +123,9 @@ TEST(Sequence, OtherScenesAreSolvedByThemselves) {
 }
 
 TEST(Sequence, TheShortestElementOfTheFilesIsKept) {
-  const ContactEstimate estimate{{{0, 0, 0, 0, 1e-3}, {0.1, 0, 0, 0, 1e-3}}, 0.1, 1e4, 0};
+  ContactEstimate estimate;
+  estimate.slices = {{.s = 0, .half = 1e-3}, {.s = 0.1, .half = 1e-3}};
+  estimate.approach = 0.1;
   const auto [dx, ds] = size_of_elements(estimate, 3000, 1.0, 0.5);
   EXPECT_EQ(dx, 0.5);
   EXPECT_LT(size_of_elements(estimate, 3000, 1.0).first, 0.5);
