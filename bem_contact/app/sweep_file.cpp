@@ -88,7 +88,7 @@ H5Table SweepOutput::top() const {
     std::string description = text ? "which of" : "swept over";
     for (const SchemaValue& value : axis.values)
       if (text)
-        description += " " + to_text(value);
+        description.append(" ").append(to_text(value));
     line(axis.key, std::move(values), "", std::move(description));
   }
   std::vector<double> status(n);

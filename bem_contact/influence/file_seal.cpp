@@ -82,7 +82,7 @@ bool begins_with_seal(const std::filesystem::path& file) {
 
 void check_seal(const std::filesystem::path& file, int format_major) {
   const std::vector<std::byte> bytes = read_bytes(file);
-  const std::string name = "'" + file.string() + "'";
+  const std::string name = std::string("'").append(file.string()).append("'"); // gcc 12 warns of operator+
   std::istringstream head(
       std::string(reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), seal_size)));
   std::string line, word;
