@@ -21,17 +21,6 @@ private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void append_unknowns(SparseColumns& to, const SparseColumns& from, std::span<const int> unknown) {
-  for (std::size_t c = 0; c < from.columns(); ++c) {
-    for (std::size_t e = from.column_begin[c]; e < from.column_begin[c + 1]; ++e)
-      if (const int row = unknown[static_cast<std::size_t>(from.row[e])]; row >= 0) {
-        to.row.push_back(row);
-        to.value.push_back(from.value[e]);
-      }
-    to.column_begin.push_back(to.row.size());
-  }
-}
-
 } // namespace
 
 double reference_radius_of(const BodyFile& body) {

@@ -75,6 +75,17 @@ struct MumpsSolver::Impl {
   }
 };
 
+void append_unknowns(SparseColumns& to, const SparseColumns& from, std::span<const int> unknown) {
+  for (std::size_t c = 0; c < from.columns(); ++c) {
+    for (std::size_t e = from.column_begin[c]; e < from.column_begin[c + 1]; ++e)
+      if (const int row = unknown[static_cast<std::size_t>(from.row[e])]; row >= 0) {
+        to.row.push_back(row);
+        to.value.push_back(from.value[e]);
+      }
+    to.column_begin.push_back(to.row.size());
+  }
+}
+
 MumpsSolver::MumpsSolver(int size, std::span<const int> row, std::span<const int> column,
                          const SparseColumns& border)
     : impl_(std::make_unique<Impl>()) {

@@ -16,6 +16,10 @@ struct SparseColumns {
   std::size_t columns() const { return column_begin.size() - 1; }
 };
 
+/// Appends the columns of `from`, rows renumbered by `unknown`; rows that are none (-1) have a displacement
+/// of zero and are left out.
+void append_unknowns(SparseColumns& to, const SparseColumns& from, std::span<const int> unknown);
+
 /// Direct solver of symmetric positive definite matrices of one pattern (MUMPS on one process; MPI must be
 /// initialised). The pattern is analysed once; every factorize() replaces the factors.
 class MumpsSolver {

@@ -20,6 +20,19 @@
 
 namespace bem_contact::fem {
 
+std::string short_reason(const std::exception& error) {
+  std::string why = error.what();
+  if (const auto at = why.find("Additional information:"); at != std::string::npos)
+    why = why.substr(at + 23);
+  why = why.substr(0, why.find("\nStacktrace"));
+  std::istringstream words(why);
+  std::string line;
+  for (std::string word; words >> word && line.size() < 300;)
+    if (word.find_first_not_of('-') != std::string::npos)
+      line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
 namespace {
 
 // A point of deal.II is (y, z) here.
@@ -37,18 +50,8 @@ void read_mesh(dealii::Triangulation<2>& mesh, const std::filesystem::path& path
     dealii::GridIn<2> reader(mesh);
     reader.read_msh(in);
   } catch (const std::exception& error) {
-    // deal.II's messages fill a page; the line after "additional information" says what went wrong.
-    std::string why = error.what();
-    if (const auto at = why.find("Additional information:"); at != std::string::npos)
-      why = why.substr(at + 23);
-    why = why.substr(0, why.find("\nStacktrace"));
-    std::istringstream words(why);
-    std::string line;
-    for (std::string word; words >> word && line.size() < 300;)
-      if (word.find_first_not_of('-') != std::string::npos)
-        line += (line.empty() ? "" : " ") + word;
     throw InputError("The mesh '" + file + "' is not a gmsh mesh of quadrilaterals in the plane",
-                     "deal.II refuses it: " + line, "make it with mesh_body");
+                     "deal.II refuses it: " + short_reason(error), "make it with mesh_body");
   }
   if (mesh.n_active_cells() == 0 || !mesh.all_reference_cells_are_hyper_cube())
     throw InputError("The mesh '" + file + "' has cells that are not quadrilaterals",

@@ -5,16 +5,21 @@
 #include "bem_contact/profile/profile_curve.hpp"
 
 #include <cstddef>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace bem_contact::fem {
 
 /// Physical ids of a section's mesh (written by mesh_body).
 inline constexpr int contact_id = 1, held_id = 2;
+
+/// deal.II's messages fill a page: what the part after "Additional information" says, on one line.
+std::string short_reason(const std::exception& error);
 
 /// A quadrature point of a cell: weight is the area it stands for, mm^2.
 struct CellPoint {

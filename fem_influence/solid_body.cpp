@@ -67,20 +67,6 @@ private:
   bool on_profile_;
 };
 
-/// The two lines of deal.II's page that say what went wrong.
-std::string short_reason(const std::exception& error) {
-  std::string why = error.what();
-  if (const auto at = why.find("Additional information:"); at != std::string::npos)
-    why = why.substr(at + 23);
-  why = why.substr(0, why.find("\nStacktrace"));
-  std::istringstream words(why);
-  std::string line;
-  for (std::string word; words >> word && line.size() < 300;)
-    if (word.find_first_not_of('-') != std::string::npos)
-      line += (line.empty() ? "" : " ") + word;
-  return line;
-}
-
 void read_mesh(dealii::Triangulation<3>& mesh, const std::filesystem::path& path) {
   std::ifstream in(path);
   if (!in || std::filesystem::is_directory(path))

@@ -21,20 +21,6 @@ std::string place(const SurfacePatch& p) {
          ", x = " + std::to_string(p.x_from) + " .. " + std::to_string(p.x_to) + " mm";
 }
 
-/// Rows that belong to unknowns, renumbered; the others carry a displacement of zero.
-SparseColumns on_unknowns(const SparseColumns& from, std::span<const int> unknown) {
-  SparseColumns to;
-  for (std::size_t c = 0; c < from.columns(); ++c) {
-    for (std::size_t e = from.column_begin[c]; e < from.column_begin[c + 1]; ++e)
-      if (const int row = unknown[static_cast<std::size_t>(from.row[e])]; row >= 0) {
-        to.row.push_back(row);
-        to.value.push_back(from.value[e]);
-      }
-    to.column_begin.push_back(to.row.size());
-  }
-  return to;
-}
-
 } // namespace
 
 double available_memory() {
@@ -182,9 +168,11 @@ void SolidSolver::solve(
             std::to_string(there) + " GiB are free",
         "raise solid.grading, or lower solid.loads_at_once, solid.elements_per_load or the mesh's own size");
   solver.factorize(values);
-  const SparseColumns sampled_rows = on_unknowns(samples, unknown);
+  SparseColumns loaded_rows, sampled_rows;
+  append_unknowns(loaded_rows, loads, unknown);
+  append_unknowns(sampled_rows, samples, unknown);
   std::vector<double> sampled(samples.columns()), displacement;
-  solver.solve(on_unknowns(loads, unknown), [&](std::size_t c, std::span<const double> solution) {
+  solver.solve(loaded_rows, [&](std::size_t c, std::span<const double> solution) {
     for (std::size_t s = 0; s < sampled.size(); ++s) {
       double sum = 0;
       for (std::size_t e = sampled_rows.column_begin[s]; e < sampled_rows.column_begin[s + 1]; ++e)
