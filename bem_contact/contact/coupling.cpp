@@ -1,6 +1,7 @@
 #include "bem_contact/contact/coupling.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/force_balance.hpp"
 
 #include <Eigen/QR>
 #include <fmt/format.h>
@@ -186,19 +187,29 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
     coupled = numbers_do || (problem.load == LoadKind::force && sine.cwiseAbs().maxCoeff() > rounding);
   }
 
-  // v: the displacement (A p_t)_n of each element, and the shear's part of the force as a displacement
-  const double force_to_length =
-      problem.load == LoadKind::force && problem.force > 0 ? gap.cwiseAbs().maxCoeff() / problem.force : 0.0;
+  // v: the displacement (A p_t)_n of each element, and the vertical force of the pressure as a displacement
+  const bool by_force = coupled && problem.load == LoadKind::force && problem.force > 0;
   VectorXd v = VectorXd::Zero(n + 1);
+  const auto shear_force = [&] { return sine.dot(solution.shear.p.tail(n)) * problem.element_area(); };
+  solution.pressed = problem.force;
+  if (by_force && solution.normal.p.size() == n) { // what shear bears of the start
+    const double borne = system.cosine.dot(solution.normal.p) * problem.element_area();
+    solution.pressed /= std::clamp(1 + shear_force() / borne, 0.25, 4.0);
+  }
+  if (numbers_do && solution.shear.p.any()) {
+    VectorXd u(n);
+    shear->normal_from_shear->apply(view(solution.shear.p), view(u));
+    v.head(n) = u;
+  }
+  ForceBalance balance(problem.force);
   Anderson anderson;
   bool settled = false;
-  double first_residual = 0, last_residual = 0;
+  double first_residual = 0, last_residual = 0, force_to_length = 0;
   for (int turn = 0; turn < options.max_outer && !settled; ++turn) {
     ++solution.outer_iterations;
-    const double shear_force = force_to_length > 0 ? v[n] / force_to_length : 0.0;
     solution.normal.remark.clear();
-    solve_normal(system, gap + v.head(n), {problem.load, problem.approach, problem.force - shear_force},
-                 options, solution.normal);
+    solve_normal(system, gap + v.head(n), {problem.load, problem.approach, solution.pressed}, options,
+                 solution.normal);
     if (!shear)
       break;
     solution.task =
@@ -212,18 +223,39 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
       shear->normal_from_shear->apply(view(solution.shear.p), view(u));
       next.head(n) = u;
     }
-    const double force = sine.dot(solution.shear.p.tail(n)) * problem.element_area();
-    next[n] = force * force_to_length;
     solution.from_shear = next.head(n);
+    const double scale = system.apply(solution.normal.p).cwiseAbs().maxCoeff();
+    if (by_force) {
+      if (turn == 0)
+        force_to_length = scale / problem.force;
+      solution.borne = solution.pressed + shear_force();
+      // where shear keeps its share
+      const double ratio = std::clamp(problem.force / solution.borne, 0.25, 4.0);
+      v[n] = solution.pressed * force_to_length;
+      next[n] = solution.borne > 0 ? v[n] * ratio : 4 * v[n];
+    }
     const VectorXd residual = next - v;
     first_residual = turn == 0 ? residual.norm() : first_residual;
     last_residual = residual.norm();
-    const double scale = system.apply(solution.normal.p).cwiseAbs().maxCoeff();
     settled =
         residual.head(n).cwiseAbs().maxCoeff() <= 10 * options.tolerance * scale &&
-        (force_to_length == 0 || std::abs(force - shear_force) <= 10 * options.tolerance * problem.force);
-    if (!settled)
-      v = anderson.next(v, residual);
+        (!by_force || std::abs(solution.borne - problem.force) <= 10 * options.tolerance * problem.force);
+    if (settled)
+      break;
+    const double most = ForceBalance::most * problem.force;
+    solution.unbalanced = by_force && solution.pressed >= most && solution.borne < problem.force;
+    if (solution.unbalanced)
+      break;
+    if (by_force && !numbers_do) {
+      solution.pressed = balance.next(solution.pressed, solution.borne);
+      continue;
+    }
+    v = anderson.next(v, residual);
+    if (by_force) {
+      solution.pressed =
+          std::clamp(v[n] / force_to_length, 0.25 * solution.pressed, std::min(4 * solution.pressed, most));
+      v[n] = solution.pressed * force_to_length;
+    }
   }
   require_capacity(problem, solution.creepage);
   if (solution.outer_iterations > 1 && first_residual > 0)

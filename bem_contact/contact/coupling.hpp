@@ -14,12 +14,16 @@ struct Solution {
   Creepage creepage;
   double rate = 0; ///< of the outer iteration: mean factor by which a turn reduces the residual; 0: one turn
   int outer_iterations = 0;
+  double pressed = 0, borne = 0; ///< vertical force of the pressure; of pressure and shear; N (load == force)
+  bool unbalanced = false;       ///< no pressure bears the force prescribed, friction being what it is
   std::string remark;
 };
 
 /// Normal and tangential problem in turn (Panagiotopoulos 1975) until the displacement along n and the force
-/// that the shear tractions contribute stand still; the turns are accelerated after Anderson 1965.
-/// Once through where shear does not act on the normal problem.
+/// that the shear tractions contribute stand still. Once through where shear does not act on the normal
+/// problem. Where it acts by its vertical force alone, the turns look for the pressure that balances the load
+/// (force_balance.hpp); else they are accelerated after Anderson 1965, and the pressure is guessed from the
+/// share that shear bears.
 Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options);
 
 /// Pressures, states and (steady rolling) tractions of the same problem on elements twice as large, and of

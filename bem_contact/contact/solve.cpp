@@ -1,11 +1,13 @@
 #include "bem_contact/contact/solve.hpp"
 
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/coupling.hpp"
 #include "bem_contact/contact/discretisation.hpp"
 #include "bem_contact/contact/patches.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace bem_contact {
 namespace {
@@ -66,8 +68,21 @@ void sum_forces(const ContactProblem& problem, ContactResult& result) {
   }
 }
 
+/// Throws where friction leaves no equilibrium.
+void require_balance(const ContactProblem& problem, const contact::Solution& solution) {
+  if (!solution.unbalanced)
+    return;
+  throw InputError(
+      "No pressure balances the vertical force",
+      fmt::format("on surfaces so steep friction of {:g} pulls down what the pressure bears: pressure that "
+                  "bears {:.4g} N leaves {:.4g} N with the shear tractions, and {:g} N are prescribed",
+                  problem.largest_friction(), solution.pressed, solution.borne, problem.force),
+      "Give less friction or yaw, another lateral position, or an approach in place of the force.");
+}
+
 ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOptions& options) {
   const contact::Solution solution = contact::solve_coupled(problem, options);
+  require_balance(problem, solution);
   ContactResult result;
   fill_fields(problem, solution, result);
   result.approach = solution.normal.approach;
@@ -98,11 +113,14 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options)
   ContactResult result = solve_on_this_grid(problem, options);
   if (!options.estimate_discretisation || !result.converged)
     return result;
-  if (const auto coarse = contact::coarse_companion(problem, result)) {
-    result.discretisation = contact::compare(problem, result, *coarse, solve_on_this_grid(*coarse, options));
-    if (result.discretisation)
-      result.certificate.discretisation = result.discretisation->worst();
-  }
+  if (const auto coarse = contact::coarse_companion(problem, result))
+    try {
+      result.discretisation =
+          contact::compare(problem, result, *coarse, solve_on_this_grid(*coarse, options));
+      if (result.discretisation)
+        result.certificate.discretisation = result.discretisation->worst();
+    } catch (const InputError&) { // forces that larger elements cannot carry: there is no estimate
+    }
   return result;
 }
 
