@@ -3,7 +3,6 @@
 #include "bem_contact/reference/hertz.hpp"
 #include "bem_contact/reference/positive.hpp"
 
-#include <array>
 #include <numbers>
 
 namespace bem_contact::reference {
@@ -60,18 +59,6 @@ double bentall_johnson_creepage(const Material& one, const Material& other, doub
   require_positive({{"radius", radius}, {"half width", half_width}});
   const CombinedMaterial m = combined(one, other);
   return 0.457 * 2 * m.difference / (1 - m.poisson) * half_width / radius;
-}
-
-std::span<const CreepCoefficients> creep_coefficients() {
-  static constexpr std::array<CreepCoefficients, 6> table = {{
-      {1.0, 0.00, 3.399, 3.399, 1.336, 1.201},
-      {1.0, 0.25, 4.116, 3.673, 1.470, 1.176},
-      {1.0, 0.28, 4.222, 3.709, 1.488, 1.173},
-      {1.0, 0.50, 5.205, 3.988, 1.637, 1.149},
-      {0.5, 0.25, 3.630, 3.015, 0.929, 1.938},
-      {2.0, 0.25, 5.109, 4.924, 2.640, 0.812},
-  }};
-  return table;
 }
 
 LinearForces linear_creep_forces(const CreepCoefficients& k, double shear_modulus, double a, double b,

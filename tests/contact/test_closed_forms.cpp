@@ -46,34 +46,34 @@ TEST(ClosedForms, SteuermannsQuartic) {
   }
 }
 
-/// Kalker's coefficients. A pattern of whole elements covers up to 1.5 % more than the ellipse, and how much
-/// changes from size to size; the mean over four positions of the grid on the ellipse (by half an element) is
-/// of first order in the size, and two sizes with c^2 = area in contact / pi give the limit.
-struct Coefficients {
-  std::array<double, 5> value{}; ///< C11, C22, C23 of spin, C23 of lateral creepage, C33
-};
+/// Kalker's coefficients. A pattern of whole elements covers more than the ellipse, and how much changes from
+/// size to size: c^2 = area in contact / pi, and the mean over four positions of the grid on the ellipse, an
+/// eighth and three eighths of an element off in x and in s. By the ellipse's symmetries (a mirror in x
+/// exchanges C23 of spin and of creepage) that is as good as sixteen, at all eighths.
+using Coefficients = std::array<double, 4>; // C11, C22, C23, C33
 
-Coefficients mean_coefficients(const reference::CreepCoefficients& k, int across) {
-  const Material material{1, k.poisson};
+Coefficients mean_coefficients(double a_over_b, double poisson, int across) {
+  const Material material{1, poisson};
   const double modulus = reference::contact_modulus(material, material), unit = 1e-4;
   // Hertz: the ratio of curvatures that gives the ratio of semi-axes, then the force that gives their size
   double low = 1e-3, high = 1e3;
   for (int step = 0; step < 60; ++step) {
     const double ratio = std::sqrt(low * high);
     const auto h = reference::hertz_by_force(1e-3, 1e-3 * ratio, modulus, 1);
-    (h.semi_axis_x / h.semi_axis_s < k.a_over_b ? low : high) = ratio;
+    (h.semi_axis_x / h.semi_axis_s < a_over_b ? low : high) = ratio;
   }
-  const double a = std::max(1.0, k.a_over_b), b = a / k.a_over_b, curvature_s = 1e-3 * low;
+  const double a = std::max(1.0, a_over_b), b = a / a_over_b, curvature_s = 1e-3 * low;
   const double force = std::pow(a / reference::hertz_by_force(1e-3, curvature_s, modulus, 1).semi_axis_x, 3);
   const int n = across * 11 / 10 + 2;
   SolverOptions options;
   options.estimate_discretisation = false;
-  Coefficients mean;
+  Coefficients mean{};
   ContactProblem problem = scenes::flat(material, material, n, n, 2 * a / across, 2 * b / across, 0, 0);
   problem.force = force;
   const ContactProblem centred = problem;
   for (int shift = 0; shift < 4; ++shift) {
-    const double shift_x = 0.5 * (shift % 2) * problem.grid.dx, shift_s = 0.5 * (shift / 2) * problem.grid.ds;
+    const double shift_x = (shift % 2 ? 0.125 : 0.375) * problem.grid.dx,
+                 shift_s = (shift / 2 ? 0.125 : 0.375) * problem.grid.ds;
     problem.grid.x0 = centred.grid.x0 + shift_x;
     for (int is = 0; is < n; ++is)
       problem.rows[is].s = problem.rows[is].position.y = centred.rows[is].s + shift_s;
@@ -89,37 +89,47 @@ Coefficients mean_coefficients(const reference::CreepCoefficients& k, int across
     }
     const auto& [along, lateral, spin] = rolled;
     const double cc = along.patches[0].area / std::numbers::pi, c = std::sqrt(cc);
-    const std::array<double, 5> values{along.Fx / (cc * unit), lateral.Fy / (cc * unit),
-                                       spin.Fy / (cc * c * unit), -lateral.Mz / (cc * c * unit),
-                                       spin.Mz / (cc * cc * unit)};
-    for (int i = 0; i < 5; ++i)
-      mean.value[i] += values[i] / 4;
+    const Coefficients values{along.Fx / (cc * unit), lateral.Fy / (cc * unit),
+                              0.5 * (spin.Fy - lateral.Mz) / (cc * c * unit), spin.Mz / (cc * cc * unit)};
+    for (std::size_t i = 0; i < 4; ++i)
+      mean[i] += values[i] / 4;
   }
   return mean;
 }
 
-struct KalkersCoefficients : testing::TestWithParam<int> {};
+struct Ellipse {
+  double a_over_b, poisson;
+};
+struct KalkersCoefficients : testing::TestWithParam<Ellipse> {};
 
+/// Against the linear theory, a method of its own: the error is of first order, and three sizes leave of it,
+/// with terms of first and second order taken off, less than .1 % (C33: .5 %).
 TEST_P(KalkersCoefficients, WithinHalfAPercentExtrapolated) {
-  const reference::CreepCoefficients& k = reference::creep_coefficients()[GetParam()];
-  const std::array<double, 5> expected{k.c11, k.c22, k.c23, k.c23, k.c33};
-  const Coefficients coarse = mean_coefficients(k, 20), fine = mean_coefficients(k, 40);
-  double coarse_error = 0, fine_error = 0, limit_error = 0;
-  for (int i = 0; i < 5; ++i) {
-    const double limit = 2 * fine.value[i] - coarse.value[i];
-    // The reference for C23 at a/b = 2 is itself extrapolated at first order: 16 positions of grids of 10 to
-    // 40 elements give 2.624, .6 % below it.
-    const double bar = k.a_over_b > 1 && (i == 2 || i == 3) ? 0.007 : 0.005;
-    EXPECT_NEAR(limit, expected[i], bar * expected[i]) << i;
-    coarse_error += std::abs(coarse.value[i] / expected[i] - 1);
-    fine_error += std::abs(fine.value[i] / expected[i] - 1);
-    limit_error += std::abs(limit / expected[i] - 1);
+  const auto& [a_over_b, poisson] = GetParam();
+  const reference::CreepCoefficients k = reference::creep_coefficients(a_over_b, poisson);
+  const Coefficients exact{k.c11, k.c22, k.c23, k.c33};
+  const Coefficients coarse = mean_coefficients(a_over_b, poisson, 20),
+                     middle = mean_coefficients(a_over_b, poisson, 40),
+                     fine = mean_coefficients(a_over_b, poisson, 80);
+  double coarse_error = 0, middle_error = 0, fine_error = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double limit = (8 * fine[i] - 6 * middle[i] + coarse[i]) / 3;
+    EXPECT_NEAR(limit, exact[i], (i < 3 ? 0.001 : 0.005) * exact[i]) << i;
+    coarse_error += std::abs(coarse[i] / exact[i] - 1);
+    middle_error += std::abs(middle[i] / exact[i] - 1);
+    fine_error += std::abs(fine[i] / exact[i] - 1);
   }
-  EXPECT_LT(fine_error, 0.75 * coarse_error);
-  EXPECT_LT(limit_error, fine_error);
+  EXPECT_LT(middle_error, 0.7 * coarse_error);
+  EXPECT_LT(fine_error, 0.7 * middle_error);
 }
 
-INSTANTIATE_TEST_SUITE_P(References, KalkersCoefficients, testing::Range(0, 6),
+#ifdef __SANITIZE_ADDRESS__
+const auto ellipses = testing::Values(Ellipse{2, 0.25}); // slow there
+#else
+const auto ellipses = testing::Values(Ellipse{2, 0.25}, Ellipse{1, 0}, Ellipse{1, 0.25}, Ellipse{1, 0.28},
+                                      Ellipse{1, 0.5}, Ellipse{0.5, 0.25});
+#endif
+INSTANTIATE_TEST_SUITE_P(References, KalkersCoefficients, ellipses,
                          [](const auto& test) { return "point" + std::to_string(test.index); });
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -61,33 +62,77 @@ TEST(BentallJohnson, PublishedVector) {
   EXPECT_NEAR(same.poisson, 0.28, 1e-15);
 }
 
-TEST(CreepCoefficients, AgreeWithKalkersTable) {
-  // Kalker 1990, table E3 (1967), three decimals as printed there: about 1 % apart.
-  const auto table = creep_coefficients();
-  const auto near = [](double value, double kalker) { EXPECT_NEAR(value / kalker, 1, 0.015); };
-  for (const CreepCoefficients& c : table)
-    if (c.a_over_b == 1 && c.poisson == 0.25) {
-      near(c.c11, 4.12);
-      near(c.c22, 3.67);
-      near(c.c23, 1.47);
-      near(c.c33, 1.19);
-    } else if (c.a_over_b == 1 && c.poisson == 0.5) {
-      near(c.c11, 5.20);
-      near(c.c22, 3.98);
-      near(c.c23, 1.63);
-      near(c.c33, 1.16);
+TEST(CreepCoefficients, OfACircleWithoutPoissonsEffect) {
+  const CreepCoefficients k = creep_coefficients(1, 0);
+  EXPECT_NEAR(k.c11, 32 / (3 * std::numbers::pi), 1e-7);
+  EXPECT_NEAR(k.c22, k.c11, 1e-12) << "no difference between the directions";
+  EXPECT_NEAR(k.c23, 4.0 / 3, 1e-9);
+  EXPECT_NEAR(k.c33, 512 / (135 * std::numbers::pi), 1e-7);
+}
+
+TEST(CreepCoefficients, ConvergeWithTheDegree) {
+  for (const double a_over_b : {0.1, 0.3, 0.5, 1.0, 2.0, 3.3, 10.0}) {
+    const CreepCoefficients limit = creep_coefficients(a_over_b, 0.25, 20);
+    double before = 1;
+    for (const int degree : {4, 8, 16}) {
+      const CreepCoefficients k = creep_coefficients(a_over_b, 0.25, degree);
+      const double error = std::max({std::abs(k.c11 / limit.c11 - 1), std::abs(k.c22 / limit.c22 - 1),
+                                     std::abs(k.c23 / limit.c23 - 1), std::abs(k.c33 / limit.c33 - 1)});
+      EXPECT_LT(error, before / 4) << a_over_b << ' ' << degree; // of second order or better
+      before = error;
     }
-  EXPECT_EQ(table.size(), 6u);
-  EXPECT_EQ(table[0].c11, table[0].c22); // nu = 0: no difference between the directions
+    EXPECT_LT(before, a_over_b == 0.1 || a_over_b == 10 ? 2e-4 : 3e-5) << a_over_b;
+  }
+}
+
+/// Kalker 1990, table E3 (1967), the three digits printed there: half of the last one is .1 to .5 %.
+TEST(CreepCoefficients, AgreeWithKalkersTable) {
+  const auto near = [](const CreepCoefficients& k, std::array<double, 4> kalker) {
+    EXPECT_NEAR(k.c11 / kalker[0], 1, 0.005);
+    EXPECT_NEAR(k.c22 / kalker[1], 1, 0.005);
+    EXPECT_NEAR(k.c23 / kalker[2], 1, 0.005);
+    EXPECT_NEAR(k.c33 / kalker[3], 1, 0.005);
+  };
+  near(creep_coefficients(1, 0.25), {4.12, 3.67, 1.47, 1.19});
+  near(creep_coefficients(1, 0.5), {5.20, 3.98, 1.63, 1.16});
+}
+
+/// A list published with the means of a boundary element method, extrapolated at first order: C11, C22 within
+/// .4 %, C23 .7 %, C33 1 % (a/b = 2: its 2.640 is .6 % above, its .812 .9 % below). That method's own
+/// extrapolation in tests/contact/test_closed_forms.cpp, with a term of second order, comes to the values
+/// here.
+TEST(CreepCoefficients, AgreeWithAnExtrapolatedBoundaryElementMethod) {
+  const CreepCoefficients printed[] = {
+      {1.0, 0.00, 3.399, 3.399, 1.336, 1.201}, {1.0, 0.25, 4.116, 3.673, 1.470, 1.176},
+      {1.0, 0.28, 4.222, 3.709, 1.488, 1.173}, {1.0, 0.50, 5.205, 3.988, 1.637, 1.149},
+      {0.5, 0.25, 3.630, 3.015, 0.929, 1.938}, {2.0, 0.25, 5.109, 4.924, 2.640, 0.812}};
+  for (const CreepCoefficients& p : printed) {
+    const CreepCoefficients k = creep_coefficients(p.a_over_b, p.poisson);
+    EXPECT_NEAR(k.c11 / p.c11, 1, 0.004);
+    EXPECT_NEAR(k.c22 / p.c22, 1, 0.004);
+    EXPECT_NEAR(k.c23 / p.c23, 1, 0.007);
+    EXPECT_NEAR(k.c33 / p.c33, 1, 0.010);
+  }
+}
+
+TEST(CreepCoefficients, OfWhatIsNoEllipseAreRefused) {
+  const auto message = testing::Throws<InputError>(
+      testing::Property(&InputError::what, testing::HasSubstr("no creep coefficients of such an ellipse")));
+  for (const double a_over_b : {0.0, -1.0, 0.05, 11.0, std::nan("")})
+    EXPECT_THAT([=] { creep_coefficients(a_over_b, 0.25); }, message) << a_over_b;
+  for (const double poisson : {-0.1, 0.51, std::nan("")})
+    EXPECT_THAT([=] { creep_coefficients(1, poisson); }, message) << poisson;
+  for (const int degree : {-1, 1, 21})
+    EXPECT_THAT([=] { creep_coefficients(1, 0.25, degree); }, message) << degree;
 }
 
 TEST(CreepCoefficients, ForcesOnTheRailHaveTheCreepagesSign) {
-  const CreepCoefficients& k = creep_coefficients()[1];
-  const double a = 6, b = 6, g = 82000;
+  const CreepCoefficients k{1, 0.25, 4.113, 3.668, 1.466, 1.184};
+  const double a = 9, b = 4, g = 82000;
   const LinearForces f = linear_creep_forces(k, g, a, b, 1e-4, 2e-4, 3e-5);
-  EXPECT_NEAR(f.fx, 36 * g * 4.116 * 1e-4, 1e-9);
-  EXPECT_NEAR(f.fy, 36 * g * (3.673 * 2e-4 + 6 * 1.470 * 3e-5), 1e-9);
-  EXPECT_NEAR(f.mz, 216 * g * (-1.470 * 2e-4 + 6 * 1.176 * 3e-5), 1e-8);
+  EXPECT_NEAR(f.fx, 36 * g * 4.113 * 1e-4, 1e-9);
+  EXPECT_NEAR(f.fy, 36 * g * (3.668 * 2e-4 + 6 * 1.466 * 3e-5), 1e-9);
+  EXPECT_NEAR(f.mz, 216 * g * (-1.466 * 2e-4 + 6 * 1.184 * 3e-5), 1e-8);
 }
 
 TEST(FullSlip, SpinMoment) {
