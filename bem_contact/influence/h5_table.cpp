@@ -5,8 +5,11 @@
 #include "bem_contact/influence/h5_handle.hpp"
 #include "bem_contact/influence/h5_image.hpp"
 
+#include <fcntl.h>
 #include <numeric>
 #include <ostream>
+#include <system_error>
+#include <unistd.h>
 #include <utility>
 
 namespace bem_contact {
@@ -173,7 +176,20 @@ H5Table read_paths(const std::filesystem::path& file, bool deep) {
 
 struct H5Writer::Impl {
   std::filesystem::path file, temporary;
+  int descriptor = -1;
   hid_t root = -1;
+
+  /// Asks the file system for the space that `values` doubles in `objects` datasets and attributes may take:
+  /// after a failed write to a full disk HDF5 can neither close its file nor end the process in order.
+  void reserve(std::size_t values, std::size_t objects) const {
+    constexpr std::size_t object_bytes = 4096, table_bytes = 1 << 18; // more than headers and indices take
+    hsize_t used = 0;
+    if (root >= 0)
+      H5Fget_filesize(root, &used);
+    const std::size_t bytes = table_bytes + object_bytes * objects + sizeof(double) * values;
+    const int error = posix_fallocate(descriptor, static_cast<off_t>(used), static_cast<off_t>(bytes));
+    check(error == 0, file, std::generic_category().message(error));
+  }
 };
 
 H5Writer::H5Writer(std::filesystem::path file) : impl_(std::make_unique<Impl>()) {
@@ -181,21 +197,33 @@ H5Writer::H5Writer(std::filesystem::path file) : impl_(std::make_unique<Impl>())
   impl_->temporary = file;
   impl_->temporary += ".tmp";
   impl_->file = std::move(file);
-  impl_->root = H5Fcreate(impl_->temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-  check(impl_->root >= 0, impl_->file, "it cannot be created");
+  const std::string empty = h5_image(0, [](hid_t) {});
+  write_whole(impl_->temporary, [&](std::ostream& out) { out << empty; });
+  impl_->descriptor = open(impl_->temporary.c_str(), O_WRONLY | O_CLOEXEC);
+  impl_->root = H5Fopen(impl_->temporary.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  check(impl_->descriptor >= 0 && impl_->root >= 0, impl_->file, "it cannot be created");
 }
 
 H5Writer::~H5Writer() {
-  if (impl_->root < 0)
-    return;
   const QuietHdf5 silence;
-  H5Fclose(impl_->root);
-  std::error_code ignored;
-  std::filesystem::remove(impl_->temporary, ignored);
+  if (impl_->root >= 0) {
+    H5Fclose(impl_->root);
+    std::error_code ignored;
+    std::filesystem::remove(impl_->temporary, ignored);
+  }
+  if (impl_->descriptor >= 0)
+    close(impl_->descriptor);
 }
 
 void H5Writer::add(const H5Table& table) {
   const QuietHdf5 silence;
+  std::size_t values = 0;
+  for (const auto& [name, data] : table.datasets)
+    values += data.values.size();
+  for (const auto& [name, value] : table.attributes)
+    if (const auto* text = std::get_if<std::string>(&value))
+      values += text->size() / sizeof(double) + 1;
+  impl_->reserve(values, 3 * table.datasets.size() + table.attributes.size());
   write_all(impl_->root, table, impl_->file);
 }
 
