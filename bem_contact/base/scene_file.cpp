@@ -148,15 +148,24 @@ Schema schema_of(SceneFile& f, Youngs& young) {
          .at_least = 0,
          .kinds = wheel_rail});
   s.add("motion.speed", f.motion.speed,
-        {.doc = "Forward speed of the wheelset, with motion.pitch_rate instead of rolling_radius",
+        {.doc = "Forward speed of the wheelset, for the velocities and rates below",
          .unit = "mm/s",
          .at_least = 0,
          .kinds = wheel_rail});
   s.add("motion.pitch_rate", f.motion.pitch_rate,
-        {.doc = "Angular speed of the wheelset about its axle, positive as it rolls forwards",
+        {.doc = "Angular speed of the wheelset about its axle, positive as it rolls forwards; instead of "
+                "rolling_radius",
          .unit = "rad/s",
          .at_least = 0,
          .kinds = wheel_rail});
+  s.add("motion.lateral_velocity", f.motion.lateral_velocity,
+        {.doc = "Of the wheelset's centre, to the right", .unit = "mm/s", .kinds = wheel_rail});
+  s.add("motion.vertical_velocity", f.motion.vertical_velocity,
+        {.doc = "Of the wheelset's centre, down", .unit = "mm/s", .kinds = wheel_rail});
+  s.add("motion.roll_rate", f.motion.roll_rate,
+        {.doc = "Of the wheelset, right side down", .unit = "rad/s", .kinds = wheel_rail});
+  s.add("motion.yaw_rate", f.motion.yaw_rate,
+        {.doc = "Of the wheelset, front to the right", .unit = "rad/s", .kinds = wheel_rail});
   s.add("motion.slip_table", f.motion.slip_table,
         {.doc = "CSV file with columns ix, is, wx, ws (rigid slip) instead of creepages", .kinds = patch});
 
@@ -265,11 +274,20 @@ void check_motion(const SceneFile& f, const Schema& s) {
   if (!f.motion.frictionless && f.motion.friction == 0)
     s.refuse("motion.friction", "zero friction leaves nothing to roll on",
              "Set motion.frictionless = true for the normal problem alone, or give friction > 0.");
-  if ((f.motion.speed > 0) != (f.motion.pitch_rate > 0))
-    s.refuse(f.motion.speed > 0 ? "motion.speed" : "motion.pitch_rate", "one does not go without the other",
-             "Give both speed and pitch_rate, or motion.rolling_radius.");
-  if (f.motion.speed > 0 && f.motion.rolling_radius > 0)
-    s.refuse("motion.rolling_radius", "speed and pitch_rate are given too",
+  const std::pair<const char*, double> rates[] = {{"motion.pitch_rate", f.motion.pitch_rate},
+                                                  {"motion.lateral_velocity", f.motion.lateral_velocity},
+                                                  {"motion.vertical_velocity", f.motion.vertical_velocity},
+                                                  {"motion.roll_rate", f.motion.roll_rate},
+                                                  {"motion.yaw_rate", f.motion.yaw_rate}};
+  for (const auto& [key, rate] : rates) {
+    if (rate != 0 && f.motion.speed == 0)
+      s.refuse(key, "only its ratio to the forward speed counts, and motion.speed is not given",
+               "Give motion.speed too.");
+    if (rate != 0 && f.motion.kind == "shift")
+      s.refuse(key, "a shift has no velocities", "Give xi, eta and phi.");
+  }
+  if (f.motion.pitch_rate > 0 && f.motion.rolling_radius > 0)
+    s.refuse("motion.rolling_radius", "pitch_rate is given too",
              "Give either the rolling radius or both speed and pitch_rate.");
   if (!f.motion.slip_table.empty() && (f.motion.xi != 0 || f.motion.eta != 0 || f.motion.phi != 0))
     s.refuse("motion.slip_table", "creepages are given too", "Give either the table or xi, eta and phi.");

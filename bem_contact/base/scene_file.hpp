@@ -63,6 +63,9 @@ struct SceneFile {
     /// wheel_rail: forward over angular speed at xi = 0, mm; 0: speed / pitch_rate (mm/s, rad/s), where these
     /// are 0 too what rolls freely under the estimated pressure.
     double rolling_radius = 0, speed = 0, pitch_rate = 0;
+    /// wheel_rail: of the wheelset, with speed: to the right and down, mm/s; right side down and front to the
+    /// right, rad/s.
+    double lateral_velocity = 0, vertical_velocity = 0, roll_rate = 0, yaw_rate = 0;
     std::string slip_table; ///< patch: CSV file with columns ix, is, wx, ws instead of creepages
   } motion;
 

@@ -112,8 +112,15 @@ void prescribe_step(ContactProblem& problem, const SceneFile& scene, const Wheel
     set_gap(problem, scene, *step.x);
   if (!scene.motion.slip_table.empty())
     return;
-  const Creepage creepage{step.xi.value_or(scene.motion.xi), step.eta.value_or(scene.motion.eta),
-                          step.phi.value_or(scene.motion.phi), placed ? placed->rolling_radius : 0.0};
+  Creepage creepage{step.xi.value_or(scene.motion.xi), step.eta.value_or(scene.motion.eta),
+                    step.phi.value_or(scene.motion.phi), placed ? placed->rolling_radius : 0.0};
+  if (scene.motion.speed > 0) {
+    const SceneFile::Motion& m = scene.motion;
+    const double right = (scene.position.side == "left" ? -1 : 1) / m.speed;
+    creepage.velocity = {0, right * m.lateral_velocity, m.vertical_velocity / m.speed};
+    creepage.roll = right * m.roll_rate;
+    creepage.yaw = right * m.yaw_rate;
+  }
   if (!placed)
     set_rigid_slip(problem, creepage, step.x.value_or(0.0));
   else if (problem.motion == MotionKind::shift)

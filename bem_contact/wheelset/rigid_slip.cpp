@@ -2,18 +2,29 @@
 
 namespace bem_contact {
 
+namespace {
+
+Vector3 cross(const Vector3& a, const Vector3& r) {
+  return {a[1] * r[2] - a[2] * r[1], a[2] * r[0] - a[0] * r[2], a[0] * r[1] - a[1] * r[0]};
+}
+
+Vector3 from(const Vector3& centre, double x, Point2 p) {
+  return {x - centre[0], p.y - centre[1], p.z - centre[2]};
+}
+
+} // namespace
+
 void set_rigid_slip(ContactProblem& problem, const WheelOnRail& pair, const ReferencePoint& reference,
                     const Creepage& creepage) {
   const ContactGrid& grid = problem.grid;
   problem.slip_x.resize(grid.size());
   problem.slip_s.resize(grid.size());
   const WheelFrame frame = pair.wheel_frame();
-  // a x (X - C)
-  const auto around_axle = [&](double x, Point2 p) {
-    const Vector3 r{x - frame.centre[0], p.y - frame.centre[1], p.z - frame.centre[2]};
-    const Vector3& a = frame.axle;
-    return Vector3{a[1] * r[2] - a[2] * r[1], a[2] * r[0] - a[0] * r[2], a[0] * r[1] - a[1] * r[0]};
-  };
+  // The vertical about which the wheelset is yawed meets its axle at x = 0.
+  const double arm = (pair.centre_y - frame.centre[1]) / frame.axle[1];
+  const Vector3 centre{0, pair.centre_y, frame.centre[2] + arm * frame.axle[2]};
+  const Vector3 rotation{creepage.roll * frame.forward[0], creepage.roll * frame.forward[1], creepage.yaw};
+  const auto around_axle = [&](double x, Point2 p) { return cross(frame.axle, from(frame.centre, x, p)); };
   const double radius =
       creepage.rolling_radius > 0 ? creepage.rolling_radius : around_axle(reference.x, reference.position)[0];
   const double turning = (1 - creepage.xi) / radius; // 1 / R_roll
@@ -27,8 +38,10 @@ void set_rigid_slip(ContactProblem& problem, const WheelOnRail& pair, const Refe
       const Vector3 turned = around_axle(x, row.position);
       // phi e_n x (r - reference), with e_n x e_x = e_s and e_n x e_s = -e_x at the reference point.
       const Point2 added = (creepage.eta + creepage.phi * (x - reference.x)) * tangent;
-      problem.slip_x[is * grid.mx + ix] = 1 - turning * turned[0] - creepage.phi * s;
-      problem.slip_s[is * grid.mx + ix] = dot(added - turning * Point2{turned[1], turned[2]}, along);
+      const Vector3 rotated = cross(rotation, from(centre, x, row.position));
+      const auto own = [&](int k) { return creepage.velocity[k] + rotated[k] - turning * turned[k]; };
+      problem.slip_x[is * grid.mx + ix] = 1 + own(0) - creepage.phi * s;
+      problem.slip_s[is * grid.mx + ix] = dot(added + Point2{own(1), own(2)}, along);
     }
   }
 }

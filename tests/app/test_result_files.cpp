@@ -281,8 +281,8 @@ TEST(H5Table, ComesBackAsItWent) {
   std::filesystem::remove(file);
 }
 
-/// Tables of 80 kB with 20 datasets, until the limit on the size of files, met as a full disk is. A process of
-/// its own: what is tested is also that it can end in order.
+/// Tables of 80 kB with 20 datasets, until the limit on the size of files, met as a full disk is. A process
+/// of its own: what is tested is also that it can end in order.
 [[noreturn]] void write_beyond(std::size_t bytes, const std::filesystem::path& file) {
   std::signal(SIGXFSZ, SIG_IGN);
   const rlimit small{bytes, RLIM_INFINITY};

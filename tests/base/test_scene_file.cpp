@@ -153,7 +153,13 @@ TEST(SceneFile, geometry_that_cannot_be) {
   EXPECT_THAT(refusal(loaded + "[position]\ncant = 1.4"), HasSubstr("(out of range)"));
   EXPECT_THAT(refusal(loaded + "[position]\nyaw = 0.11"), HasSubstr("(out of range)"));
   EXPECT_THAT(refusal(loaded + "[position]\nvertical = 0.1"), HasSubstr("exactly one of"));
-  EXPECT_THAT(refusal(loaded + "[motion]\nspeed = 1e4"), HasSubstr("one does not go without the other"));
+  for (const char* rate : {"pitch_rate", "lateral_velocity", "vertical_velocity", "roll_rate", "yaw_rate"}) {
+    const std::string line = std::string(rate) + " = 0.1\n";
+    EXPECT_THAT(refusal(loaded + "[motion]\n" + line),
+                AllOf(HasSubstr(rate), HasSubstr("motion.speed is not given")));
+    EXPECT_THAT(refusal(loaded + "[motion]\nspeed = 1e4\nkind = \"shift\"\n" + line),
+                AllOf(HasSubstr(rate), HasSubstr("a shift has no velocities")));
+  }
   EXPECT_THAT(refusal(loaded + "[motion]\nspeed = 1e4\npitch_rate = 20\nrolling_radius = 460"),
               HasSubstr("either the rolling radius or both"));
   EXPECT_THAT(refusal(loaded + "[position]\nside = \"lft\""), HasSubstr("left"));

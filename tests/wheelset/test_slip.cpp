@@ -110,6 +110,57 @@ TEST(RigidSlip, AYawedWheelSlidesToTheLeft) {
   }
 }
 
+TEST(RigidSlip, RatesMoveTheWheelAsItsPlacementDoes) {
+  // A point fixed to the wheelset, that does not turn about its axle, at two instants; central differences.
+  const auto at = [](double t, double lateral, double roll, double yaw) {
+    SceneFile::Position position;
+    position.lateral = 6.3 + lateral * t;
+    position.roll = 0.01 + roll * t;
+    position.yaw = 0.02 + yaw * t;
+    return place(position, named_profile("60E1", ProfileKind::rail),
+                 named_profile("S1002", ProfileKind::wheel));
+  };
+  constexpr double step = 1e-4, vertical = 3e-3;
+  struct Rates {
+    double lateral, roll, yaw;
+  };
+  for (const Rates& rates :
+       {Rates{2e-3, 0, 0}, Rates{0, 3e-6, 0}, Rates{0, 0, -5e-6}, Rates{1e-3, 2e-6, 4e-6}}) {
+    const WheelOnRail now = at(0, 0, 0, 0);
+    const WheelFrame before = at(-step, rates.lateral, rates.roll, rates.yaw).wheel_frame(),
+                     frame = now.wheel_frame(),
+                     after = at(step, rates.lateral, rates.roll, rates.yaw).wheel_frame();
+    ContactProblem problem;
+    problem.grid = {1, 1, 1, 1, 4.0};
+    problem.rows = {{0, {720, 3}, -0.6}};
+    const Vector3 point{4.0, 720, 3};
+    const auto place_of = [](const WheelFrame& f, const Vector3& own, int k) {
+      return f.centre[k] + own[0] * f.forward[k] + own[1] * f.axle[k] + own[2] * f.down[k];
+    };
+    Vector3 own{};
+    for (int k = 0; k < 3; ++k) {
+      const double r = point[k] - frame.centre[k];
+      own[0] += r * frame.forward[k], own[1] += r * frame.axle[k], own[2] += r * frame.down[k];
+    }
+    Vector3 velocity{};
+    for (int k = 0; k < 3; ++k)
+      velocity[k] = (place_of(after, own, k) - place_of(before, own, k)) / (2 * step);
+    velocity[2] += vertical;
+
+    const ReferencePoint reference{{718, 2}, 0, -0.5, 1.0};
+    Creepage creepage{0, 0, 0, 460};
+    set_rigid_slip(problem, now, reference, creepage);
+    const double x = problem.slip_x[0], s = problem.slip_s[0];
+    creepage.velocity = {0, rates.lateral, vertical};
+    creepage.roll = rates.roll;
+    creepage.yaw = rates.yaw;
+    set_rigid_slip(problem, now, reference, creepage);
+    EXPECT_NEAR(problem.slip_x[0] - x, velocity[0], 1e-9);
+    EXPECT_NEAR(problem.slip_s[0] - s, dot(Point2{velocity[1], velocity[2]}, tangent_of(-0.6)), 1e-9);
+    EXPECT_GT(std::hypot(problem.slip_x[0] - x, problem.slip_s[0] - s), 1e-5);
+  }
+}
+
 TEST(RigidSlip, OfALeftWheelIsTheMirrorImage) {
   // The same motion seen in a mirror: the yaw that pushes the right wheel's flange pulls the left one's.
   const auto at = [](const char* side, double yaw) {

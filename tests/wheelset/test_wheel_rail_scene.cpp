@@ -50,6 +50,29 @@ TEST(WheelRailScene, TheRollingRadiusIsThatOfTheMotion) {
   EXPECT_NEAR(radius(""), 460, 1);
 }
 
+TEST(WheelRailScene, AYawRateIsASpinAndALateralVelocityACreepage) {
+  const auto slip = [](const std::string& motion) {
+    SceneFile scene = s1002_on_60e1(0, loaded + "motion.speed = 2e4\n" + motion);
+    WheelRailScene placed = place_wheel_rail(scene, profiles());
+    placed.plan = plan_wheel_rail(placed, scene, {});
+    return prepare_wheel_rail(placed, scene).problem;
+  };
+  const ContactProblem still = slip(""), yawing = slip("motion.yaw_rate = 0.02\n"),
+                       moving = slip("motion.lateral_velocity = 40\n"),
+                       left = slip("motion.lateral_velocity = 40\nposition.side = \"left\"\n");
+  const int mx = still.grid.mx;
+  for (int is = 0; is < still.grid.ms; ++is) {
+    const double cosine = std::cos(still.rows[is].delta);
+    for (int ix = 0; ix < mx; ++ix) {
+      const int i = is * mx + ix;
+      EXPECT_NEAR(yawing.slip_s[i] - still.slip_s[i], 1e-6 * still.grid.x(ix) * cosine, 1e-12);
+      EXPECT_NEAR(yawing.slip_x[i] - still.slip_x[i], -1e-6 * still.rows[is].position.y, 1e-12);
+      EXPECT_NEAR(moving.slip_s[i] - still.slip_s[i], 2e-3 * cosine, 1e-12);
+      EXPECT_NEAR(left.slip_s[i] - still.slip_s[i], -2e-3 * cosine, 1e-12);
+    }
+  }
+}
+
 TEST(WheelRailScene, AHeightOfTheWheelsetIsAnApproach) {
   const WheelRailScene by_force = place_wheel_rail(s1002_on_60e1(3, loaded), profiles());
   const double touching = by_force.pair.wheel_frame().centre[2] - 750 * std::sin(0.0) + 460;
