@@ -121,9 +121,23 @@ std::optional<double> difference(const Quantity& q, const Comparison& c) {
 
 std::string reference_text(const SceneResult& r) {
   return fmt::format(
-      "reference point: s = {:.3f} mm, y = {:.3f} mm, z = {:.3f} mm, inclination {:.2f} degrees\n",
-      r.reference.s, r.reference.position.y, r.reference.position.z,
-      r.reference.delta * 180 / std::numbers::pi);
+      "{}reference point: s = {:.3f} mm, y = {:.3f} mm, z = {:.3f} mm, inclination {:.2f} degrees\n",
+      r.left ? "left wheel: y, s, Fy, Fs, Mz, eta and phi are counted to the left\n" : "", r.reference.s,
+      r.reference.position.y, r.reference.position.z, r.reference.delta * 180 / std::numbers::pi);
+}
+
+/// Of all that to_json() of a result gives; what is not named is a pure number.
+json units_json(const SceneResult& r) {
+  const bool shift = r.problem.motion == MotionKind::shift;
+  return {{"Fx, Fy, Fz, Fs, Fn", "N"},
+          {"Mz", "N mm"},
+          {"pmax, stresses", "MPa"},
+          {"approach, x, s, y, z, dx, ds, s_from, s_to", "mm"},
+          {"area", "mm2"},
+          {"delta", "rad"},
+          {"xi, eta", shift ? "mm" : "1"},
+          {"friction_power", shift ? "N mm" : "N mm per mm rolled"},
+          {"seconds", "s"}};
 }
 
 } // namespace
@@ -170,6 +184,7 @@ json to_json(const SceneResult& r) {
   const ContactGrid& grid = r.problem.grid;
   return {{"model", r.model},
           {"reason", r.reason},
+          {"frame", {{"y", r.left ? "to the left" : "to the right"}, {"units", units_json(r)}}},
           {"converged", r.result.converged},
           {"patches", patches},
           {"totals",

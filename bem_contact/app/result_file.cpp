@@ -120,6 +120,7 @@ H5Table to_table(std::span<const SceneResult* const> results, const std::string&
   const SceneResult& first = *results.front();
   const ContactProblem& problem = first.problem;
   const ContactGrid& grid = problem.grid;
+  const std::string side = first.left ? "left" : "right";
   std::vector<double> x, s, y, z, delta;
   for (int ix = 0; ix < grid.mx; ++ix)
     x.push_back(grid.x(ix));
@@ -131,7 +132,7 @@ H5Table to_table(std::span<const SceneResult* const> results, const std::string&
   }
   table.datasets["x"] = line(x, "mm", "middle of the columns, rolling direction");
   table.datasets["s"] = line(s, "mm", "middle of the rows, arc length along the rail");
-  table.datasets["y"] = line(y, "mm", "middle of the rows, to the right (track frame)");
+  table.datasets["y"] = line(y, "mm", "middle of the rows, to the " + side + " (track frame)");
   table.datasets["z"] = line(z, "mm", "middle of the rows, down (track frame)");
   table.datasets["delta"] = line(delta, "rad", "inclination of the rows");
   if (!first.wheel_s.empty())
@@ -143,7 +144,7 @@ H5Table to_table(std::span<const SceneResult* const> results, const std::string&
   auto& a = table.attributes;
   a["format"] = std::string(result_format);
   a["scene"] = scene;
-  a["frame"] = std::string("x rolling direction, y right, z down; s along the rail, n into the rail");
+  a["frame"] = "x rolling direction, y " + side + ", z down; s along the rail, n into the rail";
   a["dx_mm"] = grid.dx;
   a["ds_mm"] = grid.ds;
   a["friction"] = problem.tangential ? problem.largest_friction() : 0.0;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 namespace bem_contact::app {
@@ -28,9 +29,12 @@ double second_patch(const SceneResult& r, double PatchSummary::*number) {
   return r.result.patches.size() > 1 ? r.result.patches[1].*number : 0.0;
 }
 
+constexpr std::array<std::string_view, 4> models{"hertz", "halfspace", "tangent_plane", "fem"};
+
 constexpr SummaryColumn columns[] = {
     {"Fx", "N", "on the rail", [](const SceneResult& r) { return r.result.Fx; }},
-    {"Fy", "N", "on the rail, to the right", [](const SceneResult& r) { return r.result.Fy; }},
+    {"Fy", "N", "on the rail, to the right (left wheel: to the left)",
+     [](const SceneResult& r) { return r.result.Fy; }},
     {"Fz", "N", "on the rail, down", [](const SceneResult& r) { return r.result.Fz; }},
     {"Mz", "N mm", "about the vertical axis through the reference point",
      [](const SceneResult& r) { return r.moment; }},
@@ -66,8 +70,8 @@ constexpr SummaryColumn columns[] = {
      [](const SceneResult& r) { return double(r.result.normal_iterations); }},
     {"tangential_iterations", "1", "steps of the tangential solver",
      [](const SceneResult& r) { return double(r.result.tangential_iterations); }},
-    {"fem", "1", "1: finite-element influence numbers, 0: half-space",
-     [](const SceneResult& r) { return r.model == "fem" ? 1.0 : 0.0; }},
+    {"model", "1", "0 hertz, 1 halfspace, 2 tangent_plane, 3 fem",
+     [](const SceneResult& r) { return double(std::ranges::find(models, r.model) - models.begin()); }},
 };
 
 /// CBOR keeps every double to the last bit, not-a-number included.

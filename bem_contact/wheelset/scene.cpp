@@ -350,6 +350,7 @@ SceneResult solve_grown(Stage& stage, const std::string& model, bool tangential)
 }
 
 void finish(SceneResult& out, const Stage& stage) {
+  out.left = stage.scene->position.side == "left";
   out.reference = stage.reference();
   out.moment = out.result.Mz + out.reference.position.y * out.result.Fx - out.reference.x * out.result.Fy;
   if (stage.wheel_rail || stage.files.complete())

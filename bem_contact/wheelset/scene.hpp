@@ -32,6 +32,7 @@ struct SceneResult {
   std::vector<ContactResult> history; ///< transient and shift: of every step
   Displacements displacements;        ///< of the last step
   ReferencePoint reference;
+  bool left = false;           ///< left wheel: y and s are counted to the left (placement.hpp)
   double moment = 0;           ///< Mz about the vertical axis through the reference point, N mm
   std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none
   std::vector<Point2> rail_profile, wheel_profile; ///< near the contact at approach 0, frame of the rows, mm

@@ -108,6 +108,25 @@ TEST_F(ResultFiles, AResultHasFieldsWithUnits) {
   EXPECT_THAT(described.out, HasSubstr("halfspace/p_n"));
 }
 
+TEST_F(ResultFiles, ALeftWheelSaysWhereItsYPoints) {
+  const std::string sides = "[rail]\nprofile = \"60E1\"\n[wheel]\nprofile = \"S1002\"\n";
+  for (const std::string side : {"left", "right"}) {
+    const std::string file = (folder_ / (side + ".h5")).string();
+    const std::string text = "kind = \"wheel_rail\"\nposition.side = \"" + side +
+                             "\"\nload.force = 2e4\n[grid]\ndx = 1.0\nds = 0.5\n" + sides;
+    const std::string solve = "solve '" + write(side + ".toml", text).string() + "' --model halfspace ";
+    const Outcome r = run(solve + "--json -o '" + file + "'");
+    ASSERT_EQ(r.code, 0) << r.err;
+    const json frame = json::parse(r.out)["frame"];
+    EXPECT_EQ(frame["y"], "to the " + side);
+    EXPECT_EQ(frame["units"]["Mz"], "N mm");
+    const H5Table table = read_h5(file);
+    EXPECT_THAT(std::get<std::string>(table.attributes.at("frame")), HasSubstr("y " + side));
+    EXPECT_THAT(table.datasets.at("y").description, HasSubstr("to the " + side));
+    EXPECT_EQ(run(solve).out.find("counted to the left") != std::string::npos, side == "left");
+  }
+}
+
 TEST_F(ResultFiles, StressesBelowTheSurfaceWhereAskedFor) {
   const std::string file = (folder_ / "b.h5").string();
   const std::string patch = "kind = \"patch\"\nload.force = 1e4\nmotion.frictionless = true\nsolver.model = "
