@@ -16,16 +16,20 @@ public:
   ElementCount(int elements, double accuracy);
 
   int wanted() const { return wanted_; }
+  /// No more than this is tried: some seven times what contacts need for this accuracy in the mean.
+  int most() const { return most_; }
+  /// For a case that is nothing like the one before: no more elements than are usual.
+  void forget();
   /// After a case with `contact` elements and an estimated error (< 0: too few to estimate). True where the
   /// case is to be solved again with wanted(), which is larger then.
   bool learn(int contact, double error);
 
   /// Fewer have no estimate: the companion has a quarter of them, and needs 40.
-  static constexpr int fewest = 180, most = 4000;
+  static constexpr int fewest = 180;
 
 private:
   double accuracy_ = 0;
-  int wanted_ = 0;
+  int usual_ = 0, most_ = 0, wanted_ = 0;
 };
 
 /// Elements of a size that `elements` of them cover an area like the estimate's, `area_ratio` times as large,

@@ -59,7 +59,7 @@ Borne borne_at(const std::vector<Slice>& slices, double q, double compliance) {
       i2 += 2 * std::sqrt(xl2 + t * t) * k_minus_e(xl2 / (xl2 + t * t));
     }
     const double normal = std::numbers::pi / compliance * depth_of(slices[deepest], q) * i1 / i2;
-    const double vertical = normal * slices[deepest].cosine;
+    const double vertical = normal * slices[deepest].cosine * slices[deepest].lift;
     out.force += vertical;
     if (vertical > largest) {
       largest = vertical;
@@ -68,6 +68,10 @@ Borne borne_at(const std::vector<Slice>& slices, double q, double compliance) {
     i = end;
   }
   return out;
+}
+
+double compliance_of(const Material& rail, const Material& wheel) {
+  return (1 - rail.poisson) / (2 * rail.shear_modulus) + (1 - wheel.poisson) / (2 * wheel.shear_modulus);
 }
 
 /// The q at which a growing force(q), nearly q^1.5, is `wanted`: regula falsi (Illinois) in its power 2/3.
@@ -138,8 +142,7 @@ ContactEstimate estimate_contact(const WheelOnRail& pair, const ContactLocus& lo
                           nearest[i].x,
                           nearest[i].hit() ? std::max(nearest[i].half, 0.05 / pair.wheel_radius) : 1.0});
 
-  const double compliance =
-      (1 - rail.poisson) / (2 * rail.shear_modulus) + (1 - wheel.poisson) / (2 * wheel.shear_modulus);
+  const double compliance = compliance_of(rail, wheel);
   out.approach = approach_given ? approach : approach_for(force, [&](double q) {
     return borne_at(out.slices, q, compliance).force;
   });
@@ -148,6 +151,17 @@ ContactEstimate estimate_contact(const WheelOnRail& pair, const ContactLocus& lo
   out.turn = borne.turn;
   set_centre(out, rows, locus.frame(), compliance, force, approach, approach_given);
   return out;
+}
+
+void estimate_with_shear(ContactEstimate& estimate, const Material& rail, const Material& wheel, double force,
+                         double most) {
+  const double compliance = compliance_of(rail, wheel);
+  const double q =
+      approach_for(force, [&](double at) { return borne_at(estimate.slices, at, compliance).force; });
+  estimate.approach = std::min(q, most);
+  const Borne borne = borne_at(estimate.slices, estimate.approach, compliance);
+  estimate.force = borne.force;
+  estimate.turn = borne.turn;
 }
 
 ContactExtent contact_extent(const ContactEstimate& estimate) {
@@ -186,10 +200,13 @@ std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, doub
   return areas;
 }
 
+std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate) {
+  return potential_areas(estimate, widest_share * std::max(estimate.approach, 1e-4));
+}
+
 GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin) {
   GridPlan plan{origin, 0, grid.ms, grid.mx, grid.dx, grid.ds};
-  const std::vector<PotentialArea> areas =
-      potential_areas(estimate, widest_share * std::max(estimate.approach, 1e-4));
+  const std::vector<PotentialArea> areas = potential_areas(estimate);
   double from = 0, to = 0, x_from = 0, x_to = 0;
   if (!areas.empty()) {
     from = areas.front().s_from;

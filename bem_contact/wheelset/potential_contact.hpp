@@ -22,6 +22,7 @@ struct ContactEstimate {
     double gap = 0;    ///< least undeformed distance along x, mm
     double x = 0;      ///< where it is, mm
     double half = 0;   ///< h(x') = gap + half (x' - x)^2, 1/mm
+    double lift = 1;   ///< vertical force of pressure and shear over that of the pressure
   };
   std::vector<Slice> slices; ///< the whole head, equally spaced; excluded_gap where it is 3 mm or more
   double approach = 0;       ///< mm
@@ -36,6 +37,11 @@ struct ContactEstimate {
 ContactEstimate estimate_contact(const WheelOnRail& pair, const ContactLocus& locus, const Material& rail,
                                  const Material& wheel, double force, double approach, bool approach_given);
 
+/// The estimate again, where shear bears its part of the vertical force (`lift` of the slices): on a flange
+/// the pressure may be many times what it is without friction. The centre stays. `most`: of the approach.
+void estimate_with_shear(ContactEstimate& estimate, const Material& rail, const Material& wheel, double force,
+                         double most);
+
 /// One area where the undeformed distance is below what the approach asks for.
 struct PotentialArea {
   double s_from = 0, s_to = 0, x_from = 0, x_to = 0; ///< mm
@@ -45,6 +51,8 @@ inline constexpr double widest_share = 0.9;
 
 /// All of them, h < q cos(delta), along s.
 std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, double q);
+/// Those of the estimate's own approach.
+std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate);
 
 /// Which rows and columns are solved for. Row I has its centre at origin + (first + I) ds on the rail's arc
 /// length; columns lie symmetric about x_centre.

@@ -270,7 +270,8 @@ SceneResult solve_once(Stage& stage, const std::string& model, bool tangential) 
   const Stopwatch solving;
   std::optional<StartingPoint> start;
   if (stage.wheel_rail && stage.aids.start)
-    start = start_from(*stage.aids.start, problem, stage.wheel_rail->reference.s, problem.force);
+    start =
+        start_from(*stage.aids.start, problem, potential_areas(stage.wheel_rail->estimate), problem.force);
   const SolverOptions options{.tolerance = stage.scene->solver.tolerance,
                               .max_outer = stage.scene->solver.max_outer,
                               .estimate_discretisation = tangential,

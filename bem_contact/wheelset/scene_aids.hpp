@@ -36,10 +36,10 @@ private:
 /// Tractions of an earlier case, from which a case may start.
 struct FormerTractions {
   ContactGrid grid;
-  double first_s = 0;     ///< of the first row, on the rail's arc length, mm
-  double reference_s = 0; ///< mm
-  double force = 0;       ///< Fz, N
-  double approach = 0;    ///< mm
+  double first_s = 0;               ///< of the first row, on the rail's arc length, mm
+  double force = 0;                 ///< Fz, N
+  double approach = 0;              ///< mm
+  std::vector<PotentialArea> areas; ///< where the bodies might touch, along s
   std::vector<double> px, ps, pn;
 };
 
@@ -53,9 +53,14 @@ struct SceneAids {
 
 SceneResult solve_scene(const SceneFile& scene, const std::string& model, const SceneAids& aids);
 
-/// `former` where this problem expects it: moved with the reference point; lengths scaled by the third root
-/// of the force, as Hertz has it, pressure likewise and the approach by its square (force 0: not scaled).
-StartingPoint start_from(const FormerTractions& former, const ContactProblem& problem, double reference_s,
-                         double force);
+/// Whether the two have as many areas, each of them over its counterpart: else the one is no start for the
+/// other.
+bool alike(const std::vector<PotentialArea>& a, const std::vector<PotentialArea>& b);
+
+/// `former` where this problem expects it: what lay in an area lies in its counterpart, as far from its
+/// edges. Pressure scaled by the third root of the force, as Hertz has it, the approach by its square (force
+/// 0: not scaled). `areas` are alike() the former ones.
+StartingPoint start_from(const FormerTractions& former, const ContactProblem& problem,
+                         const std::vector<PotentialArea>& areas, double force);
 
 } // namespace bem_contact

@@ -11,9 +11,6 @@ namespace bem_contact {
 
 namespace {
 
-/// A former case whose bodies touch first this far away is another case, mm.
-constexpr double farthest_start = 3.0;
-
 /// The shortest element that influence files have numbers for, mm; 0: any. A wheel's is that at its reference
 /// radius, and the contact lies elsewhere.
 double shortest_element(const PairFiles& files) {
@@ -61,11 +58,10 @@ void Sequence::learn(const SceneResult& result, const ContactEstimate& estimate)
     return;
   }
   const double area = contact_extent(estimate).area;
-  area_ratio_ =
-      options_.learn && area > 0 ? std::clamp(in_contact(r) * grid.dx * grid.ds / area, 0.3, 3.0) : 1.0;
+  area_ratio_ = options_.learn && area > 0 ? in_contact(r) * grid.dx * grid.ds / area : 1.0;
   if (options_.keep_start)
     former_ = FormerTractions{
-        grid, result.problem.rows.front().s, result.reference.s, r.Fz, r.approach, r.px, r.ps, r.pn};
+        grid, result.problem.rows.front().s, r.Fz, r.approach, potential_areas(estimate), r.px, r.ps, r.pn};
 }
 
 SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
@@ -95,11 +91,17 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
   const auto size = [&] {
     return size_of_elements(placed.estimate, count_->wanted(), area_ratio_, shortest);
   };
+  const std::vector<PotentialArea> areas = potential_areas(placed.estimate);
+  if (!alike(areas, former_areas_)) { // what was learnt may not hold here
+    count_->forget();
+    area_ratio_ = std::clamp(area_ratio_, 0.7, 1.4);
+  }
+  former_areas_ = areas;
   PhaseSeconds spent;
   for (int round = 1;; ++round) {
     if (adapt)
       std::tie(scene.grid.dx, scene.grid.ds) = size();
-    const bool near = former_ && std::abs(former_->reference_s - placed.reference.s) < farthest_start;
+    const bool near = former_ && alike(areas, former_->areas);
     aids.start = near ? &*former_ : nullptr;
     counts_.starts += near;
     ++counts_.solves;
@@ -115,9 +117,9 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
       continue;
     if (asked.grid.accuracy > 0 && out.result.converged && error > asked.grid.accuracy)
       out.warnings.push_back(
-          fmt::format("the estimated discretisation error of {:.2g} % is above the {:.2g} % asked "
-                      "for by grid.accuracy",
-                      100 * error, 100 * asked.grid.accuracy));
+          fmt::format("the estimated discretisation error reached is {:.2g} %, above the {:.2g} % that "
+                      "grid.accuracy asks for ({} elements in contact; at most {} are tried)",
+                      100 * error, 100 * asked.grid.accuracy, in_contact(out.result), count_->most()));
     spent.geometry += geometry;
     spent.total = seconds();
     out.seconds = spent;

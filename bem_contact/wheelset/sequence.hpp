@@ -13,8 +13,8 @@ namespace bem_contact {
 struct SequenceOptions {
   bool keep_files = true;   ///< profiles and influence files are read once
   bool keep_numbers = true; ///< influence numbers of a grid met before are not computed again
-  /// A case starts from the former one's tractions, moved and scaled; from a coarse grid where the bodies
-  /// touch first elsewhere.
+  /// A case starts from the former one's tractions, moved and scaled; from a coarse grid where the areas in
+  /// which the bodies may touch are others (alike()).
   bool keep_start = true;
   bool learn = true; ///< how large the area in contact is beside the estimate's
 };
@@ -48,6 +48,7 @@ private:
   std::map<std::string, PairFiles> files_;
   NumbersStore numbers_;
   std::optional<FormerTractions> former_;
+  std::vector<PotentialArea> former_areas_;
   std::optional<ElementCount> count_;
   int asked_elements_ = 0;
   double asked_accuracy_ = 0;

@@ -6,6 +6,7 @@
 #include "bem_contact/wheelset/rigid_slip.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 #include <optional>
@@ -28,12 +29,37 @@ std::vector<Point2> track_points(const TabulatedProfile& curve, double from, dou
   return points;
 }
 
+constexpr double largest_approach = 1.0; // mm: a hundred times the load at which steel yields
+
 void require_elastic(double approach) {
-  constexpr double largest = 1.0; // mm: a hundred times the load at which steel yields
-  if (approach > largest)
+  if (approach > largest_approach)
     throw InputError("The load is far beyond elastic contact",
                      fmt::format("the bodies would approach by about {:.3g} mm", approach),
                      "Check load and units (N, mm).");
+}
+
+/// Lets shear bear its part of the load: as if all slipped, less of it where creepages are small.
+void add_shear(WheelRailScene& placed, const SceneFile& scene) {
+  constexpr double small = 0.002; // creepage at which about half of a contact slips
+  const SceneFile::Motion& motion = scene.motion;
+  if (motion.frictionless || motion.kind == "shift" || !scene.load.has_force || !(scene.load.force > 0) ||
+      scene.load.has_force_x || scene.load.has_force_s)
+    return;
+  ContactProblem point; // of one element, where a slice is nearest to the wheel
+  point.grid = {1, 1, 1, 1, 0};
+  for (ContactEstimate::Slice& c : placed.estimate.slices) {
+    if (c.gap >= largest_approach)
+      continue;
+    const CurvePoint p = placed.pair.rail_at(c.s);
+    point.grid.x0 = c.x;
+    point.rows = {{c.s, p.position, p.delta}};
+    set_rigid_slip(point, placed.pair, placed.reference,
+                   {motion.xi, motion.eta, motion.phi, placed.rolling_radius});
+    const double along_s = point.slip_s[0] / std::hypot(point.slip_x[0], point.slip_s[0], small);
+    c.lift = std::clamp(1 + motion.friction * along_s * std::tan(c.delta), 0.05, 4.0);
+  }
+  estimate_with_shear(placed.estimate, scene.rail.material, scene.wheel.material, scene.load.force,
+                      2 * largest_approach); // an overestimate costs a grid that is too coarse
 }
 
 } // namespace
@@ -73,6 +99,7 @@ WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles&
   else if (scene.motion.pitch_rate > 0)
     out.rolling_radius = scene.motion.speed / scene.motion.pitch_rate;
   require_elastic(out.estimate.approach);
+  add_shear(out, scene);
   return out;
 }
 

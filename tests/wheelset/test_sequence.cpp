@@ -160,8 +160,22 @@ TEST(ElementCount, NeverBeyondTheMost) {
   ElementCount count(0, 1e-6);
   for (int i = 0; i < 20 && count.learn(count.wanted(), 0.1); ++i) {
   }
-  EXPECT_EQ(count.wanted(), ElementCount::most);
-  EXPECT_FALSE(count.learn(ElementCount::most, 0.1));
+  EXPECT_EQ(count.wanted(), count.most());
+  EXPECT_FALSE(count.learn(count.most(), 0.1));
+}
+
+TEST(ElementCount, AFinerAccuracyMayHaveMoreElements) {
+  EXPECT_LT(ElementCount(0, 0.05).most(), 2000);
+  EXPECT_GT(ElementCount(0, 0.001).most(), 5 * ElementCount(0, 0.01).most());
+  EXPECT_GT(ElementCount(0, 0.001).wanted(), ElementCount(0, 0.02).wanted());
+}
+
+TEST(ElementCount, AnotherContactStartsWithWhatIsUsual) {
+  ElementCount count(0, 0.02);
+  EXPECT_TRUE(count.learn(200, 0.1));
+  EXPECT_GT(count.wanted(), 600);
+  count.forget();
+  EXPECT_EQ(count.wanted(), 200);
 }
 
 TEST(ElementCount, WithoutAnAccuracyItStays) {
@@ -175,7 +189,7 @@ FormerTractions ellipsoid(double a, double b, double s0) {
   FormerTractions f;
   f.grid = {60, 60, 4 * a / 60, 4 * b / 60, -2 * a + 2 * a / 60};
   f.first_s = s0 - 2 * b + 2 * b / 60;
-  f.reference_s = s0;
+  f.areas = {{s0 - b, s0 + b, -a, a}};
   f.force = 1000;
   f.approach = 0.1;
   for (int i = 0; i < f.grid.size(); ++i) {
@@ -187,21 +201,60 @@ FormerTractions ellipsoid(double a, double b, double s0) {
   return f;
 }
 
-TEST(StartFrom, MovesWithTheReferencePointAndScalesWithTheForce) {
+TEST(StartFrom, MovesWithTheAreaAndScalesWithTheForce) {
   const FormerTractions former = ellipsoid(4, 3, -10);
   ContactProblem problem;
-  problem.grid = {50, 40, 0.3, 0.25, -7.2};
+  problem.grid = {50, 40, 0.3, 0.25, -7.2 + 1.5};
   for (int is = 0; is < 40; ++is)
-    problem.rows.push_back({20 + 0.25 * (is - 20), {}, 0});
-  const StartingPoint start = start_from(former, problem, 20, 8000); // lengths twice as large
+    problem.rows.push_back({-8 + 0.25 * (is - 20), {}, 0});
+  const std::vector<PotentialArea> areas{{-8 - 6, -8 + 6, 1.5 - 8, 1.5 + 8}}; // twice as large
+  ASSERT_TRUE(alike(areas, former.areas));
+  const StartingPoint start = start_from(former, problem, areas, 8000);
   EXPECT_DOUBLE_EQ(start.approach, 0.4);
   for (int i = 0; i < problem.grid.size(); ++i) {
-    const double x = problem.grid.x(i % 50) / 8, s = (problem.rows[i / 50].s - 20) / 6;
+    const double x = (problem.grid.x(i % 50) - 1.5) / 8, s = (problem.rows[i / 50].s + 8) / 6;
     if (std::hypot(x, s) < 0.9) {
       EXPECT_NEAR(start.pn[i], 2 * std::exp(-x * x - s * s), 0.02);
       EXPECT_NEAR(start.ps[i], 2 * x * std::exp(-x * x - s * s), 0.02);
     }
   }
+}
+
+/// Two areas that move apart: each takes its own tractions along.
+TEST(StartFrom, EachAreaMovesByItself) {
+  FormerTractions former = ellipsoid(2, 2, 0);
+  former.grid = {30, 100, 0.2, 0.2, -2.9};
+  former.first_s = -9.9;
+  former.areas = {{-8, -4, -2, 2}, {4, 8, -2, 2}};
+  former.pn.clear();
+  for (int i = 0; i < former.grid.size(); ++i) {
+    const double s = former.first_s + (i / 30) * 0.2;
+    former.pn.push_back(std::exp(-std::pow(s + 6, 2)) + 3 * std::exp(-std::pow(s - 6, 2)));
+  }
+  former.px = former.ps = former.pn;
+  ContactProblem problem;
+  problem.grid = {20, 100, 0.2, 0.2, -1.9};
+  for (int is = 0; is < 100; ++is)
+    problem.rows.push_back({-9.9 + 0.2 * is, {}, 0});
+  const std::vector<PotentialArea> areas{{-9, -5, -2, 2}, {5, 9, -2, 2}};
+  ASSERT_TRUE(alike(areas, former.areas));
+  const StartingPoint start = start_from(former, problem, areas, 1000);
+  for (int is = 10; is < 90; ++is) {
+    const double s = problem.rows[is].s;
+    const double expected = s < 0 ? std::exp(-std::pow(s + 7, 2)) : 3 * std::exp(-std::pow(s - 7, 2));
+    EXPECT_NEAR(start.pn[is * 20 + 10], expected, 0.04) << s;
+  }
+}
+
+TEST(StartFrom, OtherAreasAreNoStart) {
+  const std::vector<PotentialArea> one{{0, 4, -3, 3}}, two{{0, 4, -3, 3}, {20, 22, 1, 5}};
+  EXPECT_TRUE(alike(one, one));
+  EXPECT_TRUE(alike(two, two));
+  EXPECT_FALSE(alike(one, two));
+  EXPECT_FALSE(alike(one, {{5, 9, -3, 3}}));                 // elsewhere along s
+  EXPECT_FALSE(alike(one, {{0, 4, 7, 13}}));                 // elsewhere along x
+  EXPECT_FALSE(alike(two, {{0, 4, -3, 3}, {30, 32, 1, 5}})); // only one of them
+  EXPECT_FALSE(alike({}, one));
 }
 
 } // namespace
