@@ -107,6 +107,8 @@ void solve_scene(benchmark::State& state, const ContactProblem& problem, bool es
   const auto contact = (solution.normal.p.array() > 0).count();
   state.counters["elements"] = problem.grid.size();
   state.counters["contact"] = static_cast<double>(contact);
+  state.counters["products"] = solution.shear.products;
+  state.counters["normal_products"] = solution.normal.products;
   state.counters["turns"] = solution.outer_iterations;
   if (!estimate)
     return;

@@ -224,7 +224,7 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
       next.head(n) = u;
     }
     solution.from_shear = next.head(n);
-    const double scale = system.apply(solution.normal.p).cwiseAbs().maxCoeff();
+    const double scale = solution.normal.u.cwiseAbs().maxCoeff();
     if (by_force) {
       if (turn == 0)
         force_to_length = scale / problem.force;
@@ -261,7 +261,7 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
   if (solution.outer_iterations > 1 && first_residual > 0)
     solution.rate = std::pow(last_residual / first_residual, 1.0 / (solution.outer_iterations - 1));
   solution.distance =
-      gap + solution.from_shear - solution.normal.approach * system.cosine + system.apply(solution.normal.p);
+      gap + solution.from_shear - solution.normal.approach * system.cosine + solution.normal.u;
   solution.remark =
       solution.normal.remark + (solution.normal.remark.empty() ? "" : "; ") + solution.shear.remark;
   if (coupled && !settled)

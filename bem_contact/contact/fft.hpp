@@ -17,25 +17,53 @@ inline std::mutex& fft_planner() {
   return mutex;
 }
 
-struct FreeFftBuffer {
-  void operator()(double* p) const { fftw_free(p); }
+/// FFTW's names in double and in single precision.
+template <class Real> struct Fftw;
+
+#define BEM_CONTACT_FFTW(Real, prefix)                                                                       \
+  template <> struct Fftw<Real> {                                                                            \
+    using Complex = prefix##complex;                                                                         \
+    using Plan = prefix##plan;                                                                               \
+    static constexpr auto& alloc_real = prefix##alloc_real;                                                  \
+    static constexpr auto& free = prefix##free;                                                              \
+    static constexpr auto& destroy_plan = prefix##destroy_plan;                                              \
+    static constexpr auto& execute = prefix##execute;                                                        \
+    static constexpr auto& execute_dft = prefix##execute_dft;                                                \
+    static constexpr auto& execute_dft_r2c = prefix##execute_dft_r2c;                                        \
+    static constexpr auto& execute_dft_c2r = prefix##execute_dft_c2r;                                        \
+    static constexpr auto& plan_many_dft = prefix##plan_many_dft;                                            \
+    static constexpr auto& plan_many_dft_r2c = prefix##plan_many_dft_r2c;                                    \
+    static constexpr auto& plan_many_dft_c2r = prefix##plan_many_dft_c2r;                                    \
+    static constexpr auto& plan_many_r2r = prefix##plan_many_r2r;                                            \
+    static constexpr auto& plan_guru_dft_r2c = prefix##plan_guru_dft_r2c;                                    \
+    static constexpr auto& plan_guru_dft_c2r = prefix##plan_guru_dft_c2r;                                    \
+    static constexpr auto& plan_guru_split_dft_r2c = prefix##plan_guru_split_dft_r2c;                        \
+    static constexpr auto& plan_guru_split_dft_c2r = prefix##plan_guru_split_dft_c2r;                        \
+  };
+BEM_CONTACT_FFTW(double, fftw_)
+BEM_CONTACT_FFTW(float, fftwf_)
+#undef BEM_CONTACT_FFTW
+
+template <class Real> struct FreeFftBuffer {
+  void operator()(Real* p) const { Fftw<Real>::free(p); }
 };
-using FftBuffer = std::unique_ptr<double[], FreeFftBuffer>;
+template <class Real> using FftBuffer = std::unique_ptr<Real[], FreeFftBuffer<Real>>;
 
 /// Zeros, aligned for FFTW.
-inline FftBuffer make_fft_buffer(std::size_t n) {
-  FftBuffer buffer(fftw_alloc_real(std::max<std::size_t>(n, 1)));
-  std::fill_n(buffer.get(), n, 0.0);
+template <class Real> FftBuffer<Real> make_fft_buffer(std::size_t n) {
+  FftBuffer<Real> buffer(Fftw<Real>::alloc_real(std::max<std::size_t>(n, 1)));
+  std::fill_n(buffer.get(), n, Real(0));
   return buffer;
 }
 
-struct DestroyFftPlan {
-  void operator()(fftw_plan plan) const {
+template <class Real> struct DestroyFftPlan {
+  void operator()(typename Fftw<Real>::Plan plan) const {
     const std::lock_guard lock(fft_planner());
-    fftw_destroy_plan(plan);
+    Fftw<Real>::destroy_plan(plan);
   }
 };
-using FftPlan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, DestroyFftPlan>;
+template <class Real>
+using FftPlan = std::unique_ptr<std::remove_pointer_t<typename Fftw<Real>::Plan>, DestroyFftPlan<Real>>;
 
 /// The smallest length >= n whose prime factors are 2, 3 and 5.
 inline int good_fft_length(int n) {

@@ -41,12 +41,14 @@ TangentialSystem::TangentialSystem(const ContactProblem& the_problem)
 StepBox::StepBox(const InfluenceNumbers& numbers, const Box& the_box, const SlipStep& the_rule)
     : box(the_box), rule(the_rule),
       tt(numbers, box.mx, {component_x, component_s}, {component_x, component_s}, {box.first_s, box.ms}),
-      sticks(box.size()), in(2 * box.size()), out(2 * box.size()) {
+      fast(tt), sticks(box.size()), in(2 * box.size()), out(2 * box.size()), fast_in(2 * box.size()),
+      fast_out(2 * box.size()) {
+  using Inverse = BasicPlaneOperator<float>;
   for (const int c : {component_x, component_s})
-    for (const auto factor : {PlaneOperator::Factor::behind, PlaneOperator::Factor::ahead}) {
-      auto& list = factor == PlaneOperator::Factor::behind ? behind : ahead;
+    for (const auto factor : {Inverse::Factor::behind, Inverse::Factor::ahead}) {
+      auto& list = factor == Inverse::Factor::behind ? behind : ahead;
       list.emplace_back(numbers, box.mx, box.ms, std::vector<int>{c}, std::vector<int>{c},
-                        PlaneOperator::Form::periodic, box.first_s + box.ms / 2);
+                        Inverse::Form::periodic, box.first_s + box.ms / 2);
       list.back().invert_factor(factor);
     }
 }
@@ -59,16 +61,25 @@ void StepBox::step() {
     v *= rule.present[0];
 }
 
+void StepBox::fast_step() {
+  if (rule.present[1] != 0)
+    return fast.apply_step(fast_in, fast_out);
+  fast.apply(fast_in, fast_out);
+  for (float& v : fast_out)
+    v *= static_cast<float>(rule.present[0]);
+}
+
 void StepBox::invert() {
   const std::size_t n = box.size();
-  const auto& d = rule.present;
+  const auto d0 = static_cast<float>(rule.present[0]), d1 = static_cast<float>(rule.present[1]),
+             d2 = static_cast<float>(rule.present[2]);
   for (const std::size_t c : {0, 1}) {
-    const std::span<double> from(&in[c * n], n), to(&out[c * n], n);
+    const std::span<float> from(&fast_in[c * n], n), to(&fast_out[c * n], n);
     behind[c].apply(from, to, 0);
     for (int is = 0; is < box.ms; ++is) {
-      double u1 = 0, u2 = 0; // of the elements ahead, where they stick
+      float u1 = 0, u2 = 0; // of the elements ahead, where they stick
       for (int i = (is + 1) * box.mx - 1; i >= is * box.mx; --i) {
-        to[i] = sticks[i] ? (to[i] - d[1] * u1 - d[2] * u2) / d[0] : 0.0;
+        to[i] = sticks[i] ? (to[i] - d1 * u1 - d2 * u2) / d0 : 0.0f;
         u2 = u1;
         u1 = to[i];
       }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/box.hpp"
+#include "bem_contact/contact/gmres.hpp"
 #include "bem_contact/contact/operator.hpp"
 #include "bem_contact/contact/plane_operator.hpp"
 #include "bem_contact/contact/slip_step.hpp"
@@ -37,7 +38,10 @@ struct StepBox {
 
   /// out = B in
   void step();
-  /// out = about B_SS^-1 in, S the elements whose `sticks` is set; zero elsewhere, in `in` as well.
+  /// fast_out = B fast_in
+  void fast_step();
+  /// fast_out = about B_SS^-1 fast_in, S the elements whose `sticks` is set; zero elsewhere, in `fast_in` as
+  /// well.
   ///
   /// B = D A with D = sum_k step[k] (x + k dx), x and s apart. Where S ends ahead, at the leading edge, the
   /// inverse is nearly exact: A_behind^-1, then D^-1 from that edge on, then A_ahead^-1, each on S alone.
@@ -46,9 +50,12 @@ struct StepBox {
   Box box;
   SlipStep rule;
   StripOperator tt;
-  std::vector<PlaneOperator> behind, ahead; ///< of A_xx, A_ss
+  BasicStripOperator<float> fast;
+  std::vector<BasicPlaneOperator<float>> behind, ahead; ///< of A_xx, A_ss
   std::vector<char> sticks;
   std::vector<double> in, out;
+  std::vector<float> fast_in, fast_out;
+  Gmres gmres;
 };
 
 /// One step of rolling or shift on a grid; vectors are fields of two components, [2][ms][mx].
@@ -87,6 +94,7 @@ struct TangentialTask {
 struct TangentialState {
   Eigen::VectorXd p, slip; ///< p_t, MPa; S = drive - B p in contact, mm
   int iterations = 0;
+  int products = 0; ///< of GMRES
   bool converged = false;
   double violation = 0;
   std::string solver, remark;

@@ -10,9 +10,11 @@ namespace bem_contact::contact {
 namespace {
 
 using Eigen::Matrix2d;
+using Eigen::Matrix2f;
 using Eigen::MatrixXd;
-using Eigen::Vector2d;
+using Eigen::Vector2f;
 using Eigen::VectorXd;
+using Eigen::VectorXf;
 
 /// Up to this many elements in contact the dense factorization is faster than GMRES.
 constexpr int dense_limit = 120;
@@ -49,65 +51,86 @@ struct Compressed {
     }
     return field;
   }
-  /// B v, or about B^-1 v on box.sticks
-  template <class Apply> void in_box(Apply apply, const VectorXd& v, VectorXd& result) const {
+  /// B v
+  void step(const VectorXd& v, VectorXd& result) const {
     const int n = box.box.size();
     std::fill(box.in.begin(), box.in.end(), 0.0);
     for (int a = 0; a < unknowns() / 2; ++a) {
       box.in[local[a]] = v[2 * a];
       box.in[n + local[a]] = v[2 * a + 1];
     }
-    apply();
+    box.step();
     result.resize(unknowns());
     for (int a = 0; a < unknowns() / 2; ++a) {
       result[2 * a] = box.out[local[a]];
       result[2 * a + 1] = box.out[n + local[a]];
     }
   }
-  void step(const VectorXd& v, VectorXd& result) const {
-    in_box([this] { box.step(); }, v, result);
-  }
-  void inverse(const VectorXd& v, VectorXd& result) const {
-    in_box([this] { box.invert(); }, v, result);
-  }
 };
 
-/// J v = v - M (v - r B v)
-void apply_jacobian(const Compressed& c, const Linearisation& at, const VectorXd& v, VectorXd& result) {
-  c.step(v, result);
-  for (int a = 0; a < c.unknowns() / 2; ++a)
-    result.segment<2>(2 * a) =
-        v.segment<2>(2 * a) -
-        at.projection[a] * (v.segment<2>(2 * a) - c.stiffness[a] * result.segment<2>(2 * a));
-}
+/// The Newton matrix of one linearisation and about its inverse, in single precision, for GMRES.
+class FastJacobian {
+public:
+  FastJacobian(const Compressed& c, const Linearisation& at) : c_(c), at_(at) {
+    for (std::size_t a = 0; a < c.local.size(); ++a)
+      c.box.sticks[c.local[a]] = at.projection[a].trace() > directed;
+  }
 
-/// About J^-1 v. Where M is (nearly) the identity, in one direction or both, J is r B. In the other
-/// directions J is diagonal.
-void precondition(const Compressed& c, const Linearisation& at, const VectorXd& v, VectorXd& result) {
-  VectorXd kept(v.size());
-  const int n = c.unknowns() / 2;
-  for (int a = 0; a < n; ++a) {
-    const double m = at.projection[a].trace();
-    c.box.sticks[c.local[a]] = m > directed;
-    if (m >= 2)
-      kept.segment<2>(2 * a) = v.segment<2>(2 * a) / c.stiffness[a];
-    else if (m > directed)
-      kept.segment<2>(2 * a) = at.projection[a] * v.segment<2>(2 * a) / (m * m * c.stiffness[a]);
-    else
-      kept.segment<2>(2 * a).setZero();
+  /// J v = v - M (v - r B v)
+  void apply(const VectorXf& v, VectorXf& result) const {
+    StepBox& box = c_.box;
+    const int n = box.box.size();
+    std::fill(box.fast_in.begin(), box.fast_in.end(), 0.0f);
+    for (std::size_t a = 0; a < c_.local.size(); ++a) {
+      box.fast_in[c_.local[a]] = v[2 * a];
+      box.fast_in[n + c_.local[a]] = v[2 * a + 1];
+    }
+    box.fast_step();
+    for (std::size_t a = 0; a < c_.local.size(); ++a) {
+      const Vector2f here = v.segment<2>(2 * a),
+                     step(box.fast_out[c_.local[a]], box.fast_out[n + c_.local[a]]);
+      const auto r = static_cast<float>(c_.stiffness[a]);
+      result.segment<2>(2 * a) = here - at_.projection[a].cast<float>() * (here - r * step);
+    }
   }
-  c.inverse(kept, result);
-  for (int a = 0; a < n; ++a) {
-    const double m = at.projection[a].trace();
-    if (m >= 2)
-      continue;
-    const Vector2d w = v.segment<2>(2 * a), tangential = at.projection[a] * w / m;
-    if (m > directed)
-      result.segment<2>(2 * a) = w - tangential + at.projection[a] * result.segment<2>(2 * a) / m;
-    else
-      result.segment<2>(2 * a) = w - tangential + tangential / (1 - m + m * 0.3);
+
+  /// About J^-1 v. Where M is (nearly) the identity, in one direction or both, J is r B. In the other
+  /// directions J is diagonal.
+  void precondition(const VectorXf& v, VectorXf& result) const {
+    StepBox& box = c_.box;
+    const int n = box.box.size();
+    std::fill(box.fast_in.begin(), box.fast_in.end(), 0.0f);
+    for (std::size_t a = 0; a < c_.local.size(); ++a) {
+      const auto m = static_cast<float>(at_.projection[a].trace()), r = static_cast<float>(c_.stiffness[a]);
+      Vector2f kept = Vector2f::Zero();
+      if (m >= 2)
+        kept = v.segment<2>(2 * a) / r;
+      else if (m > directed)
+        kept = at_.projection[a].cast<float>() * v.segment<2>(2 * a) / (m * m * r);
+      box.fast_in[c_.local[a]] = kept[0];
+      box.fast_in[n + c_.local[a]] = kept[1];
+    }
+    box.invert();
+    for (std::size_t a = 0; a < c_.local.size(); ++a) {
+      const auto m = static_cast<float>(at_.projection[a].trace());
+      const Vector2f inverse(box.fast_out[c_.local[a]], box.fast_out[n + c_.local[a]]);
+      if (m >= 2) {
+        result.segment<2>(2 * a) = inverse;
+        continue;
+      }
+      const Matrix2f projection = at_.projection[a].cast<float>();
+      const Vector2f w = v.segment<2>(2 * a), tangential = projection * w / m;
+      if (m > directed)
+        result.segment<2>(2 * a) = w - tangential + projection * inverse / m;
+      else
+        result.segment<2>(2 * a) = w - tangential + tangential / (1 - m + m * 0.3f);
+    }
   }
-}
+
+private:
+  const Compressed& c_;
+  const Linearisation& at_;
+};
 
 MatrixXd dense_jacobian(const Compressed& c, const Linearisation& at) {
   const int n = c.unknowns() / 2, mx = c.system.problem->grid.mx;
@@ -130,78 +153,21 @@ MatrixXd dense_jacobian(const Compressed& c, const Linearisation& at) {
   return jacobian;
 }
 
-/// GMRES (Saad, Schultz 1986), preconditioned from the right. True when the residual fell to
-/// tolerance * |rhs|; x is the best there is in any case.
-class Gmres {
-public:
-  template <class Apply, class Precondition>
-  bool solve(const Apply& apply, const Precondition& precondition, const VectorXd& rhs, double tolerance,
-             int most, VectorXd& x) {
-    const double beta = rhs.norm(), target = tolerance * beta;
-    x.setZero(rhs.size());
-    if (beta == 0)
-      return true;
-    basis_.clear();
-    basis_.push_back(rhs / beta);
-    MatrixXd h = MatrixXd::Zero(most + 1, most);
-    VectorXd g = VectorXd::Zero(most + 1), cosine(most), sine(most);
-    g[0] = beta;
-    int k = 0;
-    while (k < most && std::abs(g[k]) > target) {
-      precondition(basis_[k], z_);
-      apply(z_, w_);
-      for (int i = 0; i <= k; ++i) {
-        h(i, k) = basis_[i].dot(w_);
-        w_ -= h(i, k) * basis_[i];
-      }
-      const double length = w_.norm();
-      for (int i = 0; i < k; ++i) {
-        const double upper = h(i, k), lower = h(i + 1, k);
-        h(i, k) = cosine[i] * upper + sine[i] * lower;
-        h(i + 1, k) = cosine[i] * lower - sine[i] * upper;
-      }
-      const double diagonal = std::hypot(h(k, k), length);
-      if (!(diagonal > 0))
-        break;
-      cosine[k] = h(k, k) / diagonal;
-      sine[k] = length / diagonal;
-      h(k, k) = diagonal;
-      g[k + 1] = -sine[k] * g[k];
-      g[k] *= cosine[k];
-      ++k;
-      if (!(length > 1e-14 * diagonal))
-        break;
-      basis_.push_back(w_ / length);
-    }
-    if (k == 0)
-      return false;
-    const VectorXd y = h.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k));
-    w_.setZero(rhs.size());
-    for (int i = 0; i < k; ++i)
-      w_ += y[i] * basis_[i];
-    precondition(w_, x);
-    return std::abs(g[k]) <= target;
-  }
-
-private:
-  std::vector<VectorXd> basis_;
-  VectorXd z_, w_;
-};
-
-VectorXd newton_step(const Compressed& c, const Linearisation& at, Gmres& gmres, double tolerance,
-                     std::string& solver) {
+VectorXd newton_step(const Compressed& c, const Linearisation& at, double tolerance, TangentialState& state) {
   const int elements = c.unknowns() / 2;
   if (elements > dense_limit) {
     VectorXd step;
-    const auto apply = [&](const VectorXd& v, VectorXd& result) { apply_jacobian(c, at, v, result); };
-    const auto inverse = [&](const VectorXd& v, VectorXd& result) { precondition(c, at, v, result); };
-    if (gmres.solve(apply, inverse, -at.residual, tolerance, most_products, step) ||
-        elements > dense_memory_limit) {
-      solver = "Newton, GMRES";
+    const FastJacobian jacobian(c, at);
+    const auto apply = [&](const VectorXf& v, VectorXf& result) { jacobian.apply(v, result); };
+    const auto inverse = [&](const VectorXf& v, VectorXf& result) { jacobian.precondition(v, result); };
+    const bool enough = c.box.gmres.solve(apply, inverse, -at.residual, tolerance, most_products, step);
+    state.products += c.box.gmres.products();
+    if (enough || elements > dense_memory_limit) {
+      state.solver = "Newton, GMRES";
       return step;
     }
   }
-  solver = "Newton, LU";
+  state.solver = "Newton, LU";
   MatrixXd jacobian = dense_jacobian(c, at), step = -at.residual;
   if (!solve_lu(jacobian, step))
     step.setConstant(std::nan(""));
@@ -222,7 +188,6 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
     c.bound[a] = task.bound[task.contact[a]];
   }
   const VectorXd drive = c.gather(task.drive);
-  Gmres gmres;
   VectorXd p = c.gather(state.p), slip, step_slip;
   c.step(p, slip);
   slip = drive - slip;
@@ -243,7 +208,7 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
     const double enough = std::min(0.1, 0.2 * options.tolerance / state.violation);
     const double forcing = std::clamp(0.3 * ratio * ratio, std::max(1e-4, enough), 1e-1);
     last = before;
-    const VectorXd step = newton_step(c, at, gmres, forcing, state.solver);
+    const VectorXd step = newton_step(c, at, forcing, state);
     if (!step.allFinite())
       break;
     c.step(step, step_slip);

@@ -32,76 +32,29 @@ Eigen::MatrixXd dense_block(const NormalSystem& system, const std::vector<int>& 
   return matrix;
 }
 
-/// A_CC y = right-hand side on the active elements, starting from y; both fields. The residual falls below
-/// `target` everywhere. False when it fails.
-bool conjugate_gradients(const NormalSystem& system, const std::vector<int>& list, const VectorXd& rhs,
-                         double target, VectorXd& y) {
-  NormalBox& at = system.box_for(list);
-  const std::vector<int> local = at.box.local(list, system.grid.mx);
-  const auto count = static_cast<std::ptrdiff_t>(list.size());
-  for (auto* v : {&at.x, &at.r, &at.z, &at.d})
-    std::fill(v->begin(), v->end(), 0.0);
-  for (std::ptrdiff_t a = 0; a < count; ++a)
-    at.x[local[a]] = y[list[a]];
-  at.nn.apply(at.x, at.q);
-  double worst = 0;
-  for (std::ptrdiff_t a = 0; a < count; ++a) {
-    at.r[local[a]] = rhs[list[a]] - at.q[local[a]];
-    worst = std::max(worst, std::abs(at.r[local[a]]));
-  }
-  double rho = 0;
-  const int most = 50 + static_cast<int>(count);
-  for (int k = 0; k < most && worst > target; ++k) {
-    // z = r preconditioned, on the active elements; Polak-Ribiere's beta forgives what the FFT rounds
-    at.inverse.apply(at.r, at.q, 0);
-    double next = 0, overlap = 0;
-    for (const int l : local) {
-      next += at.r[l] * at.q[l];
-      overlap += at.r[l] * at.z[l];
-      at.z[l] = at.q[l];
-    }
-    if (!(next > 0))
-      return false;
-    const double beta = k == 0 ? 0 : std::max(0.0, (next - overlap) / rho);
-    rho = next;
-    for (const int l : local)
-      at.d[l] = at.z[l] + beta * at.d[l];
-    at.nn.apply(at.d, at.q);
-    double curvature = 0;
-    for (const int l : local)
-      curvature += at.d[l] * at.q[l];
-    if (!(curvature > 0))
-      return false;
-    const double alpha = rho / curvature;
-    worst = 0;
-    for (const int l : local) {
-      at.x[l] += alpha * at.d[l];
-      at.r[l] -= alpha * at.q[l];
-      worst = std::max(worst, std::abs(at.r[l]));
-    }
-  }
-  y.setZero();
-  for (std::ptrdiff_t a = 0; a < count; ++a)
-    y[list[a]] = at.x[local[a]];
-  return worst <= target;
-}
-
 /// Solutions of A_CC y = q cos - gap and, where the force is given, A_CC unit = cos: what more approach adds.
 struct Response {
-  VectorXd p, unit;
+  VectorXd p, unit, u, u_unit; ///< u = A p, where it is known
+  Box known;                   ///< nothing where it is not known at all
 };
 
 /// `precision` is relative to the largest right-hand side.
 bool solve_on(const NormalSystem& system, const std::vector<int>& list, const VectorXd& rhs, bool with_unit,
-              double precision, Response& y) {
+              double precision, Response& y, int& products) {
   if (static_cast<int>(list.size()) > dense_limit) {
     double largest = 0;
     for (const int i : list)
       largest = std::max(largest, std::abs(rhs[i]));
+    const Box* box = conjugate_gradients(system, list, rhs, precision * largest, y.p, y.u, products);
     // the unit response corrects a force that is nearly right, and need not be precise at first
-    return conjugate_gradients(system, list, rhs, precision * largest, y.p) &&
-           (!with_unit || conjugate_gradients(system, list, system.cosine, std::sqrt(precision), y.unit));
+    if (box && with_unit)
+      box =
+          conjugate_gradients(system, list, system.cosine, std::sqrt(precision), y.unit, y.u_unit, products);
+    if (box)
+      y.known = *box;
+    return box != nullptr;
   }
+  y.known = {};
   Eigen::MatrixXd right(list.size(), 2);
   for (std::size_t a = 0; a < list.size(); ++a)
     right.row(a) << rhs[list[a]], system.cosine[list[a]];
@@ -115,6 +68,24 @@ bool solve_on(const NormalSystem& system, const std::vector<int>& list, const Ve
     y.unit[list[a]] = right(a, 1);
   }
   return true;
+}
+
+/// What contradicts the law changes sides: pressure below `least_p`, penetration below `least_e`. Returns how
+/// many elements did.
+int change_sides(const NormalSystem& system, const VectorXd& gap, const VectorXd& u, const Box& known,
+                 double least_p, double least_e, NormalState& state) {
+  int changes = 0;
+  for (int is = known.first_s; is < known.first_s + known.ms; ++is)
+    for (int ix = known.first_x; ix < known.first_x + known.mx; ++ix) {
+      const int i = is * system.grid.mx + ix;
+      const bool wrong = state.active[i] ? state.p[i] < least_p
+                                         : gap[i] - state.approach * system.cosine[i] + u[i] < least_e;
+      if (wrong) {
+        state.active[i] = !state.active[i];
+        ++changes;
+      }
+    }
+  return changes;
 }
 
 /// The elements that overlap at the approach at which they, uniformly loaded, would carry the force.
@@ -160,21 +131,6 @@ std::vector<char> first_guess(const NormalSystem& system, const VectorXd& gap, c
 
 } // namespace
 
-NormalBox::NormalBox(const InfluenceNumbers& numbers, const Box& the_box)
-    : box(the_box), nn(numbers, box.mx, {component_n}, {component_n}, {box.first_s, box.ms}),
-      inverse(numbers, box.mx, box.ms, {component_n}, {component_n}, PlaneOperator::Form::periodic,
-              box.first_s + box.ms / 2) {
-  inverse.invert();
-  for (auto* v : {&x, &r, &z, &d, &q})
-    v->assign(box.size(), 0.0);
-}
-
-NormalBox& NormalSystem::box_for(const std::vector<int>& elements) const {
-  if (!box_ || !box_->box.contains(box_around(elements, grid)))
-    box_.emplace(*numbers, box_around(elements, grid, 1 + std::min(grid.mx, grid.ms) / 60));
-  return *box_;
-}
-
 NormalSystem::NormalSystem(const ContactGrid& the_grid, const InfluenceNumbers& the_numbers,
                            std::span<const ContactRow> rows, double area)
     : grid(the_grid), numbers(&the_numbers), nn(the_numbers, the_grid.mx, {component_n}, {component_n}),
@@ -201,6 +157,7 @@ void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalL
   if (load.kind == LoadKind::force && load.force <= 0) {
     state.active.assign(n, 0);
     state.p.setZero(n);
+    state.u.setZero(n);
     state.solver = "none";
     state.converged = load.force == 0;
     state.approach = 0;
@@ -224,7 +181,8 @@ void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalL
   if (state.p.size() != n)
     state.p.setZero(n);
 
-  Response y{state.p, VectorXd::Zero(n)};
+  const Box whole{0, 0, system.grid.mx, system.grid.ms};
+  Response y{state.p, VectorXd::Zero(n), VectorXd::Zero(n), VectorXd::Zero(n), {}};
   int fewest = n + 1, without_progress = 0;
   for (int step = 0; step < options.max_normal; ++step) {
     const std::vector<int> list = indices_of(state.active);
@@ -234,7 +192,8 @@ void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalL
     const bool direct = static_cast<int>(list.size()) <= dense_limit;
     if (direct)
       precision = wanted;
-    if (!solve_on(system, list, state.approach * system.cosine - gap, by_force, precision, y)) {
+    if (!solve_on(system, list, state.approach * system.cosine - gap, by_force, precision, y,
+                  state.products)) {
       state.remark = "active set: a linear system was not positive definite";
       break;
     }
@@ -245,24 +204,27 @@ void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalL
           (load.force / system.element_area - system.cosine.dot(y.p)) / system.cosine.dot(y.unit);
       state.approach += more;
       state.p += more * y.unit;
+      if (!direct)
+        y.u += more * y.u_unit;
       moved = direct ? 0 : std::abs(more) * std::sqrt(precision);
     }
     y.p = state.p;
-    const VectorXd u = system.apply(state.p);
-    const VectorXd e = gap - state.approach * system.cosine + u;
+    if (direct) {
+      y.u = system.apply(state.p);
+      y.known = whole;
+    }
     // the residual of the conjugate gradients and rounding must not change a set
-    const double largest_u = u.cwiseAbs().maxCoeff();
+    double largest_u = 0;
+    for (const int i : list)
+      largest_u = std::max(largest_u, std::abs(y.u[i]));
     const double least_p = -std::max(precision, 1e-11) * state.p.cwiseAbs().maxCoeff();
     const double least_e = -std::max(precision, 1e-11) * largest_u;
-    int changes = 0;
-    for (int i = 0; i < n; ++i) {
-      const bool wrong = state.active[i] ? state.p[i] < least_p : e[i] < least_e;
-      if (wrong) {
-        state.active[i] = !state.active[i];
-        ++changes;
-      }
-    }
+    int changes = change_sides(system, gap, y.u, y.known, least_p, least_e, state);
     const bool precise = precision <= wanted && moved <= precision * largest_u;
+    if (changes == 0 && precise && !direct) { // all is well in the box; and outside?
+      y.u = system.apply(state.p);
+      changes = change_sides(system, gap, y.u, whole, least_p, least_e, state);
+    }
     if (changes == 0 && precise) {
       state.converged = true;
       break;
@@ -280,7 +242,9 @@ void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalL
     if (state.remark.empty())
       state.remark = "active set: no answer in " + std::to_string(options.max_normal) + " steps";
     solve_normal_safely(system, gap, load, options, state);
+    y.u = system.apply(state.p);
   }
+  state.u = y.u;
   state.p = state.p.cwiseMax(0.0);
   for (int i = 0; i < n; ++i)
     state.active[i] = state.p[i] > 0;

@@ -14,14 +14,17 @@
 namespace bem_contact::contact {
 
 /// The operator on a box around the active set, an approximate inverse of it, and the vectors of conjugate
-/// gradients.
+/// gradients: in single precision, which corrects what is known in double precision.
 struct NormalBox {
   NormalBox(const InfluenceNumbers& numbers, const Box& box);
 
   Box box;
   StripOperator nn;
-  PlaneOperator inverse;
-  std::vector<double> x, r, z, d, q;
+  BasicStripOperator<float> fast;
+  BasicPlaneOperator<float> inverse;
+  std::vector<double> p, u;         ///< A p of the whole box
+  std::vector<float> x, r, z, d, q; ///< x corrects p
+  std::vector<int> local;           ///< the box's numbers of the active elements
 };
 
 /// What stays the same over the outer iterations. Fields are [ms][mx].
@@ -44,6 +47,13 @@ private:
   mutable std::optional<NormalBox> box_;
 };
 
+/// A_CC y = rhs on the elements of the list, starting from y, by preconditioned conjugate gradients; fields.
+/// The residual falls below `target` everywhere: single precision corrects until double precision agrees.
+/// Afterwards u = A y inside the box that is returned; nothing when it fails.
+const Box* conjugate_gradients(const NormalSystem& system, const std::vector<int>& list,
+                               const Eigen::VectorXd& rhs, double target, Eigen::VectorXd& y,
+                               Eigen::VectorXd& u, int& products);
+
 struct NormalLoad {
   LoadKind kind = LoadKind::force;
   double approach = 0; ///< q, mm
@@ -52,9 +62,11 @@ struct NormalLoad {
 
 struct NormalState {
   Eigen::VectorXd p; ///< MPa; zero outside the contact
+  Eigen::VectorXd u; ///< (A p)_n, mm
   double approach = 0;
   std::vector<char> active;
   int iterations = 0;
+  int products = 0; ///< of conjugate gradients
   bool converged = false;
   std::string solver, remark;
 };

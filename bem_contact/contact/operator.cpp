@@ -17,16 +17,18 @@ namespace bem_contact::contact {
 namespace {
 
 /// ax = A x and ay = A y in one pass over the column-major A: fetching A is what takes the time.
-BEM_CONTACT_WIDE void multiply(const double* __restrict a, int rows, int columns, const double* x,
-                               const double* y, double* __restrict ax, double* __restrict ay) {
-  std::fill_n(ax, rows, 0.0);
-  std::fill_n(ay, rows, 0.0);
+template <class Real>
+inline __attribute__((always_inline)) void multiply_both(const Real* __restrict a, int rows, int columns,
+                                                         const Real* x, const Real* y, Real* __restrict ax,
+                                                         Real* __restrict ay) {
+  std::fill_n(ax, rows, Real(0));
+  std::fill_n(ay, rows, Real(0));
   int j = 0;
   for (; j + 4 <= columns; j += 4, a += 4 * static_cast<std::ptrdiff_t>(rows)) {
-    const double x0 = x[j], x1 = x[j + 1], x2 = x[j + 2], x3 = x[j + 3];
-    const double y0 = y[j], y1 = y[j + 1], y2 = y[j + 2], y3 = y[j + 3];
+    const Real x0 = x[j], x1 = x[j + 1], x2 = x[j + 2], x3 = x[j + 3];
+    const Real y0 = y[j], y1 = y[j + 1], y2 = y[j + 2], y3 = y[j + 3];
     for (int i = 0; i < rows; ++i) {
-      const double a0 = a[i], a1 = a[i + rows], a2 = a[i + 2 * rows], a3 = a[i + 3 * rows];
+      const Real a0 = a[i], a1 = a[i + rows], a2 = a[i + 2 * rows], a3 = a[i + 3 * rows];
       ax[i] += a0 * x0 + a1 * x1 + a2 * x2 + a3 * x3;
       ay[i] += a0 * y0 + a1 * y1 + a2 * y2 + a3 * y3;
     }
@@ -37,22 +39,34 @@ BEM_CONTACT_WIDE void multiply(const double* __restrict a, int rows, int columns
       ay[i] += a[i] * y[j];
     }
 }
+BEM_CONTACT_WIDE void multiply(const double* a, int rows, int columns, const double* x, const double* y,
+                               double* ax, double* ay) {
+  multiply_both(a, rows, columns, x, y, ax, ay);
+}
+BEM_CONTACT_WIDE void multiply(const float* a, int rows, int columns, const float* x, const float* y,
+                               float* ax, float* ay) {
+  multiply_both(a, rows, columns, x, y, ax, ay);
+}
 
 } // namespace
 
-struct StripOperator::Impl {
+template <class Real> struct BasicStripOperator<Real>::Impl {
+  using Fft = Fftw<Real>;
   int mx = 0, ms = 0, length = 0, frequencies = 0, lines_in = 0, lines_out = 0;
   std::vector<int> outputs, inputs;
-  std::vector<double> spectrum; ///< [frequency], column-major lines_out x lines_in
-  FftBuffer space_in, re_in, im_in, re_out, im_out, space_out;
-  FftPlan forward, backward;
-  std::optional<PlaneOperator> plane; ///< does all the work where the numbers are translational
+  std::vector<Real> spectrum; ///< [frequency], column-major lines_out x lines_in
+  FftBuffer<Real> space_in, re_in, im_in, re_out, im_out, space_out;
+  FftPlan<Real> forward, backward;
+  std::optional<BasicPlaneOperator<Real>> plane; ///< does all the work where the numbers are translational
 
-  void apply(std::span<const double> p) const;
+  void make_plans();
+  void apply(std::span<const Real> p) const;
 };
 
-StripOperator::StripOperator(const InfluenceNumbers& numbers, int mx, std::vector<int> outputs,
-                             std::vector<int> inputs, RowRange range)
+template <class Real>
+BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, int mx,
+                                             std::vector<int> outputs, std::vector<int> inputs,
+                                             RowRange range)
     : impl_(std::make_unique<Impl>()) {
   Impl& o = *impl_;
   o.mx = mx;
@@ -95,46 +109,74 @@ StripOperator::StripOperator(const InfluenceNumbers& numbers, int mx, std::vecto
       for (int k = 0; k < o.frequencies; ++k)
         for (int row_j = 0; row_j < o.ms; ++row_j) {
           const double* from = &transformed(row_j * o.ms, k);
-          double* to = &o.spectrum[block * k + (b * o.ms + row_j) * o.lines_out + a * o.ms];
-          std::transform(from, from + o.ms, to, [sign](double v) { return sign * v; });
+          Real* to = &o.spectrum[block * k + (b * o.ms + row_j) * o.lines_out + a * o.ms];
+          std::transform(from, from + o.ms, to, [sign](double v) { return static_cast<Real>(sign * v); });
         }
     }
 
-  const auto spectral = [&o](int lines) { return static_cast<std::size_t>(lines) * o.frequencies; };
-  o.space_in = make_fft_buffer(static_cast<std::size_t>(o.lines_in) * o.length);
-  o.space_out = make_fft_buffer(static_cast<std::size_t>(o.lines_out) * o.length);
-  o.re_in = make_fft_buffer(spectral(o.lines_in));
-  o.im_in = make_fft_buffer(spectral(o.lines_in));
-  o.re_out = make_fft_buffer(spectral(o.lines_out));
-  o.im_out = make_fft_buffer(spectral(o.lines_out));
-  const std::lock_guard lock(fft_planner());
-  // spectra lie frequency by frequency, lines contiguous, for the products
-  const fftw_iodim in_dims{o.length, 1, o.lines_in}, in_many{o.lines_in, o.length, 1};
-  o.forward.reset(fftw_plan_guru_split_dft_r2c(1, &in_dims, 1, &in_many, o.space_in.get(), o.re_in.get(),
-                                               o.im_in.get(), FFTW_ESTIMATE));
-  const fftw_iodim out_dims{o.length, o.lines_out, 1}, out_many{o.lines_out, 1, o.length};
-  o.backward.reset(fftw_plan_guru_split_dft_c2r(1, &out_dims, 1, &out_many, o.re_out.get(), o.im_out.get(),
-                                                o.space_out.get(), FFTW_ESTIMATE));
+  o.make_plans();
 }
 
-StripOperator::~StripOperator() = default;
-StripOperator::StripOperator(StripOperator&&) noexcept = default;
-StripOperator& StripOperator::operator=(StripOperator&&) noexcept = default;
+template <class Real>
+template <class Other>
+BasicStripOperator<Real>::BasicStripOperator(const BasicStripOperator<Other>& other)
+    : impl_(std::make_unique<Impl>()) {
+  Impl& o = *impl_;
+  const auto& from = *other.impl_;
+  o.mx = from.mx;
+  o.ms = from.ms;
+  if (from.plane) {
+    o.plane.emplace(*from.plane);
+    return;
+  }
+  o.length = from.length;
+  o.frequencies = from.frequencies;
+  o.lines_in = from.lines_in;
+  o.lines_out = from.lines_out;
+  o.outputs = from.outputs;
+  o.inputs = from.inputs;
+  o.spectrum.assign(from.spectrum.begin(), from.spectrum.end());
+  o.make_plans();
+}
+
+template <class Real> void BasicStripOperator<Real>::Impl::make_plans() {
+  const auto spectral = [this](int lines) { return static_cast<std::size_t>(lines) * frequencies; };
+  space_in = make_fft_buffer<Real>(static_cast<std::size_t>(lines_in) * length);
+  space_out = make_fft_buffer<Real>(static_cast<std::size_t>(lines_out) * length);
+  re_in = make_fft_buffer<Real>(spectral(lines_in));
+  im_in = make_fft_buffer<Real>(spectral(lines_in));
+  re_out = make_fft_buffer<Real>(spectral(lines_out));
+  im_out = make_fft_buffer<Real>(spectral(lines_out));
+  const std::lock_guard lock(fft_planner());
+  // spectra lie frequency by frequency, lines contiguous, for the products
+  const fftw_iodim in_dims{length, 1, lines_in}, in_many{lines_in, length, 1};
+  forward.reset(Fft::plan_guru_split_dft_r2c(1, &in_dims, 1, &in_many, space_in.get(), re_in.get(),
+                                             im_in.get(), FFTW_ESTIMATE));
+  const fftw_iodim out_dims{length, lines_out, 1}, out_many{lines_out, 1, length};
+  backward.reset(Fft::plan_guru_split_dft_c2r(1, &out_dims, 1, &out_many, re_out.get(), im_out.get(),
+                                              space_out.get(), FFTW_ESTIMATE));
+}
+
+template <class Real> BasicStripOperator<Real>::~BasicStripOperator() = default;
+template <class Real> BasicStripOperator<Real>::BasicStripOperator(BasicStripOperator&&) noexcept = default;
+template <class Real>
+BasicStripOperator<Real>& BasicStripOperator<Real>::operator=(BasicStripOperator&&) noexcept = default;
 
 /// Leaves u of columns up to mx + 1, times the transform's length, in space_out.
-void StripOperator::Impl::apply(std::span<const double> p) const {
+template <class Real> void BasicStripOperator<Real>::Impl::apply(std::span<const Real> p) const {
   for (int line = 0; line < lines_in; ++line) {
-    double* to = &space_in[static_cast<std::size_t>(line) * length];
+    Real* to = &space_in[static_cast<std::size_t>(line) * length];
     std::copy_n(&p[static_cast<std::size_t>(line) * mx], mx, to);
     std::fill(to + mx, to + length, 0.0);
   }
-  fftw_execute(forward.get());
+  Fft::execute(forward.get());
 
-  using Column = Eigen::Map<Eigen::VectorXd>;
-  Eigen::VectorXd turned_re(ms);
+  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+  using Column = Eigen::Map<Vector>;
+  Vector turned_re(ms);
   for (int k = 0; k < frequencies; ++k) {
-    double* re = &re_in[static_cast<std::size_t>(k) * lines_in];
-    double* im = &im_in[static_cast<std::size_t>(k) * lines_in];
+    Real* re = &re_in[static_cast<std::size_t>(k) * lines_in];
+    Real* im = &im_in[static_cast<std::size_t>(k) * lines_in];
     for (std::size_t b = 0; b < inputs.size(); ++b)
       if (inputs[b] == component_x) { // times i
         Column r(re + b * ms, ms), m(im + b * ms, ms);
@@ -153,33 +195,39 @@ void StripOperator::Impl::apply(std::span<const double> p) const {
         u_re.segment(a * ms, ms) = turned_re;
       }
   }
-  fftw_execute(backward.get());
+  Fft::execute(backward.get());
 }
 
-void StripOperator::apply(std::span<const double> p, std::span<double> u, int columns) const {
+template <class Real>
+void BasicStripOperator<Real>::apply(std::span<const Real> p, std::span<Real> u, int columns) const {
   const Impl& o = *impl_;
   if (o.plane)
     return o.plane->apply(p, u, columns);
   o.apply(p);
-  const double scale = 1.0 / o.length;
+  const Real scale = 1.0 / o.length;
   for (int line = 0; line < o.lines_out; ++line)
     for (int ix = 0; ix < o.mx; ++ix)
       u[static_cast<std::size_t>(line) * o.mx + ix] =
           scale * o.space_out[static_cast<std::size_t>(line) * o.length + ix + columns];
 }
 
-void StripOperator::apply_step(std::span<const double> p, std::span<double> u) const {
+template <class Real>
+void BasicStripOperator<Real>::apply_step(std::span<const Real> p, std::span<Real> u) const {
   const Impl& o = *impl_;
   if (o.plane)
     return o.plane->apply_step(p, u);
   o.apply(p);
-  const double scale = 1.0 / o.length;
+  const Real scale = 1.0 / o.length;
   for (int line = 0; line < o.lines_out; ++line) {
-    const double* v = &o.space_out[static_cast<std::size_t>(line) * o.length];
+    const Real* v = &o.space_out[static_cast<std::size_t>(line) * o.length];
     for (int ix = 0; ix < o.mx; ++ix)
       u[static_cast<std::size_t>(line) * o.mx + ix] =
           scale * (rolling_step[0] * v[ix] + rolling_step[1] * v[ix + 1] + rolling_step[2] * v[ix + 2]);
   }
 }
+
+template class BasicStripOperator<double>;
+template class BasicStripOperator<float>;
+template BasicStripOperator<float>::BasicStripOperator(const BasicStripOperator<double>&);
 
 } // namespace bem_contact::contact

@@ -19,25 +19,33 @@ struct RowRange {
 /// FFT in x and s (plane_operator.hpp).
 ///
 /// Fields are component-major: component c of element (ix, is) at (c * ms + is) * mx + ix, in the order of
-/// `inputs` and `outputs`. One object serves one thread at a time.
-class StripOperator {
+/// `inputs` and `outputs`. One object serves one thread at a time. `Real`: double, or float where a few
+/// digits are enough.
+template <class Real> class BasicStripOperator {
 public:
-  StripOperator(const InfluenceNumbers& numbers, int mx, std::vector<int> outputs, std::vector<int> inputs,
-                RowRange rows = {});
-  ~StripOperator();
-  StripOperator(StripOperator&&) noexcept;
-  StripOperator& operator=(StripOperator&&) noexcept;
+  BasicStripOperator(const InfluenceNumbers& numbers, int mx, std::vector<int> outputs,
+                     std::vector<int> inputs, RowRange rows = {});
+  /// The same in another precision.
+  template <class Other> explicit BasicStripOperator(const BasicStripOperator<Other>& other);
+  ~BasicStripOperator();
+  BasicStripOperator(BasicStripOperator&&) noexcept;
+  BasicStripOperator& operator=(BasicStripOperator&&) noexcept;
 
   /// u(x + columns dx), inputs * ms * mx values to outputs * ms * mx values; needs numbers of mx + columns
   /// offsets, columns <= 2.
-  void apply(std::span<const double> p, std::span<double> u, int columns = 0) const;
+  void apply(std::span<const Real> p, std::span<Real> u, int columns = 0) const;
 
   /// sum_k rolling_step[k] u(x + k dx) (rolling_step.hpp). Needs numbers of mx + 2 offsets.
-  void apply_step(std::span<const double> p, std::span<double> u) const;
+  void apply_step(std::span<const Real> p, std::span<Real> u) const;
 
 private:
+  template <class Other> friend class BasicStripOperator;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+extern template class BasicStripOperator<double>;
+extern template class BasicStripOperator<float>;
+using StripOperator = BasicStripOperator<double>;
 
 } // namespace bem_contact::contact

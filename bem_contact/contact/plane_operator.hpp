@@ -10,22 +10,25 @@ namespace bem_contact::contact {
 
 /// u = A p on a grid [ms][mx] for numbers that depend on x_I - x_J and s_I - s_J alone: FFT in x and in s,
 /// one small complex matrix (outputs x inputs) a pair of frequencies. Fields as for StripOperator, to which
-/// this belongs. One object serves one thread at a time.
-class PlaneOperator {
+/// this belongs. One object serves one thread at a time. `Real`: double, or float where a few digits are
+/// enough.
+template <class Real> class BasicPlaneOperator {
 public:
   /// Of numbers that are not translational the pairs of rows about row `middle` stand for all that are
   /// equally far apart.
   /// `periodic`: the transforms are hardly longer than the grid, its ends feel each other: a quarter of the
   /// work, good enough for a preconditioner.
   enum class Form { exact, periodic };
-  PlaneOperator(const InfluenceNumbers& numbers, int mx, int ms, std::vector<int> outputs,
-                std::vector<int> inputs, Form form = Form::exact, int middle = 0);
-  ~PlaneOperator();
-  PlaneOperator(PlaneOperator&&) noexcept;
-  PlaneOperator& operator=(PlaneOperator&&) noexcept;
+  BasicPlaneOperator(const InfluenceNumbers& numbers, int mx, int ms, std::vector<int> outputs,
+                     std::vector<int> inputs, Form form = Form::exact, int middle = 0);
+  /// The same in another precision.
+  template <class Other> explicit BasicPlaneOperator(const BasicPlaneOperator<Other>& other);
+  ~BasicPlaneOperator();
+  BasicPlaneOperator(BasicPlaneOperator&&) noexcept;
+  BasicPlaneOperator& operator=(BasicPlaneOperator&&) noexcept;
 
-  void apply(std::span<const double> p, std::span<double> u, int columns) const;
-  void apply_step(std::span<const double> p, std::span<double> u) const;
+  void apply(std::span<const Real> p, std::span<Real> u, int columns) const;
+  void apply_step(std::span<const Real> p, std::span<Real> u) const;
 
   /// Turns this (one component) into an approximate inverse of A, for preconditioning: the inverse of the
   /// periodic operator, which knows nothing of the border of the contact.
@@ -38,8 +41,13 @@ public:
   void invert_factor(Factor factor);
 
 private:
+  template <class Other> friend class BasicPlaneOperator;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+extern template class BasicPlaneOperator<double>;
+extern template class BasicPlaneOperator<float>;
+using PlaneOperator = BasicPlaneOperator<double>;
 
 } // namespace bem_contact::contact
