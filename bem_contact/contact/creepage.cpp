@@ -68,8 +68,10 @@ public:
     }
     solve_bounds(system_, options_, task_, state_);
     ++solves_;
-    return system_.problem->element_area() * Vector2d(state_.p.head(n).sum(), state_.p.tail(n).dot(share_));
+    last_ = system_.problem->element_area() * Vector2d(state_.p.head(n).sum(), state_.p.tail(n).dot(share_));
+    return last_;
   }
+  const Vector2d& last() const { return last_; } ///< as found by the last at()
 
   /// The largest of F d over the unit vectors d, where F is a force prescribed and friction carries at most
   /// sum mu p_n |(d_x, d_s share)| dS along d. Over 1: it cannot be carried.
@@ -117,36 +119,34 @@ private:
   TangentialState& state_;
   TangentialTask given_;
   VectorXd share_;
+  Vector2d last_ = Vector2d::Zero();
   double capacity_ = 0;
   int solves_ = 0;
 };
 
 /// One unknown: secants until the force is bracketed, then Illinois' rule, with bisection where that is slow.
-/// Where little sticks the force is nearly a staircase.
-bool find_one(Forces& forces, int unknown, double wanted, double tolerance, bool near, Vector2d& w) {
+/// Where little sticks the force is nearly a staircase. The last call of `missing_at` is the one at the
+/// result.
+template <class Function>
+bool find_root(const Function& missing_at, double start, double step, double tolerance) {
   constexpr int most = 120;
-  const auto missing_at = [&](double v) {
-    w[unknown] = v;
-    return wanted - forces.at(w)[unknown];
-  };
-  double a = w[unknown], at_a = missing_at(a);
-  double step = near ? 1e-3 * std::max(std::abs(a), forces.unit()) : 10 * forces.unit();
-  double b = a, at_b = at_a;
+  int calls = 1;
+  double a = start, at_a = missing_at(a), b = a, at_b = at_a;
   while (std::abs(at_b) > tolerance && at_a * at_b > 0) {
-    if (forces.solves() > most)
+    if (++calls > most)
       return false;
     if (b != a) {
-      const double secant = (b - a) * at_b / (at_a - at_b);
+      const double secant = (b - a) * at_b / (at_a - at_b); // infinite where everything slips
       a = b;
       at_a = at_b;
-      step = std::clamp(std::isfinite(secant) ? 1.2 * std::abs(secant) : 0.0, step, 10 * step);
+      step = std::clamp(std::isfinite(secant) ? 1.2 * std::abs(secant) : 10 * step, step, 10 * step);
     }
     b = a + (at_a > 0 ? step : -step);
     at_b = missing_at(b);
   }
   double weight_a = 1;
   for (int side = 0, slow = 0; std::abs(at_b) > tolerance; ++slow) {
-    if (forces.solves() > most)
+    if (++calls > most)
       return false;
     const double width = std::abs(b - a);
     double c = (weight_a * at_a * b - at_b * a) / (weight_a * at_a - at_b);
@@ -168,11 +168,37 @@ bool find_one(Forces& forces, int unknown, double wanted, double tolerance, bool
   return true;
 }
 
-/// Two unknowns: Newton with finite differences.
+double first_step(const Forces& forces, bool near, double creepage) {
+  return near ? 1e-3 * std::max(std::abs(creepage), forces.unit()) : 10 * forces.unit();
+}
+
+bool find_one(Forces& forces, int unknown, double wanted, double tolerance, bool near, Vector2d& w) {
+  const auto missing_at = [&](double v) {
+    w[unknown] = v;
+    return wanted - forces.at(w)[unknown];
+  };
+  return find_root(missing_at, w[unknown], first_step(forces, near, w[unknown]), tolerance);
+}
+
+/// Two unknowns, one within the other: for each creepage along s the one along x that gives its force. Slow,
+/// but the forces grow with their creepages, so it ends where Newton's method does not.
+bool find_nested(Forces& forces, const Vector2d& wanted, double tolerance, Vector2d& w) {
+  bool inner = true, near = false;
+  const auto missing_at = [&](double v) {
+    w[1] = v;
+    inner = find_one(forces, 0, wanted[0], 0.5 * tolerance, near, w) && inner;
+    near = true;
+    return inner ? wanted[1] - forces.last()[1] : std::numeric_limits<double>::quiet_NaN(); // ends the search
+  };
+  return find_root(missing_at, w[1], first_step(forces, false, w[1]), 0.5 * tolerance) && inner;
+}
+
+/// Two unknowns: Newton with finite differences, and what is slow but sure where it stops.
 bool find_both(Forces& forces, const Vector2d& wanted, double tolerance, Vector2d& w) {
-  constexpr int most = 40;
+  constexpr int most = 40, most_stops = 4;
+  const Vector2d start = w;
   Vector2d missing = wanted - forces.at(w);
-  for (int k = 0; k < most && missing.norm() > tolerance; ++k) {
+  for (int k = 0, stops = 0; k < most && stops < most_stops && missing.norm() > tolerance; ++k) {
     const double reach = std::max(w.norm(), 10 * forces.unit());
     Matrix2d jacobian;
     for (int c = 0; c < 2; ++c) {
@@ -197,12 +223,17 @@ bool find_both(Forces& forces, const Vector2d& wanted, double tolerance, Vector2
       if (there.norm() < (1 - 1e-3 * length) * missing.norm())
         break;
     }
-    if (best_w == w) // deep in full slip the forces hardly depend on the creepages
+    if (best_w == w) { // deep in full slip the forces hardly depend on the creepages
       best_w *= 0.5;
+      ++stops;
+    }
     w = best_w;
     missing = wanted - forces.at(w);
   }
-  return missing.norm() <= tolerance;
+  if (missing.norm() <= tolerance)
+    return true;
+  w = start;
+  return find_nested(forces, wanted, tolerance, w);
 }
 
 } // namespace

@@ -54,12 +54,22 @@ TEST(Cattaneo, PublishedVector) {
 
 TEST(BentallJohnson, PublishedVector) {
   const Material soft{23000, 0.31}, steel{82000, 0.28};
-  EXPECT_NEAR(bentall_johnson_creepage(soft, steel, 25, 0.1), 5.259e-4, 5e-8);
-  EXPECT_NEAR(bentall_johnson_creepage(steel, soft, 25, 0.1), -5.259e-4, 5e-8);
+  const double rounding = 0.0005 / 0.457; // of .457, with which it was published
+  EXPECT_NEAR(bentall_johnson_creepage(soft, steel, 25, 0.1), 5.259e-4, rounding * 5.259e-4);
+  EXPECT_NEAR(bentall_johnson_creepage(steel, soft, 25, 0.1), -5.259e-4, rounding * 5.259e-4);
   EXPECT_EQ(bentall_johnson_creepage(steel, steel, 25, 0.1), 0);
   const CombinedMaterial same = combined(steel, steel);
   EXPECT_NEAR(same.shear_modulus, 82000, 1e-9);
   EXPECT_NEAR(same.poisson, 0.28, 1e-15);
+}
+
+TEST(BentallJohnson, FactorLeavesNoResultant) {
+  const Material soft{23000, 0.31}, steel{82000, 0.28};
+  const CombinedMaterial m = combined(soft, steel);
+  const double factor =
+      bentall_johnson_creepage(soft, steel, 1, 1) * (1 - m.poisson) / (2 * m.difference); // sqrt(1 - c^2) / 2
+  const double c = std::sqrt(1 - 4 * factor * factor);
+  EXPECT_NEAR(c * std::sqrt(1 - c * c) + std::asin(c), std::numbers::pi / 4, 1e-6);
 }
 
 TEST(CreepCoefficients, OfACircleWithoutPoissonsEffect) {
