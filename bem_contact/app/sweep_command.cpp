@@ -2,6 +2,7 @@
 
 #include "bem_contact/app/sweep_file.hpp"
 #include "bem_contact/app/sweep_journal.hpp"
+#include "bem_contact/app/sweep_share.hpp"
 #include "bem_contact/app/sweep_workers.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -11,7 +12,6 @@
 #include "bem_contact/wheelset/sequence.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -28,11 +28,6 @@ extern "C" void openblas_set_num_threads(int) __attribute__((weak)); // where Op
 namespace bem_contact::app {
 
 namespace {
-
-/// Consecutive cases that one process solves: the same whatever --jobs, so that results are too.
-std::size_t chunk_size(std::size_t cases) {
-  return std::clamp<std::size_t>(cases / 8, 4, 32);
-}
 
 std::string digest_of(const std::string& text) {
   return sha256(std::as_bytes(std::span(text)));
@@ -74,24 +69,6 @@ std::string digest_of(const SweepFile& sweep, const std::string& model) {
   for (const std::string& name : inputs_of(sweep))
     all += digest_of(read_text_file(name, "input")) + "\n";
   return digest_of(all);
-}
-
-struct Share {
-  int part = 1, parts = 1;
-};
-
-Share share_of(const std::string& text) {
-  Share share;
-  if (text.empty())
-    return share;
-  const char *at = text.data(), *end = at + text.size();
-  const auto first = std::from_chars(at, end, share.part);
-  const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
-  const auto second = slash ? std::from_chars(first.ptr + 1, end, share.parts) : first;
-  if (!slash || second.ec != std::errc() || second.ptr != end || share.part < 1 || share.parts < share.part)
-    throw InputError(fmt::format("--part {} cannot be", text),
-                     "it is not of the form 2/8, the second of eight", "Give 1/8, 2/8, ... 8/8, each once.");
-  return share;
 }
 
 /// What is at the output already: nothing, or a file of this sweep.
@@ -145,26 +122,6 @@ CaseRecord solve_case(Sequence& sequence, const SweepFile& sweep, std::size_t in
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   record.cpu_seconds = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
   return record;
-}
-
-bool belongs(std::size_t index, std::size_t cases, const Share& share) {
-  return index / chunk_size(cases) % share.parts == static_cast<std::size_t>(share.part - 1);
-}
-
-std::vector<Chunk> chunks_of(const SweepOutput& output, std::size_t cases, const Share& share) {
-  std::vector<Chunk> chunks;
-  const std::size_t size = chunk_size(cases);
-  for (std::size_t from = 0; from < cases; from += size) {
-    if (!belongs(from, cases, share))
-      continue;
-    Chunk chunk;
-    for (std::size_t i = from; i < std::min(cases, from + size); ++i)
-      if (output.status(i) == CaseStatus::missing)
-        chunk.push_back(i);
-    if (!chunk.empty())
-      chunks.push_back(std::move(chunk));
-  }
-  return chunks;
 }
 
 void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Share& share,

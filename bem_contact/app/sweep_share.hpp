@@ -1,0 +1,26 @@
+#pragma once
+
+#include "bem_contact/app/sweep_file.hpp"
+#include "bem_contact/app/sweep_workers.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace bem_contact::app {
+
+/// The part-th of so many parts of a sweep, each for one machine of a cluster.
+struct Share {
+  int part = 1, parts = 1;
+};
+
+/// "2/8"; "": all. Throws InputError for any other text.
+Share share_of(const std::string& text);
+
+bool belongs(std::size_t index, std::size_t cases, const Share& share);
+
+/// What is missing of a share, cut into chunks that one process solves: the same whatever --jobs, so that
+/// results are too.
+std::vector<Chunk> chunks_of(const SweepOutput& output, std::size_t cases, const Share& share);
+
+} // namespace bem_contact::app
