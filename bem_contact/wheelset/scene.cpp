@@ -168,38 +168,54 @@ void grow(Stage& stage, const Touched& touched) {
   stage.seconds.geometry += watch.seconds();
 }
 
+/// Nothing may touch where the influence files say nothing.
+[[noreturn]] void refuse_second_area(const GridPlan& plan, const TouchPoint& touch, double approach) {
+  throw InputError(
+      "The bodies touch in a second area that the influence files do not cover",
+      fmt::format("at the approach found, {:.4f} mm, they would overlap by {:.4f} mm at s = {:.2f} mm of the "
+                  "rail; the rows solved are s = {:.2f} .. {:.2f} mm",
+                  approach, approach - touch.distance, touch.rail_s, plan.s_from(), plan.s_to()),
+      "Compute influence functions of a longer strip, choose tangent_plane or halfspace, or leave that area "
+      "out with grid.s_from and grid.s_to.");
+}
+
 /// Widens the grid to places outside it where the rigid bodies would overlap at the approach that was found:
-/// a second area that the estimate took for free. Off the strips of influence files there is a warning
-/// instead. Returns whether there is something to solve again.
+/// a second area that the estimate took for free. There is a warning instead where the scene itself says
+/// which rows it wants, and where the model is of one area. Returns whether there is something to solve
+/// again. Throws InputError where the strips of influence files end before.
 bool add_areas(Stage& stage, SceneResult& out) {
   const SceneFile::Grid& asked = stage.scene->grid;
-  if (!stage.wheel_rail || asked.ms > 0 || asked.s_from != asked.s_to)
+  if (!stage.wheel_rail)
     return false;
   const Stopwatch watch;
   GridPlan& plan = stage.wheel_rail->plan;
   const GridPlan before = plan;
   const double q = out.result.approach;
+  const TouchPoint* second = nullptr;
   for (const PotentialArea& area : potential_areas(stage.wheel_rail->estimate, q))
     for (const TouchPoint& touch : stage.wheel_rail->touch) {
       const bool outside = touch.rail_s < before.s_from() || touch.rail_s > before.s_to();
-      if (outside && touch.distance < q && area.s_from <= touch.rail_s && touch.rail_s <= area.s_to)
+      if (outside && touch.distance < q && area.s_from <= touch.rail_s && touch.rail_s <= area.s_to) {
         cover(plan, area);
+        second = second && second->distance < touch.distance ? second : &touch;
+      }
     }
-  if (plan.rows == before.rows && plan.columns == before.columns)
+  if (!second)
     return false;
-  PreparedContact wider = prepare_wheel_rail(*stage.wheel_rail, *stage.scene);
-  const auto [first, last] = covered_rows(stage.files, wider);
-  const bool off_strips = stage.needs_strips && last - first + 1 < plan.rows;
-  if (off_strips || out.model == "hertz") {
-    const bool below = plan.first < before.first;
-    out.warnings.push_back(fmt::format(
-        "the bodies come as near as the approach at s = {:.1f} .. {:.1f} mm too, {}: what may touch there is "
-        "left out",
-        below ? plan.s(0) : before.s_to(), below ? before.s_from() : plan.s(plan.rows - 1),
-        off_strips ? "where the influence files have no strip" : "and Hertz's closed form is of one area"));
+  const bool rows_given = asked.ms > 0 || asked.s_from != asked.s_to;
+  if (rows_given || out.model == "hertz") {
     plan = before;
+    out.warnings.push_back(fmt::format(
+        "the bodies come nearer than the approach at s = {:.2f} mm too, by {:.4f} mm, {}: what may touch "
+        "there is left out",
+        second->rail_s, q - second->distance,
+        rows_given ? "off the rows that the scene asks for" : "and Hertz's closed form is of one area"));
     return false;
   }
+  PreparedContact wider = prepare_wheel_rail(*stage.wheel_rail, *stage.scene);
+  const auto [first, last] = covered_rows(stage.files, wider);
+  if (stage.needs_strips && last - first + 1 < plan.rows)
+    refuse_second_area(before, *second, q);
   wider.problem.load = stage.contact.problem.load;
   wider.problem.approach = stage.contact.problem.approach;
   wider.problem.force = stage.contact.problem.force;

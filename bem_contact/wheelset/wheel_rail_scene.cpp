@@ -53,8 +53,7 @@ void add_shear(WheelRailScene& placed, const SceneFile& scene) {
     const CurvePoint p = placed.pair.rail_at(c.s);
     point.grid.x0 = c.x;
     point.rows = {{c.s, p.position, p.delta}};
-    set_rigid_slip(point, placed.pair, placed.reference,
-                   {motion.xi, motion.eta, motion.phi, placed.rolling_radius});
+    prescribe_step(point, scene, &placed, {});
     const double along_s = point.slip_s[0] / std::hypot(point.slip_x[0], point.slip_s[0], small);
     c.lift = std::clamp(1 + motion.friction * along_s * std::tan(c.delta), 0.05, 4.0);
   }

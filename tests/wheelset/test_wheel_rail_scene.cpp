@@ -9,7 +9,9 @@
 namespace {
 
 using namespace bem_contact;
+using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 SceneFile s1002_on_60e1(double lateral, const std::string& more = "") {
   return parse_scene_file("rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nposition.lateral = " +
@@ -210,6 +212,36 @@ TEST(WheelRailScene, AYawedWheelsetIsSolvedOnBothSides) {
   // Sliding to the left it drags the rail there, with most of what friction can.
   const PatchSummary& patch = right.result.patches.front();
   EXPECT_LT(patch.fs, -0.25 * patch.fn);
+}
+
+/// Gauge corner on the strip of the small files, and a second area that is mostly beside it.
+std::string two_areas(const std::string& grid) {
+  const std::string data = CONFORMAL_SOURCE_DIR "/data/influence/";
+  return "kind = \"wheel_rail\"\nrail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nload.force = 2e4\n"
+         "position.lateral = 4.8\nposition.roll = 0.001\n"
+         "rail.influence = \"" +
+         data + "small_rail.h5\"\nwheel.influence = \"" + data +
+         "small_wheel.h5\"\n[grid]\ndx = 1.0\nds = 0.6\n" + grid;
+}
+
+TEST(WheelRailScene, ASecondAreaOffTheStripIsRefused) {
+  try {
+    solve_scene(parse_scene_file(two_areas("")), "fem");
+    FAIL() << "solved";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("second area that the influence files do not cover"));
+    EXPECT_THAT(error.what(), HasSubstr("they would overlap by 0.0"));
+    EXPECT_THAT(error.what(), HasSubstr("choose tangent_plane or halfspace"));
+  }
+}
+
+TEST(WheelRailScene, ASecondAreaLeftOutOnPurposeIsSaid) {
+  const SceneResult r = solve_scene(parse_scene_file(two_areas("s_from = -30.0\ns_to = -21.4\n")), "fem");
+  EXPECT_TRUE(r.result.converged);
+  EXPECT_THAT(r.warnings, Contains(HasSubstr("off the rows that the scene asks for")));
+  const SceneResult all = solve_scene(parse_scene_file(two_areas("")), "halfspace");
+  EXPECT_TRUE(all.result.converged);
+  EXPECT_THAT(all.warnings, Not(Contains(HasSubstr("left out"))));
 }
 
 } // namespace
