@@ -259,8 +259,12 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
     double off = residual.head(n).cwiseAbs().maxCoeff() / scale;
     if (by_force)
       off = std::max(off, std::abs(solution.borne - problem.force) / problem.force);
+    // what hardly bears is a small difference of large forces
+    const double precise = by_force
+                               ? options.tolerance * std::clamp(problem.force / solution.pressed, 0.03, 1.0)
+                               : options.tolerance;
     settled = off <= 10 * options.tolerance && turn_options.tolerance <= options.tolerance;
-    turn_options.tolerance = std::max(options.tolerance, std::min(loose, 0.01 * off));
+    turn_options.tolerance = std::max(precise, std::min(loose, 0.01 * off));
     if (settled)
       break;
     if (off <= 10 * options.tolerance) // the same again, precisely

@@ -16,7 +16,7 @@ public:
   ElementCount(int elements, double accuracy);
 
   int wanted() const { return wanted_; }
-  /// No more than this is tried: some seven times what contacts need for this accuracy in the mean.
+  /// No more than this is tried: what 99 of 100 contacts need for this accuracy is less.
   int most() const { return most_; }
   /// For a case that is nothing like the one before: no more elements than are usual.
   void forget();

@@ -78,7 +78,7 @@ TEST(ForceBalance, OnAPlaneThatAllSlipsOnItIsTheClosedForm) {
         const ContactResult result = solve(problem);
         ASSERT_TRUE(result.converged) << mu << ' ' << eta << ' ' << degrees << ' ' << result.remark;
         EXPECT_NEAR(pressure_force(problem, result), problem.force / share, 1e-6 * problem.force / share);
-        EXPECT_LE(result.outer_iterations, 3) << mu << ' ' << eta << ' ' << degrees;
+        EXPECT_LE(result.outer_iterations, 5) << mu << ' ' << eta << ' ' << degrees;
       }
 }
 
