@@ -159,43 +159,18 @@ bool tang(const MatrixXd& b, const VectorXd& drive, const VectorXd& bound, std::
   return false;
 }
 
-} // namespace
-
-double number(const ContactProblem& problem, int target, int i, int load, int j, int ahead) {
-  const int mx = problem.grid.mx, m = target % mx + ahead - load % mx;
-  return (m < 0 ? parity(i, j) : 1) * problem.numbers.at(std::abs(m), target / mx, i, load / mx, j);
-}
-
-double step_number(const ContactProblem& problem, int target, int i, int load, int j) {
-  return 1.5 * number(problem, target, i, load, j) - 2 * number(problem, target, i, load, j, 1) +
-         0.5 * number(problem, target, i, load, j, 2);
-}
-
-Solution solve(const ContactProblem& problem) {
-  const int n = problem.grid.size();
-  const std::vector<int> shear{component_x, component_s}, normal{component_n};
-  const MatrixXd nn = matrix(problem, normal, normal, false), nt = matrix(problem, normal, shear, false);
-  const MatrixXd tt = matrix(problem, shear, shear, true), tn = matrix(problem, shear, normal, true);
-  VectorXd gap(n), cosine(n), sine(n), rigid(2 * n), mu(n);
-  for (int i = 0; i < n; ++i) {
-    gap[i] = problem.gap[i];
-    cosine[i] = std::cos(problem.rows[i / problem.grid.mx].delta);
-    sine[i] = std::sin(problem.rows[i / problem.grid.mx].delta);
-    mu[i] = problem.friction_of(i / problem.grid.mx);
-    rigid[i] = problem.slip_x[i] * problem.grid.dx;
-    rigid[n + i] = problem.slip_s[i] * problem.grid.dx;
-  }
-  const bool by_force = problem.load == LoadKind::force;
-  Solution out{VectorXd::Zero(n), VectorXd::Zero(2 * n), problem.approach, false};
-  std::vector<char> in_contact(n, 1), slips(n, 0);
+/// NORM and TANG in turn.
+Solution norm_and_tang(const Dense& d) {
+  Solution out{VectorXd::Zero(d.n), VectorXd::Zero(2 * d.n), d.approach, false};
+  std::vector<char> in_contact(d.n, 1), slips(d.n, 0);
   for (int turn = 0; turn < 200; ++turn) {
     const VectorXd before_n = out.pn, before_t = out.pt;
-    const double force = problem.force / problem.element_area() - sine.dot(out.pt.tail(n));
-    if (!norm(nn, gap + nt * out.pt, cosine, force, by_force, in_contact, out.pn, out.approach))
+    const double force = d.force - d.sine.dot(out.pt.tail(d.n));
+    if (!norm(d.nn, d.gap + d.nt * out.pt, d.cosine, force, d.by_force, in_contact, out.pn, out.approach))
       return out;
-    const VectorXd bound = mu.cwiseProduct(out.pn);
-    slips.assign(n, 0);
-    if (!tang(tt, rigid - tn * out.pn, bound, slips, out.pt))
+    const VectorXd bound = d.mu.cwiseProduct(out.pn);
+    slips.assign(d.n, 0);
+    if (!tang(d.tt, d.rigid - d.tn * out.pn, bound, slips, out.pt))
       return out;
     const double largest = out.pn.maxCoeff();
     if ((out.pn - before_n).cwiseAbs().maxCoeff() <= 1e-12 * largest &&
@@ -204,6 +179,78 @@ Solution solve(const ContactProblem& problem) {
       return out;
     }
   }
+  return out;
+}
+
+} // namespace
+
+double number(const ContactProblem& problem, int target, int i, int load, int j, int ahead) {
+  const int mx = problem.grid.mx, m = target % mx + ahead - load % mx;
+  return (m < 0 ? parity(i, j) : 1) * problem.numbers.at(std::abs(m), target / mx, i, load / mx, j);
+}
+
+double step_number(const ContactProblem& problem, int target, int i, int load, int j) {
+  if (problem.motion == MotionKind::shift)
+    return number(problem, target, i, load, j);
+  return 1.5 * number(problem, target, i, load, j) - 2 * number(problem, target, i, load, j, 1) +
+         0.5 * number(problem, target, i, load, j, 2);
+}
+
+Dense::Dense(const ContactProblem& problem)
+    : n(problem.grid.size()), by_force(problem.load == LoadKind::force),
+      force(problem.force / problem.element_area()), approach(problem.approach), gap(n), cosine(n), sine(n),
+      rigid(2 * n), mu(n) {
+  const std::vector<int> shear{component_x, component_s}, normal{component_n};
+  nn = matrix(problem, normal, normal, false);
+  nt = matrix(problem, normal, shear, false);
+  tt = matrix(problem, shear, shear, true);
+  tn = matrix(problem, shear, normal, true);
+  const double length = problem.motion == MotionKind::shift ? 1 : problem.grid.dx;
+  for (int i = 0; i < n; ++i) {
+    const int row = i / problem.grid.mx;
+    gap[i] = problem.gap[i];
+    cosine[i] = std::cos(problem.rows[row].delta);
+    sine[i] = std::sin(problem.rows[row].delta);
+    mu[i] = problem.friction_of(row);
+    rigid[i] = problem.slip_x[i] * length;
+    rigid[n + i] = problem.slip_s[i] * length;
+  }
+}
+
+bool holds(const Dense& d, const Solution& s) {
+  constexpr double tolerance = 1e-9;
+  const VectorXd u = d.nn * s.pn + d.nt * s.pt, e = d.gap - s.approach * d.cosine + u;
+  const VectorXd slip = d.rigid - d.tt * s.pt - d.tn * s.pn;
+  const double pressure = s.pn.cwiseAbs().maxCoeff(), distance = std::max(u.cwiseAbs().maxCoeff(), 1e-300);
+  if (d.by_force && !(std::abs(d.cosine.dot(s.pn) + d.sine.dot(s.pt.tail(d.n)) - d.force) <=
+                      tolerance * (d.force + pressure)))
+    return false;
+  double largest_slip = (d.tt * s.pt).cwiseAbs().maxCoeff();
+  for (int i = 0; i < d.n; ++i)
+    if (s.pn[i] > 0)
+      largest_slip = std::max({largest_slip, std::abs(d.rigid[i]), std::abs(d.rigid[d.n + i])});
+  for (int i = 0; i < d.n; ++i) {
+    const double p = s.pn[i], bound = d.mu[i] * p, scale = d.mu[i] * pressure;
+    const double t = std::hypot(s.pt[i], s.pt[d.n + i]), w = std::hypot(slip[i], slip[d.n + i]);
+    if (!(p >= 0 && e[i] >= -tolerance * distance && p * e[i] <= tolerance * pressure * distance &&
+          t <= bound + tolerance * scale))
+      return false;
+    if (p > 0 && w > tolerance * largest_slip && // slips: traction is the bound, along the slip
+        !(std::hypot(s.pt[i] - bound * slip[i] / w, s.pt[d.n + i] - bound * slip[d.n + i] / w) <=
+              1e3 * tolerance * scale ||
+          w <= 1e3 * tolerance * largest_slip))
+      return false;
+  }
+  return true;
+}
+
+Solution solve(const ContactProblem& problem) {
+  const Dense d(problem);
+  Solution out = norm_and_tang(d);
+  if (out.found && holds(d, out))
+    return out;
+  out = by_steps(d);
+  out.found = out.found && holds(d, out);
   return out;
 }
 
