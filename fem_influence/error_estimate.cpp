@@ -4,12 +4,8 @@
 #include "bem_contact/influence/expand.hpp"
 #include "fem_influence/wavenumbers.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 namespace bem_contact::fem {
@@ -141,33 +137,6 @@ ErrorEstimate estimate_error(const InfluenceFunction& function, const InfluenceF
         estimate.total = std::max(estimate.total, total);
       }
   return estimate;
-}
-
-double smallest_eigenvalue(const InfluenceFunction& function) {
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const auto n = static_cast<Eigen::Index>(3 * function.station_count());
-  double smallest = std::numeric_limits<double>::max();
-  for (std::size_t k = 0; k < function.wavenumber_count(); ++k) {
-    const Eigen::Map<const Matrix> kernel(function.kernel.data() + static_cast<Eigen::Index>(k) * n * n, n,
-                                          n);
-    const double largest = kernel.diagonal().maxCoeff();
-    const Eigen::LLT<Eigen::MatrixXd> factor(kernel);
-    if (factor.info() != Eigen::Success)
-      return 0;
-    Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(n, -1, 1.7).array().cos(); // of no symmetry
-    double value = 0;
-    for (int iteration = 0; iteration < 100; ++iteration) {
-      x.normalize();
-      const Eigen::VectorXd y = factor.solve(x);
-      const double next = 1 / x.dot(y);
-      x = y;
-      if (std::abs(next - value) < 1e-3 * next)
-        break;
-      value = next;
-    }
-    smallest = std::min(smallest, value / largest);
-  }
-  return smallest;
 }
 
 } // namespace bem_contact::fem

@@ -27,9 +27,4 @@ struct ErrorEstimate {
 ErrorEstimate estimate_error(const InfluenceFunction& function, const InfluenceFunction& companion,
                              double shortest_dx, double ratio);
 
-/// Smallest eigenvalue of the kernel over its largest diagonal entry, at the wavenumber where that is least:
-/// positive when every traction does positive work. By Cholesky factors and inverse iteration; the return is
-/// not above 0 where there are no such factors.
-double smallest_eigenvalue(const InfluenceFunction& function);
-
 } // namespace bem_contact::fem

@@ -2,6 +2,9 @@
 
 #include "bem_contact/base/error.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -22,6 +25,27 @@ private:
 };
 
 } // namespace
+
+double smallest_eigenvalue(std::span<const double> kernel) {
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto n = static_cast<Eigen::Index>(std::lround(std::sqrt(static_cast<double>(kernel.size()))));
+  const Eigen::Map<const Matrix> matrix(kernel.data(), n, n);
+  const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
+  if (factor.info() != Eigen::Success)
+    return 0;
+  Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(n, -1, 1.7).array().cos(); // of no symmetry
+  double value = 0;
+  for (int iteration = 0; iteration < 100; ++iteration) {
+    x.normalize();
+    const Eigen::VectorXd y = factor.solve(x);
+    const double next = 1 / x.dot(y);
+    x = y;
+    if (std::abs(next - value) < 1e-3 * next)
+      break;
+    value = next;
+  }
+  return value / matrix.diagonal().maxCoeff();
+}
 
 double reference_radius_of(const BodyFile& body) {
   if (body.body.kind == "outline")
@@ -53,6 +77,9 @@ HarmonicSolver::HarmonicSolver(const Section& section, const BodyFile& body, con
     append_unknowns(rhs_, loads, unknown_);
     append_unknowns(rhs_, remote, unknown_);
 
+    for (auto* list : {&row, &column})
+      list->reserve(9 * operator_.column.size());
+    entry_.reserve(9 * operator_.column.size());
     for (std::size_t a = 0; a < operator_.node_count(); ++a)
       for (std::size_t e = operator_.row_begin[a]; e < operator_.row_begin[a + 1]; ++e) {
         const auto b = static_cast<std::size_t>(operator_.column[e]);
@@ -94,7 +121,8 @@ HarmonicSolver::HarmonicSolver(const Section& section, const BodyFile& body, con
     }
   }
   const Stopwatch watch(timing_.analysis);
-  solver_ = std::make_unique<MumpsSolver>(static_cast<int>(unknowns_), row, column, rhs_);
+  solver_ = std::make_unique<MumpsSolver>(static_cast<int>(unknowns_), std::move(row), std::move(column),
+                                          rhs_, 3); // a node is held in all three components, or free in all
 }
 
 WavenumberResult HarmonicSolver::at(double k) {
@@ -125,6 +153,7 @@ WavenumberResult HarmonicSolver::at(double k) {
       for (std::size_t b = 0; b < n; ++b)
         result.reaction_error = std::max(result.reaction_error,
                                          std::abs(all[(n + 6 + m) * size + b] + load_work_[m][b]) / width_);
+  result.smallest_eigenvalue = smallest_eigenvalue(result.kernel);
   return result;
 }
 

@@ -24,8 +24,13 @@ struct WavenumberResult {
   std::vector<double> remote;      ///< 6 x 3NS
   std::vector<double> remote_self; ///< 6 x 6
   double betti_error = 0;          ///< largest |g_ab - g_ba| / sqrt(g_aa g_bb): the two are computed as one
+  double smallest_eigenvalue = 0;  ///< of the kernel, over its largest diagonal entry
   double reaction_error = 0;       ///< at k = 0: largest |reaction + load| / load over the rigid motions
 };
+
+/// Of a symmetric matrix, over its largest diagonal entry: positive when every traction does positive work.
+/// By Cholesky factors and inverse iteration; 0 where there are no such factors.
+double smallest_eigenvalue(std::span<const double> kernel);
 
 /// The section's problem for any wavenumber: with F the stations' functionals and r the remote ones,
 ///     kernel = F^T K^-1 F / ds, remote = r^T K^-1 F, remote_self = ds r^T K^-1 r.

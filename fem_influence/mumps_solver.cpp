@@ -16,30 +16,36 @@ namespace {
 constexpr int block = 128; // right-hand sides solved at once: more costs memory and gains nothing
 
 /// Place of each row in the elimination by METIS's nested dissection, from 1. Debian's MUMPS has no METIS of
-/// its own.
-std::vector<MUMPS_INT> nested_dissection(int size, std::span<const int> row, std::span<const int> column) {
-  std::vector<idx_t> begin(static_cast<std::size_t>(size) + 1, 0);
-  for (std::size_t e = 0; e < row.size(); ++e)
-    if (row[e] != column[e]) {
-      ++begin[static_cast<std::size_t>(row[e]) + 1];
-      ++begin[static_cast<std::size_t>(column[e]) + 1];
-    }
+/// its own. The graph is that of the nodes.
+std::vector<MUMPS_INT> nested_dissection(int size, std::span<const int> row, std::span<const int> column,
+                                         int per_node) {
+  idx_t count = size / per_node;
+  const auto for_each_edge = [&](auto&& use) {
+    for (std::size_t e = 0; e < row.size(); ++e)
+      if (row[e] != column[e] && row[e] % per_node == 0 && column[e] % per_node == 0)
+        use(static_cast<std::size_t>(row[e] / per_node), static_cast<std::size_t>(column[e] / per_node));
+  };
+  std::vector<idx_t> begin(static_cast<std::size_t>(count) + 1, 0);
+  for_each_edge([&](std::size_t a, std::size_t b) {
+    ++begin[a + 1];
+    ++begin[b + 1];
+  });
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<idx_t> neighbour(static_cast<std::size_t>(begin.back())), next(begin.begin(), begin.end() - 1);
-  for (std::size_t e = 0; e < row.size(); ++e)
-    if (row[e] != column[e]) {
-      neighbour[static_cast<std::size_t>(next[static_cast<std::size_t>(row[e])]++)] = column[e];
-      neighbour[static_cast<std::size_t>(next[static_cast<std::size_t>(column[e])]++)] = row[e];
-    }
-  idx_t count = size;
-  std::vector<idx_t> order(static_cast<std::size_t>(size)), place(static_cast<std::size_t>(size));
+  for_each_edge([&](std::size_t a, std::size_t b) {
+    neighbour[static_cast<std::size_t>(next[a]++)] = static_cast<idx_t>(b);
+    neighbour[static_cast<std::size_t>(next[b]++)] = static_cast<idx_t>(a);
+  });
+  std::vector<idx_t> order(static_cast<std::size_t>(count)), place(static_cast<std::size_t>(count));
   if (METIS_NodeND(&count, begin.data(), neighbour.data(), nullptr, nullptr, order.data(), place.data()) !=
       METIS_OK)
     throw Error("The unknowns could not be ordered", "METIS refused the matrix's graph",
                 "report this as a bug");
   std::vector<MUMPS_INT> position;
+  position.reserve(static_cast<std::size_t>(size));
   for (const idx_t p : place)
-    position.push_back(static_cast<MUMPS_INT>(p) + 1);
+    for (int i = 1; i <= per_node; ++i)
+      position.push_back(per_node * static_cast<MUMPS_INT>(p) + i);
   return position;
 }
 } // namespace
@@ -86,8 +92,8 @@ void append_unknowns(SparseColumns& to, const SparseColumns& from, std::span<con
   }
 }
 
-MumpsSolver::MumpsSolver(int size, std::span<const int> row, std::span<const int> column,
-                         const SparseColumns& border)
+MumpsSolver::MumpsSolver(int size, std::vector<int> row, std::vector<int> column, const SparseColumns& border,
+                         int per_node)
     : impl_(std::make_unique<Impl>()) {
   auto& id = impl_->id;
   id.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_SELF));
@@ -98,12 +104,12 @@ MumpsSolver::MumpsSolver(int size, std::span<const int> row, std::span<const int
   for (const int stream : {1, 2, 3, 4})
     impl_->control(stream) = 0; // silent
   impl_->control(14) = 30;
-  impl_->row.reserve(row.size());
-  impl_->column.reserve(row.size());
-  for (std::size_t e = 0; e < row.size(); ++e) {
-    impl_->row.push_back(row[e] + 1);
-    impl_->column.push_back(column[e] + 1);
-  }
+  impl_->position = nested_dissection(size, row, column, per_node);
+  impl_->row = std::move(row);
+  impl_->column = std::move(column);
+  for (auto* index : {&impl_->row, &impl_->column})
+    for (MUMPS_INT& i : *index)
+      ++i;
   const auto bordered = static_cast<int>(border.columns());
   for (int c = 0; c < bordered; ++c) {
     impl_->schur_variable.push_back(size + c + 1);
@@ -115,7 +121,6 @@ MumpsSolver::MumpsSolver(int size, std::span<const int> row, std::span<const int
   }
   impl_->border_value = border.value;
   id.n = size + bordered;
-  impl_->position = nested_dissection(size, row, column);
   for (const int variable : impl_->schur_variable)
     impl_->position.push_back(variable);
   impl_->control(7) = 1;

@@ -25,9 +25,10 @@ void append_unknowns(SparseColumns& to, const SparseColumns& from, std::span<con
 class MumpsSolver {
 public:
   /// One triangle: row[e], column[e] from 0; repeated entries are added. With a `border` B (rows as in the
-  /// matrix) factorize() also gives schur().
-  MumpsSolver(int size, std::span<const int> row, std::span<const int> column,
-              const SparseColumns& border = {});
+  /// matrix) factorize() also gives schur(). Unknowns of one node, `per_node` in a row, have the same
+  /// neighbours and are ordered together.
+  MumpsSolver(int size, std::vector<int> row, std::vector<int> column, const SparseColumns& border = {},
+              int per_node = 1);
   ~MumpsSolver();
   MumpsSolver(const MumpsSolver&) = delete;
   MumpsSolver& operator=(const MumpsSolver&) = delete;

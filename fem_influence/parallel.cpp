@@ -2,6 +2,8 @@
 
 #include <mpi.h>
 
+#include <deque>
+
 namespace bem_contact::fem {
 
 int process_rank() {
@@ -37,32 +39,32 @@ namespace {
 
 constexpr int result_tag = 1, done_tag = 2;
 
-/// A counter in the first process's memory that every process takes the next number from.
-class SharedCounter {
+/// Two counters in the first process's memory that every process takes the next number from.
+class SharedCounters {
 public:
-  SharedCounter() {
-    MPI_Win_allocate(process_rank() == 0 ? sizeof(long long) : 0, sizeof(long long), MPI_INFO_NULL,
+  SharedCounters() {
+    MPI_Win_allocate(process_rank() == 0 ? 2 * sizeof(long long) : 0, sizeof(long long), MPI_INFO_NULL,
                      MPI_COMM_WORLD, &memory_, &window_);
     if (process_rank() == 0) {
       MPI_Win_lock(MPI_LOCK_EXCLUSIVE, 0, 0, window_);
-      *memory_ = 0;
+      memory_[0] = memory_[1] = 0;
       MPI_Win_unlock(0, window_);
     }
     MPI_Barrier(MPI_COMM_WORLD);
     MPI_Win_lock_all(0, window_);
   }
-  ~SharedCounter() {
+  ~SharedCounters() {
     MPI_Win_unlock_all(window_);
     MPI_Win_free(&window_);
   }
-  SharedCounter(const SharedCounter&) = delete;
-  SharedCounter& operator=(const SharedCounter&) = delete;
+  SharedCounters(const SharedCounters&) = delete;
+  SharedCounters& operator=(const SharedCounters&) = delete;
 
   /// The number before `step` is added.
-  std::size_t add(std::size_t step) {
+  std::size_t add(int counter, std::size_t step) {
     const auto mine = static_cast<long long>(step);
     long long before = 0;
-    MPI_Fetch_and_op(&mine, &before, MPI_LONG_LONG, 0, 0, MPI_SUM, window_);
+    MPI_Fetch_and_op(&mine, &before, MPI_LONG_LONG, 0, counter, MPI_SUM, window_);
     MPI_Win_flush(0, window_);
     return static_cast<std::size_t>(before);
   }
@@ -74,9 +76,20 @@ private:
 
 } // namespace
 
-void distribute(std::size_t count, const std::function<std::vector<double>(std::size_t)>& work,
+void distribute(std::size_t count, std::size_t second, bool begins_with_second,
+                const std::function<std::vector<double>(std::size_t)>& work,
                 const std::function<void(std::size_t, std::span<const double>)>& collect) {
-  SharedCounter next;
+  SharedCounters counters;
+  const auto next = [&] {
+    std::size_t task = count;
+    for (const int which : {begins_with_second ? 1 : 0, begins_with_second ? 0 : 1}) {
+      const std::size_t from = which == 0 ? 0 : second, to = which == 0 ? second : count;
+      if (task == count && from < to)
+        if (const std::size_t at = from + counters.add(which, 1); at < to)
+          task = at;
+    }
+    return task;
+  };
   std::exception_ptr failure;
   const auto guarded = [&](auto&& step) {
     if (failure)
@@ -85,7 +98,8 @@ void distribute(std::size_t count, const std::function<std::vector<double>(std::
       step();
     } catch (...) {
       failure = std::current_exception();
-      next.add(count); // nobody begins another task
+      counters.add(0, count); // nobody begins another task
+      counters.add(1, count);
     }
   };
   int working = process_count() - 1; // fellows, on the first process
@@ -114,9 +128,13 @@ void distribute(std::size_t count, const std::function<std::vector<double>(std::
   };
 
   const bool first = process_rank() == 0;
-  std::vector<double> sent;
-  MPI_Request request = MPI_REQUEST_NULL;
-  for (std::size_t task = next.add(1); task < count; task = next.add(1)) {
+  // The first process listens between two tasks of its own, and others do not wait for it.
+  struct Message {
+    std::vector<double> numbers;
+    MPI_Request request = MPI_REQUEST_NULL;
+  };
+  std::deque<Message> sent;
+  for (std::size_t task = next(); task < count; task = next()) {
     std::vector<double> result;
     guarded([&] {
       result = work(task);
@@ -126,17 +144,22 @@ void distribute(std::size_t count, const std::function<std::vector<double>(std::
     if (first) {
       receive(false);
     } else if (!failure) {
-      MPI_Wait(&request, MPI_STATUS_IGNORE);
-      sent = std::move(result);
-      sent.push_back(static_cast<double>(task));
-      MPI_Isend(sent.data(), static_cast<int>(sent.size()), MPI_DOUBLE, 0, result_tag, MPI_COMM_WORLD,
-                &request);
+      for (int gone = 1; !sent.empty() && gone;) {
+        MPI_Test(&sent.front().request, &gone, MPI_STATUS_IGNORE);
+        if (gone)
+          sent.pop_front();
+      }
+      result.push_back(static_cast<double>(task));
+      Message& message = sent.emplace_back(std::move(result));
+      MPI_Isend(message.numbers.data(), static_cast<int>(message.numbers.size()), MPI_DOUBLE, 0, result_tag,
+                MPI_COMM_WORLD, &message.request);
     }
   }
   if (first) {
     receive(true);
   } else {
-    MPI_Wait(&request, MPI_STATUS_IGNORE);
+    for (Message& message : sent)
+      MPI_Wait(&message.request, MPI_STATUS_IGNORE);
     MPI_Send(nullptr, 0, MPI_DOUBLE, 0, done_tag, MPI_COMM_WORLD);
   }
   together([&] {

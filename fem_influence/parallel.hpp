@@ -22,10 +22,12 @@ public:
 /// rethrows and all others throw FellowFailed: nobody is left waiting.
 void together(const std::function<void()>& work);
 
-/// Tasks 0 .. count-1, each done by whichever process is free next, lower ones first. What `work` gives comes
+/// Tasks 0 .. count-1, each done by whichever process is free next, lower ones first; a process that
+/// `begins_with_second` takes those from `second` on before the others. What `work` gives comes
 /// to `collect` on the first process, in any order and as soon as that one is between two tasks of its own.
 /// Called by all processes together. Fails as together() does; then no further task is begun.
-void distribute(std::size_t count, const std::function<std::vector<double>(std::size_t)>& work,
+void distribute(std::size_t count, std::size_t second, bool begins_with_second,
+                const std::function<std::vector<double>(std::size_t)>& work,
                 const std::function<void(std::size_t, std::span<const double>)>& collect);
 
 } // namespace bem_contact::fem

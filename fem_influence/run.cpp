@@ -15,6 +15,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -46,7 +47,7 @@ void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std:
 
 namespace {
 
-constexpr std::size_t errors_each = 2; // of a wavenumber: Betti, reaction
+constexpr std::size_t errors_each = 3; // of a wavenumber: Betti, reaction, smallest eigenvalue
 
 /// FNV-1a of all that the numbers depend on: finished wavenumbers of another run are not taken over.
 std::string fingerprint(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh) {
@@ -66,7 +67,7 @@ std::string fingerprint(const BodyFile& body, const ProfileCurve& curve, const s
         double(body.harmonic.border_levels), body.harmonic.shortest_dx,
         double(body.harmonic.samples_per_decade), body.harmonic.remote_distance})
     mix(&value, sizeof value);
-  return "harmonic 3 " + std::to_string(hash);
+  return "harmonic 4 " + std::to_string(hash);
 }
 
 std::string method_of(const BodyFile& body, std::size_t cells) {
@@ -100,6 +101,7 @@ std::vector<double> pack(const WavenumberResult& r) {
   all.insert(all.end(), r.remote_self.begin(), r.remote_self.end());
   all.push_back(r.betti_error);
   all.push_back(r.reaction_error);
+  all.push_back(r.smallest_eigenvalue);
   return all;
 }
 
@@ -191,6 +193,9 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
   --coarser.harmonic.degree;
   coarser.harmonic.border_levels = std::max(0, body.harmonic.border_levels - 1);
   Half run(body, curve, mesh), companion(coarser, curve, mesh);
+  // Some begin with the companion, and the others need no mesh of it at all.
+  const bool companion_first =
+      estimated && rank >= process_count() - std::max(1, process_count() / 5) && rank > 0;
   InfluenceFunction function, coarse;
   std::optional<PartialInfluenceFile> partial, coarse_partial;
   RunReport report;
@@ -203,7 +208,8 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
                         wavenumber_samples(half_period_of(body), shortest_reference_dx(body, stations),
                                            body.harmonic.samples_per_decade));
     require_mesh_of(body, curve, mesh);
-    run.solver(); // what is wrong with the mesh is found before anything is written
+    (companion_first ? companion : run)
+        .solver(); // what is wrong with the mesh is found before anything is written
     for (std::size_t k = 0; k < function.wavenumber_count(); ++k)
       tasks.push_back({false, k});
     if (estimated) {
@@ -235,13 +241,14 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
   if (rank == 0 && progress)
     progress(finished, all);
 
+  const auto first_of_companion =
+      std::find_if(tasks.begin(), tasks.end(), [](const Task& task) { return task.companion; });
   distribute(
-      tasks.size(),
+      tasks.size(), static_cast<std::size_t>(first_of_companion - tasks.begin()), companion_first,
       [&](std::size_t t) {
-        if (!tasks[t].companion)
-          return run.at(function.wavenumber[tasks[t].k]);
-        run.release(); // the companion's wavenumbers come last
-        return companion.at(coarse.wavenumber[tasks[t].k]);
+        (tasks[t].companion ? run : companion).release(); // one after the other: memory
+        return tasks[t].companion ? companion.at(coarse.wavenumber[tasks[t].k])
+                                  : run.at(function.wavenumber[tasks[t].k]);
       },
       [&](std::size_t t, std::span<const double> packed) {
         keep(tasks[t].companion ? *coarse_partial : *partial, tasks[t].k, function.station_count(), packed);
@@ -264,11 +271,12 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
       return;
     std::vector<double> errors;
     partial->read_into(function, errors);
+    report.smallest_eigenvalue = std::numeric_limits<double>::max();
     for (std::size_t k = 0; k < report.wavenumbers; ++k) {
       report.betti_error = std::max(report.betti_error, errors.at(errors_each * k));
       report.reaction_error = std::max(report.reaction_error, errors.at(errors_each * k + 1));
+      report.smallest_eigenvalue = std::min(report.smallest_eigenvalue, errors.at(errors_each * k + 2));
     }
-    report.smallest_eigenvalue = smallest_eigenvalue(function);
     if (estimated) {
       coarse_partial->read_into(coarse, errors);
       report.error = estimate_error(function, coarse, shortest_reference_dx(body, function.stations),

@@ -160,10 +160,15 @@ namespace {
 /// weight[a][b] for node b.
 struct CellNodes {
   std::vector<int> nodes;
-  std::vector<std::vector<std::pair<std::size_t, double>>> weight; // [local shape]
+  std::vector<std::vector<std::pair<std::size_t, double>>> weight; // [local shape]; empty: none hangs
 
   CellNodes(std::span<const dealii::types::global_dof_index> dofs,
             const dealii::AffineConstraints<double>& hanging, std::span<const int> number) {
+    if (std::none_of(dofs.begin(), dofs.end(), [&](auto dof) { return hanging.is_constrained(dof); })) {
+      for (const auto dof : dofs)
+        nodes.push_back(number[dof]);
+      return;
+    }
     for (const auto dof : dofs) {
       auto& row = weight.emplace_back();
       if (!hanging.is_constrained(dof))
@@ -175,6 +180,8 @@ struct CellNodes {
   }
   /// values[point][shape] to values[point][node].
   std::vector<double> resolve(std::span<const double> values) const {
+    if (weight.empty())
+      return {values.begin(), values.end()};
     const std::size_t shapes = weight.size(), points = values.size() / shapes;
     std::vector<double> out(points * nodes.size(), 0.0);
     for (std::size_t q = 0; q < points; ++q)
@@ -281,6 +288,14 @@ void Section::for_each_cell(const std::function<void(const CellView&)>& visit) c
     const CellNodes nodes(dofs, impl_->hanging, impl_->node);
     visit({nodes.nodes, points, nodes.resolve(value), nodes.resolve(d_dy), nodes.resolve(d_dz),
            plain(cell->center())});
+  }
+}
+
+void Section::for_each_cell_nodes(const std::function<void(std::span<const int>)>& visit) const {
+  std::vector<dealii::types::global_dof_index> dofs(impl_->element.n_dofs_per_cell());
+  for (const auto& cell : impl_->dofs.active_cell_iterators()) {
+    cell->get_dof_indices(dofs);
+    visit(CellNodes(dofs, impl_->hanging, impl_->node).nodes);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +13,10 @@ namespace {
 
 void make_pattern(const Section& section, SectionOperator& op) {
   std::vector<std::vector<int>> neighbours(section.node_count());
-  section.for_each_cell([&](const CellView& cell) {
-    for (const int a : cell.nodes) {
+  section.for_each_cell_nodes([&](std::span<const int> nodes) {
+    for (const int a : nodes) {
       auto& list = neighbours[static_cast<std::size_t>(a)];
-      for (const int b : cell.nodes)
+      for (const int b : nodes)
         if (b >= a)
           list.push_back(b);
     }
@@ -33,34 +33,25 @@ void make_pattern(const Section& section, SectionOperator& op) {
     value.assign(9 * op.column.size(), 0.0);
 }
 
-/// Square root of the elasticity matrix for (xx, yy, zz, yz, xy, xz), engineering shear strains: the
-/// element matrices become M^T M, symmetric to the last bit.
-Eigen::Matrix<double, 6, 6> elasticity_root(const Material& material) {
-  const double mu = material.shear_modulus;
-  const double lambda = 2 * mu * material.poisson / (1 - 2 * material.poisson);
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Constant(lambda);
-  normal.diagonal().array() += 2 * mu;
-  Eigen::Matrix<double, 6, 6> root = Eigen::Matrix<double, 6, 6>::Zero();
-  root.topLeftCorner<3, 3>() = normal.llt().matrixU();
-  root.diagonal().tail<3>().setConstant(std::sqrt(mu));
-  return root;
-}
+/// Where the strains of a cell's shapes are: the columns of its table are n shapes of each kind, each times
+/// the root of its point's weight. by_r = f / r is the hoop strain (none in a prism), by_rho = f / rho what k
+/// multiplies.
+enum Kind : Eigen::Index { d_dy, d_dz, by_r, by_rho, kinds };
 
 } // namespace
 
 SectionOperator assemble(const Section& section, const Material& material, double reference_radius) {
   SectionOperator op;
   make_pattern(section, op);
-  const auto root = elasticity_root(material);
+  const double mu = material.shear_modulus, lambda = 2 * mu * material.poisson / (1 - 2 * material.poisson),
+               stiff = lambda + 2 * mu;
   const bool revolution = reference_radius > 0;
 
-  Eigen::MatrixXd strain; // [6 point + strain][(0 or 1: factor of k) 3n + 3 node + component]
-  Eigen::MatrixXd product;
+  Eigen::MatrixXd table, product; // [point][n kind + shape]; of two shapes, summed over points
   section.for_each_cell([&](const CellView& cell) {
     const auto n = static_cast<Eigen::Index>(cell.nodes.size());
     const auto np = static_cast<Eigen::Index>(cell.points.size());
-    strain.setZero(6 * np, 6 * n);
-    Eigen::Matrix<double, 6, 3> b0, b1;
+    table.resize(np, kinds * n);
     for (Eigen::Index q = 0; q < np; ++q) {
       const CellPoint& point = cell.points[static_cast<std::size_t>(q)];
       const double r = reference_radius + point.position.z;
@@ -68,50 +59,49 @@ SectionOperator assemble(const Section& section, const Material& material, doubl
         throw InputError("The mesh reaches the axle of the wheel",
                          "a point has z = " + std::to_string(point.position.z) + " mm and r = R_ref + z <= 0",
                          "use a section with a bore");
-      const double rho = revolution ? r / reference_radius : 1.0;
-      const double per_r = revolution ? 1.0 / r : 0.0;
-      const double root_weight = std::sqrt(point.weight * rho);
+      const double rho = revolution ? r / reference_radius : 1.0, root = std::sqrt(point.weight * rho);
       for (Eigen::Index a = 0; a < n; ++a) {
         const auto at = static_cast<std::size_t>(q * n + a);
-        const double f = cell.value[at], fy = cell.d_dy[at], fz = cell.d_dz[at];
-        b0 << 0, 0, f * per_r, //
-            0, fy, 0,          //
-            0, 0, fz,          //
-            0, fz, fy,         //
-            fy, 0, 0,          //
-            fz - f * per_r, 0, 0;
-        b1.setZero();
-        b1(0, 0) = f / rho;
-        b1(4, 1) = -f / rho;
-        b1(5, 2) = -f / rho;
-        strain.block<6, 3>(6 * q, 3 * a) = root_weight * root * b0;
-        strain.block<6, 3>(6 * q, 3 * (n + a)) = root_weight * root * b1;
+        table(q, d_dy * n + a) = root * cell.d_dy[at];
+        table(q, d_dz * n + a) = root * cell.d_dz[at];
+        table(q, by_r * n + a) = revolution ? root * cell.value[at] / r : 0.0;
+        table(q, by_rho * n + a) = root * cell.value[at] / rho;
       }
     }
-    product.setZero(6 * n, 6 * n);
-    product.selfadjointView<Eigen::Upper>().rankUpdate(strain.transpose());
-    const auto entry = [&](Eigen::Index i, Eigen::Index j) { return i <= j ? product(i, j) : product(j, i); };
+    product.noalias() = table.transpose() * table;
 
-    for (Eigen::Index a = 0; a < n; ++a)
+    for (Eigen::Index a = 0; a < n; ++a) {
+      const int row = cell.nodes[static_cast<std::size_t>(a)];
+      const auto first =
+          op.column.begin() + static_cast<std::ptrdiff_t>(op.row_begin[static_cast<std::size_t>(row)]);
+      const auto last =
+          op.column.begin() + static_cast<std::ptrdiff_t>(op.row_begin[static_cast<std::size_t>(row) + 1]);
       for (Eigen::Index b = 0; b < n; ++b) {
-        const int row = cell.nodes[static_cast<std::size_t>(a)],
-                  col = cell.nodes[static_cast<std::size_t>(b)];
+        const int col = cell.nodes[static_cast<std::size_t>(b)];
         if (row > col)
           continue;
-        const auto first =
-            op.column.begin() + static_cast<std::ptrdiff_t>(op.row_begin[static_cast<std::size_t>(row)]);
-        const auto last =
-            op.column.begin() + static_cast<std::ptrdiff_t>(op.row_begin[static_cast<std::size_t>(row) + 1]);
+        const auto of = [&](Kind i, Kind j) { return product(i * n + a, j * n + b); };
         const auto at = 9 * static_cast<std::size_t>(std::lower_bound(first, last, col) - op.column.begin());
-        for (Eigen::Index i = 0; i < 3; ++i)
-          for (Eigen::Index j = 0; j < 3; ++j) {
-            const auto to = at + static_cast<std::size_t>(3 * i + j);
-            const Eigen::Index p = 3 * a + i, s = 3 * b + j, k = 3 * n;
-            op.value[0][to] += entry(p, s);
-            op.value[1][to] += entry(p, s + k) + entry(p + k, s);
-            op.value[2][to] += entry(p + k, s + k);
-          }
+        double *k0 = &op.value[0][at], *k1 = &op.value[1][at], *k2 = &op.value[2][at];
+        const double yy = of(d_dy, d_dy), zz = of(d_dz, d_dz), rr = of(by_r, by_r), kk = of(by_rho, by_rho),
+                     zr = of(d_dz, by_r), rz = of(by_r, d_dz);
+        // Strain after strain, as section_operator.hpp has them: rows x, y, z of node a, columns of node b.
+        k0[0] += mu * (yy + zz - zr - rz + rr);
+        k0[4] += stiff * yy + mu * zz;
+        k0[5] += lambda * (of(d_dy, by_r) + of(d_dy, d_dz)) + mu * of(d_dz, d_dy);
+        k0[7] += lambda * (of(by_r, d_dy) + of(d_dz, d_dy)) + mu * of(d_dy, d_dz);
+        k0[8] += stiff * (rr + zz) + lambda * (rz + zr) + mu * yy;
+        k1[1] += lambda * of(by_rho, d_dy) - mu * of(d_dy, by_rho);
+        k1[2] +=
+            stiff * of(by_rho, by_r) + lambda * of(by_rho, d_dz) - mu * (of(d_dz, by_rho) - of(by_r, by_rho));
+        k1[3] += lambda * of(d_dy, by_rho) - mu * of(by_rho, d_dy);
+        k1[6] +=
+            stiff * of(by_r, by_rho) + lambda * of(d_dz, by_rho) - mu * (of(by_rho, d_dz) - of(by_rho, by_r));
+        k2[0] += stiff * kk;
+        k2[4] += mu * kk;
+        k2[8] += mu * kk;
       }
+    }
   });
   return op;
 }

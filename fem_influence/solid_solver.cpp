@@ -159,7 +159,7 @@ void SolidSolver::solve(
           columns.push_back(column);
           values.push_back(value_[9 * e + 3 * i + j]);
         }
-  MumpsSolver solver(size, rows, columns);
+  MumpsSolver solver(size, std::move(rows), std::move(columns));
   const double needed = solver.estimated_memory(), there = available_memory();
   if (needed > there)
     throw Error(
