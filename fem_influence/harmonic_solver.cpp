@@ -58,6 +58,14 @@ double half_period_of(const BodyFile& body) {
   return radius > 0 ? std::numbers::pi * radius : body.harmonic.half_period;
 }
 
+template <class Use> void HarmonicSolver::for_each_free_block(Use&& use) const {
+  for (std::size_t a = 0; a < operator_.node_count(); ++a)
+    if (unknown_[3 * a] >= 0)
+      for (std::size_t e = operator_.row_begin[a]; e < operator_.row_begin[a + 1]; ++e)
+        if (const auto b = static_cast<std::size_t>(operator_.column[e]); unknown_[3 * b] >= 0)
+          use(a, b, e);
+}
+
 HarmonicSolver::HarmonicSolver(const Section& section, const BodyFile& body, const ProfileCurve& curve)
     : reference_radius_(reference_radius_of(body)), width_(body.strip.station_width),
       stations_(make_stations(body.strip, curve)) {
@@ -79,19 +87,13 @@ HarmonicSolver::HarmonicSolver(const Section& section, const BodyFile& body, con
 
     for (auto* list : {&row, &column})
       list->reserve(9 * operator_.column.size());
-    entry_.reserve(9 * operator_.column.size());
-    for (std::size_t a = 0; a < operator_.node_count(); ++a)
-      for (std::size_t e = operator_.row_begin[a]; e < operator_.row_begin[a + 1]; ++e) {
-        const auto b = static_cast<std::size_t>(operator_.column[e]);
-        if (section.held()[a] || section.held()[b])
-          continue;
-        for (std::size_t i = 0; i < 3; ++i)
-          for (std::size_t j = a == b ? i : 0; j < 3; ++j) {
-            row.push_back(unknown_[3 * a + i]);
-            column.push_back(unknown_[3 * b + j]);
-            entry_.push_back(9 * e + 3 * i + j);
-          }
-      }
+    for_each_free_block([&](std::size_t a, std::size_t b, std::size_t) {
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = a == b ? i : 0; j < 3; ++j) {
+          row.push_back(unknown_[3 * a + i]);
+          column.push_back(unknown_[3 * b + j]);
+        }
+    });
 
     // The support's reaction on a rigid motion m of the held part is a functional as well: (K m)^T u.
     for (auto& motion : rigid_motions(section.node_positions(), reference_radius_, 0)) {
@@ -130,10 +132,14 @@ WavenumberResult HarmonicSolver::at(double k) {
   {
     const Stopwatch watch(timing_.factorization);
     std::vector<double> value;
-    value.reserve(entry_.size());
-    for (const std::size_t e : entry_)
-      value.push_back(operator_.value[0][e] + k * (operator_.value[1][e] + k * operator_.value[2][e]));
-    solver_->factorize(value);
+    value.reserve(9 * operator_.column.size());
+    for_each_free_block([&](std::size_t a, std::size_t b, std::size_t e) {
+      const auto entry = operator_.at(e, k);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = a == b ? i : 0; j < 3; ++j)
+          value.push_back(entry[3 * i + j]);
+    });
+    solver_->factorize(std::move(value));
   }
   const std::vector<double>& all = solver_->schur();
   const std::size_t size = rhs_.columns();

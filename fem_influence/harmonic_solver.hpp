@@ -46,13 +46,15 @@ public:
   const Timing& timing() const { return timing_; }
 
 private:
+  /// use(a, b, e): block e of the operator belongs to the nodes a <= b, neither held.
+  template <class Use> void for_each_free_block(Use&& use) const;
+
   double reference_radius_ = 0, width_ = 0;
   std::vector<Station> stations_;
   SectionOperator operator_;
   std::vector<int> unknown_; ///< of degree of freedom 3 node + component; -1: held
   std::size_t unknowns_ = 0;
-  std::vector<std::size_t> entry_; ///< into operator_.value, of each entry of the solver's matrix
-  SparseColumns rhs_;              ///< functionals of the unknowns: stations', remote, supports' reactions
+  SparseColumns rhs_; ///< functionals of the unknowns: stations', remote, supports' reactions
   std::vector<std::vector<double>> load_work_; ///< [rigid motion][load]: work of the load on the unknowns
   std::unique_ptr<MumpsSolver> solver_;
   Timing timing_;

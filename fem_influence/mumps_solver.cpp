@@ -20,10 +20,14 @@ constexpr int block = 128; // right-hand sides solved at once: more costs memory
 std::vector<MUMPS_INT> nested_dissection(int size, std::span<const int> row, std::span<const int> column,
                                          int per_node) {
   idx_t count = size / per_node;
+  std::vector<int> node(static_cast<std::size_t>(size), -1); // of its first unknown
+  for (int i = 0; i < size; i += per_node)
+    node[static_cast<std::size_t>(i)] = i / per_node;
   const auto for_each_edge = [&](auto&& use) {
     for (std::size_t e = 0; e < row.size(); ++e)
-      if (row[e] != column[e] && row[e] % per_node == 0 && column[e] % per_node == 0)
-        use(static_cast<std::size_t>(row[e] / per_node), static_cast<std::size_t>(column[e] / per_node));
+      if (const int a = node[static_cast<std::size_t>(row[e])]; a >= 0)
+        if (const int b = node[static_cast<std::size_t>(column[e])]; b >= 0 && a != b)
+          use(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
   };
   std::vector<idx_t> begin(static_cast<std::size_t>(count) + 1, 0);
   for_each_edge([&](std::size_t a, std::size_t b) {
@@ -147,8 +151,8 @@ double MumpsSolver::estimated_memory() const {
   return impl_->id.infog[15] * 1e6 / (1024.0 * 1024.0 * 1024.0);
 }
 
-void MumpsSolver::factorize(std::span<const double> value) {
-  impl_->value.assign(value.begin(), value.end());
+void MumpsSolver::factorize(std::vector<double> value) {
+  impl_->value = std::move(value);
   impl_->value.insert(impl_->value.end(), impl_->border_value.begin(), impl_->border_value.end());
   impl_->id.a = impl_->value.data();
   for (int attempt = 0; attempt < 3; ++attempt) {

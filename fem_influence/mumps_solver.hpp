@@ -36,7 +36,7 @@ public:
   double estimated_memory() const; ///< of the factorization, by the analysis, GiB
 
   /// Throws InputError where the matrix is not positive definite, Error where memory is short.
-  void factorize(std::span<const double> value);
+  void factorize(std::vector<double> value);
 
   /// B^T K^-1 B of the last factorize(), row-major: a Schur complement, symmetric to the last bit. It comes
   /// with the factors and costs less than a forward substitution: no solution is ever formed.

@@ -29,8 +29,7 @@ void make_pattern(const Section& section, SectionOperator& op) {
     op.row_begin.push_back(op.column.size());
     std::vector<int>().swap(list);
   }
-  for (auto& value : op.value)
-    value.assign(9 * op.column.size(), 0.0);
+  op.block.resize(op.column.size());
 }
 
 /// Where the strains of a cell's shapes are: the columns of its table are n shapes of each kind, each times
@@ -45,6 +44,8 @@ SectionOperator assemble(const Section& section, const Material& material, doubl
   make_pattern(section, op);
   const double mu = material.shear_modulus, lambda = 2 * mu * material.poisson / (1 - 2 * material.poisson),
                stiff = lambda + 2 * mu;
+  op.mu = mu;
+  op.stiff = stiff;
   const bool revolution = reference_radius > 0;
 
   Eigen::MatrixXd table, product; // [point][n kind + shape]; of two shapes, summed over points
@@ -81,25 +82,23 @@ SectionOperator assemble(const Section& section, const Material& material, doubl
         if (row > col)
           continue;
         const auto of = [&](Kind i, Kind j) { return product(i * n + a, j * n + b); };
-        const auto at = 9 * static_cast<std::size_t>(std::lower_bound(first, last, col) - op.column.begin());
-        double *k0 = &op.value[0][at], *k1 = &op.value[1][at], *k2 = &op.value[2][at];
-        const double yy = of(d_dy, d_dy), zz = of(d_dz, d_dz), rr = of(by_r, by_r), kk = of(by_rho, by_rho),
-                     zr = of(d_dz, by_r), rz = of(by_r, d_dz);
-        // Strain after strain, as section_operator.hpp has them: rows x, y, z of node a, columns of node b.
+        auto& [k0, k1, shapes] =
+            op.block[static_cast<std::size_t>(std::lower_bound(first, last, col) - op.column.begin())];
+        const double yy = of(d_dy, d_dy), zz = of(d_dz, d_dz), rr = of(by_r, by_r), zr = of(d_dz, by_r),
+                     rz = of(by_r, d_dz);
+        // Strain after strain, as section_operator.hpp has them.
         k0[0] += mu * (yy + zz - zr - rz + rr);
-        k0[4] += stiff * yy + mu * zz;
-        k0[5] += lambda * (of(d_dy, by_r) + of(d_dy, d_dz)) + mu * of(d_dz, d_dy);
-        k0[7] += lambda * (of(by_r, d_dy) + of(d_dz, d_dy)) + mu * of(d_dy, d_dz);
-        k0[8] += stiff * (rr + zz) + lambda * (rz + zr) + mu * yy;
-        k1[1] += lambda * of(by_rho, d_dy) - mu * of(d_dy, by_rho);
-        k1[2] +=
+        k0[1] += stiff * yy + mu * zz;
+        k0[2] += lambda * (of(d_dy, by_r) + of(d_dy, d_dz)) + mu * of(d_dz, d_dy);
+        k0[3] += lambda * (of(by_r, d_dy) + of(d_dz, d_dy)) + mu * of(d_dy, d_dz);
+        k0[4] += stiff * (rr + zz) + lambda * (rz + zr) + mu * yy;
+        k1[0] += lambda * of(by_rho, d_dy) - mu * of(d_dy, by_rho);
+        k1[1] +=
             stiff * of(by_rho, by_r) + lambda * of(by_rho, d_dz) - mu * (of(d_dz, by_rho) - of(by_r, by_rho));
-        k1[3] += lambda * of(d_dy, by_rho) - mu * of(by_rho, d_dy);
-        k1[6] +=
+        k1[2] += lambda * of(d_dy, by_rho) - mu * of(by_rho, d_dy);
+        k1[3] +=
             stiff * of(by_r, by_rho) + lambda * of(d_dz, by_rho) - mu * (of(by_rho, d_dz) - of(by_rho, by_r));
-        k2[0] += stiff * kk;
-        k2[4] += mu * kk;
-        k2[8] += mu * kk;
+        shapes += of(by_rho, by_rho);
       }
     }
   });
@@ -111,10 +110,10 @@ std::vector<double> SectionOperator::apply(double k, std::span<const double> u) 
   for (std::size_t a = 0; a < node_count(); ++a)
     for (std::size_t e = row_begin[a]; e < row_begin[a + 1]; ++e) {
       const auto b = static_cast<std::size_t>(column[e]);
+      const auto entries = at(e, k);
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) {
-          const std::size_t at = 9 * e + 3 * i + j;
-          const double v = value[0][at] + k * (value[1][at] + k * value[2][at]);
+          const double v = entries[3 * i + j];
           f[3 * a + i] += v * u[3 * b + j];
           if (a != b)
             f[3 * b + j] += v * u[3 * a + i];

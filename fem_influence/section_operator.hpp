@@ -11,12 +11,27 @@ namespace bem_contact::fem {
 /// K(k) = K0 + k K1 + k^2 K2, real and symmetric, of the displacement
 ///     u_x = U sin kx, u_y = V cos kx, u_z = W cos kx
 /// on the section (per unit length, or per unit of R_ref theta). Degree of freedom 3 node + component.
-/// Stored: the blocks (a, b), a <= b, of neighbouring nodes; each 3 x 3, row-major.
+/// Stored: the blocks (a, b), a <= b, of neighbouring nodes.
 struct SectionOperator {
+  /// What a block is made of: K0 has the entries xx, yy, yz, zy, zz; K1 has xy, xz, yx, zx; K2 is diagonal,
+  /// the shapes' product times lambda + 2 mu, mu, mu.
+  struct Block {
+    std::array<double, 5> k0{};
+    std::array<double, 4> k1{};
+    double product = 0;
+  };
   std::vector<std::size_t> row_begin; ///< nodes + 1
   std::vector<int> column;            ///< ascending within a row, the first is the diagonal
-  std::array<std::vector<double>, 3> value;
+  std::vector<Block> block;           ///< of each column
+  double mu = 0, stiff = 0;           ///< shear modulus; lambda + 2 mu
 
+  /// Block e of K(k), row-major.
+  std::array<double, 9> at(std::size_t e, double k) const {
+    const Block& b = block[e];
+    const double kk = k * k * b.product;
+    return {b.k0[0] + stiff * kk, k * b.k1[0], k * b.k1[1],      k * b.k1[2], b.k0[1] + mu * kk, b.k0[2],
+            k * b.k1[3],          b.k0[3],     b.k0[4] + mu * kk};
+  }
   std::size_t node_count() const { return row_begin.empty() ? 0 : row_begin.size() - 1; }
   /// K(k) u over all degrees of freedom.
   std::vector<double> apply(double k, std::span<const double> u) const;

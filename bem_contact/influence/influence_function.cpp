@@ -75,8 +75,9 @@ void validate_kernel(const InfluenceFunction& f) {
       require(g[row * n + row] > 0, "its kernel's diagonal is not positive",
               at + ", row " + std::to_string(row));
       for (std::size_t column = 0; column < row; ++column)
-        require(g[row * n + column] == g[column * n + row], "its kernel is not symmetric",
-                at + ", row " + std::to_string(row) + ", column " + std::to_string(column));
+        if (g[row * n + column] != g[column * n + row]) // texts for each of a million entries would take long
+          require(false, "its kernel is not symmetric",
+                  at + ", row " + std::to_string(row) + ", column " + std::to_string(column));
     }
   }
 }
@@ -96,10 +97,10 @@ void validate_table(const InfluenceFunction& f) {
     for (std::size_t row = 0; row < n; ++row)
       for (std::size_t column = 0; column <= row; ++column) {
         const double a = f.table[(m * n + row) * n + column], b = f.table[(m * n + column) * n + row];
-        require(a == parity(static_cast<int>(row % 3), static_cast<int>(column % 3)) * b,
-                "its table is not reciprocal",
-                "offset " + std::to_string(m) + ", row " + std::to_string(row) + ", column " +
-                    std::to_string(column));
+        if (a != parity(static_cast<int>(row % 3), static_cast<int>(column % 3)) * b)
+          require(false, "its table is not reciprocal",
+                  "offset " + std::to_string(m) + ", row " + std::to_string(row) + ", column " +
+                      std::to_string(column));
       }
 }
 
