@@ -69,65 +69,67 @@ template <class Use> void HarmonicSolver::for_each_free_block(Use&& use) const {
 HarmonicSolver::HarmonicSolver(const Section& section, const BodyFile& body, const ProfileCurve& curve)
     : reference_radius_(reference_radius_of(body)), width_(body.strip.station_width),
       stations_(make_stations(body.strip, curve)) {
-  std::vector<int> row, column;
-  {
-    const Stopwatch watch(timing_.assembly);
-    const SparseColumns loads = station_functionals(section, curve, body.strip, stations_);
-    const SparseColumns remote = remote_functionals(section, stations_, body.harmonic.remote_distance);
-    operator_ = assemble(section, body.material, reference_radius_);
+  const Stopwatch watch(timing_.assembly);
+  const SparseColumns loads = station_functionals(section, curve, body.strip, stations_);
+  const SparseColumns remote = remote_functionals(section, stations_, body.harmonic.remote_distance);
+  operator_ = assemble(section, body.material, reference_radius_);
 
-    unknown_.assign(3 * section.node_count(), -1);
-    int next = 0;
-    for (std::size_t d = 0; d < unknown_.size(); ++d)
-      if (!section.held()[d / 3])
-        unknown_[d] = next++;
-    unknowns_ = static_cast<std::size_t>(next);
-    append_unknowns(rhs_, loads, unknown_);
-    append_unknowns(rhs_, remote, unknown_);
+  unknown_.assign(3 * section.node_count(), -1);
+  int next = 0;
+  for (std::size_t d = 0; d < unknown_.size(); ++d)
+    if (!section.held()[d / 3])
+      unknown_[d] = next++;
+  unknowns_ = static_cast<std::size_t>(next);
+  append_unknowns(rhs_, loads, unknown_);
+  append_unknowns(rhs_, remote, unknown_);
 
-    for (auto* list : {&row, &column})
-      list->reserve(9 * operator_.column.size());
-    for_each_free_block([&](std::size_t a, std::size_t b, std::size_t) {
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = a == b ? i : 0; j < 3; ++j) {
-          row.push_back(unknown_[3 * a + i]);
-          column.push_back(unknown_[3 * b + j]);
-        }
-    });
-
-    // The support's reaction on a rigid motion m of the held part is a functional as well: (K m)^T u.
-    for (auto& motion : rigid_motions(section.node_positions(), reference_radius_, 0)) {
-      double largest = 0;
-      for (const double u : motion)
-        largest = std::max(largest, std::abs(u));
-      for (double& u : motion)
-        u /= largest;
-      std::vector<double> held(motion.size(), 0.0);
-      for (std::size_t d = 0; d < held.size(); ++d)
-        if (unknown_[d] < 0)
-          held[d] = motion[d];
-      const std::vector<double> reaction = operator_.apply(0.0, held);
-      for (std::size_t d = 0; d < reaction.size(); ++d)
-        if (unknown_[d] >= 0 && reaction[d] != 0) {
-          rhs_.row.push_back(unknown_[d]);
-          rhs_.value.push_back(reaction[d]);
-        }
-      rhs_.column_begin.push_back(rhs_.row.size());
-      auto& work = load_work_.emplace_back();
-      for (std::size_t c = 0; c < loads.columns(); ++c) {
-        work.push_back(0);
-        for (std::size_t e = loads.column_begin[c]; e < loads.column_begin[c + 1]; ++e)
-          if (const auto d = static_cast<std::size_t>(loads.row[e]); unknown_[d] >= 0)
-            work.back() += motion[d] * loads.value[e];
+  // The support's reaction on a rigid motion m of the held part is a functional as well: (K m)^T u.
+  for (auto& motion : rigid_motions(section.node_positions(), reference_radius_, 0)) {
+    double largest = 0;
+    for (const double u : motion)
+      largest = std::max(largest, std::abs(u));
+    for (double& u : motion)
+      u /= largest;
+    std::vector<double> held(motion.size(), 0.0);
+    for (std::size_t d = 0; d < held.size(); ++d)
+      if (unknown_[d] < 0)
+        held[d] = motion[d];
+    const std::vector<double> reaction = operator_.apply(0.0, held);
+    for (std::size_t d = 0; d < reaction.size(); ++d)
+      if (unknown_[d] >= 0 && reaction[d] != 0) {
+        rhs_.row.push_back(unknown_[d]);
+        rhs_.value.push_back(reaction[d]);
       }
+    rhs_.column_begin.push_back(rhs_.row.size());
+    auto& work = load_work_.emplace_back();
+    for (std::size_t c = 0; c < loads.columns(); ++c) {
+      work.push_back(0);
+      for (std::size_t e = loads.column_begin[c]; e < loads.column_begin[c + 1]; ++e)
+        if (const auto d = static_cast<std::size_t>(loads.row[e]); unknown_[d] >= 0)
+          work.back() += motion[d] * loads.value[e];
     }
   }
+}
+
+void HarmonicSolver::analyse() {
   const Stopwatch watch(timing_.analysis);
+  std::vector<int> row, column;
+  for (auto* list : {&row, &column})
+    list->reserve(9 * operator_.column.size());
+  for_each_free_block([&](std::size_t a, std::size_t b, std::size_t) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = a == b ? i : 0; j < 3; ++j) {
+        row.push_back(unknown_[3 * a + i]);
+        column.push_back(unknown_[3 * b + j]);
+      }
+  });
   solver_ = std::make_unique<MumpsSolver>(static_cast<int>(unknowns_), std::move(row), std::move(column),
                                           rhs_, 3); // a node is held in all three components, or free in all
 }
 
 WavenumberResult HarmonicSolver::at(double k) {
+  if (!solver_)
+    analyse();
   const std::size_t n = 3 * stations_.size();
   {
     const Stopwatch watch(timing_.factorization);

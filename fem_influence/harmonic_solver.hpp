@@ -38,6 +38,7 @@ double smallest_eigenvalue(std::span<const double> kernel);
 /// kernel - remote^T remote_self^-1 remote is the kernel with the six means of the remote section held at 0.
 class HarmonicSolver {
 public:
+  /// Assembles. The matrix is analysed for the first wavenumber.
   HarmonicSolver(const Section& section, const BodyFile& body, const ProfileCurve& curve);
 
   const std::vector<Station>& stations() const { return stations_; }
@@ -48,6 +49,7 @@ public:
 private:
   /// use(a, b, e): block e of the operator belongs to the nodes a <= b, neither held.
   template <class Use> void for_each_free_block(Use&& use) const;
+  void analyse();
 
   double reference_radius_ = 0, width_ = 0;
   std::vector<Station> stations_;

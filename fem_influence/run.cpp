@@ -193,7 +193,7 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
   --coarser.harmonic.degree;
   coarser.harmonic.border_levels = std::max(0, body.harmonic.border_levels - 1);
   Half run(body, curve, mesh), companion(coarser, curve, mesh);
-  // Some begin with the companion, and the others need no mesh of it at all.
+  // Some processes begin with the companion, and the others need no mesh of it at all.
   const bool companion_first =
       estimated && rank >= process_count() - std::max(1, process_count() / 5) && rank > 0;
   InfluenceFunction function, coarse;
@@ -208,8 +208,9 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
                         wavenumber_samples(half_period_of(body), shortest_reference_dx(body, stations),
                                            body.harmonic.samples_per_decade));
     require_mesh_of(body, curve, mesh);
-    (companion_first ? companion : run)
-        .solver(); // what is wrong with the mesh is found before anything is written
+    run.solver(); // what is wrong with the mesh is found before anything is written
+    if (companion_first)
+      companion.solver(); // while others open files
     for (std::size_t k = 0; k < function.wavenumber_count(); ++k)
       tasks.push_back({false, k});
     if (estimated) {
@@ -246,7 +247,8 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
   distribute(
       tasks.size(), static_cast<std::size_t>(first_of_companion - tasks.begin()), companion_first,
       [&](std::size_t t) {
-        (tasks[t].companion ? run : companion).release(); // one after the other: memory
+        if (tasks[t].companion != companion_first)
+          (companion_first ? companion : run).release(); // the first kind is done
         return tasks[t].companion ? companion.at(coarse.wavenumber[tasks[t].k])
                                   : run.at(function.wavenumber[tasks[t].k]);
       },

@@ -98,8 +98,8 @@ void read_attribute(hid_t at, const char* name, std::string& value) {
 
 using Shape = std::vector<hsize_t>;
 
-/// `checked`: in chunks of one wavenumber, each with a checksum. Not compressed: of eight bytes of a kernel six
-/// cannot be, and gzip took longer than all other writing.
+/// `checked`: in chunks of one wavenumber, each with a checksum. Not compressed: of eight bytes of a kernel
+/// six cannot be, and gzip took longer than all other writing.
 void write_table(hid_t at, const char* name, const Shape& shape, std::span<const double> values,
                  const char* unit, bool checked = false) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, name);
