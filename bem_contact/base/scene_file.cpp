@@ -120,8 +120,8 @@ SceneFile parse_scene_file(std::string_view toml, std::string_view source_name,
   return file;
 }
 
-SceneFile read_scene_file(const std::filesystem::path& path) {
-  SceneFile file = parse_scene_file(read_text_file(path.string(), "scene file"), path.string());
+SceneFile read_scene_file(const std::filesystem::path& path, std::span<const SceneChange> changes) {
+  SceneFile file = parse_scene_file(read_text_file(path.string(), "scene file"), path.string(), changes);
   file.folder = path.parent_path();
   return file;
 }

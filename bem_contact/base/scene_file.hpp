@@ -110,11 +110,11 @@ struct SceneFile {
 struct SceneChange {
   std::string key; ///< dotted: "position.lateral"
   SchemaValue value;
-  int line = 0; ///< of the file, for messages
+  int line = 0; ///< of the file, for messages; 0: none
 };
 
 /// A table [sweep] is passed over.
-SceneFile read_scene_file(const std::filesystem::path& file);
+SceneFile read_scene_file(const std::filesystem::path& file, std::span<const SceneChange> changes = {});
 SceneFile parse_scene_file(std::string_view toml, std::string_view source_name = "text",
                            std::span<const SceneChange> changes = {});
 std::string default_scene_file();

@@ -130,7 +130,7 @@ std::string Schema::where(std::string_view path) const {
   // A missing key is reported at its table, if that is there.
   for (std::string at(path); !at.empty(); at = table_of(at))
     if (const auto line = lines_.find(at); line != lines_.end())
-      return fmt::format("{}:{}: ", source_, line->second);
+      return line->second > 0 ? fmt::format("{}:{}: ", source_, line->second) : source_ + ": ";
   return fmt::format("{}: ", source_);
 }
 
