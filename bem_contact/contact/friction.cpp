@@ -44,13 +44,26 @@ StepBox::StepBox(const InfluenceNumbers& numbers, const Box& the_box, const Slip
       fast(tt), sticks(box.size()), in(2 * box.size()), out(2 * box.size()), fast_in(2 * box.size()),
       fast_out(2 * box.size()) {
   using Inverse = BasicPlaneOperator<float>;
-  for (const int c : {component_x, component_s})
-    for (const auto factor : {Inverse::Factor::behind, Inverse::Factor::ahead}) {
-      auto& list = factor == Inverse::Factor::behind ? behind : ahead;
-      list.emplace_back(numbers, box.mx, box.ms, std::vector<int>{c}, std::vector<int>{c},
-                        Inverse::Form::periodic, box.first_s + box.ms / 2);
-      list.back().invert_factor(factor);
-    }
+  for (const int c : {component_x, component_s}) {
+    const PlaneOperator a(numbers, box.mx, box.ms, {c}, {c}, PlaneOperator::Form::periodic,
+                          box.first_s + box.ms / 2);
+    for (auto* list : {&behind, &ahead, &periodic, &damped})
+      list->emplace_back(a);
+    behind.back().invert_factor(Inverse::Factor::behind);
+    ahead.back().invert_factor(Inverse::Factor::ahead);
+  }
+}
+
+void StepBox::set_damping(double shift, double stiffness) {
+  for (const std::size_t c : {0, 1})
+    damped[c].invert_shifted(periodic[c], static_cast<float>(shift), static_cast<float>(stiffness),
+                             rule.present);
+}
+
+void StepBox::invert_damped() {
+  const std::size_t n = box.size();
+  for (const std::size_t c : {0, 1})
+    damped[c].apply({&fast_in[c * n], n}, {&fast_out[c * n], n}, 0);
 }
 
 void StepBox::step() {

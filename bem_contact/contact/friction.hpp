@@ -46,13 +46,25 @@ struct StepBox {
   /// B = D A with D = sum_k step[k] (x + k dx), x and s apart. Where S ends ahead, at the leading edge, the
   /// inverse is nearly exact: A_behind^-1, then D^-1 from that edge on, then A_ahead^-1, each on S alone.
   void invert();
+  /// What invert_damped() does from now on.
+  void set_damping(double shift, double stiffness);
+  /// fast_out = about (shift + stiffness B)^-1 fast_in, x and s apart: what slips obeys such a matrix along
+  /// its own bound, where the shift damps so well that borders need no respect.
+  void invert_damped();
+
+  /// One element in contact of the linearisation at hand (newton.cpp).
+  struct Element {
+    Eigen::Matrix2f projection; ///< M
+    float stiffness, m, scale;  ///< r; trace of M; of a slipping element, between it and the mean of all
+  };
 
   Box box;
   SlipStep rule;
   StripOperator tt;
   BasicStripOperator<float> fast;
-  std::vector<BasicPlaneOperator<float>> behind, ahead; ///< of A_xx, A_ss
+  std::vector<BasicPlaneOperator<float>> behind, ahead, periodic, damped; ///< of A_xx, A_ss
   std::vector<char> sticks;
+  std::vector<Element> elements;
   std::vector<double> in, out;
   std::vector<float> fast_in, fast_out;
   Gmres gmres;

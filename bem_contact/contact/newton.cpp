@@ -68,68 +68,99 @@ struct Compressed {
   }
 };
 
-/// The Newton matrix of one linearisation and about its inverse, in single precision, for GMRES.
+/// The Newton matrix of one linearisation and about its inverse, in single precision, for GMRES. An element's
+/// M is the identity where it sticks and m t t' where it slips, t along its bound. What sticks nearly (m
+/// above `directed`) counts as sticking along t.
 class FastJacobian {
 public:
-  FastJacobian(const Compressed& c, const Linearisation& at) : c_(c), at_(at) {
-    for (std::size_t a = 0; a < c.local.size(); ++a)
-      c.box.sticks[c.local[a]] = at.projection[a].trace() > directed;
+  FastJacobian(const Compressed& c, const Linearisation& at) : c_(c), n_(c.box.box.size()) {
+    double slipping = 0, sum = 0, stiffness = 0;
+    c.box.elements.clear();
+    for (std::size_t a = 0; a < c.local.size(); ++a) {
+      const double m = std::min(at.projection[a].trace(), 2.0);
+      const auto r = static_cast<float>(c.stiffness[a]);
+      c.box.sticks[c.local[a]] = m > directed;
+      sticking_ = sticking_ || m > directed;
+      c.box.elements.push_back({at.projection[a].cast<float>(), r, static_cast<float>(m), 0});
+      stiffness += r;
+      if (m <= directed) {
+        slipping += 1;
+        sum += m;
+      }
+    }
+    if (!(sum > 0))
+      return;
+    // (1 - m)/m + r B, scaled from both sides to the mean of the first
+    const double mean = std::max(sum / slipping, 1e-3), shift = (1 - mean) / mean;
+    for (StepBox::Element& e : c.box.elements)
+      if (e.m <= directed)
+        e.scale = static_cast<float>(std::sqrt(shift * e.m / (1 - e.m)));
+    damped_ = true;
+    c.box.set_damping(shift, stiffness / c.local.size());
   }
 
   /// J v = v - M (v - r B v)
   void apply(const VectorXf& v, VectorXf& result) const {
     StepBox& box = c_.box;
-    const int n = box.box.size();
-    std::fill(box.fast_in.begin(), box.fast_in.end(), 0.0f);
-    for (std::size_t a = 0; a < c_.local.size(); ++a) {
-      box.fast_in[c_.local[a]] = v[2 * a];
-      box.fast_in[n + c_.local[a]] = v[2 * a + 1];
-    }
+    clear();
+    for (std::size_t a = 0; a < c_.local.size(); ++a)
+      put(a, v.segment<2>(2 * a));
     box.fast_step();
     for (std::size_t a = 0; a < c_.local.size(); ++a) {
-      const Vector2f here = v.segment<2>(2 * a),
-                     step(box.fast_out[c_.local[a]], box.fast_out[n + c_.local[a]]);
-      const auto r = static_cast<float>(c_.stiffness[a]);
-      result.segment<2>(2 * a) = here - at_.projection[a].cast<float>() * (here - r * step);
+      const Vector2f here = v.segment<2>(2 * a);
+      const StepBox::Element& e = box.elements[a];
+      result.segment<2>(2 * a) = here - e.projection * (here - e.stiffness * get(a));
     }
   }
 
-  /// About J^-1 v. Where M is (nearly) the identity, in one direction or both, J is r B. In the other
-  /// directions J is diagonal.
+  /// About J^-1 v: r B inverted where it sticks, the damped matrix where it slips; across the bound J is the
+  /// identity.
   void precondition(const VectorXf& v, VectorXf& result) const {
     StepBox& box = c_.box;
-    const int n = box.box.size();
-    std::fill(box.fast_in.begin(), box.fast_in.end(), 0.0f);
-    for (std::size_t a = 0; a < c_.local.size(); ++a) {
-      const auto m = static_cast<float>(at_.projection[a].trace()), r = static_cast<float>(c_.stiffness[a]);
-      Vector2f kept = Vector2f::Zero();
-      if (m >= 2)
-        kept = v.segment<2>(2 * a) / r;
-      else if (m > directed)
-        kept = at_.projection[a].cast<float>() * v.segment<2>(2 * a) / (m * m * r);
-      box.fast_in[c_.local[a]] = kept[0];
-      box.fast_in[n + c_.local[a]] = kept[1];
+    result = v;
+    for (std::size_t a = 0; a < c_.local.size(); ++a)
+      if (const StepBox::Element& e = box.elements[a]; e.m >= 2)
+        result.segment<2>(2 * a).setZero();
+      else if (e.m > 0)
+        result.segment<2>(2 * a) -= e.projection * v.segment<2>(2 * a) / e.m;
+    if (sticking_) {
+      clear();
+      for (std::size_t a = 0; a < c_.local.size(); ++a)
+        if (const StepBox::Element& e = box.elements[a]; e.m > directed)
+          put(a, e.m >= 2 ? Vector2f(v.segment<2>(2 * a) / e.stiffness)
+                          : Vector2f(e.projection * v.segment<2>(2 * a) / (e.m * e.m * e.stiffness)));
+      box.invert();
+      for (std::size_t a = 0; a < c_.local.size(); ++a)
+        if (const StepBox::Element& e = box.elements[a]; e.m >= 2)
+          result.segment<2>(2 * a) = get(a);
+        else if (e.m > directed)
+          result.segment<2>(2 * a) += e.projection * get(a) / e.m;
     }
-    box.invert();
-    for (std::size_t a = 0; a < c_.local.size(); ++a) {
-      const auto m = static_cast<float>(at_.projection[a].trace());
-      const Vector2f inverse(box.fast_out[c_.local[a]], box.fast_out[n + c_.local[a]]);
-      if (m >= 2) {
-        result.segment<2>(2 * a) = inverse;
-        continue;
-      }
-      const Matrix2f projection = at_.projection[a].cast<float>();
-      const Vector2f w = v.segment<2>(2 * a), tangential = projection * w / m;
-      if (m > directed)
-        result.segment<2>(2 * a) = w - tangential + projection * inverse / m;
-      else
-        result.segment<2>(2 * a) = w - tangential + tangential / (1 - m + m * 0.3f);
-    }
+    if (!damped_)
+      return;
+    clear();
+    for (std::size_t a = 0; a < c_.local.size(); ++a)
+      if (const StepBox::Element& e = box.elements[a]; e.scale > 0)
+        put(a, e.scale / (e.m * e.m) * (e.projection * v.segment<2>(2 * a)));
+    box.invert_damped();
+    for (std::size_t a = 0; a < c_.local.size(); ++a)
+      if (const StepBox::Element& e = box.elements[a]; e.scale > 0)
+        result.segment<2>(2 * a) += e.scale / e.m * (e.projection * get(a));
   }
 
 private:
+  void clear() const { std::fill(c_.box.fast_in.begin(), c_.box.fast_in.end(), 0.0f); }
+  void put(std::size_t a, const Vector2f& v) const {
+    c_.box.fast_in[c_.local[a]] = v[0];
+    c_.box.fast_in[n_ + c_.local[a]] = v[1];
+  }
+  Vector2f get(std::size_t a) const {
+    return {c_.box.fast_out[c_.local[a]], c_.box.fast_out[n_ + c_.local[a]]};
+  }
+
   const Compressed& c_;
-  const Linearisation& at_;
+  std::size_t n_;
+  bool sticking_ = false, damped_ = false;
 };
 
 MatrixXd dense_jacobian(const Compressed& c, const Linearisation& at) {

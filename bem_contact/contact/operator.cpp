@@ -96,23 +96,29 @@ BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, in
     }
   const std::size_t block = static_cast<std::size_t>(o.lines_out) * o.lines_in;
   o.spectrum.resize(block * o.frequencies);
-  Eigen::MatrixXd values(o.ms * o.ms, used);
-  for (std::size_t a = 0; a < o.outputs.size(); ++a)
-    for (std::size_t b = 0; b < o.inputs.size(); ++b) {
-      const int i = o.outputs[a], j = o.inputs[b];
-      for (int m = 0; m < used; ++m)
-        for (int row_i = 0; row_i < o.ms; ++row_i)
-          for (int row_j = 0; row_j < o.ms; ++row_j)
-            values(row_j * o.ms + row_i, m) = numbers.at(m, range.first + row_i, i, range.first + row_j, j);
-      const Eigen::MatrixXd transformed = product(values, parity(i, j) > 0 ? cosines : sines);
-      const double sign = parity(i, j) < 0 && i == component_x ? -1.0 : 1.0;
-      for (int k = 0; k < o.frequencies; ++k)
-        for (int row_j = 0; row_j < o.ms; ++row_j) {
-          const double* from = &transformed(row_j * o.ms, k);
-          Real* to = &o.spectrum[block * k + (b * o.ms + row_j) * o.lines_out + a * o.ms];
-          std::transform(from, from + o.ms, to, [sign](double v) { return static_cast<Real>(sign * v); });
-        }
-    }
+  // one pass over the numbers, which lie [m][I][i][J][j]: fetching them is what takes the time
+  const std::size_t in = o.inputs.size(), pairs = o.outputs.size() * in;
+  std::vector<Eigen::MatrixXd> values(pairs, Eigen::MatrixXd(o.ms * o.ms, used));
+  for (int m = 0; m < used; ++m)
+    for (int row_i = 0; row_i < o.ms; ++row_i)
+      for (std::size_t pair = 0; pair < pairs; ++pair) {
+        const int i = o.outputs[pair / in], j = o.inputs[pair % in];
+        double* to = &values[pair](row_i, m);
+        for (int row_j = 0; row_j < o.ms; ++row_j)
+          to[static_cast<std::ptrdiff_t>(row_j) * o.ms] =
+              numbers.at(m, range.first + row_i, i, range.first + row_j, j);
+      }
+  for (std::size_t pair = 0; pair < pairs; ++pair) {
+    const int i = o.outputs[pair / in], j = o.inputs[pair % in];
+    const Eigen::MatrixXd transformed = product(values[pair], parity(i, j) > 0 ? cosines : sines);
+    const double sign = parity(i, j) < 0 && i == component_x ? -1.0 : 1.0;
+    for (int k = 0; k < o.frequencies; ++k)
+      for (int row_j = 0; row_j < o.ms; ++row_j) {
+        const double* from = &transformed(row_j * o.ms, k);
+        Real* to = &o.spectrum[block * k + (pair % in * o.ms + row_j) * o.lines_out + pair / in * o.ms];
+        std::transform(from, from + o.ms, to, [sign](double v) { return static_cast<Real>(sign * v); });
+      }
+  }
 
   o.make_plans();
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 namespace bem_contact::contact {
 namespace {
@@ -286,6 +287,24 @@ template <class Real> void BasicPlaneOperator<Real>::invert_factor(Factor factor
           std::exp(-complex(one_sided)[static_cast<std::size_t>(l) * (half + 1) + k]);
       o.symbol_at(k, 0, 0)[l] = factor == Factor::behind ? behind : std::conj(behind);
     }
+}
+
+template <class Real>
+void BasicPlaneOperator<Real>::invert_shifted(const BasicPlaneOperator& of, Real shift, Real scale,
+                                              const std::array<double, 3>& step) {
+  const Impl& o = *impl_;
+  for (int k = 0; k < o.frequencies; ++k) {
+    const std::complex<double> ahead = std::polar(1.0, 2 * std::numbers::pi * k / o.length_x);
+    const Complex<Real> factor(static_cast<double>(scale) * (step[0] + ahead * (step[1] + ahead * step[2])));
+    const Complex<Real>* from = of.impl_->symbol_at(k, 0, 0);
+    Complex<Real>* to = o.symbol_at(k, 0, 0);
+    for (int l = 0; l < o.length_s; ++l) {
+      const Real positive = std::abs(from[l].real());
+      const Real re = shift + positive * factor.real(), im = positive * factor.imag();
+      const Real share = 1 / (re * re + im * im);
+      to[l] = {re * share, -im * share};
+    }
+  }
 }
 
 template class BasicPlaneOperator<double>;

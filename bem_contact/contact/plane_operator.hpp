@@ -2,6 +2,7 @@
 
 #include "bem_contact/influence/influence_numbers.hpp"
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -39,6 +40,11 @@ public:
   /// 1931).
   enum class Factor { behind, ahead };
   void invert_factor(Factor factor);
+
+  /// The inverse of `shift` + scale sum_k step[k] A(x + k dx), A that of `of` (one component, periodic, made
+  /// positive), which this was made from.
+  void invert_shifted(const BasicPlaneOperator& of, Real shift, Real scale,
+                      const std::array<double, 3>& step);
 
 private:
   template <class Other> friend class BasicPlaneOperator;
