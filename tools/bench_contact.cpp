@@ -2,10 +2,14 @@
 //   ninja -C build bench_contact && build/bin/bench_contact --benchmark_filter=goal
 // Half-space numbers are translational in s. "fem" stands for numbers of finite elements: a table full in s,
 // normal and tangential coupled, here the tangent-plane numbers of a strip of changing curvature (so that any
-// size can be had without an influence file).
+// size can be had without an influence file). "file" are those of data/influence, both bodies' numbers on
+// rows as narrow as the case wants.
 #include "bem_contact/contact/coupling.hpp"
+#include "bem_contact/contact/prepared.hpp"
 #include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/halfspace/resample.hpp"
 #include "bem_contact/halfspace/tangent_plane.hpp"
+#include "bem_contact/influence/influence_file.hpp"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -25,6 +29,11 @@ const Material steel{82000.0, 0.28};
 constexpr double semi_x = 6, semi_s = 4.5; // mm, about
 
 enum class Kind { partial_slip, full_slip, frictionless };
+enum class Numbers { halfspace, strip, file };
+
+constexpr const char* name_of(Numbers numbers) {
+  return numbers == Numbers::halfspace ? "half-space" : numbers == Numbers::strip ? "fem" : "file";
+}
 
 /// Elements of the grid and of the contact along x and s.
 struct Size {
@@ -50,11 +59,42 @@ InfluenceNumbers pair(InfluenceNumbers lower, const InfluenceNumbers& upper) {
   return lower;
 }
 
-ContactProblem scene(const Size& size, bool fem, Kind kind) {
+/// The small files of the gauge corner and the flange root, whose rows lie opposite each other.
+InfluenceNumbers numbers_of_files(const ContactGrid& grid) {
+  const std::string folder = CONFORMAL_SOURCE_DIR "/data/influence/";
+  const InfluenceFunction rail = read_influence_file(folder + "small_rail.h5"),
+                          wheel = read_influence_file(folder + "small_wheel.h5");
+  const auto middle = [](const InfluenceFunction& f) {
+    return 0.5 * (f.stations.front().s + f.stations.back().s);
+  };
+  std::vector<double> rail_s, wheel_s;
+  for (int is = 0; is < grid.ms; ++is) {
+    const double s = (is - 0.5 * (grid.ms - 1)) * grid.ds;
+    rail_s.push_back(middle(rail) + s);
+    wheel_s.push_back(middle(wheel) - s);
+  }
+  ExpandOptions options;
+  options.dx = grid.dx;
+  options.offsets = grid.mx + 2;
+  return halfspace::combine(halfspace::resample(rail, options, rail_s, grid.ds),
+                            halfspace::resample(wheel, options, wheel_s, grid.ds));
+}
+
+ContactProblem scene(const Size& size, Numbers numbers, Kind kind) {
   ContactProblem problem;
-  const double dx = 2 * semi_x / size.across_x, ds = 2 * semi_s / size.across_s;
+  double a = 1 / 920.0, b = 1 / 600.0, force = 60000;
+  double dx = 2 * semi_x / size.across_x, ds = 2 * semi_s / size.across_s;
+  if (numbers ==
+      Numbers::file) { // as short as the files' wavenumbers allow; as long as their strips; as deep
+    constexpr double shortest = 0.52, strip = 23.5;
+    force *= std::sqrt(shortest * strip / size.ms / dx / ds);
+    dx = shortest;
+    ds = strip / size.ms;
+    a *= std::pow(2 * semi_x / size.across_x / dx, 2);
+    b *= std::pow(2 * semi_s / size.across_s / ds, 2);
+  }
+  const bool fem = numbers != Numbers::halfspace;
   problem.grid = {size.mx, size.ms, dx, ds, -0.5 * (size.mx - 1) * dx};
-  constexpr double a = 1 / 920.0, b = 1 / 600.0;
   Point2 position{};
   for (int is = 0; is < size.ms; ++is) {
     const double s = (is - 0.5 * (size.ms - 1)) * ds, delta = fem ? s / 200 + s * s / 2000 : 0;
@@ -67,7 +107,9 @@ ContactProblem scene(const Size& size, bool fem, Kind kind) {
   const Point2 middle = problem.rows[size.ms / 2].position;
   for (ContactRow& row : problem.rows)
     row.position = row.position - middle;
-  if (fem) {
+  if (numbers == Numbers::file) {
+    problem.numbers = numbers_of_files(problem.grid);
+  } else if (fem) {
     std::vector<halfspace::StripRow> rail, wheel;
     for (const ContactRow& row : problem.rows) {
       rail.push_back({row.position, row.delta});
@@ -81,8 +123,8 @@ ContactProblem scene(const Size& size, bool fem, Kind kind) {
     problem.numbers = pair(body, body);
   }
   problem.load = LoadKind::approach;
-  problem.approach = 1.9 * a * semi_x * semi_x;
-  problem.force = 60000;
+  problem.approach = (numbers == Numbers::file ? 1.54 : 1.9) / 920.0 * semi_x * semi_x; // as many in contact
+  problem.force = force;
   problem.tangential = kind != Kind::frictionless;
   if (problem.tangential)
     for (const ContactRow& row : problem.rows)
@@ -94,14 +136,38 @@ ContactProblem scene(const Size& size, bool fem, Kind kind) {
   return problem;
 }
 
-/// The time is that of the solver alone, to 1e-5; the counters say what a certified solution has.
-void solve_scene(benchmark::State& state, const ContactProblem& problem, bool coupled, bool estimate) {
+/// What is kept from solving the same problem before: nothing; what was prepared; and the solution of 1 %
+/// less approach or force and rigid slip, from which it starts.
+enum class Kept { nothing, workspace, solution };
+
+SolverOptions options_for(const ContactProblem& problem) {
   SolverOptions options;
-  options.tolerance = coupled ? 1e-6 : 1e-5; // turns settle at ten times the tolerance
+  options.tolerance = problem.numbers.translational ? 1e-5 : 1e-6; // turns settle at ten times the tolerance
   options.estimate_discretisation = false;
+  return options;
+}
+
+/// The time is that of the solver alone, to 1e-5; the counters say what a certified solution has.
+void solve_scene(benchmark::State& state, const ContactProblem& problem, Kept kept, bool estimate) {
+  SolverOptions options = options_for(problem);
+  Workspace workspace;
+  StartingPoint start;
+  if (kept == Kept::solution) {
+    ContactProblem before = problem;
+    before.approach *= 0.99;
+    before.force *= 0.99;
+    for (auto* slip : {&before.slip_x, &before.slip_s})
+      for (double& w : *slip)
+        w *= 0.99;
+    const ContactResult known = solve(before, options);
+    start = {known.px, known.ps, known.pn, known.approach};
+    options.start = &start;
+  }
   contact::Solution solution;
   for (auto _ : state) {
-    solution = contact::solve_coupled(problem, options);
+    contact::Prepared only_now;
+    solution =
+        contact::solve_coupled(problem, options, kept == Kept::nothing ? only_now : workspace.of(problem));
     benchmark::DoNotOptimize(solution.normal.p.data());
   }
   const auto contact = (solution.normal.p.array() > 0).count();
@@ -120,30 +186,32 @@ void solve_scene(benchmark::State& state, const ContactProblem& problem, bool co
   state.counters["discretisation"] = certified.certificate.discretisation;
 }
 
-void add(const std::string& name, const Size& size, bool fem, Kind kind, bool by_force, bool estimate) {
+void add(const std::string& name, const Size& size, Numbers numbers, Kind kind, bool by_force,
+         Kept kept = Kept::nothing, bool estimate = false) {
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
-    ContactProblem problem = scene(size, fem, kind);
+    ContactProblem problem = scene(size, numbers, kind);
     if (by_force)
       problem.load = LoadKind::force;
-    solve_scene(state, problem, fem, estimate);
+    solve_scene(state, problem, kept, estimate);
   })->Unit(benchmark::kMillisecond);
 }
 
 void add_series(bool quick) {
   for (const bool fem : {false, true})
     for (const Kind kind : {Kind::frictionless, Kind::partial_slip}) {
-      const std::string series = fmt::format("series/{}/{}", fem ? "fem" : "half-space",
-                                             kind == Kind::frictionless ? "normal" : "steady");
+      const Numbers numbers = fem ? Numbers::strip : Numbers::halfspace;
+      const std::string series =
+          fmt::format("series/{}/{}", name_of(numbers), kind == Kind::frictionless ? "normal" : "steady");
       const double most = quick ? 3200 : fem ? 6400 : 51200;
       for (double contact = 200; contact <= most; contact *= fem || quick ? 2 : 4)
-        add(fmt::format("{}/x and s/{}", series, contact), square(contact, 1.5), fem, kind, false, false);
+        add(fmt::format("{}/x and s/{}", series, contact), square(contact, 1.5), numbers, kind, false);
       if (!fem)
         continue;
       for (int across = 16; across <= (quick ? 64 : 256); across *= 2)
-        add(fmt::format("{}/x/{}", series, across), {across * 3 / 2, 24, across * 1.0, 16}, true, kind, false,
+        add(fmt::format("{}/x/{}", series, across), {across * 3 / 2, 24, across * 1.0, 16}, numbers, kind,
             false);
       for (int across = 16; across <= (quick ? 64 : 128); across *= 2)
-        add(fmt::format("{}/s/{}", series, across), {24, across * 3 / 2, 16, across * 1.0}, true, kind, false,
+        add(fmt::format("{}/s/{}", series, across), {24, across * 3 / 2, 16, across * 1.0}, numbers, kind,
             false);
     }
 }
@@ -163,10 +231,12 @@ void add_goals(bool quick) {
                         Goal{"partial slip, position", 238, 160.8, Kind::partial_slip, false},
                         Goal{"full slip, position", 89, 60.2, Kind::full_slip, false},
                         Goal{"frictionless, position", 238, 160.8, Kind::frictionless, false}})
-    for (const bool fem : {false, true})
-      if (g.m < 200 || (!fem && !quick))
-        add(fmt::format("goal/{}/{}/{}", g.name, g.m * g.m, fem ? "fem" : "half-space"),
-            {g.m, g.m, g.across, g.across}, fem, g.kind, g.by_force, true);
+    for (const Numbers numbers : {Numbers::halfspace, Numbers::strip, Numbers::file})
+      if (g.m < 200 || (numbers == Numbers::halfspace && !quick))
+        for (const auto& [group, kept] :
+             {std::pair{"goal", Kept::nothing}, {"kept", Kept::workspace}, {"warm", Kept::solution}})
+          add(fmt::format("{}/{}/{}/{}", group, g.name, g.m * g.m, name_of(numbers)),
+              {g.m, g.m, g.across, g.across}, numbers, g.kind, g.by_force, kept, kept == Kept::nothing);
 }
 
 /// A product with the normal numbers of 46 x 46 elements, a copy of as many bytes as it reads, and the dense
@@ -178,7 +248,8 @@ void add_operator() {
     const double bytes = fem ? 8.0 * (m + 3) * m * m : 16.0 * (m + 2) * 2 * m;
     benchmark::RegisterBenchmark(
         fmt::format("operator/{}/product", name).c_str(), [=](benchmark::State& state) {
-          const ContactProblem problem = scene({m, m, 30, 30}, fem, Kind::frictionless);
+          const ContactProblem problem =
+              scene({m, m, 30, 30}, fem ? Numbers::strip : Numbers::halfspace, Kind::frictionless);
           const contact::StripOperator a(problem.numbers, m, {component_n}, {component_n});
           std::vector<double> p(n, 1.0), u(n);
           for (auto _ : state) {

@@ -1,5 +1,7 @@
 #include "bem_contact/contact/normal.hpp"
 
+#include "bem_contact/contact/prepared.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -67,9 +69,10 @@ NormalBox::NormalBox(const InfluenceNumbers& numbers, const Box& the_box)
 }
 
 NormalBox& NormalSystem::box_for(const std::vector<int>& elements) const {
-  if (!box_ || !box_->box.contains(box_around(elements, grid)))
-    box_.emplace(*numbers, box_around(elements, grid, 1 + std::min(grid.mx, grid.ms) / 60));
-  return *box_;
+  std::optional<NormalBox>& box = kept_->normal_box;
+  if (!box || !serves(box->box, box_around(elements, grid)))
+    box.emplace(*numbers, box_around(elements, grid, 1 + std::min(grid.mx, grid.ms) / 60));
+  return *box;
 }
 
 const Box* conjugate_gradients(const NormalSystem& system, const std::vector<int>& list, const VectorXd& rhs,

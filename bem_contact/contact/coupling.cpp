@@ -75,7 +75,7 @@ struct Shear {
   TangentialSystem system;
   VectorXd rigid;  ///< w of the step, mm
   VectorXd former; ///< what the tractions of former steps add to the slip, mm
-  std::optional<StripOperator> normal_from_shear, shear_from_normal;
+  const StripOperator *normal_from_shear = nullptr, *shear_from_normal = nullptr; ///< null: no coupling
 };
 
 /// sum_k former[k] u_k(x + k columns dx), u = -A p.
@@ -164,9 +164,9 @@ bool set_start(const StartingPoint& start, const ContactProblem& problem, Soluti
 
 } // namespace
 
-Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options) {
+Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options, Prepared& kept) {
   const int n = problem.grid.size();
-  const NormalSystem system(problem.grid, problem.numbers, problem.rows, problem.element_area());
+  const NormalSystem system(problem.grid, problem.numbers, problem.rows, problem.element_area(), &kept);
   const VectorXd gap = Eigen::Map<const VectorXd>(problem.gap.data(), n);
   Solution solution;
   solution.from_shear = VectorXd::Zero(n);
@@ -175,7 +175,7 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
   solution.shear.solver = "none";
   solution.shear.converged = true;
   if (!options.start || !set_start(*options.start, problem, solution))
-    start_from_coarse(problem, options, solution);
+    start_from_coarse(problem, options, kept, solution);
 
   VectorXd sine(n);
   for (int i = 0; i < n; ++i)
@@ -183,16 +183,22 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
   std::optional<Shear> shear;
   bool coupled = false, numbers_do = false;
   if (problem.has_friction()) {
-    shear.emplace(Shear{TangentialSystem(problem), VectorXd(2 * n), {}, {}, {}});
+    shear.emplace(Shear{TangentialSystem(problem, &kept), VectorXd(2 * n), {}});
     for (int i = 0; i < n; ++i) {
       shear->rigid[i] = problem.slip_x[i] * shear->system.rule.length;
       shear->rigid[n + i] = problem.slip_s[i] * shear->system.rule.length;
     }
-    numbers_do = numbers_couple(problem.numbers, system.self);
+    if (!kept.coupled)
+      kept.coupled = numbers_couple(problem.numbers, system.self);
+    numbers_do = *kept.coupled;
     if (numbers_do) {
       const std::vector<int> tangential{component_x, component_s}, normal{component_n};
-      shear->normal_from_shear.emplace(problem.numbers, problem.grid.mx, normal, tangential);
-      shear->shear_from_normal.emplace(problem.numbers, problem.grid.mx, tangential, normal);
+      if (!kept.normal_from_shear) {
+        kept.normal_from_shear.emplace(problem.numbers, problem.grid.mx, normal, tangential);
+        kept.shear_from_normal.emplace(problem.numbers, problem.grid.mx, tangential, normal);
+      }
+      shear->normal_from_shear = &*kept.normal_from_shear;
+      shear->shear_from_normal = &*kept.shear_from_normal;
     }
     shear->former = former_slip(problem, *shear);
     coupled = numbers_do || (problem.load == LoadKind::force && sine.cwiseAbs().maxCoeff() > rounding);

@@ -2,6 +2,7 @@
 
 #include "bem_contact/contact/creepage.hpp"
 #include "bem_contact/contact/normal.hpp"
+#include "bem_contact/contact/prepared.hpp"
 
 namespace bem_contact::contact {
 
@@ -24,11 +25,13 @@ struct Solution {
 /// problem. Where it acts by its vertical force alone, the turns look for the pressure that balances the load
 /// (force_balance.hpp); else they are accelerated after Anderson 1965, and the pressure is guessed from the
 /// share that shear bears.
-Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options);
+/// `kept` is of these numbers and this grid.
+Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options, Prepared& kept);
 
 /// Pressures, states and (steady rolling) tractions of the same problem on elements twice as large, and of
 /// that on larger ones: where to start from. Rows equally far apart have there the numbers of those in the
 /// middle of the contact. Leaves a small problem as it is.
-void start_from_coarse(const ContactProblem& problem, const SolverOptions& options, Solution& start);
+void start_from_coarse(const ContactProblem& problem, const SolverOptions& options, Prepared& kept,
+                       Solution& start);
 
 } // namespace bem_contact::contact

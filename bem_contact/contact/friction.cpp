@@ -1,5 +1,6 @@
 #include "bem_contact/contact/friction.hpp"
 
+#include "bem_contact/contact/prepared.hpp"
 #include "bem_contact/contact/rolling_step.hpp"
 
 #include <algorithm>
@@ -25,8 +26,9 @@ StepNumbers::StepNumbers(const InfluenceNumbers& numbers, int mx, const std::arr
         }
 }
 
-TangentialSystem::TangentialSystem(const ContactProblem& the_problem)
-    : problem(&the_problem), rule(slip_step(the_problem)), stiffness(the_problem.grid.size()) {
+TangentialSystem::TangentialSystem(const ContactProblem& the_problem, Prepared* kept)
+    : problem(&the_problem), rule(slip_step(the_problem)), stiffness(the_problem.grid.size()),
+      own_(kept ? nullptr : std::make_unique<Prepared>()), kept_(kept ? kept : own_.get()) {
   const auto& [mx, ms, dx, ds, x0] = problem->grid;
   const InfluenceNumbers& a = problem->numbers;
   for (int is = 0; is < ms; ++is) {
@@ -104,18 +106,22 @@ void StepBox::invert() {
   }
 }
 
+TangentialSystem::TangentialSystem(TangentialSystem&&) noexcept = default;
+TangentialSystem::~TangentialSystem() = default;
+
 StepBox& TangentialSystem::box_for(const std::vector<int>& contact) const {
   const Box needed = box_around(contact, problem->grid);
-  if (!box_ || !box_->box.contains(needed))
-    box_.emplace(problem->numbers, needed, rule);
-  return *box_;
+  std::optional<StepBox>& box = kept_->step_box;
+  if (!box || !serves(box->box, needed) || box->rule.present != rule.present)
+    box.emplace(problem->numbers, needed, rule);
+  return *box;
 }
 
 const StripOperator& TangentialSystem::whole() const {
-  if (!whole_)
-    whole_.emplace(problem->numbers, problem->grid.mx, std::vector<int>{component_x, component_s},
-                   std::vector<int>{component_x, component_s});
-  return *whole_;
+  if (!kept_->tt)
+    kept_->tt.emplace(problem->numbers, problem->grid.mx, std::vector<int>{component_x, component_s},
+                      std::vector<int>{component_x, component_s});
+  return *kept_->tt;
 }
 
 VectorXd TangentialSystem::displacement(const VectorXd& p, int columns) const {
@@ -135,9 +141,11 @@ VectorXd TangentialSystem::step(const VectorXd& p) const {
 }
 
 const StepNumbers& TangentialSystem::step_numbers() const {
-  if (!step_numbers_)
-    step_numbers_.emplace(problem->numbers, problem->grid.mx, rule.present);
-  return *step_numbers_;
+  if (!kept_->step_numbers || kept_->step != rule.present) {
+    kept_->step_numbers.emplace(problem->numbers, problem->grid.mx, rule.present);
+    kept_->step = rule.present;
+  }
+  return *kept_->step_numbers;
 }
 
 double largest_slip(const VectorXd& rigid, const std::vector<int>& contact, const VectorXd& slip,

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -70,17 +70,22 @@ struct StepBox {
   Gmres gmres;
 };
 
+struct Prepared;
+
 /// One step of rolling or shift on a grid; vectors are fields of two components, [2][ms][mx].
 class TangentialSystem {
 public:
-  TangentialSystem(const ContactProblem& problem);
+  /// Without `kept` all is prepared for this system alone.
+  explicit TangentialSystem(const ContactProblem& problem, Prepared* kept = nullptr);
+  TangentialSystem(TangentialSystem&&) noexcept;
+  ~TangentialSystem();
 
   int size() const { return problem->grid.size(); }
   Eigen::VectorXd displacement(const Eigen::VectorXd& p,
                                int columns = 0) const;     ///< A_tt p at x + columns dx, mm
   Eigen::VectorXd step(const Eigen::VectorXd& p) const;    ///< B_tt p, mm
   const StepNumbers& step_numbers() const;                 ///< made when first asked for
-  StepBox& box_for(const std::vector<int>& contact) const; ///< the last one is kept while it fits
+  StepBox& box_for(const std::vector<int>& contact) const; ///< the last one is kept while it serves
 
   const ContactProblem* problem;
   SlipStep rule;
@@ -89,9 +94,8 @@ public:
 private:
   const StripOperator& whole() const; ///< A_tt on the whole grid, made when first asked for
 
-  mutable std::optional<StripOperator> whole_;
-  mutable std::optional<StepNumbers> step_numbers_;
-  mutable std::optional<StepBox> box_;
+  std::unique_ptr<Prepared> own_;
+  Prepared* kept_;
 };
 
 /// |p_t| <= bound; S = drive - B_tt p; stick or slip along S.

@@ -1,7 +1,7 @@
 #include "bem_contact/contact/history.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/contact/operator.hpp"
+#include "bem_contact/contact/prepared.hpp"
 
 namespace bem_contact {
 
@@ -11,7 +11,11 @@ Tractions tractions_of(const ContactResult& result) {
 
 std::vector<ContactResult> solve_history(ContactProblem problem, int steps,
                                          const std::function<void(int, ContactProblem&)>& prescribe,
-                                         const SolverOptions& options) {
+                                         const SolverOptions& given) {
+  Workspace own;
+  SolverOptions options = given;
+  if (!options.workspace)
+    options.workspace = &own; // the numbers stay the same
   if (problem.motion == MotionKind::steady)
     throw InputError("steady rolling has no steps", "it is the state that steps lead to",
                      "solve it as one problem, or choose a shift or transient rolling");
@@ -27,14 +31,18 @@ std::vector<ContactResult> solve_history(ContactProblem problem, int steps,
   return results;
 }
 
-Displacements displacements(const ContactProblem& problem, const ContactResult& result) {
+Displacements displacements(const ContactProblem& problem, const ContactResult& result,
+                            Workspace* workspace) {
   const std::size_t n = problem.grid.size();
+  contact::Prepared only_now;
+  contact::Prepared& kept = workspace ? workspace->of(problem) : only_now;
   const std::vector<int> all{component_x, component_s, component_n};
-  const contact::StripOperator numbers(problem.numbers, problem.grid.mx, all, all);
+  if (!kept.all)
+    kept.all.emplace(problem.numbers, problem.grid.mx, all, all);
   std::vector<double> p(result.px), u(3 * n);
   p.insert(p.end(), result.ps.begin(), result.ps.end());
   p.insert(p.end(), result.pn.begin(), result.pn.end());
-  numbers.apply(p, u);
+  kept.all->apply(p, u);
   for (double& v : u)
     v = -v;
   const auto component = [&](int c) {

@@ -50,13 +50,14 @@ std::vector<double> coarse_field(const std::vector<double>& fine, int fine_mx, c
   return coarse;
 }
 
-ContactProblem coarse_problem(const ContactProblem& problem) {
+ContactProblem coarse_problem(const ContactProblem& problem, Prepared& kept) {
   ContactProblem coarse;
   const ContactGrid& fine = problem.grid;
   coarse.grid = {fine.mx / 2, fine.ms / 2, 2 * fine.dx, 2 * fine.ds, fine.x0 + 0.5 * fine.dx};
   const int middle =
-      static_cast<int>(std::min_element(problem.gap.begin(), problem.gap.end()) - problem.gap.begin()) /
-      fine.mx;
+      problem.numbers.translational
+          ? 0
+          : static_cast<int>(std::ranges::min_element(problem.gap) - problem.gap.begin()) / fine.mx;
   coarse.load = problem.load;
   coarse.approach = problem.approach;
   coarse.force = problem.force;
@@ -64,8 +65,14 @@ ContactProblem coarse_problem(const ContactProblem& problem) {
       problem.tangential && problem.motion == MotionKind::steady && !problem.force_x && !problem.force_s;
   coarse.friction = problem.friction;
   coarse.kinetic = problem.kinetic;
-  coarse.numbers =
-      coarse_numbers(problem.numbers, coarse.grid.mx + 2, coarse.grid.ms, middle, coarse.has_friction());
+  const bool all = coarse.tangential && problem.has_friction();
+  if (!kept.nested || kept.nested->middle != middle || kept.nested->all != all) {
+    kept.nested = std::make_unique<Prepared::Nested>();
+    kept.nested->middle = middle;
+    kept.nested->all = all;
+    kept.nested->numbers = coarse_numbers(problem.numbers, coarse.grid.mx + 2, coarse.grid.ms, middle, all);
+  }
+  coarse.numbers = kept.nested->numbers;
   for (int is = 0; is < coarse.grid.ms; ++is) {
     const ContactRow &a = problem.rows[2 * is], &b = problem.rows[2 * is + 1];
     coarse.rows.push_back({0.5 * (a.s + b.s), 0.5 * (a.position + b.position), 0.5 * (a.delta + b.delta)});
@@ -108,17 +115,18 @@ void prolong(const ContactGrid& from, const double* coarse, const ContactGrid& t
 
 } // namespace
 
-void start_from_coarse(const ContactProblem& problem, const SolverOptions& options, Solution& start) {
+void start_from_coarse(const ContactProblem& problem, const SolverOptions& options, Prepared& kept,
+                       Solution& start) {
   const ContactGrid& grid = problem.grid;
   if (problem.plane_strain() || grid.size() < few || std::min(grid.mx, grid.ms) < few_across)
     return;
-  const ContactProblem coarse = coarse_problem(problem);
+  const ContactProblem coarse = coarse_problem(problem, kept);
   SolverOptions loose = options;
   loose.tolerance = std::max(options.tolerance, coarse_tolerance);
   loose.max_outer = 1; // a start need not know how shear acts on the pressure
   loose.max_tangential = std::min(options.max_tangential, 30);
   loose.only_newton = true;
-  const Solution known = solve_coupled(coarse, loose);
+  const Solution known = solve_coupled(coarse, loose, kept.nested->prepared);
   if (!known.normal.converged)
     return;
   const int n = grid.size(), n_coarse = coarse.grid.size();

@@ -1,6 +1,7 @@
 #include "bem_contact/contact/normal.hpp"
 
 #include "bem_contact/contact/dense.hpp"
+#include "bem_contact/contact/prepared.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -132,18 +133,23 @@ std::vector<char> first_guess(const NormalSystem& system, const VectorXd& gap, c
 } // namespace
 
 NormalSystem::NormalSystem(const ContactGrid& the_grid, const InfluenceNumbers& the_numbers,
-                           std::span<const ContactRow> rows, double area)
-    : grid(the_grid), numbers(&the_numbers), nn(the_numbers, the_grid.mx, {component_n}, {component_n}),
-      cosine(the_grid.size()), element_area(area) {
+                           std::span<const ContactRow> rows, double area, Prepared* kept)
+    : grid(the_grid), numbers(&the_numbers), cosine(the_grid.size()), element_area(area),
+      own_(kept ? nullptr : std::make_unique<Prepared>()), kept_(kept ? kept : own_.get()) {
   for (int is = 0; is < grid.ms; ++is) {
     cosine.segment(is * grid.mx, grid.mx).setConstant(std::cos(rows[is].delta));
     self = std::max(self, numbers->at(0, is, component_n, is, component_n));
   }
 }
 
+NormalSystem::~NormalSystem() = default;
+
 VectorXd NormalSystem::apply(const VectorXd& p) const {
   VectorXd u(p.size());
-  nn.apply({p.data(), static_cast<std::size_t>(p.size())}, {u.data(), static_cast<std::size_t>(u.size())});
+  if (!kept_->nn)
+    kept_->nn.emplace(*numbers, grid.mx, std::vector<int>{component_n}, std::vector<int>{component_n});
+  kept_->nn->apply({p.data(), static_cast<std::size_t>(p.size())},
+                   {u.data(), static_cast<std::size_t>(u.size())});
   return u;
 }
 

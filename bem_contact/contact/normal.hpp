@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,24 +27,28 @@ struct NormalBox {
   std::vector<int> local;           ///< the box's numbers of the active elements
 };
 
+struct Prepared;
+
 /// What stays the same over the outer iterations. Fields are [ms][mx].
 struct NormalSystem {
+  /// Without `kept` all is prepared for this system alone.
   NormalSystem(const ContactGrid& grid, const InfluenceNumbers& numbers, std::span<const ContactRow> rows,
-               double element_area);
+               double element_area, Prepared* kept = nullptr);
+  ~NormalSystem();
 
   Eigen::VectorXd apply(const Eigen::VectorXd& p) const;
-  /// Around these elements; the last one is kept while it fits.
+  /// Around these elements; the last one is kept while it serves.
   NormalBox& box_for(const std::vector<int>& elements) const;
 
   ContactGrid grid;
   const InfluenceNumbers* numbers; ///< of the problem, which outlives this
-  StripOperator nn;
-  Eigen::VectorXd cosine;  ///< cos(delta) of each element
-  double element_area = 0; ///< mm^2
-  double self = 0;         ///< largest self number, mm/MPa
+  Eigen::VectorXd cosine;          ///< cos(delta) of each element
+  double element_area = 0;         ///< mm^2
+  double self = 0;                 ///< largest self number, mm/MPa
 
 private:
-  mutable std::optional<NormalBox> box_;
+  std::unique_ptr<Prepared> own_;
+  Prepared* kept_;
 };
 
 /// A_CC y = rhs on the elements of the list, starting from y, by preconditioned conjugate gradients; fields.

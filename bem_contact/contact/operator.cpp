@@ -56,6 +56,7 @@ template <class Real> struct BasicStripOperator<Real>::Impl {
   std::vector<int> outputs, inputs;
   std::vector<Real> spectrum; ///< [frequency], column-major lines_out x lines_in
   FftBuffer<Real> space_in, re_in, im_in, re_out, im_out, space_out;
+  mutable Eigen::Matrix<Real, Eigen::Dynamic, 1> turned; ///< ms values
   FftPlan<Real> forward, backward;
   std::optional<BasicPlaneOperator<Real>> plane; ///< does all the work where the numbers are translational
 
@@ -147,6 +148,7 @@ BasicStripOperator<Real>::BasicStripOperator(const BasicStripOperator<Other>& ot
 
 template <class Real> void BasicStripOperator<Real>::Impl::make_plans() {
   const auto spectral = [this](int lines) { return static_cast<std::size_t>(lines) * frequencies; };
+  turned.resize(ms);
   space_in = make_fft_buffer<Real>(static_cast<std::size_t>(lines_in) * length);
   space_out = make_fft_buffer<Real>(static_cast<std::size_t>(lines_out) * length);
   re_in = make_fft_buffer<Real>(spectral(lines_in));
@@ -179,16 +181,15 @@ template <class Real> void BasicStripOperator<Real>::Impl::apply(std::span<const
 
   using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
   using Column = Eigen::Map<Vector>;
-  Vector turned_re(ms);
   for (int k = 0; k < frequencies; ++k) {
     Real* re = &re_in[static_cast<std::size_t>(k) * lines_in];
     Real* im = &im_in[static_cast<std::size_t>(k) * lines_in];
     for (std::size_t b = 0; b < inputs.size(); ++b)
       if (inputs[b] == component_x) { // times i
         Column r(re + b * ms, ms), m(im + b * ms, ms);
-        turned_re = -m;
+        turned = -m;
         m = r;
-        r = turned_re;
+        r = turned;
       }
     Column u_re(&re_out[static_cast<std::size_t>(k) * lines_out], lines_out);
     Column u_im(&im_out[static_cast<std::size_t>(k) * lines_out], lines_out);
@@ -196,9 +197,9 @@ template <class Real> void BasicStripOperator<Real>::Impl::apply(std::span<const
              u_re.data(), u_im.data());
     for (std::size_t a = 0; a < outputs.size(); ++a)
       if (outputs[a] == component_x) { // times -i
-        turned_re = u_im.segment(a * ms, ms);
+        turned = u_im.segment(a * ms, ms);
         u_im.segment(a * ms, ms) = -u_re.segment(a * ms, ms);
-        u_re.segment(a * ms, ms) = turned_re;
+        u_re.segment(a * ms, ms) = turned;
       }
   }
   Fft::execute(backward.get());

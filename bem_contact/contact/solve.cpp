@@ -80,8 +80,9 @@ void require_balance(const ContactProblem& problem, const contact::Solution& sol
       "Give less friction or yaw, another lateral position, or an approach in place of the force.");
 }
 
-ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOptions& options) {
-  const contact::Solution solution = contact::solve_coupled(problem, options);
+ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOptions& options,
+                                 contact::Prepared& kept) {
+  const contact::Solution solution = contact::solve_coupled(problem, options, kept);
   require_balance(problem, solution);
   ContactResult result;
   fill_fields(problem, solution, result);
@@ -106,17 +107,30 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
   return result;
 }
 
+/// What is prepared for the coarse companion; where it lasts only if it is for the same numbers.
+contact::Prepared& companion_of(contact::Prepared& kept, const ContactProblem& coarse, bool lasts) {
+  const contact::NumbersKey key = lasts ? contact::key_of(coarse) : contact::NumbersKey{};
+  if (!kept.companion || kept.companion->key != key) {
+    kept.companion = std::make_unique<contact::Prepared>();
+    kept.companion->key = key;
+  }
+  return *kept.companion;
+}
+
 } // namespace
 
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options) {
   validate(problem);
-  ContactResult result = solve_on_this_grid(problem, options);
+  contact::Prepared only_now;
+  contact::Prepared& kept = options.workspace ? options.workspace->of(problem) : only_now;
+  ContactResult result = solve_on_this_grid(problem, options, kept);
   if (!options.estimate_discretisation || !result.converged)
     return result;
   if (const auto coarse = contact::coarse_companion(problem, result))
     try {
+      contact::Prepared& companion = companion_of(kept, *coarse, options.workspace != nullptr);
       result.discretisation =
-          contact::compare(problem, result, *coarse, solve_on_this_grid(*coarse, options));
+          contact::compare(problem, result, *coarse, solve_on_this_grid(*coarse, options, companion));
       if (result.discretisation)
         result.certificate.discretisation = result.discretisation->worst();
     } catch (const InputError&) { // forces that larger elements cannot carry: there is no estimate

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/problem.hpp"
+#include "bem_contact/contact/workspace.hpp"
 
 namespace bem_contact {
 
@@ -21,6 +22,7 @@ struct SolverOptions {
   /// Where to start from instead of a coarse grid; a guess on another grid or without pressure is passed
   /// over.
   const StartingPoint* start = nullptr;
+  Workspace* workspace = nullptr; ///< what earlier solutions prepared; null: all is made for this one
 };
 
 /// Solves the normal problem or steady rolling. No contact: a result with zero force and no patches.

@@ -291,14 +291,15 @@ SceneResult solve_once(Stage& stage, const std::string& model, bool tangential) 
   const SolverOptions options{.tolerance = stage.scene->solver.tolerance,
                               .max_outer = stage.scene->solver.max_outer,
                               .estimate_discretisation = tangential,
-                              .start = start ? &*start : nullptr};
+                              .start = start ? &*start : nullptr,
+                              .workspace = stage.aids.workspace};
   if (!tangential) {
     ContactProblem normal = problem;
     normal.tangential = false;
     out.result = solve(normal, options);
   } else if (!problem.tangential || problem.motion == MotionKind::steady) {
     out.result = solve(problem, options);
-    out.displacements = displacements(problem, out.result);
+    out.displacements = displacements(problem, out.result, stage.aids.workspace);
   } else {
     const std::vector<MotionStep> steps = read_steps(*stage.scene);
     const auto prescribe = [&](int k, ContactProblem& p) {
@@ -308,7 +309,7 @@ SceneResult solve_once(Stage& stage, const std::string& model, bool tangential) 
     out.history = solve_history(problem, last + 1, prescribe, options);
     out.result = out.history.back();
     prescribe(last, problem);
-    out.displacements = displacements(problem, out.result);
+    out.displacements = displacements(problem, out.result, stage.aids.workspace);
     for (int k = 0; k < last; ++k)
       if (!out.history[k].converged)
         out.warnings.push_back(

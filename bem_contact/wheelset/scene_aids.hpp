@@ -49,6 +49,7 @@ struct SceneAids {
   const PairFiles* files = nullptr;       ///< of this scene
   NumbersStore* numbers = nullptr;
   const FormerTractions* start = nullptr;
+  Workspace* workspace = nullptr; ///< what solving made of the numbers of earlier cases
 };
 
 SceneResult solve_scene(const SceneFile& scene, const std::string& model, const SceneAids& aids);

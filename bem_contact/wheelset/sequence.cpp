@@ -83,7 +83,8 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
   asked_elements_ = asked.grid.elements;
   asked_accuracy_ = asked.grid.accuracy;
 
-  SceneAids aids{&placed, &read, options_.keep_numbers ? &numbers_ : nullptr, nullptr};
+  SceneAids aids{&placed, &read, options_.keep_numbers ? &numbers_ : nullptr, nullptr,
+                 options_.keep_numbers ? &workspace_ : nullptr};
   SceneFile scene = asked;
   // Half-space numbers serve any element; which model auto takes is not known yet.
   const std::string wanted = model.empty() ? asked.solver.model : model;

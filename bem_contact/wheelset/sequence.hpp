@@ -11,8 +11,9 @@ namespace bem_contact {
 
 /// What a sequence keeps of earlier cases. Each can be switched off; tools/ablation shows what each saves.
 struct SequenceOptions {
-  bool keep_files = true;   ///< profiles and influence files are read once
-  bool keep_numbers = true; ///< influence numbers of a grid met before are not computed again
+  bool keep_files = true; ///< profiles and influence files are read once
+  /// Influence numbers of a grid met before are not computed again, nor what solving made of them.
+  bool keep_numbers = true;
   /// A case starts from the former one's tractions, moved and scaled; from a coarse grid where the areas in
   /// which the bodies may touch are others (alike()).
   bool keep_start = true;
@@ -47,6 +48,7 @@ private:
   std::map<std::string, WheelRailProfiles> profiles_;
   std::map<std::string, PairFiles> files_;
   NumbersStore numbers_;
+  Workspace workspace_{3};
   std::optional<FormerTractions> former_;
   std::vector<PotentialArea> former_areas_;
   std::optional<ElementCount> count_;

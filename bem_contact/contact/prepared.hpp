@@ -1,0 +1,56 @@
+#pragma once
+
+#include "bem_contact/contact/friction.hpp"
+#include "bem_contact/contact/normal.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace bem_contact::contact {
+
+/// Which numbers and grid something was made for. Offsets beyond the grid's count as well.
+struct NumbersKey {
+  int mx = 0, ms = 0, offsets = 0, rows = 0;
+  bool translational = false;
+  double dx = 0, ds = 0;
+  std::uint64_t digest = 0; ///< of the bits of all values
+
+  bool operator==(const NumbersKey&) const = default;
+};
+NumbersKey key_of(const ContactProblem& problem);
+
+/// Everything that solving makes of the influence numbers of one grid, each part when it is first needed.
+struct Prepared {
+  NumbersKey key; ///< set where it outlives a problem
+  std::optional<StripOperator> nn, tt, normal_from_shear, shear_from_normal, all; ///< whole grid
+  std::optional<NormalBox> normal_box;
+  std::optional<StepBox> step_box;
+  std::optional<StepNumbers> step_numbers;
+  std::array<double, 3> step{}; ///< of step_numbers
+  std::optional<bool> coupled;  ///< normal and tangential, by the numbers
+
+  /// Elements twice as large, to start from (nested.cpp), made of the rows about `middle`.
+  struct Nested;
+  std::unique_ptr<Nested> nested;
+  std::unique_ptr<Prepared> companion; ///< elements twice as large, to estimate the discretisation
+
+  Prepared();
+  ~Prepared();
+};
+
+struct Prepared::Nested {
+  int middle = -1;
+  bool all = false; ///< not the normal components alone
+  InfluenceNumbers numbers;
+  Prepared prepared;
+};
+
+/// Whether a kept box serves where `needed` is: around it, and not much larger.
+inline bool serves(const Box& kept, const Box& needed) {
+  constexpr double much = 2.5;
+  return kept.contains(needed) && kept.size() <= much * needed.size() + 64;
+}
+
+} // namespace bem_contact::contact

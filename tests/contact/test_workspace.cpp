@@ -1,0 +1,190 @@
+#include "bem_contact/contact/prepared.hpp"
+#include "tests/contact/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+
+// Every allocation of the program, of Eigen and the standard library alike, passes here; FFTW's own buffers
+// do not. Sanitizers bring their own malloc.
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#define COUNTS_ALLOCATIONS 1
+namespace {
+std::atomic<long> allocations{0};
+}
+extern "C" void* __libc_malloc(std::size_t size);
+extern "C" void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+#endif
+
+namespace bem_contact {
+namespace {
+
+/// Rolling with unlike materials; the numbers of `bent` are full in s and couple by curvature as well.
+ContactProblem rolling(bool bent, double force, double creepage) {
+  const Material soft{40000, 0.2};
+  ContactProblem problem =
+      scenes::flat(scenes::steel, soft, 36, 32, 16.0 / 36, 12.0 / 32, 1 / 920.0, 1 / 600.0);
+  if (bent) {
+    scenes::bend(problem, 60);
+    scenes::rotate_numbers(problem);
+  }
+  scenes::set_creepage(problem, 0.3, creepage, 5e-4, 1e-4);
+  problem.force = force;
+  return problem;
+}
+
+void expect_same(const ContactResult& a, const ContactResult& b) {
+  ASSERT_TRUE(a.converged) << a.remark;
+  ASSERT_TRUE(b.converged) << b.remark;
+  const double pmax = *std::ranges::max_element(a.pn), share = 1e-6;
+  for (std::size_t i = 0; i < a.pn.size(); ++i) {
+    EXPECT_NEAR(a.pn[i], b.pn[i], share * pmax);
+    EXPECT_NEAR(a.px[i], b.px[i], share * pmax);
+    EXPECT_NEAR(a.ps[i], b.ps[i], share * pmax);
+  }
+  EXPECT_NEAR(a.approach, b.approach, share * a.approach);
+  ASSERT_EQ(a.discretisation.has_value(), b.discretisation.has_value());
+  if (a.discretisation) {
+    EXPECT_NEAR(a.discretisation->worst(), b.discretisation->worst(), 1e-6);
+  }
+}
+
+TEST(Workspace, ASequenceHasTheResultsOfItsCases) {
+  for (const bool bent : {false, true}) {
+    Workspace workspace;
+    int cases = 0;
+    for (const double force : {40000.0, 60000.0, 20000.0, 2000.0, 50000.0})
+      for (const double creepage : {1e-4, 5e-3}) {
+        const ContactProblem problem = rolling(bent, force, creepage);
+        expect_same(solve(problem), solve(problem, {.workspace = &workspace}));
+        ++cases;
+      }
+    EXPECT_EQ(workspace.prepared(), 1);
+    EXPECT_EQ(workspace.kept(), cases - 1);
+  }
+}
+
+/// Frictionless, shift and transient rolling take what they need from one workspace.
+TEST(Workspace, ServesEveryKindOfProblem) {
+  Workspace workspace;
+  ContactProblem problem = rolling(true, 40000, 1e-3);
+  for (int turn = 0; turn < 2; ++turn)
+    for (const MotionKind motion : {MotionKind::steady, MotionKind::transient, MotionKind::shift})
+      for (const bool tangential : {true, false}) {
+        problem.motion = motion;
+        problem.tangential = tangential;
+        const double length = motion == MotionKind::shift ? problem.grid.dx : 1.0;
+        ContactProblem moved = problem;
+        for (auto* slip : {&moved.slip_x, &moved.slip_s})
+          for (double& w : *slip)
+            w *= length;
+        expect_same(solve(moved), solve(moved, {.workspace = &workspace}));
+      }
+  EXPECT_EQ(workspace.prepared(), 1);
+}
+
+TEST(Workspace, OneOtherNumberIsNoticed) {
+  Workspace workspace(1);
+  ContactProblem problem = rolling(true, 40000, 1e-3);
+  solve(problem, {.workspace = &workspace});
+  const int middle = problem.grid.ms / 2;
+  problem.numbers.at(0, middle, component_n, middle, component_n) *= 1.01;
+  expect_same(solve(problem), solve(problem, {.workspace = &workspace}));
+  EXPECT_EQ(workspace.prepared(), 2);
+  EXPECT_EQ(workspace.kept(), 0);
+}
+
+TEST(Workspace, WarmStartNeedsFewerSteps) {
+  Workspace workspace;
+  const ContactResult first = solve(rolling(true, 40000, 1e-3), {.workspace = &workspace});
+  const ContactProblem next = rolling(true, 40400, 1.01e-3);
+  const StartingPoint start{first.px, first.ps, first.pn, first.approach};
+  const ContactResult cold = solve(next, {.workspace = &workspace});
+  const ContactResult warm = solve(next, {.start = &start, .workspace = &workspace});
+  expect_same(cold, warm);
+  EXPECT_LT(warm.tangential_iterations, cold.tangential_iterations);
+}
+
+#ifdef COUNTS_ALLOCATIONS
+template <class Work> long allocations_of(const Work& work) {
+  const long before = allocations;
+  work();
+  return allocations - before;
+}
+
+TEST(Workspace, TheCounterCounts) {
+  EXPECT_GE(allocations_of([] { Eigen::VectorXd::Zero(1000).eval(); }), 1);
+  EXPECT_GE(allocations_of([] { std::vector<double>(1000).swap(*std::make_unique<std::vector<double>>()); }),
+            1);
+}
+
+TEST(Workspace, ProductsAllocateNothing) {
+  for (const bool bent : {false, true}) {
+    const ContactProblem problem = rolling(bent, 40000, 1e-3);
+    contact::StepBox box(problem.numbers, {2, 3, 30, 24}, slip_step(problem));
+    std::ranges::fill(box.in, 1.0);
+    std::ranges::fill(box.fast_in, 1.0f);
+    std::ranges::fill(box.sticks, 1);
+    EXPECT_EQ(allocations_of([&] {
+                for (int k = 0; k < 3; ++k) {
+                  box.step();
+                  box.fast_step();
+                  box.invert();
+                  box.set_damping(1 + k, 1e5);
+                  box.invert_damped();
+                }
+              }),
+              0);
+  }
+}
+
+TEST(Workspace, MoreIterationsAllocateNoMore) {
+  const ContactProblem problem = rolling(true, 40000, 1e-3);
+  const int n = problem.grid.size();
+  // conjugate gradients
+  const contact::NormalSystem normal(problem.grid, problem.numbers, problem.rows, problem.element_area());
+  std::vector<int> list;
+  for (int i = 0; i < n; ++i)
+    if (std::abs(i % problem.grid.mx - 17.5) < 12 && std::abs(i / problem.grid.mx - 15.5) < 11)
+      list.push_back(i);
+  const Eigen::VectorXd rhs = Eigen::VectorXd::Ones(n);
+  Eigen::VectorXd y(n), u(n);
+  int products = 0;
+  const auto solve_to = [&](double target) {
+    y.setZero();
+    products = 0;
+    EXPECT_TRUE(conjugate_gradients(normal, list, rhs, target, y, u, products));
+    return products;
+  };
+  const int many = solve_to(1e-12), few = solve_to(1e-2);
+  EXPECT_GT(many, few + 5);
+  EXPECT_EQ(allocations_of([&] { solve_to(1e-2); }), allocations_of([&] { solve_to(1e-12); }));
+  // GMRES
+  contact::Gmres gmres;
+  contact::StepBox box(problem.numbers, {0, 0, problem.grid.mx, problem.grid.ms}, slip_step(problem));
+  const auto apply = [&](const Eigen::VectorXf& v, Eigen::VectorXf& out) {
+    std::copy_n(v.data(), 2 * n, box.fast_in.data());
+    box.fast_step();
+    out = v + 1e5f * Eigen::Map<const Eigen::VectorXf>(box.fast_out.data(), 2 * n);
+  };
+  const auto identity = [](const Eigen::VectorXf& v, Eigen::VectorXf& out) { out = v; };
+  const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(2 * n, -1, 2);
+  Eigen::VectorXd x(2 * n);
+  constexpr int most = 40;
+  const auto iterate = [&](double tolerance) { gmres.solve(apply, identity, right, tolerance, most, x); };
+  iterate(1e-5);
+  const int longest = gmres.products();
+  iterate(1e-1);
+  EXPECT_GT(longest, gmres.products() + 3);
+  EXPECT_EQ(allocations_of([&] { iterate(1e-1); }), 0);
+  EXPECT_EQ(allocations_of([&] { iterate(1e-5); }), 0);
+}
+#endif
+
+} // namespace
+} // namespace bem_contact
