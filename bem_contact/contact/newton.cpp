@@ -270,8 +270,7 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
     }
   }
   state.p = c.scatter(p);
-  c.step(p, slip);
-  state.slip = c.scatter(drive - slip);
+  state.slip = c.scatter(slip);
   if (!state.converged)
     state.remark += "Newton: no answer in " + std::to_string(steps) + " steps; ";
 }

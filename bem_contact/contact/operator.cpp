@@ -87,13 +87,13 @@ BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, in
   const int used = std::min(numbers.offsets, mx + rolling_columns + 1);
   // columns: frequencies
   Eigen::MatrixXd cosines(used, o.frequencies), sines(used, o.frequencies);
+  Eigen::ArrayXd angle = Eigen::ArrayXd::LinSpaced(o.length, 0, o.length - 1);
+  angle *= 2.0 * std::numbers::pi / o.length;
+  const Eigen::ArrayXd cosine = angle.cos(), sine = angle.sin();
   for (int k = 0; k < o.frequencies; ++k)
-    for (int m = 0; m < used; ++m) {
-      // the product is reduced first: large arguments would cost digits
-      const long reduced = (static_cast<long>(k) * m) % o.length;
-      const double angle = 2.0 * std::numbers::pi * static_cast<double>(reduced) / o.length;
-      cosines(m, k) = m == 0 ? 1.0 : 2.0 * std::cos(angle);
-      sines(m, k) = -2.0 * std::sin(angle);
+    for (int m = 0, turn = 0; m < used; ++m, turn = (turn + k) % o.length) {
+      cosines(m, k) = m == 0 ? 1.0 : 2.0 * cosine[turn];
+      sines(m, k) = -2.0 * sine[turn];
     }
   const std::size_t block = static_cast<std::size_t>(o.lines_out) * o.lines_in;
   o.spectrum.resize(block * o.frequencies);
