@@ -56,6 +56,8 @@ int run(const std::string& body_file, const std::string& output, bool solid, boo
                "warning: the smallest scaled Jacobian is {:.3f} (below {} near y = {:.3f}, z = {:.3f} mm) "
                "Lower [mesh] grading or move the strip's ends.\n",
                quality.smallest, meshes::poor_quality, quality.worst.y, quality.worst.z);
+  if (!mesh.note.empty())
+    fmt::print(stderr, "{}\n", mesh.note);
   if (solid)
     fmt::print("{}: {} hexahedra in {} layers, smallest scaled Jacobian {:.2f}, written to {}\n", mesh.name,
                whole->hexahedra.size(), whole->layers.size() - 1, quality.smallest, output);

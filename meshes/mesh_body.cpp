@@ -64,6 +64,7 @@ QuadMesh mesh_section(const BodyFile& body, double edge_angle) {
   QuadMesh mesh = split(coarse_mesh(outline), outline);
   smooth(mesh, sweeps);
   mesh.name = section.name;
+  mesh.note = section.note;
   mesh.body_digest = mesh_digest(body, body_profile(body).digest());
   mesh.section_area = area(section);
 

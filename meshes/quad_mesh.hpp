@@ -19,6 +19,7 @@ struct BoundaryEdge {
 struct QuadMesh {
   std::string name;           ///< of the body
   std::string body_digest;    ///< mesh_digest() of the body file; "" for none
+  std::string note;           ///< of the section
   double section_area = 0;    ///< of the true section, mm^2
   std::vector<Point2> points; ///< (y, z), mm
   std::vector<std::array<int, 4>> quads;

@@ -5,6 +5,7 @@
 #include "bem_contact/profile/rail_section.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "meshes/graft.hpp"
+#include "meshes/graft_fit.hpp"
 #include "meshes/wheel_section.hpp"
 
 #include <fmt/format.h>
@@ -91,7 +92,7 @@ Loop rail_loop(const std::string& name, const std::string& held) {
 
 /// What closes the profile of a rail or wheel.
 std::vector<Piece> below_profile(const BodyFile::Body& body, const ProfileCurve& profile,
-                                 const std::string& held) {
+                                 const std::string& held, std::string& note) {
   const bool rail = body.kind == "rail";
   const Point2 begin = profile.at(profile.s_begin()).position, end = profile.at(profile.s_end()).position;
   if (!is_standard_profile(body.profile)) {
@@ -102,7 +103,15 @@ std::vector<Piece> below_profile(const BodyFile::Body& body, const ProfileCurve&
       for (Piece& piece :
            wheel_body(standard.at(standard.s_end()).position, standard.at(standard.s_begin()).position, held))
         loop.push_back(std::move(piece));
-    return graft(profile, placed(loop, body.graft_at, body.graft_angle), base);
+    GraftPlace place{body.graft_at, body.graft_angle};
+    if (!body.graft_given && norm(place.at) == 0 && place.angle == 0) {
+      place = find_graft(profile, loop, base);
+      note = fmt::format(
+          "body of {} found at graft_at = [{:.3f}, {:.3f}], graft_angle = {:.5f}: {:.0f} % of the "
+          "profile lie on it",
+          base, place.at.y, place.at.z, place.angle, 100 * place.share);
+    }
+    return graft(profile, placed(loop, place.at, place.angle), base);
   }
   if (!rail)
     return wheel_body(end, begin, held);
@@ -131,14 +140,15 @@ std::vector<Loop> own_loops(const BodyFile::Body& body, const Running& running) 
   return loops;
 }
 
-std::vector<Loop> loops_of(const BodyFile::Body& body, const ProfileCurve& profile, const Running& running) {
+std::vector<Loop> loops_of(const BodyFile::Body& body, const ProfileCurve& profile, const Running& running,
+                           std::string& note) {
   const double a = body.size, r = body.radius;
   const std::string held = held_part(body);
   const auto group = [&](const char* part) { return held == part ? Group::held : Group::free; };
   if (body.kind == "outline")
     return own_loops(body, running);
   if (body.kind == "rail" || body.kind == "wheel")
-    return {close(running, below_profile(body, profile, held))};
+    return {close(running, below_profile(body, profile, held, note))};
   if (body.kind == "block")
     return {close(running, {line({a, 0}, {a, a}, group("sides")), line({a, a}, {-a, a}, group("base")),
                             line({-a, a}, {-a, 0}, group("sides"))})};
@@ -188,7 +198,9 @@ Section make_section(const BodyFile& file) {
                      "it would cut the block's outer boundary",
                      "Raise [body] size, best to 10 radii or more.");
   const ProfileCurve profile = body_profile(file);
-  return {body_name(file), loops_of(body, profile, cut_at_strip(profile, file.strip))};
+  Section section{body_name(file), {}, {}};
+  section.loops = loops_of(body, profile, cut_at_strip(profile, file.strip), section.note);
+  return section;
 }
 
 double area(const Section& section, int samples) {

@@ -41,6 +41,7 @@ using Loop = std::vector<Piece>;
 struct Section {
   std::string name;
   std::vector<Loop> loops;
+  std::string note = {}; ///< what the user should know of it: where a graft was found
 };
 
 /// The section of the body, its profile from body_profile. Throws InputError when the kind is unknown,

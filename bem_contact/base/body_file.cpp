@@ -78,15 +78,18 @@ Schema schema_of(BodyFile& f, double& young) {
         {.doc = "Of a profile file: the standard whose body carries it; empty: 60E1 or S1002",
          .kinds = {"rail", "wheel"}});
   s.add("body.graft_at", f.body.graft_at,
-        {.doc = "Where that standard's origin lies in the file's frame, (y, z)",
+        {.doc = "Where that standard's origin lies in the file's frame, (y, z); found where neither this nor "
+                "graft_angle is given",
          .unit = "mm",
-         .kinds = {"rail", "wheel"}});
+         .kinds = {"rail", "wheel"},
+         .given = &f.body.graft_given});
   s.add("body.graft_angle", f.body.graft_angle,
         {.doc = "How its body is turned there, from +y towards +z (a rail inclined by 1:40: -0.025)",
          .unit = "rad",
          .at_least = -0.5,
          .at_most = 0.5,
-         .kinds = {"rail", "wheel"}});
+         .kinds = {"rail", "wheel"},
+         .given = &f.body.graft_given});
   s.add("body.held", f.body.held,
         {.doc = "What is held: rail: foot or web, wheel: bore or rim, block: base or sides; empty: the first",
          .kinds = {"rail", "wheel", "block"}});
@@ -256,6 +259,8 @@ std::string mesh_digest(const BodyFile& file, std::uint64_t profile_digest) {
     all += fmt::format(" {} {} {} {}", piece.to.y, piece.to.z, piece.radius, piece.group);
   for (const auto& hole : body.holes)
     all += fmt::format(" {} {} {} {}", hole.centre.y, hole.centre.z, hole.radius, hole.group);
+  if (body.graft_given)
+    all += " grafted there";
   std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a
   for (const char c : all)
     hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;

@@ -37,9 +37,10 @@ struct BodyFile {
         {};                 ///< of a profile from a file: the standard whose body it gets; "": 60E1 or S1002
     Point2 graft_at = {};   ///< where the origin of that standard lies in the file's frame, mm
     double graft_angle = 0; ///< and how the body is turned there, from +y towards +z, rad
-    std::string held = {};  ///< rail: foot | web, wheel: bore | rim, block: base | sides; "": the first
-    double radius = 10;     ///< disc, bore: radius of the contact surface, mm
-    double size = 100;      ///< block, bore: half width and depth of the block, mm
+    bool graft_given = false;     ///< not a key: whether the file has one of the two; else they are found
+    std::string held = {};        ///< rail: foot | web, wheel: bore | rim, block: base | sides; "": the first
+    double radius = 10;           ///< disc, bore: radius of the contact surface, mm
+    double size = 100;            ///< block, bore: half width and depth of the block, mm
     std::string name = "outline"; ///< outline: name of the body and of its contact profile
     double reference_radius = 0;  ///< outline: 0: prismatic, else of revolution, r = reference_radius + z, mm
     std::vector<OutlinePiece> outline = {}; ///< walked with the material on the side of e_n (conventions.hpp)

@@ -2,6 +2,7 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "mesh_checks.hpp"
 #include "meshes/graft.hpp"
+#include "meshes/graft_fit.hpp"
 #include "meshes/mesh_body.hpp"
 #include "worn_profiles.hpp"
 
@@ -72,7 +73,8 @@ TEST_F(Graft, AnUnwornProfileGivesTheStandardBody) {
 
 TEST_F(Graft, AWornGaugeCornerLacksWhatWasTaken) {
   const Wear wear{.depth = 1.2};
-  const BodyFile body = worn("rail", "60E1", wear, {-45, -17, 0.25});
+  BodyFile body = worn("rail", "60E1", wear, {-45, -17, 0.25});
+  body.body.graft_given = true;                              // where it lies is known
   const double taken = 1.2 * 8 * std::sqrt(std::acos(-1.0)); // and less of it where the surface is convex
   EXPECT_NEAR(area_of(body), area_of(standard_body("rail", "60E1", {-45, -17, 0.25})) - taken, 0.08 * taken);
   const QuadMesh mesh = mesh_section(body);
@@ -134,10 +136,60 @@ TEST_F(Graft, AnInclinedMeasurementNeedsAnInclinedBody) {
   BodyFile body = worn("rail", "60E1", {.depth = 0.8, .angle = -0.025, .shift_z = 0.4}, {-45, -17, 0.25});
   body.body.graft_angle = -0.025;
   body.body.graft_at = {0, 0.4};
-  const BodyFile straight = worn("rail", "60E1", {.depth = 0.8}, {-45, -17, 0.25});
+  BodyFile straight = worn("rail", "60E1", {.depth = 0.8}, {-45, -17, 0.25});
+  straight.body.graft_given = true; // where it lies is known
   const double there = area_of(straight);
   write_worn(folder / "worn.txt", "60E1", {.depth = 0.8, .angle = -0.025, .shift_z = 0.4});
   EXPECT_NEAR(area_of(body), there, 1e-2);
+}
+
+/// Where the body of `base` is found on body's profile.
+GraftPlace found(const BodyFile& body, const char* base) {
+  const ProfileCurve curve = standard_profile(base);
+  Loop loop{along(curve, curve.s_begin(), curve.s_end())};
+  loop.push_back(line(loop.front().end(), loop.front().begin() + Point2{0, 100}));
+  return find_graft(body_profile(body), loop, base);
+}
+
+TEST_F(Graft, TheBodyIsFoundOnTheUnwornPart) {
+  for (const double angle : {0.0, 0.025, -0.05})
+    for (const double depth : {0.0, 1.5, 4.0}) {
+      const Wear wear{.depth = depth, .angle = angle, .shift_z = -6};
+      const GraftPlace rail = found(worn("rail", "60E1", wear, {-45, -17, 0.25}), "60E1");
+      EXPECT_NEAR(rail.angle, angle, 1e-4) << depth;
+      EXPECT_LT(norm(rail.at - Point2{0, -6}), 0.005) << depth; // noise of 3 um, wear that ends slowly
+      EXPECT_GT(rail.share, 0.6);
+      const Wear flange{.middle = 44, .depth = depth, .angle = angle, .shift_z = 3};
+      const GraftPlace wheel = found(worn("wheel", "S1002", flange, {25, 50, 0.25}), "S1002");
+      EXPECT_NEAR(wheel.angle, angle, 1e-4) << depth;
+      EXPECT_LT(norm(wheel.at - Point2{0, 3}), 0.005) << depth;
+    }
+}
+
+TEST_F(Graft, AFoundPlaceIsSaidAndOneThatIsGivenStays) {
+  BodyFile body = worn("rail", "60E1", {.depth = 0.8, .angle = -0.025, .shift_z = 4}, {-45, -17, 0.25});
+  const Section automatic = make_section(body);
+  EXPECT_THAT(automatic.note, AllOf(HasSubstr("body of 60E1 found at graft_at ="), HasSubstr("% of the")));
+  body.body.graft_at = {0, 4};
+  body.body.graft_angle = -0.025;
+  const Section given = make_section(body);
+  EXPECT_EQ(given.note, "");
+  EXPECT_NEAR(area(automatic), area(given), 0.2);
+  body.body.graft_at = {};
+  body.body.graft_angle = 0;
+  body.body.graft_given = true; // the keys are there, and zero
+  EXPECT_THAT(refusal(body), HasSubstr("does not fit the body of 60E1"));
+}
+
+TEST_F(Graft, APlaceThatCannotBeToldIsRefused) {
+  // The top alone, 24 mm of two arcs that meet smoothly: it slides.
+  EXPECT_THAT(
+      refusal(worn("rail", "60E1", {.depth = 0, .noise = 0, .cut_begin = 55, .cut_end = 55}, {-5, 5, 0.25})),
+      AllOf(HasSubstr("no place for the body of 60E1 can be found"), HasSubstr("slides"),
+            HasSubstr("graft_at and graft_angle")));
+  // Everything is worn.
+  EXPECT_THAT(refusal(worn("rail", "60E1", {.middle = 0, .width = 25, .depth = 15}, {-45, -17, 0.25})),
+              HasSubstr("% of it lie within 0.1 mm"));
 }
 
 TEST_F(Graft, AMissingProfileIsNamed) {
@@ -159,11 +211,16 @@ TEST_F(Graft, PublishedSampleFilesFit) {
   EXPECT_GE(quality(mesh_section(wheel)).smallest, poor_quality);
   BodyFile rail = standard_body("rail", "60E1", {-45, -17, 0.25});
   rail.body.profile = sample("MBench_UIC60_v3.ban").string();
+  rail.strip = {-40, -12, 0.25};
+  const GraftPlace place = found(rail, "60E1");
+  EXPECT_NEAR(place.angle, -std::atan(1 / 40.0), 2e-3);
+  EXPECT_GE(quality(mesh_section(rail)).smallest, poor_quality);
+  rail.body.graft_given = true;
   EXPECT_THAT(refusal(rail), HasSubstr("a measured rail is often inclined"));
   rail.body.graft_angle = -std::atan(1 / 40.0);
   rail.body.graft_at =
       -7.4917 * tangent_of(rail.body.graft_angle) - 0.0937 * normal_of(rail.body.graft_angle);
-  rail.strip = {-40, -12, 0.25};
+  EXPECT_LT(norm(place.at - rail.body.graft_at), 0.2);
   EXPECT_GE(quality(mesh_section(rail)).smallest, poor_quality);
 }
 
