@@ -229,14 +229,14 @@ GraftPlace find_graft(const ProfileCurve& measured, const Loop& base, const std:
                      fmt::format("at most {:.0f} % of it lie within {} mm of that body's outline",
                                  found.empty() ? 0 : 100 * found.front().share, on_it),
                      advice);
-  if (found.size() > 1 && found[1].share > rival * found[0].share)
-    throw InputError(problem, fmt::format("two are as good: {}; {}", words(found[0]), words(found[1])),
-                     advice);
   if (const double stiffness = fit_of(found.front(), many, fine).stiffness; stiffness < least_stiffness)
     throw InputError(problem,
                      fmt::format("its unworn part is an arc or a straight line, along which the body slides "
                                  "(stiffness {:.4f} where {} is needed)",
                                  stiffness, least_stiffness),
+                     advice);
+  if (found.size() > 1 && found[1].share > rival * found[0].share)
+    throw InputError(problem, fmt::format("two are as good: {}; {}", words(found[0]), words(found[1])),
                      advice);
   return found.front();
 }
