@@ -51,7 +51,8 @@ void read_mesh(dealii::Triangulation<2>& mesh, const std::filesystem::path& path
     reader.read_msh(in);
   } catch (const std::exception& error) {
     throw InputError("The mesh '" + file + "' is not a gmsh mesh of quadrilaterals in the plane",
-                     "deal.II refuses it: " + short_reason(error), "make it with mesh_body");
+                     "deal.II refuses it: " + short_reason(error),
+                     "make it with mesh_body, and give --solid with a 3-D mesh");
   }
   if (mesh.n_active_cells() == 0 || !mesh.all_reference_cells_are_hyper_cube())
     throw InputError("The mesh '" + file + "' has cells that are not quadrilaterals",
