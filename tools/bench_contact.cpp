@@ -163,6 +163,8 @@ void solve_scene(benchmark::State& state, const ContactProblem& problem, Kept ke
     start = {known.px, known.ps, known.pn, known.approach};
     options.start = &start;
   }
+  if (kept != Kept::nothing)
+    contact::solve_coupled(problem, options, workspace.of(problem));
   contact::Solution solution;
   for (auto _ : state) {
     contact::Prepared only_now;
