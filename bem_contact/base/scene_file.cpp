@@ -71,6 +71,9 @@ void check_patch(const SceneFile& f, const Schema& s) {
     s.refuse("gap.table", "quadratic coefficients are given too", "Give either the table or a, b and c.");
   if (!f.strip.inclination.empty() && f.strip.radius != 0)
     s.refuse("strip.inclination", "strip.radius is given too", "Give either the table or the radius.");
+  if (f.strip.upper_radius != 0 && f.strip.radius == 0)
+    s.refuse("strip.upper_radius", "it makes a gap between two circles, and strip.radius is not given",
+             "On a flat strip give the gap: gap.b = 1/2 over the radius.");
 }
 
 void check_wheel_rail(const SceneFile& f, const Schema& s) {

@@ -200,7 +200,9 @@ void add_patch(Schema& s, SceneFile::Gap& gap, SceneFile::Strip& strip) {
          .unit = "mm",
          .kinds = patch});
   s.add("strip.upper_radius", strip.upper_radius,
-        {.doc = "Radius of the upper surface along s, for the gap and its stations; 0 flat",
+        {.doc =
+             "Radius of the upper surface along s: with strip.radius the distance of two circles is added to "
+             "the gap; 0: the gap is that of [gap] alone",
          .unit = "mm",
          .kinds = patch});
   s.add("strip.rail_s0", strip.rail_s0,

@@ -277,7 +277,10 @@ struct SchemaReader {
     } else {
       if (!node.is_string())
         wrong_type();
-      *std::get<std::string*>(key.target) = *node.value<std::string>();
+      std::string text = *node.value<std::string>();
+      if (text.find('\0') != std::string::npos)
+        schema.refuse(key.path, "its text holds the character NUL", "Take it out.");
+      *std::get<std::string*>(key.target) = std::move(text);
     }
     schema.check(key);
     if (key.rule.given)

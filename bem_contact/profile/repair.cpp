@@ -164,6 +164,38 @@ void mend_loops(std::vector<Point2>& points, const std::string& source) {
     }
 }
 
+/// Missing points and jumps are not mended, but said: the curve goes through the points that there are.
+void report_holes(const std::vector<Point2>& p, const std::string& source) {
+  constexpr double usual = 10, least = 2, turn = 2; // times the median distance; mm; degrees
+  constexpr double steep = 45;                      // degrees, there and back
+  std::vector<double> length;
+  for (std::size_t i = 1; i < p.size(); ++i)
+    length.push_back(norm(p[i] - p[i - 1]));
+  std::vector<double> sorted = length;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                   sorted.end());
+  const double median = sorted[sorted.size() / 2];
+  const auto direction = [&](std::size_t i) { return std::atan2(p[i + 1].z - p[i].z, p[i + 1].y - p[i].y); };
+  const auto degrees = [&](std::size_t from, std::size_t to) {
+    return std::remainder(direction(to) - direction(from), 2 * std::numbers::pi) * 180 / std::numbers::pi;
+  };
+  std::size_t jumps = 0, first = 0;
+  for (std::size_t i = 1; i + 2 < p.size(); ++i) {
+    const double turned = std::abs(degrees(i - 1, i + 1));
+    if (length[i] > std::max(usual * median, least) && turned > turn)
+      spdlog::warn(
+          "{}: no points for {:.3g} mm from y = {:.4g} to y = {:.4g}, over which the profile turns by "
+          "{:.2g} degrees: its shape there is a guess",
+          source, length[i], p[i].y, p[i + 1].y, turned);
+    const double into = degrees(i - 1, i), out = degrees(i, i + 1);
+    if (into * out < 0 && std::min(std::abs(into), std::abs(out)) > steep && ++jumps == 1)
+      first = i;
+  }
+  if (jumps > 0)
+    spdlog::warn("{}: the profile jumps {} times, first by {:.2g} mm at y = {:.4g}", source, jumps,
+                 length[first], p[first].y);
+}
+
 void flip_z(std::vector<Point2>& points, const std::string& source) {
   spdlog::warn("{}: z points up: its sign is changed", source);
   for (Point2& p : points)
@@ -226,6 +258,7 @@ std::vector<Point2> repaired(std::vector<Point2> points, const std::string& sour
   if ((points.front().y < points.back().y) != rail)
     std::reverse(points.begin(), points.end());
   mend_loops(points, source);
+  report_holes(points, source);
   return points;
 }
 

@@ -59,6 +59,14 @@ WheelOnRail place(const SceneFile::Position& position, TabulatedProfile rail, Ta
       std::move(rail),       std::move(wheel),    {{0, 0}, -position.cant}, {{0, 0}, side * position.roll},
       position.wheel_radius, side * position.yaw, side * position.lateral};
 
+  for (const TabulatedProfile::Node& node : pair.wheel.nodes())
+    if (!(position.wheel_radius + node.position.z > 0))
+      throw InputError(
+          fmt::format("The wheel '{}' reaches beyond its axle", pair.wheel.name()),
+          fmt::format("its radius at y = {:.4g} mm would be {:.4g} mm: position.wheel_radius is {:g} mm",
+                      node.position.y, position.wheel_radius + node.position.z, position.wheel_radius),
+          "Give the nominal radius, at the tape circle, in mm.");
+
   const auto nodes = pair.rail.nodes();
   const auto at = [&](int k, double t) { return pair.rail_pose.to_track(pair.rail.between(k, t).position); };
   std::vector<Point2> head;

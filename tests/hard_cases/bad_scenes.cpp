@@ -1,4 +1,6 @@
+#include "bem_contact/profile/standard_profiles.hpp"
 #include "tests/hard_cases/scene_outcome.hpp"
+#include "tests/profile/warnings.hpp"
 
 #include <fstream>
 #include <map>
@@ -87,7 +89,18 @@ const Case cases[] = {
      "too long for its radius"},
     {"negative_radii", patch({{"strip.radius", "-10"}, {"strip.upper_radius", "-10"}}), ""},
     {"yaw_of_the_strip_beyond_a_quarter_turn", patch({{"strip.radius", "1"}}), "too long for its radius"},
-    {"wheel_radius_1e-9", wheel_rail({{"position.wheel_radius", "1e-9"}}), ""},
+    {"wheel_radius_1e-9", wheel_rail({{"position.wheel_radius", "1e-9"}}), "reaches beyond its axle"},
+    {"wheel_radius_in_metres", wheel_rail({{"position.wheel_radius", "0.46"}}), "reaches beyond its axle"},
+    {"yaw_of_90_degrees", wheel_rail({{"position.yaw", "1.5708"}}), "out of range"},
+    {"bodies_that_overlap_by_5_mm", wheel_rail({{"load.force", ""}, {"position.vertical", "5.0"}}),
+     "far beyond elastic contact"},
+    {"bodies_that_overlap_by_a_tenth", wheel_rail({{"load.force", ""}, {"position.vertical", "0.1"}}),
+     "certified"},
+    {"flange_back_outside_the_rails", wheel_rail({{"position.back_to_back", "1600"}}), "the gauge is only"},
+    {"flange_inside_the_rail", wheel_rail({{"position.lateral", "9.0"}}), "certified"},
+    {"wheel_beside_its_tread", wheel_rail({{"position.lateral", "-70.0"}}), "touches the rail at the end"},
+    {"upper_radius_on_a_flat_strip", patch({{"strip.upper_radius", "300"}}), "strip.radius is not given"},
+    {"a_file_name_of_NUL", patch({{"gap.table", "\"\\u0000\""}}), "holds the character NUL"},
     {"wheel_radius_1e300", wheel_rail({{"position.wheel_radius", "1e300"}}), "("},
     {"wheel_beside_the_rail", wheel_rail({{"position.lateral", "1e300"}}), "never meets the rail"},
     {"wheel_at_the_end_of_its_profile", wheel_rail({{"position.roll", "0.1"}}),
@@ -147,6 +160,24 @@ TEST_F(BadTables, OfGaps) {
   EXPECT_THAT(with_table("gap.table", ""), testing::HasSubstr("is empty"));
   EXPECT_EQ(with_table("gap.table", sound + "2,1,1e300\n"), "certified") << "a wall that is never reached";
   EXPECT_THAT(with_table("gap.table", sound + "2,1,-1e300\n"), testing::HasSubstr("not converged"));
+}
+
+/// A rail's profile with points missing: said, and solved where the curve through the others is the same.
+TEST_F(BadTables, ProfilesWithHoles) {
+  const auto with_hole = [&](double from, double to) {
+    std::ofstream file(folder / "rail.txt");
+    const ProfileCurve curve = standard_profile("60E1");
+    for (double s = curve.s_begin(); s <= curve.s_end(); s += 0.2)
+      if (const Point2 p = curve.at(s).position; p.y < from || p.y > to)
+        file << p.y << ' ' << p.z << '\n';
+    file.close();
+    const Warnings warnings;
+    EXPECT_EQ(hard::outcome(wheel_rail({{"rail.profile", "\"rail.txt\""}}), folder), "certified");
+    return warnings.text();
+  };
+  EXPECT_EQ(with_hole(0, 0), "");
+  EXPECT_EQ(with_hole(-2, 2), "") << "on the top, of radius 300 mm, nothing is lost";
+  EXPECT_THAT(with_hole(-34, -20), testing::HasSubstr("its shape there is a guess"));
 }
 
 TEST_F(BadTables, OfInclinationsAndSlip) {

@@ -70,6 +70,28 @@ TEST(PlainProfile, reads_what_it_should_without_a_word) {
   EXPECT_THAT(warnings.text(), IsEmpty());
 }
 
+/// What is missing cannot be known; that it is missing can.
+TEST(PlainProfile, holes_and_jumps_are_said) {
+  const auto said = [](const Points& points) {
+    const Warnings warnings;
+    parse_profile(columns(points), "p", ProfileKind::rail);
+    return warnings.text();
+  };
+  const Points whole = sampled("60E1", 0.2);
+  const auto without = [&](double from, double to) {
+    Points points = whole;
+    std::erase_if(points, [&](Point2 p) { return p.y > from && p.y < to; });
+    return points;
+  };
+  EXPECT_THAT(said(without(-34, -20)), AllOf(HasSubstr("no points for 15"), HasSubstr("turns by 5")));
+  EXPECT_THAT(said(without(-4, 4)), IsEmpty()) << "on the radius of 300 mm a chord is as good";
+  EXPECT_THAT(said(without(-4, -3)), IsEmpty());
+  Points jump = whole;
+  for (Point2& p : jump)
+    p.z += p.y > -12 ? 0.5 : 0;
+  EXPECT_THAT(said(jump), HasSubstr("jumps 1 times, first by 0.5"));
+}
+
 TEST(PlainProfile, comments_names_separators_and_line_ends) {
   const Warnings warnings;
   const std::string text =
