@@ -1,6 +1,7 @@
 #include "bem_contact/wheelset/scene.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/progress.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/wheelset/hertz_model.hpp"
 #include "bem_contact/wheelset/motion.hpp"
@@ -23,6 +24,7 @@ constexpr int most_growths = 6;
 constexpr double poor_discretisation = 0.2; // relative error that deserves a warning
 constexpr int few_elements = 40;            // in contact
 constexpr double largest_memory = 8.0;      // GB
+constexpr std::size_t many_steps = 1000;    // from here on progress is said
 constexpr double radius_tolerance = 0.01;   // of the wheel radius that an influence file was made for
 
 class Stopwatch {
@@ -69,6 +71,17 @@ void require_memory(const ContactGrid& grid) {
                      fmt::format("its influence numbers need about {:.0f} GB, {:g} GB are allowed", gigabytes,
                                  largest_memory),
                      "Use larger elements or fewer of them, above all along s.");
+}
+
+/// The fields of every step are kept: tractions, slip, distance, states.
+void require_memory(const ContactGrid& grid, std::size_t steps) {
+  const double gigabytes = 1e-9 * (6 * sizeof(double) + 1) * double(grid.size()) * double(steps);
+  if (gigabytes > largest_memory)
+    throw InputError(
+        fmt::format("A history of {} steps on {} x {} elements is too large", steps, grid.mx, grid.ms),
+        fmt::format("the fields of all steps need about {:.0f} GB, {:g} GB are allowed", gigabytes,
+                    largest_memory),
+        "Take fewer steps (rolling is steady after about two lengths of contact), or elements.");
 }
 
 Stage prepare(const SceneFile& scene, bool needs_strips, const SceneAids& aids = {}) {
@@ -302,12 +315,21 @@ SceneResult solve_once(Stage& stage, const std::string& model, bool tangential) 
     out.displacements = displacements(problem, out.result, stage.aids.workspace);
   } else {
     const std::vector<MotionStep> steps = read_steps(*stage.scene);
+    require_memory(problem.grid, steps.size());
+    std::optional<Progress> progress;
+    if (steps.size() >= many_steps)
+      progress.emplace("steps", steps.size());
     const auto prescribe = [&](int k, ContactProblem& p) {
+      if (progress && k > 0)
+        progress->step();
       prescribe_step(p, *stage.scene, stage.wheel_rail ? &*stage.wheel_rail : nullptr, steps[k]);
     };
     const int last = static_cast<int>(steps.size()) - 1;
     out.history = solve_history(problem, last + 1, prescribe, options);
+    if (progress)
+      progress->finish();
     out.result = out.history.back();
+    progress.reset();
     prescribe(last, problem);
     out.displacements = displacements(problem, out.result, stage.aids.workspace);
     for (int k = 0; k < last; ++k)

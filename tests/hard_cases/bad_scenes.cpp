@@ -119,6 +119,12 @@ const Case cases[] = {
     {"no_iterations", patch({{"solver.max_outer", "0"}}), "out of range"},
     {"unreachable_tolerance", patch({{"solver.tolerance", "1e-300"}}), "out of range"},
     {"hardest_tolerance", patch({{"solver.tolerance", "1e-13"}}), "certified"},
+    {"history_beyond_memory",
+     patch({{"motion.kind", "\"transient\""},
+            {"motion.steps", "100000"},
+            {"grid.mx", "50"},
+            {"grid.ms", "50"}}),
+     "the fields of all steps need about 12 GB"},
     {"text_for_a_number", patch({{"load.force", "\"much\""}}), "must be of type"},
     {"a_misspelt_key", patch({{"motion.frction", "0.3"}}), "motion.friction"},
 };
