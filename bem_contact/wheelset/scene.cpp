@@ -326,8 +326,10 @@ SceneResult solve_once(Stage& stage, const std::string& model, bool tangential) 
     };
     const int last = static_cast<int>(steps.size()) - 1;
     out.history = solve_history(problem, last + 1, prescribe, options);
-    if (progress)
+    if (progress) {
+      progress->step();
       progress->finish();
+    }
     out.result = out.history.back();
     progress.reset();
     prescribe(last, problem);

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace {
 
 using namespace bem_contact;
@@ -75,9 +77,16 @@ TEST_F(CommandLine, ShippedScenesGiveTheirClosedForms) {
   EXPECT_NEAR(creepage(solved("cattaneo")), 0.0081724, 0.005 * 0.0081724);
   EXPECT_NEAR(creepage(solved("cattaneo_to_carter")), 2.4e-4, 0.01 * 2.4e-4);
   const json unlike = solved("unlike_materials");
-  EXPECT_NEAR(creepage(unlike), 5.259e-4, 0.02 * 5.259e-4);
+  EXPECT_NEAR(creepage(unlike), 5.263e-4, 0.003 * 5.263e-4);
   EXPECT_GT(unlike["solvers"]["outer_rate"].get<double>(), 0);
   EXPECT_LT(unlike["solvers"]["outer_rate"].get<double>(), 0.1);
+  const json spin = solved("pure_spin");
+  EXPECT_NEAR(spin["totals"]["Fz"].get<double>(), 8200, 0.005 * 8200);
+  EXPECT_NEAR(spin["totals"]["Mz"].get<double>(), 4347, 0.005 * 4347);
+  const auto shear = solved("stresses")["stresses"]["largest_shear"].get<std::vector<double>>();
+  const auto largest = std::ranges::max_element(shear);
+  EXPECT_NEAR(*largest, 313.1, 0.005 * 313.1);
+  EXPECT_EQ(largest - shear.begin(), 4) << "in the depth of .33 mm";
   const json still = solved("rolling_over_a_grid");
   EXPECT_EQ(still["history"].size(), 33u);
   EXPECT_GT(still["history"][32]["Fx"].get<double>(), 2 * still["history"][4]["Fx"].get<double>());
