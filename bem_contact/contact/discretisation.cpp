@@ -183,6 +183,25 @@ std::optional<ContactProblem> coarse_companion(const ContactProblem& problem, co
     return out;
   };
   coarse.gap = at_centres(problem.gap);
+  // Elements without an opposite surface have a distance far beyond the others', beside which a cubic would
+  // dig a hole: there it is linear.
+  double far = std::abs(result.approach);
+  for (int i = 0; i < grid.size(); ++i)
+    if (result.pn[i] > 0)
+      far = std::max(far, std::abs(problem.gap[i]));
+  for (int is = 0; is < s.count; ++is)
+    for (int ix = 0; ix < x.count; ++ix) {
+      double largest = 0, mean = 0;
+      for (const Weight& row : centre_weights(s, is, grid.ms))
+        for (const Weight& column : centre_weights(x, ix, grid.mx))
+          largest = std::max(largest, problem.gap[row.index * grid.mx + column.index]);
+      if (largest <= 10 * far)
+        continue;
+      for (int c = 0; c < s.factor; ++c)
+        for (int d = 0; d < x.factor; ++d)
+          mean += problem.gap[(s.first + s.factor * is + c) * grid.mx + x.first + x.factor * ix + d];
+      coarse.gap[is * x.count + ix] = mean / (s.factor * x.factor);
+    }
   if (problem.has_friction()) {
     coarse.slip_x = at_centres(problem.slip_x);
     coarse.slip_s = at_centres(problem.slip_s);

@@ -346,5 +346,30 @@ TEST(Rolling, TheChainFallsThroughAndSaysSo) {
   }
 }
 
+/// Rows and columns just beyond the contact that have no opposite surface (their distance is a mark) change
+/// nothing, nor what is estimated of the discretisation.
+TEST(Discretisation, DoesNotMindElementsWithoutOppositeSurface) {
+  ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, 40, 40, 0.3, 0.3, 1e-3, 1.5e-3);
+  scenes::set_creepage(problem, 0.3, 1e-3, 5e-4, 1e-4);
+  problem.force = 15000;
+  const ContactResult all = solve(problem);
+  ASSERT_TRUE(all.converged && all.discretisation);
+  int first = problem.grid.ms, last_column = 0;
+  for (int i = 0; i < problem.grid.size(); ++i)
+    if (all.pn[i] > 0) {
+      first = std::min(first, i / problem.grid.mx);
+      last_column = std::max(last_column, i % problem.grid.mx);
+    }
+  ASSERT_GT(first, 2);
+  for (int i = 0; i < problem.grid.size(); ++i)
+    if (i / problem.grid.mx < first - 2 || i % problem.grid.mx > last_column + 2)
+      problem.gap[i] = 100;
+  const ContactResult some = solve(problem);
+  ASSERT_TRUE(some.converged && some.discretisation);
+  EXPECT_NEAR(some.Fx, all.Fx, 1e-6 * problem.force);
+  EXPECT_EQ(some.discretisation->contact, all.discretisation->contact);
+  EXPECT_NEAR(some.discretisation->worst(), all.discretisation->worst(), 0.05 * all.discretisation->worst());
+}
+
 } // namespace
 } // namespace bem_contact
