@@ -18,7 +18,7 @@ public:
   static constexpr double most = 30;
 
 private:
-  double force_, last_ = 0, last_borne_ = 0;
+  double force_, last_ = 0, last_borne_ = 0, slope_ = 1;
   double low_ = 0, high_ = 0; ///< too little is borne, and enough; high_ 0: not known
   double step_ = 0, step_before_ = 0;
 };

@@ -42,6 +42,17 @@ TEST(ForceBalance, ASumThatIsNotMonotoneOrHasCornersIsFound) {
   EXPECT_GT(looks(1000, 1000, [](double n) { return n < 1500 ? -0.5 * n : -750 + 2 * (n - 1500); }), 0);
 }
 
+/// Where the first sums are off by more than what is asked for in the end, their brackets are as well.
+TEST(ForceBalance, EarlySumsNeedNotBePrecise) {
+  for (const double error : {-3e-5, 3e-5}) {
+    int look = 0;
+    EXPECT_GT(looks(1000, 1000,
+                    [&](double n) { return 0.06 * n * (1 + (++look < 12 ? error : 0)) + 1e-9 * n * n; }),
+              0)
+        << error;
+  }
+}
+
 TEST(ForceBalance, LooksNoFurtherThanTheMost) {
   contact::ForceBalance balance(1000);
   double pressed = 1000;
