@@ -175,7 +175,8 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
   solution.shear.solver = "none";
   solution.shear.converged = true;
   if (!options.start || !set_start(*options.start, problem, solution))
-    start_from_coarse(problem, options, kept, solution);
+    if (options.coarse_start)
+      start_from_coarse(problem, options, kept, solution);
 
   VectorXd sine(n);
   for (int i = 0; i < n; ++i)

@@ -19,6 +19,7 @@ struct SolverOptions {
   int max_sweeps = 1000;    ///< where Newton fails
   bool only_newton = false; ///< nothing else where Newton fails
   bool estimate_discretisation = true;
+  bool coarse_start = true; ///< without a start of its own a large problem starts from larger elements
   /// Where to start from instead of a coarse grid; a guess on another grid or without pressure is passed
   /// over.
   const StartingPoint* start = nullptr;

@@ -10,7 +10,6 @@ namespace {
 constexpr double order = 0.65;  // of the error in the number of elements
 constexpr double reserve = 1.1; // elements beyond what the accuracy is predicted to need
 constexpr int first_guess = 200;
-constexpr int memory = 40000; // elements: what a workstation solves in seconds
 
 /// Rounded in the logarithm; `down`: not larger.
 double on_ladder(double length, bool down) {
@@ -20,7 +19,7 @@ double on_ladder(double length, bool down) {
 
 } // namespace
 
-ElementCount::ElementCount(int elements, double accuracy)
+ElementCount::ElementCount(int elements, double accuracy, int limit)
     : accuracy_(accuracy), usual_(elements > 0 ? elements : first_guess), wanted_(usual_) {
   // The median contact has an error of .3 % with 200 elements; one in a hundred needs seven times as many as
   // the median for 2 %.
@@ -28,9 +27,9 @@ ElementCount::ElementCount(int elements, double accuracy)
     return first_guess * (accuracy > 0 ? std::pow(error / accuracy, 1 / order) : 1.0);
   };
   const double needed = elements_for(0.003);
-  most_ = static_cast<int>(std::clamp(7 * elements_for(0.02), 7.0 * first_guess, double(memory)));
+  most_ = static_cast<int>(std::clamp(7 * elements_for(0.02), 7.0 * first_guess, double(limit)));
   if (elements == 0)
-    usual_ = wanted_ = static_cast<int>(std::clamp(needed, double(first_guess), double(memory)));
+    usual_ = wanted_ = static_cast<int>(std::clamp(needed, double(first_guess), double(limit)));
 }
 
 void ElementCount::forget() {
@@ -62,7 +61,9 @@ std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int 
   const double aspect = std::clamp(extent.along_x / extent.along_s, 0.4, 2.5);
   // One is rounded to the nearest, the other such that there are not fewer elements than asked for.
   const double dx = std::max(shortest, on_ladder(std::sqrt(element * aspect), false));
-  return {dx, on_ladder(element / dx, true)};
+  // Where dx may not follow, ever narrower rows would cost much and say little.
+  const double narrowest = dx == shortest ? shortest / 4 : 0;
+  return {dx, std::max(narrowest, on_ladder(element / dx, true))};
 }
 
 } // namespace bem_contact

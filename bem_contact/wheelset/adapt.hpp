@@ -12,8 +12,8 @@ namespace bem_contact {
 /// with N elements e ~ N^-0.65 lies between. A conformal case, whose error is larger, gets more on its own.
 class ElementCount {
 public:
-  /// `accuracy`: discretisation error wanted; 0: `elements` whatever the error.
-  ElementCount(int elements, double accuracy);
+  /// `accuracy`: discretisation error wanted; 0: `elements` whatever the error. `limit`: never more.
+  ElementCount(int elements, double accuracy, int limit = 12000);
 
   int wanted() const { return wanted_; }
   /// No more than this is tried: what 99 of 100 contacts need for this accuracy is less.
@@ -33,8 +33,8 @@ private:
 };
 
 /// Elements of a size that `elements` of them cover an area like the estimate's, `area_ratio` times as large,
-/// about as many along x as along s: dx, not below `shortest`, and ds, mm. Powers of 2^(1/4) else, so that
-/// numbers serve several cases.
+/// about as many along x as along s: dx, not below `shortest`, and ds, not below a quarter of it, mm. Powers
+/// of 2^(1/4) else, so that numbers serve several cases.
 std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio,
                                            double shortest = 0);
 

@@ -201,7 +201,7 @@ std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, doub
 }
 
 std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate) {
-  return potential_areas(estimate, widest_share * std::max(estimate.approach, 1e-4));
+  return potential_areas(estimate, estimate.reach * std::max(estimate.approach, 1e-4));
 }
 
 GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin) {

@@ -27,6 +27,8 @@ struct ContactEstimate {
   std::vector<Slice> slices; ///< the whole head, equally spaced; excluded_gap where it is 3 mm or more
   double approach = 0;       ///< mm
   double force = 0;          ///< vertical, N
+  double reach = 0.9;        ///< of the approach: where h is below, the bodies may touch (the estimate's own
+                             ///< contact needs 0.55)
   double turn = 0;           ///< turn of the normal within the largest area of contact, rad
   bool touching = false;     ///< else there is no centre
   double s = 0, x = 0;       ///< the centre: arc length on the rail and along x, mm
@@ -46,12 +48,9 @@ void estimate_with_shear(ContactEstimate& estimate, const Material& rail, const 
 struct PotentialArea {
   double s_from = 0, s_to = 0, x_from = 0, x_to = 0; ///< mm
 };
-/// Of the estimated approach: where the bodies may touch. The estimate's own contact needs 0.55.
-inline constexpr double widest_share = 0.9;
-
 /// All of them, h < q cos(delta), along s.
 std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, double q);
-/// Those of the estimate's own approach.
+/// Those within reach of the estimate's own approach.
 std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate);
 
 /// Which rows and columns are solved for. Row I has its centre at origin + (first + I) ds on the rail's arc

@@ -304,6 +304,7 @@ SceneResult solve_once(Stage& stage, const std::string& model, bool tangential) 
   const SolverOptions options{.tolerance = stage.scene->solver.tolerance,
                               .max_outer = stage.scene->solver.max_outer,
                               .estimate_discretisation = tangential,
+                              .coarse_start = stage.aids.coarse_start,
                               .start = start ? &*start : nullptr,
                               .workspace = stage.aids.workspace};
   if (!tangential) {

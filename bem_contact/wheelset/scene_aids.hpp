@@ -50,6 +50,7 @@ struct SceneAids {
   NumbersStore* numbers = nullptr;
   const FormerTractions* start = nullptr;
   Workspace* workspace = nullptr; ///< what solving made of the numbers of earlier cases
+  bool coarse_start = true;       ///< of a case without start
 };
 
 SceneResult solve_scene(const SceneFile& scene, const std::string& model, const SceneAids& aids);

@@ -11,6 +11,9 @@ namespace bem_contact {
 
 namespace {
 
+/// Elements in contact that are tried for an accuracy: a second or a few with either kind of numbers.
+constexpr int most_translational = 12000, most_full = 4000;
+
 /// The shortest element that influence files have numbers for, mm; 0: any. A wheel's is that at its reference
 /// radius, and the contact lies elsewhere.
 double shortest_element(const PairFiles& files) {
@@ -74,20 +77,27 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
     ++counts_.solves;
     return solve_scene(asked, model);
   }
-  const WheelRailScene placed = place_wheel_rail(asked, profiles(asked));
+  WheelRailScene placed = place_wheel_rail(asked, profiles(asked), options_.foresee_shear);
+  if (!options_.potential_contact)
+    placed.estimate.reach *= 3;
   const PairFiles& read = files(asked);
   const double geometry = seconds();
   const bool adapt = asked.grid.elements > 0 || asked.grid.accuracy > 0;
+  const std::string wanted = model.empty() ? asked.solver.model : model;
+  const bool full = wanted != "halfspace" && wanted != "hertz"; // auto may be
   if (!count_ || asked_elements_ != asked.grid.elements || asked_accuracy_ != asked.grid.accuracy)
-    count_.emplace(asked.grid.elements, asked.grid.accuracy);
+    count_.emplace(asked.grid.elements, asked.grid.accuracy, full ? most_full : most_translational);
   asked_elements_ = asked.grid.elements;
   asked_accuracy_ = asked.grid.accuracy;
 
-  SceneAids aids{&placed, &read, options_.keep_numbers ? &numbers_ : nullptr, nullptr,
-                 options_.keep_numbers ? &workspace_ : nullptr};
+  SceneAids aids{&placed,
+                 &read,
+                 options_.keep_numbers ? &numbers_ : nullptr,
+                 nullptr,
+                 options_.keep_numbers ? &workspace_ : nullptr,
+                 options_.coarse_start};
   SceneFile scene = asked;
   // Half-space numbers serve any element; which model auto takes is not known yet.
-  const std::string wanted = model.empty() ? asked.solver.model : model;
   const double shortest = wanted == "fem" || wanted == "auto" ? shortest_element(read) : 0;
   const auto size = [&] {
     return size_of_elements(placed.estimate, count_->wanted(), area_ratio_, shortest);
@@ -117,10 +127,13 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
     if (again && round < most_solves && size() != std::pair(scene.grid.dx, scene.grid.ds))
       continue;
     if (asked.grid.accuracy > 0 && out.result.converged && error > asked.grid.accuracy)
-      out.warnings.push_back(
-          fmt::format("the estimated discretisation error reached is {:.2g} %, above the {:.2g} % that "
-                      "grid.accuracy asks for ({} elements in contact; at most {} are tried)",
-                      100 * error, 100 * asked.grid.accuracy, in_contact(out.result), count_->most()));
+      out.warnings.push_back(fmt::format("the estimated discretisation error reached is {:.2g} %, above the "
+                                         "{:.2g} % that grid.accuracy asks "
+                                         "for ({} elements in contact; {})",
+                                         100 * error, 100 * asked.grid.accuracy, in_contact(out.result),
+                                         scene.grid.dx == shortest
+                                             ? "the influence files have no numbers for shorter ones"
+                                             : fmt::format("at most {} are tried", count_->most())));
     spent.geometry += geometry;
     spent.total = seconds();
     out.seconds = spent;

@@ -17,7 +17,10 @@ struct SequenceOptions {
   /// A case starts from the former one's tractions, moved and scaled; from a coarse grid where the areas in
   /// which the bodies may touch are others (alike()).
   bool keep_start = true;
-  bool learn = true; ///< how large the area in contact is beside the estimate's
+  bool learn = true;             ///< how large the area in contact is beside the estimate's
+  bool coarse_start = true;      ///< a case without a former one starts from larger elements
+  bool foresee_shear = true;     ///< the estimate knows what shear bears of the load
+  bool potential_contact = true; ///< only where h < .9 of the approach; else three times as far
 };
 
 /// Solves `wheel_rail` scenes one after the other and uses what the former ones taught. Files must not

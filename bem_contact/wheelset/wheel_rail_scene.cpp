@@ -72,7 +72,8 @@ WheelRailScene place_wheel_rail(const SceneFile& scene) {
   return place_wheel_rail(scene, read_profiles(scene));
 }
 
-WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles& profiles) {
+WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles& profiles,
+                                bool foresee_shear) {
   if (scene.load.has_approach)
     require_elastic(scene.load.approach);
   WheelOnRail pair = place(scene.position, profiles.rail, profiles.wheel);
@@ -98,7 +99,8 @@ WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles&
   else if (scene.motion.pitch_rate > 0)
     out.rolling_radius = scene.motion.speed / scene.motion.pitch_rate;
   require_elastic(out.estimate.approach);
-  add_shear(out, scene);
+  if (foresee_shear)
+    add_shear(out, scene);
   return out;
 }
 
@@ -164,7 +166,7 @@ std::vector<std::string> describe(const WheelRailScene& placed) {
                                   "inclination {:.2f} degrees, vertical distance {:.4f} mm",
                                   p.rail_s, p.wheel_s, p.x, p.position.y, p.position.z,
                                   p.delta * 180 / std::numbers::pi, p.distance));
-  for (const PotentialArea& area : potential_areas(placed.estimate, widest_share * placed.estimate.approach))
+  for (const PotentialArea& area : potential_areas(placed.estimate))
     lines.push_back(fmt::format("potential contact: s = {:.2f} .. {:.2f} mm, x = {:.2f} .. {:.2f} mm",
                                 area.s_from, area.s_to, area.x_from, area.x_to));
   lines.push_back(fmt::format("estimate: approach {:.4f} mm, vertical force {:.0f} N",

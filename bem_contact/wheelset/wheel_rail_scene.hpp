@@ -29,7 +29,9 @@ WheelRailProfiles read_profiles(const SceneFile& scene);
 
 /// Places the bodies, lowers the wheel until it touches, estimates the contact. Without profiles, reads them.
 /// With position.vertical the approach is what the wheelset stands lower than where it first touches.
-WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles& profiles);
+/// `foresee_shear`: the estimate knows what shear bears of the load.
+WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles& profiles,
+                                bool foresee_shear = true);
 WheelRailScene place_wheel_rail(const SceneFile& scene);
 
 /// Rows centred on the stations of the rail's influence file where there is one.

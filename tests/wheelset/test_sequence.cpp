@@ -129,8 +129,10 @@ TEST(Sequence, TheShortestElementOfTheFilesIsKept) {
   const auto [dx, ds] = size_of_elements(estimate, 3000, 1.0, 0.5);
   EXPECT_EQ(dx, 0.5);
   EXPECT_LT(size_of_elements(estimate, 3000, 1.0).first, 0.5);
+  EXPECT_EQ(ds, 0.125);
   const double area = contact_extent(estimate).area;
-  EXPECT_LE(dx * ds, 1.001 * area / 3000);
+  const auto [free_dx, free_ds] = size_of_elements(estimate, 3000, 1.0);
+  EXPECT_LE(free_dx * free_ds, 1.001 * area / 3000);
 }
 
 TEST(Sequence, ElementsAreGivenInOneWay) {
