@@ -15,6 +15,9 @@ struct Linearisation {
   std::vector<Eigen::Matrix2d> projection;
 };
 
+/// B of one element under a load on another (slip_step.hpp), tangential components.
+Eigen::Matrix2d step_number(const TangentialSystem& system, int target, int load);
+
 Linearisation linearise(const Eigen::VectorXd& stiffness, const Eigen::VectorXd& bound,
                         const Eigen::VectorXd& p, const Eigen::VectorXd& slip);
 

@@ -164,18 +164,13 @@ private:
 };
 
 MatrixXd dense_jacobian(const Compressed& c, const Linearisation& at) {
-  const int n = c.unknowns() / 2, mx = c.system.problem->grid.mx;
-  const StepNumbers& numbers = c.system.step_numbers();
+  const int n = c.unknowns() / 2;
   MatrixXd jacobian(2 * n, 2 * n);
   for (int b = 0; b < n; ++b) {
-    const int load_x = c.task.contact[b] % mx, load_row = c.task.contact[b] / mx;
     for (int a = 0; a < n; ++a) {
       const int i = c.task.contact[a];
-      Matrix2d block;
-      for (int k = 0; k < 2; ++k)
-        for (int l = 0; l < 2; ++l)
-          block(k, l) = numbers.line(i % mx, i / mx, k, load_row, l)[load_x];
-      block = at.projection[a] * (c.system.stiffness[i] * block);
+      Matrix2d block =
+          at.projection[a] * (c.system.stiffness[i] * step_number(c.system, i, c.task.contact[b]));
       if (a == b)
         block += Matrix2d::Identity() - at.projection[a];
       jacobian.block<2, 2>(2 * a, 2 * b) = block;

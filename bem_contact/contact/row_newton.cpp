@@ -48,6 +48,15 @@ std::vector<int> worst_rows(const TangentialSystem& system, const std::vector<in
   return list;
 }
 
+VectorXd gather(const VectorXd& v, const std::vector<int>& list) {
+  VectorXd out(2 * list.size());
+  for (std::size_t a = 0; a < list.size(); ++a)
+    out.segment<2>(2 * a) = v.segment<2>(2 * list[a]);
+  return out;
+}
+
+} // namespace
+
 Matrix2d step_number(const TangentialSystem& system, int target, int load) {
   const int mx = system.problem->grid.mx;
   Matrix2d block = Matrix2d::Zero();
@@ -62,15 +71,6 @@ Matrix2d step_number(const TangentialSystem& system, int target, int load) {
   }
   return block;
 }
-
-VectorXd gather(const VectorXd& v, const std::vector<int>& list) {
-  VectorXd out(2 * list.size());
-  for (std::size_t a = 0; a < list.size(); ++a)
-    out.segment<2>(2 * a) = v.segment<2>(2 * list[a]);
-  return out;
-}
-
-} // namespace
 
 Linearisation linearise(const VectorXd& stiffness, const VectorXd& bound, const VectorXd& p,
                         const VectorXd& slip) {
