@@ -168,7 +168,8 @@ TEST(ElementCount, NeverBeyondTheMost) {
 
 TEST(ElementCount, AFinerAccuracyMayHaveMoreElements) {
   EXPECT_LT(ElementCount(0, 0.05).most(), 2000);
-  EXPECT_GT(ElementCount(0, 0.001).most(), 5 * ElementCount(0, 0.01).most());
+  EXPECT_GT(ElementCount(0, 0.001, 100000).most(), 5 * ElementCount(0, 0.01).most());
+  EXPECT_EQ(ElementCount(0, 0.001, 5000).most(), 5000);
   EXPECT_GT(ElementCount(0, 0.001).wanted(), ElementCount(0, 0.02).wanted());
 }
 
