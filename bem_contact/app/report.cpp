@@ -1,6 +1,7 @@
 #include "bem_contact/app/report.hpp"
 
 #include "bem_contact/app/stresses_output.hpp"
+#include "bem_contact/contact/history.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,8 +92,8 @@ struct Quantity {
 };
 
 constexpr Quantity quantities[] = {
-    {"pmax", "MPa", [](const SceneResult& r) { return largest_pressure(r); }},
-    {"area", "mm2", [](const SceneResult& r) { return contact_area(r); }},
+    {"pmax", "MPa", [](const SceneResult& r) { return largest_pressure(r.result); }},
+    {"area", "mm2", [](const SceneResult& r) { return contact_area(r.result); }},
     {"approach", "mm", [](const SceneResult& r) { return r.result.approach; }},
     {"Fx", "N", [](const SceneResult& r) { return r.result.Fx; }, true},
     {"Fy", "N", [](const SceneResult& r) { return r.result.Fy; }, true},
@@ -142,31 +143,6 @@ json units_json(const SceneResult& r) {
 
 } // namespace
 
-double largest_pressure(const SceneResult& r) {
-  double largest = 0;
-  for (const PatchSummary& p : r.result.patches)
-    largest = std::max(largest, p.pmax);
-  return largest;
-}
-
-double contact_area(const SceneResult& r) {
-  double area = 0;
-  for (const PatchSummary& p : r.result.patches)
-    area += p.area;
-  return area;
-}
-
-double friction_power(const ContactResult& result, double element_area) {
-  double sum = 0;
-  for (const double power : bem_contact::friction_power(result))
-    sum += power * element_area;
-  return sum;
-}
-
-double friction_power(const SceneResult& r) {
-  return friction_power(r.result, r.problem.element_area());
-}
-
 json to_json(const SceneResult& r) {
   json patches = json::array();
   for (const PatchSummary& p : r.result.patches)
@@ -193,13 +169,13 @@ json to_json(const SceneResult& r) {
             {"Fz", r.result.Fz},
             {"Mz", r.moment},
             {"Fs", r.result.Fs},
-            {"friction_power", friction_power(r)}}},
+            {"friction_power", friction_power(r.result, r.problem.element_area())}}},
           {"creepage_found", creepages_json(r.problem, r.result)},
           {"history", history_json(r)},
           {"extrapolated", extrapolated_json(r)},
           {"approach", r.result.approach},
-          {"pmax", largest_pressure(r)},
-          {"area", contact_area(r)},
+          {"pmax", largest_pressure(r.result)},
+          {"area", contact_area(r.result)},
           {"reference",
            {{"s", r.reference.s},
             {"y", r.reference.position.y},
@@ -256,7 +232,7 @@ std::string to_text(const SceneResult& r) {
       fmt::format("on the rail: Fx {:.1f} N, Fy {:.1f} N, Fz {:.1f} N, Mz {:.1f} N mm; approach {:.5f} mm\n",
                   r.result.Fx, r.result.Fy, r.result.Fz, r.moment, r.result.approach);
   if (r.problem.has_friction())
-    out += fmt::format("friction dissipates {:.4g} {}\n", friction_power(r),
+    out += fmt::format("friction dissipates {:.4g} {}\n", friction_power(r.result, r.problem.element_area()),
                        r.problem.motion == MotionKind::shift ? "N mm" : "N mm per mm rolled");
   if (r.problem.force_x || r.problem.force_s)
     out += fmt::format("creepages found for the shear forces: xi {:+.6g}, eta {:+.6g}\n", r.result.creepage_x,

@@ -7,14 +7,6 @@
 
 namespace bem_contact::app {
 
-/// Largest pressure of all patches, MPa, and their area, mm^2.
-double largest_pressure(const SceneResult& result);
-double contact_area(const SceneResult& result);
-
-/// sum p_t S dS: what friction dissipates per unit of rolled distance, N; shift: in the step, N mm.
-double friction_power(const SceneResult& result);
-double friction_power(const ContactResult& result, double element_area);
-
 /// The object that --json prints. Lengths mm, forces N, moments N mm, pressures MPa, angles rad. Totals are
 /// the forces on the rail in the track frame (patch: the frame of the rows), Mz about the vertical axis
 /// through the reference point. "extrapolated": totals and approach freed of the leading discretisation error

@@ -1,4 +1,5 @@
 #include "bem_contact/app/result_file.hpp"
+#include "bem_contact/contact/history.hpp"
 
 #include "bem_contact/app/report.hpp"
 #include "bem_contact/app/stresses_output.hpp"
@@ -82,7 +83,7 @@ void add_result(H5Table& table, const SceneResult& r) {
   table.datasets[group + "u_s"] = field(grid, u.us, "mm", what + "s");
   table.datasets[group + "u_n"] = field(grid, u.un, "mm", what + "n");
   table.datasets[group + "friction_power"] =
-      field(grid, bem_contact::friction_power(c), shift ? "N/mm" : "MPa", "dissipated" + per);
+      field(grid, friction_power(c), shift ? "N/mm" : "MPa", "dissipated" + per);
   if (!r.history.empty())
     add_history(table, r);
   std::vector<double> state(c.state.size());
@@ -100,12 +101,12 @@ void add_result(H5Table& table, const SceneResult& r) {
   a[group + "Fz_N"] = c.Fz;
   a[group + "Mz_Nmm"] = r.moment;
   a[group + "Fs_N"] = c.Fs;
-  a[group + "friction_power"] = friction_power(r);
+  a[group + "friction_power"] = friction_power(r.result, r.problem.element_area());
   a[group + "creepage_found_x"] = c.creepage_x;
   a[group + "creepage_found_s"] = c.creepage_s;
   a[group + "approach_mm"] = c.approach;
-  a[group + "pmax_MPa"] = largest_pressure(r);
-  a[group + "area_mm2"] = contact_area(r);
+  a[group + "pmax_MPa"] = largest_pressure(r.result);
+  a[group + "area_mm2"] = contact_area(r.result);
   a[group + "patches"] = double(c.patches.size());
   a[group + "certificate_worst"] = c.certificate.worst();
   a[group + "certificate_tolerance"] = c.certificate.tolerance;

@@ -2,6 +2,7 @@
 
 #include "bem_contact/app/report.hpp"
 #include "bem_contact/app/result_file.hpp"
+#include "bem_contact/contact/history.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,8 +40,8 @@ constexpr SummaryColumn columns[] = {
     {"Mz", "N mm", "about the vertical axis through the reference point",
      [](const SceneResult& r) { return r.moment; }},
     {"approach", "mm", "along z", [](const SceneResult& r) { return r.result.approach; }},
-    {"pmax", "MPa", "largest pressure", [](const SceneResult& r) { return largest_pressure(r); }},
-    {"area", "mm2", "in contact", [](const SceneResult& r) { return contact_area(r); }},
+    {"pmax", "MPa", "largest pressure", [](const SceneResult& r) { return largest_pressure(r.result); }},
+    {"area", "mm2", "in contact", [](const SceneResult& r) { return contact_area(r.result); }},
     {"patches", "1", "connected areas of contact",
      [](const SceneResult& r) { return double(r.result.patches.size()); }},
     {"Fn_2", "N", "normal force of the second largest patch",

@@ -58,4 +58,25 @@ std::vector<double> friction_power(const ContactResult& result) {
   return power;
 }
 
+double friction_power(const ContactResult& result, double element_area) {
+  double sum = 0;
+  for (const double power : friction_power(result))
+    sum += power * element_area;
+  return sum;
+}
+
+double largest_pressure(const ContactResult& result) {
+  double largest = 0;
+  for (const PatchSummary& p : result.patches)
+    largest = std::max(largest, p.pmax);
+  return largest;
+}
+
+double contact_area(const ContactResult& result) {
+  double area = 0;
+  for (const PatchSummary& p : result.patches)
+    area += p.area;
+  return area;
+}
+
 } // namespace bem_contact

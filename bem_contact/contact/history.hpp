@@ -28,5 +28,11 @@ Displacements displacements(const ContactProblem& problem, const ContactResult& 
 /// p_t S, what friction dissipates on each element per unit of rolled distance (shift: of the step), MPa
 /// (shift: MPa mm); field.
 std::vector<double> friction_power(const ContactResult& result);
+/// sum p_t S dS, N (shift: N mm).
+double friction_power(const ContactResult& result, double element_area);
+
+/// Largest pressure of all patches, MPa, and their area, mm^2.
+double largest_pressure(const ContactResult& result);
+double contact_area(const ContactResult& result);
 
 } // namespace bem_contact

@@ -127,20 +127,6 @@ py::dict history_of(const SceneResult& r) {
   return out;
 }
 
-double sum_of_patches(const SceneResult& r, double PatchSummary::*of) {
-  double sum = 0;
-  for (const PatchSummary& p : r.result.patches)
-    sum += p.*of;
-  return sum;
-}
-
-double largest_pressure(const SceneResult& r) {
-  double largest = 0;
-  for (const PatchSummary& p : r.result.patches)
-    largest = std::max(largest, p.pmax);
-  return largest;
-}
-
 void add_totals(py::class_<SceneResult>& c) {
   const auto total = [&](const char* name, double ContactResult::*member, const char* doc) {
     c.def_property_readonly(
@@ -154,17 +140,13 @@ void add_totals(py::class_<SceneResult>& c) {
   total("creepage_x", &ContactResult::creepage_x, "Found for load.force_x, added to motion.xi");
   total("creepage_s", &ContactResult::creepage_s, "Found for load.force_s, added to motion.eta");
   c.def_readonly("Mz", &SceneResult::moment, "About the vertical through the reference point, N mm");
-  c.def_property_readonly("pmax", largest_pressure, "MPa");
   c.def_property_readonly(
-      "area", [](const SceneResult& r) { return sum_of_patches(r, &PatchSummary::area); }, "mm2");
+      "pmax", [](const SceneResult& r) { return largest_pressure(r.result); }, "MPa");
+  c.def_property_readonly(
+      "area", [](const SceneResult& r) { return contact_area(r.result); }, "mm2");
   c.def_property_readonly(
       "friction_power",
-      [](const SceneResult& r) {
-        double sum = 0;
-        for (const double power : friction_power(r.result))
-          sum += power * r.problem.element_area();
-        return sum;
-      },
+      [](const SceneResult& r) { return friction_power(r.result, r.problem.element_area()); },
       "N mm per mm rolled (shift: N mm)");
   c.def_property_readonly("patches", patches_of, "One dict for each connected area, the largest force first");
   c.def_property_readonly("history", history_of, "Totals of every step: dict of arrays [steps]");
