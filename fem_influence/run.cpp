@@ -1,6 +1,7 @@
 #include "fem_influence/run.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/fnv1a.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "fem_influence/parallel.hpp"
@@ -49,25 +50,21 @@ namespace {
 
 constexpr std::size_t errors_each = 3; // of a wavenumber: Betti, reaction, smallest eigenvalue
 
-/// FNV-1a of all that the numbers depend on: finished wavenumbers of another run are not taken over.
+/// Hash of all that the numbers depend on: finished wavenumbers of another run are not taken over.
 std::string fingerprint(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  const auto mix = [&hash](const void* data, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i)
-      hash = (hash ^ static_cast<const unsigned char*>(data)[i]) * 0x100000001b3u;
-  };
+  Fnv1a hash;
   std::ifstream in(mesh, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  mix(text.data(), text.size());
+  hash.add(std::as_bytes(std::span(text)));
   const std::uint64_t digest = curve.digest();
-  mix(&digest, sizeof digest);
+  hash.add(std::as_bytes(std::span(&digest, 1)));
   for (const double value :
        {reference_radius_of(body), half_period_of(body), body.material.shear_modulus, body.material.poisson,
         body.strip.from, body.strip.to, body.strip.station_width, double(body.harmonic.degree),
         double(body.harmonic.border_levels), body.harmonic.shortest_dx,
         double(body.harmonic.samples_per_decade), body.harmonic.remote_distance})
-    mix(&value, sizeof value);
-  return "harmonic 4 " + std::to_string(hash);
+    hash.add(std::as_bytes(std::span(&value, 1)));
+  return "harmonic 4 " + std::to_string(hash.value());
 }
 
 std::string method_of(const BodyFile& body, std::size_t cells) {

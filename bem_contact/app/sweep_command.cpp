@@ -5,6 +5,7 @@
 #include "bem_contact/app/sweep_share.hpp"
 #include "bem_contact/app/sweep_workers.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/provenance.hpp"

@@ -1,5 +1,7 @@
 #include "bem_contact/base/body_file.hpp"
 
+#include "bem_contact/base/fnv1a.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/material_keys.hpp"
 #include "bem_contact/base/schema.hpp"
 
@@ -261,10 +263,9 @@ std::string mesh_digest(const BodyFile& file, std::uint64_t profile_digest) {
     all += fmt::format(" {} {} {} {}", hole.centre.y, hole.centre.z, hole.radius, hole.group);
   if (body.graft_given)
     all += " grafted there";
-  std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a
-  for (const char c : all)
-    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return fmt::format("{:016x}", hash);
+  Fnv1a hash;
+  hash.add(std::as_bytes(std::span(all)));
+  return fmt::format("{:016x}", hash.value());
 }
 
 std::string default_body_file() {

@@ -1,5 +1,6 @@
 #include "bem_contact/base/scene_file.hpp"
 
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/material_keys.hpp"
 #include "bem_contact/base/scene_keys.hpp"
 

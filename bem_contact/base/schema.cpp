@@ -1,106 +1,18 @@
 #include "bem_contact/base/schema.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/schema_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <limits>
 #include <set>
-#include <sstream>
 
 namespace bem_contact {
 
 namespace {
-
-std::string last_part(std::string_view path) {
-  return std::string(path.substr(path.rfind('.') + 1));
-}
-
-std::string table_of(std::string_view path) {
-  const auto dot = path.rfind('.');
-  return dot == std::string_view::npos ? "" : std::string(path.substr(0, dot));
-}
-
-std::string number_text(double value) {
-  std::string text = fmt::format("{}", value);
-  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
-}
-
-/// A TOML basic string.
-std::string toml_text(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20)
-      out += fmt::format("\\u{:04X}", static_cast<int>(c));
-    else
-      out += c;
-  }
-  return out + "\"";
-}
-
-struct Print {
-  std::string operator()(const double* v) const { return number_text(*v); }
-  std::string operator()(const int* v) const { return fmt::format("{}", *v); }
-  std::string operator()(const bool* v) const { return *v ? "true" : "false"; }
-  std::string operator()(const std::string* v) const { return toml_text(*v); }
-  std::string operator()(const Point2* v) const {
-    return fmt::format("[{}, {}]", number_text(v->y), number_text(v->z));
-  }
-  std::string operator()(const std::vector<double>* list) const {
-    std::vector<std::string> numbers;
-    for (const double v : *list)
-      numbers.push_back(number_text(v));
-    return fmt::format("[{}]", fmt::join(numbers, ", "));
-  }
-  std::string operator()(const TableList& list) const { return list.example; }
-};
-
-struct TypeName {
-  std::string operator()(const double*) const { return "number"; }
-  std::string operator()(const int*) const { return "whole number"; }
-  std::string operator()(const bool*) const { return "true or false"; }
-  std::string operator()(const std::string*) const { return "text"; }
-  std::string operator()(const Point2*) const { return "two numbers"; }
-  std::string operator()(const std::vector<double>*) const { return "list of numbers"; }
-  std::string operator()(const TableList&) const { return "list of tables"; }
-};
-
-std::string type_of(const toml::node& node) {
-  if (node.is_integer())
-    return "a whole number";
-  if (node.is_floating_point())
-    return "a number";
-  if (node.is_boolean())
-    return "true or false";
-  if (node.is_string())
-    return "text";
-  if (node.is_table())
-    return "a table";
-  return node.is_array() ? "a list" : "a date or time";
-}
-
-std::string range_text(const KeyRule& rule) {
-  std::vector<std::string> parts;
-  if (std::isfinite(rule.above))
-    parts.push_back(fmt::format("> {}", rule.above));
-  if (std::isfinite(rule.at_least))
-    parts.push_back(fmt::format(">= {}", rule.at_least));
-  if (std::isfinite(rule.below))
-    parts.push_back(fmt::format("< {}", rule.below));
-  if (std::isfinite(rule.at_most))
-    parts.push_back(fmt::format("<= {}", rule.at_most));
-  if (!rule.choices.empty())
-    parts.push_back(fmt::format("{}", fmt::join(rule.choices, " | ")));
-  return fmt::format("{}", fmt::join(parts, " and "));
-}
 
 std::string with_unit(std::string text, const KeyRule& rule) {
   return rule.unit.empty() ? text : text + " " + rule.unit;
@@ -108,7 +20,7 @@ std::string with_unit(std::string text, const KeyRule& rule) {
 
 } // namespace
 
-void Schema::add_key(std::string path, Target target, KeyRule rule) {
+void Schema::add_key(std::string path, SchemaTarget target, KeyRule rule) {
   if (rule.given)
     *rule.given = false;
   keys_.push_back({std::move(path), target, std::move(rule)});
@@ -137,7 +49,7 @@ std::string Schema::where(std::string_view path) const {
 void Schema::refuse(std::string_view path, std::string_view why, std::string_view what_to_do) const {
   const Key* key = find(path);
   const std::string problem =
-      key && has(path) ? fmt::format("{} = {}", path, std::visit(Print{}, key->target)) : std::string(path);
+      key && has(path) ? fmt::format("{} = {}", path, value_text(key->target)) : std::string(path);
   throw InputError(where(path) + problem, why, what_to_do);
 }
 
@@ -198,116 +110,12 @@ void Schema::check(const Key& key) const {
   }
 }
 
-struct SchemaReader {
-  Schema& schema;
-
-  void table(const toml::table& table, const std::string& prefix) {
-    for (const auto& [name, node] : table) {
-      const std::string path =
-          prefix.empty() ? std::string(name.str()) : prefix + "." + std::string(name.str());
-      if (node.is_table() && path == schema.skipped_)
-        continue;
-      // A table made by a dotted key has no line of its own; its key has.
-      const auto begin = node.source().begin.line ? node.source().begin : name.source().begin;
-      schema.lines_[path] = static_cast<int>(begin.line);
-      if (const Schema::Key* key = schema.find(path)) {
-        assign(*key, node);
-        continue;
-      }
-      const bool known_table =
-          std::any_of(schema.keys_.begin(), schema.keys_.end(),
-                      [&](const Schema::Key& k) { return k.path.starts_with(path + "."); });
-      if (known_table && !node.is_table())
-        throw InputError(schema.where(path) + path + " is " + type_of(node), "it is the name of a table",
-                         "Write [" + path + "] and its keys below.");
-      if (!known_table)
-        schema.refuse_unknown(path, node.is_table());
-      this->table(*node.as_table(), path);
-    }
-  }
-
-  void assign(const Schema::Key& key, const toml::node& node) {
-    const auto wrong_type = [&]() {
-      throw InputError(schema.where(key.path) + key.path + " is " + type_of(node),
-                       fmt::format("it must be of type: {}", std::visit(TypeName{}, key.target)),
-                       fmt::format("Correct it, for instance {} = {}.", last_part(key.path),
-                                   std::visit(Print{}, key.target)));
-    };
-    if (auto* const* number = std::get_if<double*>(&key.target)) {
-      if (!node.is_number())
-        wrong_type();
-      **number = *node.value<double>();
-    } else if (auto* const* whole = std::get_if<int*>(&key.target)) {
-      if (!node.is_integer())
-        wrong_type();
-      const std::int64_t value = *node.value<std::int64_t>();
-      if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max())
-        throw InputError(fmt::format("{}{} = {}", schema.where(key.path), key.path, value), "out of range",
-                         "Give a smaller value.");
-      **whole = static_cast<int>(value);
-    } else if (auto* const* flag = std::get_if<bool*>(&key.target)) {
-      if (!node.is_boolean())
-        wrong_type();
-      **flag = *node.value<bool>();
-    } else if (auto* const* point = std::get_if<Point2*>(&key.target)) {
-      const toml::array* pair = node.as_array();
-      if (!pair || pair->size() != 2 || !(*pair)[0].is_number() || !(*pair)[1].is_number())
-        wrong_type();
-      **point = {*(*pair)[0].value<double>(), *(*pair)[1].value<double>()};
-    } else if (auto* const* numbers = std::get_if<std::vector<double>*>(&key.target)) {
-      if (!node.is_array())
-        wrong_type();
-      (*numbers)->clear();
-      for (const toml::node& element : *node.as_array()) {
-        if (!element.is_number())
-          wrong_type();
-        (*numbers)->push_back(*element.value<double>());
-      }
-    } else if (const auto* list = std::get_if<TableList>(&key.target)) {
-      if (!node.is_array_of_tables() && !(node.is_array() && node.as_array()->empty()))
-        wrong_type();
-      list->clear();
-      for (const toml::node& element : *node.as_array()) {
-        Schema row = list->next();
-        row.source_ = schema.source_;
-        row.lines_[key.path] = static_cast<int>(element.source().begin.line);
-        SchemaReader{row}.table(*element.as_table(), key.path);
-        row.require_needed();
-      }
-    } else {
-      if (!node.is_string())
-        wrong_type();
-      std::string text = *node.value<std::string>();
-      if (text.find('\0') != std::string::npos)
-        schema.refuse(key.path, "its text holds the character NUL", "Take it out.");
-      *std::get<std::string*>(key.target) = std::move(text);
-    }
-    schema.check(key);
-    if (key.rule.given)
-      *key.rule.given = true;
-  }
-};
-
 void Schema::require_needed() const {
   for (const Key& key : keys_)
     if (key.rule.needed && !has(key.path))
-      throw InputError(where(key.path) + key.path + " is missing", key.rule.doc,
-                       fmt::format("Give it, for instance {} = {}.", last_part(key.path),
-                                   std::visit(Print{}, key.target)));
-}
-
-void Schema::read(std::string_view toml, std::string_view source_name) {
-  source_ = source_name;
-  lines_.clear();
-  try {
-    SchemaReader{*this}.table(toml::parse(toml, source_name), "");
-  } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: {}", source_name, error.source().begin.line, error.description()),
-                     "the file is not valid TOML", "Correct the line.");
-  }
-  require_needed();
-  for (const Key& key : keys_)
-    require_kind(key);
+      throw InputError(
+          where(key.path) + key.path + " is missing", key.rule.doc,
+          fmt::format("Give it, for instance {} = {}.", last_part(key.path), value_text(key.target)));
 }
 
 void Schema::require_kind(const Key& key) const {
@@ -320,15 +128,6 @@ void Schema::require_kind(const Key& key) const {
          "Remove it.");
 }
 
-void Schema::set(const std::string& path, const SchemaValue& value, int line) {
-  lines_[path] = line;
-  const Key* key = find(path);
-  if (!key)
-    refuse_unknown(path, false);
-  std::visit([&](const auto& v) { SchemaReader{*this}.assign(*key, toml::value(v)); }, value);
-  require_kind(*key);
-}
-
 std::string Schema::print() const {
   std::string out = fmt::format("# The whole schema of a {}. A key left out has its default.\n\n", title_);
   std::string table;
@@ -338,34 +137,21 @@ std::string Schema::print() const {
       table = table_of(key.path);
       out += "[" + table + "]\n";
     }
-    std::vector<std::string> facts{std::visit(TypeName{}, key.target)};
+    std::vector<std::string> facts{type_text(key.target)};
     if (!key.rule.unit.empty())
       facts.push_back(key.rule.unit);
     if (const std::string range = range_text(key.rule); !range.empty())
       facts.push_back(range);
     if (!std::holds_alternative<TableList>(key.target))
-      facts.push_back("default " + std::visit(Print{}, key.target));
+      facts.push_back("default " + value_text(key.target));
     if (!key.rule.kinds.empty())
       facts.push_back(fmt::format("only where {} is {}", kind_path_, fmt::join(key.rule.kinds, " or ")));
     const bool off = !belongs(key) || key.rule.alternative || (key.rule.given && !*key.rule.given) ||
                      std::holds_alternative<TableList>(key.target);
     out += fmt::format("# {} ({})\n{}{} = {}\n", key.rule.doc, fmt::join(facts, "; "), off ? "# " : "",
-                       last_part(key.path), std::visit(Print{}, key.target));
+                       last_part(key.path), value_text(key.target));
   }
   return out;
-}
-
-std::string read_text_file(const std::string& file, std::string_view what) {
-  if (std::filesystem::is_directory(file))
-    throw InputError(fmt::format("{} '{}' cannot be read", what, file), "it is a folder", "Name a file.");
-  std::ifstream in(file, std::ios::binary);
-  if (!in)
-    throw InputError(fmt::format("{} '{}' cannot be read", what, file),
-                     std::filesystem::exists(file) ? "no permission" : "there is no such file",
-                     "Check the path; relative paths start in the folder of the file that names them.");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 } // namespace bem_contact

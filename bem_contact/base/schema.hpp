@@ -37,6 +37,10 @@ struct TableList {
   std::string example; ///< a list as TOML, for messages and print()
 };
 
+/// What a key is bound to.
+using SchemaTarget =
+    std::variant<double*, int*, bool*, std::string*, Point2*, std::vector<double>*, TableList>;
+
 /// A value that stands for the one in the file.
 using SchemaValue = std::variant<double, std::int64_t, bool, std::string>;
 
@@ -90,13 +94,12 @@ public:
   std::string print() const;
 
 private:
-  using Target = std::variant<double*, int*, bool*, std::string*, Point2*, std::vector<double>*, TableList>;
   struct Key {
     std::string path;
-    Target target;
+    SchemaTarget target;
     KeyRule rule;
   };
-  void add_key(std::string path, Target target, KeyRule rule);
+  void add_key(std::string path, SchemaTarget target, KeyRule rule);
   const Key* find(std::string_view path) const;
   bool belongs(const Key& key) const;
   void require_kind(const Key& key) const;
@@ -110,8 +113,5 @@ private:
   std::map<std::string, int> lines_; ///< of the keys and tables that the file has
   friend struct SchemaReader;
 };
-
-/// The whole text of a file. Throws InputError when it cannot be read.
-std::string read_text_file(const std::string& file, std::string_view what);
 
 } // namespace bem_contact

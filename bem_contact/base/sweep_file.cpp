@@ -1,6 +1,7 @@
 #include "bem_contact/base/sweep_file.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 
 #include <algorithm>
 #include <cmath>

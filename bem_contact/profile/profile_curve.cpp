@@ -1,10 +1,12 @@
 #include "bem_contact/profile/profile_curve.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/fnv1a.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -135,11 +137,15 @@ CurvePoint ProfileCurve::nearest(Point2 p) const {
 }
 
 std::uint64_t ProfileCurve::digest() const {
-  std::uint64_t hash = 14695981039346656037ull; // FNV-1a
+  Fnv1a hash;
   const auto add = [&hash](double value) {
     auto bits = static_cast<std::uint64_t>(std::llround(value * 1e6));
-    for (int byte = 0; byte < 8; ++byte, bits >>= 8)
-      hash = (hash ^ (bits & 0xff)) * 1099511628211ull;
+    std::array<std::byte, 8> bytes; // little-endian on any machine
+    for (std::byte& b : bytes) {
+      b = static_cast<std::byte>(bits & 0xff);
+      bits >>= 8;
+    }
+    hash.add(bytes);
   };
   constexpr int steps = 256;
   for (int i = 0; i <= steps; ++i) {
@@ -147,7 +153,7 @@ std::uint64_t ProfileCurve::digest() const {
     add(p.y);
     add(p.z);
   }
-  return hash;
+  return hash.value();
 }
 
 } // namespace bem_contact

@@ -1,7 +1,7 @@
 #include "bem_contact/profile/read_profile.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/base/schema.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/profile_formats.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "bem_contact/base/schema.hpp"
+
+namespace bem_contact {
+
+/// "c" of "a.b.c", and "a.b" ("" where there is no table).
+std::string last_part(std::string_view path);
+std::string table_of(std::string_view path);
+
+/// A bound value as TOML, and its type in words.
+std::string value_text(const SchemaTarget& target);
+std::string type_text(const SchemaTarget& target);
+
+/// "> 0 and <= 1", "a | b"; "" where any value will do.
+std::string range_text(const KeyRule& rule);
+
+} // namespace bem_contact
