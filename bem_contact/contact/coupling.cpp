@@ -125,13 +125,20 @@ TangentialTask make_task(const ContactProblem& problem, const Shear& shear, cons
 
 /// Throws where the shear forces prescribed cannot be carried.
 void require_capacity(const ContactProblem& problem, const Creepage& creepage) {
-  if (!creepage.beyond)
-    return;
-  throw InputError("the shear force prescribed cannot be carried",
-                   fmt::format("|F| = {:g} N where friction carries less than sum mu p_n dS = {:g} N",
-                               std::hypot(problem.force_x.value_or(0), problem.force_s.value_or(0)),
-                               creepage.capacity),
-                   "prescribe less, or give a creepage (full slip leaves it undetermined)");
+  const double wanted = std::hypot(problem.force_x.value_or(0), problem.force_s.value_or(0));
+  if (creepage.beyond)
+    throw InputError("the shear force prescribed cannot be carried",
+                     fmt::format("|F| = {:g} N where friction carries less than sum mu p_n dS = {:g} N",
+                                 wanted, creepage.capacity),
+                     "prescribe less, or give a creepage (full slip leaves it undetermined)");
+  const double slipping = problem.kinetic * creepage.capacity;
+  if (!creepage.reached && problem.kinetic < 1 && wanted >= slipping)
+    throw InputError(
+        "the shear force prescribed was not reached",
+        fmt::format("|F| = {:g} N where full slip carries {:g} N, and at no creepage tried does what "
+                    "sticks carry the rest",
+                    wanted, slipping),
+        "prescribe less, or give a creepage");
 }
 
 /// Shear keeps its share of the pressure, which has changed: where to start from.

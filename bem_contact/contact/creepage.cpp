@@ -73,6 +73,22 @@ public:
   }
   const Vector2d& last() const { return last_; } ///< as found by the last at()
 
+  /// What the last at() left behind.
+  struct Solved {
+    VectorXd p, slip;
+    Vector2d force;
+  };
+  Solved solved() const { return {state_.p, state_.slip, last_}; }
+
+  /// Between the solutions at two creepages that are as good as one: (1 - share) of the one and `share` of
+  /// the other. Where they differ all but sticks, so that this is a solution too.
+  void blend(const Solved& one, const Solved& other, double share) {
+    state_.p = (1 - share) * one.p + share * other.p;
+    state_.slip = (1 - share) * one.slip + share * other.slip;
+    last_ = (1 - share) * one.force + share * other.force;
+  }
+  bool may_blend() const { return system_.problem->kinetic == 1; }
+
   /// The largest of F d over the unit vectors d, where F is a force prescribed and friction carries at most
   /// sum mu p_n |(d_x, d_s share)| dS along d. Over 1: it cannot be carried.
   double demand(const Vector2d& force) const {
@@ -125,15 +141,19 @@ private:
 };
 
 /// One unknown: secants until the force is bracketed, then Illinois' rule, with bisection where that is slow.
-/// Where little sticks the force is nearly a staircase. The last call of `missing_at` is the one at the
-/// result.
+/// Where little sticks the force is nearly a staircase; steps that are too steep to stand on, as friction
+/// vanishes, are met by tractions between those of their two ends. The last call of `missing_at` is the one
+/// at the result.
 template <class Function>
-bool find_root(const Function& missing_at, double start, double step, double tolerance) {
+bool find_root(Forces& forces, const Function& missing_at, double start, double step, double tolerance) {
   constexpr int most = 120;
+  constexpr double farthest = 1e12; // where all slips no force depends on the creepage
+  constexpr double steep = 1e-11;   // of the creepage: far below what tells adhesion from slip
   int calls = 1;
   double a = start, at_a = missing_at(a), b = a, at_b = at_a;
+  Forces::Solved solved_a = forces.solved(), solved_b = solved_a;
   while (std::abs(at_b) > tolerance && at_a * at_b > 0) {
-    if (++calls > most)
+    if (++calls > most || std::abs(b) > farthest)
       return false;
     if (b != a) {
       const double secant = (b - a) * at_b / (at_a - at_b); // infinite where everything slips
@@ -141,14 +161,20 @@ bool find_root(const Function& missing_at, double start, double step, double tol
       at_a = at_b;
       step = std::clamp(std::isfinite(secant) ? 1.2 * std::abs(secant) : 10 * step, step, 10 * step);
     }
+    solved_a = std::move(solved_b);
     b = a + (at_a > 0 ? step : -step);
     at_b = missing_at(b);
+    solved_b = forces.solved();
   }
   double weight_a = 1;
   for (int side = 0, slow = 0; std::abs(at_b) > tolerance; ++slow) {
     if (++calls > most)
       return false;
     const double width = std::abs(b - a);
+    if (width <= steep * std::max(std::abs(a), std::abs(b)) && forces.may_blend()) {
+      forces.blend(solved_a, solved_b, at_a / (at_a - at_b));
+      return true;
+    }
     double c = (weight_a * at_a * b - at_b * a) / (weight_a * at_a - at_b);
     if (slow >= 3 || !(std::min(a, b) < c && c < std::max(a, b)))
       c = 0.5 * (a + b);
@@ -156,12 +182,14 @@ bool find_root(const Function& missing_at, double start, double step, double tol
     if (at_c * at_b < 0) {
       a = b;
       at_a = at_b;
+      solved_a = std::move(solved_b);
       weight_a = 1;
       side = 0;
     } else if (++side > 0)
       weight_a *= 0.5;
     b = c;
     at_b = at_c;
+    solved_b = forces.solved();
     if (std::abs(b - a) < 0.5 * width)
       slow = -1;
   }
@@ -177,7 +205,7 @@ bool find_one(Forces& forces, int unknown, double wanted, double tolerance, bool
     w[unknown] = v;
     return wanted - forces.at(w)[unknown];
   };
-  return find_root(missing_at, w[unknown], first_step(forces, near, w[unknown]), tolerance);
+  return find_root(forces, missing_at, w[unknown], first_step(forces, near, w[unknown]), tolerance);
 }
 
 /// Two unknowns, one within the other: for each creepage along s the one along x that gives its force. Slow,
@@ -190,7 +218,7 @@ bool find_nested(Forces& forces, const Vector2d& wanted, double tolerance, Vecto
     near = true;
     return inner ? wanted[1] - forces.last()[1] : std::numeric_limits<double>::quiet_NaN(); // ends the search
   };
-  return find_root(missing_at, w[1], first_step(forces, false, w[1]), 0.5 * tolerance) && inner;
+  return find_root(forces, missing_at, w[1], first_step(forces, false, w[1]), 0.5 * tolerance) && inner;
 }
 
 /// Two unknowns: Newton with finite differences, and what is slow but sure where it stops.
@@ -268,8 +296,10 @@ void solve_friction(const TangentialSystem& system, const SolverOptions& options
   creepage.reached = unknown.size() == 1 ? find_one(forces, unknown[0], wanted[unknown[0]], tolerance,
                                                     creepage.iterations > 0, w)
                                          : find_both(forces, wanted, tolerance, w);
-  creepage.x = w[0];
-  creepage.s = w[1];
+  if (creepage.reached) {
+    creepage.x = w[0];
+    creepage.s = w[1];
+  }
   creepage.iterations += forces.solves();
   if (!creepage.reached)
     state.remark +=

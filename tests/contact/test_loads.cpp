@@ -138,6 +138,26 @@ TEST(Loads, ForcesThatFrictionCannotCarryAreRefused) {
   }
 }
 
+/// Full slip carries .7 of what adhesion can: more than that is found only where enough sticks.
+TEST(Loads, ForcesThatSlipDoesNotCarryAreFoundOrRefused) {
+  ContactProblem problem = rolling({23000, 0.31}, scenes::steel, 16);
+  problem.kinetic = 0.7;
+  scenes::set_creepage(problem, 0.3, 0, 0, 0);
+  const double carried = 0.3 * problem.force;
+  problem.force_s = 0.65 * carried;
+  const ContactResult result = solve(problem, {.estimate_discretisation = false});
+  EXPECT_TRUE(result.converged) << result.remark;
+  EXPECT_NEAR(result.Fs, 0.65 * carried, 1e-6 * carried);
+  problem.force_s = 0.95 * carried;
+  try {
+    solve(problem);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("the shear force prescribed was not reached"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("full slip carries 3150 N"));
+  }
+}
+
 /// Bentall and Johnson 1967: unlike rollers that roll freely creep. One row, so long that it is plane (what
 /// is missing of a plane goes with one over its length: .1 % at 400 mm, 1.5 % at 20).
 ContactProblem unlike_rollers(double friction, int across) {
@@ -169,9 +189,10 @@ TEST(Loads, BentallJohnson) {
 }
 
 /// Where friction vanishes everything slips, one way or the other, at nearly every creepage, and the forces
-/// hardly depend on it: searches that start at creepage zero have to get away from there.
+/// hardly depend on it: searches that start at creepage zero have to get away from there. In the end the force
+/// leaps as one element changes sides, and tractions between the two are the solution.
 TEST(Loads, CreepagesOfVanishingFriction) {
-  for (const double mu : {1e-3, 1e-4, 1e-5})
+  for (const double mu : {1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-13})
     for (const bool lateral : {false, true}) {
       ContactProblem problem = unlike_rollers(mu, 40);
       if (lateral)
