@@ -18,7 +18,10 @@ void check_load(const SceneFile& f, const Schema& s) {
              f.position.has_vertical ? "Give exactly one of load.force, load.approach and position.vertical."
                                      : "Give exactly one of load.force and load.approach.");
   if (given == 0)
-    s.refuse("load", "neither force nor approach is given", "Give load.force or load.approach.");
+    s.refuse("load", "neither force nor approach is given",
+             s.has("sweep") ? "Give load.force or load.approach; a scene whose table [sweep] does is for "
+                              "bem_contact sweep."
+                            : "Give load.force or load.approach.");
 }
 
 void check_motion(const SceneFile& f, const Schema& s) {

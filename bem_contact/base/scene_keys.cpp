@@ -11,7 +11,9 @@ const std::vector<std::string> wheel_rail{"wheel_rail"}, patch{"patch"};
 void add_side(Schema& s, const std::string& name, const std::string& role, SceneFile::Side& side,
               const std::string& standards, double& young) {
   s.add(name + ".profile", side.profile,
-        {.doc = role + ": " + standards + ", a profile file or a body file (its contact surface)"});
+        {.doc = role + ": " + standards + ", a profile file or a body file (its contact surface)",
+         .kinds = wheel_rail,
+         .example = true});
   s.add(name + ".influence", side.influence,
         {.doc = "Influence file (HDF5); empty where only half-space numbers are used"});
   s.add(name + ".structural", side.structural,
@@ -80,7 +82,8 @@ void add_load(Schema& s, SceneFile::Load& load) {
         {.doc = "Vertical (patch: normal) force, plane strain: per mm; give either this or load.approach",
          .unit = "N",
          .above = 0,
-         .given = &load.has_force});
+         .given = &load.has_force,
+         .example = true});
   s.add("load.approach", load.approach,
         {.doc = "Approach of the bodies; give either this or load.force",
          .unit = "mm",
@@ -258,8 +261,8 @@ Schema scene_schema(SceneFile& f, YoungsModuli& young) {
   s.add("kind", f.kind,
         {.doc = "A wheel on a rail, or one contact problem given directly",
          .choices = {"wheel_rail", "patch"}});
-  add_side(s, "rail", "The rail (patch: the lower body)", f.rail, "60E1, 60E2, 54E1, 46E3", young.rail);
-  add_side(s, "wheel", "The wheel (patch: the upper body)", f.wheel, "S1002", young.wheel);
+  add_side(s, "rail", "The rail", f.rail, "60E1, 60E2, 54E1, 46E3", young.rail);
+  add_side(s, "wheel", "The wheel", f.wheel, "S1002", young.wheel);
   add_position(s, f.position);
   add_load(s, f.load);
   add_motion(s, f.motion);

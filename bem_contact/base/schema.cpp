@@ -143,7 +143,7 @@ std::string Schema::print() const {
     if (const std::string range = range_text(key.rule); !range.empty())
       facts.push_back(range);
     if (!std::holds_alternative<TableList>(key.target))
-      facts.push_back("default " + value_text(key.target));
+      facts.push_back((key.rule.example ? "no default, for instance " : "default ") + value_text(key.target));
     if (!key.rule.kinds.empty())
       facts.push_back(fmt::format("only where {} is {}", kind_path_, fmt::join(key.rule.kinds, " or ")));
     const bool off = !belongs(key) || key.rule.alternative || (key.rule.given && !*key.rule.given) ||

@@ -25,6 +25,7 @@ struct KeyRule {
   std::vector<std::string> kinds = {};   ///< kinds of file the key belongs to; empty: all
   bool* given = nullptr;                 ///< set to whether the file has the key
   bool needed = false;                   ///< the file must have it
+  bool example = false;                  ///< no default: the printed value is an example
   bool alternative = false;              ///< says in another way what another key says: printed commented out
 };
 

@@ -35,11 +35,11 @@ struct SchemaReader {
     for (const auto& [name, node] : table) {
       const std::string path =
           prefix.empty() ? std::string(name.str()) : prefix + "." + std::string(name.str());
-      if (node.is_table() && path == schema.skipped_)
-        continue;
       // A table made by a dotted key has no line of its own; its key has.
       const auto begin = node.source().begin.line ? node.source().begin : name.source().begin;
       schema.lines_[path] = static_cast<int>(begin.line);
+      if (node.is_table() && path == schema.skipped_)
+        continue;
       if (const Schema::Key* key = schema.find(path)) {
         assign(*key, node);
         continue;

@@ -1,6 +1,7 @@
 #include "bem_contact/wheelset/scene.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/wheelset/elastic_limit.hpp"
 #include "bem_contact/wheelset/scene_growth.hpp"
 #include "bem_contact/wheelset/scene_solve.hpp"
 
@@ -16,7 +17,20 @@ namespace {
 constexpr double poor_discretisation = 0.2; // relative error that deserves a warning
 constexpr int few_elements = 40;            // in contact
 
+/// Of all steps, as far as they are solutions, MPa.
+double highest_pressure(const SceneResult& out) {
+  double highest = 0;
+  const auto look = [&](const ContactResult& result) {
+    if (result.converged)
+      highest = std::max(highest, largest_pressure(result));
+  };
+  look(out.result);
+  std::ranges::for_each(out.history, look);
+  return highest;
+}
+
 void finish(SceneResult& out, const Stage& stage) {
+  require_elastic(*stage.scene, highest_pressure(out));
   out.left = stage.scene->position.side == "left";
   out.reference = stage.reference();
   out.moment = out.result.Mz + out.reference.position.y * out.result.Fx - out.reference.x * out.result.Fy;

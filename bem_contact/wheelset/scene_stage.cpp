@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/wheelset/elastic_limit.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -62,6 +63,8 @@ Stage prepare_stage(const SceneFile& scene, bool needs_strips, const SceneAids& 
                      : stage.wheel_rail   ? stage.wheel_rail->approach
                                           : scene.load.approach;
   problem.force = scene.load.has_force ? scene.load.force : 0.0;
+  if (!stage.wheel_rail)
+    require_bearable(scene, problem);
   stage.seconds.geometry = watch.seconds();
   return stage;
 }

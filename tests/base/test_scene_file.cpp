@@ -34,6 +34,23 @@ TEST(SceneFile, the_printed_schema_is_a_valid_scene) {
   EXPECT_EQ(f.solver.tolerance, 1e-8);
 }
 
+TEST(SceneFile, what_must_be_given_has_no_default) {
+  const std::string printed = default_scene_file();
+  EXPECT_THAT(printed, HasSubstr("no default, for instance \"60E1\""));
+  EXPECT_THAT(printed, HasSubstr("no default, for instance \"S1002\""));
+  EXPECT_THAT(printed, HasSubstr("no default, for instance 100000.0"));
+  EXPECT_THAT(refusal("[load]\nforce = 1e5\n"), HasSubstr("a wheel on a rail needs the rail's profile"));
+  EXPECT_THAT(refusal("rail.profile = '60E1'\n[load]\nforce = 1e5\n"),
+              HasSubstr("a wheel on a rail needs the wheel's profile"));
+  EXPECT_THAT(refusal(rolling), HasSubstr("neither force nor approach is given"));
+}
+
+TEST(SceneFile, a_patch_has_no_profiles) {
+  EXPECT_THAT(refusal(patch + "[rail]\nprofile = '60E1'\n"),
+              AllOf(StartsWith("scene.toml:"), HasSubstr("rail.profile = \"60E1\""),
+                    HasSubstr("no meaning where kind is \"patch\"")));
+}
+
 TEST(SceneFile, a_wheel_on_a_rail) {
   const SceneFile f = parse_scene_file(rolling + R"(
     influence = "wheel.h5"
@@ -104,6 +121,7 @@ TEST(SceneFile, each_body_has_G_or_E) {
 TEST(SceneFile, exactly_one_load) {
   EXPECT_EQ(refusal(rolling), "scene.toml: load (neither force nor approach is given) "
                               "Give load.force or load.approach.");
+  EXPECT_THAT(refusal(rolling + "[sweep]\nload.force = [1e4, 1e5]"), HasSubstr("is for bem_contact sweep"));
   EXPECT_EQ(refusal(rolling + "[load]\nforce = 1\napproach = 2"),
             "scene.toml:8: load.approach = 2.0 (load.force is given too) "
             "Give exactly one of load.force and load.approach.");

@@ -189,8 +189,8 @@ TEST(Loads, BentallJohnson) {
 }
 
 /// Where friction vanishes everything slips, one way or the other, at nearly every creepage, and the forces
-/// hardly depend on it: searches that start at creepage zero have to get away from there. In the end the force
-/// leaps as one element changes sides, and tractions between the two are the solution.
+/// hardly depend on it: searches that start at creepage zero have to get away from there. In the end the
+/// force leaps as one element changes sides, and tractions between the two are the solution.
 TEST(Loads, CreepagesOfVanishingFriction) {
   for (const double mu : {1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-13})
     for (const bool lateral : {false, true}) {
