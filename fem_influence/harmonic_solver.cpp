@@ -58,33 +58,33 @@ double half_period_of(const BodyFile& body) {
   return radius > 0 ? std::numbers::pi * radius : body.harmonic.half_period;
 }
 
-template <class Use> void HarmonicSolver::for_each_free_block(Use&& use) const {
-  for (std::size_t a = 0; a < operator_.node_count(); ++a)
-    if (unknown_[3 * a] >= 0)
-      for (std::size_t e = operator_.row_begin[a]; e < operator_.row_begin[a + 1]; ++e)
-        if (const auto b = static_cast<std::size_t>(operator_.column[e]); unknown_[3 * b] >= 0)
-          use(a, b, e);
+std::size_t HarmonicSystem::unknowns() const {
+  return static_cast<std::size_t>(
+      std::count_if(unknown.begin(), unknown.end(), [](int u) { return u >= 0; }));
 }
 
-HarmonicSolver::HarmonicSolver(const Section& section, const BodyFile& body, const ProfileCurve& curve)
-    : reference_radius_(reference_radius_of(body)), width_(body.strip.station_width),
-      stations_(make_stations(body.strip, curve)) {
-  const Stopwatch watch(timing_.assembly);
-  const SparseColumns loads = station_functionals(section, curve, body.strip, stations_);
-  const SparseColumns remote = remote_functionals(section, stations_, body.harmonic.remote_distance);
-  operator_ = assemble(section, body.material, reference_radius_);
+HarmonicSystem assemble_system(const Section& section, const BodyFile& body, const ProfileCurve& curve) {
+  HarmonicSystem system;
+  const double reference_radius = reference_radius_of(body);
+  const std::vector<Station> stations = make_stations(body.strip, curve);
+  system.cells = section.cell_count();
+  system.stations = stations.size();
+  system.width = body.strip.station_width;
+  const SparseColumns loads = station_functionals(section, curve, body.strip, stations);
+  const SparseColumns remote = remote_functionals(section, stations, body.harmonic.remote_distance);
+  system.op = assemble(section, body.material, reference_radius);
 
-  unknown_.assign(3 * section.node_count(), -1);
+  auto& unknown = system.unknown;
+  unknown.assign(3 * section.node_count(), -1);
   int next = 0;
-  for (std::size_t d = 0; d < unknown_.size(); ++d)
+  for (std::size_t d = 0; d < unknown.size(); ++d)
     if (!section.held()[d / 3])
-      unknown_[d] = next++;
-  unknowns_ = static_cast<std::size_t>(next);
-  append_unknowns(rhs_, loads, unknown_);
-  append_unknowns(rhs_, remote, unknown_);
+      unknown[d] = next++;
+  append_unknowns(system.functionals, loads, unknown);
+  append_unknowns(system.functionals, remote, unknown);
 
   // The support's reaction on a rigid motion m of the held part is a functional as well: (K m)^T u.
-  for (auto& motion : rigid_motions(section.node_positions(), reference_radius_, 0)) {
+  for (auto& motion : rigid_motions(section.node_positions(), reference_radius, 0)) {
     double largest = 0;
     for (const double u : motion)
       largest = std::max(largest, std::abs(u));
@@ -92,51 +92,68 @@ HarmonicSolver::HarmonicSolver(const Section& section, const BodyFile& body, con
       u /= largest;
     std::vector<double> held(motion.size(), 0.0);
     for (std::size_t d = 0; d < held.size(); ++d)
-      if (unknown_[d] < 0)
+      if (unknown[d] < 0)
         held[d] = motion[d];
-    const std::vector<double> reaction = operator_.apply(0.0, held);
+    const std::vector<double> reaction = system.op.apply(0.0, held);
     for (std::size_t d = 0; d < reaction.size(); ++d)
-      if (unknown_[d] >= 0 && reaction[d] != 0) {
-        rhs_.row.push_back(unknown_[d]);
-        rhs_.value.push_back(reaction[d]);
+      if (unknown[d] >= 0 && reaction[d] != 0) {
+        system.functionals.row.push_back(unknown[d]);
+        system.functionals.value.push_back(reaction[d]);
       }
-    rhs_.column_begin.push_back(rhs_.row.size());
-    auto& work = load_work_.emplace_back();
+    system.functionals.column_begin.push_back(system.functionals.row.size());
     for (std::size_t c = 0; c < loads.columns(); ++c) {
-      work.push_back(0);
+      double work = 0;
       for (std::size_t e = loads.column_begin[c]; e < loads.column_begin[c + 1]; ++e)
-        if (const auto d = static_cast<std::size_t>(loads.row[e]); unknown_[d] >= 0)
-          work.back() += motion[d] * loads.value[e];
+        if (const auto d = static_cast<std::size_t>(loads.row[e]); unknown[d] >= 0)
+          work += motion[d] * loads.value[e];
+      system.load_work.push_back(work);
     }
   }
+  return system;
 }
 
+std::vector<int> elimination_order(const HarmonicSystem& system) {
+  std::vector<char> used;
+  for (std::size_t a = 0; a < system.op.node_count(); ++a)
+    used.push_back(system.unknown[3 * a] >= 0); // a node is held in all three components, or free in all
+  return nested_dissection(system.op.row_begin, system.op.column, used);
+}
+
+HarmonicSolver::HarmonicSolver(HarmonicSystem system, std::function<std::vector<int>()> order)
+    : system_(std::move(system)), order_(std::move(order)) {}
+
 void HarmonicSolver::analyse() {
+  if (solver_)
+    return;
   const Stopwatch watch(timing_.analysis);
   std::vector<int> row, column;
   for (auto* list : {&row, &column})
-    list->reserve(9 * operator_.column.size());
-  for_each_free_block([&](std::size_t a, std::size_t b, std::size_t) {
+    list->reserve(9 * system_.op.column.size());
+  system_.for_each_free_block([&](std::size_t a, std::size_t b, std::size_t) {
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = a == b ? i : 0; j < 3; ++j) {
-        row.push_back(unknown_[3 * a + i]);
-        column.push_back(unknown_[3 * b + j]);
+        row.push_back(system_.unknown[3 * a + i]);
+        column.push_back(system_.unknown[3 * b + j]);
       }
   });
-  solver_ = std::make_unique<MumpsSolver>(static_cast<int>(unknowns_), std::move(row), std::move(column),
-                                          rhs_, 3); // a node is held in all three components, or free in all
+  const std::vector<int> order = order_ ? order_() : elimination_order(system_);
+  std::vector<int> place;
+  for (std::size_t d = 0; d < system_.unknown.size(); ++d)
+    if (system_.unknown[d] >= 0)
+      place.push_back(3 * order[d / 3] + static_cast<int>(d % 3));
+  solver_ = std::make_unique<MumpsSolver>(static_cast<int>(unknowns()), std::move(row), std::move(column),
+                                          system_.functionals, place);
 }
 
 WavenumberResult HarmonicSolver::at(double k) {
-  if (!solver_)
-    analyse();
-  const std::size_t n = 3 * stations_.size();
+  analyse();
+  const std::size_t n = 3 * system_.stations;
   {
     const Stopwatch watch(timing_.factorization);
     std::vector<double> value;
-    value.reserve(9 * operator_.column.size());
-    for_each_free_block([&](std::size_t a, std::size_t b, std::size_t e) {
-      const auto entry = operator_.at(e, k);
+    value.reserve(9 * system_.op.column.size());
+    system_.for_each_free_block([&](std::size_t a, std::size_t b, std::size_t e) {
+      const auto entry = system_.op.at(e, k);
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = a == b ? i : 0; j < 3; ++j)
           value.push_back(entry[3 * i + j]);
@@ -144,23 +161,24 @@ WavenumberResult HarmonicSolver::at(double k) {
     solver_->factorize(std::move(value));
   }
   const std::vector<double>& all = solver_->schur();
-  const std::size_t size = rhs_.columns();
+  const std::size_t size = system_.functionals.columns();
   WavenumberResult result;
   result.kernel.reserve(n * n);
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = 0; b < n; ++b)
-      result.kernel.push_back(all[a * size + b] / width_);
+      result.kernel.push_back(all[a * size + b] / system_.width);
   for (std::size_t m = n; m < n + 6; ++m) {
     for (std::size_t b = 0; b < n; ++b)
       result.remote.push_back(all[m * size + b]);
     for (std::size_t b = n; b < n + 6; ++b)
-      result.remote_self.push_back(width_ * all[m * size + b]);
+      result.remote_self.push_back(system_.width * all[m * size + b]);
   }
   if (k == 0)
-    for (std::size_t m = 0; m < load_work_.size(); ++m)
+    for (std::size_t m = 0; n + 6 + m < size; ++m)
       for (std::size_t b = 0; b < n; ++b)
-        result.reaction_error = std::max(result.reaction_error,
-                                         std::abs(all[(n + 6 + m) * size + b] + load_work_[m][b]) / width_);
+        result.reaction_error =
+            std::max(result.reaction_error,
+                     std::abs(all[(n + 6 + m) * size + b] + system_.load_work[m * n + b]) / system_.width);
   result.smallest_eigenvalue = smallest_eigenvalue(result.kernel);
   return result;
 }

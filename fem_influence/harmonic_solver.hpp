@@ -3,6 +3,8 @@
 #include "fem_influence/section_operator.hpp"
 #include "fem_influence/strip.hpp"
 
+#include <functional>
+
 namespace bem_contact::fem {
 
 /// Radius at which a wheel's angle is measured as a length: x = R_ref theta, r = R_ref + z, mm.
@@ -32,32 +34,54 @@ struct WavenumberResult {
 /// By Cholesky factors and inverse iteration; 0 where there are no such factors.
 double smallest_eigenvalue(std::span<const double> kernel);
 
+/// All that the problems of the section have in common.
+struct HarmonicSystem {
+  std::size_t cells = 0, stations = 0;
+  double width = 0; ///< of a station, mm
+  SectionOperator op;
+  std::vector<int> unknown;      ///< of degree of freedom 3 node + component; -1: held
+  SparseColumns functionals;     ///< of the unknowns: stations', remote, supports' reactions
+  std::vector<double> load_work; ///< [rigid motion][load]: work of the load on the unknowns
+  std::size_t unknowns() const;
+  /// use(a, b, e): block e of the operator belongs to the nodes a <= b, neither held.
+  template <class Use> void for_each_free_block(Use&& use) const {
+    for (std::size_t a = 0; a < op.node_count(); ++a)
+      if (unknown[3 * a] >= 0)
+        for (std::size_t e = op.row_begin[a]; e < op.row_begin[a + 1]; ++e)
+          if (const auto b = static_cast<std::size_t>(op.column[e]); unknown[3 * b] >= 0)
+            use(a, b, e);
+  }
+  /// use(array) and use(number) of everything above, always in the same order: to send it to others.
+  template <class Use> void for_each_part(Use&& use) {
+    use(cells), use(stations), use(width), use(op.mu), use(op.stiff);
+    use(op.row_begin), use(op.column), use(op.block), use(unknown);
+    use(functionals.column_begin), use(functionals.row), use(functionals.value), use(load_work);
+  }
+};
+
+HarmonicSystem assemble_system(const Section& section, const BodyFile& body, const ProfileCurve& curve);
+/// Place of each node in the elimination. Deterministic, so that who computes it does not matter.
+std::vector<int> elimination_order(const HarmonicSystem& system);
+
 /// The section's problem for any wavenumber: with F the stations' functionals and r the remote ones,
 ///     kernel = F^T K^-1 F / ds, remote = r^T K^-1 F, remote_self = ds r^T K^-1 r.
 /// The unit generalised load of remote_self is ds times a unit, as a unit traction on a station is: so
 /// kernel - remote^T remote_self^-1 remote is the kernel with the six means of the remote section held at 0.
 class HarmonicSolver {
 public:
-  /// Assembles. The matrix is analysed for the first wavenumber.
-  HarmonicSolver(const Section& section, const BodyFile& body, const ProfileCurve& curve);
+  /// `order` is called when the matrix is analysed, for the first wavenumber; none: elimination_order().
+  explicit HarmonicSolver(HarmonicSystem system, std::function<std::vector<int>()> order = {});
 
-  const std::vector<Station>& stations() const { return stations_; }
-  std::size_t unknowns() const { return unknowns_; }
+  std::size_t unknowns() const { return system_.unknowns(); }
   WavenumberResult at(double wavenumber);
   const Timing& timing() const { return timing_; }
 
-private:
-  /// use(a, b, e): block e of the operator belongs to the nodes a <= b, neither held.
-  template <class Use> void for_each_free_block(Use&& use) const;
+  /// Orders the unknowns and lays out the factors, if that was not done.
   void analyse();
 
-  double reference_radius_ = 0, width_ = 0;
-  std::vector<Station> stations_;
-  SectionOperator operator_;
-  std::vector<int> unknown_; ///< of degree of freedom 3 node + component; -1: held
-  std::size_t unknowns_ = 0;
-  SparseColumns rhs_; ///< functionals of the unknowns: stations', remote, supports' reactions
-  std::vector<std::vector<double>> load_work_; ///< [rigid motion][load]: work of the load on the unknowns
+private:
+  HarmonicSystem system_;
+  std::function<std::vector<int>()> order_;
   std::unique_ptr<MumpsSolver> solver_;
   Timing timing_;
 };

@@ -15,44 +15,54 @@ namespace bem_contact::fem {
 namespace {
 constexpr int block = 128; // right-hand sides solved at once: more costs memory and gains nothing
 
-/// Place of each row in the elimination by METIS's nested dissection, from 1. Debian's MUMPS has no METIS of
-/// its own. The graph is that of the nodes.
-std::vector<MUMPS_INT> nested_dissection(int size, std::span<const int> row, std::span<const int> column,
-                                         int per_node) {
-  idx_t count = size / per_node;
-  std::vector<int> node(static_cast<std::size_t>(size), -1); // of its first unknown
-  for (int i = 0; i < size; i += per_node)
-    node[static_cast<std::size_t>(i)] = i / per_node;
-  const auto for_each_edge = [&](auto&& use) {
-    for (std::size_t e = 0; e < row.size(); ++e)
-      if (const int a = node[static_cast<std::size_t>(row[e])]; a >= 0)
-        if (const int b = node[static_cast<std::size_t>(column[e])]; b >= 0 && a != b)
-          use(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
-  };
-  std::vector<idx_t> begin(static_cast<std::size_t>(count) + 1, 0);
-  for_each_edge([&](std::size_t a, std::size_t b) {
-    ++begin[a + 1];
-    ++begin[b + 1];
-  });
+/// Of a matrix given by the entries of one triangle.
+std::vector<int> place_of_rows(int size, std::span<const int> row, std::span<const int> column) {
+  std::vector<std::size_t> begin(static_cast<std::size_t>(size) + 1, 0);
+  for (const int i : row)
+    ++begin[static_cast<std::size_t>(i) + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<idx_t> neighbour(static_cast<std::size_t>(begin.back())), next(begin.begin(), begin.end() - 1);
+  std::vector<int> sorted(column.size());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (std::size_t e = 0; e < row.size(); ++e)
+    sorted[next[static_cast<std::size_t>(row[e])]++] = column[e];
+  return nested_dissection(begin, sorted, std::vector<char>(static_cast<std::size_t>(size), 1));
+}
+} // namespace
+
+std::vector<int> nested_dissection(std::span<const std::size_t> begin, std::span<const int> column,
+                                   std::span<const char> used) {
+  const std::size_t nodes = used.size();
+  std::vector<int> vertex(nodes), place(nodes); // of METIS's graph; of a node
+  int count = 0;
+  for (std::size_t a = 0; a < nodes; ++a)
+    vertex[a] = used[a] ? count++ : -1;
+  const auto for_each_edge = [&](auto&& use) {
+    for (std::size_t a = 0; a < nodes; ++a)
+      for (std::size_t e = begin[a]; e < begin[a + 1]; ++e)
+        if (const auto b = static_cast<std::size_t>(column[e]); a != b && used[a] && used[b])
+          use(static_cast<std::size_t>(vertex[a]), static_cast<std::size_t>(vertex[b]));
+  };
+  std::vector<idx_t> first(static_cast<std::size_t>(count) + 1, 0);
+  for_each_edge([&](std::size_t a, std::size_t b) {
+    ++first[a + 1];
+    ++first[b + 1];
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<idx_t> neighbour(static_cast<std::size_t>(first.back())), next(first.begin(), first.end() - 1);
   for_each_edge([&](std::size_t a, std::size_t b) {
     neighbour[static_cast<std::size_t>(next[a]++)] = static_cast<idx_t>(b);
     neighbour[static_cast<std::size_t>(next[b]++)] = static_cast<idx_t>(a);
   });
-  std::vector<idx_t> order(static_cast<std::size_t>(count)), place(static_cast<std::size_t>(count));
-  if (METIS_NodeND(&count, begin.data(), neighbour.data(), nullptr, nullptr, order.data(), place.data()) !=
-      METIS_OK)
+  idx_t vertices = count;
+  std::vector<idx_t> order(static_cast<std::size_t>(count)), of_vertex(order);
+  if (METIS_NodeND(&vertices, first.data(), neighbour.data(), nullptr, nullptr, order.data(),
+                   of_vertex.data()) != METIS_OK)
     throw Error("The unknowns could not be ordered", "METIS refused the matrix's graph",
                 "report this as a bug");
-  std::vector<MUMPS_INT> position;
-  position.reserve(static_cast<std::size_t>(size));
-  for (const idx_t p : place)
-    for (int i = 1; i <= per_node; ++i)
-      position.push_back(per_node * static_cast<MUMPS_INT>(p) + i);
-  return position;
+  for (std::size_t a = 0; a < nodes; ++a)
+    place[a] = used[a] ? static_cast<int>(of_vertex[static_cast<std::size_t>(vertex[a])]) : count++;
+  return place;
 }
-} // namespace
 
 struct MumpsSolver::Impl {
   DMUMPS_STRUC_C id{};
@@ -97,7 +107,7 @@ void append_unknowns(SparseColumns& to, const SparseColumns& from, std::span<con
 }
 
 MumpsSolver::MumpsSolver(int size, std::vector<int> row, std::vector<int> column, const SparseColumns& border,
-                         int per_node)
+                         std::span<const int> place)
     : impl_(std::make_unique<Impl>()) {
   auto& id = impl_->id;
   id.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_SELF));
@@ -108,7 +118,12 @@ MumpsSolver::MumpsSolver(int size, std::vector<int> row, std::vector<int> column
   for (const int stream : {1, 2, 3, 4})
     impl_->control(stream) = 0; // silent
   impl_->control(14) = 30;
-  impl_->position = nested_dissection(size, row, column, per_node);
+  std::vector<int> found;
+  if (place.empty()) // Debian's MUMPS has no METIS of its own
+    place = found = place_of_rows(size, row, column);
+  impl_->position.reserve(place.size() + border.columns());
+  for (const int p : place)
+    impl_->position.push_back(p + 1);
   impl_->row = std::move(row);
   impl_->column = std::move(column);
   for (auto* index : {&impl_->row, &impl_->column})

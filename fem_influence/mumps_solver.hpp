@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <span>
@@ -20,15 +21,21 @@ struct SparseColumns {
 /// of zero and are left out.
 void append_unknowns(SparseColumns& to, const SparseColumns& from, std::span<const int> unknown);
 
+/// Place of each node in the elimination, from 0, by METIS's nested dissection of the graph with the edges
+/// column[begin[a]] .. column[begin[a + 1] - 1] of node a; each edge stands once, (a, a) counts for nothing,
+/// nor does an edge with a node that is not `used`; those come last.
+std::vector<int> nested_dissection(std::span<const std::size_t> begin, std::span<const int> column,
+                                   std::span<const char> used);
+
 /// Direct solver of symmetric positive definite matrices of one pattern (MUMPS on one process; MPI must be
 /// initialised). The pattern is analysed once; every factorize() replaces the factors.
 class MumpsSolver {
 public:
   /// One triangle: row[e], column[e] from 0; repeated entries are added. With a `border` B (rows as in the
-  /// matrix) factorize() also gives schur(). Unknowns of one node, `per_node` in a row, have the same
-  /// neighbours and are ordered together.
+  /// matrix) factorize() also gives schur(). `place` of each row in the elimination, from 0; empty: METIS
+  /// finds it.
   MumpsSolver(int size, std::vector<int> row, std::vector<int> column, const SparseColumns& border = {},
-              int per_node = 1);
+              std::span<const int> place = {});
   ~MumpsSolver();
   MumpsSolver(const MumpsSolver&) = delete;
   MumpsSolver& operator=(const MumpsSolver&) = delete;

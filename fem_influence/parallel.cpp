@@ -2,6 +2,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <deque>
 
 namespace bem_contact::fem {
@@ -33,6 +34,68 @@ void together(const std::function<void()>& work) {
   if (lowest == process_rank())
     std::rethrow_exception(failure);
   throw FellowFailed();
+}
+
+struct Fellows::Impl {
+  MPI_Comm together = MPI_COMM_NULL;
+  int rank = 0, count = 1, first = 0;
+  std::vector<int> busy, numbers;    // busy: [fellow], on the first one
+  std::vector<MPI_Request> requests; // of send(), of expect()
+};
+
+Fellows::Fellows(bool busy) : impl_(std::make_unique<Impl>()) {
+  auto& [together, rank, count, first, all_busy, numbers, requests] = *impl_;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &together);
+  MPI_Comm_rank(together, &rank);
+  MPI_Comm_size(together, &count);
+  const int mine = process_rank(), is_busy = busy;
+  MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, together);
+  all_busy.resize(static_cast<std::size_t>(count));
+  MPI_Gather(&is_busy, 1, MPI_INT, all_busy.data(), 1, MPI_INT, 0, together);
+}
+
+Fellows::~Fellows() {
+  MPI_Waitall(static_cast<int>(impl_->requests.size()), impl_->requests.data(), MPI_STATUSES_IGNORE);
+  MPI_Comm_free(&impl_->together);
+}
+
+int Fellows::rank() const {
+  return impl_->rank;
+}
+int Fellows::count() const {
+  return impl_->count;
+}
+int Fellows::first() const {
+  return impl_->first;
+}
+
+void Fellows::broadcast(std::span<std::byte> bytes) const {
+  constexpr std::size_t most = std::size_t{1} << 30; // MPI counts in int
+  for (std::size_t from = 0; from < bytes.size(); from += most) {
+    const auto part = bytes.subspan(from, std::min(most, bytes.size() - from));
+    MPI_Bcast(part.data(), static_cast<int>(part.size()), MPI_BYTE, 0, impl_->together);
+  }
+}
+
+void Fellows::send(std::vector<int> numbers) {
+  impl_->numbers = std::move(numbers);
+  for (int to = 1; to < impl_->count; ++to)
+    MPI_Isend(impl_->numbers.data(), static_cast<int>(impl_->numbers.size()), MPI_INT, to, 0, impl_->together,
+              &impl_->requests.emplace_back(MPI_REQUEST_NULL));
+  for (std::size_t to = 1; to < impl_->busy.size(); ++to)
+    if (!impl_->busy[to])
+      MPI_Wait(&impl_->requests[to - 1], MPI_STATUS_IGNORE);
+}
+
+void Fellows::expect(std::size_t size) {
+  impl_->numbers.resize(size);
+  MPI_Irecv(impl_->numbers.data(), static_cast<int>(size), MPI_INT, 0, 0, impl_->together,
+            &impl_->requests.emplace_back(MPI_REQUEST_NULL));
+}
+
+const std::vector<int>& Fellows::received() {
+  MPI_Waitall(static_cast<int>(impl_->requests.size()), impl_->requests.data(), MPI_STATUSES_IGNORE);
+  return impl_->numbers;
 }
 
 namespace {

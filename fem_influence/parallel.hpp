@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,43 @@ public:
 /// Runs `work` on every process and waits for all of them. Where it throws on some, the lowest of those
 /// rethrows and all others throw FellowFailed: nobody is left waiting.
 void together(const std::function<void()>& work);
+
+/// The processes of one machine: the first of them can give the others what it has, which there costs little.
+/// Made and destroyed by all processes together.
+class Fellows {
+public:
+  /// busy: this process has other work before it needs what the first one sends.
+  explicit Fellows(bool busy);
+  ~Fellows();
+  Fellows(const Fellows&) = delete;
+  Fellows& operator=(const Fellows&) = delete;
+
+  int rank() const; ///< among the fellows
+  int count() const;
+  int first() const; ///< the first one's rank among all processes
+
+  /// Together; bytes of the first one, as many on each.
+  void broadcast(std::span<std::byte> bytes) const;
+  template <class T> void broadcast(T& number) const {
+    broadcast(std::as_writable_bytes(std::span(&number, 1)));
+  }
+  template <class T> void broadcast(std::vector<T>& array) const {
+    std::size_t size = array.size();
+    broadcast(size);
+    array.resize(size);
+    broadcast(std::as_writable_bytes(std::span(array)));
+  }
+
+  /// The first one's part; waits for those fellows that are not busy. Each other one has called expect().
+  void send(std::vector<int> numbers);
+  void expect(std::size_t size);
+  /// What was expected, once it is here.
+  const std::vector<int>& received();
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 /// Tasks 0 .. count-1, each done by whichever process is free next, lower ones first; a process that
 /// `begins_with_second` takes those from `second` on before the others. What `work` gives comes

@@ -138,25 +138,49 @@ public:
   Half(const BodyFile& body, const ProfileCurve& curve, std::filesystem::path mesh)
       : body_(body), curve_(curve), mesh_(std::move(mesh)) {}
 
-  const HarmonicSolver& solver() {
+  void assemble() {
+    const auto start = std::chrono::steady_clock::now();
+    system_ = assemble_system(
+        {mesh_, body_.harmonic.degree, curve_, body_.strip, {.borders = body_.harmonic.border_levels}}, body_,
+        curve_);
+    timing_.assembly += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  /// What the first of the fellows assembled goes to all, and then its order of elimination.
+  void share(Fellows& fellows) {
+    if (!system_)
+      system_.emplace();
+    system_->for_each_part([&](auto& part) { fellows.broadcast(part); });
+    const std::size_t nodes = system_->op.node_count();
+    if (fellows.rank() > 0) {
+      fellows.expect(nodes);
+      order_ = [&fellows] { return fellows.received(); };
+      return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<int> order;
+    try {
+      order = elimination_order(*system_);
+    } catch (...) {
+      fellows.send({}); // they wait for something
+      throw;
+    }
+    fellows.send(std::move(order));
+    timing_.analysis += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    order_ = [&fellows] { return fellows.received(); };
+  }
+  HarmonicSolver& solver() {
     if (!solver_) {
-      const Section section(mesh_, body_.harmonic.degree, curve_, body_.strip,
-                            {.borders = body_.harmonic.border_levels});
-      cells_ = section.cell_count();
-      solver_ = std::make_unique<HarmonicSolver>(section, body_, curve_);
-      unknowns_ = solver_->unknowns();
+      if (!system_)
+        assemble();
+      cells_ = system_->cells;
+      unknowns_ = system_->unknowns();
+      solver_ = std::make_unique<HarmonicSolver>(std::move(*system_), order_);
+      system_.reset();
     }
     return *solver_;
   }
-  std::vector<double> at(double wavenumber) {
-    solver();
-    return pack(solver_->at(wavenumber));
-  }
-  Timing timing() const {
-    if (solver_)
-      return timing_ + solver_->timing();
-    return timing_;
-  }
+  std::vector<double> at(double wavenumber) { return pack(solver().at(wavenumber)); }
+  Timing timing() const { return solver_ ? timing_ + solver_->timing() : timing_; }
   std::size_t cells() const { return cells_; }
   std::size_t unknowns() const { return unknowns_; }
   void release() {
@@ -168,6 +192,8 @@ private:
   const BodyFile& body_;
   const ProfileCurve& curve_;
   std::filesystem::path mesh_;
+  std::optional<HarmonicSystem> system_; // until the solver takes it
+  std::function<std::vector<int>()> order_;
   std::unique_ptr<HarmonicSolver> solver_;
   std::size_t cells_ = 0, unknowns_ = 0;
   Timing timing_;
@@ -191,8 +217,13 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
   coarser.harmonic.border_levels = std::max(0, body.harmonic.border_levels - 1);
   Half run(body, curve, mesh), companion(coarser, curve, mesh);
   // Some processes begin with the companion, and the others need no mesh of it at all.
-  const bool companion_first =
-      estimated && rank >= process_count() - std::max(1, process_count() / 5) && rank > 0;
+  const auto begins_with_companion = [&](int process) {
+    return estimated && process > 0 && process >= process_count() - std::max(1, process_count() / 5);
+  };
+  const bool companion_first = begins_with_companion(rank);
+  Fellows fellows(companion_first);
+  // One process of each machine assembles for all, if it is one of those that begin with the run.
+  const bool shared = fellows.count() > 1 && !begins_with_companion(fellows.first());
   InfluenceFunction function, coarse;
   std::optional<PartialInfluenceFile> partial, coarse_partial;
   RunReport report;
@@ -205,9 +236,10 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
                         wavenumber_samples(half_period_of(body), shortest_reference_dx(body, stations),
                                            body.harmonic.samples_per_decade));
     require_mesh_of(body, curve, mesh);
-    run.solver(); // what is wrong with the mesh is found before anything is written
     if (companion_first)
-      companion.solver(); // while others open files
+      companion.solver().analyse();
+    else if (!shared || fellows.rank() == 0)
+      run.assemble(); // what is wrong with the mesh is found before anything is written
     for (std::size_t k = 0; k < function.wavenumber_count(); ++k)
       tasks.push_back({false, k});
     if (estimated) {
@@ -239,6 +271,8 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
   if (rank == 0 && progress)
     progress(finished, all);
 
+  if (shared && !tasks.empty() && !tasks.front().companion)
+    together([&] { run.share(fellows); });
   const auto first_of_companion =
       std::find_if(tasks.begin(), tasks.end(), [](const Task& task) { return task.companion; });
   distribute(
