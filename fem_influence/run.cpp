@@ -144,6 +144,8 @@ public:
         {mesh_, body_.harmonic.degree, curve_, body_.strip, {.borders = body_.harmonic.border_levels}}, body_,
         curve_);
     timing_.assembly += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    cells_ = system_->cells;
+    unknowns_ = system_->unknowns();
   }
   /// What the first of the fellows assembled goes to all, and then its order of elimination.
   void share(Fellows& fellows) {
@@ -172,8 +174,6 @@ public:
     if (!solver_) {
       if (!system_)
         assemble();
-      cells_ = system_->cells;
-      unknowns_ = system_->unknowns();
       solver_ = std::make_unique<HarmonicSolver>(std::move(*system_), order_);
       system_.reset();
     }
