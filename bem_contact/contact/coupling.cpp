@@ -1,28 +1,19 @@
 #include "bem_contact/contact/coupling.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/coupled_turn.hpp"
 #include "bem_contact/contact/force_balance.hpp"
 
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <optional>
 
 namespace bem_contact::contact {
 namespace {
 
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-std::span<const double> view(const VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
-std::span<double> view(VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
 
 /// Numbers below this fraction of the self number are rounding.
 constexpr double rounding = 1e-13;
@@ -36,91 +27,6 @@ bool numbers_couple(const InfluenceNumbers& a, double self) {
                      std::abs(a.at(m, row_i, component_n, row_j, c))) > rounding * self)
           return true;
   return false;
-}
-
-/// Fixed-point iteration v = G(v) by Anderson's method, with a short memory.
-class Anderson {
-public:
-  VectorXd next(const VectorXd& v, const VectorXd& residual) {
-    if (!best_ || residual.norm() < *best_)
-      best_ = residual.norm();
-    else if (residual.norm() > 5 * *best_) { // leave the memory behind, and walk slowly
-      history_.clear();
-      return v + 0.3 * residual;
-    }
-    history_.push_back({v, residual});
-    if (history_.size() > 5)
-      history_.pop_front();
-    const Eigen::Index columns = static_cast<Eigen::Index>(history_.size()) - 1;
-    if (columns == 0)
-      return v + residual;
-    MatrixXd dv(v.size(), columns), dr(v.size(), columns);
-    for (Eigen::Index k = 0; k < columns; ++k) {
-      dv.col(k) = history_[k + 1].v - history_[k].v;
-      dr.col(k) = history_[k + 1].residual - history_[k].residual;
-    }
-    const VectorXd weights = dr.colPivHouseholderQr().solve(residual);
-    return v + residual - (dv + dr) * weights;
-  }
-
-private:
-  struct Turn {
-    VectorXd v, residual;
-  };
-  std::deque<Turn> history_;
-  std::optional<double> best_;
-};
-
-struct Shear {
-  TangentialSystem system;
-  VectorXd rigid;  ///< w of the step, mm
-  VectorXd former; ///< what the tractions of former steps add to the slip, mm
-  const StripOperator *normal_from_shear = nullptr, *shear_from_normal = nullptr; ///< null: no coupling
-};
-
-/// sum_k former[k] u_k(x + k columns dx), u = -A p.
-VectorXd former_slip(const ContactProblem& problem, const Shear& shear) {
-  const int n = problem.grid.size();
-  const SlipStep& rule = shear.system.rule;
-  VectorXd sum = VectorXd::Zero(2 * n), pt(2 * n), u(2 * n);
-  for (std::size_t k = 1; k <= std::min<std::size_t>(problem.previous.size(), 2); ++k) {
-    const Tractions& former = problem.previous[k - 1];
-    const int columns = static_cast<int>(k) * rule.columns;
-    pt << Eigen::Map<const VectorXd>(former.px.data(), n), Eigen::Map<const VectorXd>(former.ps.data(), n);
-    sum -= rule.former[k] * shear.system.displacement(pt, columns);
-    if (shear.shear_from_normal) {
-      shear.shear_from_normal->apply(former.pn, view(u), columns);
-      sum -= rule.former[k] * u;
-    }
-  }
-  return sum;
-}
-
-TangentialTask make_task(const ContactProblem& problem, const Shear& shear, const VectorXd& pn,
-                         double floor) {
-  TangentialTask task{pn, shear.rigid, shear.rigid + shear.former, {}, floor};
-  for (int i = 0; i < pn.size(); ++i) {
-    task.bound[i] *= problem.friction_of(i / problem.grid.mx);
-    if (pn[i] > 0)
-      task.contact.push_back(i);
-  }
-  if (shear.shear_from_normal) {
-    VectorXd step(2 * pn.size());
-    if (problem.motion == MotionKind::steady)
-      shear.shear_from_normal->apply_step(view(pn), view(step));
-    else {
-      shear.shear_from_normal->apply(view(pn), view(step));
-      step *= shear.system.rule.present[0];
-    }
-    task.drive -= step;
-  }
-  // where all sticks without rigid slip there is no slip to compare with but what tractions would cause
-  if (problem.motion != MotionKind::steady) {
-    task.slip_floor *= 1e3;
-    for (const int i : task.contact)
-      task.slip_floor = std::max(task.slip_floor, std::hypot(task.drive[i], task.drive[pn.size() + i]));
-  }
-  return task;
 }
 
 /// Throws where the shear forces prescribed cannot be carried.
@@ -141,17 +47,6 @@ void require_capacity(const ContactProblem& problem, const Creepage& creepage) {
         "prescribe less, or give a creepage");
 }
 
-/// Shear keeps its share of the pressure, which has changed: where to start from.
-void follow(const VectorXd& before, const VectorXd& now, VectorXd& shear) {
-  const Eigen::Index n = now.size();
-  for (Eigen::Index i = 0; i < n; ++i)
-    if (before[i] > 0) {
-      const double factor = std::min(now[i] / before[i], 10.0);
-      shear[i] *= factor;
-      shear[n + i] *= factor;
-    }
-}
-
 /// False, and nothing is set, where the guess is of another grid or has no pressure.
 bool set_start(const StartingPoint& start, const ContactProblem& problem, Solution& solution) {
   const Eigen::Index n = problem.grid.size();
@@ -167,6 +62,38 @@ bool set_start(const StartingPoint& start, const ContactProblem& problem, Soluti
     solution.shear.p << Eigen::Map<const VectorXd>(start.px.data(), n),
         Eigen::Map<const VectorXd>(start.ps.data(), n);
   return true;
+}
+
+/// Where shear bears much of a vertical force and also shifts the pressure about, one thing after the other:
+/// for each pressure that ForceBalance looks at the displacements settle first. Slow and sure.
+bool balance_apart(const ContactProblem& problem, const SolverOptions& options, const NormalSystem& system,
+                   const Shear& shear, const VectorXd& gap, const VectorXd& sine, Solution& solution) {
+  constexpr int most_looks = 60;
+  ForceBalance balance(problem.force);
+  solution.pressed = problem.force;
+  for (int look = 0; look < most_looks; ++look) {
+    Anderson anderson;
+    VectorXd v = solution.from_shear;
+    bool settled = false;
+    for (int turn = 0; turn < options.max_outer && !settled; ++turn) {
+      turn_once(problem, options, system, &shear, gap, v, {LoadKind::force, 0, solution.pressed}, solution);
+      solution.from_shear = normal_displacement(shear, solution);
+      const VectorXd residual = solution.from_shear - v;
+      settled =
+          residual.cwiseAbs().maxCoeff() <= 10 * options.tolerance * solution.normal.u.cwiseAbs().maxCoeff();
+      v = anderson.next(v, residual);
+    }
+    if (!settled)
+      return false;
+    solution.borne = solution.pressed + sine.dot(solution.shear.p.tail(sine.size())) * problem.element_area();
+    if (std::abs(solution.borne - problem.force) <= 10 * options.tolerance * problem.force)
+      return true;
+    solution.unbalanced = balance.at_the_most(solution.pressed, solution.borne);
+    if (solution.unbalanced)
+      return false;
+    solution.pressed = balance.next(solution.pressed, solution.borne);
+  }
+  return false;
 }
 
 } // namespace
@@ -221,11 +148,8 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
     const double borne = system.cosine.dot(solution.normal.p) * problem.element_area();
     solution.pressed /= std::clamp(1 + shear_force() / borne, 0.25, 4.0);
   }
-  if (numbers_do && solution.shear.p.any()) {
-    VectorXd u(n);
-    shear->normal_from_shear->apply(view(solution.shear.p), view(u));
-    v.head(n) = u;
-  }
+  if (numbers_do && solution.shear.p.any())
+    v.head(n) = normal_displacement(*shear, solution);
   ForceBalance balance(problem.force);
   Anderson anderson;
   bool settled = false;
@@ -236,27 +160,12 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
   if (coupled)
     turn_options.tolerance = std::max(options.tolerance, loose);
   for (int turn = 0; turn < options.max_outer && !settled; ++turn) {
-    ++solution.outer_iterations;
-    solution.normal.remark.clear();
-    const VectorXd before = solution.normal.p;
-    solve_normal(system, gap + v.head(n), {problem.load, problem.approach, solution.pressed}, turn_options,
-                 solution.normal);
-    if (!shear)
-      break;
-    if (before.size() == n)
-      follow(before, solution.normal.p, solution.shear.p);
-    solution.task =
-        make_task(problem, *shear, solution.normal.p, 1e-12 * solution.normal.p.maxCoeff() * system.self);
-    solve_friction(shear->system, turn_options, solution.task, solution.shear, solution.creepage);
+    turn_once(problem, turn_options, system, shear ? &*shear : nullptr, gap, v.head(n),
+              {problem.load, problem.approach, solution.pressed}, solution);
     if (!coupled)
       break;
     VectorXd next = VectorXd::Zero(n + 1);
-    if (numbers_do) {
-      VectorXd u(n);
-      shear->normal_from_shear->apply(view(solution.shear.p), view(u));
-      next.head(n) = u;
-    }
-    solution.from_shear = next.head(n);
+    solution.from_shear = next.head(n) = normal_displacement(*shear, solution);
     const double scale = solution.normal.u.cwiseAbs().maxCoeff();
     if (by_force) {
       if (turn == 0)
@@ -284,7 +193,7 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
     if (off <= 10 * options.tolerance) // the same again, precisely
       continue;
     const double most = ForceBalance::most * problem.force;
-    solution.unbalanced = by_force && solution.pressed >= most && solution.borne < problem.force;
+    solution.unbalanced = by_force && balance.at_the_most(solution.pressed, solution.borne);
     if (solution.unbalanced)
       break;
     if (by_force && !numbers_do) {
@@ -298,6 +207,8 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
       v[n] = solution.pressed * force_to_length;
     }
   }
+  if (by_force && numbers_do && !settled && !solution.unbalanced)
+    settled = balance_apart(problem, options, system, *shear, gap, sine, solution);
   require_capacity(problem, solution.creepage);
   if (solution.outer_iterations > 1 && first_residual > 0)
     solution.rate = std::pow(last_residual / first_residual, 1.0 / (solution.outer_iterations - 1));

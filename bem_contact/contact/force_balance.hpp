@@ -16,6 +16,7 @@ public:
   /// Where so many times the force do not bear it nothing does: friction pulls the bodies together as hard as
   /// they press each other apart.
   static constexpr double most = 30;
+  bool at_the_most(double pressed, double borne) const { return pressed >= most * force_ && borne < force_; }
 
 private:
   double force_, last_ = 0, last_borne_ = 0, slope_ = 1;

@@ -74,9 +74,12 @@ void require_balance(const ContactProblem& problem, const contact::Solution& sol
     return;
   throw InputError(
       "No pressure balances the vertical force",
-      fmt::format("on surfaces so steep friction of {:g} pulls down what the pressure bears: pressure that "
-                  "bears {:.4g} N leaves {:.4g} N with the shear tractions, and {:g} N are prescribed",
-                  problem.largest_friction(), solution.pressed, solution.borne, problem.force),
+      fmt::format(
+          "on surfaces so steep friction of {:g} pulls down what the pressure bears: pressure that "
+          "bears {:.4g} N, {:g} times the force, leaves {:.4g} N with the shear tractions, and {:g} N "
+          "are prescribed; more was not tried",
+          problem.largest_friction(), solution.pressed, solution.pressed / problem.force, solution.borne,
+          problem.force),
       "Give less friction or yaw, another lateral position, or an approach in place of the force.");
 }
 

@@ -1,3 +1,5 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/force_balance.hpp"
 #include "bem_contact/halfspace/resample.hpp"
 #include "bem_contact/halfspace/tangent_plane.hpp"
 #include "bem_contact/influence/influence_file.hpp"
@@ -104,6 +106,15 @@ void use_files(ContactProblem& problem) {
                                        halfspace::resample(wheel, options, wheel_s, grid.ds));
 }
 
+/// mu tan(delta), at the steepest row: from .7 on friction alone could nearly carry a vertical force.
+double wedging(const ContactProblem& problem) {
+  double steepest = 0;
+  for (const ContactRow& row : problem.rows)
+    steepest = std::max(steepest, std::abs(std::tan(row.delta)));
+  return problem.friction * steepest;
+}
+constexpr double much = 0.7;
+
 ContactProblem random_problem(Numbers kind) {
   const int mx = integer(2, 6), ms = integer(1, 5);
   const bool files = kind == Numbers::fem;
@@ -137,11 +148,7 @@ ContactProblem random_problem(Numbers kind) {
       for (double& w : *slip)
         w *= reach;
   }
-  // A vertical force that friction alone could nearly carry wedges the bodies: no solution, or several.
-  double steepest = 0;
-  for (const ContactRow& row : problem.rows)
-    steepest = std::max(steepest, std::abs(std::tan(row.delta)));
-  problem.load = integer(0, 1) && mu * steepest < 0.7 ? LoadKind::force : LoadKind::approach;
+  problem.load = integer(0, 1) && wedging(problem) < much ? LoadKind::force : LoadKind::approach;
   problem.approach = curvature * reach * reach * uniform(0.5, 2);
   problem.force = lower.shear_modulus * curvature * reach * reach * reach * decades(-1, 0.5);
   return problem;
@@ -197,6 +204,54 @@ void have_the_same_tractions(Numbers kind) {
   EXPECT_GT(seen.adhering, seen.compared);
   EXPECT_GT(seen.slipping, seen.compared);
   EXPECT_GT(seen.most, 1e6 * seen.least);
+}
+
+/// Bodies that friction wedges under a vertical force have no solution, one, or several: certified, or
+/// refused because there is none, or only one whose pressure bears more than ForceBalance::most times the
+/// force.
+struct Wedged {
+  int certified = 0, balanced_apart = 0, refused = 0;
+};
+
+void solve_wedged(ContactProblem problem, Wedged& seen) {
+  const double lean = uniform(-1, 1); // of all rows: the numbers know nothing of it
+  for (ContactRow& row : problem.rows)
+    row.delta += lean;
+  problem.friction = uniform(0.1, 1);
+  problem.load = LoadKind::force;
+  if (wedging(problem) < much)
+    return;
+  SolverOptions options;
+  options.tolerance = 1e-10;
+  options.estimate_discretisation = false;
+  try {
+    const ContactResult result = solve(problem, options);
+    if (!result.converged)
+      RC_FAIL("not certified: " + result.remark);
+    ++seen.certified;
+    seen.balanced_apart += result.outer_iterations > options.max_outer;
+  } catch (const InputError& error) {
+    ++seen.refused;
+    RC_ASSERT(std::string(error.what()).find("No pressure balances") == 0u);
+    const textbook::Solution expected = textbook::solve(problem);
+    double pressed = 0;
+    for (int i = 0; i < problem.grid.size(); ++i)
+      pressed += expected.pn[i] * std::cos(problem.rows[i / problem.grid.mx].delta) * problem.element_area();
+    RC_ASSERT(!expected.found || pressed > contact::ForceBalance::most * problem.force);
+  }
+}
+
+TEST(Textbook, WedgedBodiesAreCertifiedOrRefused) {
+  ASSERT_EQ(parameters, 0);
+  Wedged seen;
+  EXPECT_TRUE(rc::check([&] {
+    for (int k = 0; k < 10; ++k)
+      solve_wedged(random_problem(Numbers::tangent_plane), seen);
+  }));
+  std::printf("%d certified, %d of them by one thing after the other, %d refused\n", seen.certified,
+              seen.balanced_apart, seen.refused);
+  EXPECT_GT(seen.certified, 2 * problems);
+  EXPECT_GT(seen.balanced_apart, 0);
 }
 
 TEST(Textbook, HalfSpaceNumbers) {
