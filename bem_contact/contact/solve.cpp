@@ -131,9 +131,12 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options)
     return result;
   if (const auto coarse = contact::coarse_companion(problem, result))
     try {
-      contact::Prepared& companion = companion_of(kept, *coarse, options.workspace != nullptr);
-      result.discretisation =
-          contact::compare(problem, result, *coarse, solve_on_this_grid(*coarse, options, companion));
+      contact::Prepared& companion = companion_of(kept, coarse->problem, options.workspace != nullptr);
+      SolverOptions loose = options;
+      loose.tolerance = std::max(options.tolerance, contact::companion_tolerance);
+      loose.start = &coarse->start;
+      result.discretisation = contact::compare(problem, result, coarse->problem,
+                                               solve_on_this_grid(coarse->problem, loose, companion));
       if (result.discretisation)
         result.certificate.discretisation = result.discretisation->worst();
     } catch (const InputError&) { // forces that larger elements cannot carry: there is no estimate
