@@ -57,10 +57,10 @@ std::optional<double> correct(NormalBox& at, double scale, double target, int mo
 
 } // namespace
 
-NormalBox::NormalBox(const InfluenceNumbers& numbers, const Box& the_box)
-    : box(the_box), nn(numbers, box.mx, {component_n}, {component_n}, {box.first_s, box.ms}), fast(nn),
-      inverse(numbers, box.mx, box.ms, {component_n}, {component_n},
-              BasicPlaneOperator<float>::Form::periodic, box.first_s + box.ms / 2) {
+NormalBox::NormalBox(const InfluenceNumbers& numbers, const Box& the_box, TransformPool* pool)
+    : box(the_box), nn(numbers, box.mx, {component_n}, {component_n}, {box.first_s, box.ms}, pool),
+      fast(nn, pool), inverse(numbers, box.mx, box.ms, {component_n}, {component_n},
+                              BasicPlaneOperator<float>::Form::periodic, box.first_s + box.ms / 2, pool) {
   inverse.invert();
   for (auto* v : {&p, &u})
     v->assign(box.size(), 0.0);
@@ -71,7 +71,7 @@ NormalBox::NormalBox(const InfluenceNumbers& numbers, const Box& the_box)
 NormalBox& NormalSystem::box_for(const std::vector<int>& elements) const {
   std::optional<NormalBox>& box = kept_->normal_box;
   if (!box || !serves(box->box, box_around(elements, grid)))
-    box.emplace(*numbers, box_around(elements, grid, 1 + std::min(grid.mx, grid.ms) / 60));
+    box.emplace(*numbers, box_around(elements, grid, 1 + std::min(grid.mx, grid.ms) / 60), kept_->pool.get());
   return *box;
 }
 

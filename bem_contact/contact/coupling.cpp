@@ -129,8 +129,10 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
     if (numbers_do) {
       const std::vector<int> tangential{component_x, component_s}, normal{component_n};
       if (!kept.normal_from_shear) {
-        kept.normal_from_shear.emplace(problem.numbers, problem.grid.mx, normal, tangential);
-        kept.shear_from_normal.emplace(problem.numbers, problem.grid.mx, tangential, normal);
+        kept.normal_from_shear.emplace(problem.numbers, problem.grid.mx, normal, tangential, RowRange{},
+                                       kept.pool.get());
+        kept.shear_from_normal.emplace(problem.numbers, problem.grid.mx, tangential, normal, RowRange{},
+                                       kept.pool.get());
       }
       shear->normal_from_shear = &*kept.normal_from_shear;
       shear->shear_from_normal = &*kept.shear_from_normal;

@@ -31,6 +31,7 @@ template <class Real> struct Fftw;
     static constexpr auto& execute_dft = prefix##execute_dft;                                                \
     static constexpr auto& execute_dft_r2c = prefix##execute_dft_r2c;                                        \
     static constexpr auto& execute_dft_c2r = prefix##execute_dft_c2r;                                        \
+    static constexpr auto& execute_r2r = prefix##execute_r2r;                                                \
     static constexpr auto& plan_many_dft = prefix##plan_many_dft;                                            \
     static constexpr auto& plan_many_dft_r2c = prefix##plan_many_dft_r2c;                                    \
     static constexpr auto& plan_many_dft_c2r = prefix##plan_many_dft_c2r;                                    \

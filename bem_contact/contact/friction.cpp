@@ -40,15 +40,16 @@ TangentialSystem::TangentialSystem(const ContactProblem& the_problem, Prepared* 
   }
 }
 
-StepBox::StepBox(const InfluenceNumbers& numbers, const Box& the_box, const SlipStep& the_rule)
-    : box(the_box), rule(the_rule),
-      tt(numbers, box.mx, {component_x, component_s}, {component_x, component_s}, {box.first_s, box.ms}),
-      fast(tt), sticks(box.size()), in(2 * box.size()), out(2 * box.size()), fast_in(2 * box.size()),
+StepBox::StepBox(const InfluenceNumbers& numbers, const Box& the_box, const SlipStep& the_rule,
+                 TransformPool* pool)
+    : box(the_box), rule(the_rule), tt(numbers, box.mx, {component_x, component_s},
+                                       {component_x, component_s}, {box.first_s, box.ms}, pool),
+      fast(tt, pool), sticks(box.size()), in(2 * box.size()), out(2 * box.size()), fast_in(2 * box.size()),
       fast_out(2 * box.size()) {
   using Inverse = BasicPlaneOperator<float>;
   for (const int c : {component_x, component_s}) {
-    const PlaneOperator a(numbers, box.mx, box.ms, {c}, {c}, PlaneOperator::Form::periodic,
-                          box.first_s + box.ms / 2);
+    const Inverse a(numbers, box.mx, box.ms, {c}, {c}, Inverse::Form::periodic, box.first_s + box.ms / 2,
+                    pool);
     for (auto* list : {&behind, &ahead, &periodic, &damped})
       list->emplace_back(a);
     behind.back().invert_factor(Inverse::Factor::behind);
@@ -113,14 +114,14 @@ StepBox& TangentialSystem::box_for(const std::vector<int>& contact) const {
   const Box needed = box_around(contact, problem->grid);
   std::optional<StepBox>& box = kept_->step_box;
   if (!box || !serves(box->box, needed) || box->rule.present != rule.present)
-    box.emplace(problem->numbers, needed, rule);
+    box.emplace(problem->numbers, needed, rule, kept_->pool.get());
   return *box;
 }
 
 const StripOperator& TangentialSystem::whole() const {
   if (!kept_->tt)
     kept_->tt.emplace(problem->numbers, problem->grid.mx, std::vector<int>{component_x, component_s},
-                      std::vector<int>{component_x, component_s});
+                      std::vector<int>{component_x, component_s}, RowRange{}, kept_->pool.get());
   return *kept_->tt;
 }
 

@@ -38,7 +38,7 @@ Displacements displacements(const ContactProblem& problem, const ContactResult& 
   contact::Prepared& kept = workspace ? workspace->of(problem) : only_now;
   const std::vector<int> all{component_x, component_s, component_n};
   if (!kept.all)
-    kept.all.emplace(problem.numbers, problem.grid.mx, all, all);
+    kept.all.emplace(problem.numbers, problem.grid.mx, all, all, contact::RowRange{}, kept.pool.get());
   std::vector<double> p(result.px), u(3 * n);
   p.insert(p.end(), result.ps.begin(), result.ps.end());
   p.insert(p.end(), result.pn.begin(), result.pn.end());

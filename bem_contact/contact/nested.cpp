@@ -67,7 +67,7 @@ ContactProblem coarse_problem(const ContactProblem& problem, Prepared& kept) {
   coarse.kinetic = problem.kinetic;
   const bool all = coarse.tangential && problem.has_friction();
   if (!kept.nested || kept.nested->middle != middle || kept.nested->all != all) {
-    kept.nested = std::make_unique<Prepared::Nested>();
+    kept.nested = std::make_unique<Prepared::Nested>(kept.pool);
     kept.nested->middle = middle;
     kept.nested->all = all;
     kept.nested->numbers = coarse_numbers(problem.numbers, coarse.grid.mx + 2, coarse.grid.ms, middle, all);

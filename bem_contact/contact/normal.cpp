@@ -147,7 +147,8 @@ NormalSystem::~NormalSystem() = default;
 VectorXd NormalSystem::apply(const VectorXd& p) const {
   VectorXd u(p.size());
   if (!kept_->nn)
-    kept_->nn.emplace(*numbers, grid.mx, std::vector<int>{component_n}, std::vector<int>{component_n});
+    kept_->nn.emplace(*numbers, grid.mx, std::vector<int>{component_n}, std::vector<int>{component_n},
+                      RowRange{}, kept_->pool.get());
   kept_->nn->apply({p.data(), static_cast<std::size_t>(p.size())},
                    {u.data(), static_cast<std::size_t>(u.size())});
   return u;

@@ -67,13 +67,14 @@ template <class Real> struct BasicStripOperator<Real>::Impl {
 template <class Real>
 BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, int mx,
                                              std::vector<int> outputs, std::vector<int> inputs,
-                                             RowRange range)
+                                             RowRange range, TransformPool* pool)
     : impl_(std::make_unique<Impl>()) {
   Impl& o = *impl_;
   o.mx = mx;
   o.ms = range.count < 0 ? numbers.rows - range.first : range.count;
   if (numbers.translational) {
-    o.plane.emplace(numbers, mx, o.ms, std::move(outputs), std::move(inputs));
+    o.plane.emplace(numbers, mx, o.ms, std::move(outputs), std::move(inputs),
+                    BasicPlaneOperator<Real>::Form::exact, 0, pool);
     return;
   }
   o.length = good_fft_length(2 * (mx + rolling_columns) + 1);
@@ -126,14 +127,14 @@ BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, in
 
 template <class Real>
 template <class Other>
-BasicStripOperator<Real>::BasicStripOperator(const BasicStripOperator<Other>& other)
+BasicStripOperator<Real>::BasicStripOperator(const BasicStripOperator<Other>& other, TransformPool* pool)
     : impl_(std::make_unique<Impl>()) {
   Impl& o = *impl_;
   const auto& from = *other.impl_;
   o.mx = from.mx;
   o.ms = from.ms;
   if (from.plane) {
-    o.plane.emplace(*from.plane);
+    o.plane.emplace(*from.plane, pool);
     return;
   }
   o.length = from.length;
@@ -235,6 +236,6 @@ void BasicStripOperator<Real>::apply_step(std::span<const Real> p, std::span<Rea
 
 template class BasicStripOperator<double>;
 template class BasicStripOperator<float>;
-template BasicStripOperator<float>::BasicStripOperator(const BasicStripOperator<double>&);
+template BasicStripOperator<float>::BasicStripOperator(const BasicStripOperator<double>&, TransformPool*);
 
 } // namespace bem_contact::contact

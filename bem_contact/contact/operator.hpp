@@ -8,6 +8,8 @@
 
 namespace bem_contact::contact {
 
+class TransformPool;
+
 /// A run of the numbers' rows; count < 0: all from `first` on.
 struct RowRange {
   int first = 0, count = -1;
@@ -19,14 +21,15 @@ struct RowRange {
 /// FFT in x and s (plane_operator.hpp).
 ///
 /// Fields are component-major: component c of element (ix, is) at (c * ms + is) * mx + ix, in the order of
-/// `inputs` and `outputs`. One object serves one thread at a time. `Real`: double, or float where a few
-/// digits are enough.
+/// `inputs` and `outputs`. One object, and all that are made with one `pool`, serve one thread at a time.
+/// `Real`: double, or float where a few digits are enough.
 template <class Real> class BasicStripOperator {
 public:
   BasicStripOperator(const InfluenceNumbers& numbers, int mx, std::vector<int> outputs,
-                     std::vector<int> inputs, RowRange rows = {});
+                     std::vector<int> inputs, RowRange rows = {}, TransformPool* pool = nullptr);
   /// The same in another precision.
-  template <class Other> explicit BasicStripOperator(const BasicStripOperator<Other>& other);
+  template <class Other>
+  explicit BasicStripOperator(const BasicStripOperator<Other>& other, TransformPool* pool = nullptr);
   ~BasicStripOperator();
   BasicStripOperator(BasicStripOperator&&) noexcept;
   BasicStripOperator& operator=(BasicStripOperator&&) noexcept;

@@ -1,6 +1,6 @@
 #include "bem_contact/contact/plane_operator.hpp"
 
-#include "bem_contact/contact/fft.hpp"
+#include "bem_contact/contact/plane_transforms.hpp"
 #include "bem_contact/contact/rolling_step.hpp"
 #include "bem_contact/contact/simd.hpp"
 
@@ -20,8 +20,13 @@ constexpr int periodic_margin = 3;
 template <class Real> Complex<Real>* complex(const FftBuffer<Real>& buffer) {
   return reinterpret_cast<Complex<Real>*>(buffer.get());
 }
-template <class Real> typename Fftw<Real>::Complex* raw(Complex<Real>* p) {
-  return reinterpret_cast<typename Fftw<Real>::Complex*>(p);
+int lines_of(int ms) {
+  return (ms + PlaneShape::step - 1) / PlaneShape::step * PlaneShape::step;
+}
+
+template <class Real>
+std::shared_ptr<PlaneTransforms<Real>> pooled(const PlaneShape& shape, TransformPool* pool) {
+  return pool ? pool->get<Real>(shape) : std::make_shared<PlaneTransforms<Real>>(shape);
 }
 
 int even_length(int n) {
@@ -60,72 +65,45 @@ template <class Real> Real* parts(Complex<Real>* p) {
 } // namespace
 
 template <class Real> struct BasicPlaneOperator<Real>::Impl {
-  using Fft = Fftw<Real>;
   int mx = 0, ms = 0, length_x = 0, length_s = 0, frequencies = 0, inputs = 0, outputs = 0;
   FftBuffer<Real> symbol; ///< complex [frequency][output][input][length_s]
-  FftBuffer<Real> space_in, space_out;
-  FftBuffer<Real> spectrum_in;  ///< complex [frequency][input][length_s]; rows beyond ms stay zero
-  FftBuffer<Real> spectrum_out; ///< complex [frequency][output][ms]
-  FftBuffer<Real> turned_in;    ///< complex [input][length_s]
-  FftBuffer<Real> turned;       ///< complex [output][length_s]
-  FftPlan<Real> x_forward, s_forward, s_backward, x_backward;
+  std::shared_ptr<PlaneTransforms<Real>> transforms;
 
+  std::size_t symbol_size() const { // reals
+    return 2 * static_cast<std::size_t>(frequencies) * outputs * inputs * length_s;
+  }
   Complex<Real>* symbol_at(int k, int a, int b) const {
     return complex(symbol) + ((static_cast<std::size_t>(k) * outputs + a) * inputs + b) * length_s;
   }
-  void make_plans();
+  PlaneShape shape() const { return {length_x, length_s, lines_of(ms), inputs, outputs}; }
+  template <class Other> void copy(const Other& from) {
+    mx = from.mx;
+    ms = from.ms;
+    length_x = from.length_x;
+    length_s = from.length_s;
+    frequencies = from.frequencies;
+    inputs = from.inputs;
+    outputs = from.outputs;
+    symbol = make_fft_buffer<Real>(symbol_size());
+    std::transform(from.symbol.get(), from.symbol.get() + symbol_size(), symbol.get(),
+                   [](auto v) { return static_cast<Real>(v); });
+  }
   void transform_numbers(const InfluenceNumbers& numbers, const std::vector<int>& i,
                          const std::vector<int>& j, int middle);
   void apply(std::span<const Real> p) const;
 };
 
-template <class Real> void BasicPlaneOperator<Real>::Impl::make_plans() {
-  const auto lines = [this](int n) { return static_cast<std::size_t>(n) * ms * length_x; };
-  space_in = make_fft_buffer<Real>(lines(inputs));
-  space_out = make_fft_buffer<Real>(lines(outputs));
-  spectrum_in = make_fft_buffer<Real>(2 * static_cast<std::size_t>(frequencies) * inputs * length_s);
-  spectrum_out = make_fft_buffer<Real>(2 * static_cast<std::size_t>(frequencies) * outputs * ms);
-  turned_in = make_fft_buffer<Real>(2 * static_cast<std::size_t>(inputs) * length_s);
-  turned = make_fft_buffer<Real>(2 * static_cast<std::size_t>(outputs) * length_s);
-  const std::lock_guard lock(fft_planner());
-  // lines of one frequency lie side by side, so that the transform in s stays in the cache
-  const fftw_iodim in_dims{length_x, 1, inputs * length_s};
-  const fftw_iodim in_many[2] = {{inputs, ms * length_x, length_s}, {ms, length_x, 1}};
-  x_forward.reset(Fft::plan_guru_dft_r2c(1, &in_dims, 2, in_many, space_in.get(), raw(complex(spectrum_in)),
-                                         FFTW_ESTIMATE));
-  const fftw_iodim out_dims{length_x, outputs * ms, 1};
-  const fftw_iodim out_many[2] = {{outputs, ms, ms * length_x}, {ms, 1, length_x}};
-  x_backward.reset(Fft::plan_guru_dft_c2r(1, &out_dims, 2, out_many, raw(complex(spectrum_out)),
-                                          space_out.get(), FFTW_ESTIMATE));
-  const auto along_s = [this](int lines_of_s, Complex<Real>* from, Complex<Real>* to, int sign) {
-    return Fft::plan_many_dft(1, &length_s, lines_of_s, raw(from), nullptr, 1, length_s, raw(to), nullptr, 1,
-                              length_s, sign, FFTW_ESTIMATE);
-  };
-  s_forward.reset(along_s(inputs, complex(spectrum_in), complex(turned_in), FFTW_FORWARD));
-  s_backward.reset(along_s(outputs, complex(turned), complex(turned), FFTW_BACKWARD));
-}
-
 template <class Real>
 void BasicPlaneOperator<Real>::Impl::transform_numbers(const InfluenceNumbers& numbers,
                                                        const std::vector<int>& of_i,
                                                        const std::vector<int>& of_j, int middle) {
-  symbol = make_fft_buffer<Real>(2 * static_cast<std::size_t>(frequencies) * outputs * inputs * length_s);
-  FftBuffer<Real> kernel = make_fft_buffer<Real>(static_cast<std::size_t>(length_s) * length_x);
-  const int distance = inputs * outputs * length_s, one = 1;
-  FftPlan<Real> along_x, along_s;
-  {
-    const std::lock_guard lock(fft_planner());
-    along_x.reset(Fft::plan_many_dft_r2c(1, &length_x, length_s, kernel.get(), nullptr, 1, length_x,
-                                         raw(complex(symbol)), nullptr, distance, one, FFTW_ESTIMATE));
-    along_s.reset(Fft::plan_many_dft(1, &length_s, 1, raw(complex(symbol)), nullptr, 1, length_s,
-                                     raw(complex(symbol)), nullptr, 1, length_s, FFTW_FORWARD,
-                                     FFTW_ESTIMATE));
-  }
+  symbol = make_fft_buffer<Real>(symbol_size());
+  Real* kernel = transforms->kernel();
   const int ahead = std::min(mx + rolling_columns, numbers.offsets);
   for (int a = 0; a < outputs; ++a)
     for (int b = 0; b < inputs; ++b) {
       const int i = of_i[a], j = of_j[b];
-      std::fill_n(kernel.get(), static_cast<std::size_t>(length_s) * length_x, 0.0);
+      std::fill_n(kernel, static_cast<std::size_t>(length_s) * length_x, Real(0));
       for (int d = 1 - ms; d < ms; ++d) {
         int row_i = std::max(d, 0), row_j = std::max(-d, 0);
         if (!numbers.translational) {
@@ -140,48 +118,42 @@ void BasicPlaneOperator<Real>::Impl::transform_numbers(const InfluenceNumbers& n
             line[(2 * length_x - m) % length_x] += parity(i, j) * number;
         }
       }
-      Fft::execute_dft_r2c(along_x.get(), kernel.get(), raw(symbol_at(0, a, b)));
-      for (int k = 0; k < frequencies; ++k)
-        Fft::execute_dft(along_s.get(), raw(symbol_at(k, a, b)), raw(symbol_at(k, a, b)));
+      transforms->transform_kernel(symbol_at(0, a, b),
+                                   static_cast<std::ptrdiff_t>(inputs) * outputs * length_s);
     }
 }
 
 template <class Real>
 BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, int mx, int ms,
                                              std::vector<int> outputs, std::vector<int> inputs, Form form,
-                                             int middle)
+                                             int middle, TransformPool* pool)
     : impl_(std::make_unique<Impl>()) {
   Impl& o = *impl_;
   o.mx = mx;
   o.ms = ms;
   const bool exact = form == Form::exact;
   o.length_x = even_length(exact ? 2 * mx + rolling_columns - 1 : mx + 4 + mx / periodic_margin);
-  o.length_s = even_length(exact ? 2 * ms - 1 : ms + 4 + ms / periodic_margin);
+  o.length_s = even_length(std::max(lines_of(ms), exact ? 2 * ms - 1 : ms + 4 + ms / periodic_margin));
   o.frequencies = o.length_x / 2 + 1;
   o.inputs = static_cast<int>(inputs.size());
   o.outputs = static_cast<int>(outputs.size());
-  o.make_plans();
+  o.transforms = pooled<Real>(o.shape(), pool);
   o.transform_numbers(numbers, outputs, inputs, middle);
 }
 
 template <class Real>
 template <class Other>
-BasicPlaneOperator<Real>::BasicPlaneOperator(const BasicPlaneOperator<Other>& other)
+BasicPlaneOperator<Real>::BasicPlaneOperator(const BasicPlaneOperator<Other>& other, TransformPool* pool)
     : impl_(std::make_unique<Impl>()) {
-  Impl& o = *impl_;
-  const auto& from = *other.impl_;
-  o.mx = from.mx;
-  o.ms = from.ms;
-  o.length_x = from.length_x;
-  o.length_s = from.length_s;
-  o.frequencies = from.frequencies;
-  o.inputs = from.inputs;
-  o.outputs = from.outputs;
-  o.make_plans();
-  const std::size_t count = 2 * static_cast<std::size_t>(o.frequencies) * o.outputs * o.inputs * o.length_s;
-  o.symbol = make_fft_buffer<Real>(count);
-  std::transform(from.symbol.get(), from.symbol.get() + count, o.symbol.get(),
-                 [](Other v) { return static_cast<Real>(v); });
+  impl_->copy(*other.impl_);
+  impl_->transforms = pooled<Real>(impl_->shape(), pool);
+}
+
+template <class Real>
+BasicPlaneOperator<Real>::BasicPlaneOperator(const BasicPlaneOperator& other)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->copy(*other.impl_);
+  impl_->transforms = other.impl_->transforms;
 }
 
 template <class Real> BasicPlaneOperator<Real>::~BasicPlaneOperator() = default;
@@ -191,23 +163,25 @@ BasicPlaneOperator<Real>& BasicPlaneOperator<Real>::operator=(BasicPlaneOperator
 
 /// Leaves u of columns up to mx + 1, times both lengths, in space_out.
 template <class Real> void BasicPlaneOperator<Real>::Impl::apply(std::span<const Real> p) const {
-  for (int line = 0; line < inputs * ms; ++line) // what lies beyond stays zero
-    std::copy_n(&p[static_cast<std::size_t>(line) * mx], mx,
-                &space_in[static_cast<std::size_t>(line) * length_x]);
-  Fft::execute(x_forward.get());
+  PlaneTransforms<Real>& t = *transforms;
+  const int lines = t.shape.lines;
+  for (int b = 0; b < inputs; ++b) // others have left what they had beyond
+    for (int is = 0; is < lines; ++is) {
+      Real* to = &t.space_in[(static_cast<std::size_t>(b) * lines + is) * length_x];
+      const int count = is < ms ? mx : 0;
+      std::copy_n(&p[static_cast<std::size_t>(b * ms + is) * mx * (count > 0)], count, to);
+      std::fill(to + count, to + length_x, Real(0));
+    }
+  t.forward();
   for (int k = 0; k < frequencies; ++k) {
-    Complex<Real>* in = complex(spectrum_in) + static_cast<std::size_t>(k) * inputs * length_s;
-    Fft::execute_dft(s_forward.get(), raw(in), raw(complex(turned_in)));
+    t.forward_s(k);
     for (int a = 0; a < outputs; ++a)
       for (int b = 0; b < inputs; ++b)
-        multiply(parts(symbol_at(k, a, b)), parts(complex(turned_in) + b * length_s), length_s, b > 0,
-                 parts(complex(turned) + a * length_s));
-    Fft::execute(s_backward.get());
-    for (int a = 0; a < outputs; ++a)
-      std::copy_n(complex(turned) + a * length_s, ms,
-                  complex(spectrum_out) + (static_cast<std::size_t>(k) * outputs + a) * ms);
+        multiply(parts(symbol_at(k, a, b)), parts(t.turned_in() + b * length_s), length_s, b > 0,
+                 parts(t.turned() + a * length_s));
+    t.backward_s(k);
   }
-  Fft::execute(x_backward.get());
+  t.backward();
 }
 
 template <class Real>
@@ -215,10 +189,12 @@ void BasicPlaneOperator<Real>::apply(std::span<const Real> p, std::span<Real> u,
   const Impl& o = *impl_;
   o.apply(p);
   const Real scale = 1.0 / o.length_x / o.length_s;
-  for (int line = 0; line < o.outputs * o.ms; ++line)
-    for (int ix = 0; ix < o.mx; ++ix)
-      u[static_cast<std::size_t>(line) * o.mx + ix] =
-          scale * o.space_out[static_cast<std::size_t>(line) * o.length_x + ix + columns];
+  for (int a = 0; a < o.outputs; ++a)
+    for (int is = 0; is < o.ms; ++is) {
+      const Real* v = o.transforms->line_out(a, is) + columns;
+      for (int ix = 0; ix < o.mx; ++ix)
+        u[static_cast<std::size_t>(a * o.ms + is) * o.mx + ix] = scale * v[ix];
+    }
 }
 
 template <class Real>
@@ -226,12 +202,13 @@ void BasicPlaneOperator<Real>::apply_step(std::span<const Real> p, std::span<Rea
   const Impl& o = *impl_;
   o.apply(p);
   const Real scale = 1.0 / o.length_x / o.length_s;
-  for (int line = 0; line < o.outputs * o.ms; ++line) {
-    const Real* v = &o.space_out[static_cast<std::size_t>(line) * o.length_x];
-    for (int ix = 0; ix < o.mx; ++ix)
-      u[static_cast<std::size_t>(line) * o.mx + ix] =
-          scale * (rolling_step[0] * v[ix] + rolling_step[1] * v[ix + 1] + rolling_step[2] * v[ix + 2]);
-  }
+  for (int a = 0; a < o.outputs; ++a)
+    for (int is = 0; is < o.ms; ++is) {
+      const Real* v = o.transforms->line_out(a, is);
+      for (int ix = 0; ix < o.mx; ++ix)
+        u[static_cast<std::size_t>(a * o.ms + is) * o.mx + ix] =
+            scale * (rolling_step[0] * v[ix] + rolling_step[1] * v[ix + 1] + rolling_step[2] * v[ix + 2]);
+    }
 }
 
 template <class Real> void BasicPlaneOperator<Real>::invert() {
@@ -249,7 +226,6 @@ template <class Real> void BasicPlaneOperator<Real>::invert() {
 }
 
 template <class Real> void BasicPlaneOperator<Real>::invert_factor(Factor factor) {
-  using Fft = Fftw<Real>;
   const Impl& o = *impl_;
   const int n = o.length_x, half = n / 2;
   Real largest = 0;
@@ -260,27 +236,18 @@ template <class Real> void BasicPlaneOperator<Real>::invert_factor(Factor factor
   // the part of the logarithm whose kernel lies behind (or ahead) only, one frequency of s at a time
   const std::size_t together = static_cast<std::size_t>(o.frequencies) * o.length_s;
   FftBuffer<Real> spectrum = make_fft_buffer<Real>(together), one_sided = make_fft_buffer<Real>(2 * together);
-  FftBuffer<Real> kernel = make_fft_buffer<Real>(static_cast<std::size_t>(n) * o.length_s);
-  FftPlan<Real> to_kernel, to_spectrum;
-  {
-    const std::lock_guard lock(fft_planner());
-    const int count = half + 1;
-    const fftw_r2r_kind even = FFTW_REDFT00;
-    to_kernel.reset(Fft::plan_many_r2r(1, &count, o.length_s, spectrum.get(), nullptr, 1, count,
-                                       spectrum.get(), nullptr, 1, count, &even, FFTW_ESTIMATE));
-    to_spectrum.reset(Fft::plan_many_dft_r2c(1, &n, o.length_s, kernel.get(), nullptr, 1, n,
-                                             raw(complex(one_sided)), nullptr, 1, count, FFTW_ESTIMATE));
-  }
   for (int l = 0; l < o.length_s; ++l)
     for (int k = 0; k <= half; ++k)
       spectrum[static_cast<std::size_t>(l) * (half + 1) + k] =
           std::log(std::max(std::abs(o.symbol_at(k, 0, 0)[l].real()), least_share * largest));
-  Fft::execute(to_kernel.get());
+  o.transforms->even_to_kernel(spectrum.get());
+  Real* kernel = o.transforms->kernel();
+  std::fill_n(kernel, static_cast<std::size_t>(n) * o.length_s, Real(0));
   for (int l = 0; l < o.length_s; ++l)
     for (int m = 0; m <= half; ++m)
       kernel[static_cast<std::size_t>(l) * n + m] =
           spectrum[static_cast<std::size_t>(l) * (half + 1) + m] / n * (m == 0 || m == half ? 0.5 : 1.0);
-  Fft::execute(to_spectrum.get());
+  o.transforms->kernel_to_spectra(complex(one_sided));
   for (int l = 0; l < o.length_s; ++l)
     for (int k = 0; k <= half; ++k) {
       const Complex<Real> behind =
@@ -309,6 +276,6 @@ void BasicPlaneOperator<Real>::invert_shifted(const BasicPlaneOperator& of, Real
 
 template class BasicPlaneOperator<double>;
 template class BasicPlaneOperator<float>;
-template BasicPlaneOperator<float>::BasicPlaneOperator(const BasicPlaneOperator<double>&);
+template BasicPlaneOperator<float>::BasicPlaneOperator(const BasicPlaneOperator<double>&, TransformPool*);
 
 } // namespace bem_contact::contact

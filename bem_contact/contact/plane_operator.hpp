@@ -9,10 +9,12 @@
 
 namespace bem_contact::contact {
 
+class TransformPool;
+
 /// u = A p on a grid [ms][mx] for numbers that depend on x_I - x_J and s_I - s_J alone: FFT in x and in s,
 /// one small complex matrix (outputs x inputs) a pair of frequencies. Fields as for StripOperator, to which
-/// this belongs. One object serves one thread at a time. `Real`: double, or float where a few digits are
-/// enough.
+/// this belongs. What is made with one `pool` shares transforms and serves one thread at a time. `Real`:
+/// double, or float where a few digits are enough.
 template <class Real> class BasicPlaneOperator {
 public:
   /// Of numbers that are not translational the pairs of rows about row `middle` stand for all that are
@@ -21,9 +23,12 @@ public:
   /// work, good enough for a preconditioner.
   enum class Form { exact, periodic };
   BasicPlaneOperator(const InfluenceNumbers& numbers, int mx, int ms, std::vector<int> outputs,
-                     std::vector<int> inputs, Form form = Form::exact, int middle = 0);
+                     std::vector<int> inputs, Form form = Form::exact, int middle = 0,
+                     TransformPool* pool = nullptr);
   /// The same in another precision.
-  template <class Other> explicit BasicPlaneOperator(const BasicPlaneOperator<Other>& other);
+  template <class Other>
+  explicit BasicPlaneOperator(const BasicPlaneOperator<Other>& other, TransformPool* pool = nullptr);
+  explicit BasicPlaneOperator(const BasicPlaneOperator& other);
   ~BasicPlaneOperator();
   BasicPlaneOperator(BasicPlaneOperator&&) noexcept;
   BasicPlaneOperator& operator=(BasicPlaneOperator&&) noexcept;

@@ -24,6 +24,7 @@ NumbersKey key_of(const ContactProblem& problem);
 /// Everything that solving makes of the influence numbers of one grid, each part when it is first needed.
 struct Prepared {
   NumbersKey key; ///< set where it outlives a problem
+  std::shared_ptr<TransformPool> pool;
   std::optional<StripOperator> nn, tt, normal_from_shear, shear_from_normal, all; ///< whole grid
   std::optional<NormalBox> normal_box;
   std::optional<StepBox> step_box;
@@ -36,11 +37,12 @@ struct Prepared {
   std::unique_ptr<Nested> nested;
   std::unique_ptr<Prepared> companion; ///< elements twice as large, to estimate the discretisation
 
-  Prepared();
+  explicit Prepared(std::shared_ptr<TransformPool> transforms = nullptr); ///< null: its own
   ~Prepared();
 };
 
 struct Prepared::Nested {
+  explicit Nested(std::shared_ptr<TransformPool> transforms) : prepared(std::move(transforms)) {}
   int middle = -1;
   bool all = false; ///< not the normal components alone
   InfluenceNumbers numbers;

@@ -114,7 +114,7 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
 contact::Prepared& companion_of(contact::Prepared& kept, const ContactProblem& coarse, bool lasts) {
   const contact::NumbersKey key = lasts ? contact::key_of(coarse) : contact::NumbersKey{};
   if (!kept.companion || kept.companion->key != key) {
-    kept.companion = std::make_unique<contact::Prepared>();
+    kept.companion = std::make_unique<contact::Prepared>(kept.pool);
     kept.companion->key = key;
   }
   return *kept.companion;

@@ -1,5 +1,6 @@
 #include "bem_contact/contact/workspace.hpp"
 
+#include "bem_contact/contact/plane_transforms.hpp"
 #include "bem_contact/contact/prepared.hpp"
 
 #include <algorithm>
@@ -32,7 +33,8 @@ NumbersKey key_of(const ContactProblem& problem) {
           digest_of(a.values)};
 }
 
-Prepared::Prepared() = default;
+Prepared::Prepared(std::shared_ptr<TransformPool> transforms)
+    : pool(transforms ? std::move(transforms) : std::make_shared<TransformPool>()) {}
 Prepared::~Prepared() = default;
 
 void DeletePrepared::operator()(Prepared* prepared) const {
@@ -40,6 +42,8 @@ void DeletePrepared::operator()(Prepared* prepared) const {
 }
 
 } // namespace contact
+
+Workspace::Workspace(int most) : most_(most), pool_(std::make_shared<contact::TransformPool>()) {}
 
 contact::Prepared& Workspace::of(const ContactProblem& problem) {
   const contact::NumbersKey key = contact::key_of(problem);
@@ -50,7 +54,7 @@ contact::Prepared& Workspace::of(const ContactProblem& problem) {
     return *sets_.front();
   }
   ++prepared_;
-  sets_.emplace_front(new contact::Prepared);
+  sets_.emplace_front(new contact::Prepared(pool_));
   sets_.front()->key = key;
   if (sets_.size() > static_cast<std::size_t>(std::max(most_, 1)))
     sets_.pop_back();

@@ -9,6 +9,7 @@ namespace bem_contact {
 
 namespace contact {
 struct Prepared;
+class TransformPool;
 struct DeletePrepared {
   void operator()(Prepared* prepared) const;
 };
@@ -22,7 +23,7 @@ struct DeletePrepared {
 class Workspace {
 public:
   /// `most`: how many different sets of numbers are kept; the one longest not used goes first.
-  explicit Workspace(int most = 2) : most_(most) {}
+  explicit Workspace(int most = 2);
 
   /// For the solvers: what is prepared for the numbers and the grid of this problem.
   contact::Prepared& of(const ContactProblem& problem);
@@ -32,6 +33,7 @@ public:
 
 private:
   int most_, prepared_ = 0, kept_ = 0;
+  std::shared_ptr<contact::TransformPool> pool_; ///< plans are the same for many sets
   std::list<std::unique_ptr<contact::Prepared, contact::DeletePrepared>> sets_; ///< used last: in front
 };
 
