@@ -1,126 +1,35 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/contact/operator.hpp"
+#include "bem_contact/contact/direct_sums.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/contact/solve.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace bem_contact {
 namespace {
 
-using Fields = std::array<std::vector<double>, 3>;
-using Loads = std::array<const std::vector<double>*, 3>;
+using contact::Fields;
 
-/// Direct sums of more terms than this would take longer than the solution.
-constexpr double many_terms = 3e8;
-/// Elements at which direct sums check the FFT there, and how closely they agree.
-constexpr int samples = 100;
-constexpr double agreement = 1e-9;
-
-double number(const InfluenceNumbers& a, int m, int row_i, int i, int row_j, int j) {
-  return (m < 0 ? parity(i, j) : 1) * a.at(std::abs(m), row_i, i, row_j, j);
-}
-
-/// (A p)_i of one element; the column may lie ahead of the grid.
-double displacement_of(const ContactProblem& problem, const Loads& p, int row_i, int column, int i) {
-  const int mx = problem.grid.mx;
-  double sum = 0;
-  for (int j = 0; j < 3; ++j)
-    for (int load = 0; load < problem.grid.size(); ++load)
-      if ((*p[j])[load] != 0)
-        sum += number(problem.numbers, column - load % mx, row_i, i, load / mx, j) * (*p[j])[load];
-  return sum;
-}
-
-/// By FFT, columns 0 .. mx + 1; nothing where direct sums disagree.
-std::optional<Fields> transformed_displacements(const ContactProblem& problem, const Loads& p) {
-  const auto& [mx, ms, dx, ds, x0] = problem.grid;
-  std::vector<int> loaded;
-  std::vector<double> tractions;
-  for (int j = 0; j < 3; ++j)
-    if (std::any_of(p[j]->begin(), p[j]->end(), [](double v) { return v != 0; })) {
-      loaded.push_back(j);
-      tractions.insert(tractions.end(), p[j]->begin(), p[j]->end());
-    }
-  const std::vector<int> wanted = problem.has_friction()
-                                      ? std::vector<int>{component_x, component_s, component_n}
-                                      : std::vector<int>{component_n};
-  const std::size_t n = problem.grid.size(), columns = mx + rolling_columns;
-  const contact::StripOperator numbers(problem.numbers, mx, wanted, loaded);
-  Fields u;
-  u.fill(std::vector<double>(columns * ms, 0.0));
-  std::vector<double> out(wanted.size() * n);
-  for (int ahead = 0; ahead <= (problem.has_friction() ? rolling_columns : 0); ++ahead) {
-    numbers.apply(tractions, out, ahead);
-    for (std::size_t c = 0; c < wanted.size(); ++c)
-      for (int is = 0; is < ms; ++is)
-        std::copy_n(&out[c * n + static_cast<std::size_t>(is) * mx], mx, &u[wanted[c]][is * columns + ahead]);
-  }
-  for (const int i : wanted) {
-    double largest = 0;
-    for (const double v : u[i])
-      largest = std::max(largest, std::abs(v));
-    for (int k = 0; k < samples; ++k) {
-      const int element = static_cast<int>(n * (k + 0.5) / samples);
-      const double sum = displacement_of(problem, p, element / mx, element % mx, i);
-      if (!(std::abs(sum - u[i][element / mx * columns + element % mx]) <= agreement * largest))
-        return std::nullopt;
-    }
-  }
-  return u;
-}
-
-/// u_i = (A p)_i in columns 0 .. mx + 1 (two ahead of the grid, for rolling), by direct summation over the
-/// numbers; where that is too much, by FFT, with direct sums at some elements as the check.
-Fields displacements(const ContactProblem& problem, const Loads& p) {
-  const auto& [mx, ms, dx, ds, x0] = problem.grid;
-  const InfluenceNumbers& a = problem.numbers;
-  const int columns = std::min(mx + rolling_columns, a.offsets);
-  double terms = 0;
-  for (int j = 0; j < 3; ++j)
-    terms += (problem.has_friction() ? 3.0 : 1.0) * problem.grid.size() *
-             std::count_if(p[j]->begin(), p[j]->end(), [](double v) { return v != 0; });
-  if (terms > many_terms && columns == mx + rolling_columns)
-    if (auto u = transformed_displacements(problem, p))
-      return std::move(*u);
-  Fields u;
-  u.fill(std::vector<double>(static_cast<std::size_t>(columns) * ms, 0.0));
-  for (int j = 0; j < 3; ++j)
-    for (int row_j = 0; row_j < ms; ++row_j) {
-      const double* load = p[j]->data() + static_cast<std::size_t>(row_j) * mx;
-      int from = 0, to = mx;
-      while (from < to && load[from] == 0)
-        ++from;
-      while (to > from && load[to - 1] == 0)
-        --to;
-      if (from == to)
-        continue;
-      for (int i = problem.has_friction() ? component_x : component_n; i < 3; ++i)
-        for (int row_i = 0; row_i < ms; ++row_i)
-          for (int m = -(to - 1); m < columns - from; ++m) { // x_I - x_J in elements
-            const double factor = number(a, m, row_i, i, row_j, j);
-            if (factor == 0)
-              continue;
-            double* target = u[i].data() + static_cast<std::size_t>(row_i) * columns + m;
-            const int begin = std::max(from, -m), end = std::min(to, columns - m);
-            for (int ix = begin; ix < end; ++ix)
-              target[ix] += factor * load[ix];
-          }
-    }
-  return u;
+/// Rows on which something is in contact; none without friction.
+std::vector<char> rows_in_contact(const ContactProblem& problem, const ContactResult& result) {
+  if (!problem.has_friction())
+    return {};
+  std::vector<char> rows(problem.grid.ms, 0);
+  for (int i = 0; i < problem.grid.size(); ++i)
+    rows[i / problem.grid.mx] |= result.pn[i] > 0;
+  return rows;
 }
 
 /// sum_k former[k] (A p_k)(x + k columns dx) over the tractions of former steps; as displacements().
-Fields former_displacements(const ContactProblem& problem, const SlipStep& step, int columns) {
+Fields former_displacements(const ContactProblem& problem, const SlipStep& step,
+                            const std::vector<char>& slip_rows, int columns) {
   Fields sum;
   sum.fill(std::vector<double>(static_cast<std::size_t>(columns) * problem.grid.ms, 0.0));
   for (std::size_t k = 1; k <= std::min<std::size_t>(problem.previous.size(), 2); ++k) {
     const Tractions& former = problem.previous[k - 1];
-    const auto u = displacements(problem, {&former.px, &former.ps, &former.pn});
+    const auto u = contact::direct_displacements(problem, slip_rows, {&former.px, &former.ps, &former.pn});
     const int ahead = static_cast<int>(k) * step.columns;
     for (const int c : {component_x, component_s})
       for (int is = 0; is < problem.grid.ms; ++is)
@@ -183,8 +92,8 @@ void check_normal(const ContactProblem& problem, const ContactResult& result, co
   certificate.complementarity = relative(product, pmax * scale);
 }
 
-void check_friction(const ContactProblem& problem, const ContactResult& result, const Fields& u, int columns,
-                    Certificate& certificate) {
+void check_friction(const ContactProblem& problem, const ContactResult& result, const Fields& u,
+                    const std::vector<char>& slip_rows, int columns, Certificate& certificate) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   const bool friction = problem.has_friction();
   const auto mu = [&](int i) { return friction ? problem.friction_of(i / mx) : 0.0; };
@@ -204,10 +113,11 @@ void check_friction(const ContactProblem& problem, const ContactResult& result, 
   if (!friction)
     return;
   const SlipStep step = slip_step(problem);
-  const auto before = former_displacements(problem, step, columns);
+  const auto before = former_displacements(problem, step, slip_rows, columns);
   const bool steady = problem.motion == MotionKind::steady;
   const std::vector<double> none(result.pn.size(), 0.0);
-  const auto from_normal = steady ? u : displacements(problem, {&none, &none, &result.pn});
+  const auto from_normal =
+      steady ? u : contact::direct_displacements(problem, slip_rows, {&none, &none, &result.pn});
   struct Slip {
     double x, s, bound;
     int element;
@@ -271,11 +181,12 @@ double Certificate::worst() const {
 
 Certificate certify(const ContactProblem& problem, const ContactResult& result) {
   require_fields(problem, result);
+  const std::vector<char> slip_rows = rows_in_contact(problem, result);
   Certificate certificate;
-  const auto u = displacements(problem, {&result.px, &result.ps, &result.pn});
+  const auto u = contact::direct_displacements(problem, slip_rows, {&result.px, &result.ps, &result.pn});
   const int columns = static_cast<int>(u[0].size()) / problem.grid.ms;
   check_normal(problem, result, u[component_n], columns, certificate);
-  check_friction(problem, result, u, columns, certificate);
+  check_friction(problem, result, u, slip_rows, columns, certificate);
   if (problem.load == LoadKind::force) {
     double force = 0;
     for (int i = 0; i < problem.grid.size(); ++i) {

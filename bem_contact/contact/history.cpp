@@ -1,7 +1,9 @@
 #include "bem_contact/contact/history.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/contact/prepared.hpp"
+#include "bem_contact/contact/direct_sums.hpp"
+
+#include <utility>
 
 namespace bem_contact {
 
@@ -31,24 +33,20 @@ std::vector<ContactResult> solve_history(ContactProblem problem, int steps,
   return results;
 }
 
-Displacements displacements(const ContactProblem& problem, const ContactResult& result,
-                            Workspace* workspace) {
-  const std::size_t n = problem.grid.size();
-  contact::Prepared only_now;
-  contact::Prepared& kept = workspace ? workspace->of(problem) : only_now;
-  const std::vector<int> all{component_x, component_s, component_n};
-  if (!kept.all)
-    kept.all.emplace(problem.numbers, problem.grid.mx, all, all, contact::RowRange{}, kept.pool.get());
-  std::vector<double> p(result.px), u(3 * n);
-  p.insert(p.end(), result.ps.begin(), result.ps.end());
-  p.insert(p.end(), result.pn.begin(), result.pn.end());
-  kept.all->apply(p, u);
-  for (double& v : u)
-    v = -v;
-  const auto component = [&](int c) {
-    return std::vector<double>(u.begin() + c * n, u.begin() + (c + 1) * n);
-  };
-  return {component(0), component(1), component(2)};
+Displacements displacements(const ContactProblem& problem, const ContactResult& result) {
+  const auto& [mx, ms, dx, ds, x0] = problem.grid;
+  const contact::Fields u =
+      contact::direct_displacements(problem, std::vector<char>(ms, 1), {&result.px, &result.ps, &result.pn});
+  const std::size_t columns = u[component_n].size() / ms;
+  Displacements out;
+  for (const auto& [of, to] :
+       {std::pair(component_x, &out.ux), {component_s, &out.us}, {component_n, &out.un}}) {
+    to->resize(problem.grid.size());
+    for (int is = 0; is < ms; ++is)
+      for (int ix = 0; ix < mx; ++ix)
+        (*to)[is * mx + ix] = -u[of][is * columns + ix];
+  }
+  return out;
 }
 
 std::vector<double> friction_power(const ContactResult& result) {

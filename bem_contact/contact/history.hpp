@@ -22,8 +22,7 @@ std::vector<ContactResult> solve_history(ContactProblem problem, int steps,
 struct Displacements {
   std::vector<double> ux, us, un;
 };
-Displacements displacements(const ContactProblem& problem, const ContactResult& result,
-                            Workspace* workspace = nullptr);
+Displacements displacements(const ContactProblem& problem, const ContactResult& result);
 
 /// p_t S, what friction dissipates on each element per unit of rolled distance (shift: of the step), MPa
 /// (shift: MPa mm); field.

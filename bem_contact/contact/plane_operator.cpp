@@ -173,13 +173,14 @@ template <class Real> void BasicPlaneOperator<Real>::Impl::apply(std::span<const
       std::fill(to + count, to + length_x, Real(0));
     }
   t.forward();
-  for (int k = 0; k < frequencies; ++k) {
-    t.forward_s(k);
-    for (int a = 0; a < outputs; ++a)
-      for (int b = 0; b < inputs; ++b)
-        multiply(parts(symbol_at(k, a, b)), parts(t.turned_in() + b * length_s), length_s, b > 0,
-                 parts(t.turned() + a * length_s));
-    t.backward_s(k);
+  for (int first = 0; first < frequencies; first += t.together()) {
+    t.forward_s(first);
+    for (int k = 0; k < t.together(); ++k)
+      for (int a = 0; a < outputs; ++a)
+        for (int b = 0; b < inputs; ++b)
+          multiply(parts(symbol_at(first + k, a, b)), parts(t.turned_in() + (k * inputs + b) * length_s),
+                   length_s, b > 0, parts(t.turned() + (k * outputs + a) * length_s));
+    t.backward_s(first);
   }
   t.backward();
 }

@@ -25,7 +25,7 @@ NumbersKey key_of(const ContactProblem& problem);
 struct Prepared {
   NumbersKey key; ///< set where it outlives a problem
   std::shared_ptr<TransformPool> pool;
-  std::optional<StripOperator> nn, tt, normal_from_shear, shear_from_normal, all; ///< whole grid
+  std::optional<StripOperator> nn, tt, normal_from_shear, shear_from_normal; ///< whole grid
   std::optional<NormalBox> normal_box;
   std::optional<StepBox> step_box;
   std::optional<StepNumbers> step_numbers;

@@ -106,7 +106,9 @@ InfluenceNumbers halfspace_pair(const SceneFile& scene, const PreparedContact& c
   };
   // The wheel's own s runs against the rail's: with rows in the contact's order the couplings of equal bodies
   // cancel.
-  return halfspace::combine(one(scene.rail.material), reversed(one(scene.wheel.material)));
+  const InfluenceNumbers rail = one(scene.rail.material);
+  return halfspace::combine(
+      rail, reversed(scene.wheel.material == scene.rail.material ? rail : one(scene.wheel.material)));
 }
 
 InfluenceNumbers tangent_plane_pair(const SceneFile& scene, const PreparedContact& contact) {

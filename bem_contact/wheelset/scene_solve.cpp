@@ -111,7 +111,7 @@ SceneResult solve_once(Stage& stage, const std::string& model, bool tangential) 
     out.result = solve(normal, options);
   } else if (!problem.tangential || problem.motion == MotionKind::steady) {
     out.result = solve(problem, options);
-    out.displacements = displacements(problem, out.result, stage.aids.workspace);
+    out.displacements = displacements(problem, out.result);
   } else {
     const std::vector<MotionStep> steps = read_steps(*stage.scene);
     require_memory(problem.grid, steps.size());
@@ -132,7 +132,7 @@ SceneResult solve_once(Stage& stage, const std::string& model, bool tangential) 
     out.result = out.history.back();
     progress.reset();
     prescribe(last, problem);
-    out.displacements = displacements(problem, out.result, stage.aids.workspace);
+    out.displacements = displacements(problem, out.result);
     for (int k = 0; k < last; ++k)
       if (!out.history[k].converged)
         out.warnings.push_back(

@@ -15,20 +15,6 @@ namespace bem_contact {
 
 namespace {
 
-/// Points 0.1 mm apart that `at` gives for arc lengths within both ranges; those it does not give are left
-/// out.
-template <class At>
-std::vector<Point2> track_points(const TabulatedProfile& curve, double from, double to, const At& at) {
-  from = std::max(from, curve.s_begin());
-  to = std::min(to, curve.s_end());
-  std::vector<Point2> points;
-  const int n = std::max(2, static_cast<int>((to - from) / 0.1));
-  for (int i = 0; i <= n; ++i)
-    if (const std::optional<CurvePoint> p = at(i == n ? to : from + (to - from) * i / n))
-      points.push_back(p->position);
-  return points;
-}
-
 constexpr double largest_approach = 1.0; // mm: a hundred times the load at which steel yields
 
 void require_elastic(double approach) {
@@ -152,9 +138,14 @@ std::pair<std::vector<Point2>, std::vector<Point2>> profiles_near(const WheelRai
                                      {s_to, last.position, last.delta}};
   const std::vector<double> wheel_s = wheel_stations(placed.locus, ends);
   const auto [lo, hi] = std::ranges::minmax(wheel_s);
-  return {track_points(pair.rail, s_from - margin, s_to + margin,
-                       [&](double s) { return std::optional(pair.rail_at(s)); }),
-          track_points(pair.wheel, lo - margin, hi + margin, [&](double s) { return placed.locus.at(s); })};
+  std::vector<Point2> rail, wheel;
+  for (const TabulatedProfile::Node& node : pair.rail.nodes())
+    if (node.s >= s_from - margin && node.s <= s_to + margin)
+      rail.push_back(pair.rail_pose.to_track(node.position));
+  for (const ContactLocus::Node& node : placed.locus.nodes())
+    if (node.s >= lo - margin && node.s <= hi + margin)
+      wheel.push_back(node.position);
+  return {std::move(rail), std::move(wheel)};
 }
 
 std::vector<std::string> describe(const WheelRailScene& placed) {
