@@ -34,7 +34,8 @@ private:
 
 /// B on a box around the contact and an approximate inverse of it; fields [2][box.ms][box.mx].
 struct StepBox {
-  StepBox(const InfluenceNumbers& numbers, const Box& box, const SlipStep& rule, TransformPool* pool);
+  StepBox(const InfluenceNumbers& numbers, const Box& box, const SlipStep& rule,
+          TransformPool* pool = nullptr);
 
   /// out = B in
   void step();

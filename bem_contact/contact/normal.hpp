@@ -16,7 +16,7 @@ namespace bem_contact::contact {
 /// The operator on a box around the active set, an approximate inverse of it, and the vectors of conjugate
 /// gradients: in single precision, which corrects what is known in double precision.
 struct NormalBox {
-  NormalBox(const InfluenceNumbers& numbers, const Box& box, TransformPool* pool);
+  NormalBox(const InfluenceNumbers& numbers, const Box& box, TransformPool* pool = nullptr);
 
   Box box;
   StripOperator nn;
