@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* title = "conformal-contact influence function";
 
-std::vector<std::byte> read_bytes(const std::filesystem::path& file) {
+std::ifstream open_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in)
     throw InputError("the influence file '" + file.string() + "' cannot be opened",
@@ -25,18 +25,48 @@ std::vector<std::byte> read_bytes(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file))
     throw InputError("'" + file.string() + "' is no influence file", "it is not a regular file",
                      "name a file that fem_influence wrote");
-  std::vector<std::byte> bytes(std::filesystem::file_size(file));
-  in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (static_cast<std::size_t>(in.gcount()) != bytes.size())
-    throw InputError("the influence file '" + file.string() + "' cannot be read", "reading stopped early",
-                     "check the disk, or compute it again");
-  return bytes;
+  return in;
 }
 
-std::array<char, seal_size> make_seal(int major, int minor, std::span<const std::byte> whole_file) {
+class Sha256 {
+public:
+  Sha256() { check(context_ && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1); }
+  void add(std::span<const std::byte> data) {
+    check(EVP_DigestUpdate(context_.get(), data.data(), data.size()) == 1);
+  }
+  std::string hex() {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned int size = 0;
+    check(EVP_DigestFinal_ex(context_.get(), digest.data(), &size) == 1);
+    std::string text;
+    for (unsigned int i = 0; i < size; ++i) {
+      text += "0123456789abcdef"[digest[i] >> 4];
+      text += "0123456789abcdef"[digest[i] & 15];
+    }
+    return text;
+  }
+
+private:
+  static void check(bool good) {
+    if (!good)
+      throw Error("a checksum cannot be computed", "OpenSSL's SHA-256 failed",
+                  "check the OpenSSL installation");
+  }
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_{EVP_MD_CTX_new(), EVP_MD_CTX_free};
+};
+
+/// Of all that follows in the stream.
+std::string sha256_of_rest(std::istream& in) {
+  Sha256 hash;
+  std::vector<char> part(1 << 20);
+  while (in.read(part.data(), static_cast<std::streamsize>(part.size())) || in.gcount() > 0)
+    hash.add(std::as_bytes(std::span(part).first(static_cast<std::size_t>(in.gcount()))));
+  return hash.hex();
+}
+
+std::array<char, seal_size> make_seal(int major, int minor, std::size_t bytes, const std::string& hash) {
   std::ostringstream text;
-  text << title << "\nformat " << major << '.' << minor << "\nbytes " << whole_file.size() << "\nsha256 "
-       << sha256(whole_file.subspan(seal_size)) << '\n';
+  text << title << "\nformat " << major << '.' << minor << "\nbytes " << bytes << "\nsha256 " << hash << '\n';
   std::array<char, seal_size> seal{};
   const std::string s = text.str();
   std::memcpy(seal.data(), s.data(), s.size());
@@ -46,26 +76,22 @@ std::array<char, seal_size> make_seal(int major, int minor, std::span<const std:
 } // namespace
 
 std::string sha256(std::span<const std::byte> data) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned int size = 0;
-  if (EVP_Digest(data.data(), data.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1)
-    throw Error("a checksum cannot be computed", "OpenSSL's SHA-256 failed",
-                "check the OpenSSL installation");
-  std::string hex;
-  for (unsigned int i = 0; i < size; ++i) {
-    hex += "0123456789abcdef"[digest[i] >> 4];
-    hex += "0123456789abcdef"[digest[i] & 15];
-  }
-  return hex;
+  Sha256 hash;
+  hash.add(data);
+  return hash.hex();
 }
 
 void seal(std::span<std::byte> whole_file, int format_major, int format_minor) {
-  const auto text = make_seal(format_major, format_minor, whole_file);
+  const auto text =
+      make_seal(format_major, format_minor, whole_file.size(), sha256(whole_file.subspan(seal_size)));
   std::memcpy(whole_file.data(), text.data(), text.size());
 }
 
 void seal_file(const std::filesystem::path& file, int format_major, int format_minor) {
-  const auto text = make_seal(format_major, format_minor, read_bytes(file));
+  std::ifstream in = open_file(file);
+  in.seekg(seal_size);
+  const auto text =
+      make_seal(format_major, format_minor, std::filesystem::file_size(file), sha256_of_rest(in));
   std::fstream out(file, std::ios::binary | std::ios::in | std::ios::out);
   out.write(text.data(), text.size());
   out.close();
@@ -81,10 +107,12 @@ bool begins_with_seal(const std::filesystem::path& file) {
 }
 
 void check_seal(const std::filesystem::path& file, int format_major) {
-  const std::vector<std::byte> bytes = read_bytes(file);
+  std::ifstream in = open_file(file);
+  const std::size_t found = std::filesystem::file_size(file);
   const std::string name = std::string("'").append(file.string()).append("'"); // gcc 12 warns of operator+
-  std::istringstream head(
-      std::string(reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), seal_size)));
+  std::string first(std::min(found, seal_size), '\0');
+  in.read(first.data(), static_cast<std::streamsize>(first.size()));
+  std::istringstream head(first);
   std::string line, word;
   std::getline(head, line);
   if (line != title)
@@ -103,12 +131,11 @@ void check_seal(const std::filesystem::path& file, int format_major) {
                          std::to_string(minor),
                      "this program reads version " + std::to_string(format_major),
                      "compute it again with the fem_influence of this version");
-  if (bytes.size() < size || bytes.size() < seal_size)
+  if (found < size || found < seal_size)
     throw InputError("the influence file " + name + " is truncated",
-                     "it holds " + std::to_string(bytes.size()) + " of " + std::to_string(size) + " bytes",
-                     again);
-  const auto expected = make_seal(major, minor, bytes);
-  if (std::memcmp(expected.data(), bytes.data(), seal_size) != 0)
+                     "it holds " + std::to_string(found) + " of " + std::to_string(size) + " bytes", again);
+  const auto expected = make_seal(major, minor, found, sha256_of_rest(in));
+  if (std::memcmp(expected.data(), first.data(), seal_size) != 0)
     throw InputError("the influence file " + name + " was altered", "its checksum does not hold", again);
 }
 

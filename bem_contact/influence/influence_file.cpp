@@ -6,6 +6,8 @@
 #include "bem_contact/influence/h5_handle.hpp"
 #include "bem_contact/influence/h5_image.hpp"
 
+#include <functional>
+#include <numeric>
 #include <ostream>
 #include <string_view>
 #include <type_traits>
@@ -117,28 +119,56 @@ void write_table(hid_t at, const char* name, const Shape& shape, std::span<const
   write_attribute(set, "unit", std::string(unit));
 }
 
+struct Table {
+  Handle set;
+  Shape shape;
+};
+
 /// `shape`: the extents wanted, 0 where any will do.
-std::vector<double> read_table(hid_t at, const char* name, Shape shape) {
-  const Handle set(H5Dopen2(at, name, H5P_DEFAULT), H5Dclose, std::string("the table ") + name);
+Table open_table(hid_t at, const char* name, Shape shape) {
+  Handle set(H5Dopen2(at, name, H5P_DEFAULT), H5Dclose, std::string("the table ") + name);
   const Handle space(H5Dget_space(set), H5Sclose, name);
   const Handle type(H5Dget_type(set), H5Tclose, name);
   Shape found(shape.size());
   const bool fits = H5Tget_class(type) == H5T_FLOAT &&
                     H5Sget_simple_extent_ndims(space) == static_cast<int>(shape.size()) &&
                     H5Sget_simple_extent_dims(space, found.data(), nullptr) >= 0;
-  hsize_t count = 1;
-  for (std::size_t i = 0; fits && i < shape.size(); ++i) {
+  for (std::size_t i = 0; fits && i < shape.size(); ++i)
     if (shape[i] == 0 && found[i] > 0 && found[i] < 1000000)
       shape[i] = found[i];
-    count *= shape[i];
-  }
   if (!fits || found != shape)
     throw InputError("the influence file's table '" + std::string(name) + "' has the wrong shape or type",
                      "it does not fit the file's stations and wavenumbers",
                      "compute the influence file again");
-  std::vector<double> values(count);
+  return {std::move(set), std::move(shape)};
+}
+
+std::vector<double> read_table(hid_t at, const char* name, Shape wanted) {
+  const auto [set, shape] = open_table(at, name, std::move(wanted));
+  std::vector<double> values(
+      std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<hsize_t>()));
   check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
   return values;
+}
+
+/// A stack of lower triangles by rows as `count` (0: of any number) symmetric n x n matrices. One triangle
+/// after the other: of a long strip they take as much memory together as all else.
+std::vector<double> read_triangles(hid_t at, const char* name, hsize_t count, hsize_t n) {
+  const auto [set, shape] = open_table(at, name, {count, n * (n + 1) / 2});
+  const Handle space(H5Dget_space(set), H5Sclose, name);
+  const Handle one(H5Screate_simple(1, &shape[1], nullptr), H5Sclose, name);
+  std::vector<double> triangle(shape[1]), matrices(shape[0] * n * n);
+  for (hsize_t k = 0; k < shape[0]; ++k) {
+    const hsize_t from[] = {k, 0}, extent[] = {1, shape[1]};
+    check(H5Sselect_hyperslab(space, H5S_SELECT_SET, from, nullptr, extent, nullptr), name);
+    check(H5Dread(set, H5T_NATIVE_DOUBLE, one, space, H5P_DEFAULT, triangle.data()), name);
+    const double* value = triangle.data();
+    double* matrix = &matrices[k * n * n];
+    for (hsize_t row = 0; row < n; ++row)
+      for (hsize_t column = 0; column <= row; ++column)
+        matrix[row * n + column] = matrix[column * n + row] = *value++;
+  }
+  return matrices;
 }
 
 // --- the contents -----------------------------------------------------------------------------------
@@ -167,16 +197,6 @@ std::vector<double> packed(const std::vector<double>& kernel, std::size_t n, std
     for (std::size_t row = 0; row < n; ++row)
       lower.insert(lower.end(), &kernel[(k * n + row) * n], &kernel[(k * n + row) * n] + row + 1);
   return lower;
-}
-
-std::vector<double> unpacked(const std::vector<double>& lower, std::size_t n, std::size_t count) {
-  std::vector<double> kernel(count * n * n);
-  auto value = lower.begin();
-  for (std::size_t k = 0; k < count; ++k)
-    for (std::size_t row = 0; row < n; ++row)
-      for (std::size_t column = 0; column <= row; ++column)
-        kernel[(k * n + row) * n + column] = kernel[(k * n + column) * n + row] = *value++;
-  return kernel;
 }
 
 int format_minor_of(const InfluenceFunction& f) {
@@ -232,15 +252,13 @@ InfluenceFunction read_contents(const std::filesystem::path& file) {
   const hsize_t n = 3 * f.station_count();
   if (n > 0 && H5Lexists(root, "table", H5P_DEFAULT) > 0) {
     read_attribute(root, "table_dx", f.table_dx);
-    const std::vector<double> lower = read_table(root, "table", {0, n * (n + 1) / 2});
-    const hsize_t nm = lower.size() / (n * (n + 1) / 2);
-    f.table = unpacked(lower, n, nm);
+    f.table = read_triangles(root, "table", 0, n);
     reflect(f.table, n);
     return f;
   }
   f.wavenumber = read_table(root, "wavenumber", {0});
   const hsize_t nk = f.wavenumber_count();
-  f.kernel = unpacked(read_table(root, "kernel", {nk, n * (n + 1) / 2}), n, nk);
+  f.kernel = read_triangles(root, "kernel", nk, n);
   f.remote = read_table(root, "remote", {nk, 6, n});
   f.remote_self = read_table(root, "remote_self", {nk, 6, 6});
   return f;
