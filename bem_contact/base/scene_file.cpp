@@ -87,9 +87,13 @@ void check_wheel_rail(const SceneFile& f, const Schema& s) {
   if (f.wheel.profile.empty())
     s.refuse("wheel.profile", "a wheel on a rail needs the wheel's profile",
              "Give for instance profile = \"S1002\".");
-  if (f.position.back_to_back >= f.position.gauge)
+  if (f.position.back_to_back >= f.position.gauge) {
+    if (!s.has("position.back_to_back"))
+      s.refuse("position.gauge", fmt::format("the flange backs are {} mm apart", f.position.back_to_back),
+               "Give the gauge in mm, and position.back_to_back if it is another one.");
     s.refuse("position.back_to_back", fmt::format("the gauge is only {} mm", f.position.gauge),
              "Give a distance between the flange backs smaller than the gauge.");
+  }
   if ((f.grid.elements > 0 || f.grid.accuracy > 0) && (f.grid.mx > 0 || f.grid.ms > 0))
     s.refuse(f.grid.accuracy > 0 ? "grid.accuracy" : "grid.elements", "the numbers mx or ms are given too",
              "Leave out grid.mx and grid.ms.");

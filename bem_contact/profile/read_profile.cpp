@@ -60,7 +60,10 @@ ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::f
   }
   const std::filesystem::path file = folder / std::filesystem::path(name); // an absolute path stays itself
   if (!std::filesystem::exists(file)) {
-    const auto like = nearest_names(name, standard_profile_names());
+    const bool uic = name.starts_with("UIC") && (name.ends_with("60") || name.ends_with("54"));
+    const auto like =
+        uic ? std::vector{fmt::format("{}E1 (its name in EN 13674-1)", name.substr(name.size() - 2))}
+            : nearest_names(name, standard_profile_names());
     throw InputError(fmt::format("unknown profile '{}'", name),
                      fmt::format("it is none of the standards {} and there is no file {}",
                                  fmt::join(standard_profile_names(), ", "), file.string()),

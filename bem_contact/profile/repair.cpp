@@ -214,6 +214,26 @@ void mend_rail_signs(std::vector<Point2>& points, const std::string& source) {
     flip_z(points, source);
 }
 
+/// The top of a rail is broad. What is narrow at the top of something as wide as a wheel is a flange.
+void require_rail(const std::vector<Point2>& points, const std::string& source) {
+  constexpr double below = 3, narrow = 25, wheel_width = 90; // mm
+  const auto by_y = [](Point2 a, Point2 b) { return a.y < b.y; };
+  const double top = std::ranges::min_element(points, {}, &Point2::z)->z;
+  std::vector<Point2> high;
+  std::ranges::copy_if(points, std::back_inserter(high), [&](Point2 p) { return p.z < top + below; });
+  const auto width = [&](const std::vector<Point2>& of) {
+    const auto [low, last] = std::minmax_element(of.begin(), of.end(), by_y);
+    return last->y - low->y;
+  };
+  if (width(high) < narrow && width(points) > wheel_width)
+    throw InputError(
+        fmt::format("{} is no profile of a rail", source),
+        fmt::format("only {:.3g} of its {:.3g} mm are within {:g} mm of its top, as on the flange of a "
+                    "wheel",
+                    width(high), width(points), below),
+        "Give the rail's profile here and the wheel's as wheel.profile.");
+}
+
 /// A wheel's flange is what stands out most from the median height; it points down and lies at y < 0.
 void mend_wheel_signs(std::vector<Point2>& points, const std::string& source) {
   constexpr double least_flange = 8; // mm; below that there is no flange to go by
@@ -255,6 +275,8 @@ std::vector<Point2> repaired(std::vector<Point2> points, const std::string& sour
   if (points.front().y > points.back().y)
     std::reverse(points.begin(), points.end());
   rail ? mend_rail_signs(points, source) : mend_wheel_signs(points, source);
+  if (rail)
+    require_rail(points, source);
   if ((points.front().y < points.back().y) != rail)
     std::reverse(points.begin(), points.end());
   mend_loops(points, source);

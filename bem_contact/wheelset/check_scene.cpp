@@ -1,3 +1,4 @@
+#include "bem_contact/wheelset/doubts.hpp"
 #include "bem_contact/wheelset/motion.hpp"
 #include "bem_contact/wheelset/scene.hpp"
 #include "bem_contact/wheelset/scene_stage.hpp"
@@ -60,6 +61,8 @@ std::vector<std::string> check_scene(const SceneFile& scene) {
   lines.push_back(fmt::format(
       "model: {}{}", scene.solver.model,
       stage.wheel_rail ? "; by the estimate " + halfspace_text(stage.wheel_rail->estimate.turn) : ""));
+  for (const std::string& doubt : doubts(scene, stage.wheel_rail ? &*stage.wheel_rail : nullptr))
+    lines.push_back("warning: " + doubt);
   return lines;
 }
 

@@ -1,6 +1,7 @@
 #include "bem_contact/wheelset/scene.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/wheelset/doubts.hpp"
 #include "bem_contact/wheelset/elastic_limit.hpp"
 #include "bem_contact/wheelset/scene_growth.hpp"
 #include "bem_contact/wheelset/scene_solve.hpp"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
 #include <tuple>
 
 namespace bem_contact {
@@ -31,6 +33,8 @@ double highest_pressure(const SceneResult& out) {
 
 void finish(SceneResult& out, const Stage& stage) {
   require_elastic(*stage.scene, highest_pressure(out));
+  std::ranges::move(doubts(*stage.scene, stage.wheel_rail ? &*stage.wheel_rail : nullptr),
+                    std::back_inserter(out.warnings));
   out.left = stage.scene->position.side == "left";
   out.reference = stage.reference();
   out.moment = out.result.Mz + out.reference.position.y * out.result.Fx - out.reference.x * out.result.Fy;

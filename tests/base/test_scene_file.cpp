@@ -168,6 +168,8 @@ TEST(SceneFile, keys_of_the_other_kind_are_refused) {
 TEST(SceneFile, geometry_that_cannot_be) {
   const std::string loaded = rolling + "[load]\nforce = 1\n";
   EXPECT_THAT(refusal(loaded + "[position]\nback_to_back = 1500"), HasSubstr("the gauge is only 1435 mm"));
+  EXPECT_THAT(refusal(loaded + "[position]\ngauge = 1.435"),
+              HasSubstr("position.gauge = 1.435 (the flange backs are 1360 mm apart)"));
   EXPECT_THAT(refusal(loaded + "[position]\ncant = 1.4"), HasSubstr("(out of range)"));
   EXPECT_THAT(refusal(loaded + "[position]\nyaw = 0.11"), HasSubstr("(out of range)"));
   EXPECT_THAT(refusal(loaded + "[position]\nvertical = 0.1"), HasSubstr("exactly one of"));

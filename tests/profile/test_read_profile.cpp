@@ -348,5 +348,25 @@ TEST(NamedProfile, of_the_right_kind) {
   }
 }
 
+TEST(ReadProfile, AWheelInPlaceOfARailIsRefused) {
+  for (const double y : {1.0, -1.0})
+    for (const double z : {1.0, -1.0})
+      EXPECT_THAT(
+          refusal(columns(mapped(sampled("S1002"), y, z))),
+          AllOf(HasSubstr("p.txt is no profile of a rail"), HasSubstr("as on the flange of a wheel")));
+  for (const char* rail : {"60E1", "60E2", "54E1", "46E3"})
+    EXPECT_EQ(refusal(columns(sampled(rail))), "no error");
+}
+
+TEST(NamedProfile, TheOldNamesOfRailsAreKnown) {
+  for (const auto& [old, name] : {std::pair{"UIC60", "60E1"}, std::pair{"UIC 54", "54E1"}})
+    try {
+      named_profile(old, ProfileKind::rail, "somewhere");
+      FAIL() << old;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(fmt::format("Did you mean {} (its name in EN 13674-1)?", name)));
+    }
+}
+
 } // namespace
 } // namespace bem_contact
