@@ -30,12 +30,18 @@ std::vector<std::string> check_scene(const SceneFile& scene) {
     std::ranges::copy(describe(*stage.wheel_rail), std::back_inserter(lines));
   lines.push_back(problem.load == LoadKind::force ? fmt::format("load: vertical force {:g} N", problem.force)
                                                   : fmt::format("load: approach {:g} mm", problem.approach));
-  lines.push_back(
-      fmt::format("grid: {} x {} elements of {:g} x {:g} mm, s = {:.3f} .. {:.3f} mm, inclination "
-                  "{:.2f} .. {:.2f} degrees",
-                  problem.grid.mx, problem.grid.ms, problem.grid.dx, problem.grid.ds, problem.rows.front().s,
-                  problem.rows.back().s, problem.rows.front().delta * 180 / std::numbers::pi,
-                  problem.rows.back().delta * 180 / std::numbers::pi));
+  const SceneFile::Grid& asked = scene.grid;
+  if (asked.accuracy > 0)
+    lines.push_back(fmt::format("grid: dx and ds are chosen for an error of {:g} %", 100 * asked.accuracy));
+  else if (asked.elements > 0)
+    lines.push_back(fmt::format("grid: dx and ds are chosen for {} elements in contact", asked.elements));
+  else
+    lines.push_back(fmt::format(
+        "grid: {} x {} elements of {:g} x {:g} mm, s = {:.3f} .. {:.3f} mm, inclination "
+        "{:.2f} .. {:.2f} degrees",
+        problem.grid.mx, problem.grid.ms, problem.grid.dx, problem.grid.ds, problem.rows.front().s,
+        problem.rows.back().s, problem.rows.front().delta * 180 / std::numbers::pi,
+        problem.rows.back().delta * 180 / std::numbers::pi));
   lines.push_back(problem.tangential
                       ? fmt::format("friction: {:g}, {}", problem.largest_friction(), motion_text(scene))
                       : std::string("friction: none"));

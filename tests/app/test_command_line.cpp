@@ -91,6 +91,18 @@ TEST_F(CommandLine, ShippedScenesGiveTheirClosedForms) {
   EXPECT_EQ(still["history"].size(), 33u);
   EXPECT_GT(still["history"][32]["Fx"].get<double>(), 2 * still["history"][4]["Fx"].get<double>());
   EXPECT_LT(solved("friction_along_s")["totals"]["Fx"].get<double>(), 0.25 * 15000);
+  const json turned = solved("turned_ellipse");
+  EXPECT_NEAR(turned["pmax"].get<double>(), 813.1, 0.002 * 813.1);
+  EXPECT_NEAR(turned["totals"]["Fs"].get<double>(), 3000, 3000 * 1e-6);
+  EXPECT_GT(turned["creepage_found"]["eta"].get<double>(), 0);
+  const json tables = solved("by_tables");
+  ASSERT_EQ(tables["history"].size(), 3u);
+  for (const json& step : tables["history"])
+    EXPECT_NEAR(step["Fx"].get<double>(), 914.3, 0.012 * 914.3);
+  EXPECT_NEAR(solved("by_height")["totals"]["Fz"].get<double>(), 80700, 0.002 * 80700);
+  const json curve = solved("wheelset_in_a_curve")["totals"];
+  EXPECT_NEAR(curve["Fz"].get<double>(), 8e4, 0.1);
+  EXPECT_LT(curve["Fx"].get<double>(), -2e4) << "a driven wheel pushes the rail back";
 }
 
 TEST_F(CommandLine, ForcesPrescribedTellTheirCreepages) {
