@@ -118,7 +118,66 @@ private:
   std::shared_ptr<const ProfileCurve> curve_;
 };
 
-constexpr dealii::types::manifold_id curve_id = 1;
+/// A circle's arc of less than half of it.
+struct Arc {
+  Point2 from, to, centre;
+  double radius = 0;
+};
+
+Arc through(Point2 a, Point2 h, Point2 b) {
+  const Point2 u = h - a, v = b - a;
+  const double twice = 2 * (u.y * v.z - u.z * v.y), uu = dot(u, u), vv = dot(v, v);
+  const Point2 centre = a + (1 / twice) * Point2{v.z * uu - u.z * vv, u.y * vv - v.y * uu};
+  return {a, b, centre, norm(a - centre)};
+}
+
+/// Curved edges off the profile, as mesh_body leaves them in the mesh; none in other meshes.
+std::vector<Arc> curved_edges(const std::filesystem::path& mesh) {
+  std::ifstream in(mesh);
+  std::vector<Arc> arcs;
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with("curved edges,")) {
+      Point2 a, h, b;
+      while (in >> a.y >> a.z >> h.y >> h.z >> b.y >> b.z)
+        if (const Arc arc = through(a, h, b); std::isfinite(arc.radius))
+          arcs.push_back(arc);
+      return arcs;
+    }
+  return arcs;
+}
+
+/// New points on the arc that is nearest.
+class OnArcs : public dealii::Manifold<2> {
+public:
+  explicit OnArcs(std::shared_ptr<const std::vector<Arc>> arcs) : arcs_(std::move(arcs)) {}
+  std::unique_ptr<dealii::Manifold<2>> clone() const override { return std::make_unique<OnArcs>(*this); }
+  dealii::Point<2> get_new_point(const dealii::ArrayView<const dealii::Point<2>>& points,
+                                 const dealii::ArrayView<const double>& weights) const override {
+    const Point2 middle = 0.5 * (plain(points[0]) + plain(points[points.size() - 1]));
+    const auto off = [&](const Arc& arc) { // from the chord
+      const Point2 chord = arc.to - arc.from;
+      const double t = std::clamp(dot(middle - arc.from, chord) / dot(chord, chord), 0.0, 1.0);
+      return norm(arc.from + t * chord - middle);
+    };
+    const Arc& arc = *std::min_element(arcs_->begin(), arcs_->end(),
+                                       [&](const Arc& a, const Arc& b) { return off(a) < off(b); });
+    // Angles about the centre from the middle of the arc, where they do not jump.
+    const Point2 across = 0.5 * (arc.from + arc.to) - arc.centre, axis = (1 / norm(across)) * across;
+    double angle = 0, radius = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Point2 p = plain(points[i]) - arc.centre;
+      angle += weights[i] * std::atan2(axis.y * p.z - axis.z * p.y, dot(axis, p));
+      radius += weights[i] * norm(p);
+    }
+    const double c = radius * std::cos(angle), s = radius * std::sin(angle);
+    return {arc.centre.y + c * axis.y - s * axis.z, arc.centre.z + c * axis.z + s * axis.y};
+  }
+
+private:
+  std::shared_ptr<const std::vector<Arc>> arcs_;
+};
+
+constexpr dealii::types::manifold_id curve_id = 1, arcs_id = 2;
 
 bool on_strip(const dealii::TriaIterator<dealii::CellAccessor<2>>& cell, unsigned face) {
   return cell->at_boundary(face) && static_cast<int>(cell->face(face)->boundary_id()) == contact_id;
@@ -209,6 +268,14 @@ Section::Section(const std::filesystem::path& path, int degree, const ProfileCur
     : impl_(std::make_unique<Impl>(degree)) {
   read_mesh(impl_->mesh, path);
   require_groups(impl_->mesh, path);
+  const auto arcs = std::make_shared<const std::vector<Arc>>(curved_edges(path));
+  const auto is_arc = [&](Point2 a, Point2 b) {
+    const double near = 1e-6 * norm(b - a);
+    return std::any_of(arcs->begin(), arcs->end(), [&](const Arc& arc) {
+      return (norm(arc.from - a) < near && norm(arc.to - b) < near) ||
+             (norm(arc.from - b) < near && norm(arc.to - a) < near);
+    });
+  };
   for (const auto& cell : impl_->mesh.active_cell_iterators())
     for (const auto f : cell->face_indices())
       if (cell->at_boundary(f)) {
@@ -218,8 +285,11 @@ Section::Section(const std::filesystem::path& path, int degree, const ProfileCur
         // Straight edges next to the strip would be felt on it: all of the profile is curved.
         if (on_strip(cell, f) || along_curve(a, b, curve))
           cell->face(f)->set_manifold_id(curve_id);
+        else if (is_arc(a, b))
+          cell->face(f)->set_manifold_id(arcs_id);
       }
   impl_->mesh.set_manifold(curve_id, OnCurve(curve));
+  impl_->mesh.set_manifold(arcs_id, OnArcs(arcs));
   refine(impl_->mesh, curve, strip, refinement);
   impl_->dofs.reinit(impl_->mesh);
   impl_->dofs.distribute_dofs(impl_->element);

@@ -89,7 +89,8 @@ std::vector<OutlineVertex> divide_strip(const Span& span, int edges) {
   const Piece& strip = *span.pieces.front();
   std::vector<OutlineVertex> vertices;
   for (int i = 0; i < edges; ++i)
-    vertices.push_back({strip.at(strip.from + (strip.to - strip.from) * i / edges), span.group});
+    vertices.push_back({strip.at(strip.from + (strip.to - strip.from) * i / edges), span.group,
+                        strip.at(strip.from + (strip.to - strip.from) * (i + 0.5) / edges)});
   return vertices;
 }
 
@@ -104,15 +105,17 @@ std::vector<OutlineVertex> divide_span(const Span& span, const SizeField& size, 
   const int least = span.closed ? 8 : 2;
   int count = std::max(least, static_cast<int>(std::ceil(total)));
   count += (count % 2 == 1) != odd ? 1 : 0;
-  std::vector<OutlineVertex> vertices;
-  for (int i = 0; i < count; ++i) {
-    const double target = total * i / count;
+  const auto at = [&](double edges_along) {
+    const double target = total * edges_along / count;
     const auto after = std::upper_bound(edges_before.begin() + 1, edges_before.end() - 1, target);
     const auto k = static_cast<std::size_t>(after - edges_before.begin());
     const double part =
         std::clamp((target - edges_before[k - 1]) / (edges_before[k] - edges_before[k - 1]), 0.0, 1.0);
-    vertices.push_back({point_between(span, k - 1, part), span.group});
-  }
+    return point_between(span, k - 1, part);
+  };
+  std::vector<OutlineVertex> vertices;
+  for (int i = 0; i < count; ++i)
+    vertices.push_back({at(i), span.group, at(i + 0.5)});
   return vertices;
 }
 

@@ -24,10 +24,11 @@ private:
   std::vector<Level> levels_; ///< rising in size
 };
 
-/// A vertex of the outline and the group of the edge that starts there.
+/// A vertex of the outline, the group of the edge that starts there, and a point halfway along it.
 struct OutlineVertex {
   Point2 position;
   Group group = Group::free;
+  Point2 halfway = {};
 };
 
 /// A closed loop of vertices, an even number of them; corners and changes of group are at even

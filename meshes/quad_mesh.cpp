@@ -106,7 +106,7 @@ QuadMesh split(const CoarseMesh& coarse, const Outline& outline) {
       if (i % 2 == 0)
         index.push_back(first + i);
       mesh.points.push_back(vertex.position);
-      mesh.boundary.push_back({{first + i, first + (i + 1) % n}, vertex.group});
+      mesh.boundary.push_back({{first + i, first + (i + 1) % n}, vertex.group, vertex.halfway});
     }
   }
   EdgeMiddles middles(mesh.points);

@@ -13,6 +13,7 @@ namespace bem_contact::meshes {
 struct BoundaryEdge {
   std::array<int, 2> vertices{};
   Group group = Group::free;
+  Point2 halfway = {}; ///< on the outline, about halfway
 };
 
 /// First-order quadrilaterals of a section; vertices of a quad run from +y towards +z.

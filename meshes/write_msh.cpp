@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -121,6 +122,28 @@ bool is_whole(const std::filesystem::path& file) {
          in.read(found.data(), static_cast<std::streamsize>(found.size())) && found == end;
 }
 
+/// The edges of the outline that are not straight, which first-order elements cannot say: their ends and a
+/// point between them, for fem_influence. False when the disk is full.
+bool add_curved_edges(const QuadMesh& mesh, const std::filesystem::path& file) {
+  std::string lines;
+  for (const auto& edge : mesh.boundary) {
+    const Point2 a = mesh.points[static_cast<std::size_t>(edge.vertices[0])],
+                 b = mesh.points[static_cast<std::size_t>(edge.vertices[1])], h = edge.halfway;
+    const Point2 chord = b - a;
+    if (std::abs(chord.y * (h - a).z - chord.z * (h - a).y) > 1e-7 * dot(chord, chord) &&
+        edge.group != Group::contact)
+      lines += fmt::format("{:.16g} {:.16g} {:.16g} {:.16g} {:.16g} {:.16g}\n", a.y, a.z, h.y, h.z, b.y, b.z);
+  }
+  std::ofstream out(file, std::ios::app);
+  out << "$Comments\ncurved edges, y z of an end, of a point between, of the other end\n"
+      << lines << "$EndComments\n"
+      << std::flush;
+  return out.good();
+}
+bool add_curved_edges(const SolidMesh&, const std::filesystem::path&) {
+  return true;
+}
+
 /// Says which body file the mesh belongs to; false when the disk is full.
 bool add_comment(const std::string& body_digest, const std::filesystem::path& file) {
   if (body_digest.empty())
@@ -141,7 +164,8 @@ template <class Mesh> void write_whole(const Mesh& mesh, const std::filesystem::
   bool whole = false;
   try {
     write_with_gmsh(mesh, temporary.string());
-    whole = is_whole(temporary) && add_comment(mesh.body_digest, temporary);
+    whole =
+        is_whole(temporary) && add_curved_edges(mesh, temporary) && add_comment(mesh.body_digest, temporary);
   } catch (...) {
     std::filesystem::remove(temporary, error);
     throw;

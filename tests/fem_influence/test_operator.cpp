@@ -1,9 +1,12 @@
 #include "fem_influence/section_operator.hpp"
 #include "section_meshes.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <numbers>
 
 namespace bem_contact::fem::test {
 namespace {
@@ -33,6 +36,35 @@ protected:
   Folder folder_;
   std::filesystem::path mesh_;
 };
+
+TEST_F(Operator, curved_edges_off_the_profile_are_curved) {
+  const double radius = 10, inner = 4;
+  const int around = 24;
+  const auto file = folder_ / "ring.msh";
+  write_ring_mesh(file, radius, inner, around);
+  const ProfileCurve circle = full_circle(radius, false);
+  const auto error = [&] {
+    const Section section(file, 3, circle, {-1, 1, 1});
+    double area = 0;
+    section.for_each_cell([&](const CellView& cell) {
+      for (const CellPoint& point : cell.points)
+        area += point.weight;
+    });
+    return std::abs(area / (std::numbers::pi * (radius * radius - inner * inner)) - 1);
+  };
+  EXPECT_GT(error(), 1e-3); // the inner circle is a polygon
+  std::ofstream out(file, std::ios::app);
+  out << "$Comments\ncurved edges, y z of an end, of a point between, of the other end\n";
+  for (int i = 0; i < around; ++i) {
+    for (const double part : {i + 0.0, i + 0.4, i + 1.0}) {
+      const double angle = 2 * std::numbers::pi * part / around;
+      out << fmt::format("{:.16g} {:.16g} ", inner * std::sin(angle), inner * std::cos(angle));
+    }
+    out << "\n";
+  }
+  out << "$EndComments\n" << std::flush;
+  EXPECT_LT(error(), 1e-6);
+}
 
 TEST_F(Operator, rigid_motions_of_a_prism_carry_no_energy) {
   const Section section(mesh_, 2, straight_line(50, true), {-4, 4, 2});

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <numbers>
 #include <set>
@@ -195,6 +197,30 @@ TEST(Section, AreasAreExact) {
   EXPECT_NEAR(area_of("block"), 2e4, 1e-6);
   EXPECT_NEAR(area_of("disc"), pi * 100 * (1 - 0.0025), 1e-4);
   EXPECT_NEAR(area_of("bore"), 4e4 - pi * 100, 1e-4);
+}
+
+TEST(Section, CurvedEdgesAreSaidInTheFile) {
+  BodyFile body;
+  body.body.kind = "disc";
+  body.strip = {.from = -5, .to = 5, .station_width = 0.5};
+  const QuadMesh mesh = mesh_section(body);
+  std::size_t curved = 0;
+  for (const auto& edge : mesh.boundary) {
+    const double radius = norm(mesh.points[static_cast<std::size_t>(edge.vertices[0])]);
+    EXPECT_NEAR(norm(edge.halfway), radius, 1e-5 * radius); // the profile is a spline
+    curved += edge.group != Group::contact;
+  }
+  const auto file = std::filesystem::temp_directory_path() / "conformal_curved_edges.msh";
+  write_msh(mesh, file);
+  std::ifstream in(file);
+  std::string line;
+  while (std::getline(in, line) && !line.starts_with("curved edges,"))
+    ;
+  std::size_t said = 0;
+  while (std::getline(in, line) && !line.starts_with("$"))
+    ++said;
+  std::filesystem::remove(file);
+  EXPECT_EQ(said, curved);
 }
 
 /// Area, height of the centroid above the base and second moments about it, mm.
