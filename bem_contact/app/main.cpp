@@ -14,6 +14,8 @@
 #include <array>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -133,6 +135,21 @@ CLI::App* add_sweep(CLI::App& cli, app::SweepRequest& r) {
   return sweep;
 }
 
+/// Before options are looked at: those of a command that is not known are no error of their own.
+void refuse_unknown_command(const CLI::App& cli, const std::string& word) {
+  std::vector<std::string> commands;
+  for (const CLI::App* command : cli.get_subcommands(nullptr))
+    commands.push_back(command->get_name());
+  if (word.empty() || word.front() == '-' || std::ranges::count(commands, word) > 0)
+    return;
+  const auto like = nearest_names(word, commands, 1);
+  throw InputError(fmt::format("there is no command '{}'", word),
+                   fmt::format("the commands are {}", fmt::join(commands, ", ")),
+                   std::filesystem::exists(word) ? fmt::format("Did you mean bem_contact solve {}?", word)
+                   : like.empty()                ? "See bem_contact --help."
+                                                 : fmt::format("Did you mean {}?", like.front()));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -145,6 +162,10 @@ int main(int argc, char** argv) {
   cli.set_version_flag("--version", provenance("bem_contact"));
   cli.add_flag("--print-default", arguments.print_default,
                "Print a scene file with every key, its default and unit");
+  cli.footer(
+      "A scene is a TOML file; begin with one of data/scenes, whose README.md says what they can ask.\n"
+      "Exit code 0: the certificate holds (sweep: of every case); 2: the input is wrong; 3: no "
+      "convergence.\nEach command has a --help of its own.");
 
   CLI::App* solve = cli.add_subcommand("solve", "Solve a scene");
   solve->add_option("scene", arguments.file, "Scene file (TOML)")->required();
@@ -178,10 +199,14 @@ int main(int argc, char** argv) {
   CLI::App* sweep = add_sweep(cli, sweep_request);
 
   try {
+    refuse_unknown_command(cli, argc > 1 ? argv[1] : "");
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int code = cli.exit(error, std::cerr, std::cerr);
+    const int code = cli.exit(error, std::cout, std::cerr); // --help is no error
     return code == 0 ? success : wrong_input;
+  } catch (const Error& error) {
+    spdlog::error("{}", error.what());
+    return wrong_input;
   }
 
   try {

@@ -183,9 +183,14 @@ TEST_F(CommandLine, LackOfConvergenceIsThree) {
 TEST_F(CommandLine, WrongArgumentsAreTwo) {
   EXPECT_EQ(run("").code, 2);
   EXPECT_EQ(run("solve").code, 2);
-  EXPECT_EQ(run("dissolve x.toml").code, 2);
+  refused(run("dissolve x.toml"), {"there is no command 'dissolve'", "Did you mean solve?"});
+  const std::string scene = write("s.toml", hertz).string();
+  refused(run("'" + scene + "'"), {"Did you mean bem_contact solve " + scene});
   EXPECT_EQ(run("solve x.toml --model magic").code, 2);
-  EXPECT_EQ(run("--help").code, 0);
+  const Outcome help = run("--help");
+  EXPECT_EQ(help.code, 0);
+  EXPECT_THAT(help.out, HasSubstr("Exit code 0"));
+  EXPECT_EQ(help.err, "");
 }
 
 TEST_F(CommandLine, MissingSceneIsRefused) {

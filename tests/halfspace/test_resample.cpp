@@ -3,6 +3,7 @@
 #include "bem_contact/halfspace/resample.hpp"
 
 #include "strip_kernel.hpp"
+#include "tests/base/message.hpp"
 
 #include <gmock/gmock.h>
 
@@ -49,12 +50,7 @@ double largest_difference(const InfluenceNumbers& first, const InfluenceNumbers&
 }
 
 std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return message_of([&] { call(); });
 }
 
 } // namespace

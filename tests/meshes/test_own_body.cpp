@@ -2,6 +2,7 @@
 #include "bem_contact/base/error.hpp"
 #include "mesh_checks.hpp"
 #include "meshes/mesh_body.hpp"
+#include "tests/base/message.hpp"
 
 #include <gmock/gmock.h>
 
@@ -27,12 +28,7 @@ BodyFile block(std::vector<BodyFile::Hole> holes) {
 }
 
 std::string refusal(const BodyFile& body) {
-  try {
-    mesh_section(body);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return message_of([&] { mesh_section(body); });
 }
 
 TEST(OwnBody, HolesAreLeftOut) {

@@ -1,6 +1,7 @@
 #include "bem_contact/base/body_file.hpp"
 #include "bem_contact/base/error.hpp"
 #include "meshes/mesh_body.hpp"
+#include "tests/base/message.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,12 +15,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 std::string refusal(const BodyFile& body) {
-  try {
-    mesh_section(body);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return message_of([&] { mesh_section(body); });
 }
 
 BodyFile body_of(const char* kind) {

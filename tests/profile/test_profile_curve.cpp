@@ -1,6 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "tests/base/message.hpp"
 
 #include <gmock/gmock.h>
 
@@ -75,12 +76,8 @@ TEST(ThroughPoints, a_kink_stays_a_corner_and_a_coarse_arc_is_none) {
 
 TEST(ThroughPoints, refuses_what_is_no_curve) {
   const auto refuse = [](std::vector<Point2> points, const char* message) {
-    try {
-      ProfileCurve::through_points("bad", points);
-      FAIL() << "no error, expected: " << message;
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr(message));
-    }
+    EXPECT_THAT(message_of([&] { ProfileCurve::through_points("bad", points); }),
+                testing::HasSubstr(message));
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   refuse({}, "profile 'bad' has 0 points (a curve needs at least 3)");

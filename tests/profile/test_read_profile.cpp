@@ -1,6 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "tests/base/message.hpp"
 #include "warnings.hpp"
 
 #include <fmt/format.h>
@@ -55,12 +56,7 @@ constexpr double sampling = 1e-3; // what half a millimetre between points costs
 
 std::string refusal(const std::string& text, ProfileKind kind = ProfileKind::rail) {
   const Warnings warnings;
-  try {
-    parse_profile(text, "p.txt", kind);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return message_of([&] { parse_profile(text, "p.txt", kind); });
 }
 
 TEST(PlainProfile, reads_what_it_should_without_a_word) {
@@ -338,14 +334,9 @@ TEST(NamedProfile, of_the_right_kind) {
   EXPECT_EQ(named_profile("60E2", ProfileKind::rail).digest(), standard_profile("60E2").digest());
   EXPECT_THROW(named_profile("S1002", ProfileKind::rail), InputError);
   EXPECT_THROW(named_profile("60E1", ProfileKind::wheel), InputError);
-  try {
-    named_profile("60F1", ProfileKind::rail, "somewhere");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(),
-                AllOf(HasSubstr("unknown profile '60F1'"), HasSubstr("there is no file somewhere/60F1"),
-                      HasSubstr("Did you mean 60E1")));
-  }
+  EXPECT_THAT(message_of([&] { named_profile("60F1", ProfileKind::rail, "somewhere"); }),
+              AllOf(HasSubstr("unknown profile '60F1'"), HasSubstr("there is no file somewhere/60F1"),
+                    HasSubstr("Did you mean 60E1")));
 }
 
 TEST(ReadProfile, AWheelInPlaceOfARailIsRefused) {

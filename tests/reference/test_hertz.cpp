@@ -1,5 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/reference/hertz.hpp"
+#include "tests/base/message.hpp"
 
 #include <gmock/gmock.h>
 
@@ -110,10 +111,6 @@ TEST(Hertz, CompressionBesideACircle) {
 TEST(Hertz, RefusesWhatHasNoSolution) {
   EXPECT_THROW(hertz_by_force(0, 1e-3, steel, 1), InputError);
   EXPECT_THROW(hertz_by_force(1e-3, 1e-3, steel, std::nan("")), InputError);
-  try {
-    hertz_by_approach(1e-3, 1e-3, steel, -1);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("the approach is -1"));
-  }
+  EXPECT_THAT(message_of([&] { hertz_by_approach(1e-3, 1e-3, steel, -1); }),
+              testing::HasSubstr("the approach is -1"));
 }

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/wheelset/patch_scene.hpp"
+#include "tests/base/message.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -32,12 +33,7 @@ protected:
     return scene;
   }
   std::string refusal(const SceneFile& scene) {
-    try {
-      solve_scene(scene, "halfspace");
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return message_of([&] { solve_scene(scene, "halfspace"); });
   }
   std::filesystem::path folder_;
 };

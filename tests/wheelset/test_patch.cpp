@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/wheelset/potential_contact.hpp"
+#include "tests/base/message.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -37,12 +38,7 @@ protected:
     return scene;
   }
   std::string refusal(const SceneFile& scene) {
-    try {
-      prepare_patch(scene);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return message_of([&] { prepare_patch(scene); });
   }
   std::filesystem::path folder_;
 };
