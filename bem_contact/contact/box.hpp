@@ -8,18 +8,33 @@
 
 namespace bem_contact::contact {
 
-/// A rectangle of the grid, around the elements that matter: operators on it are smaller than on the grid.
+/// A rectangle of the grid.
 struct Box {
   int first_x = 0, first_s = 0, mx = 0, ms = 0;
 
   int size() const { return mx * ms; }
-  /// The box's number of an element of the grid, whose rows have `grid_mx`.
-  int local(int element, int grid_mx) const {
-    return (element / grid_mx - first_s) * mx + element % grid_mx - first_x;
+  bool contains(int x, int s) const {
+    return x >= first_x && x < first_x + mx && s >= first_s && s < first_s + ms;
   }
-  bool contains(const Box& b) const {
-    return b.first_x >= first_x && b.first_s >= first_s && b.first_x + b.mx <= first_x + mx &&
-           b.first_s + b.ms <= first_s + ms;
+};
+
+/// Boxes of one size around the elements that matter, one for each group of rows that lie far apart:
+/// operators on them are smaller than on the grid. Fields on them are [box][ms][mx].
+struct Parts {
+  std::vector<Box> boxes; ///< at least one; along s
+
+  int mx() const { return boxes.front().mx; }
+  int ms() const { return boxes.front().ms; } ///< of one box
+  int count() const { return static_cast<int>(boxes.size()); }
+  int rows() const { return count() * ms(); } ///< of all
+  int size() const { return count() * boxes.front().size(); }
+  /// The number in a field of an element of the grid, whose rows have `grid_mx`; -1 outside.
+  int local(int element, int grid_mx) const {
+    const int x = element % grid_mx, s = element / grid_mx;
+    for (int k = 0; k < count(); ++k)
+      if (boxes[k].contains(x, s))
+        return (k * ms() + s - boxes[k].first_s) * mx() + x - boxes[k].first_x;
+    return -1;
   }
   std::vector<int> local(std::span<const int> elements, int grid_mx) const {
     std::vector<int> numbers(elements.size());
@@ -27,22 +42,19 @@ struct Box {
                    [&](int element) { return local(element, grid_mx); });
     return numbers;
   }
+  bool cover(std::span<const int> elements, int grid_mx) const {
+    return std::ranges::all_of(elements, [&](int element) { return local(element, grid_mx) >= 0; });
+  }
 };
 
-/// The smallest box around the elements, of which there is at least one, widened by `margin` inside the grid.
-inline Box box_around(std::span<const int> elements, const ContactGrid& grid, int margin = 0) {
-  int low_x = grid.mx, high_x = 0, low_s = grid.ms, high_s = 0;
-  for (const int i : elements) {
-    low_x = std::min(low_x, i % grid.mx);
-    high_x = std::max(high_x, i % grid.mx);
-    low_s = std::min(low_s, i / grid.mx);
-    high_s = std::max(high_s, i / grid.mx);
-  }
-  low_x = std::max(low_x - margin, 0);
-  low_s = std::max(low_s - margin, 0);
-  high_x = std::min(high_x + margin, grid.mx - 1);
-  high_s = std::min(high_s + margin, grid.ms - 1);
-  return {low_x, low_s, high_x - low_x + 1, high_s - low_s + 1};
+/// Around the elements, of which there is at least one, widened by `margin` inside the grid. One box where
+/// several would save little. `columns`: all boxes have the same columns.
+Parts parts_around(std::span<const int> elements, const ContactGrid& grid, int margin, bool columns);
+
+/// Whether kept parts serve these elements, for which `needed` would be made: around them, not much larger.
+inline bool serve(const Parts& kept, const Parts& needed, std::span<const int> elements, int grid_mx) {
+  constexpr double much = 2.5;
+  return kept.size() <= much * needed.size() + 64 && kept.cover(elements, grid_mx);
 }
 
 } // namespace bem_contact::contact

@@ -20,7 +20,7 @@ std::optional<double> correct(NormalBox& at, double scale, double target, int mo
     worst = std::max(worst, std::abs(static_cast<double>(at.r[l])));
   for (int k = 0; k < most && worst > target; ++k) {
     // z = r preconditioned, on the active elements; Polak-Ribiere's beta forgives what the FFT rounds
-    at.inverse.apply(at.r, at.q, 0);
+    at.invert();
     double next = 0, overlap = 0;
     for (const int l : at.local) {
       next += static_cast<double>(at.r[l]) * at.q[l];
@@ -57,10 +57,10 @@ std::optional<double> correct(NormalBox& at, double scale, double target, int mo
 
 } // namespace
 
-NormalBox::NormalBox(const InfluenceNumbers& numbers, const Box& the_box, TransformPool* pool)
-    : box(the_box), nn(numbers, box.mx, {component_n}, {component_n}, {box.first_s, box.ms}, pool),
-      fast(nn, pool), inverse(numbers, box.mx, box.ms, {component_n}, {component_n},
-                              BasicPlaneOperator<float>::Form::periodic, box.first_s + box.ms / 2, pool) {
+NormalBox::NormalBox(const InfluenceNumbers& numbers, const Parts& the_box, TransformPool* pool)
+    : box(the_box), nn(numbers, box, {component_n}, {component_n}, pool), fast(nn, pool),
+      inverse(numbers, box.mx(), box.ms(), {component_n}, {component_n},
+              BasicPlaneOperator<float>::Form::periodic, box.boxes.front().first_s + box.ms() / 2, pool) {
   inverse.invert();
   for (auto* v : {&p, &u})
     v->assign(box.size(), 0.0);
@@ -68,15 +68,32 @@ NormalBox::NormalBox(const InfluenceNumbers& numbers, const Box& the_box, Transf
     v->assign(box.size(), 0.0f);
 }
 
+void NormalBox::invert() {
+  const std::size_t n = box.boxes.front().size();
+  for (int k = 0; k < box.count(); ++k)
+    inverse.apply({&r[k * n], n}, {&q[k * n], n}, 0);
+}
+
+void NormalBox::copy_u(int grid_mx, VectorXd& field) const {
+  const double* from = u.data();
+  for (const Box& part : box.boxes)
+    for (int is = 0; is < part.ms; ++is, from += part.mx)
+      std::copy_n(from, part.mx,
+                  &field[static_cast<Eigen::Index>(part.first_s + is) * grid_mx + part.first_x]);
+}
+
 NormalBox& NormalSystem::box_for(const std::vector<int>& elements) const {
   std::optional<NormalBox>& box = kept_->normal_box;
-  if (!box || !serves(box->box, box_around(elements, grid)))
-    box.emplace(*numbers, box_around(elements, grid, 1 + std::min(grid.mx, grid.ms) / 60), kept_->pool.get());
+  const bool columns = !numbers->translational;
+  if (!box || !serve(box->box, parts_around(elements, grid, 0, columns), elements, grid.mx))
+    box.emplace(*numbers, parts_around(elements, grid, 1 + std::min(grid.mx, grid.ms) / 60, columns),
+                kept_->pool.get());
   return *box;
 }
 
-const Box* conjugate_gradients(const NormalSystem& system, const std::vector<int>& list, const VectorXd& rhs,
-                               double target, VectorXd& y, VectorXd& u, int& products) {
+const Parts* conjugate_gradients(const NormalSystem& system, const std::vector<int>& list,
+                                 const VectorXd& rhs, double target, VectorXd& y, VectorXd& u,
+                                 int& products) {
   /// As far as one run gets the residual down for certain.
   constexpr double single_run = 1e-4;
   constexpr int most_runs = 12;
@@ -116,9 +133,7 @@ const Box* conjugate_gradients(const NormalSystem& system, const std::vector<int
   y.setZero();
   for (std::size_t a = 0; a < list.size(); ++a)
     y[list[a]] = at.p[at.local[a]];
-  for (int is = 0; is < at.box.ms; ++is)
-    std::copy_n(&at.u[static_cast<std::size_t>(is) * at.box.mx], at.box.mx,
-                &u[static_cast<Eigen::Index>(at.box.first_s + is) * grid_mx + at.box.first_x]);
+  at.copy_u(grid_mx, u);
   return done ? &at.box : nullptr;
 }
 

@@ -40,21 +40,28 @@ TangentialSystem::TangentialSystem(const ContactProblem& the_problem, Prepared* 
   }
 }
 
-StepBox::StepBox(const InfluenceNumbers& numbers, const Box& the_box, const SlipStep& the_rule,
+StepBox::StepBox(const InfluenceNumbers& numbers, const Parts& the_box, const SlipStep& the_rule,
                  TransformPool* pool)
-    : box(the_box), rule(the_rule), tt(numbers, box.mx, {component_x, component_s},
-                                       {component_x, component_s}, {box.first_s, box.ms}, pool),
-      fast(tt, pool), sticks(box.size()), in(2 * box.size()), out(2 * box.size()), fast_in(2 * box.size()),
+    : box(the_box), rule(the_rule),
+      tt(numbers, box, {component_x, component_s}, {component_x, component_s}, pool), fast(tt, pool),
+      sticks(box.size()), in(2 * box.size()), out(2 * box.size()), fast_in(2 * box.size()),
       fast_out(2 * box.size()) {
   using Inverse = BasicPlaneOperator<float>;
   for (const int c : {component_x, component_s}) {
-    const Inverse a(numbers, box.mx, box.ms, {c}, {c}, Inverse::Form::periodic, box.first_s + box.ms / 2,
-                    pool);
+    const Inverse a(numbers, box.mx(), box.ms(), {c}, {c}, Inverse::Form::periodic,
+                    box.boxes.front().first_s + box.ms() / 2, pool);
     for (auto* list : {&behind, &ahead, &periodic, &damped})
       list->emplace_back(a);
     behind.back().invert_factor(Inverse::Factor::behind);
     ahead.back().invert_factor(Inverse::Factor::ahead);
   }
+}
+
+void StepBox::apply_each(const std::vector<BasicPlaneOperator<float>>& of, std::vector<float>& from,
+                         std::vector<float>& to) {
+  const std::size_t n = box.boxes.front().size();
+  for (std::size_t field = 0; field < from.size() / n; ++field)
+    of[field / box.boxes.size()].apply({&from[field * n], n}, {&to[field * n], n}, 0);
 }
 
 void StepBox::set_damping(double shift, double stiffness) {
@@ -64,9 +71,7 @@ void StepBox::set_damping(double shift, double stiffness) {
 }
 
 void StepBox::invert_damped() {
-  const std::size_t n = box.size();
-  for (const std::size_t c : {0, 1})
-    damped[c].apply({&fast_in[c * n], n}, {&fast_out[c * n], n}, 0);
+  apply_each(damped, fast_in, fast_out);
 }
 
 void StepBox::step() {
@@ -86,34 +91,34 @@ void StepBox::fast_step() {
 }
 
 void StepBox::invert() {
+  const int mx = box.mx();
   const std::size_t n = box.size();
   const auto d0 = static_cast<float>(rule.present[0]), d1 = static_cast<float>(rule.present[1]),
              d2 = static_cast<float>(rule.present[2]);
-  for (const std::size_t c : {0, 1}) {
-    const std::span<float> from(&fast_in[c * n], n), to(&fast_out[c * n], n);
-    behind[c].apply(from, to, 0);
-    for (int is = 0; is < box.ms; ++is) {
+  apply_each(behind, fast_in, fast_out);
+  for (const std::size_t c : {0, 1})
+    for (int is = 0; is < box.rows(); ++is) {
+      float* to = &fast_out[c * n];
       float u1 = 0, u2 = 0; // of the elements ahead, where they stick
-      for (int i = (is + 1) * box.mx - 1; i >= is * box.mx; --i) {
+      for (int i = (is + 1) * mx - 1; i >= is * mx; --i) {
         to[i] = sticks[i] ? (to[i] - d1 * u1 - d2 * u2) / d0 : 0.0f;
         u2 = u1;
         u1 = to[i];
       }
     }
-    ahead[c].apply(to, to, 0);
-    for (std::size_t i = 0; i < n; ++i)
-      if (!sticks[i])
-        to[i] = 0;
-  }
+  apply_each(ahead, fast_out, fast_out);
+  for (std::size_t i = 0; i < 2 * n; ++i)
+    if (!sticks[i % n])
+      fast_out[i] = 0;
 }
 
 TangentialSystem::TangentialSystem(TangentialSystem&&) noexcept = default;
 TangentialSystem::~TangentialSystem() = default;
 
 StepBox& TangentialSystem::box_for(const std::vector<int>& contact) const {
-  const Box needed = box_around(contact, problem->grid);
+  const Parts needed = parts_around(contact, problem->grid, 0, !problem->numbers.translational);
   std::optional<StepBox>& box = kept_->step_box;
-  if (!box || !serves(box->box, needed) || box->rule.present != rule.present)
+  if (!box || !serve(box->box, needed, contact, problem->grid.mx) || box->rule.present != rule.present)
     box.emplace(problem->numbers, needed, rule, kept_->pool.get());
   return *box;
 }

@@ -32,9 +32,9 @@ private:
   std::vector<double> values_;
 };
 
-/// B on a box around the contact and an approximate inverse of it; fields [2][box.ms][box.mx].
+/// B on boxes around the contact and an approximate inverse of it; fields [2][box.rows()][box.mx()].
 struct StepBox {
-  StepBox(const InfluenceNumbers& numbers, const Box& box, const SlipStep& rule,
+  StepBox(const InfluenceNumbers& numbers, const Parts& box, const SlipStep& rule,
           TransformPool* pool = nullptr);
 
   /// out = B in
@@ -59,7 +59,7 @@ struct StepBox {
     float stiffness, m, scale;  ///< r; trace of M; of a slipping element, between it and the mean of all
   };
 
-  Box box;
+  Parts box;
   SlipStep rule;
   StripOperator tt;
   BasicStripOperator<float> fast;
@@ -69,6 +69,11 @@ struct StepBox {
   std::vector<double> in, out;
   std::vector<float> fast_in, fast_out;
   Gmres gmres;
+
+private:
+  /// Of x and of s, each box by itself.
+  void apply_each(const std::vector<BasicPlaneOperator<float>>& of, std::vector<float>& from,
+                  std::vector<float>& to);
 };
 
 struct Prepared;

@@ -36,7 +36,7 @@ Eigen::MatrixXd dense_block(const NormalSystem& system, const std::vector<int>& 
 /// Solutions of A_CC y = q cos - gap and, where the force is given, A_CC unit = cos: what more approach adds.
 struct Response {
   VectorXd p, unit, u, u_unit; ///< u = A p, where it is known
-  Box known;                   ///< nothing where it is not known at all
+  Parts known;                 ///< nothing where it is not known at all
 };
 
 /// `precision` is relative to the largest right-hand side.
@@ -46,7 +46,7 @@ bool solve_on(const NormalSystem& system, const std::vector<int>& list, const Ve
     double largest = 0;
     for (const int i : list)
       largest = std::max(largest, std::abs(rhs[i]));
-    const Box* box = conjugate_gradients(system, list, rhs, precision * largest, y.p, y.u, products);
+    const Parts* box = conjugate_gradients(system, list, rhs, precision * largest, y.p, y.u, products);
     // the unit response corrects a force that is nearly right, and need not be precise at first
     if (box && with_unit)
       box =
@@ -73,19 +73,20 @@ bool solve_on(const NormalSystem& system, const std::vector<int>& list, const Ve
 
 /// What contradicts the law changes sides: pressure below `least_p`, penetration below `least_e`. Returns how
 /// many elements did.
-int change_sides(const NormalSystem& system, const VectorXd& gap, const VectorXd& u, const Box& known,
+int change_sides(const NormalSystem& system, const VectorXd& gap, const VectorXd& u, const Parts& known,
                  double least_p, double least_e, NormalState& state) {
   int changes = 0;
-  for (int is = known.first_s; is < known.first_s + known.ms; ++is)
-    for (int ix = known.first_x; ix < known.first_x + known.mx; ++ix) {
-      const int i = is * system.grid.mx + ix;
-      const bool wrong = state.active[i] ? state.p[i] < least_p
-                                         : gap[i] - state.approach * system.cosine[i] + u[i] < least_e;
-      if (wrong) {
-        state.active[i] = !state.active[i];
-        ++changes;
+  for (const Box& box : known.boxes)
+    for (int is = box.first_s; is < box.first_s + box.ms; ++is)
+      for (int ix = box.first_x; ix < box.first_x + box.mx; ++ix) {
+        const int i = is * system.grid.mx + ix;
+        const bool wrong = state.active[i] ? state.p[i] < least_p
+                                           : gap[i] - state.approach * system.cosine[i] + u[i] < least_e;
+        if (wrong) {
+          state.active[i] = !state.active[i];
+          ++changes;
+        }
       }
-    }
   return changes;
 }
 
@@ -188,7 +189,7 @@ void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalL
   if (state.p.size() != n)
     state.p.setZero(n);
 
-  const Box whole{0, 0, system.grid.mx, system.grid.ms};
+  const Parts whole{{{0, 0, system.grid.mx, system.grid.ms}}};
   Response y{state.p, VectorXd::Zero(n), VectorXd::Zero(n), VectorXd::Zero(n), {}};
   int fewest = n + 1, without_progress = 0;
   for (int step = 0; step < options.max_normal; ++step) {

@@ -13,18 +13,21 @@
 
 namespace bem_contact::contact {
 
-/// The operator on a box around the active set, an approximate inverse of it, and the vectors of conjugate
+/// The operator on boxes around the active set, an approximate inverse of it, and the vectors of conjugate
 /// gradients: in single precision, which corrects what is known in double precision.
 struct NormalBox {
-  NormalBox(const InfluenceNumbers& numbers, const Box& box, TransformPool* pool = nullptr);
+  NormalBox(const InfluenceNumbers& numbers, const Parts& box, TransformPool* pool = nullptr);
 
-  Box box;
+  Parts box;
   StripOperator nn;
   BasicStripOperator<float> fast;
   BasicPlaneOperator<float> inverse;
   std::vector<double> p, u;         ///< A p of the whole box
   std::vector<float> x, r, z, d, q; ///< x corrects p
   std::vector<int> local;           ///< the box's numbers of the active elements
+
+  void invert();                                          ///< q = about A^-1 r, each box by itself
+  void copy_u(int grid_mx, Eigen::VectorXd& field) const; ///< to the field of the grid
 };
 
 struct Prepared;
@@ -53,10 +56,10 @@ private:
 
 /// A_CC y = rhs on the elements of the list, starting from y, by preconditioned conjugate gradients; fields.
 /// The residual falls below `target` everywhere: single precision corrects until double precision agrees.
-/// Afterwards u = A y inside the box that is returned; nothing when it fails.
-const Box* conjugate_gradients(const NormalSystem& system, const std::vector<int>& list,
-                               const Eigen::VectorXd& rhs, double target, Eigen::VectorXd& y,
-                               Eigen::VectorXd& u, int& products);
+/// Afterwards u = A y inside the boxes that are returned; nothing when it fails.
+const Parts* conjugate_gradients(const NormalSystem& system, const std::vector<int>& list,
+                                 const Eigen::VectorXd& rhs, double target, Eigen::VectorXd& y,
+                                 Eigen::VectorXd& u, int& products);
 
 struct NormalLoad {
   LoadKind kind = LoadKind::force;

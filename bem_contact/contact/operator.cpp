@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 namespace bem_contact::contact {
@@ -77,6 +78,35 @@ BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, in
                     BasicPlaneOperator<Real>::Form::exact, 0, pool);
     return;
   }
+  std::vector<int> rows(o.ms);
+  std::iota(rows.begin(), rows.end(), range.first);
+  transform(numbers, mx, rows, std::move(outputs), std::move(inputs));
+}
+
+template <class Real>
+BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, const Parts& parts,
+                                             std::vector<int> outputs, std::vector<int> inputs,
+                                             TransformPool* pool)
+    : impl_(std::make_unique<Impl>()) {
+  Impl& o = *impl_;
+  o.mx = parts.mx();
+  o.ms = parts.rows();
+  if (numbers.translational) {
+    o.plane.emplace(numbers, parts, outputs, inputs, pool);
+    return;
+  }
+  std::vector<int> rows;
+  for (const Box& box : parts.boxes)
+    for (int is = 0; is < box.ms; ++is)
+      rows.push_back(box.first_s + is);
+  transform(numbers, o.mx, rows, std::move(outputs), std::move(inputs));
+}
+
+template <class Real>
+void BasicStripOperator<Real>::transform(const InfluenceNumbers& numbers, int mx,
+                                         const std::vector<int>& rows, std::vector<int> outputs,
+                                         std::vector<int> inputs) {
+  Impl& o = *impl_;
   o.length = good_fft_length(2 * (mx + rolling_columns) + 1);
   o.frequencies = o.length / 2 + 1;
   o.outputs = std::move(outputs);
@@ -107,8 +137,7 @@ BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, in
         const int i = o.outputs[pair / in], j = o.inputs[pair % in];
         double* to = &values[pair](row_i, m);
         for (int row_j = 0; row_j < o.ms; ++row_j)
-          to[static_cast<std::ptrdiff_t>(row_j) * o.ms] =
-              numbers.at(m, range.first + row_i, i, range.first + row_j, j);
+          to[static_cast<std::ptrdiff_t>(row_j) * o.ms] = numbers.at(m, rows[row_i], i, rows[row_j], j);
       }
   for (std::size_t pair = 0; pair < pairs; ++pair) {
     const int i = o.outputs[pair / in], j = o.inputs[pair % in];

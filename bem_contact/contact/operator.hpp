@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/contact/box.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
 
 #include <memory>
@@ -27,6 +28,10 @@ template <class Real> class BasicStripOperator {
 public:
   BasicStripOperator(const InfluenceNumbers& numbers, int mx, std::vector<int> outputs,
                      std::vector<int> inputs, RowRange rows = {}, TransformPool* pool = nullptr);
+  /// On boxes of the grid; fields [component][box][ms][mx]. Where the numbers are not translational the boxes
+  /// have the same columns.
+  BasicStripOperator(const InfluenceNumbers& numbers, const Parts& parts, std::vector<int> outputs,
+                     std::vector<int> inputs, TransformPool* pool = nullptr);
   /// The same in another precision.
   template <class Other>
   explicit BasicStripOperator(const BasicStripOperator<Other>& other, TransformPool* pool = nullptr);
@@ -44,6 +49,8 @@ public:
 private:
   template <class Other> friend class BasicStripOperator;
   struct Impl;
+  void transform(const InfluenceNumbers& numbers, int mx, const std::vector<int>& rows,
+                 std::vector<int> outputs, std::vector<int> inputs);
   std::unique_ptr<Impl> impl_;
 };
 

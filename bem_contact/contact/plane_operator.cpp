@@ -88,46 +88,36 @@ template <class Real> struct BasicPlaneOperator<Real>::Impl {
     std::transform(from.symbol.get(), from.symbol.get() + symbol_size(), symbol.get(),
                    [](auto v) { return static_cast<Real>(v); });
   }
-  void transform_numbers(const InfluenceNumbers& numbers, const std::vector<int>& i,
-                         const std::vector<int>& j, int middle);
+  /// Symbol (a, b) of A_ij, the target `ahead_x` columns and `ahead_s` rows ahead of the load.
+  void transform_numbers(const InfluenceNumbers& numbers, int i, int j, int ahead_x, int ahead_s, int middle,
+                         int a, int b);
   void apply(std::span<const Real> p) const;
 };
 
 template <class Real>
-void BasicPlaneOperator<Real>::Impl::transform_numbers(const InfluenceNumbers& numbers,
-                                                       const std::vector<int>& of_i,
-                                                       const std::vector<int>& of_j, int middle) {
-  symbol = make_fft_buffer<Real>(symbol_size());
+void BasicPlaneOperator<Real>::Impl::transform_numbers(const InfluenceNumbers& numbers, int i, int j,
+                                                       int ahead_x, int ahead_s, int middle, int a, int b) {
   Real* kernel = transforms->kernel();
-  const int ahead = std::min(mx + rolling_columns, numbers.offsets);
-  for (int a = 0; a < outputs; ++a)
-    for (int b = 0; b < inputs; ++b) {
-      const int i = of_i[a], j = of_j[b];
-      std::fill_n(kernel, static_cast<std::size_t>(length_s) * length_x, Real(0));
-      for (int d = 1 - ms; d < ms; ++d) {
-        int row_i = std::max(d, 0), row_j = std::max(-d, 0);
-        if (!numbers.translational) {
-          row_i = std::clamp(middle + d / 2, row_i, numbers.rows - 1 - row_j);
-          row_j = row_i - d;
-        }
-        Real* line = &kernel[static_cast<std::size_t>((d + 2 * length_s) % length_s) * length_x];
-        for (int m = 0; m < ahead; ++m) {
-          const Real number = numbers.at(m, row_i, i, row_j, j);
-          line[m % length_x] += number;
-          if (m > 0 && m < mx)
-            line[(2 * length_x - m) % length_x] += parity(i, j) * number;
-        }
-      }
-      transforms->transform_kernel(symbol_at(0, a, b),
-                                   static_cast<std::ptrdiff_t>(inputs) * outputs * length_s);
+  std::fill_n(kernel, static_cast<std::size_t>(length_s) * length_x, Real(0));
+  for (int d = 1 - ms; d < ms; ++d) {
+    const int rows = d + ahead_s;
+    int row_i = std::max(rows, 0), row_j = std::max(-rows, 0);
+    if (!numbers.translational) {
+      row_i = std::clamp(middle + rows / 2, row_i, numbers.rows - 1 - row_j);
+      row_j = row_i - rows;
     }
+    Real* line = &kernel[static_cast<std::size_t>((d + 2 * length_s) % length_s) * length_x];
+    for (int m = 1 - mx; m < mx + rolling_columns; ++m)
+      if (const int offset = m + ahead_x; std::abs(offset) < numbers.offsets)
+        line[(m + 2 * length_x) % length_x] += static_cast<Real>(
+            (offset < 0 ? parity(i, j) : 1) * numbers.at(std::abs(offset), row_i, i, row_j, j));
+  }
+  transforms->transform_kernel(symbol_at(0, a, b), static_cast<std::ptrdiff_t>(inputs) * outputs * length_s);
 }
 
 template <class Real>
-BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, int mx, int ms,
-                                             std::vector<int> outputs, std::vector<int> inputs, Form form,
-                                             int middle, TransformPool* pool)
-    : impl_(std::make_unique<Impl>()) {
+void BasicPlaneOperator<Real>::prepare(int mx, int ms, int outputs, int inputs, Form form,
+                                       TransformPool* pool) {
   Impl& o = *impl_;
   o.mx = mx;
   o.ms = ms;
@@ -135,10 +125,38 @@ BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, in
   o.length_x = even_length(exact ? 2 * mx + rolling_columns - 1 : mx + 4 + mx / periodic_margin);
   o.length_s = even_length(std::max(lines_of(ms), exact ? 2 * ms - 1 : ms + 4 + ms / periodic_margin));
   o.frequencies = o.length_x / 2 + 1;
-  o.inputs = static_cast<int>(inputs.size());
-  o.outputs = static_cast<int>(outputs.size());
+  o.inputs = inputs;
+  o.outputs = outputs;
   o.transforms = pooled<Real>(o.shape(), pool);
-  o.transform_numbers(numbers, outputs, inputs, middle);
+  o.symbol = make_fft_buffer<Real>(o.symbol_size());
+}
+
+template <class Real>
+BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, int mx, int ms,
+                                             std::vector<int> outputs, std::vector<int> inputs, Form form,
+                                             int middle, TransformPool* pool)
+    : impl_(std::make_unique<Impl>()) {
+  prepare(mx, ms, static_cast<int>(outputs.size()), static_cast<int>(inputs.size()), form, pool);
+  for (int a = 0; a < impl_->outputs; ++a)
+    for (int b = 0; b < impl_->inputs; ++b)
+      impl_->transform_numbers(numbers, outputs[a], inputs[b], 0, 0, middle, a, b);
+}
+
+template <class Real>
+BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, const Parts& parts,
+                                             const std::vector<int>& outputs, const std::vector<int>& inputs,
+                                             TransformPool* pool)
+    : impl_(std::make_unique<Impl>()) {
+  // each box of a component is a component of its own
+  const int count = parts.count();
+  prepare(parts.mx(), parts.ms(), count * static_cast<int>(outputs.size()),
+          count * static_cast<int>(inputs.size()), Form::exact, pool);
+  for (int a = 0; a < impl_->outputs; ++a)
+    for (int b = 0; b < impl_->inputs; ++b) {
+      const Box &to = parts.boxes[a % count], &from = parts.boxes[b % count];
+      impl_->transform_numbers(numbers, outputs[a / count], inputs[b / count], to.first_x - from.first_x,
+                               to.first_s - from.first_s, 0, a, b);
+    }
 }
 
 template <class Real>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/contact/box.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
 
 #include <array>
@@ -25,6 +26,9 @@ public:
   BasicPlaneOperator(const InfluenceNumbers& numbers, int mx, int ms, std::vector<int> outputs,
                      std::vector<int> inputs, Form form = Form::exact, int middle = 0,
                      TransformPool* pool = nullptr);
+  /// On several boxes at once, which act on each other (exact); fields [component][box][ms][mx].
+  BasicPlaneOperator(const InfluenceNumbers& numbers, const Parts& parts, const std::vector<int>& outputs,
+                     const std::vector<int>& inputs, TransformPool* pool = nullptr);
   /// The same in another precision.
   template <class Other>
   explicit BasicPlaneOperator(const BasicPlaneOperator<Other>& other, TransformPool* pool = nullptr);
@@ -54,6 +58,7 @@ public:
 private:
   template <class Other> friend class BasicPlaneOperator;
   struct Impl;
+  void prepare(int mx, int ms, int outputs, int inputs, Form form, TransformPool* pool);
   std::unique_ptr<Impl> impl_;
 };
 

@@ -49,10 +49,4 @@ struct Prepared::Nested {
   Prepared prepared;
 };
 
-/// Whether a kept box serves where `needed` is: around it, and not much larger.
-inline bool serves(const Box& kept, const Box& needed) {
-  constexpr double much = 2.5;
-  return kept.contains(needed) && kept.size() <= much * needed.size() + 64;
-}
-
 } // namespace bem_contact::contact

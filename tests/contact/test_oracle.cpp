@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 #include <span>
 
@@ -178,6 +179,80 @@ TEST(Oracle, TranslationalNumbersGiveTheSameDisplacements) {
     for (int i = 0; i < 3 * mx; ++i)
       EXPECT_NEAR(three[i], of_table[i], 1e-13 * scale);
   }
+}
+
+/// Areas far apart get boxes of their own: what they do to each other is not lost.
+TEST(Oracle, BoxesActOnEachOtherAsTheirElementsDo) {
+  std::mt19937 random(6);
+  const int mx = 30, ms = 40, n = mx * ms;
+  ContactProblem problem = scenes::flat({23000, 0.31}, {82000, 0.0}, mx, ms, 0.5, 0.3, 1e-3, 1e-3);
+  for (double& v : problem.numbers.values) // nothing but x and s may be assumed
+    v *= std::uniform_real_distribution<>(0.9, 1.1)(random);
+  std::vector<int> elements;
+  for (int is = 0; is < ms; ++is)
+    for (int ix = 0; ix < mx; ++ix)
+      if ((is >= 3 && is < 9 && ix >= 2 && ix < 11) || (is >= 30 && is < 38 && ix >= 18 && ix < 25))
+        elements.push_back(is * mx + ix);
+  const InfluenceNumbers table = spelled_out(problem.numbers);
+  for (const InfluenceNumbers* numbers :
+       std::initializer_list<const InfluenceNumbers*>{&problem.numbers, &table}) {
+    const contact::Parts parts = contact::parts_around(elements, problem.grid, 1, !numbers->translational);
+    ASSERT_EQ(parts.count(), 2);
+    EXPECT_TRUE(parts.cover(elements, mx));
+    EXPECT_LT(parts.size(), 0.6 * n);
+    const contact::StripOperator whole(*numbers, mx, {0, 1, 2}, {0, 1, 2}),
+        some(*numbers, parts, {0, 1, 2}, {0, 1, 2});
+    std::vector<double> p(3 * n, 0.0), u(3 * n), step(3 * n);
+    std::vector<double> p_some(3 * parts.size(), 0.0), u_some(p_some), step_some(p_some);
+    for (const int i : elements)
+      for (int c = 0; c < 3; ++c)
+        p_some[c * parts.size() + parts.local(i, mx)] = p[c * n + i] =
+            std::uniform_real_distribution<>(-1, 1)(random);
+    whole.apply(p, u);
+    some.apply(p_some, u_some);
+    whole.apply_step(p, step);
+    some.apply_step(p_some, step_some);
+    const double scale = numbers->at(0, 0, 2, 0, 2);
+    for (int i = 0; i < n; ++i)
+      if (const int l = parts.local(i, mx); l >= 0)
+        for (int c = 0; c < 3; ++c) {
+          EXPECT_NEAR(u_some[c * parts.size() + l], u[c * n + i], 1e-12 * scale) << i;
+          EXPECT_NEAR(step_some[c * parts.size() + l], step[c * n + i], 1e-12 * scale) << i;
+        }
+  }
+}
+
+/// Two balls side by side, far apart: each bears what it bears alone, less what the other presses down.
+TEST(Oracle, TwoAreasFarApartAreSolvedAtOnce) {
+  const int mx = 30, ms = 120;
+  ContactProblem problem = scenes::flat({82000, 0.28}, {82000, 0.28}, mx, ms, 0.4, 0.4, 1 / 600.0, 1 / 600.0);
+  const auto gap_about = [&](double s_centre, int is, int ix) {
+    const double x = problem.grid.x(ix), s = problem.rows[is].s - s_centre;
+    return (x * x + s * s) / 600;
+  };
+  const double from = problem.rows.front().s, apart = 36 * 0.4;
+  const double first = 0.5 * (from + problem.rows.back().s) - apart, second = first + 2 * apart;
+  std::vector<double> both(problem.gap), one(problem.gap);
+  for (int is = 0; is < ms; ++is)
+    for (int ix = 0; ix < mx; ++ix) {
+      one[is * mx + ix] = gap_about(first, is, ix);
+      both[is * mx + ix] = std::min(one[is * mx + ix], gap_about(second, is, ix));
+    }
+  scenes::set_creepage(problem, 0.3, 1e-3, 3e-4, 0);
+  problem.gap = one;
+  problem.force = 5e4;
+  const ContactResult alone = solve(problem);
+  problem.gap = both;
+  problem.force = 1e5;
+  const ContactResult two = solve(problem);
+  ASSERT_TRUE(alone.converged && two.converged) << two.remark;
+  ASSERT_EQ(two.patches.size(), 2u);
+  EXPECT_NEAR(two.patches[0].fn, two.patches[1].fn, 1e-4 * two.patches[0].fn);
+  EXPECT_NEAR(two.patches[0].fn, alone.Fz, 1e-4 * alone.Fz);
+  // (1 - nu) / (2 pi G r) of each body under the other's force
+  const double pressed = 2 * (1 - 0.28) / (2 * std::numbers::pi * 82000 * 2 * apart) * 5e4;
+  EXPECT_NEAR(two.approach - alone.approach, pressed, 0.03 * pressed);
+  EXPECT_NEAR(two.Fx, 2 * alone.Fx, 0.01 * std::abs(two.Fx));
 }
 
 /// The inverses of the two factors, one after the other, undo A, the better the farther away the border of

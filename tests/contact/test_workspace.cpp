@@ -126,7 +126,7 @@ TEST(Workspace, TheCounterCounts) {
 TEST(Workspace, ProductsAllocateNothing) {
   for (const bool bent : {false, true}) {
     const ContactProblem problem = rolling(bent, 40000, 1e-3);
-    contact::StepBox box(problem.numbers, {2, 3, 30, 24}, slip_step(problem));
+    contact::StepBox box(problem.numbers, {{{2, 3, 30, 24}}}, slip_step(problem));
     std::ranges::fill(box.in, 1.0);
     std::ranges::fill(box.fast_in, 1.0f);
     std::ranges::fill(box.sticks, 1);
@@ -166,7 +166,7 @@ TEST(Workspace, MoreIterationsAllocateNoMore) {
   EXPECT_EQ(allocations_of([&] { solve_to(1e-2); }), allocations_of([&] { solve_to(1e-12); }));
   // GMRES
   contact::Gmres gmres;
-  contact::StepBox box(problem.numbers, {0, 0, problem.grid.mx, problem.grid.ms}, slip_step(problem));
+  contact::StepBox box(problem.numbers, {{{0, 0, problem.grid.mx, problem.grid.ms}}}, slip_step(problem));
   const auto apply = [&](const Eigen::VectorXf& v, Eigen::VectorXf& out) {
     std::copy_n(v.data(), 2 * n, box.fast_in.data());
     box.fast_step();
