@@ -15,7 +15,7 @@ struct SolverOptions {
   double tolerance = 1e-8;  ///< of the solvers; the certificate asks for 1e-6
   int max_outer = 50;       ///< normal-tangential (Panagiotopoulos) iterations
   int max_normal = 200;     ///< active-set changes
-  int max_tangential = 100; ///< Newton steps for given p_n
+  int max_tangential = 250; ///< Newton steps for given p_n
   int max_sweeps = 1000;    ///< where Newton fails
   bool only_newton = false; ///< nothing else where Newton fails
   bool estimate_discretisation = true;
