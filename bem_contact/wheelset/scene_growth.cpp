@@ -127,7 +127,6 @@ std::string edge_warning(const Touched& touched) {
 
 SceneResult solve_grown(Stage& stage, const std::string& model, bool tangential) {
   PhaseSeconds spent;
-  bool grown = false;
   for (int round = 0;; ++round) {
     SceneResult out = solve_once(stage, model, tangential);
     spent.numbers += out.seconds.numbers;
@@ -137,10 +136,12 @@ SceneResult solve_grown(Stage& stage, const std::string& model, bool tangential)
     if (!touched.any()) {
       if (round < most_growths && add_areas(stage, out))
         continue;
-      if (grown && (stage.scene->grid.mx > 0 || stage.scene->grid.ms > 0))
-        out.warnings.push_back(
-            fmt::format("the contact did not fit on the grid asked for: it grew to {} x {} elements",
-                        out.problem.grid.mx, out.problem.grid.ms));
+      const SceneFile::Grid& asked = stage.scene->grid;
+      if (stage.grown && (asked.mx > 0 || asked.ms > 0 || asked.s_from != asked.s_to))
+        out.warnings.push_back(fmt::format("the contact did not fit on the grid asked for: it grew to {} x "
+                                           "{} elements, s = {:.2f} .. {:.2f} mm",
+                                           out.problem.grid.mx, out.problem.grid.ms,
+                                           stage.wheel_rail->plan.s_from(), stage.wheel_rail->plan.s_to()));
       return out;
     }
     if (!stage.wheel_rail) {
@@ -158,7 +159,7 @@ SceneResult solve_grown(Stage& stage, const std::string& model, bool tangential)
                        "Give a smaller force, larger elements (grid.dx, grid.ds), or rows around the contact "
                        "(grid.s_from, grid.s_to).");
     grow(stage, touched);
-    grown = true;
+    stage.grown = true;
   }
 }
 

@@ -25,7 +25,7 @@ void require_radius(const InfluenceFunction& wheel, double wheel_radius) {
 
 Stage prepare_stage(const SceneFile& scene, bool needs_strips, const SceneAids& aids) {
   const Stopwatch watch;
-  Stage stage{&scene, {}, {}, {}, {}, needs_strips, aids};
+  Stage stage{&scene, {}, {}, {}, {}, needs_strips, aids, false};
   if (scene.kind == "wheel_rail") {
     stage.wheel_rail = aids.placed ? *aids.placed : place_wheel_rail(scene);
     stage.files = aids.files ? *aids.files : read_pair_files(scene);

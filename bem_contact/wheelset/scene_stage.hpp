@@ -29,6 +29,7 @@ struct Stage {
   PhaseSeconds seconds;
   bool needs_strips = false; ///< every row must lie on the strips of the influence files
   SceneAids aids;
+  bool grown = false; ///< the contact did not fit on the grid planned
 
   ReferencePoint reference() const {
     if (wheel_rail)

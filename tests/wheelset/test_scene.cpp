@@ -122,8 +122,15 @@ TEST(Scene, AGridThatIsTooSmallGrows) {
   const SceneResult whole = solve_scene(scene, "halfspace");
   scene.grid.s_from = -14.5;
   scene.grid.s_to = -12.5;
+  const auto said = [](const SceneResult& r) {
+    ASSERT_EQ(r.warnings.size(), 1u);
+    EXPECT_THAT(r.warnings[0], HasSubstr("did not fit on the grid asked for: it grew to"));
+  };
+  said(solve_scene(scene, "halfspace"));
+  said(solve_scene(scene, "auto")); // which looks at the normal problem first
   scene.grid.mx = 6;
   const SceneResult grown = solve_scene(scene, "halfspace");
+  said(grown);
   EXPECT_GT(grown.problem.grid.ms, 4);
   EXPECT_GT(grown.problem.grid.mx, 6);
   EXPECT_NEAR(grown.result.approach, whole.result.approach, 1e-6 * whole.result.approach);
