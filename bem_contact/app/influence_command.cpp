@@ -122,6 +122,7 @@ std::string expand_command(const ExpandRequest& r) {
     // The wheel's own s runs against the rail's: its rows are those that lie opposite.
     Body rail = expand_body(r, r.files[0], 1, r.has_centre, r.centre);
     Body wheel = expand_body(r, r.files[1], -1, r.has_wheel_centre, r.wheel_centre);
+    require_order(rail.function, wheel.function);
     out.remarks.emplace_back("frame",
                              "contact: x rolling direction, s the rail's arc length, n into the rail; "
                              "traction on the rail, displacement of the rail less that of the wheel");

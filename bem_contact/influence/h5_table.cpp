@@ -154,7 +154,8 @@ bool read_object(hid_t root, const std::string& path, bool deep, H5Table& table)
 H5Table read_paths(const std::filesystem::path& file, bool deep) {
   const QuietHdf5 silence;
   if (!std::filesystem::is_regular_file(file))
-    throw InputError("The file '" + file.string() + "' cannot be read", "there is no such file",
+    throw InputError("The file '" + file.string() + "' cannot be read",
+                     std::filesystem::exists(file) ? "it is no file" : "there is no such file",
                      "Check the path.");
   const H5Handle root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   std::vector<std::string> paths;
@@ -168,7 +169,7 @@ H5Table read_paths(const std::filesystem::path& file, bool deep) {
     whole = whole && read_object(root, path, deep, table);
   if (!whole)
     throw InputError("The file '" + file.string() + "' cannot be read", "it is not HDF5, or truncated",
-                     "Make it again.");
+                     "Name a result or an influence file, or make it again.");
   return table;
 }
 

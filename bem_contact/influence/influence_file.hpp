@@ -24,6 +24,8 @@ void write_influence_file(const std::filesystem::path& file, const InfluenceFunc
 /// Throws InputError when the file was made for another profile (digest) or another material.
 void require_profile(const InfluenceFunction& function, const std::string& profile, std::uint64_t digest);
 void require_material(const InfluenceFunction& function, const Material& material);
+/// Throws InputError when the lower body (rail) is an upper one and the upper body (wheel) is a lower one.
+void require_order(const InfluenceFunction& lower, const InfluenceFunction& upper);
 /// Throws InputError when [s_from, s_to] is not inside the strip.
 void require_strip(const InfluenceFunction& function, double s_from, double s_to);
 

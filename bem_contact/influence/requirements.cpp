@@ -1,6 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 
+#include <cmath>
 #include <sstream>
 
 namespace bem_contact {
@@ -29,6 +30,19 @@ void require_material(const InfluenceFunction& f, const Material& material) {
                      text("they hold for G = ", f.material.shear_modulus, " MPa, nu = ", f.material.poisson,
                           ", not G = ", material.shear_modulus, " MPa, nu = ", material.poisson),
                      "compute them for this material, or give the body theirs");
+}
+
+void require_order(const InfluenceFunction& lower, const InfluenceFunction& upper) {
+  const auto faces_down = [](const InfluenceFunction& f) { // its material above
+    return std::cos(f.stations[f.stations.size() / 2].delta) < 0;
+  };
+  if (faces_down(lower) && !faces_down(upper))
+    throw InputError("the two influence files are exchanged",
+                     text("the material of '", lower.body,
+                          "', which is given as the rail, lies above its surface; "
+                          "that of '",
+                          upper.body, "', given as the wheel, below"),
+                     "give the rail's (lower body's) file as the rail's and the wheel's as the wheel's");
 }
 
 void require_strip(const InfluenceFunction& f, double s_from, double s_to) {

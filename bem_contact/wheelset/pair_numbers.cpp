@@ -91,7 +91,10 @@ InfluenceNumbers reversed(const InfluenceNumbers& numbers) {
 } // namespace
 
 PairFiles read_pair_files(const SceneFile& scene) {
-  return {read_side(scene, scene.rail), read_side(scene, scene.wheel)};
+  PairFiles files{read_side(scene, scene.rail), read_side(scene, scene.wheel)};
+  if (files.complete())
+    require_order(*files.rail, *files.wheel);
+  return files;
 }
 
 InfluenceNumbers halfspace_pair(const SceneFile& scene, const PreparedContact& contact) {

@@ -2,10 +2,10 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/influence_function.hpp"
+#include "tests/base/message.hpp"
 
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <numbers>
 #include <string>
 
@@ -42,15 +42,6 @@ inline bem_contact::InfluenceFunction sample_function() {
   f.reaction_error = 2e-13;
   f.estimated_error = 3e-4;
   return f;
-}
-
-inline std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const bem_contact::InputError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 /// A folder of its own that goes with the object.

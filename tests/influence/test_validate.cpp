@@ -1,7 +1,9 @@
+#include "bem_contact/influence/influence_file.hpp"
 #include "sample_function.hpp"
 
 #include <gmock/gmock.h>
 
+#include <functional>
 #include <limits>
 
 using namespace bem_contact;
@@ -44,4 +46,17 @@ TEST(Validate, NamesWhatIsWrong) {
               }),
               HasSubstr("not half a turn"));
   EXPECT_THAT(refusal([&](auto& f) { f.estimated_error = nan; }), HasSubstr("error estimates"));
+}
+
+TEST(RequireOrder, ALowerBodyIsTheRail) {
+  const InfluenceFunction rail = sample_function();
+  InfluenceFunction wheel = rail;
+  wheel.body = "a wheel";
+  for (Station& station : wheel.stations)
+    station.delta += 3.1;
+  EXPECT_NO_THROW(require_order(rail, wheel));
+  EXPECT_NO_THROW(require_order(rail, rail)) << "one block serves as both";
+  EXPECT_THAT(message_of([&] { require_order(wheel, rail); }),
+              testing::AllOf(testing::HasSubstr("the two influence files are exchanged"),
+                             testing::HasSubstr("'a wheel', which is given as the rail, lies above")));
 }
