@@ -193,6 +193,7 @@ json to_json(const SceneResult& r) {
            {{"normal", r.result.normal_solver},
             {"tangential", r.result.tangential_solver},
             {"outer_iterations", r.result.outer_iterations},
+            {"work", r.result.work},
             {"outer_rate", r.result.outer_rate},
             {"creepage_iterations", r.result.creepage_iterations},
             {"normal_iterations", r.result.normal_iterations},

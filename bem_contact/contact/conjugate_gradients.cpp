@@ -82,6 +82,10 @@ void NormalBox::copy_u(int grid_mx, VectorXd& field) const {
                   &field[static_cast<Eigen::Index>(part.first_s + is) * grid_mx + part.first_x]);
 }
 
+void NormalSystem::spend(double elements) const {
+  kept_->spend(elements);
+}
+
 NormalBox& NormalSystem::box_for(const std::vector<int>& elements) const {
   std::optional<NormalBox>& box = kept_->normal_box;
   const bool columns = !numbers->translational;
@@ -122,8 +126,10 @@ const Parts* conjugate_gradients(const NormalSystem& system, const std::vector<i
     for (std::size_t a = 0; a < list.size(); ++a) // of order one, so that squares are in range
       at.r[at.local[a]] = static_cast<float>((rhs[list[a]] - at.u[at.local[a]]) / worst);
     const double wanted = target / worst;
+    const int before = products;
     const auto reached =
         correct(at, worst, std::max(wanted, single_run), 50 + static_cast<int>(list.size()), products);
+    system.spend(2.0 * (products - before) * at.box.size());
     if (!reached)
       return nullptr;
     for (const int l : at.local)

@@ -115,6 +115,10 @@ void StepBox::invert() {
 TangentialSystem::TangentialSystem(TangentialSystem&&) noexcept = default;
 TangentialSystem::~TangentialSystem() = default;
 
+void TangentialSystem::spend(double elements) const {
+  kept_->spend(elements);
+}
+
 StepBox& TangentialSystem::box_for(const std::vector<int>& contact) const {
   const Parts needed = parts_around(contact, problem->grid, 0, !problem->numbers.translational);
   std::optional<StepBox>& box = kept_->step_box;
@@ -131,6 +135,7 @@ const StripOperator& TangentialSystem::whole() const {
 }
 
 VectorXd TangentialSystem::displacement(const VectorXd& p, int columns) const {
+  kept_->spend(size());
   VectorXd u(p.size());
   whole().apply({p.data(), static_cast<std::size_t>(p.size())},
                 {u.data(), static_cast<std::size_t>(u.size())}, columns);
@@ -140,6 +145,7 @@ VectorXd TangentialSystem::displacement(const VectorXd& p, int columns) const {
 VectorXd TangentialSystem::step(const VectorXd& p) const {
   if (problem->motion != MotionKind::steady)
     return rule.present[0] * displacement(p);
+  kept_->spend(size());
   VectorXd u(p.size());
   whole().apply_step({p.data(), static_cast<std::size_t>(p.size())},
                      {u.data(), static_cast<std::size_t>(u.size())});

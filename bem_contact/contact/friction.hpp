@@ -91,6 +91,7 @@ public:
                                int columns = 0) const;     ///< A_tt p at x + columns dx, mm
   Eigen::VectorXd step(const Eigen::VectorXd& p) const;    ///< B_tt p, mm
   const StepNumbers& step_numbers() const;                 ///< made when first asked for
+  void spend(double elements) const;                       ///< work.hpp
   StepBox& box_for(const std::vector<int>& contact) const; ///< the last one is kept while it serves
 
   const ContactProblem* problem;

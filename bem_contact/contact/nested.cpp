@@ -126,6 +126,7 @@ void start_from_coarse(const ContactProblem& problem, const SolverOptions& optio
   loose.max_outer = 1; // a start need not know how shear acts on the pressure
   loose.max_tangential = std::min(options.max_tangential, 30);
   loose.only_newton = true;
+  kept.nested->prepared.work = kept.work;
   const Solution known = solve_coupled(coarse, loose, kept.nested->prepared);
   if (!known.normal.converged)
     return;

@@ -234,7 +234,9 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
     const double enough = std::min(0.1, 0.2 * options.tolerance / state.violation);
     const double forcing = std::clamp(0.3 * ratio * ratio, std::max(1e-4, enough), 1e-1);
     last = before;
+    const int before_step = state.products;
     const VectorXd step = newton_step(c, at, forcing, state);
+    system.spend((2.0 + 3.0 * (state.products - before_step)) * box.box.size());
     if (!step.allFinite())
       break;
     c.step(step, step_slip);

@@ -42,6 +42,7 @@ struct NormalSystem {
   Eigen::VectorXd apply(const Eigen::VectorXd& p) const;
   /// Around these elements; the last one is kept while it serves.
   NormalBox& box_for(const std::vector<int>& elements) const;
+  void spend(double elements) const; ///< work.hpp
 
   ContactGrid grid;
   const InfluenceNumbers* numbers; ///< of the problem, which outlives this

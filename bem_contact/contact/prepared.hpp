@@ -2,6 +2,7 @@
 
 #include "bem_contact/contact/friction.hpp"
 #include "bem_contact/contact/normal.hpp"
+#include "bem_contact/contact/work.hpp"
 
 #include <array>
 #include <cstdint>
@@ -25,6 +26,7 @@ NumbersKey key_of(const ContactProblem& problem);
 struct Prepared {
   NumbersKey key; ///< set where it outlives a problem
   std::shared_ptr<TransformPool> pool;
+  WorkBudget* work = nullptr; ///< of the case at hand: solve() sets it; null: unlimited
   std::optional<StripOperator> nn, tt, normal_from_shear, shear_from_normal; ///< whole grid
   std::optional<NormalBox> normal_box;
   std::optional<StepBox> step_box;
@@ -36,6 +38,11 @@ struct Prepared {
   struct Nested;
   std::unique_ptr<Nested> nested;
   std::unique_ptr<Prepared> companion; ///< elements twice as large, to estimate the discretisation
+
+  void spend(double elements) const {
+    if (work)
+      work->spend(elements);
+  }
 
   explicit Prepared(std::shared_ptr<TransformPool> transforms = nullptr); ///< null: its own
   ~Prepared();

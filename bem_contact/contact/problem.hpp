@@ -160,6 +160,7 @@ struct ContactResult {
   std::string tangential_solver;
   int outer_iterations = 0, normal_iterations = 0, tangential_iterations = 0;
   int creepage_iterations = 0; ///< tangential problems solved to find the creepages of prescribed forces
+  double work = 0;             ///< of the case so far, companion included: work.hpp
   double outer_rate = 0; ///< mean factor by which an outer iteration reduced its residual; 0: there was one
   std::string remark;    ///< why a solver of the chain gave up, or ""
 };

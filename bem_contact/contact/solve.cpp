@@ -120,27 +120,41 @@ contact::Prepared& companion_of(contact::Prepared& kept, const ContactProblem& c
   return *kept.companion;
 }
 
+/// Sets what the size of the elements costs, where that can be told.
+void estimate(const ContactProblem& problem, const SolverOptions& options, contact::Prepared& kept,
+              ContactResult& result) {
+  if (!options.estimate_discretisation || !result.converged)
+    return;
+  const auto coarse = contact::coarse_companion(problem, result);
+  if (!coarse)
+    return;
+  try {
+    contact::Prepared& companion = companion_of(kept, coarse->problem, options.workspace != nullptr);
+    companion.work = kept.work;
+    SolverOptions loose = options;
+    loose.tolerance = std::max(options.tolerance, contact::companion_tolerance);
+    loose.start = &coarse->start;
+    result.discretisation = contact::compare(problem, result, coarse->problem,
+                                             solve_on_this_grid(coarse->problem, loose, companion));
+    if (result.discretisation)
+      result.certificate.discretisation = result.discretisation->worst();
+  } catch (const Error&) { // forces that larger elements cannot carry, or no work left: there is no estimate
+  }
+}
+
 } // namespace
 
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options) {
   validate(problem);
   contact::Prepared only_now;
   contact::Prepared& kept = options.workspace ? options.workspace->of(problem) : only_now;
+  WorkBudget of_this;
+  WorkBudget& work = options.work ? *options.work : of_this;
+  kept.work = &work;
   ContactResult result = solve_on_this_grid(problem, options, kept);
-  if (!options.estimate_discretisation || !result.converged)
-    return result;
-  if (const auto coarse = contact::coarse_companion(problem, result))
-    try {
-      contact::Prepared& companion = companion_of(kept, coarse->problem, options.workspace != nullptr);
-      SolverOptions loose = options;
-      loose.tolerance = std::max(options.tolerance, contact::companion_tolerance);
-      loose.start = &coarse->start;
-      result.discretisation = contact::compare(problem, result, coarse->problem,
-                                               solve_on_this_grid(coarse->problem, loose, companion));
-      if (result.discretisation)
-        result.certificate.discretisation = result.discretisation->worst();
-    } catch (const InputError&) { // forces that larger elements cannot carry: there is no estimate
-    }
+  estimate(problem, options, kept, result);
+  result.work = work.used();
+  kept.work = nullptr;
   return result;
 }
 

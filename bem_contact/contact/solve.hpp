@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/problem.hpp"
+#include "bem_contact/contact/work.hpp"
 #include "bem_contact/contact/workspace.hpp"
 
 namespace bem_contact {
@@ -23,11 +24,13 @@ struct SolverOptions {
   /// Where to start from instead of a coarse grid; a guess on another grid or without pressure is passed
   /// over.
   const StartingPoint* start = nullptr;
+  WorkBudget* work = nullptr;     ///< of a case of several problems; null: each has one of its own
   Workspace* workspace = nullptr; ///< what earlier solutions prepared; null: all is made for this one
 };
 
 /// Solves the normal problem or steady rolling. No contact: a result with zero force and no patches.
-/// Does not throw for lack of convergence: the result says `converged == false` and why.
+/// Does not throw for lack of convergence: the result says `converged == false` and why. Throws
+/// ConvergenceError where the work allowed is used up.
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options = {});
 
 /// The independent check: direct sums over the influence numbers, nothing of the solver's operator. Above 3e8

@@ -61,6 +61,7 @@ void sweeps(const TangentialSystem& system, const TangentialTask& task, double t
   double damping = 3, before = 1;
   for (int sweep = 0; sweep < most && !state.converged && damping < 200; ++sweep) {
     ++state.iterations;
+    system.spend(0.01 * double(order.size()) * double(order.size()));
     for (const int i : order) {
       const int ix = i % mx, is = i / mx;
       Vector2d slip(task.drive[i], task.drive[n + i]);

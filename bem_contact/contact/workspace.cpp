@@ -1,12 +1,28 @@
 #include "bem_contact/contact/workspace.hpp"
 
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/plane_transforms.hpp"
 #include "bem_contact/contact/prepared.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
 
 namespace bem_contact {
+
+void WorkBudget::spend(double elements) {
+  used_ += elements;
+  if (used_ > most_)
+    throw ConvergenceError(
+        "The work allowed for one case is used up",
+        fmt::format("{:.2g} products with influence numbers times elements, and there is no "
+                    "solution yet",
+                    most_),
+        "Give larger elements (grid.dx, grid.ds), a less strict grid.accuracy, or fewer rows "
+        "(grid.s_from, grid.s_to).");
+}
+
 namespace contact {
 namespace {
 

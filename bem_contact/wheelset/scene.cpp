@@ -99,7 +99,11 @@ SceneResult solve_scene(const SceneFile& scene, const std::string& model) {
   return solve_scene(scene, model, {});
 }
 
-SceneResult solve_scene(const SceneFile& scene, const std::string& wanted, const SceneAids& aids) {
+SceneResult solve_scene(const SceneFile& scene, const std::string& wanted, const SceneAids& given) {
+  WorkBudget work;
+  SceneAids aids = given;
+  if (!aids.work)
+    aids.work = &work;
   const Stopwatch watch;
   const std::string model = wanted.empty() ? scene.solver.model : wanted;
   const auto known = {"auto", "hertz", "halfspace", "tangent_plane", "fem"};

@@ -49,6 +49,7 @@ struct SceneAids {
   const PairFiles* files = nullptr;       ///< of this scene
   NumbersStore* numbers = nullptr;
   const FormerTractions* start = nullptr;
+  WorkBudget* work = nullptr;     ///< of the case; null: one for this call
   Workspace* workspace = nullptr; ///< what solving made of the numbers of earlier cases
   bool coarse_start = true;       ///< of a case without start
 };

@@ -99,17 +99,20 @@ SceneResult solve_once(Stage& stage, const std::string& model, bool tangential) 
   if (stage.wheel_rail && stage.aids.start)
     start =
         start_from(*stage.aids.start, problem, potential_areas(stage.wheel_rail->estimate), problem.force);
+  const bool steady = !problem.tangential || problem.motion == MotionKind::steady;
   const SolverOptions options{.tolerance = stage.scene->solver.tolerance,
                               .max_outer = stage.scene->solver.max_outer,
                               .estimate_discretisation = tangential,
                               .coarse_start = stage.aids.coarse_start,
                               .start = start ? &*start : nullptr,
+                              .work =
+                                  steady ? stage.aids.work : nullptr, // each step of a history has its own
                               .workspace = stage.aids.workspace};
   if (!tangential) {
     ContactProblem normal = problem;
     normal.tangential = false;
     out.result = solve(normal, options);
-  } else if (!problem.tangential || problem.motion == MotionKind::steady) {
+  } else if (steady) {
     out.result = solve(problem, options);
     out.displacements = displacements(problem, out.result);
   } else {

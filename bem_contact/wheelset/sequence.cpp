@@ -97,10 +97,12 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
   asked_elements_ = asked.grid.elements;
   asked_accuracy_ = asked.grid.accuracy;
 
+  WorkBudget work;
   SceneAids aids{&placed,
                  &read,
                  options_.keep_numbers ? &numbers_ : nullptr,
                  nullptr,
+                 &work,
                  options_.keep_numbers ? &workspace_ : nullptr,
                  options_.coarse_start};
   SceneFile scene = asked;

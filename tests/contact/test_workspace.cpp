@@ -1,3 +1,4 @@
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/prepared.hpp"
 #include "tests/contact/scenes.hpp"
 
@@ -185,6 +186,24 @@ TEST(Workspace, MoreIterationsAllocateNoMore) {
   EXPECT_EQ(allocations_of([&] { iterate(1e-5); }), 0);
 }
 #endif
+
+/// One total bounds all loops; what is left over is not touched.
+TEST(Workspace, ACaseIsRefusedWhereItsWorkIsUsedUp) {
+  ContactProblem problem = scenes::flat({82000, 0.28}, {82000, 0.28}, 40, 40, 0.4, 0.4, 1 / 600.0, 1 / 600.0);
+  scenes::set_creepage(problem, 0.3, 1e-3, 0, 0);
+  problem.force = 5e4;
+  WorkBudget enough;
+  const ContactResult result = solve(problem, {.work = &enough});
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(result.work, enough.used());
+  EXPECT_GT(result.work, 10.0 * problem.grid.size());
+  WorkBudget scarce(0.3 * result.work);
+  EXPECT_THROW(solve(problem, {.estimate_discretisation = false, .work = &scarce}), ConvergenceError);
+  Workspace kept; // a refusal leaves nothing behind
+  WorkBudget again(0.3 * result.work);
+  EXPECT_THROW(solve(problem, {.work = &again, .workspace = &kept}), ConvergenceError);
+  EXPECT_NEAR(solve(problem, {.workspace = &kept}).Fx, result.Fx, 1e-6 * result.Fx);
+}
 
 } // namespace
 } // namespace bem_contact
