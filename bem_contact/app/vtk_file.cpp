@@ -1,10 +1,9 @@
 #include "bem_contact/app/vtk_file.hpp"
 
-#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
 
 #include <fmt/ostream.h>
-#include <fstream>
-#include <system_error>
+#include <ostream>
 
 namespace bem_contact::app {
 
@@ -22,7 +21,7 @@ std::vector<Point2> row_edges(const ContactProblem& problem) {
 }
 
 template <class Value>
-void data_array(std::ofstream& out, const std::string& name, int components, int count, const Value& value) {
+void data_array(std::ostream& out, const std::string& name, int components, int count, const Value& value) {
   fmt::print(out, "<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n",
              name, components);
   for (int i = 0; i < count; ++i)
@@ -31,15 +30,10 @@ void data_array(std::ofstream& out, const std::string& name, int components, int
   fmt::print(out, "</DataArray>\n");
 }
 
-} // namespace
-
-void write_vts(const std::filesystem::path& file, const SceneResult& result) {
+void write(std::ostream& out, const SceneResult& result) {
   const ContactProblem& problem = result.problem;
   const ContactGrid& grid = problem.grid;
   const ContactResult& r = result.result;
-  std::filesystem::path temporary = file;
-  temporary += ".tmp";
-  std::ofstream out(temporary);
   const std::string extent = fmt::format("0 {} 0 {} 0 0", grid.mx, grid.ms);
   fmt::print(out,
              "<?xml version=\"1.0\"?>\n"
@@ -79,13 +73,12 @@ void write_vts(const std::filesystem::path& file, const SceneResult& result) {
   data_array(out, "undeformed_distance", 1, n, [&](int i, int) { return problem.gap[i]; });
   data_array(out, "deformed_distance", 1, n, [&](int i, int) { return at(r.deformed_distance, i); });
   fmt::print(out, "</CellData>\n</Piece>\n</StructuredGrid>\n</VTKFile>\n");
-  out.close();
-  std::error_code failed;
-  if (out)
-    std::filesystem::rename(temporary, file, failed);
-  if (!out || failed)
-    throw InputError(fmt::format("The file '{}' cannot be written", file.string()), "writing failed",
-                     "Check that its folder exists and that the disk is not full.");
+}
+
+} // namespace
+
+void write_vts(const std::filesystem::path& file, const SceneResult& result) {
+  write_whole(file, [&](std::ostream& out) { write(out, result); });
 }
 
 } // namespace bem_contact::app

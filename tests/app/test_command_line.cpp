@@ -239,6 +239,16 @@ TEST_F(CommandLine, AnUnwritableResultIsRefused) {
   refused(r, {"r.h5", "cannot be written"});
 }
 
+TEST_F(CommandLine, AFolderIsNoOutputAndNothingIsLeftBesideIt) {
+  const std::string scene = write("s.toml", hertz).string();
+  std::filesystem::create_directory(folder_ / "taken");
+  for (const char* option : {" -o '", " --vtk '"})
+    refused(run("solve '" + scene + "'" + option + (folder_ / "taken").string() + "'"),
+            {"cannot be written"});
+  for (const auto& entry : std::filesystem::directory_iterator(folder_))
+    EXPECT_THAT(entry.path().filename().string(), testing::Not(HasSubstr(".tmp")));
+}
+
 TEST_F(CommandLine, AnOutputNeverReplacesAnInput) {
   const std::string scene = write("s.toml", hertz).string();
   refused(run("solve '" + scene + "' -o '" + scene + "'"), {"would overwrite", "s.toml"});
