@@ -24,8 +24,9 @@ double shortest_element(const PairFiles& files) {
   return shortest;
 }
 
-/// Tractions of larger elements, drawn out over much smaller ones, are farther from the solution than what
-/// the solver itself finds on elements twice as large.
+/// From so many elements in contact on, tractions of larger elements, drawn out over much smaller ones, are
+/// farther from the solution than what the solver itself finds on elements twice as large.
+constexpr int many = 2000;
 bool fine_enough(const ContactGrid& former, const SceneFile::Grid& wanted) {
   constexpr double much = 1.5;
   return former.dx <= much * wanted.dx && former.ds <= much * wanted.ds;
@@ -121,7 +122,8 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
   for (int round = 1;; ++round) {
     if (adapt)
       std::tie(scene.grid.dx, scene.grid.ds) = size();
-    const bool near = former_ && alike(areas, former_->areas) && fine_enough(former_->grid, scene.grid);
+    const bool near = former_ && alike(areas, former_->areas) &&
+                      (count_->wanted() < many || fine_enough(former_->grid, scene.grid));
     aids.start = near ? &*former_ : nullptr;
     counts_.starts += near;
     ++counts_.solves;
