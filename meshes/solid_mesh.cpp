@@ -18,7 +18,7 @@ namespace bem_contact::meshes {
 namespace {
 
 // Coarse away from the load: the program that refines the mesh knows where accuracy is wanted.
-constexpr double coarse_edge_angle = std::numbers::pi / 12, layer_growth = 0.6;
+constexpr double layer_growth = 0.6;
 constexpr double coarse_gradings[] = {0.8, 0.65, 0.5}, good_quality = 0.3;
 constexpr double widest_sector = 20 * std::numbers::pi / 180; // of one layer of a wheel
 
@@ -67,7 +67,7 @@ QuadMesh coarse_section(BodyFile body) {
   for (const double grading : coarse_gradings)
     try {
       body.mesh.grading = grading;
-      QuadMesh mesh = mesh_section(body, coarse_edge_angle);
+      QuadMesh mesh = mesh_section(body, body.solid.edge_angle * std::numbers::pi / 180);
       if (const double found = quality(mesh).smallest; found > best_quality) {
         best_quality = found;
         best = std::move(mesh);

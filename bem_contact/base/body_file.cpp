@@ -52,7 +52,6 @@ void add_outline(Schema& s, BodyFile::Body& body) {
   s.add("body.reference_radius", body.reference_radius,
         {.doc = "0: prismatic; else of revolution about an axle this far above z = 0",
          .unit = "mm",
-         .at_least = 0,
          .kinds = kinds});
   s.add("body.outline", outline_of(body),
         {.doc = "Closed loop of lines and arcs (radius > 0 convex, < 0 concave, at most half a circle), each "
@@ -146,6 +145,11 @@ Schema schema_of(BodyFile& f, double& young) {
         {.doc = "3-D method: element size on the strip before the mesh is refined towards the load",
          .unit = "mm",
          .above = 0});
+  s.add("solid.edge_angle", f.solid.edge_angle,
+        {.doc = "Edges on an arc of that mesh turn by at most so much: its section is a polygon there",
+         .unit = "deg",
+         .at_least = 1,
+         .at_most = 45});
   s.add("solid.degree", f.solid.degree,
         {.doc = "Degree of the finite elements", .at_least = 1, .at_most = 4});
   s.add("solid.dx", f.solid.dx,
@@ -184,6 +188,10 @@ void cross_check(const BodyFile& f, const Schema& s) {
                          whole));
 
   const auto& body = f.body;
+  if (body.reference_radius < 0)
+    s.refuse("body.reference_radius", "an axle below the contact surface is not served",
+             "Turn the outline by half a turn, (y, z) to (-y, -z), and give the radius above zero: in the "
+             "surface's own frame (x, s, n) the influence numbers are the same.");
   if (f.body.profile.empty())
     s.refuse("body.profile", "the name is empty", "Name a standard profile or a profile file.");
   if (body.kind == "bore" && !(body.size > body.radius))

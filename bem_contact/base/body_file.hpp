@@ -71,6 +71,7 @@ struct BodyFile {
   } harmonic;
   struct Solid {
     double size = 2.5;         ///< element size on the strip of the 3-D mesh, before it is refined, mm
+    double edge_angle = 15;    ///< edges of that mesh on an arc turn by at most so much, deg
     int degree = 2;            ///< of the finite elements
     double dx = 0;             ///< element length along x, mm; 0: the station width
     int offsets = 41;          ///< numbers at x = 0, dx, .. (offsets - 1) dx

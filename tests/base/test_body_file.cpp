@@ -201,6 +201,12 @@ TEST(BodyFile, the_strip_lies_on_the_body) {
               HasSubstr("does not fit into the block"));
 }
 
+TEST(BodyFile, an_axle_below_the_contact_surface_is_refused_with_the_way_round_it) {
+  EXPECT_THAT(refusal("[body]\nkind='outline'\nreference_radius=-50"),
+              AllOf(StartsWith("body.toml:3: body.reference_radius = -50.0 (an axle below"),
+                    HasSubstr("Turn the outline by half a turn")));
+}
+
 TEST(BodyFile, a_key_of_another_kind_of_body_is_refused) {
   EXPECT_THAT(
       refusal("[body]\nkind = 'disc'\nprofile = '60E1'"),

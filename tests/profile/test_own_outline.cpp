@@ -157,6 +157,9 @@ TEST(NamedProfile, of_a_body_file_is_its_contact_curve) {
   EXPECT_THAT(refused("convex_corner.toml", ProfileKind::wheel),
               AllOf(HasSubstr("is a lower body (a wheel is asked for)")));
   EXPECT_THAT(refused("roller.toml", ProfileKind::rail), HasSubstr("is an upper body (a rail is asked for)"));
+  EXPECT_THAT(refused("ring.toml", ProfileKind::rail),
+              AllOf(HasSubstr("is no rail: it is curved along x, about an axle 80 mm above"),
+                    HasSubstr("Use kind = \"patch\"")));
 }
 
 TEST(NamedProfile, a_body_file_that_names_itself_is_refused) {
