@@ -64,7 +64,7 @@ std::string fingerprint(const BodyFile& body, const ProfileCurve& curve, const s
         double(body.harmonic.border_levels), body.harmonic.shortest_dx,
         double(body.harmonic.samples_per_decade), body.harmonic.remote_distance})
     hash.add(std::as_bytes(std::span(&value, 1)));
-  return "harmonic 4 " + std::to_string(hash.value());
+  return "harmonic 5 " + std::to_string(hash.value());
 }
 
 std::string method_of(const BodyFile& body, std::size_t cells) {

@@ -129,7 +129,19 @@ SparseColumns remote_functionals(const Section& section, std::span<const Station
   double largest = 0;
   for (const Point2 p : section.node_positions())
     largest = std::max(largest, from_strip(p));
-  const double limit = distance > 0 ? distance : std::min(20.0, 0.5 * largest);
+  // A mean over the section, for the largest distance of a node is another one on each mesh.
+  const auto typical = [&] {
+    double area = 0, squares = 0;
+    section.for_each_cell([&](const CellView& cell) {
+      for (const CellPoint& point : cell.points) {
+        const double d = from_strip(point.position);
+        area += point.weight;
+        squares += point.weight * d * d;
+      }
+    });
+    return std::sqrt(squares / area);
+  };
+  const double limit = distance > 0 ? distance : std::min(20.0, 0.8 * typical());
   if (limit >= largest)
     throw InputError("No cell is farther than " + std::to_string(limit) + " mm from the strip",
                      "the largest distance is " + std::to_string(largest) + " mm",

@@ -20,11 +20,11 @@ std::vector<Station> make_stations(const BodyFile::Strip& strip, const ProfileCu
 SparseColumns station_functionals(const Section& section, const ProfileCurve& curve,
                                   const BodyFile::Strip& strip, std::span<const Station> stations);
 
-/// The remote section: what lies between one and two times `distance` (0: 20 mm, or half of the largest
-/// distance where that is less) from the strip, weighted with sin^2(pi (d / distance - 1)). Near enough that
-/// it moves with the material under the strip when web, foot or disc bend, far enough to be out of the
-/// contact's own field. Six functionals of a displacement v with <.> the weighted mean over it and y, z from
-/// its centroid:
+/// The remote section: what lies between one and two times `distance` (0: 20 mm, or .8 of
+/// the root of the section's mean square distance where that is less) from the strip, weighted with sin^2(pi
+/// (d / distance - 1)). Near enough that it moves with the material under the strip when web, foot or disc
+/// bend, far enough to be out of the contact's own field. Six functionals of a displacement v with <.> the
+/// weighted mean over it and y, z from its centroid:
 ///     <v_x>, <v_y>, <v_z>, <y v_z - z v_y>/<y^2 + z^2>, <z v_x>/<z^2>, -<y v_x>/<y^2>.
 /// Throws InputError where no cell is that far.
 SparseColumns remote_functionals(const Section& section, std::span<const Station> stations, double distance);

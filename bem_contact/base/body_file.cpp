@@ -136,8 +136,8 @@ Schema schema_of(BodyFile& f, double& young) {
          .at_most = 100,
          .given = &f.given.samples_per_decade});
   s.add("harmonic.remote_distance", f.harmonic.remote_distance,
-        {.doc = "The remote section lies between one and two times this from the strip; 0: 20 mm, or half "
-                "the largest",
+        {.doc = "The remote section lies between one and two times this from the strip; 0: 20 mm, or less "
+                "in a small body",
          .unit = "mm",
          .at_least = 0});
 
