@@ -150,7 +150,7 @@ TEST(NamedProfile, of_a_body_file_is_its_contact_curve) {
   const ProfileCurve corner_curve = named_profile("convex_corner.toml", ProfileKind::rail, folder);
   EXPECT_EQ(corner_curve.name(), "convex corner R 10");
   EXPECT_EQ(corner_curve.digest(), body_profile(read_body_file(folder / "convex_corner.toml")).digest());
-  EXPECT_EQ(named_profile("roller.toml", ProfileKind::wheel, folder).name(), "roller R 50 crown 300");
+  EXPECT_EQ(named_profile("roller.toml", ProfileKind::wheel, folder).name(), "roller R 50 crown 28");
   const auto refused = [&](const char* file, ProfileKind kind) -> std::string {
     return message_of([&] { named_profile(file, kind, folder); });
   };
