@@ -153,9 +153,9 @@ public:
       system_.emplace();
     system_->for_each_part([&](auto& part) { fellows.broadcast(part); });
     const std::size_t nodes = system_->op.node_count();
+    order_ = [&fellows] { return fellows.received(); };
     if (fellows.rank() > 0) {
       fellows.expect(nodes);
-      order_ = [&fellows] { return fellows.received(); };
       return;
     }
     const auto start = std::chrono::steady_clock::now();
@@ -168,7 +168,6 @@ public:
     }
     fellows.send(std::move(order));
     timing_.analysis += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    order_ = [&fellows] { return fellows.received(); };
   }
   HarmonicSolver& solver() {
     if (!solver_) {

@@ -45,12 +45,11 @@ void doubt_position(const SceneFile& scene, const WheelRailScene& placed, std::v
     out.push_back(fmt::format("position.wheel_radius = {:g} mm: the radius is asked for, not the diameter",
                               scene.position.wheel_radius));
   const TabulatedProfile& wheel = placed.pair.wheel;
-  double deepest = -1e300;
   std::vector<double> depths;
   constexpr int steps = 400;
   for (int i = 0; i <= steps; ++i)
     depths.push_back(wheel.at(wheel.s_begin() + (wheel.s_end() - wheel.s_begin()) * i / steps).position.z);
-  deepest = std::ranges::max(depths);
+  const double deepest = std::ranges::max(depths);
   std::ranges::nth_element(depths, depths.begin() + steps / 2);
   const double here = wheel.at(placed.touch.front().wheel_s).position.z;
   if (deepest - depths[steps / 2] > flange && here > deepest - tip)
