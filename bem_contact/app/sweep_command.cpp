@@ -24,8 +24,6 @@
 #include <span>
 #include <thread>
 
-extern "C" void openblas_set_num_threads(int) __attribute__((weak)); // where OpenBLAS is what is linked
-
 namespace bem_contact::app {
 
 namespace {
@@ -141,8 +139,6 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
   };
   WorkerCalls calls;
   calls.make_solver = [&]() -> CaseSolver {
-    if (openblas_set_num_threads)
-      openblas_set_num_threads(1);
     return [&, sequence = std::make_shared<Sequence>()](std::size_t index) {
       return to_bytes(solve_case(*sequence, sweep, index, request.model));
     };

@@ -1,8 +1,11 @@
 #include "bem_contact/contact/dense.hpp"
 
+#include <mutex>
 #include <vector>
 
 extern "C" {
+void openblas_set_num_threads(int);
+int openblas_get_num_threads();
 void dposv_(const char* uplo, const int* n, const int* nrhs, double* a, const int* lda, double* b,
             const int* ldb, int* info);
 void dgesv_(const int* n, const int* nrhs, double* a, const int* lda, int* pivots, double* b, const int* ldb,
@@ -14,9 +17,40 @@ void dgemm_(const char* transa, const char* transb, const int* m, const int* n, 
 
 namespace bem_contact::contact {
 
+namespace {
+
+/// While one lives OpenBLAS computes on one thread. Its threads gain nothing at these sizes, and where other
+/// work runs beside they wait for each other fifty times as long as they compute. The number is OpenBLAS's
+/// own and global, so it is given back as it was (NumPy may share it) when the last of all callers is
+/// through.
+class OneThread {
+public:
+  OneThread() {
+    const std::lock_guard lock(mutex);
+    if (callers++ == 0) {
+      before = openblas_get_num_threads();
+      openblas_set_num_threads(1);
+    }
+  }
+  ~OneThread() {
+    const std::lock_guard lock(mutex);
+    if (--callers == 0)
+      openblas_set_num_threads(before);
+  }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+private:
+  inline static std::mutex mutex;
+  inline static int callers = 0, before = 1;
+};
+
+} // namespace
+
 bool solve_cholesky(Eigen::MatrixXd& a, Eigen::MatrixXd& x) {
   const int n = static_cast<int>(a.rows()), nrhs = static_cast<int>(x.cols());
   int info = 0;
+  const OneThread one_thread;
   if (n > 0)
     dposv_("L", &n, &nrhs, a.data(), &n, x.data(), &n, &info);
   return info == 0;
@@ -26,6 +60,7 @@ bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x) {
   const int n = static_cast<int>(a.rows()), nrhs = static_cast<int>(x.cols());
   int info = 0;
   std::vector<int> pivots(a.rows());
+  const OneThread one_thread;
   if (n > 0)
     dgesv_(&n, &nrhs, a.data(), &n, pivots.data(), x.data(), &n, &info);
   return info == 0;
@@ -35,6 +70,7 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   Eigen::MatrixXd c(a.rows(), b.cols());
   const int m = static_cast<int>(a.rows()), n = static_cast<int>(b.cols()), k = static_cast<int>(a.cols());
   const double one = 1, zero = 0;
+  const OneThread one_thread;
   if (c.size() > 0)
     dgemm_("N", "N", &m, &n, &k, &one, a.data(), &m, b.data(), &k, &zero, c.data(), &m);
   return c;

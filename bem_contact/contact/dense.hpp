@@ -4,8 +4,8 @@
 
 namespace bem_contact::contact {
 
-// The large dense products and factorizations, by BLAS and LAPACK. The small products stay with Eigen:
-// OpenBLAS hands even a product of a few thousand numbers to threads that then wait for each other.
+// The large dense products and factorizations, by BLAS and LAPACK on one thread. The small products stay with
+// Eigen.
 
 /// x := A^-1 x, A symmetric positive definite (lower triangle read, overwritten). False if it is not.
 bool solve_cholesky(Eigen::MatrixXd& a, Eigen::MatrixXd& x);
