@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -147,13 +148,19 @@ public:
     cells_ = system_->cells;
     unknowns_ = system_->unknowns();
   }
-  /// What the first of the fellows assembled goes to all, and then its order of elimination.
+  /// What the first of the fellows assembled goes to all, and then its order of elimination. Nobody waits for
+  /// that order before it is needed.
   void share(Fellows& fellows) {
     if (!system_)
       system_.emplace();
     system_->for_each_part([&](auto& part) { fellows.broadcast(part); });
     const std::size_t nodes = system_->op.node_count();
-    order_ = [&fellows] { return fellows.received(); };
+    order_ = [&fellows] {
+      if (fellows.received().empty())
+        throw Error("The unknowns have no order of elimination",
+                    "the process that finds it for all of this machine failed", "see its own message");
+      return fellows.received();
+    };
     if (fellows.rank() > 0) {
       fellows.expect(nodes);
       return;
@@ -270,13 +277,20 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
   if (rank == 0 && progress)
     progress(finished, all);
 
+  std::exception_ptr not_shared;
   if (shared && !tasks.empty() && !tasks.front().companion)
-    together([&] { run.share(fellows); });
+    try {
+      run.share(fellows);
+    } catch (...) {
+      not_shared = std::current_exception();
+    }
   const auto first_of_companion =
       std::find_if(tasks.begin(), tasks.end(), [](const Task& task) { return task.companion; });
   distribute(
       tasks.size(), static_cast<std::size_t>(first_of_companion - tasks.begin()), companion_first,
       [&](std::size_t t) {
+        if (not_shared)
+          std::rethrow_exception(not_shared);
         if (tasks[t].companion != companion_first)
           (companion_first ? companion : run).release(); // the first kind is done
         return tasks[t].companion ? companion.at(coarse.wavenumber[tasks[t].k])
