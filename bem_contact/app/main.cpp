@@ -74,7 +74,7 @@ ExitCode run_compare(const Arguments& arguments) {
   const SceneFile scene = read_scene_file(arguments.file);
   const std::string halfspace_vts = arguments.vtk + "_halfspace.vts", fem_vts = arguments.vtk + "_fem.vts";
   check_outputs(arguments, scene, {arguments.output, halfspace_vts, fem_vts});
-  const Comparison comparison = compare_scene(scene);
+  const Comparison comparison = Sequence().compare(scene);
   if (!arguments.output.empty()) {
     const std::array results{&comparison.halfspace, &comparison.fem};
     write_h5(arguments.output, app::to_table(results, arguments.file));

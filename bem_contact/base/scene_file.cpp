@@ -3,6 +3,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/material_keys.hpp"
 #include "bem_contact/base/scene_keys.hpp"
+#include "bem_contact/base/unused_keys.hpp"
 
 #include <fmt/format.h>
 
@@ -71,6 +72,9 @@ void check_patch(const SceneFile& f, const Schema& s) {
     s.refuse("grid.ms", "a patch needs its number of elements along s", "Give grid.ms >= 1.");
   if (f.grid.plane_strain && f.grid.mx != 1)
     s.refuse("grid.mx", "plane strain has one element, infinitely long along x", "Give grid.mx = 1.");
+  if (f.grid.plane_strain && !f.motion.frictionless)
+    s.refuse("grid.plane_strain", "rolling and shifts need elements along x",
+             "Set motion.frictionless = true, or leave it out.");
   if (!f.gap.table.empty() && (f.gap.a != 0 || f.gap.b != 0 || f.gap.c != 0))
     s.refuse("gap.table", "quadratic coefficients are given too", "Give either the table or a, b and c.");
   if (!f.strip.inclination.empty() && f.strip.radius != 0)
@@ -100,6 +104,9 @@ void check_wheel_rail(const SceneFile& f, const Schema& s) {
   if ((f.grid.elements > 0 || f.grid.accuracy > 0) && f.motion.kind != "steady")
     s.refuse(f.grid.accuracy > 0 ? "grid.accuracy" : "grid.elements",
              "a transient needs one grid for all its steps", "Give grid.dx and grid.ds.");
+  if ((f.grid.s_from != 0 || f.grid.s_to != 0) && f.grid.ms > 0)
+    s.refuse("grid.ms", "grid.s_from and grid.s_to say where the rows begin and end",
+             "Leave out grid.ms, or s_from and s_to.");
   if ((f.grid.s_from != 0 || f.grid.s_to != 0) && f.grid.s_to <= f.grid.s_from)
     s.refuse("grid.s_to", fmt::format("the rows would run from {} to {} mm", f.grid.s_from, f.grid.s_to),
              "Give s_to greater than s_from, or leave both out.");
@@ -128,6 +135,7 @@ SceneFile parse_scene_file(std::string_view toml, std::string_view source_name,
   if (file.solver.model == "fem" && file.rail.influence.empty() && file.wheel.influence.empty())
     schema.refuse("solver.model", "no influence file is given",
                   "Give rail.influence and wheel.influence, or use model = \"halfspace\".");
+  file.unused = unused_keys(file, schema);
   return file;
 }
 

@@ -15,7 +15,8 @@ namespace bem_contact {
 /// problem given directly). Keys and members have the same names. Paths are relative to the file's folder.
 struct SceneFile {
   std::string kind = "wheel_rail";
-  std::filesystem::path folder; ///< not a key: where relative paths start
+  std::filesystem::path folder;    ///< not a key: where relative paths start
+  std::vector<std::string> unused; ///< not a key: which keys are given and have no effect, and why
 
   struct Side {                         ///< [rail], [wheel]
     std::string profile;                ///< standard name or file (wheel_rail)

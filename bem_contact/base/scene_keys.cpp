@@ -205,7 +205,7 @@ void add_patch(Schema& s, SceneFile::Gap& gap, SceneFile::Strip& strip) {
   s.add("strip.upper_radius", strip.upper_radius,
         {.doc =
              "Radius of the upper surface along s: with strip.radius the distance of two circles is added to "
-             "the gap; 0: the gap is that of [gap] alone",
+             "that of gap.a, b and c (a gap.table is the whole distance); 0: the gap is that of [gap] alone",
          .unit = "mm",
          .kinds = patch});
   s.add("strip.rail_s0", strip.rail_s0,

@@ -23,12 +23,19 @@ std::string with_unit(std::string text, const KeyRule& rule) {
 void Schema::add_key(std::string path, SchemaTarget target, KeyRule rule) {
   if (rule.given)
     *rule.given = false;
-  keys_.push_back({std::move(path), target, std::move(rule)});
+  std::string text = std::holds_alternative<TableList>(target) ? "" : value_text(target);
+  keys_.push_back({std::move(path), target, std::move(rule), std::move(text)});
 }
 
 const Schema::Key* Schema::find(std::string_view path) const {
   const auto key = std::find_if(keys_.begin(), keys_.end(), [&](const Key& k) { return k.path == path; });
   return key == keys_.end() ? nullptr : &*key;
+}
+
+bool Schema::changed(std::string_view path) const {
+  const Key* key = find(path);
+  return key && has(path) &&
+         (std::holds_alternative<TableList>(key->target) || value_text(key->target) != key->default_text);
 }
 
 bool Schema::belongs(const Key& key) const {

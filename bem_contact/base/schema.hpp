@@ -88,6 +88,8 @@ public:
 
   /// For checks across keys, after read(): whether the file has the key, and InputError at its line.
   bool has(std::string_view path) const { return lines_.contains(std::string(path)); }
+  /// Whether the file gives the key another value than its default.
+  bool changed(std::string_view path) const;
   [[noreturn]] void refuse(std::string_view path, std::string_view why, std::string_view what_to_do) const;
 
   /// Every key with its bound value, documented, as valid TOML. Keys of other kinds, alternatives, keys whose
@@ -99,6 +101,7 @@ private:
     std::string path;
     SchemaTarget target;
     KeyRule rule;
+    std::string default_text; ///< as value_text() has it; of a list of tables: ""
   };
   void add_key(std::string path, SchemaTarget target, KeyRule rule);
   const Key* find(std::string_view path) const;

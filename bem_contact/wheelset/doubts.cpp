@@ -60,7 +60,7 @@ void doubt_position(const SceneFile& scene, const WheelRailScene& placed, std::v
 } // namespace
 
 std::vector<std::string> doubts(const SceneFile& scene, const WheelRailScene* placed) {
-  std::vector<std::string> out;
+  std::vector<std::string> out = scene.unused;
   doubt_material(scene.rail.material, "rail.material", out);
   doubt_material(scene.wheel.material, "wheel.material", out);
   if (!scene.motion.frictionless && scene.motion.friction_table.empty() &&

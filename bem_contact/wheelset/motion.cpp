@@ -60,6 +60,10 @@ std::vector<MotionStep> read_steps(const SceneFile& scene) {
     if ((name == "xi" || name == "eta" || name == "phi") && !scene.motion.slip_table.empty())
       throw InputError(fmt::format("The table '{}' has creepages", file.string()),
                        "motion.slip_table gives the rigid slip", "Leave out one of the two.");
+    if ((name == "xi" && scene.motion.xi != 0) || (name == "eta" && scene.motion.eta != 0) ||
+        (name == "phi" && scene.motion.phi != 0))
+      throw InputError(fmt::format("The table '{}' has the creepage {}", file.string(), name),
+                       fmt::format("motion.{} is given too", name), "Leave out one of the two.");
     if (name == "x" && (scene.motion.kind != "shift" || scene.kind != "patch" || !scene.gap.table.empty()))
       throw InputError(fmt::format("The table '{}' moves a contact that cannot be moved", file.string()),
                        "column x is for shifts of a patch whose gap is given by coefficients",

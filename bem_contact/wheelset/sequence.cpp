@@ -39,6 +39,12 @@ int in_contact(const ContactResult& result) {
   return sum;
 }
 
+std::string not_accurate(const ContactResult& result, double asked, const std::string& why) {
+  return fmt::format("the estimated discretisation error reached is {:.2g} %, above the {:.2g} % that "
+                     "grid.accuracy asks for ({} elements in contact; {})",
+                     100 * result.certificate.discretisation, 100 * asked, in_contact(result), why);
+}
+
 } // namespace
 
 const WheelRailProfiles& Sequence::profiles(const SceneFile& scene) {
@@ -138,18 +144,31 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
     if (again && round < most_solves && size() != std::pair(scene.grid.dx, scene.grid.ds))
       continue;
     if (asked.grid.accuracy > 0 && out.result.converged && error > asked.grid.accuracy)
-      out.warnings.push_back(fmt::format("the estimated discretisation error reached is {:.2g} %, above the "
-                                         "{:.2g} % that grid.accuracy asks "
-                                         "for ({} elements in contact; {})",
-                                         100 * error, 100 * asked.grid.accuracy, in_contact(out.result),
-                                         scene.grid.dx == shortest
-                                             ? "the influence files have no numbers for shorter ones"
-                                             : fmt::format("at most {} are tried", count_->most())));
+      out.warnings.push_back(not_accurate(out.result, asked.grid.accuracy,
+                                          scene.grid.dx == shortest
+                                              ? "the influence files have no numbers for shorter ones"
+                                              : fmt::format("at most {} are tried", count_->most())));
     spent.geometry += geometry;
     spent.total = seconds();
     out.seconds = spent;
     return out;
   }
+}
+
+Comparison Sequence::compare(const SceneFile& asked) {
+  SceneFile scene = asked;
+  if (asked.kind == "wheel_rail" && (asked.grid.elements > 0 || asked.grid.accuracy > 0)) {
+    const ContactGrid grid = solve(asked, "fem").problem.grid;
+    scene.grid.dx = grid.dx;
+    scene.grid.ds = grid.ds;
+  }
+  Comparison out = compare_scene(scene);
+  for (SceneResult* result : {&out.halfspace, &out.fem})
+    if (asked.grid.accuracy > 0 && result->result.converged &&
+        result->result.certificate.discretisation > asked.grid.accuracy)
+      result->warnings.push_back(
+          not_accurate(result->result, asked.grid.accuracy, "both models have the elements of fem"));
+  return out;
 }
 
 Sequence::Counts Sequence::counts() const {

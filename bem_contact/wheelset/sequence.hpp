@@ -35,6 +35,10 @@ public:
   /// Other kinds of scene are solved by themselves.
   SceneResult solve(const SceneFile& scene, const std::string& model = "");
 
+  /// As compare_scene(). Where the scene asks for grid.elements or grid.accuracy, dx and ds are those that
+  /// solve() chooses for the influence files; both models are solved on them.
+  Comparison compare(const SceneFile& scene);
+
   struct Counts {
     int cases = 0, solves = 0, numbers_kept = 0, starts = 0;
   };

@@ -7,7 +7,9 @@ namespace bem_contact {
 namespace {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::StartsWith;
 
 std::string refusal(const std::string& toml) {
@@ -156,6 +158,61 @@ TEST(SceneFile, what_excludes_each_other_is_not_given_together) {
               HasSubstr("Give either the table or xi, eta and phi."));
   EXPECT_THAT(refusal(patch + "[strip]\nradius = 9\ninclination = 'd.csv'"),
               HasSubstr("Give either the table or the radius."));
+  EXPECT_THAT(refusal("rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 1\ngrid.ms = "
+                      "9\ngrid.s_from = -30\ngrid.s_to = -20\n"),
+              HasSubstr("(grid.s_from and grid.s_to say where the rows begin and end) Leave out grid.ms"));
+  EXPECT_THAT(refusal("kind='patch'\n[grid]\nmx=1\nms=9\nplane_strain=true\n[load]\nforce=1"),
+              HasSubstr("(rolling and shifts need elements along x) Set motion.frictionless = true"));
+}
+
+const std::string wheel = "rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 1\n";
+const std::string flat = "kind = 'patch'\ngrid.mx = 20\ngrid.ms = 10\nload.force = 1000\n";
+
+TEST(SceneFile, keys_without_effect_are_said) {
+  const auto unused = [](const std::string& text) { return parse_scene_file(text).unused; };
+  const auto keys = [](const std::string& names) {
+    return ElementsAre(StartsWith(names + ": without effect ("));
+  };
+  EXPECT_THAT(unused(default_scene_file()), IsEmpty());
+  EXPECT_THAT(unused(wheel + "motion.xi = 1e-3\nmotion.speed = 2e4\nmotion.yaw_rate = 0.1\n"
+                             "motion.rolling_radius = 460\nmotion.friction_table = 'mu.csv'\n"),
+              IsEmpty());
+  EXPECT_THAT(unused(flat + "motion.frictionless = true\nmotion.xi = 1e-3\nmotion.friction = 0.2\n"),
+              ElementsAre("motion.friction, motion.xi: without effect (motion.frictionless = true leaves the "
+                          "normal problem alone)"));
+  EXPECT_THAT(unused(flat + "motion.frictionless = true\nmotion.slip_table = 'w.csv'\n"),
+              keys("motion.slip_table"));
+  EXPECT_THAT(unused(wheel + "motion.frictionless = true\nmotion.speed = 1e4\nmotion.pitch_rate = 20\n"),
+              keys("motion.speed, motion.pitch_rate"));
+  EXPECT_THAT(unused(flat + "motion.frictionless = true\nmotion.kind = 'shift'\n"), keys("motion.kind"));
+  EXPECT_THAT(unused(flat + "motion.friction = 0.2\nmotion.friction_table = 'mu.csv'\n"),
+              keys("motion.friction"));
+  EXPECT_THAT(unused(wheel + "motion.kind = 'shift'\nmotion.rolling_radius = 460\n"),
+              keys("motion.rolling_radius"));
+  EXPECT_THAT(unused(wheel + "motion.speed = 1e4\n"), keys("motion.speed"));
+  EXPECT_THAT(unused(wheel + "grid.dx = 0.4\ngrid.accuracy = 0.02\n"), keys("grid.dx"));
+  EXPECT_THAT(unused(wheel + "grid.ds = 0.5\ngrid.elements = 200\n"), keys("grid.ds"));
+  EXPECT_THAT(unused("kind = 'patch'\nload.force = 1\ngrid.mx = 1\ngrid.ms = 9\ngrid.dx = 0.1\ngap.a = 1\n"
+                     "grid.plane_strain = true\nmotion.frictionless = true\n"),
+              keys("grid.dx, gap.a"));
+  EXPECT_THAT(unused(flat + "stresses.s = [1.0]\n"), keys("stresses.s"));
+  EXPECT_THAT(unused(flat + "stresses.s = [1.0]\nstresses.depths = [1.0]\n"), IsEmpty());
+  EXPECT_THAT(unused(wheel + "rail.structural = 'included'\n"), keys("rail.structural"));
+  EXPECT_THAT(unused(wheel + "wheel.structural = 'included'\n"), keys("wheel.structural"));
+  EXPECT_THAT(unused(wheel + "rail.influence = 'rail.h5'\n"), keys("rail.influence"));
+  EXPECT_THAT(
+      unused(wheel + "rail.influence = 'r.h5'\nwheel.influence = 'w.h5'\nrail.structural = 'included'\n"),
+      IsEmpty());
+  EXPECT_THAT(unused(flat + "strip.radius = 9\nstrip.wheel_s0 = 1\n"), keys("strip.wheel_s0"));
+  EXPECT_THAT(unused(flat + "strip.radius = -9\nstrip.upper_radius = 8\ngap.table = 'h.csv'\n"),
+              keys("strip.upper_radius"));
+}
+
+TEST(SceneFile, a_sweep_changes_what_has_an_effect) {
+  const std::vector<SceneChange> changes{{"motion.frictionless", SchemaValue(true), 3}};
+  EXPECT_THAT(parse_scene_file(flat + "motion.xi = 1e-3\n", "text", {}).unused, IsEmpty());
+  EXPECT_THAT(parse_scene_file(flat + "motion.xi = 1e-3\n", "text", changes).unused,
+              ElementsAre(StartsWith("motion.xi: without effect")));
 }
 
 TEST(SceneFile, keys_of_the_other_kind_are_refused) {

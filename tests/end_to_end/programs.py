@@ -10,8 +10,9 @@ BIN = Path(os.environ.get("CONFORMAL_BIN", ROOT / "build" / "bin"))
 
 
 def influence(body, out):
-    """Makes the influence file `out` of data/bodies/<body>.toml."""
-    subprocess.run([ROOT / "tools" / "influence", ROOT / "data" / "bodies" / f"{body}.toml", out],
+    """Makes the influence file `out` of a body file, or of data/bodies/<body>.toml."""
+    file = body if isinstance(body, Path) else ROOT / "data" / "bodies" / f"{body}.toml"
+    subprocess.run([ROOT / "tools" / "influence", file, out],
                    env=os.environ | {"CONFORMAL_BIN": str(BIN)}, check=True)
 
 

@@ -201,6 +201,9 @@ TEST_F(Motion, TablesThatDoNotFitAreRefused) {
   write("t.csv", "force_x\n10\n");
   EXPECT_THAT(refusal(patch("", "kind = 'shift'\nstep_table = 't.csv'")),
               HasSubstr("load.force_x is not given"));
+  write("t.csv", "eta\n1e-3\n");
+  EXPECT_THAT(refusal(patch("", "kind = 'shift'\neta = 2e-3\nstep_table = 't.csv'")),
+              HasSubstr("has the creepage eta (motion.eta is given too) Leave out one of the two."));
   write("t.csv", "x\n1\n");
   EXPECT_THAT(refusal(patch("", "kind = 'transient'\nstep_table = 't.csv'")), HasSubstr("cannot be moved"));
   write("t.csv", "xi\n");
