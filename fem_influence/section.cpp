@@ -1,6 +1,7 @@
 #include "fem_influence/section.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "fem_influence/curved_outline.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -86,95 +87,26 @@ void require_on_curve(Point2 a, Point2 b, const ProfileCurve& curve) {
                      "mesh the body file that is used here");
 }
 
-/// Whether an edge belongs to the profile though not to its strip.
-bool along_curve(Point2 a, Point2 b, const ProfileCurve& curve) {
-  constexpr double on_it = 1e-6; // mm
-  const Point2 middle = 0.5 * (a + b);
-  const auto off = [&](Point2 p) { return norm(curve.nearest(p).position - p); };
-  return off(a) < on_it && off(b) < on_it && off(middle) < 0.1 * norm(b - a);
-}
-
-/// The profile curve as deal.II's manifold: new points halve the arc length.
-class OnCurve : public dealii::Manifold<2> {
+/// New points are means along the profile, or on one of the outline's other arcs.
+class OnOutline : public dealii::Manifold<2> {
 public:
-  explicit OnCurve(const ProfileCurve& curve) : curve_(std::make_shared<const ProfileCurve>(curve)) {}
-  std::unique_ptr<dealii::Manifold<2>> clone() const override { return std::make_unique<OnCurve>(*this); }
+  OnOutline(std::shared_ptr<const CurvedOutline> outline, bool on_profile)
+      : outline_(std::move(outline)), on_profile_(on_profile) {}
+  std::unique_ptr<dealii::Manifold<2>> clone() const override { return std::make_unique<OnOutline>(*this); }
   dealii::Point<2> get_new_point(const dealii::ArrayView<const dealii::Point<2>>& points,
                                  const dealii::ArrayView<const double>& weights) const override {
-    const double first = curve_->nearest(plain(points[0])).s, length = curve_->s_end() - curve_->s_begin();
-    double s = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      double at = curve_->nearest(plain(points[i])).s;
-      if (std::abs(at - first) > length / 2) // a closed profile begins where it ends
-        at += at < first ? length : -length;
-      s += weights[i] * at;
-    }
-    s += s < curve_->s_begin() ? length : s > curve_->s_end() ? -length : 0;
-    const Point2 p = curve_->at(std::clamp(s, curve_->s_begin(), curve_->s_end())).position;
+    std::vector<Point2> from;
+    for (const auto& p : points)
+      from.push_back(plain(p));
+    const std::span weight(weights.data(), weights.size());
+    const Point2 p =
+        on_profile_ ? outline_->mean_on_profile(from, weight) : outline_->mean_on_arc(from, weight);
     return {p.y, p.z};
   }
 
 private:
-  std::shared_ptr<const ProfileCurve> curve_;
-};
-
-/// A circle's arc of less than half of it.
-struct Arc {
-  Point2 from, to, centre;
-  double radius = 0;
-};
-
-Arc through(Point2 a, Point2 h, Point2 b) {
-  const Point2 u = h - a, v = b - a;
-  const double twice = 2 * (u.y * v.z - u.z * v.y), uu = dot(u, u), vv = dot(v, v);
-  const Point2 centre = a + (1 / twice) * Point2{v.z * uu - u.z * vv, u.y * vv - v.y * uu};
-  return {a, b, centre, norm(a - centre)};
-}
-
-/// Curved edges off the profile, as mesh_body leaves them in the mesh; none in other meshes.
-std::vector<Arc> curved_edges(const std::filesystem::path& mesh) {
-  std::ifstream in(mesh);
-  std::vector<Arc> arcs;
-  for (std::string line; std::getline(in, line);)
-    if (line.starts_with("curved edges,")) {
-      Point2 a, h, b;
-      while (in >> a.y >> a.z >> h.y >> h.z >> b.y >> b.z)
-        if (const Arc arc = through(a, h, b); std::isfinite(arc.radius))
-          arcs.push_back(arc);
-      return arcs;
-    }
-  return arcs;
-}
-
-/// New points on the arc that is nearest.
-class OnArcs : public dealii::Manifold<2> {
-public:
-  explicit OnArcs(std::shared_ptr<const std::vector<Arc>> arcs) : arcs_(std::move(arcs)) {}
-  std::unique_ptr<dealii::Manifold<2>> clone() const override { return std::make_unique<OnArcs>(*this); }
-  dealii::Point<2> get_new_point(const dealii::ArrayView<const dealii::Point<2>>& points,
-                                 const dealii::ArrayView<const double>& weights) const override {
-    const Point2 middle = 0.5 * (plain(points[0]) + plain(points[points.size() - 1]));
-    const auto off = [&](const Arc& arc) { // from the chord
-      const Point2 chord = arc.to - arc.from;
-      const double t = std::clamp(dot(middle - arc.from, chord) / dot(chord, chord), 0.0, 1.0);
-      return norm(arc.from + t * chord - middle);
-    };
-    const Arc& arc = *std::min_element(arcs_->begin(), arcs_->end(),
-                                       [&](const Arc& a, const Arc& b) { return off(a) < off(b); });
-    // Angles about the centre from the middle of the arc, where they do not jump.
-    const Point2 across = 0.5 * (arc.from + arc.to) - arc.centre, axis = (1 / norm(across)) * across;
-    double angle = 0, radius = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Point2 p = plain(points[i]) - arc.centre;
-      angle += weights[i] * std::atan2(axis.y * p.z - axis.z * p.y, dot(axis, p));
-      radius += weights[i] * norm(p);
-    }
-    const double c = radius * std::cos(angle), s = radius * std::sin(angle);
-    return {arc.centre.y + c * axis.y - s * axis.z, arc.centre.z + c * axis.z + s * axis.y};
-  }
-
-private:
-  std::shared_ptr<const std::vector<Arc>> arcs_;
+  std::shared_ptr<const CurvedOutline> outline_;
+  bool on_profile_;
 };
 
 constexpr dealii::types::manifold_id curve_id = 1, arcs_id = 2;
@@ -191,9 +123,16 @@ void refine(dealii::Triangulation<2>& mesh, const ProfileCurve& curve, const Bod
     return std::abs(station - std::round(station)) < 1e-3;
   };
   for (int level = 0; level < refinement.borders; ++level) {
+    // All cells around a border: those off the strip and those with a corner there feel the jump as well.
+    std::vector<char> border(mesh.n_vertices(), 0);
     for (const auto& cell : mesh.active_cell_iterators())
       for (const auto f : cell->face_indices())
-        if (on_strip(cell, f) && (at_border(cell->face(f)->vertex(0)) || at_border(cell->face(f)->vertex(1))))
+        if (on_strip(cell, f))
+          for (const auto v : cell->face(f)->vertex_indices())
+            border[cell->face(f)->vertex_index(v)] = at_border(cell->face(f)->vertex(v));
+    for (const auto& cell : mesh.active_cell_iterators())
+      for (const auto v : cell->vertex_indices())
+        if (border[cell->vertex_index(v)])
           cell->set_refine_flag();
     mesh.execute_coarsening_and_refinement();
   }
@@ -268,14 +207,7 @@ Section::Section(const std::filesystem::path& path, int degree, const ProfileCur
     : impl_(std::make_unique<Impl>(degree)) {
   read_mesh(impl_->mesh, path);
   require_groups(impl_->mesh, path);
-  const auto arcs = std::make_shared<const std::vector<Arc>>(curved_edges(path));
-  const auto is_arc = [&](Point2 a, Point2 b) {
-    const double near = 1e-6 * norm(b - a);
-    return std::any_of(arcs->begin(), arcs->end(), [&](const Arc& arc) {
-      return (norm(arc.from - a) < near && norm(arc.to - b) < near) ||
-             (norm(arc.from - b) < near && norm(arc.to - a) < near);
-    });
-  };
+  const auto outline = std::make_shared<const CurvedOutline>(curve, path);
   for (const auto& cell : impl_->mesh.active_cell_iterators())
     for (const auto f : cell->face_indices())
       if (cell->at_boundary(f)) {
@@ -283,13 +215,12 @@ Section::Section(const std::filesystem::path& path, int degree, const ProfileCur
         if (on_strip(cell, f))
           require_on_curve(a, b, curve);
         // Straight edges next to the strip would be felt on it: all of the profile is curved.
-        if (on_strip(cell, f) || along_curve(a, b, curve))
-          cell->face(f)->set_manifold_id(curve_id);
-        else if (is_arc(a, b))
-          cell->face(f)->set_manifold_id(arcs_id);
+        const auto edge = on_strip(cell, f) ? CurvedOutline::Edge::profile : outline->edge(a, b);
+        if (edge != CurvedOutline::Edge::straight)
+          cell->face(f)->set_manifold_id(edge == CurvedOutline::Edge::profile ? curve_id : arcs_id);
       }
-  impl_->mesh.set_manifold(curve_id, OnCurve(curve));
-  impl_->mesh.set_manifold(arcs_id, OnArcs(arcs));
+  impl_->mesh.set_manifold(curve_id, OnOutline(outline, true));
+  impl_->mesh.set_manifold(arcs_id, OnOutline(outline, false));
   refine(impl_->mesh, curve, strip, refinement);
   impl_->dofs.reinit(impl_->mesh);
   impl_->dofs.distribute_dofs(impl_->element);

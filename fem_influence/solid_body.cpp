@@ -1,6 +1,7 @@
 #include "fem_influence/solid_body.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "fem_influence/curved_outline.hpp"
 #include "fem_influence/section.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -27,7 +28,7 @@ namespace bem_contact::fem {
 namespace {
 
 constexpr int symmetry_id = 4;
-constexpr dealii::types::manifold_id contact_manifold = 1, swept_manifold = 2;
+constexpr dealii::types::manifold_id profile_manifold = 1, swept_manifold = 2, arc_manifold = 3;
 
 Vector3 plain(const dealii::Point<3>& p) {
   return {p[0], p[1], p[2]};
@@ -36,35 +37,39 @@ dealii::Point<3> point(const Vector3& p) {
   return {p[0], p[1], p[2]};
 }
 
-/// New points are means in the coordinates of the contact surface (s, x) or of the swept section (x, y, z).
-class SurfaceManifold : public dealii::Manifold<3, 3> {
+/// New points are means in the swept section's coordinates: x, and (y, z) as they come, along the profile or
+/// on one of the outline's other arcs.
+class SweptManifold : public dealii::Manifold<3, 3> {
 public:
-  SurfaceManifold(const ContactSurface& surface, bool on_profile)
-      : surface_(surface), on_profile_(on_profile) {}
+  SweptManifold(std::shared_ptr<const ContactSurface> surface, std::shared_ptr<const CurvedOutline> outline,
+                CurvedOutline::Edge edge)
+      : surface_(std::move(surface)), outline_(std::move(outline)), edge_(edge) {}
   std::unique_ptr<dealii::Manifold<3, 3>> clone() const override {
-    return std::make_unique<SurfaceManifold>(surface_, on_profile_);
+    return std::make_unique<SweptManifold>(*this);
   }
   dealii::Point<3> get_new_point(const dealii::ArrayView<const dealii::Point<3>>& points,
                                  const dealii::ArrayView<const double>& weights) const override {
+    std::vector<Point2> places;
     Vector3 mean{};
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vector3 p = plain(points[i]);
-      if (on_profile_) {
-        const SurfacePoint place = surface_.nearest(p);
-        mean[0] += weights[i] * place.s;
-        mean[1] += weights[i] * place.x;
-      } else {
-        const Vector3 swept = surface_.swept_of(p);
-        for (std::size_t c = 0; c < 3; ++c)
-          mean[c] += weights[i] * swept[c];
-      }
+      const Vector3 swept = surface_->swept_of(plain(points[i]));
+      for (std::size_t c = 0; c < 3; ++c)
+        mean[c] += weights[i] * swept[c];
+      places.push_back({swept[1], swept[2]});
     }
-    return point(on_profile_ ? surface_.position({mean[0], mean[1]}) : surface_.from_swept(mean));
+    if (edge_ != CurvedOutline::Edge::straight) {
+      const std::span weight(weights.data(), weights.size());
+      const Point2 p = edge_ == CurvedOutline::Edge::profile ? outline_->mean_on_profile(places, weight)
+                                                             : outline_->mean_on_arc(places, weight);
+      mean = {mean[0], p.y, p.z};
+    }
+    return point(surface_->from_swept(mean));
   }
 
 private:
-  ContactSurface surface_;
-  bool on_profile_;
+  std::shared_ptr<const ContactSurface> surface_;
+  std::shared_ptr<const CurvedOutline> outline_;
+  CurvedOutline::Edge edge_;
 };
 
 void read_mesh(dealii::Triangulation<3>& mesh, const std::filesystem::path& path) {
@@ -149,15 +154,36 @@ struct SolidBody::Impl {
 
   Impl(const ContactSurface& on, int degree) : surface(on), element(degree) {}
 
-  void use_manifolds() {
+  /// What a face of the boundary off the mirror planes stands for, by one of its edges across x.
+  CurvedOutline::Edge edge_of(const CurvedOutline& outline,
+                              const dealii::Triangulation<3>::active_face_iterator& face) const {
+    for (const auto l : face->line_indices()) {
+      const Vector3 a = surface.swept_of(plain(face->line(l)->vertex(0))),
+                    b = surface.swept_of(plain(face->line(l)->vertex(1)));
+      if (std::abs(a[0] - b[0]) < 1e-6 * face->diameter())
+        return outline.edge({a[1], a[2]}, {b[1], b[2]});
+    }
+    return CurvedOutline::Edge::straight;
+  }
+
+  void use_manifolds(const std::filesystem::path& path) {
+    using Edge = CurvedOutline::Edge;
+    const auto outline = std::make_shared<const CurvedOutline>(surface.curve(), path);
+    const auto swept = std::make_shared<const ContactSurface>(surface);
     coarse.set_all_manifold_ids(surface.reference_radius() > 0 ? swept_manifold
                                                                : dealii::numbers::flat_manifold_id);
     // Not set_all_manifold_ids_on_boundary: it leaves out edges shared with another group, as those at x = 0.
-    for (const auto& face : coarse.active_face_iterators())
-      if (face->at_boundary() && static_cast<int>(face->boundary_id()) == contact_id)
-        face->set_all_manifold_ids(contact_manifold);
-    coarse.set_manifold(contact_manifold, SurfaceManifold(surface, true));
-    coarse.set_manifold(swept_manifold, SurfaceManifold(surface, false));
+    for (const auto& face : coarse.active_face_iterators()) {
+      const auto group = static_cast<int>(face->boundary_id());
+      if (!face->at_boundary() || group == symmetry_id)
+        continue;
+      const Edge edge = group == contact_id ? Edge::profile : edge_of(*outline, face);
+      if (edge != Edge::straight)
+        face->set_all_manifold_ids(edge == Edge::profile ? profile_manifold : arc_manifold);
+    }
+    coarse.set_manifold(profile_manifold, SweptManifold(swept, outline, Edge::profile));
+    coarse.set_manifold(arc_manifold, SweptManifold(swept, outline, Edge::arc));
+    coarse.set_manifold(swept_manifold, SweptManifold(swept, outline, Edge::straight));
   }
 
   void distribute() {
@@ -198,7 +224,7 @@ SolidBody::SolidBody(const std::filesystem::path& path, const ContactSurface& su
     : impl_(std::make_unique<Impl>(surface, degree)) {
   read_mesh(impl_->coarse, path);
   check_groups(impl_->coarse, surface, path.string());
-  impl_->use_manifolds();
+  impl_->use_manifolds(path);
 }
 
 SolidBody::~SolidBody() = default;

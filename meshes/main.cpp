@@ -48,7 +48,7 @@ int run(const std::string& body_file, const std::string& output, bool solid, boo
   std::optional<meshes::SolidMesh> whole;
   if (solid)
     whole = meshes::mesh_solid(body);
-  const meshes::QuadMesh mesh = solid ? std::move(whole->section) : meshes::mesh_section(body);
+  const meshes::QuadMesh mesh = solid ? whole->section : meshes::mesh_section(body);
   solid ? meshes::write_msh(*whole, output) : meshes::write_msh(mesh, output);
   const meshes::Quality quality = meshes::quality(mesh);
   if (quality.smallest < meshes::poor_quality)

@@ -140,8 +140,8 @@ bool add_curved_edges(const QuadMesh& mesh, const std::filesystem::path& file) {
       << std::flush;
   return out.good();
 }
-bool add_curved_edges(const SolidMesh&, const std::filesystem::path&) {
-  return true;
+bool add_curved_edges(const SolidMesh& mesh, const std::filesystem::path& file) {
+  return add_curved_edges(mesh.section, file);
 }
 
 /// Says which body file the mesh belongs to; false when the disk is full.

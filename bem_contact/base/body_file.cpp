@@ -146,7 +146,7 @@ Schema schema_of(BodyFile& f, double& young) {
          .unit = "mm",
          .above = 0});
   s.add("solid.edge_angle", f.solid.edge_angle,
-        {.doc = "Edges on an arc of that mesh turn by at most so much: its section is a polygon there",
+        {.doc = "Edges of that mesh on an arc turn by at most so much",
          .unit = "deg",
          .at_least = 1,
          .at_most = 45});

@@ -91,15 +91,16 @@ TEST(Kernel, error_falls_as_the_square_of_the_element) {
   EXPECT_GT(std::log2(coarse / fine), 1.7);
 }
 
-// The first level leaves the coarse cells behind the surface's.
-TEST(Kernel, each_further_level_at_the_borders_takes_the_error_to_a_third_or_less) {
-  double last = worst_against_halfspace(false, 2.0, 0.25, 3, 1);
-  for (int level = 2; level <= 3; ++level) {
-    const double now = worst_against_halfspace(false, 2.0, 0.25, 3, level);
-    EXPECT_GT(std::log2(last / now), 1.6) << "level " << level;
+// From station 0 at the strip's end: cells off the strip feel its border too. Degree 4, as at degree 3 the
+// cells between the borders leave 3e-5.
+TEST(Kernel, each_further_level_at_the_borders_takes_the_error_to_about_a_quarter) {
+  double last = worst_against_halfspace(false, 2.0, 0.25, 4, 1);
+  for (int level = 2; level <= 4; ++level) {
+    const double now = worst_against_halfspace(false, 2.0, 0.25, 4, level);
+    EXPECT_GT(std::log2(last / now), 1.9) << "level " << level;
     last = now;
   }
-  EXPECT_LT(last, 1.5e-4);
+  EXPECT_LT(last, 4e-6);
 }
 
 /// Michell's modes of a disc or a bore under pressure p cos(n phi) (REFERENCES 3.2), with k = 0.

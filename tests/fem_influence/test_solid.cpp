@@ -1,9 +1,11 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/halfspace/rectangle.hpp"
+#include "fem_influence/solid_body.hpp"
 #include "fem_influence/solid_check.hpp"
 #include "fem_influence/solid_surface.hpp"
 #include "section_meshes.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -72,6 +74,56 @@ void write_box(const std::filesystem::path& file, int contact = 1, bool tetrahed
                       << elements.str() << "$EndElements\n";
 }
 
+/// Half of a tube between two radii, its section swept along x or (reference_radius > 0) about the axle over
+/// half a turn; `curved`: with the comments that name the inner circle's arcs. MSH 2.2.
+void write_tube(const std::filesystem::path& file, double outer, double inner, double length,
+                double reference_radius, bool curved) {
+  const int around = 24, layers = reference_radius > 0 ? 8 : 1;
+  const auto at = [&](int layer, int ring, int i) { return 1 + (layer * 2 + ring) * around + i % around; };
+  std::string nodes, elements, arcs;
+  for (int layer = 0; layer <= layers; ++layer)
+    for (int ring = 0; ring < 2; ++ring)
+      for (int i = 0; i < around; ++i) {
+        const double angle = 2 * std::numbers::pi * i / around, radius = ring == 0 ? outer : inner;
+        const double x = length * layer / layers, y = radius * std::sin(angle), z = radius * std::cos(angle);
+        const double turn = reference_radius > 0 ? x / reference_radius : 0, r = reference_radius + z;
+        nodes += reference_radius > 0
+                     ? fmt::format("{} {:.16g} {:.16g} {:.16g}\n", at(layer, ring, i), r * std::sin(turn), y,
+                                   r * std::cos(turn) - reference_radius)
+                     : fmt::format("{} {:.16g} {:.16g} {:.16g}\n", at(layer, ring, i), x, y, z);
+      }
+  int element = 0;
+  const auto add = [&](int type, int group, const std::vector<int>& vertices) {
+    elements += fmt::format("{} {} 2 {} {} {}\n", ++element, type, group, group, fmt::join(vertices, " "));
+  };
+  for (int i = 0; i < around; ++i) {
+    for (int layer = 0; layer < layers; ++layer) {
+      for (int ring = 0; ring < 2; ++ring)
+        add(3, ring == 0 ? 1 : 2,
+            {at(layer, ring, i), at(layer, ring, i + 1), at(layer + 1, ring, i + 1), at(layer + 1, ring, i)});
+      std::vector<int> cell;
+      for (const int l : {layer, layer + 1})
+        for (const auto& [ring, j] : {std::pair{0, i}, {0, i + 1}, {1, i + 1}, {1, i}})
+          cell.push_back(at(l, ring, j));
+      add(5, 10, cell);
+    }
+    for (const int layer : {0, layers})
+      add(3, 4, {at(layer, 0, i), at(layer, 0, i + 1), at(layer, 1, i + 1), at(layer, 1, i)});
+    for (const double part : {i + 0.0, i + 0.4, i + 1.0}) {
+      const double angle = 2 * std::numbers::pi * part / around;
+      arcs += fmt::format("{:.16g} {:.16g} ", inner * std::sin(angle), inner * std::cos(angle));
+    }
+    arcs += "\n";
+  }
+  std::string text = fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n{}$EndNodes\n$Elements\n"
+                                 "{}\n{}$EndElements\n",
+                                 at(layers, 1, around - 1), nodes, element, elements);
+  if (curved)
+    text += "$Comments\ncurved edges, y z of an end, of a point between, of the other end\n" + arcs +
+            "$EndComments\n";
+  write_text(file, text);
+}
+
 BodyFile block() {
   BodyFile body;
   body.body.kind = "block";
@@ -136,6 +188,27 @@ TEST_F(Solid, loads_of_one_mesh_are_reciprocal_and_the_field_is_written) {
   std::ifstream in(folder_ / "field.vtu");
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   EXPECT_THAT(text, AllOf(HasSubstr("VTKFile"), HasSubstr("displacement_mm")));
+}
+
+TEST_F(Solid, curved_sides_off_the_profile_are_curved) {
+  const double outer = 10, inner = 4, area = std::numbers::pi * (outer * outer - inner * inner);
+  for (const double reference_radius : {0.0, 40.0}) {
+    const double length = reference_radius > 0 ? std::numbers::pi * reference_radius : 5;
+    const ContactSurface surface(full_circle(outer, false), reference_radius);
+    const auto error = [&](bool curved) {
+      write_tube(folder_ / "tube.msh", outer, inner, length, reference_radius, curved);
+      SolidBody body(folder_ / "tube.msh", surface, 3);
+      body.refine({}, 0, 1e3, 0, 1e3);
+      double volume = 0;
+      body.for_each_cell([&](const SolidCellView& cell) {
+        for (const double weight : cell.weight)
+          volume += weight;
+      });
+      return std::abs(volume / (area * length) - 1); // Pappus: the centroid lies at the reference radius
+    };
+    EXPECT_GT(error(false), 1e-3); // the inner wall is a polygon
+    EXPECT_LT(error(true), 1e-6);
+  }
 }
 
 TEST_F(Solid, refuses_what_does_not_fit) {

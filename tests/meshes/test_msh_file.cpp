@@ -143,6 +143,18 @@ TEST_F(Program, MeshesAndReports) {
   EXPECT_EQ(text(folder / "err"), "");
 }
 
+TEST_F(Program, NamesTheCurvedEdgesOfTheSolidToo) {
+  const auto file = folder / "d.msh";
+  ASSERT_EQ(run(fmt::format("'{}' --solid -o '{}'", (body_folder() / "disc.toml").string(), file.string())),
+            0)
+      << text(folder / "err");
+  const std::string comments = text(file),
+                    head = "curved edges, y z of an end, of a point between, of the other end\n";
+  const auto at = comments.find(head);
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_NE(comments[at + head.size()], '$'); // at least one edge
+}
+
 TEST_F(Program, PrintsADefaultThatItReads) {
   ASSERT_EQ(run("--print-default"), 0);
   std::filesystem::copy_file(folder / "out", folder / "body.toml");
