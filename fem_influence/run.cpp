@@ -4,6 +4,7 @@
 #include "bem_contact/base/fnv1a.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "fem_influence/lazy_solver.hpp"
 #include "fem_influence/parallel.hpp"
 #include "fem_influence/wavenumbers.hpp"
 
@@ -18,7 +19,6 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <memory>
 #include <optional>
 
 namespace bem_contact::fem {
@@ -65,7 +65,7 @@ std::string fingerprint(const BodyFile& body, const ProfileCurve& curve, const s
         double(body.harmonic.border_levels), body.harmonic.shortest_dx,
         double(body.harmonic.samples_per_decade), body.harmonic.remote_distance})
     hash.add(std::as_bytes(std::span(&value, 1)));
-  return "harmonic 5 " + std::to_string(hash.value());
+  return "harmonic 6 " + std::to_string(hash.value());
 }
 
 std::string method_of(const BodyFile& body, std::size_t cells) {
@@ -132,79 +132,6 @@ double shortest_reference_dx(const BodyFile& body, std::span<const Station> stat
   return body.harmonic.shortest_dx / longest;
 }
 
-/// A run or its companion as one process sees it. Mesh and factors are there from the first wavenumber that
-/// this process does to the last.
-class Half {
-public:
-  Half(const BodyFile& body, const ProfileCurve& curve, std::filesystem::path mesh)
-      : body_(body), curve_(curve), mesh_(std::move(mesh)) {}
-
-  void assemble() {
-    const auto start = std::chrono::steady_clock::now();
-    system_ = assemble_system(
-        {mesh_, body_.harmonic.degree, curve_, body_.strip, {.borders = body_.harmonic.border_levels}}, body_,
-        curve_);
-    timing_.assembly += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    cells_ = system_->cells;
-    unknowns_ = system_->unknowns();
-  }
-  /// What the first of the fellows assembled goes to all, and then its order of elimination. Nobody waits for
-  /// that order before it is needed.
-  void share(Fellows& fellows) {
-    if (!system_)
-      system_.emplace();
-    system_->for_each_part([&](auto& part) { fellows.broadcast(part); });
-    const std::size_t nodes = system_->op.node_count();
-    order_ = [&fellows] {
-      if (fellows.received().empty())
-        throw Error("The unknowns have no order of elimination",
-                    "the process that finds it for all of this machine failed", "see its own message");
-      return fellows.received();
-    };
-    if (fellows.rank() > 0) {
-      fellows.expect(nodes);
-      return;
-    }
-    const auto start = std::chrono::steady_clock::now();
-    std::vector<int> order;
-    try {
-      order = elimination_order(*system_);
-    } catch (...) {
-      fellows.send({}); // they wait for something
-      throw;
-    }
-    fellows.send(std::move(order));
-    timing_.analysis += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  }
-  HarmonicSolver& solver() {
-    if (!solver_) {
-      if (!system_)
-        assemble();
-      solver_ = std::make_unique<HarmonicSolver>(std::move(*system_), order_);
-      system_.reset();
-    }
-    return *solver_;
-  }
-  std::vector<double> at(double wavenumber) { return pack(solver().at(wavenumber)); }
-  Timing timing() const { return solver_ ? timing_ + solver_->timing() : timing_; }
-  std::size_t cells() const { return cells_; }
-  std::size_t unknowns() const { return unknowns_; }
-  void release() {
-    timing_ = timing();
-    solver_.reset();
-  }
-
-private:
-  const BodyFile& body_;
-  const ProfileCurve& curve_;
-  std::filesystem::path mesh_;
-  std::optional<HarmonicSystem> system_; // until the solver takes it
-  std::function<std::vector<int>()> order_;
-  std::unique_ptr<HarmonicSolver> solver_;
-  std::size_t cells_ = 0, unknowns_ = 0;
-  Timing timing_;
-};
-
 /// One wavenumber of the run or of its companion that is still to be done.
 struct Task {
   bool companion = false;
@@ -221,7 +148,7 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
   BodyFile coarser = body;
   --coarser.harmonic.degree;
   coarser.harmonic.border_levels = std::max(0, body.harmonic.border_levels - 1);
-  Half run(body, curve, mesh), companion(coarser, curve, mesh);
+  LazySolver run(body, curve, mesh), companion(coarser, curve, mesh);
   // Some processes begin with the companion, and the others need no mesh of it at all.
   const auto begins_with_companion = [&](int process) {
     return estimated && process > 0 && process >= process_count() - std::max(1, process_count() / 5);
@@ -293,8 +220,8 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
           std::rethrow_exception(not_shared);
         if (tasks[t].companion != companion_first)
           (companion_first ? companion : run).release(); // the first kind is done
-        return tasks[t].companion ? companion.at(coarse.wavenumber[tasks[t].k])
-                                  : run.at(function.wavenumber[tasks[t].k]);
+        return tasks[t].companion ? pack(companion.solver().at(coarse.wavenumber[tasks[t].k]))
+                                  : pack(run.solver().at(function.wavenumber[tasks[t].k]));
       },
       [&](std::size_t t, std::span<const double> packed) {
         keep(tasks[t].companion ? *coarse_partial : *partial, tasks[t].k, function.station_count(), packed);
