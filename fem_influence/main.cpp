@@ -143,8 +143,12 @@ void run_solid(const std::string& body_file, const std::string& mesh, const std:
   const BodyFile body = read_body_file(body_file);
   for (const std::string& file : {output, arguments.vtu})
     refuse_overwriting(file, std::array<std::filesystem::path, 3>{body_file, mesh, arguments.check});
-  if (!output.empty())
-    fem::require_writable(output);
+  if (output.empty() && arguments.check.empty() && arguments.vtu.empty())
+    throw InputError("There is nothing to do with the 3-D numbers", "they would be computed and forgotten",
+                     "give -o OUT.h5, --check INFLUENCE.h5 or --vtu FIELD.vtu");
+  for (const std::string& file : {output, arguments.vtu})
+    if (!file.empty())
+      fem::require_writable(file);
   const ProfileCurve curve = body_profile(body);
   fem::require_mesh_of(body, curve, mesh);
   const std::size_t stations = fem::make_stations(body.strip, curve).size();
@@ -169,6 +173,9 @@ void run_solid(const std::string& body_file, const std::string& mesh, const std:
                                                        });
   fmt::print(stderr, "{}: {} cells, {} unknowns, {:.1f} s, {:.2f} GiB, Maxwell-Betti {:.1e}\n", mesh,
              report.cells, report.unknowns, report.seconds, report.peak_memory, report.betti_error);
+  if (!arguments.vtu.empty())
+    fmt::print(stderr, "{}: field displacement_mm under 1 MPa along {} on station {}, half of the body\n",
+               arguments.vtu, "xsn"[arguments.component], chosen.front());
   if (!output.empty()) {
     InfluenceFunction function = fem::as_table(body, curve, numbers, report);
     function.estimated_error = fem::mesh_error(body, curve, mesh, numbers);

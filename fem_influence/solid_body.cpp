@@ -1,6 +1,7 @@
 #include "fem_influence/solid_body.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
 #include "fem_influence/curved_outline.hpp"
 #include "fem_influence/section.hpp"
 
@@ -349,11 +350,13 @@ void SolidBody::write_vtu(const std::filesystem::path& file, std::span<const dou
       vectors, u, std::vector<std::string>(3, "displacement_mm"),
       std::vector<Interpretation>(3, DataComponentInterpretation::component_is_part_of_vector));
   out.build_patches(*impl_->mapping, impl_->element.degree, DataOut<3>::curved_inner_cells);
-  std::ofstream to(file);
-  out.write_vtu(to);
-  if (!to)
-    throw InputError("The file '" + file.string() + "' cannot be written",
-                     "its folder does not exist, may not be written to, or is full", "choose another file");
+  write_whole(file, [&](std::ostream& to) {
+    try {
+      out.write_vtu(to);
+    } catch (const std::exception&) { // deal.II's message fills a page
+      to.setstate(std::ios::badbit);
+    }
+  });
 }
 
 } // namespace bem_contact::fem

@@ -20,6 +20,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr double half = 48; // of the block along x and y, and its depth
 
@@ -208,6 +209,22 @@ TEST_F(Solid, curved_sides_off_the_profile_are_curved) {
     };
     EXPECT_GT(error(false), 1e-3); // the inner wall is a polygon
     EXPECT_LT(error(true), 1e-6);
+  }
+}
+
+TEST_F(Solid, a_field_that_cannot_be_written_is_refused_on_one_line) {
+  write_box(folder_ / "box.msh");
+  const ContactSurface surface(straight_line(half), 0);
+  SolidBody body(folder_ / "box.msh", surface, 1);
+  body.refine({}, 0, 1e3, 0, 1e3);
+  const std::vector<double> none(3 * body.node_count(), 0.0);
+  body.write_vtu(folder_ / "field.vtu", none);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "field.vtu"));
+  try {
+    body.write_vtu(folder_ / "absent" / "field.vtu", none);
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("field.vtu' cannot be written"), Not(HasSubstr("\n"))));
   }
 }
 
