@@ -28,7 +28,8 @@ double limit_of(const SceneFile& scene) {
 void require_bearable(const SceneFile& scene, const ContactProblem& problem) {
   if (problem.load != LoadKind::force)
     return;
-  const double area = problem.grid.size() * problem.element_area();
+  const double area =
+      problem.grid.size() * problem.grid.dx * problem.grid.ds; // no numbers yet; plane strain: dx = 1
   const double least = problem.force / area / (1 + (problem.tangential ? problem.largest_friction() : 0));
   if (least > limit_of(scene))
     refuse(scene, fmt::format("{:g} N on all of the grid's {:.4g} mm2 are {:.4g} MPa or more", problem.force,

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/wheelset/pair_numbers.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -61,6 +62,20 @@ TEST(Scene, PressuresBeyondElasticityAreRefused) {
   }
   EXPECT_THROW(solve_at(5.6, 8200), InputError) << "the softer body counts: 5.1 mm";
   EXPECT_TRUE(solve_at(4.6, 8200).result.converged);
+}
+
+TEST(Scene, NoLengthIsItsOwnUnit) {
+  const auto scaled = [](double k, double force) { // N at k = 1
+    return parse_scene_file(fmt::format("kind = 'patch'\nload.force = {}\nmotion.frictionless = true\n"
+                                        "grid.mx = 20\ngrid.ms = 20\ngrid.dx = {}\ngrid.ds = {}\n"
+                                        "gap.a = {}\ngap.b = {}\n",
+                                        force * k * k, 0.4 * k, 0.3 * k, 1e-2 / k, 2e-2 / k));
+  };
+  const double pmax = largest_pressure(solve_scene(scaled(1, 2e4), "halfspace").result);
+  for (const double k : {1e-2, 30.0, 1e3}) {
+    EXPECT_NEAR(largest_pressure(solve_scene(scaled(k, 2e4), "halfspace").result), pmax, 1e-6 * pmax) << k;
+    EXPECT_THROW(solve_scene(scaled(k, 3e6), "halfspace"), InputError) << k; // on all of the grid
+  }
 }
 
 TEST(Scene, PressureAndShearOfEqualHalfSpacesAreUncoupled) {
