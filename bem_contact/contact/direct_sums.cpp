@@ -2,7 +2,7 @@
 
 #include "bem_contact/contact/operator.hpp"
 #include "bem_contact/contact/rolling_step.hpp"
-#include "bem_contact/contact/simd.hpp"
+#include "bem_contact/base/simd.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "bem_contact/contact/fft.hpp"
 #include "bem_contact/contact/plane_operator.hpp"
 #include "bem_contact/contact/rolling_step.hpp"
-#include "bem_contact/contact/simd.hpp"
+#include "bem_contact/base/simd.hpp"
 
 #include <Eigen/Dense>
 

@@ -1,13 +1,13 @@
 #include "bem_contact/halfspace/resample.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/base/simd.hpp"
+#include "bem_contact/halfspace/near_field.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,9 +15,6 @@
 
 namespace bem_contact::halfspace {
 namespace {
-
-/// Any will do: it drops out of the difference.
-constexpr double reference_distance = 100;
 
 /// Lagrange weights of `count` (at most 4) neighbouring stations for one row.
 struct RowWeights {
@@ -54,35 +51,6 @@ void check_rows(const InfluenceFunction& function, std::span<const double> row_s
   require_strip(function, low - 0.49 * ds, high + 0.49 * ds);
 }
 
-using Line = std::vector<Matrix3>; ///< one matrix an offset
-
-/// Half-space numbers of two rows s apart.
-Line near_field(const Material& material, const ExpandOptions& options, double s, double ds) {
-  if (options.dx == 0)
-    return {averaged_plane_strain(material, s, ds, reference_distance)};
-  Line line(static_cast<std::size_t>(options.offsets));
-  averaged_line(material, s, options.dx, ds, line);
-  return line;
-}
-
-/// Calls use(row_i, row_j, line) for every pair with row_j <= row_i; pairs equally far apart share a line.
-template <class Use>
-void for_each_near_field(const Material& material, const ExpandOptions& options,
-                         std::span<const double> row_s, double ds, Use&& use) {
-  for (std::size_t distance = 0; distance < row_s.size(); ++distance) {
-    Line line;
-    double known = std::numeric_limits<double>::infinity();
-    for (std::size_t row_j = 0; row_j + distance < row_s.size(); ++row_j) {
-      const double s = row_s[row_j + distance] - row_s[row_j];
-      if (!(std::abs(s - known) <= 1e-12 * ds)) {
-        line = near_field(material, options, s, ds);
-        known = s;
-      }
-      use(static_cast<int>(row_j + distance), static_cast<int>(row_j), line);
-    }
-  }
-}
-
 /// Stations that are the rows themselves: their first and how many; nothing unless all are, in order.
 std::optional<std::pair<int, int>> rows_are_stations(std::span<const RowWeights> rows, double ds,
                                                      double width) {
@@ -101,34 +69,77 @@ std::optional<std::pair<int, int>> rows_are_stations(std::span<const RowWeights>
   return std::pair{first, static_cast<int>(rows.size())};
 }
 
-/// Adds `weight` interpolated from `table` (3 stations x 3 stations) to the 3 x 3 blocks J <= I of `to`
-/// (3 rows x 3 rows), and sets the blocks J > I by Maxwell-Betti.
-void interpolate_into(const double* table, int stations, std::span<const RowWeights> rows, int from,
-                      double* to) {
-  const std::size_t wide = 3 * static_cast<std::size_t>(stations), n = 3 * rows.size();
-  std::vector<double> strip(3 * wide);
-  for (std::size_t row_i = 0; row_i < rows.size(); ++row_i) {
-    const RowWeights& wi = rows[row_i];
-    std::ranges::fill(strip, 0.0);
-    for (int p = 0; p < wi.count; ++p) {
-      const double* source = table + static_cast<std::size_t>(wi.first + p - from) * 3 * wide;
-      for (std::size_t e = 0; e < strip.size(); ++e)
-        strip[e] += wi.weight[static_cast<std::size_t>(p)] * source[e];
+/// to (3 rows x wide) = the weights of the rows times `table` (3 stations x wide).
+BEM_CONTACT_WIDE void mix_rows(const double* table, std::size_t wide, const RowWeights* rows,
+                               std::size_t count, int from, double* to) {
+  for (std::size_t row = 0; row < count; ++row)
+    for (std::size_t i = 0; i < 3; ++i) {
+      double* out = to + (3 * row + i) * wide;
+      std::fill(out, out + wide, 0.0);
+      for (int p = 0; p < rows[row].count; ++p) {
+        const double weight = rows[row].weight[static_cast<std::size_t>(p)];
+        const double* in = table + (3 * static_cast<std::size_t>(rows[row].first + p - from) + i) * wide;
+        for (std::size_t e = 0; e < wide; ++e)
+          out[e] += weight * in[e];
+      }
     }
-    for (std::size_t row_j = 0; row_j <= row_i; ++row_j) {
-      const RowWeights& wj = rows[row_j];
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) {
-          if (row_i == row_j && j > i)
-            continue; // by Maxwell-Betti, to the last bit
-          double& value = to[(3 * row_i + i) * n + 3 * row_j + j];
-          for (int q = 0; q < wj.count; ++q)
-            value += wj.weight[static_cast<std::size_t>(q)] *
-                     strip[i * wide + 3 * static_cast<std::size_t>(wj.first + q - from) + j];
-          to[(3 * row_j + j) * n + 3 * row_i + i] = parity(static_cast<int>(i), static_cast<int>(j)) * value;
-        }
-    }
+}
+
+/// The numbers of all pairs of rows at one offset: interpolated from those of the stations, with the near
+/// field.
+class AtRows {
+public:
+  AtRows(std::span<const RowWeights> rows, int from, int stations)
+      : rows_(rows), from_(from), wide_(3 * static_cast<std::size_t>(stations)), n_(3 * rows.size()),
+        half_(n_ * wide_), turned_(wide_ * n_), whole_(n_ * n_) {}
+
+  /// `table`: 3 stations x 3 stations; `to`: 3 rows x 3 rows. The blocks J > I are those of J < I by
+  /// Maxwell-Betti, to the last bit.
+  void write(const double* table, const NearField& near, int m, double* to) {
+    mix_rows(table, wide_, rows_.data(), rows_.size(), from_, half_.data());
+    for (std::size_t row = 0; row < n_; ++row)
+      for (std::size_t e = 0; e < wide_; ++e)
+        turned_[e * n_ + row] = half_[row * wide_ + e];
+    mix_rows(turned_.data(), n_, rows_.data(), rows_.size(), from_, whole_.data()); // [3 J + j][3 I + i]
+    std::array<double, 9> block{};
+    for (std::size_t row_i = 0; row_i < rows_.size(); ++row_i)
+      for (std::size_t row_j = 0; row_j <= row_i; ++row_j) {
+        for (std::size_t e = 0; e < 9; ++e)
+          block[e] = whole_[(3 * row_j + e % 3) * n_ + 3 * row_i + e / 3];
+        near.add(m, static_cast<int>(row_i), static_cast<int>(row_j), 1, block.data());
+        for (std::size_t i = 0; i < 3; ++i)
+          for (std::size_t j = 0; j < (row_i == row_j ? i + 1 : 3); ++j) {
+            const double value = block[3 * i + j];
+            to[(3 * row_i + i) * n_ + 3 * row_j + j] = value;
+            to[(3 * row_j + j) * n_ + 3 * row_i + i] =
+                parity(static_cast<int>(i), static_cast<int>(j)) * value;
+          }
+      }
   }
+
+private:
+  std::span<const RowWeights> rows_;
+  int from_;
+  std::size_t wide_, n_;
+  std::vector<double> half_, turned_, whole_;
+};
+
+/// What is smooth: `numbers` of stations less their near field, per unit of load width.
+void take_near_field(InfluenceNumbers& numbers, const NearField& near, double factor) {
+  std::array<double, 9> block{};
+  for (int m = 0; m < numbers.offsets; ++m)
+    for (int row_i = 0; row_i < numbers.rows; ++row_i)
+      for (int row_j = 0; row_j <= row_i; ++row_j) {
+        for (std::size_t e = 0; e < 9; ++e)
+          block[e] = factor * numbers.at(m, row_i, static_cast<int>(e / 3), row_j, static_cast<int>(e % 3));
+        near.add(m, row_i, row_j, -factor, block.data());
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < (row_i == row_j ? i + 1 : 3); ++j) {
+            const double value = block[static_cast<std::size_t>(3 * i + j)];
+            numbers.at(m, row_i, i, row_j, j) = value;
+            numbers.at(m, row_j, j, row_i, i) = parity(i, j) * value;
+          }
+      }
 }
 
 } // namespace
@@ -163,32 +174,16 @@ InfluenceNumbers resample(const InfluenceFunction& function, const ExpandOptions
   std::vector<double> station_s;
   for (int i = from; i < to; ++i)
     station_s.push_back(i * width);
-  for_each_near_field(function.material, options, station_s, width,
-                      [&](int row_i, int row_j, const Line& line) {
-                        for (int m = 0; m < options.offsets; ++m)
-                          for (int i = 0; i < 3; ++i)
-                            for (int j = 0; j < 3; ++j) {
-                              const double near = line[static_cast<std::size_t>(m)][i][j];
-                              smooth.at(m, row_i, i, row_j, j) -= near;
-                              if (row_i != row_j)
-                                smooth.at(m, row_j, j, row_i, i) -= parity(i, j) * near;
-                            }
-                      });
-  for (double& value : smooth.values)
-    value *= ds / width;
+  take_near_field(smooth, NearField(function.material, options, station_s, width), ds / width);
 
   InfluenceNumbers result{options.offsets, static_cast<int>(row_s.size()), options.dx, ds, {}};
   const std::size_t n = 3 * row_s.size(), wide = 3 * static_cast<std::size_t>(to - from);
   result.values.resize(static_cast<std::size_t>(options.offsets) * n * n);
-  for_each_near_field(function.material, options, row_s, ds, [&](int row_i, int row_j, const Line& line) {
-    for (int m = 0; m < options.offsets; ++m)
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          result.at(m, row_i, i, row_j, j) = line[static_cast<std::size_t>(m)][i][j];
-  });
-  for (std::size_t m = 0; m < static_cast<std::size_t>(options.offsets); ++m)
-    interpolate_into(smooth.values.data() + m * wide * wide, to - from, weights, from,
-                     result.values.data() + m * n * n);
+  const NearField near(function.material, options, row_s, ds);
+  AtRows rows(weights, from, to - from);
+  for (int m = 0; m < options.offsets; ++m)
+    rows.write(smooth.values.data() + static_cast<std::size_t>(m) * wide * wide, near, m,
+               result.values.data() + static_cast<std::size_t>(m) * n * n);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "bem_contact/influence/expand.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/product.hpp"
 #include "bem_contact/influence/series_weights.hpp"
 
 #include <Eigen/Cholesky>
@@ -215,8 +216,14 @@ InfluenceNumbers expand(const InfluenceFunction& f, const ExpandOptions& o) {
               odd_entries[e].sign * block(odd_entries[e].i, 3 * column + odd_entries[e].j);
       }
     }
-    even_numbers.noalias() = even * even_kernel;
-    odd_numbers.noalias() = odd * odd_kernel;
+    even_numbers.resize(o.offsets, 5 * columns);
+    odd_numbers.resize(o.offsets, 4 * columns);
+    const auto multiply = [&](const RowMajor& weight, const RowMajor& kernel, RowMajor& numbers) {
+      product(weight.data(), static_cast<std::size_t>(weight.rows()), static_cast<std::size_t>(weight.cols()),
+              kernel.data(), static_cast<std::size_t>(kernel.cols()), numbers.data());
+    };
+    multiply(even, even_kernel, even_numbers);
+    multiply(odd, odd_kernel, odd_numbers);
     for (Eigen::Index m = 0; m < o.offsets; ++m) {
       double* a = result.values.data() + m * size * size;
       const auto put = [&](const Entry& entry, Eigen::Index column, double value) {

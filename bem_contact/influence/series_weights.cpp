@@ -1,5 +1,6 @@
 #include "bem_contact/influence/series_weights.hpp"
 
+#include "bem_contact/influence/product.hpp"
 #include "bem_contact/influence/series_tail.hpp"
 
 #include <Eigen/Core>
@@ -75,16 +76,13 @@ private:
 void add_block(const RowMajor& weight, std::size_t first, std::size_t count, long n0, long harmonics,
                const Array& angle, const Array& turn_cos, const Array& turn_sin, RowMajor& even,
                RowMajor& odd) {
-  RowMajor cosine(harmonics, angle.size()), sine(harmonics, angle.size());
-  cosine.row(0) = (static_cast<double>(n0) * angle).cos();
-  sine.row(0) = (static_cast<double>(n0) * angle).sin();
-  for (long i = 1; i < harmonics; ++i) {
-    cosine.row(i) = cosine.row(i - 1).array() * turn_cos - sine.row(i - 1).array() * turn_sin;
-    sine.row(i) = sine.row(i - 1).array() * turn_cos + cosine.row(i - 1).array() * turn_sin;
-  }
-  const auto rows = static_cast<Eigen::Index>(count), from = static_cast<Eigen::Index>(first);
-  even.middleRows(from, rows).noalias() += weight.topLeftCorner(rows, harmonics) * cosine;
-  odd.middleRows(from, rows).noalias() += weight.topLeftCorner(rows, harmonics) * sine;
+  const Array first_angle = static_cast<double>(n0) * angle;
+  const Array first_cos = first_angle.cos(), first_sin = first_angle.sin();
+  const auto from = static_cast<Eigen::Index>(first);
+  add_harmonics(weight.data(), count, static_cast<std::size_t>(weight.cols()),
+                static_cast<std::size_t>(harmonics), first_cos.data(), first_sin.data(), turn_cos.data(),
+                turn_sin.data(), static_cast<std::size_t>(angle.size()), even.row(from).data(),
+                odd.row(from).data());
 }
 
 } // namespace

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "bem_contact/influence/expand.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace bem_contact::halfspace {
+
+/// Half-space numbers of the pairs of rows of one strip whose distances need not be equal, at every offset.
+///
+/// Rows equally far apart share one line of numbers. Where distances of d-th neighbours scatter a little, as
+/// they do on a wheel opposite equal rows of the rail, lines at a few distances between the smallest and the
+/// largest (Chebyshev's) serve all: numbers are analytic in the distance as long as elements do not touch,
+/// and the polynomial through p lines is off by (h / 2 g)^p at most, h half of the range and g its distance
+/// from touching. p is chosen for 1e-6 of the number; where 4 are not enough each pair has its own line.
+class NearField {
+public:
+  /// `row_s` monotone, mm; offsets and dx of the options (0: plane strain) count. `ds`: width of the rows.
+  NearField(const Material& material, const ExpandOptions& options, std::span<const double> row_s, double ds);
+
+  /// Adds `factor` times the numbers [i][j] of rows row_j <= row_i at offset m to `block`.
+  void add(int m, int row_i, int row_j, double factor, double* block) const {
+    const Mix& mix = mixes_[first_of_[static_cast<std::size_t>(row_i - row_j)] + row_j];
+    const double* line = values_.data() + (static_cast<std::size_t>(m) * lines_ + mix.first) * 9;
+    for (int p = 0; p < mix.count; ++p)
+      for (std::size_t e = 0; e < 9; ++e)
+        block[e] +=
+            factor * mix.weight[static_cast<std::size_t>(p)] * line[static_cast<std::size_t>(p) * 9 + e];
+  }
+
+  std::size_t lines() const { return lines_; }
+
+private:
+  static constexpr int most = 4;
+  struct Mix { ///< of neighbouring lines
+    std::size_t first = 0;
+    int count = 0;
+    std::array<double, most> weight{};
+  };
+
+  std::size_t lines_ = 0;
+  std::vector<double> values_;        ///< [offset][line][i][j]
+  std::vector<Mix> mixes_;            ///< of the pairs, by distance in rows, then row_j
+  std::vector<std::size_t> first_of_; ///< mix of each distance
+};
+
+} // namespace bem_contact::halfspace

@@ -1,0 +1,75 @@
+#include "bem_contact/influence/product.hpp"
+
+#include "bem_contact/base/simd.hpp"
+
+#include <algorithm>
+
+namespace bem_contact {
+
+BEM_CONTACT_WIDE void product(const double* a, std::size_t rows, std::size_t inner, const double* b,
+                              std::size_t columns, double* out) {
+  constexpr std::size_t block = 4, wide = 8; // rows and columns whose sums stay in registers
+  for (std::size_t row = 0; row < rows; row += block) {
+    const std::size_t high = std::min(block, rows - row);
+    for (std::size_t column = 0; column < columns; column += wide) {
+      const std::size_t across = std::min(wide, columns - column);
+      double sum[block][wide] = {};
+      if (high == block && across == wide) {
+        for (std::size_t k = 0; k < inner; ++k) {
+          const double* from = b + k * columns + column;
+          for (std::size_t r = 0; r < block; ++r) {
+            const double factor = a[(row + r) * inner + k];
+            for (std::size_t c = 0; c < wide; ++c)
+              sum[r][c] += factor * from[c];
+          }
+        }
+      } else
+        for (std::size_t k = 0; k < inner; ++k)
+          for (std::size_t r = 0; r < high; ++r)
+            for (std::size_t c = 0; c < across; ++c)
+              sum[r][c] += a[(row + r) * inner + k] * b[k * columns + column + c];
+      for (std::size_t r = 0; r < high; ++r)
+        for (std::size_t c = 0; c < across; ++c)
+          out[(row + r) * columns + column + c] = sum[r][c];
+    }
+  }
+}
+
+BEM_CONTACT_WIDE void add_harmonics(const double* weight, std::size_t counts, std::size_t width,
+                                    std::size_t harmonics, const double* first_cos, const double* first_sin,
+                                    const double* turn_cos, const double* turn_sin, std::size_t angles,
+                                    double* cosine, double* sine) {
+  constexpr std::size_t block = 4, most = 6;
+  for (std::size_t m = 0; m < angles; m += block) {
+    const std::size_t some = std::min(block, angles - m);
+    double c[block] = {}, s[block] = {}, tc[block] = {}, ts[block] = {};
+    for (std::size_t l = 0; l < some; ++l) {
+      c[l] = first_cos[m + l];
+      s[l] = first_sin[m + l];
+      tc[l] = turn_cos[m + l];
+      ts[l] = turn_sin[m + l];
+    }
+    double even[most][block] = {}, odd[most][block] = {};
+    for (std::size_t h = 0; h < harmonics; ++h) {
+      for (std::size_t b = 0; b < most; ++b) {
+        const double factor = b < counts ? weight[b * width + h] : 0.0;
+        for (std::size_t l = 0; l < block; ++l) {
+          even[b][l] += factor * c[l];
+          odd[b][l] += factor * s[l];
+        }
+      }
+      for (std::size_t l = 0; l < block; ++l) {
+        const double turned = c[l] * tc[l] - s[l] * ts[l];
+        s[l] = s[l] * tc[l] + c[l] * ts[l];
+        c[l] = turned;
+      }
+    }
+    for (std::size_t b = 0; b < counts; ++b)
+      for (std::size_t l = 0; l < some; ++l) {
+        cosine[b * angles + m + l] += even[b][l];
+        sine[b * angles + m + l] += odd[b][l];
+      }
+  }
+}
+
+} // namespace bem_contact
