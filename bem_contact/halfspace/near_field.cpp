@@ -24,7 +24,7 @@ int lines_for(double from, double to, double ds, int most) {
     return most + 1;
   const double ratio = half / (2 * apart);
   int count = 1;
-  for (double error = ratio; count <= most && error > enough; error *= ratio)
+  for (double error = 4 * ratio; count <= most && error > enough; error *= ratio)
     ++count;
   return std::max(count, 2);
 }

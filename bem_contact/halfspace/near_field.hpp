@@ -13,7 +13,7 @@ namespace bem_contact::halfspace {
 /// Rows equally far apart share one line of numbers. Where distances of d-th neighbours scatter a little, as
 /// they do on a wheel opposite equal rows of the rail, lines at a few distances between the smallest and the
 /// largest (Chebyshev's) serve all: numbers are analytic in the distance as long as elements do not touch,
-/// and the polynomial through p lines is off by (h / 2 g)^p at most, h half of the range and g its distance
+/// and the polynomial through p lines is off by 4 (h / 2 g)^p at most, h half of the range and g its distance
 /// from touching. p is chosen for 1e-6 of the number; where 4 are not enough each pair has its own line.
 class NearField {
 public:

@@ -19,8 +19,8 @@ double on_ladder(double length, bool down) {
 
 } // namespace
 
-ElementCount::ElementCount(int elements, double accuracy, int limit)
-    : accuracy_(accuracy), usual_(elements > 0 ? elements : first_guess), wanted_(usual_) {
+ElementCount::ElementCount(int elements, double accuracy, int limit, int least)
+    : accuracy_(accuracy), least_(least), usual_(elements > 0 ? elements : first_guess), wanted_(usual_) {
   // The median contact has an error of .3 % with 200 elements; one in a hundred needs seven times as many as
   // the median for 2 %.
   const auto elements_for = [&](double error) {
@@ -29,7 +29,8 @@ ElementCount::ElementCount(int elements, double accuracy, int limit)
   const double needed = elements_for(0.003);
   most_ = static_cast<int>(std::clamp(7 * elements_for(0.02), 7.0 * first_guess, double(limit)));
   if (elements == 0)
-    usual_ = wanted_ = static_cast<int>(std::clamp(needed, double(first_guess), double(limit)));
+    usual_ = wanted_ =
+        static_cast<int>(std::clamp(needed, double(std::max(first_guess, least)), double(limit)));
 }
 
 void ElementCount::forget() {
@@ -46,9 +47,9 @@ bool ElementCount::learn(int contact, double error) {
   }
   const double needed = reserve * contact * std::pow(error / accuracy_, 1 / order);
   const bool again = error > accuracy_ && contact < most_;
-  // Errors scatter: come down slowly, and go up by no more than a retry can correct.
-  const double lo = again ? 1.3 * contact : 0.6 * contact, hi = 4.0 * contact;
-  wanted_ = static_cast<int>(std::clamp(std::clamp(needed, lo, hi), double(fewest), double(most_)));
+  // Errors scatter: come down not at once, and go up by no more than a retry can correct.
+  const double lo = again ? 1.3 * contact : 0.35 * contact, hi = 4.0 * contact;
+  wanted_ = static_cast<int>(std::clamp(std::clamp(needed, lo, hi), double(least_), double(most_)));
   return again && wanted_ > contact;
 }
 
@@ -58,7 +59,9 @@ std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int 
   if (!(extent.area > 0) || !(extent.along_x > 0) || !(extent.along_s > 0))
     return {0.5, 0.25};
   const double element = extent.area * area_ratio / elements;
-  const double aspect = std::clamp(extent.along_x / extent.along_s, 0.4, 2.5);
+  // Behind the leading edge tractions grow over the shorter axis of a contact, whichever way that lies: long
+  // elements in a contact drawn out along x, as at the gauge corner, cost three times the error.
+  const double aspect = std::clamp(extent.along_x / extent.along_s, 0.4, 0.8);
   // One is rounded to the nearest, the other such that there are not fewer elements than asked for.
   const double dx = std::max(shortest, on_ladder(std::sqrt(element * aspect), false));
   // Where dx may not follow, ever narrower rows would cost much and say little.

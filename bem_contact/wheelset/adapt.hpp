@@ -12,8 +12,12 @@ namespace bem_contact {
 /// with N elements e ~ N^-0.65 lies between. A conformal case, whose error is larger, gets more on its own.
 class ElementCount {
 public:
-  /// `accuracy`: discretisation error wanted; 0: `elements` whatever the error. `limit`: never more.
-  ElementCount(int elements, double accuracy, int limit = 12000);
+  /// Fewer have no estimate: the companion has a quarter of them, and needs 40.
+  static constexpr int fewest = 180;
+
+  /// `accuracy`: discretisation error wanted; 0: `elements` whatever the error. `limit`: never more; `least`:
+  /// for an accuracy no fewer.
+  ElementCount(int elements, double accuracy, int limit = 12000, int least = fewest);
 
   int wanted() const { return wanted_; }
   /// No more than this is tried: what 99 of 100 contacts need for this accuracy is less.
@@ -24,17 +28,15 @@ public:
   /// case is to be solved again with wanted(), which is larger then.
   bool learn(int contact, double error);
 
-  /// Fewer have no estimate: the companion has a quarter of them, and needs 40.
-  static constexpr int fewest = 180;
-
 private:
   double accuracy_ = 0;
+  int least_ = fewest;
   int usual_ = 0, most_ = 0, wanted_ = 0;
 };
 
 /// Elements of a size that `elements` of them cover an area like the estimate's, `area_ratio` times as large,
-/// about as many along x as along s: dx, not below `shortest`, and ds, not below a quarter of it, mm. Powers
-/// of 2^(1/4) else, so that numbers serve several cases.
+/// about as many along x as along s, none much longer than wide: dx, not below `shortest`, and ds, not below
+/// a quarter of it, mm. Powers of 2^(1/4) else, so that numbers serve several cases.
 std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio,
                                            double shortest = 0);
 

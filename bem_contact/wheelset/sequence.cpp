@@ -13,6 +13,8 @@ namespace {
 
 /// Elements in contact that are tried for an accuracy: a second or a few with either kind of numbers.
 constexpr int most_translational = 12000, most_full = 4000;
+/// To solve once more costs so much with numbers full in s that some elements in reserve are cheaper.
+constexpr int least_full = 250;
 
 /// The shortest element that influence files have numbers for, mm; 0: any. A wheel's is that at its reference
 /// radius, and the contact lies elsewhere.
@@ -100,7 +102,8 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
   const std::string wanted = model.empty() ? asked.solver.model : model;
   const bool full = wanted != "halfspace" && wanted != "hertz"; // auto may be
   if (!count_ || asked_elements_ != asked.grid.elements || asked_accuracy_ != asked.grid.accuracy)
-    count_.emplace(asked.grid.elements, asked.grid.accuracy, full ? most_full : most_translational);
+    count_.emplace(asked.grid.elements, asked.grid.accuracy, full ? most_full : most_translational,
+                   full ? least_full : ElementCount::fewest);
   asked_elements_ = asked.grid.elements;
   asked_accuracy_ = asked.grid.accuracy;
 

@@ -1,4 +1,5 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/halfspace/near_field.hpp"
 #include "bem_contact/halfspace/rectangle.hpp"
 #include "bem_contact/halfspace/resample.hpp"
 
@@ -8,6 +9,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 
 using namespace bem_contact;
@@ -195,4 +198,28 @@ TEST(Combine, RefusesDifferentGrids) {
                          c = halfspace::numbers(steel, 0.5, 0.2, 3, 3);
   EXPECT_THAT(message_of([&] { halfspace::combine(a, b); }), testing::HasSubstr("different grids"));
   EXPECT_THAT(message_of([&] { halfspace::combine(a, c); }), testing::HasSubstr("different grids"));
+}
+
+TEST(NearField, FewLinesServeRowsThatAreNotEquallyFar) {
+  // Opposite equal rows of the rail a wheel's rows scatter by per cents; each number against its closed form.
+  std::vector<double> rows;
+  for (int i = 0; i < 24; ++i)
+    rows.push_back(0.3 * i * (1 + 0.0004 * i) + 0.002 * std::sin(0.8 * i));
+  for (const auto& options : {options_for(0.5, 6), options_for(0, 1)}) {
+    const halfspace::NearField near(steel, options, rows, 0.3);
+    EXPECT_LT(near.lines(), rows.size() * (rows.size() + 1) / 2 / 2);
+    for (int m = 0; m < options.offsets; ++m)
+      for (int row_i = 0; row_i < 24; ++row_i)
+        for (int row_j = 0; row_j <= row_i; ++row_j) {
+          const double s = rows[static_cast<std::size_t>(row_i)] - rows[static_cast<std::size_t>(row_j)];
+          const halfspace::Matrix3 exact = options.dx == 0
+                                               ? halfspace::averaged_plane_strain(steel, s, 0.3, 100)
+                                               : halfspace::averaged(steel, m * options.dx, s, 0.25, 0.15);
+          std::array<double, 9> number{};
+          near.add(m, row_i, row_j, 1, number.data());
+          for (std::size_t e = 0; e < 9; ++e)
+            EXPECT_NEAR(number[e], exact[e / 3][e % 3], 2e-6 * std::abs(exact[2][2]))
+                << m << " " << row_i << " " << row_j << " " << e;
+        }
+  }
 }

@@ -158,7 +158,7 @@ TEST(ElementCount, MoreWhereTheErrorIsTooLargeFewerWhereItIsNot) {
   EXPECT_LE(count.wanted(), 800);
   EXPECT_FALSE(count.learn(600, 0.002));
   EXPECT_LT(count.wanted(), 600);
-  EXPECT_GE(count.wanted(), 0.6 * 600 - 1);
+  EXPECT_GE(count.wanted(), 0.35 * 600 - 1);
   EXPECT_FALSE(count.learn(250, 1e-6));
   EXPECT_EQ(count.wanted(), ElementCount::fewest);
 }

@@ -1,0 +1,58 @@
+#include "tools/cases/tables.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/wheelset/sequence.hpp"
+#include "tools/cases/reference.hpp"
+
+#include <ctime>
+#include <fmt/format.h>
+#include <string>
+#include <vector>
+
+namespace cases {
+
+using namespace bem_contact;
+
+namespace {
+
+void rows(const SweepFile& sweep, const std::vector<double>& asked, const std::vector<Reference>& exact,
+          std::size_t every) {
+  for (const double wanted : asked) {
+    Sequence sequence;
+    for (std::size_t i = 0; i < sweep.size(); i += every) {
+      SceneFile scene = sweep.scene(i);
+      scene.grid.accuracy = wanted;
+      const std::clock_t start = std::clock();
+      std::string error, estimate, elements = ",", status = "refused"; // empty: not known
+      int contact = 0;
+      try {
+        const SceneResult r = sequence.solve(scene);
+        status = r.result.converged ? "certified" : "not certified";
+        if (r.result.converged && exact[i].finer > 0)
+          error = fmt::format("{:.3g}", error_of(r.result, exact[i]));
+        if (r.result.certificate.discretisation >= 0)
+          estimate = fmt::format("{:.3g}", r.result.certificate.discretisation);
+        elements = fmt::format("{:.4g},{:.4g}", r.problem.grid.dx, r.problem.grid.ds);
+        contact = in_contact(r.result);
+      } catch (const Error&) {
+      }
+      fmt::print("{},{},{},{:.5f},{},{},{},{},{},{}\n", scene.solver.model, wanted, i,
+                 double(std::clock() - start) / CLOCKS_PER_SEC, error, estimate, contact, elements, status,
+                 exact[i].finer);
+    }
+    std::fflush(stdout);
+  }
+}
+
+} // namespace
+
+void accuracy(const SweepFile& sweep, const SweepFile& by) {
+  constexpr std::size_t many = 40;
+  const std::size_t every = sweep.size() > many ? 4 : 1;
+  fmt::print("model,accuracy,case,cpu_seconds,error,estimate,contact,dx,ds,status,reference\n");
+  rows(sweep, {0.1, 0.05, 0.02, 0.01, 0.005}, references(sweep, by), 1);
+  if (sweep.scene(0).solver.model == "halfspace") // full numbers would fill the memory
+    rows(sweep, {0.002, 0.001}, references(sweep, by, 8, every), every);
+}
+
+} // namespace cases
