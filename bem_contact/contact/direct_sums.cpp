@@ -1,8 +1,8 @@
 #include "bem_contact/contact/direct_sums.hpp"
 
+#include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/operator.hpp"
 #include "bem_contact/contact/rolling_step.hpp"
-#include "bem_contact/base/simd.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "bem_contact/contact/plane_operator.hpp"
 
+#include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/plane_transforms.hpp"
 #include "bem_contact/contact/rolling_step.hpp"
-#include "bem_contact/base/simd.hpp"
 
 #include <algorithm>
 #include <cmath>
