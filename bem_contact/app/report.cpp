@@ -141,6 +141,14 @@ json units_json(const SceneResult& r) {
           {"seconds", "s"}};
 }
 
+/// With decimals that leave five digits of `largest`, at least one; never "-0.0".
+std::string fixed(double value, double largest) {
+  const int decimals =
+      largest > 0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(largest))), 1, 9) : 1;
+  const double unit = std::pow(10.0, -decimals);
+  return fmt::format("{:.{}f}", std::abs(value) < 0.5 * unit ? 0.0 : value, decimals);
+}
+
 } // namespace
 
 json to_json(const SceneResult& r) {
@@ -218,6 +226,8 @@ json to_json(const Comparison& c) {
 }
 
 std::string to_text(const SceneResult& r) {
+  const ContactResult& c = r.result;
+  const double force = std::max({std::abs(c.Fx), std::abs(c.Fy), std::abs(c.Fz)});
   std::string out = fmt::format("model: {} ({})\n", r.model, r.reason);
   out += reference_text(r);
   if (r.result.patches.empty())
@@ -227,11 +237,12 @@ std::string to_text(const SceneResult& r) {
                        "Fx N", "Fs N", "approach", "pmax MPa", "area mm2", "contact", "adhesion", "slip");
   int i = 0;
   for (const PatchSummary& p : r.result.patches)
-    out += fmt::format("{:>5} {:>11.1f} {:>11.1f} {:>11.1f} {:>10.5f} {:>9.1f} {:>9.2f} {:>8} {:>8} {:>6}\n",
-                       ++i, p.fn, p.fx, p.fs, p.approach, p.pmax, p.area, p.contact, p.adhesion, p.slip);
-  out +=
-      fmt::format("on the rail: Fx {:.1f} N, Fy {:.1f} N, Fz {:.1f} N, Mz {:.1f} N mm; approach {:.5f} mm\n",
-                  r.result.Fx, r.result.Fy, r.result.Fz, r.moment, r.result.approach);
+    out += fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10.5f} {:>9} {:>9.5g} {:>8} {:>8} {:>6}\n", ++i,
+                       fixed(p.fn, force), fixed(p.fx, force), fixed(p.fs, force), p.approach,
+                       fixed(p.pmax, 1e1 * p.pmax), p.area, p.contact, p.adhesion, p.slip);
+  out += fmt::format("on the rail{}: Fx {} N, Fy {} N, Fz {} N, Mz {} N mm; approach {:.5f} mm\n",
+                     r.problem.plane_strain() ? ", forces and area per mm of x" : "", fixed(c.Fx, force),
+                     fixed(c.Fy, force), fixed(c.Fz, force), fixed(r.moment, force), c.approach);
   if (r.problem.has_friction())
     out += fmt::format("friction dissipates {:.4g} {}\n", friction_power(r.result, r.problem.element_area()),
                        r.problem.motion == MotionKind::shift ? "N mm" : "N mm per mm rolled");
@@ -244,12 +255,12 @@ std::string to_text(const SceneResult& r) {
   if (!r.history.empty())
     out += fmt::format("the last of {} steps\n", r.history.size());
   out += stresses_text(r.stresses);
-  const Certificate& c = r.result.certificate;
-  out += fmt::format("certificate: worst violation {:.1e} of {:.0e} allowed, {}", c.worst(), c.tolerance,
-                     c.holds() ? "holds" : "DOES NOT HOLD");
-  out += c.discretisation < 0
+  const Certificate& certificate = c.certificate;
+  out += fmt::format("certificate: worst violation {:.1e} of {:.0e} allowed, {}", certificate.worst(),
+                     certificate.tolerance, certificate.holds() ? "holds" : "DOES NOT HOLD");
+  out += certificate.discretisation < 0
              ? "\n"
-             : fmt::format("; discretisation error about {:.1f} %\n", 100 * c.discretisation);
+             : fmt::format("; discretisation error about {:.1f} %\n", 100 * certificate.discretisation);
   if (!r.result.remark.empty())
     out += fmt::format("solver: {}\n", r.result.remark);
   out += fmt::format("seconds: geometry {:.2f}, influence numbers {:.2f}, solve {:.2f}, total {:.2f}\n",
