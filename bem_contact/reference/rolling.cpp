@@ -65,14 +65,6 @@ double bentall_johnson_creepage(const Material& one, const Material& other, doub
   return factor * 2 * m.difference / (1 - m.poisson) * half_width / radius;
 }
 
-LinearForces linear_creep_forces(const CreepCoefficients& k, double shear_modulus, double a, double b,
-                                 double xi, double eta, double phi) {
-  require_positive({{"shear modulus", shear_modulus}, {"semi-axis a", a}, {"semi-axis b", b}});
-  const double c = std::sqrt(a * b), stiffness = c * c * shear_modulus;
-  return {stiffness * k.c11 * xi, stiffness * (k.c22 * eta + c * k.c23 * phi),
-          c * stiffness * (-k.c23 * eta + c * k.c33 * phi)};
-}
-
 double full_spin_moment(double friction, double normal_force, double radius) {
   require_positive({{"friction", friction}, {"normal force", normal_force}, {"radius", radius}});
   return 3 * std::numbers::pi / 16 * friction * normal_force * radius;

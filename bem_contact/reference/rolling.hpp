@@ -61,15 +61,6 @@ struct CreepCoefficients {
 /// pi), 32/(3 pi), 4/3 and 512/(135 pi) to 1e-7.
 CreepCoefficients creep_coefficients(double a_over_b, double poisson, int degree = 12);
 
-/// Forces on the rail for small creepages, c = sqrt(a b): Fx = c^2 G C11 xi, Fy = c^2 G (C22 eta + c C23
-/// phi), Mz = c^3 G (-C23 eta + c C33 phi) (Kalker 1990, eq. 2.31, with the opposite sign: his are on the
-/// wheel).
-struct LinearForces {
-  double fx = 0, fy = 0, mz = 0;
-};
-LinearForces linear_creep_forces(const CreepCoefficients& coefficients, double shear_modulus, double a,
-                                 double b, double xi, double eta, double phi);
-
 /// |Mz| of a circular Hertzian contact of radius a that slips everywhere in pure spin: (3 pi/16) mu N a.
 double full_spin_moment(double friction, double normal_force, double radius);
 

@@ -5,12 +5,9 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "tests/app/run_program.hpp"
 
-#include <csignal>
-#include <cstdio>
-#include <cstdlib>
+#include <cmath>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-#include <sys/resource.h>
 
 namespace {
 
@@ -276,64 +273,6 @@ TEST_F(ResultFiles, TheSmallSceneIsConformalUnderTheShippedInfluenceFiles) {
   const Outcome chosen = run("solve '" CONFORMAL_SOURCE_DIR "/data/scenes/conformal_small.toml' --json");
   EXPECT_EQ(json::parse(chosen.out)["model"], "fem");
   EXPECT_THAT(json::parse(chosen.out)["reason"].get<std::string>(), HasSubstr("more than the 1 % allowed"));
-}
-
-TEST(H5Table, ComesBackAsItWent) {
-  const auto file =
-      std::filesystem::path(::testing::TempDir()) / ("table_" + std::to_string(getpid()) + ".h5");
-  H5Table table;
-  table.datasets["a/b"] = {{2, 3}, {1, 2, 3, 4, 5, 6}, "mm", "six numbers"};
-  table.datasets["empty"] = {{0}, {}, "1", "none"};
-  table.attributes["text"] = std::string("h\u00e9");
-  table.attributes["a/number"] = 0.1;
-  table.attributes["c/only_a_group"] = 2.0;
-  write_h5(file, table);
-  const H5Table back = read_h5(file);
-  EXPECT_EQ(back.attributes, table.attributes);
-  EXPECT_EQ(back.datasets.at("a/b").values, table.datasets["a/b"].values);
-  EXPECT_EQ(back.datasets.at("a/b").shape, table.datasets["a/b"].shape);
-  EXPECT_EQ(back.datasets.at("a/b").unit, "mm");
-  EXPECT_TRUE(back.datasets.at("empty").values.empty());
-  table.datasets["a/b"].shape = {4};
-  EXPECT_THROW(write_h5(file, table), InputError);
-  EXPECT_EQ(read_h5(file).datasets.size(), 2u); // the old file is still whole
-  std::filesystem::remove(file);
-}
-
-/// Tables of 80 kB with 20 datasets, until the limit on the size of files, met as a full disk is. A process
-/// of its own: what is tested is also that it can end in order.
-[[noreturn]] void write_beyond(std::size_t bytes, const std::filesystem::path& file) {
-  std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit small{bytes, RLIM_INFINITY};
-  setrlimit(RLIMIT_FSIZE, &small);
-  try {
-    H5Writer writer(file);
-    for (int table = 0; table < 100; ++table) {
-      H5Table next;
-      for (int set = 0; set < 20; ++set)
-        next.datasets[std::to_string(table) + "/" + std::to_string(set)] = {
-            {500}, std::vector<double>(500, 1.0), "mm", "as many as fit"};
-      writer.add(next);
-    }
-    writer.finish();
-  } catch (const InputError& error) {
-    std::fputs(error.what(), stderr);
-    std::exit(std::filesystem::exists(file) ? 4 : 3);
-  }
-  std::exit(0);
-}
-
-TEST(H5Writer, AFullDiskIsAnErrorAndTheProcessEndsInOrder) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / ("full_" + std::to_string(getpid()));
-  std::filesystem::create_directory(folder);
-  for (const std::size_t bytes : {300'000u, 1'000'001u, 3'333'333u})
-    EXPECT_EXIT(write_beyond(bytes, folder / "out.h5"), ::testing::ExitedWithCode(3),
-                "out.h5' cannot be written");
-  EXPECT_TRUE(std::filesystem::is_empty(folder));
-  EXPECT_EXIT(write_beyond(100'000'000, folder / "out.h5"), ::testing::ExitedWithCode(0), "");
-  EXPECT_EQ(read_h5(folder / "out.h5").datasets.size(), 2000u);
-  EXPECT_LT(std::filesystem::file_size(folder / "out.h5"), 12'000'000u); // what was reserved is given back
-  std::filesystem::remove_all(folder);
 }
 
 } // namespace

@@ -136,15 +136,6 @@ TEST(CreepCoefficients, OfWhatIsNoEllipseAreRefused) {
     EXPECT_THAT([=] { creep_coefficients(1, 0.25, degree); }, message) << degree;
 }
 
-TEST(CreepCoefficients, ForcesOnTheRailHaveTheCreepagesSign) {
-  const CreepCoefficients k{1, 0.25, 4.113, 3.668, 1.466, 1.184};
-  const double a = 9, b = 4, g = 82000;
-  const LinearForces f = linear_creep_forces(k, g, a, b, 1e-4, 2e-4, 3e-5);
-  EXPECT_NEAR(f.fx, 36 * g * 4.113 * 1e-4, 1e-9);
-  EXPECT_NEAR(f.fy, 36 * g * (3.668 * 2e-4 + 6 * 1.466 * 3e-5), 1e-9);
-  EXPECT_NEAR(f.mz, 216 * g * (-1.466 * 2e-4 + 6 * 1.184 * 3e-5), 1e-8);
-}
-
 TEST(FullSlip, SpinMoment) {
   // Integral of mu p r over a Hertzian disc: 2 pi mu p0 int r^2 sqrt(1 - r^2/a^2) dr, p0 = 3N/(2 pi a^2).
   const double mu = 0.3, force = 1e4, a = 2, p0 = 3 * force / (2 * std::numbers::pi * a * a);

@@ -1,0 +1,74 @@
+#include "bem_contact/base/input_file.hpp"
+#include "tests/app/run_program.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <regex>
+
+namespace {
+
+using namespace bem_contact;
+using nlohmann::json;
+
+class ShippedScenes : public ProgramTest {};
+
+/// The scenes that are shipped for the closed forms give what their first lines say.
+TEST_F(ShippedScenes, GiveWhatTheirFirstLinesSay) {
+  const auto solved = [this](const std::string& name) {
+    const Outcome r = run("solve '" CONFORMAL_SOURCE_DIR "/data/scenes/" + name + ".toml' --json");
+    EXPECT_EQ(r.code, 0) << name << ": " << r.err;
+    EXPECT_EQ(r.err, "") << name;
+    return json::parse(r.out);
+  };
+  const auto creepage = [](const json& j) { return j["creepage_found"]["xi"].get<double>(); };
+  EXPECT_NEAR(solved("carter")["totals"]["Fx"].get<double>(), 6870, 0.005 * 6870);
+  EXPECT_NEAR(solved("persson_tangent_plane")["pmax"].get<double>(), 14.235, 0.002 * 14.235);
+  EXPECT_NEAR(creepage(solved("cattaneo")), 0.0081724, 0.005 * 0.0081724);
+  EXPECT_NEAR(creepage(solved("cattaneo_to_carter")), 2.4e-4, 0.01 * 2.4e-4);
+  const json unlike = solved("unlike_materials");
+  EXPECT_NEAR(creepage(unlike), 5.263e-4, 0.003 * 5.263e-4);
+  EXPECT_GT(unlike["solvers"]["outer_rate"].get<double>(), 0);
+  EXPECT_LT(unlike["solvers"]["outer_rate"].get<double>(), 0.1);
+  const json spin = solved("pure_spin");
+  EXPECT_NEAR(spin["totals"]["Fz"].get<double>(), 8200, 0.005 * 8200);
+  EXPECT_NEAR(spin["totals"]["Mz"].get<double>(), 4347, 0.005 * 4347);
+  const auto shear = solved("stresses")["stresses"]["largest_shear"].get<std::vector<double>>();
+  const auto largest = std::ranges::max_element(shear);
+  EXPECT_NEAR(*largest, 313.1, 0.005 * 313.1);
+  EXPECT_EQ(largest - shear.begin(), 4) << "in the depth of .33 mm";
+  const json still = solved("rolling_over_a_grid");
+  EXPECT_EQ(still["history"].size(), 33u);
+  EXPECT_GT(still["history"][32]["Fx"].get<double>(), 2 * still["history"][4]["Fx"].get<double>());
+  EXPECT_LT(solved("friction_along_s")["totals"]["Fx"].get<double>(), 0.25 * 15000);
+  const json turned = solved("turned_ellipse");
+  EXPECT_NEAR(turned["pmax"].get<double>(), 813.1, 0.002 * 813.1);
+  EXPECT_NEAR(turned["totals"]["Fs"].get<double>(), 3000, 3000 * 1e-6);
+  EXPECT_GT(turned["creepage_found"]["eta"].get<double>(), 0);
+  const json tables = solved("by_tables");
+  ASSERT_EQ(tables["history"].size(), 3u);
+  for (const json& step : tables["history"])
+    EXPECT_NEAR(step["Fx"].get<double>(), 914.3, 0.012 * 914.3);
+  std::string longer = read_text_file(CONFORMAL_SOURCE_DIR "/data/scenes/by_tables.toml", "scene");
+  longer = std::regex_replace(longer, std::regex("steps = 3"), "steps = 40");
+  longer = std::regex_replace(longer, std::regex("\"by_"), "\"" CONFORMAL_SOURCE_DIR "/data/scenes/by_");
+  const Outcome returned = run("solve '" + write("longer.toml", longer).string() + "' --json");
+  ASSERT_EQ(returned.code, 0) << returned.err;
+  EXPECT_NEAR(json::parse(returned.out)["totals"]["Fx"].get<double>(), 914.34, 1e-4 * 914.34)
+      << "back at steady rolling, which the first step had left";
+  // Of the scene with influence files, which take a minute to make, the half-space part; the rest is in
+  // end_to_end.
+  std::string ring = read_text_file(CONFORMAL_SOURCE_DIR "/data/scenes/ring_and_roller.toml", "scene");
+  ring = std::regex_replace(ring, std::regex("(influence|structural) = .*"), "");
+  const Outcome rolled = run("solve '" + write("ring.toml", ring).string() + "' --json");
+  ASSERT_EQ(rolled.code, 0) << rolled.err;
+  EXPECT_NEAR(json::parse(rolled.out)["totals"]["Fx"].get<double>(), 909, 0.002 * 909);
+  EXPECT_NEAR(json::parse(rolled.out)["pmax"].get<double>(), 629, 0.002 * 629);
+  EXPECT_NEAR(solved("by_height")["totals"]["Fz"].get<double>(), 80700, 0.002 * 80700);
+  const json curve = solved("wheelset_in_a_curve")["totals"];
+  EXPECT_NEAR(curve["Fz"].get<double>(), 8e4, 0.1);
+  EXPECT_LT(curve["Fx"].get<double>(), -2e4) << "a driven wheel pushes the rail back";
+}
+
+} // namespace
