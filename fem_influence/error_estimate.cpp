@@ -17,9 +17,12 @@ constexpr double reach = 16; // mm, the farthest numbers that are compared
 /// coarse 1.8.
 constexpr double caution = 1.8;
 
-/// Half the samples are less accurate by 2^6 in the limit, by 24 or more at 5 to 7 a decade where the numbers
-/// are large, by 12 at 16 mm on a disc of radius 10 (measured on block, disc, rail and wheel).
-constexpr double sampling_ratio = 10;
+/// By how much every second of so many samples a decade is less accurate: 2^6 in the limit. Measured at 7
+/// (and fewer) 24 or more where the numbers are large, 12 at 16 mm on a disc of radius 10; at 10, 31 to 57 on
+/// block, corner, groove, disc, bore, rail and wheel (ERRORS.md: far and mid numbers of 5 and 10 samples).
+double sampling_ratio(int samples_per_decade) {
+  return std::clamp(10 * std::pow(samples_per_decade / 7.0, 3), 10.0, 30.0);
+}
 
 /// Stations whose numbers are looked at: some evenly spread, and ever farther neighbours of three of them.
 std::vector<std::size_t> chosen_stations(std::size_t count) {
@@ -99,7 +102,7 @@ std::vector<std::size_t> companion_samples(std::size_t count) {
 }
 
 ErrorEstimate estimate_error(const InfluenceFunction& function, const InfluenceFunction& companion,
-                             double shortest_dx, double ratio) {
+                             double shortest_dx, double ratio, int samples_per_decade) {
   const auto stations = chosen_stations(function.station_count());
   const auto half = companion_samples(function.wavenumber_count());
   const int offsets =
@@ -110,6 +113,7 @@ ErrorEstimate estimate_error(const InfluenceFunction& function, const InfluenceF
   const auto coarse =
       numbers_of(part_of(companion, stations, all_of(companion.wavenumber_count())), shortest_dx, offsets);
 
+  const double half_ratio = sampling_ratio(samples_per_decade);
   ErrorEstimate estimate;
   const int rows = static_cast<int>(stations.size());
   for (int m = 0; m < offsets; ++m)
@@ -129,8 +133,7 @@ ErrorEstimate estimate_error(const InfluenceFunction& function, const InfluenceF
                                      ? std::sqrt(std::abs(fine.at(0, I, i, I, i) * fine.at(0, I, j, I, j)))
                                      : local;
             const double a = std::abs(coarse.at(m, I, i, J, j) - fewer.at(m, I, i, J, j)) / ratio / scale;
-            const double b =
-                std::abs(fewer.at(m, I, i, J, j) - fine.at(m, I, i, J, j)) / sampling_ratio / scale;
+            const double b = std::abs(fewer.at(m, I, i, J, j) - fine.at(m, I, i, J, j)) / half_ratio / scale;
             mesh = std::max(mesh, caution * a);
             samples = std::max(samples, b);
             total = std::max(total, caution * a + b);

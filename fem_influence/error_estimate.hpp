@@ -25,6 +25,6 @@ struct ErrorEstimate {
 /// `companion` has the samples companion_samples() of `function`. The structural motion is removed where it
 /// can be.
 ErrorEstimate estimate_error(const InfluenceFunction& function, const InfluenceFunction& companion,
-                             double shortest_dx, double ratio);
+                             double shortest_dx, double ratio, int samples_per_decade);
 
 } // namespace bem_contact::fem

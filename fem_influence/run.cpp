@@ -253,7 +253,8 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
     if (estimated) {
       coarse_partial->read_into(coarse, errors);
       report.error = estimate_error(function, coarse, shortest_reference_dx(body, function.stations),
-                                    error_ratio(body.harmonic.degree, body.harmonic.border_levels));
+                                    error_ratio(body.harmonic.degree, body.harmonic.border_levels),
+                                    body.harmonic.samples_per_decade);
     }
     function.method = method_of(body, report.cells);
     function.betti_error = report.betti_error;
