@@ -15,26 +15,30 @@ using namespace bem_contact;
 
 namespace {
 
-/// On elements `finer` times as small as the grid's; longer ones where influence files have no numbers for
-/// those.
+/// Several times what a reference takes: where the tangential solver falls through to its last resorts,
+/// other elements are tried first.
+constexpr double most_work = 4e7;
+
+/// On elements `finer` times as small as the grid's, or a little smaller still; longer ones where influence
+/// files have no numbers for those.
 Reference reference_of(SceneFile scene, const SceneFile::Grid& grid, int finer) {
   scene.grid = grid;
-  scene.grid.ds /= finer;
   std::string reason;
-  for (; finer > 0; finer /= 2)
-    try {
-      scene.grid.dx = grid.dx / finer;
-      const SceneResult r = solve_scene(scene);
-      return {r.result.converged ? finer : 0,
-              r.result.Fx,
-              r.result.Fs,
-              r.result.Fy,
-              r.result.approach,
-              r.result.Fz,
-              scene.motion.friction};
-    } catch (const Error& error) {
-      reason = error.what();
-    }
+  for (int along_x = finer; along_x > 0; along_x /= 2)
+    for (const double smaller : {1.0, 1.06, 1.13})
+      try {
+        scene.grid.dx = grid.dx / (along_x * smaller);
+        scene.grid.ds = grid.ds / (finer * smaller);
+        WorkBudget work(most_work);
+        SceneAids aids;
+        aids.work = &work;
+        const ContactResult r = solve_scene(scene, "", aids).result;
+        if (r.converged)
+          return {along_x, r.Fx, r.Fs, r.Fy, r.approach, r.Fz, scene.motion.friction};
+        reason = r.remark;
+      } catch (const Error& error) {
+        reason = error.what();
+      }
   throw InputError("There is no reference", reason, "Its error is left out.");
 }
 
