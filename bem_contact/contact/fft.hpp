@@ -38,8 +38,6 @@ template <class Real> struct Fftw;
     static constexpr auto& plan_many_r2r = prefix##plan_many_r2r;                                            \
     static constexpr auto& plan_guru_dft_r2c = prefix##plan_guru_dft_r2c;                                    \
     static constexpr auto& plan_guru_dft_c2r = prefix##plan_guru_dft_c2r;                                    \
-    static constexpr auto& plan_guru_split_dft_r2c = prefix##plan_guru_split_dft_r2c;                        \
-    static constexpr auto& plan_guru_split_dft_c2r = prefix##plan_guru_split_dft_c2r;                        \
   };
 BEM_CONTACT_FFTW(double, fftw_)
 BEM_CONTACT_FFTW(float, fftwf_)

@@ -55,9 +55,10 @@ template <class Real> struct BasicStripOperator<Real>::Impl {
   using Fft = Fftw<Real>;
   int mx = 0, ms = 0, length = 0, frequencies = 0, lines_in = 0, lines_out = 0;
   std::vector<int> outputs, inputs;
-  std::vector<Real> spectrum; ///< [frequency], column-major lines_out x lines_in
-  FftBuffer<Real> space_in, re_in, im_in, re_out, im_out, space_out;
-  mutable Eigen::Matrix<Real, Eigen::Dynamic, 1> turned; ///< ms values
+  std::vector<Real> spectrum;                   ///< [frequency], column-major lines_out x lines_in
+  FftBuffer<Real> space_in, space_out;          ///< [line][place]
+  FftBuffer<Real> frequency_in, frequency_out;  ///< [line][frequency], complex
+  FftBuffer<Real> re_in, im_in, re_out, im_out; ///< of one frequency, [line]
   FftPlan<Real> forward, backward;
   std::optional<BasicPlaneOperator<Real>> plane; ///< does all the work where the numbers are translational
 
@@ -177,22 +178,24 @@ BasicStripOperator<Real>::BasicStripOperator(const BasicStripOperator<Other>& ot
 }
 
 template <class Real> void BasicStripOperator<Real>::Impl::make_plans() {
-  const auto spectral = [this](int lines) { return static_cast<std::size_t>(lines) * frequencies; };
-  turned.resize(ms);
-  space_in = make_fft_buffer<Real>(static_cast<std::size_t>(lines_in) * length);
-  space_out = make_fft_buffer<Real>(static_cast<std::size_t>(lines_out) * length);
-  re_in = make_fft_buffer<Real>(spectral(lines_in));
-  im_in = make_fft_buffer<Real>(spectral(lines_in));
-  re_out = make_fft_buffer<Real>(spectral(lines_out));
-  im_out = make_fft_buffer<Real>(spectral(lines_out));
+  const auto all = [](int lines, int each) { return static_cast<std::size_t>(lines) * each; };
+  space_in = make_fft_buffer<Real>(all(lines_in, length));
+  space_out = make_fft_buffer<Real>(all(lines_out, length));
+  frequency_in = make_fft_buffer<Real>(all(lines_in, 2 * frequencies));
+  frequency_out = make_fft_buffer<Real>(all(lines_out, 2 * frequencies));
+  for (auto* buffer : {&re_in, &im_in})
+    *buffer = make_fft_buffer<Real>(lines_in);
+  for (auto* buffer : {&re_out, &im_out})
+    *buffer = make_fft_buffer<Real>(lines_out);
   const std::lock_guard lock(fft_planner());
-  // spectra lie frequency by frequency, lines contiguous, for the products
-  const fftw_iodim in_dims{length, 1, lines_in}, in_many{lines_in, length, 1};
-  forward.reset(Fft::plan_guru_split_dft_r2c(1, &in_dims, 1, &in_many, space_in.get(), re_in.get(),
-                                             im_in.get(), FFTW_ESTIMATE));
-  const fftw_iodim out_dims{length, lines_out, 1}, out_many{lines_out, 1, length};
-  backward.reset(Fft::plan_guru_split_dft_c2r(1, &out_dims, 1, &out_many, re_out.get(), im_out.get(),
-                                              space_out.get(), FFTW_ESTIMATE));
+  // Line by line: FFTW remembers a length, whatever the number of lines, so that the next plan costs nothing.
+  using Complex = typename Fft::Complex;
+  forward.reset(Fft::plan_many_dft_r2c(1, &length, lines_in, space_in.get(), nullptr, 1, length,
+                                       reinterpret_cast<Complex*>(frequency_in.get()), nullptr, 1,
+                                       frequencies, FFTW_ESTIMATE));
+  backward.reset(Fft::plan_many_dft_c2r(1, &length, lines_out,
+                                        reinterpret_cast<Complex*>(frequency_out.get()), nullptr, 1,
+                                        frequencies, space_out.get(), nullptr, 1, length, FFTW_ESTIMATE));
 }
 
 template <class Real> BasicStripOperator<Real>::~BasicStripOperator() = default;
@@ -209,28 +212,31 @@ template <class Real> void BasicStripOperator<Real>::Impl::apply(std::span<const
   }
   Fft::execute(forward.get());
 
-  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
-  using Column = Eigen::Map<Vector>;
   for (int k = 0; k < frequencies; ++k) {
-    Real* re = &re_in[static_cast<std::size_t>(k) * lines_in];
-    Real* im = &im_in[static_cast<std::size_t>(k) * lines_in];
-    for (std::size_t b = 0; b < inputs.size(); ++b)
-      if (inputs[b] == component_x) { // times i
-        Column r(re + b * ms, ms), m(im + b * ms, ms);
-        turned = -m;
-        m = r;
-        r = turned;
+    for (std::size_t b = 0; b < inputs.size(); ++b) {
+      const bool turn = inputs[b] == component_x; // times i
+      Real* re = (turn ? im_in : re_in).get();
+      Real* im = (turn ? re_in : im_in).get();
+      const Real sign = turn ? -1 : 1;
+      for (int line = static_cast<int>(b) * ms; line < static_cast<int>(b + 1) * ms; ++line) {
+        const Real* from = &frequency_in[2 * (static_cast<std::size_t>(line) * frequencies + k)];
+        re[line] = from[0];
+        im[line] = sign * from[1];
       }
-    Column u_re(&re_out[static_cast<std::size_t>(k) * lines_out], lines_out);
-    Column u_im(&im_out[static_cast<std::size_t>(k) * lines_out], lines_out);
-    multiply(&spectrum[static_cast<std::size_t>(k) * lines_out * lines_in], lines_out, lines_in, re, im,
-             u_re.data(), u_im.data());
-    for (std::size_t a = 0; a < outputs.size(); ++a)
-      if (outputs[a] == component_x) { // times -i
-        turned = u_im.segment(a * ms, ms);
-        u_im.segment(a * ms, ms) = -u_re.segment(a * ms, ms);
-        u_re.segment(a * ms, ms) = turned;
+    }
+    multiply(&spectrum[static_cast<std::size_t>(k) * lines_out * lines_in], lines_out, lines_in, re_in.get(),
+             im_in.get(), re_out.get(), im_out.get());
+    for (std::size_t a = 0; a < outputs.size(); ++a) {
+      const bool turn = outputs[a] == component_x; // times -i
+      const Real* re = (turn ? im_out : re_out).get();
+      const Real* im = (turn ? re_out : im_out).get();
+      const Real sign = turn ? -1 : 1;
+      for (int line = static_cast<int>(a) * ms; line < static_cast<int>(a + 1) * ms; ++line) {
+        Real* to = &frequency_out[2 * (static_cast<std::size_t>(line) * frequencies + k)];
+        to[0] = re[line];
+        to[1] = sign * im[line];
       }
+    }
   }
   Fft::execute(backward.get());
 }

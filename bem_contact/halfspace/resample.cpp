@@ -69,78 +69,145 @@ std::optional<std::pair<int, int>> rows_are_stations(std::span<const RowWeights>
   return std::pair{first, static_cast<int>(rows.size())};
 }
 
-/// to (3 rows x wide) = the weights of the rows times `table` (3 stations x wide).
-BEM_CONTACT_WIDE void mix_rows(const double* table, std::size_t wide, const RowWeights* rows,
-                               std::size_t count, int from, double* to) {
+/// to (3 rows x wide) = the weights of the rows times `table` (3 stations x wide, rows `stride` apart).
+BEM_CONTACT_WIDE void mix_rows(const double* table, std::size_t stride, std::size_t wide,
+                               const RowWeights* rows, std::size_t count, double* to) {
   for (std::size_t row = 0; row < count; ++row)
     for (std::size_t i = 0; i < 3; ++i) {
       double* out = to + (3 * row + i) * wide;
       std::fill(out, out + wide, 0.0);
       for (int p = 0; p < rows[row].count; ++p) {
         const double weight = rows[row].weight[static_cast<std::size_t>(p)];
-        const double* in = table + (3 * static_cast<std::size_t>(rows[row].first + p - from) + i) * wide;
+        const double* in = table + (3 * static_cast<std::size_t>(rows[row].first + p) + i) * stride;
         for (std::size_t e = 0; e < wide; ++e)
           out[e] += weight * in[e];
       }
     }
 }
 
-/// The numbers of all pairs of rows at one offset: interpolated from those of the stations, with the near
-/// field.
-class AtRows {
-public:
-  AtRows(std::span<const RowWeights> rows, int from, int stations)
-      : rows_(rows), from_(from), wide_(3 * static_cast<std::size_t>(stations)), n_(3 * rows.size()),
-        half_(n_ * wide_), turned_(wide_ * n_), whole_(n_ * n_) {}
+/// The function with its rows for stations: what expand() does is linear in the kernel, and the kernel has
+/// far fewer wavenumbers than there are offsets, and fewer rows than stations.
+InfluenceFunction with_rows(const InfluenceFunction& f, std::span<const RowWeights> rows, bool plane_strain) {
+  InfluenceFunction out;
+  out.body = f.body;
+  out.material = f.material;
+  out.invariance = f.invariance;
+  out.reference_radius = f.reference_radius;
+  out.half_period = f.half_period;
+  out.station_width = f.station_width;
+  out.stations.resize(rows.size());
+  out.wavenumber = f.wavenumber;
+  out.remote_self = f.remote_self;
+  out.table_dx = f.table_dx;
 
-  /// `table`: 3 stations x 3 stations; `to`: 3 rows x 3 rows. The blocks J > I are those of J < I by
-  /// Maxwell-Betti, to the last bit.
-  void write(const double* table, const NearField& near, int m, double* to) {
-    mix_rows(table, wide_, rows_.data(), rows_.size(), from_, half_.data());
-    for (std::size_t row = 0; row < n_; ++row)
-      for (std::size_t e = 0; e < wide_; ++e)
-        turned_[e * n_ + row] = half_[row * wide_ + e];
-    mix_rows(turned_.data(), n_, rows_.data(), rows_.size(), from_, whole_.data()); // [3 J + j][3 I + i]
-    std::array<double, 9> block{};
-    for (std::size_t row_i = 0; row_i < rows_.size(); ++row_i)
-      for (std::size_t row_j = 0; row_j <= row_i; ++row_j) {
+  int from = rows.front().first, to = from;
+  for (const RowWeights& row : rows) {
+    from = std::min(from, row.first);
+    to = std::max(to, row.first + row.count);
+  }
+  const std::size_t all = 3 * f.station_count(), n = 3 * rows.size(),
+                    wide = 3 * static_cast<std::size_t>(to - from);
+  std::vector<RowWeights> shifted(rows.begin(), rows.end()); // counted from the first station used
+  for (RowWeights& row : shifted)
+    row.first -= from;
+  std::vector<double> half(n * wide), turned(wide * n), whole(n * n);
+  const auto mix = [&](const std::vector<double>& tables, std::size_t count, std::vector<double>& result) {
+    result.resize(count * n * n);
+    for (std::size_t k = 0; k < count; ++k) {
+      mix_rows(&tables[k * all * all + 3 * static_cast<std::size_t>(from) * (all + 1)], all, wide,
+               shifted.data(), shifted.size(), half.data());
+      for (std::size_t row = 0; row < n; ++row)
+        for (std::size_t e = 0; e < wide; ++e)
+          turned[e * n + row] = half[row * wide + e];
+      mix_rows(turned.data(), n, n, shifted.data(), shifted.size(), whole.data()); // [3 J + j][3 I + i]
+      for (std::size_t row = 0; row < n; ++row)
+        for (std::size_t column = 0; column <= row; ++column) { // Maxwell-Betti to the last bit
+          const double value = whole[column * n + row];
+          const int sign = f.is_table() ? parity(static_cast<int>(row % 3), static_cast<int>(column % 3)) : 1;
+          result[k * n * n + row * n + column] = value;
+          result[k * n * n + column * n + row] = sign * value;
+        }
+    }
+  };
+  if (f.is_table()) {
+    mix(f.table, f.table_offsets(), out.table);
+    return out;
+  }
+  mix(f.kernel, plane_strain ? 1 : f.wavenumber_count(), out.kernel);
+  out.remote.reserve(6 * f.wavenumber_count() * n);
+  for (std::size_t m = 0; m < 6 * f.wavenumber_count(); ++m)
+    for (const RowWeights& row : rows)
+      for (std::size_t j = 0; j < 3; ++j) {
+        double sum = 0;
+        for (int q = 0; q < row.count; ++q)
+          sum += row.weight[static_cast<std::size_t>(q)] *
+                 f.remote[m * all + 3 * static_cast<std::size_t>(row.first + q) + j];
+        out.remote.push_back(sum);
+      }
+  return out;
+}
+
+/// The near field of pairs of stations, interpolated to pairs of rows as the numbers themselves are: it
+/// depends on how many stations lie between alone.
+class StationsNearField {
+public:
+  StationsNearField(const Material& material, const ExpandOptions& options, std::span<const RowWeights> rows,
+                    double width) {
+    for (const RowWeights& row_i : rows)
+      for (const RowWeights& row_j : rows)
+        most_ = std::max(most_, row_i.first - row_j.first + 3);
+    std::vector<double> station_s;
+    for (int d = 0; d <= most_; ++d)
+      station_s.push_back(d * width);
+    const NearField near(material, options, station_s, width);
+    lines_.resize(static_cast<std::size_t>(options.offsets * (2 * most_ + 1)));
+    for (int m = 0; m < options.offsets; ++m)
+      for (int d = 0; d <= most_; ++d) {
+        std::array<double, 9> ahead{};
+        near.add(m, d, 0, 1, ahead.data());
+        line(m, d) = ahead;
+        for (std::size_t e = 0; e < 9 && d > 0; ++e) // load and sample change places
+          line(m, -d)[e] =
+              parity(static_cast<int>(e / 3), static_cast<int>(e % 3)) * ahead[e % 3 * 3 + e / 3];
+      }
+    for (const RowWeights& row_i : rows)
+      for (const RowWeights& row_j : rows.first(static_cast<std::size_t>(&row_i - rows.data()) + 1)) {
+        Mix mix{row_i.first - row_j.first - 3, {}};
+        for (int p = 0; p < row_i.count; ++p)
+          for (int q = 0; q < row_j.count; ++q)
+            mix.weight[static_cast<std::size_t>(p - q + 3)] +=
+                row_i.weight[static_cast<std::size_t>(p)] * row_j.weight[static_cast<std::size_t>(q)];
+        mixes_.push_back(mix);
+      }
+  }
+
+  /// Takes `factor` times the numbers [i][j] of a pair (counted row by row, J <= I) at offset m from `block`.
+  void take(int m, std::size_t pair, double factor, std::array<double, 9>& block) const {
+    const Mix& mix = mixes_[pair];
+    for (int a = 0; a < 7; ++a)
+      if (const double weight = factor * mix.weight[static_cast<std::size_t>(a)]; weight != 0) {
+        const std::array<double, 9>& from = line(m, mix.first + a);
         for (std::size_t e = 0; e < 9; ++e)
-          block[e] = whole_[(3 * row_j + e % 3) * n_ + 3 * row_i + e / 3];
-        near.add(m, static_cast<int>(row_i), static_cast<int>(row_j), 1, block.data());
-        for (std::size_t i = 0; i < 3; ++i)
-          for (std::size_t j = 0; j < (row_i == row_j ? i + 1 : 3); ++j) {
-            const double value = block[3 * i + j];
-            to[(3 * row_i + i) * n_ + 3 * row_j + j] = value;
-            to[(3 * row_j + j) * n_ + 3 * row_i + i] =
-                parity(static_cast<int>(i), static_cast<int>(j)) * value;
-          }
+          block[e] -= weight * from[e];
       }
   }
 
 private:
-  std::span<const RowWeights> rows_;
-  int from_;
-  std::size_t wide_, n_;
-  std::vector<double> half_, turned_, whole_;
-};
+  struct Mix {
+    int first = 0; ///< stations between
+    std::array<double, 7> weight{};
+  };
+  const std::array<double, 9>& line(int m, int d) const {
+    return lines_[static_cast<std::size_t>(m * (2 * most_ + 1) + most_ + d)];
+  }
+  std::array<double, 9>& line(int m, int d) {
+    return lines_[static_cast<std::size_t>(m * (2 * most_ + 1) + most_ + d)];
+  }
 
-/// What is smooth: `numbers` of stations less their near field, per unit of load width.
-void take_near_field(InfluenceNumbers& numbers, const NearField& near, double factor) {
-  std::array<double, 9> block{};
-  for (int m = 0; m < numbers.offsets; ++m)
-    for (int row_i = 0; row_i < numbers.rows; ++row_i)
-      for (int row_j = 0; row_j <= row_i; ++row_j) {
-        for (std::size_t e = 0; e < 9; ++e)
-          block[e] = factor * numbers.at(m, row_i, static_cast<int>(e / 3), row_j, static_cast<int>(e % 3));
-        near.add(m, row_i, row_j, -factor, block.data());
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < (row_i == row_j ? i + 1 : 3); ++j) {
-            const double value = block[static_cast<std::size_t>(3 * i + j)];
-            numbers.at(m, row_i, i, row_j, j) = value;
-            numbers.at(m, row_j, j, row_i, i) = parity(i, j) * value;
-          }
-      }
-}
+  int most_ = 0;
+  std::vector<std::array<double, 9>> lines_; ///< [offset][stations between, -most .. most]
+  std::vector<Mix> mixes_;
+};
 
 } // namespace
 
@@ -150,40 +217,44 @@ InfluenceNumbers resample(const InfluenceFunction& function, const ExpandOptions
   const double width = function.station_width, s0 = function.stations.front().s;
 
   std::vector<RowWeights> weights;
-  int from = static_cast<int>(function.station_count()), to = 0;
   for (const double s : row_s) {
     double position = (s - s0) / width;
     if (std::abs(position - std::round(position)) < 1e-9) // a station: exact, whatever the rounding of s
       position = std::round(position);
     weights.push_back(interpolate(position, static_cast<int>(function.station_count())));
-    from = std::min(from, weights.back().first);
-    to = std::max(to, weights.back().first + weights.back().count);
   }
   ExpandOptions needed = options;
-  needed.first_station = from;
-  needed.stations = to - from;
-
   if (const auto range = rows_are_stations(weights, ds, width)) {
     needed.first_station = range->first;
     needed.stations = range->second;
     return expand(function, needed);
   }
 
-  // Per unit of load width the difference to the near field does not depend on the width.
-  InfluenceNumbers smooth = expand(function, needed);
-  std::vector<double> station_s;
-  for (int i = from; i < to; ++i)
-    station_s.push_back(i * width);
-  take_near_field(smooth, NearField(function.material, options, station_s, width), ds / width);
-
-  InfluenceNumbers result{options.offsets, static_cast<int>(row_s.size()), options.dx, ds, {}};
-  const std::size_t n = 3 * row_s.size(), wide = 3 * static_cast<std::size_t>(to - from);
-  result.values.resize(static_cast<std::size_t>(options.offsets) * n * n);
-  const NearField near(function.material, options, row_s, ds);
-  AtRows rows(weights, from, to - from);
-  for (int m = 0; m < options.offsets; ++m)
-    rows.write(smooth.values.data() + static_cast<std::size_t>(m) * wide * wide, near, m,
-               result.values.data() + static_cast<std::size_t>(m) * n * n);
+  // Per unit of load width the difference to the near field does not depend on the width, and is smooth.
+  needed.first_station = 0;
+  needed.stations = -1;
+  InfluenceNumbers result = expand(with_rows(function, weights, options.dx == 0), needed);
+  result.ds = ds;
+  const StationsNearField of_stations(function.material, options, weights, width);
+  const NearField of_rows(function.material, options, row_s, ds);
+  const double factor = ds / width;
+  std::array<double, 9> block{};
+  for (int m = 0; m < options.offsets; ++m) {
+    std::size_t pair = 0;
+    for (int row_i = 0; row_i < result.rows; ++row_i)
+      for (int row_j = 0; row_j <= row_i; ++row_j, ++pair) {
+        for (std::size_t e = 0; e < 9; ++e)
+          block[e] = factor * result.at(m, row_i, static_cast<int>(e / 3), row_j, static_cast<int>(e % 3));
+        of_stations.take(m, pair, factor, block);
+        of_rows.add(m, row_i, row_j, 1, block.data());
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < (row_i == row_j ? i + 1 : 3); ++j) {
+            const double value = block[static_cast<std::size_t>(3 * i + j)];
+            result.at(m, row_i, i, row_j, j) = value;
+            result.at(m, row_j, j, row_i, i) = parity(i, j) * value;
+          }
+      }
+  }
   return result;
 }
 
