@@ -54,14 +54,14 @@ bool ElementCount::learn(int contact, double error) {
 }
 
 std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio,
-                                           double shortest) {
+                                           double shortest, double longest) {
   const ContactExtent extent = contact_extent(estimate);
   if (!(extent.area > 0) || !(extent.along_x > 0) || !(extent.along_s > 0))
     return {0.5, 0.25};
   const double element = extent.area * area_ratio / elements;
   // Behind the leading edge tractions grow over the shorter axis of a contact, whichever way that lies: long
   // elements in a contact drawn out along x, as at the gauge corner, cost three times the error.
-  const double aspect = std::clamp(extent.along_x / extent.along_s, 0.4, 0.8);
+  const double aspect = std::clamp(extent.along_x / extent.along_s, 0.4, longest);
   // One is rounded to the nearest, the other such that there are not fewer elements than asked for.
   const double dx = std::max(shortest, on_ladder(std::sqrt(element * aspect), false));
   // Where dx may not follow, ever narrower rows would cost much and say little.

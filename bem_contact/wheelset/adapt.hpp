@@ -35,9 +35,10 @@ private:
 };
 
 /// Elements of a size that `elements` of them cover an area like the estimate's, `area_ratio` times as large,
-/// about as many along x as along s, none much longer than wide: dx, not below `shortest`, and ds, not below
-/// a quarter of it, mm. Powers of 2^(1/4) else, so that numbers serve several cases.
+/// about as many along x as along s, but none more than `longest` times as long as wide: dx, not below
+/// `shortest`, and ds, not below a quarter of it, mm. Powers of 2^(1/4) else, so that numbers serve several
+/// cases.
 std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio,
-                                           double shortest = 0);
+                                           double shortest, double longest);
 
 } // namespace bem_contact

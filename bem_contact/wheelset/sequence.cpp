@@ -15,6 +15,9 @@ namespace {
 constexpr int most_translational = 12000, most_full = 4000;
 /// To solve once more costs so much with numbers full in s that some elements in reserve are cheaper.
 constexpr int least_full = 250;
+/// Length of elements over their width at the most. Where numbers are full in s a product grows as the square
+/// of the rows: there short elements in few rows are the cheaper ones.
+constexpr double longest_translational = 1.1, longest_full = 0.8;
 
 /// The shortest element that influence files have numbers for, mm; 0: any. A wheel's is that at its reference
 /// radius, and the contact lies elsewhere.
@@ -119,7 +122,8 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
   // Half-space numbers serve any element; which model auto takes is not known yet.
   const double shortest = wanted == "fem" || wanted == "auto" ? shortest_element(read) : 0;
   const auto size = [&] {
-    return size_of_elements(placed.estimate, count_->wanted(), area_ratio_, shortest);
+    return size_of_elements(placed.estimate, count_->wanted(), area_ratio_, shortest,
+                            full ? longest_full : longest_translational);
   };
   const std::vector<PotentialArea> areas = potential_areas(placed.estimate);
   if (!alike(areas, former_areas_)) { // what was learnt may not hold here

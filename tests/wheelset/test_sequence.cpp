@@ -137,12 +137,12 @@ TEST(Sequence, TheShortestElementOfTheFilesIsKept) {
   ContactEstimate estimate;
   estimate.slices = {{.s = 0, .half = 1e-3}, {.s = 0.1, .half = 1e-3}};
   estimate.approach = 0.1;
-  const auto [dx, ds] = size_of_elements(estimate, 3000, 1.0, 0.5);
+  const auto [dx, ds] = size_of_elements(estimate, 3000, 1.0, 0.5, 1.1);
   EXPECT_EQ(dx, 0.5);
-  EXPECT_LT(size_of_elements(estimate, 3000, 1.0).first, 0.5);
+  EXPECT_LT(size_of_elements(estimate, 3000, 1.0, 0, 1.1).first, 0.5);
   EXPECT_EQ(ds, 0.125);
   const double area = contact_extent(estimate).area;
-  const auto [free_dx, free_ds] = size_of_elements(estimate, 3000, 1.0);
+  const auto [free_dx, free_ds] = size_of_elements(estimate, 3000, 1.0, 0, 1.1);
   EXPECT_LE(free_dx * free_ds, 1.001 * area / 3000);
 }
 
