@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace bem_contact::fem {
 
@@ -119,6 +120,19 @@ std::vector<int> elimination_order(const HarmonicSystem& system) {
   return nested_dissection(system.op.row_begin, system.op.column, used);
 }
 
+void renumber(HarmonicSystem& system, std::span<const int> place) {
+  system.op = renumbered(system.op, place);
+  std::vector<int> unknown(system.unknown.size(), -1), moved(system.unknowns());
+  for (std::size_t d = 0; d < unknown.size(); ++d)
+    if (system.unknown[d] >= 0) {
+      const int to = 3 * place[d / 3] + static_cast<int>(d % 3);
+      unknown[static_cast<std::size_t>(to)] = moved[static_cast<std::size_t>(system.unknown[d])] = to;
+    }
+  system.unknown = std::move(unknown);
+  for (int& row : system.functionals.row)
+    row = moved[static_cast<std::size_t>(row)];
+}
+
 HarmonicSolver::HarmonicSolver(HarmonicSystem system, std::function<std::vector<int>()> order)
     : system_(std::move(system)), order_(std::move(order)) {}
 
@@ -126,6 +140,7 @@ void HarmonicSolver::analyse() {
   if (solver_)
     return;
   const Stopwatch watch(timing_.analysis);
+  renumber(system_, order_ ? order_() : elimination_order(system_));
   std::vector<int> row, column;
   for (auto* list : {&row, &column})
     list->reserve(9 * system_.op.column.size());
@@ -136,11 +151,8 @@ void HarmonicSolver::analyse() {
         column.push_back(system_.unknown[3 * b + j]);
       }
   });
-  const std::vector<int> order = order_ ? order_() : elimination_order(system_);
-  std::vector<int> place;
-  for (std::size_t d = 0; d < system_.unknown.size(); ++d)
-    if (system_.unknown[d] >= 0)
-      place.push_back(3 * order[d / 3] + static_cast<int>(d % 3));
+  std::vector<int> place(unknowns());
+  std::iota(place.begin(), place.end(), 0);
   solver_ = std::make_unique<MumpsSolver>(static_cast<int>(unknowns()), std::move(row), std::move(column),
                                           system_.functionals, place);
 }

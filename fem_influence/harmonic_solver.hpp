@@ -62,6 +62,9 @@ struct HarmonicSystem {
 HarmonicSystem assemble_system(const Section& section, const BodyFile& body, const ProfileCurve& curve);
 /// Place of each node in the elimination. Deterministic, so that who computes it does not matter.
 std::vector<int> elimination_order(const HarmonicSystem& system);
+/// Numbers nodes and unknowns by their places, the held nodes last: entries that come in the order of their
+/// elimination save MUMPS a twelfth of the time.
+void renumber(HarmonicSystem& system, std::span<const int> place);
 
 /// The section's problem for any wavenumber: with F the stations' functionals and r the remote ones,
 ///     kernel = F^T K^-1 F / ds, remote = r^T K^-1 F, remote_self = ds r^T K^-1 r.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace bem_contact::fem {
 
@@ -120,6 +121,44 @@ std::vector<double> SectionOperator::apply(double k, std::span<const double> u) 
         }
     }
   return f;
+}
+
+SectionOperator renumbered(const SectionOperator& op, std::span<const int> place) {
+  SectionOperator result;
+  result.mu = op.mu;
+  result.stiff = op.stiff;
+  result.row_begin.assign(op.node_count() + 1, 0);
+  const auto for_each = [&](auto&& use) {
+    for (std::size_t a = 0; a < op.node_count(); ++a)
+      for (std::size_t e = op.row_begin[a]; e < op.row_begin[a + 1]; ++e) {
+        const auto [low, high] = std::minmax(place[a], place[static_cast<std::size_t>(op.column[e])]);
+        use(static_cast<std::size_t>(low), high, e, low != place[a]);
+      }
+  };
+  for_each([&](std::size_t row, int, std::size_t, bool) { ++result.row_begin[row + 1]; });
+  std::partial_sum(result.row_begin.begin(), result.row_begin.end(), result.row_begin.begin());
+
+  struct Source {
+    int column;
+    bool turned;
+    std::size_t e;
+  };
+  std::vector<Source> sources(op.column.size());
+  std::vector<std::size_t> next(result.row_begin.begin(), result.row_begin.end() - 1);
+  for_each([&](std::size_t row, int column, std::size_t e, bool turned) {
+    sources[next[row]++] = {column, turned, e};
+  });
+  for (std::size_t row = 0; row < op.node_count(); ++row)
+    std::sort(sources.begin() + static_cast<std::ptrdiff_t>(result.row_begin[row]),
+              sources.begin() + static_cast<std::ptrdiff_t>(result.row_begin[row + 1]),
+              [](const Source& a, const Source& b) { return a.column < b.column; });
+  result.column.reserve(sources.size());
+  result.block.reserve(sources.size());
+  for (const Source& from : sources) {
+    result.column.push_back(from.column);
+    result.block.push_back(from.turned ? op.block[from.e].transposed() : op.block[from.e]);
+  }
+  return result;
 }
 
 std::vector<std::vector<double>> rigid_motions(std::span<const Point2> nodes, double reference_radius,

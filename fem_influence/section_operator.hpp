@@ -4,6 +4,7 @@
 #include "fem_influence/section.hpp"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace bem_contact::fem {
@@ -19,6 +20,10 @@ struct SectionOperator {
     std::array<double, 5> k0{};
     std::array<double, 4> k1{};
     double product = 0;
+
+    Block transposed() const {
+      return {{k0[0], k0[1], k0[3], k0[2], k0[4]}, {k1[2], k1[3], k1[0], k1[1]}, product};
+    }
   };
   std::vector<std::size_t> row_begin; ///< nodes + 1
   std::vector<int> column;            ///< ascending within a row, the first is the diagonal
@@ -43,6 +48,9 @@ struct SectionOperator {
 ///     e_xx = (k/rho) U + W/r, g_xy = U_y - (k/rho) V, g_xz = U_z - U/r - (k/rho) W, the rest as above.
 /// Throws InputError when a point of a body of revolution lies on or beyond the axle (r <= 0).
 SectionOperator assemble(const Section& section, const Material& material, double reference_radius);
+
+/// The same with node a at place[a].
+SectionOperator renumbered(const SectionOperator& op, std::span<const int> place);
 
 /// Nodal values [3 node + component] of the body's rigid motions that belong to wavenumber k.
 /// A prism, k = 0: translations x, y, z and the rotation about x.
