@@ -9,26 +9,14 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace bem_contact::app {
 
 namespace {
 
 using nlohmann::json;
-
-struct Counts {
-  int contact = 0, adhesion = 0, slip = 0;
-};
-
-Counts counts_of(const SceneResult& r) {
-  Counts c;
-  for (const PatchSummary& p : r.result.patches) {
-    c.contact += p.contact;
-    c.adhesion += p.adhesion;
-    c.slip += p.slip;
-  }
-  return c;
-}
 
 json certificate_json(const Certificate& c) {
   return {{"pressure", c.pressure},
@@ -99,16 +87,21 @@ constexpr Quantity quantities[] = {
     {"Fy", "N", [](const SceneResult& r) { return r.result.Fy; }, true},
     {"Fz", "N", [](const SceneResult& r) { return r.result.Fz; }, true},
     {"Mz", "N mm", [](const SceneResult& r) { return r.moment; }, true},
-    {"contact", "elements", [](const SceneResult& r) { return double(counts_of(r).contact); }},
-    {"adhesion", "elements", [](const SceneResult& r) { return double(counts_of(r).adhesion); }},
-    {"slip", "elements", [](const SceneResult& r) { return double(counts_of(r).slip); }},
+    {"contact", "elements", [](const SceneResult& r) { return double(count_elements(r.result).contact); }},
+    {"adhesion", "elements", [](const SceneResult& r) { return double(count_elements(r.result).adhesion); }},
+    {"slip", "elements", [](const SceneResult& r) { return double(count_elements(r.result).slip); }},
 };
 
-std::string number(double v) {
-  const double a = std::abs(v);
-  if (v == std::round(v) && a < 1e9)
-    return fmt::format("{:.0f}", v);
-  return a >= 1e5 ? fmt::format("{:.0f}", v) : a >= 1 ? fmt::format("{:.2f}", v) : fmt::format("{:.5g}", v);
+/// Two numbers of one line, with the same decimals.
+std::pair<std::string, std::string> numbers(double a, double b) {
+  const double largest = std::max(std::abs(a), std::abs(b));
+  const bool whole = largest >= 1e5 || (a == std::round(a) && b == std::round(b));
+  const auto text = [&](double v) {
+    return whole          ? fmt::format("{:.0f}", v)
+           : largest >= 1 ? fmt::format("{:.2f}", v)
+                          : fmt::format("{:.5g}", v);
+  };
+  return {text(a), text(b)};
 }
 
 /// (fem - half-space) / |half-space|; nothing where half-space gives zero.
@@ -276,8 +269,9 @@ std::string to_text(const Comparison& c) {
   out += fmt::format("{:<12} {:<9} {:>14} {:>14} {:>12}\n", "", "", "half-space", "FEM", "difference");
   for (const Quantity& q : quantities) {
     const double halfspace = q.get(c.halfspace), fem = q.get(c.fem);
+    const auto [left, right] = numbers(halfspace, fem);
     const auto d = difference(q, c);
-    out += fmt::format("{:<12} {:<9} {:>14} {:>14} {:>12}\n", q.name, q.unit, number(halfspace), number(fem),
+    out += fmt::format("{:<12} {:<9} {:>14} {:>14} {:>12}\n", q.name, q.unit, left, right,
                        d ? fmt::format("{:+.2f} %", 100 * *d) : "-");
   }
   out += fmt::format("{:<12} {:<9} {:>14} {:>14}\n", "patches", "", c.halfspace.result.patches.size(),

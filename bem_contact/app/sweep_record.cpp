@@ -19,13 +19,6 @@ namespace {
 
 using nlohmann::json;
 
-double count(const SceneResult& r, int PatchSummary::*number) {
-  int sum = 0;
-  for (const PatchSummary& p : r.result.patches)
-    sum += p.*number;
-  return sum;
-}
-
 double second_patch(const SceneResult& r, double PatchSummary::*number) {
   return r.result.patches.size() > 1 ? r.result.patches[1].*number : 0.0;
 }
@@ -47,10 +40,11 @@ constexpr SummaryColumn columns[] = {
     {"Fn_2", "N", "normal force of the second largest patch",
      [](const SceneResult& r) { return second_patch(r, &PatchSummary::fn); }},
     {"contact", "1", "elements in contact",
-     [](const SceneResult& r) { return count(r, &PatchSummary::contact); }},
+     [](const SceneResult& r) { return double(count_elements(r.result).contact); }},
     {"adhesion", "1", "elements in adhesion",
-     [](const SceneResult& r) { return count(r, &PatchSummary::adhesion); }},
-    {"slip", "1", "elements in slip", [](const SceneResult& r) { return count(r, &PatchSummary::slip); }},
+     [](const SceneResult& r) { return double(count_elements(r.result).adhesion); }},
+    {"slip", "1", "elements in slip",
+     [](const SceneResult& r) { return double(count_elements(r.result).slip); }},
     {"mx", "1", "columns of the grid", [](const SceneResult& r) { return double(r.problem.grid.mx); }},
     {"ms", "1", "rows of the grid", [](const SceneResult& r) { return double(r.problem.grid.ms); }},
     {"dx", "mm", "length of an element", [](const SceneResult& r) { return r.problem.grid.dx; }},

@@ -77,4 +77,14 @@ double contact_area(const ContactResult& result) {
   return area;
 }
 
+ElementCounts count_elements(const ContactResult& result) {
+  ElementCounts counts;
+  for (const PatchSummary& p : result.patches) {
+    counts.contact += p.contact;
+    counts.adhesion += p.adhesion;
+    counts.slip += p.slip;
+  }
+  return counts;
+}
+
 } // namespace bem_contact

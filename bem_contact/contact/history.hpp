@@ -34,4 +34,10 @@ double friction_power(const ContactResult& result, double element_area);
 double largest_pressure(const ContactResult& result);
 double contact_area(const ContactResult& result);
 
+/// Elements of all patches; what is in contact either adheres or slips.
+struct ElementCounts {
+  int contact = 0, adhesion = 0, slip = 0;
+};
+ElementCounts count_elements(const ContactResult& result);
+
 } // namespace bem_contact

@@ -100,11 +100,8 @@ InfluenceFunction with_rows(const InfluenceFunction& f, std::span<const RowWeigh
   out.remote_self = f.remote_self;
   out.table_dx = f.table_dx;
 
-  int from = rows.front().first, to = from;
-  for (const RowWeights& row : rows) {
-    from = std::min(from, row.first);
-    to = std::max(to, row.first + row.count);
-  }
+  const auto [from, last] = std::minmax(rows.front().first, rows.back().first);
+  const int to = last + rows.front().count;
   const std::size_t all = 3 * f.station_count(), n = 3 * rows.size(),
                     wide = 3 * static_cast<std::size_t>(to - from);
   std::vector<RowWeights> shifted(rows.begin(), rows.end()); // counted from the first station used
@@ -153,9 +150,7 @@ class StationsNearField {
 public:
   StationsNearField(const Material& material, const ExpandOptions& options, std::span<const RowWeights> rows,
                     double width) {
-    for (const RowWeights& row_i : rows)
-      for (const RowWeights& row_j : rows)
-        most_ = std::max(most_, row_i.first - row_j.first + 3);
+    most_ = std::abs(rows.back().first - rows.front().first) + 3;
     std::vector<double> station_s;
     for (int d = 0; d <= most_; ++d)
       station_s.push_back(d * width);

@@ -1,5 +1,7 @@
 #include "bem_contact/wheelset/sequence.hpp"
 
+#include "bem_contact/contact/history.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -37,17 +39,11 @@ bool fine_enough(const ContactGrid& former, const SceneFile::Grid& wanted) {
   return former.dx <= much * wanted.dx && former.ds <= much * wanted.ds;
 }
 
-int in_contact(const ContactResult& result) {
-  int sum = 0;
-  for (const PatchSummary& patch : result.patches)
-    sum += patch.contact;
-  return sum;
-}
-
 std::string not_accurate(const ContactResult& result, double asked, const std::string& why) {
   return fmt::format("the estimated discretisation error reached is {:.2g} %, above the {:.2g} % that "
                      "grid.accuracy asks for ({} elements in contact; {})",
-                     100 * result.certificate.discretisation, 100 * asked, in_contact(result), why);
+                     100 * result.certificate.discretisation, 100 * asked, count_elements(result).contact,
+                     why);
 }
 
 } // namespace
@@ -80,7 +76,7 @@ void Sequence::learn(const SceneResult& result, const ContactEstimate& estimate)
     return;
   }
   const double area = contact_extent(estimate).area;
-  area_ratio_ = options_.learn && area > 0 ? in_contact(r) * grid.dx * grid.ds / area : 1.0;
+  area_ratio_ = options_.learn && area > 0 ? count_elements(r).contact * grid.dx * grid.ds / area : 1.0;
   if (options_.keep_start)
     former_ = FormerTractions{
         grid, result.problem.rows.front().s, r.Fz, r.approach, potential_areas(estimate), r.px, r.ps, r.pn};
@@ -147,7 +143,7 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
     spent.geometry += out.seconds.geometry;
     const double error = out.result.certificate.discretisation;
     const bool again = adapt && out.model != "hertz" && out.result.converged && !out.result.patches.empty() &&
-                       count_->learn(in_contact(out.result), error);
+                       count_->learn(count_elements(out.result).contact, error);
     if (again && round < most_solves && size() != std::pair(scene.grid.dx, scene.grid.ds))
       continue;
     if (asked.grid.accuracy > 0 && out.result.converged && error > asked.grid.accuracy)

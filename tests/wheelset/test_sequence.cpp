@@ -1,6 +1,7 @@
 #include "bem_contact/wheelset/sequence.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/history.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -21,10 +22,7 @@ SceneFile rolling(double lateral, double force = 1e5, const std::string& grid = 
 }
 
 int in_contact(const SceneResult& r) {
-  int sum = 0;
-  for (const PatchSummary& patch : r.result.patches)
-    sum += patch.contact;
-  return sum;
+  return count_elements(r.result).contact;
 }
 
 /// Two certified results on the same elements.

@@ -1,6 +1,7 @@
 #include "tools/cases/tables.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/history.hpp"
 #include "bem_contact/wheelset/sequence.hpp"
 #include "tools/cases/reference.hpp"
 
@@ -33,7 +34,7 @@ void rows(const SweepFile& sweep, const std::vector<double>& asked, const std::v
         if (r.result.certificate.discretisation >= 0)
           estimate = fmt::format("{:.3g}", r.result.certificate.discretisation);
         elements = fmt::format("{:.4g},{:.4g}", r.problem.grid.dx, r.problem.grid.ds);
-        contact = in_contact(r.result);
+        contact = count_elements(r.result).contact;
       } catch (const Error&) {
       }
       fmt::print("{},{},{},{:.5f},{},{},{},{},{},{}\n", scene.solver.model, wanted, i,

@@ -82,11 +82,4 @@ double error_of(const ContactResult& r, const Reference& exact) {
                    std::abs(r.Fy - exact.Fy) / exact.load});
 }
 
-int in_contact(const ContactResult& result) {
-  int sum = 0;
-  for (const PatchSummary& patch : result.patches)
-    sum += patch.contact;
-  return sum;
-}
-
 } // namespace cases

@@ -24,6 +24,4 @@ std::vector<Reference> references(const bem_contact::SweepFile& sweep, const bem
 /// The largest of the errors of the approach (relative), of the shear force over mu Fz, and of Fy over Fz.
 double error_of(const bem_contact::ContactResult& result, const Reference& exact);
 
-int in_contact(const bem_contact::ContactResult& result);
-
 } // namespace cases
