@@ -1,5 +1,5 @@
-#include "bem_contact/contact/dense.hpp"
 #include "bem_contact/contact/linearise.hpp"
+#include "bem_contact/influence/dense.hpp"
 
 #include <Eigen/Dense>
 

@@ -1,7 +1,7 @@
 #include "bem_contact/contact/normal.hpp"
 
-#include "bem_contact/contact/dense.hpp"
 #include "bem_contact/contact/prepared.hpp"
+#include "bem_contact/influence/dense.hpp"
 
 #include <algorithm>
 #include <cmath>

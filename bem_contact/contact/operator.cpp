@@ -1,10 +1,10 @@
 #include "bem_contact/contact/operator.hpp"
 
 #include "bem_contact/base/simd.hpp"
-#include "bem_contact/contact/dense.hpp"
 #include "bem_contact/contact/fft.hpp"
 #include "bem_contact/contact/plane_operator.hpp"
 #include "bem_contact/contact/rolling_step.hpp"
+#include "bem_contact/influence/dense.hpp"
 
 #include <Eigen/Dense>
 

@@ -1,7 +1,7 @@
 #include "bem_contact/influence/expand.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/influence/product.hpp"
+#include "bem_contact/influence/dense.hpp"
 #include "bem_contact/influence/series_weights.hpp"
 
 #include <Eigen/Cholesky>
@@ -16,6 +16,7 @@ namespace bem_contact {
 namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Eigen::MatrixXd;
 using Table = Eigen::Map<const RowMajor>;
 
 struct StationRange {
@@ -189,41 +190,35 @@ InfluenceNumbers expand(const InfluenceFunction& f, const ExpandOptions& o) {
 
   const Eigen::Index nk = o.dx == 0 ? 1 : static_cast<Eigen::Index>(f.wavenumber_count());
   const Removed removed(f, range, o.structural, nk);
-  RowMajor even = RowMajor::Ones(1, 1), odd = RowMajor::Zero(1, 1); // plane strain: odd ones vanish at k = 0
+  MatrixXd even = MatrixXd::Ones(1, 1), odd = MatrixXd::Zero(1, 1); // plane strain: odd ones vanish at k = 0
   if (o.dx > 0) {
     const SeriesWeights weights = series_weights(f.wavenumber, f.half_period, scaling.dx, o.offsets);
-    even = Table(weights.even.data(), o.offsets, nk);
-    odd = Table(weights.odd.data(), o.offsets, nk);
+    even = Table(weights.even.data(), o.offsets, nk).transpose();
+    odd = Table(weights.odd.data(), o.offsets, nk).transpose();
   }
   even *= scaling.load;
   odd *= scaling.load;
 
   // Row by row of stations the columns J <= I alone; the others by Maxwell-Betti, which keeps it exact.
-  RowMajor block, even_kernel, odd_kernel, even_numbers, odd_numbers;
+  RowMajor block;
+  MatrixXd even_kernel, odd_kernel;
   for (Eigen::Index row = 0; row < range.count; ++row) {
     const Eigen::Index columns = row + 1;
-    even_kernel.resize(nk, 5 * columns);
-    odd_kernel.resize(nk, 4 * columns);
+    even_kernel.resize(5 * columns, nk);
+    odd_kernel.resize(4 * columns, nk);
     for (Eigen::Index k = 0; k < nk; ++k) {
       block = Table(f.kernel.data() + k * all * all, all, all).block(from + 3 * row, from, 3, 3 * columns);
       removed.take_from(block, k, row);
       for (Eigen::Index column = 0; column < columns; ++column) {
         for (std::size_t e = 0; e < 5; ++e)
-          even_kernel(k, 5 * column + static_cast<Eigen::Index>(e)) =
+          even_kernel(5 * column + static_cast<Eigen::Index>(e), k) =
               block(even_entries[e].i, 3 * column + even_entries[e].j);
         for (std::size_t e = 0; e < 4; ++e)
-          odd_kernel(k, 4 * column + static_cast<Eigen::Index>(e)) =
+          odd_kernel(4 * column + static_cast<Eigen::Index>(e), k) =
               odd_entries[e].sign * block(odd_entries[e].i, 3 * column + odd_entries[e].j);
       }
     }
-    even_numbers.resize(o.offsets, 5 * columns);
-    odd_numbers.resize(o.offsets, 4 * columns);
-    const auto multiply = [&](const RowMajor& weight, const RowMajor& kernel, RowMajor& numbers) {
-      product(weight.data(), static_cast<std::size_t>(weight.rows()), static_cast<std::size_t>(weight.cols()),
-              kernel.data(), static_cast<std::size_t>(kernel.cols()), numbers.data());
-    };
-    multiply(even, even_kernel, even_numbers);
-    multiply(odd, odd_kernel, odd_numbers);
+    const MatrixXd even_numbers = product(even_kernel, even), odd_numbers = product(odd_kernel, odd);
     for (Eigen::Index m = 0; m < o.offsets; ++m) {
       double* a = result.values.data() + m * size * size;
       const auto put = [&](const Entry& entry, Eigen::Index column, double value) {
@@ -234,9 +229,9 @@ InfluenceNumbers expand(const InfluenceFunction& f, const ExpandOptions& o) {
       };
       for (Eigen::Index column = 0; column < columns; ++column) {
         for (std::size_t e = 0; e < 5; ++e)
-          put(even_entries[e], column, even_numbers(m, 5 * column + static_cast<Eigen::Index>(e)));
+          put(even_entries[e], column, even_numbers(5 * column + static_cast<Eigen::Index>(e), m));
         for (std::size_t e = 0; e < 4; ++e)
-          put(odd_entries[e], column, odd_numbers(m, 4 * column + static_cast<Eigen::Index>(e)));
+          put(odd_entries[e], column, odd_numbers(4 * column + static_cast<Eigen::Index>(e), m));
       }
     }
   }

@@ -1,6 +1,6 @@
 #include "bem_contact/influence/series_weights.hpp"
 
-#include "bem_contact/influence/product.hpp"
+#include "bem_contact/influence/harmonics.hpp"
 #include "bem_contact/influence/series_tail.hpp"
 
 #include <Eigen/Core>

@@ -4,11 +4,6 @@
 
 namespace bem_contact {
 
-/// out (rows x columns) = a (rows x inner) b (inner x columns), all row-major and dense: for the few dozen
-/// wavenumbers of a kernel, where BLAS spends its time on threads and copies.
-void product(const double* a, std::size_t rows, std::size_t inner, const double* b, std::size_t columns,
-             double* out);
-
 /// cosine(b, m) += sum over h of weight(b, h) cos((first + h) angle_m), sine likewise; weight: counts x
 /// `width`, `harmonics` of each row count. Cosines and sines of first angle_m are given, and those of
 /// angle_m, by which they are turned.

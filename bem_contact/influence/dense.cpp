@@ -1,4 +1,4 @@
-#include "bem_contact/contact/dense.hpp"
+#include "bem_contact/influence/dense.hpp"
 
 #include <mutex>
 #include <vector>
@@ -15,7 +15,7 @@ void dgemm_(const char* transa, const char* transb, const int* m, const int* n, 
             const double* beta, double* c, const int* ldc);
 }
 
-namespace bem_contact::contact {
+namespace bem_contact {
 
 namespace {
 
@@ -76,4 +76,4 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return c;
 }
 
-} // namespace bem_contact::contact
+} // namespace bem_contact

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace bem_contact::contact {
+namespace bem_contact {
 
 // The large dense products and factorizations, by BLAS and LAPACK on one thread. The small products stay with
 // Eigen.
@@ -16,4 +16,4 @@ bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x);
 /// A B
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-} // namespace bem_contact::contact
+} // namespace bem_contact

@@ -1,39 +1,10 @@
-#include "bem_contact/influence/product.hpp"
+#include "bem_contact/influence/harmonics.hpp"
 
 #include "bem_contact/base/simd.hpp"
 
 #include <algorithm>
 
 namespace bem_contact {
-
-BEM_CONTACT_WIDE void product(const double* a, std::size_t rows, std::size_t inner, const double* b,
-                              std::size_t columns, double* out) {
-  constexpr std::size_t block = 4, wide = 8; // rows and columns whose sums stay in registers
-  for (std::size_t row = 0; row < rows; row += block) {
-    const std::size_t high = std::min(block, rows - row);
-    for (std::size_t column = 0; column < columns; column += wide) {
-      const std::size_t across = std::min(wide, columns - column);
-      double sum[block][wide] = {};
-      if (high == block && across == wide) {
-        for (std::size_t k = 0; k < inner; ++k) {
-          const double* from = b + k * columns + column;
-          for (std::size_t r = 0; r < block; ++r) {
-            const double factor = a[(row + r) * inner + k];
-            for (std::size_t c = 0; c < wide; ++c)
-              sum[r][c] += factor * from[c];
-          }
-        }
-      } else
-        for (std::size_t k = 0; k < inner; ++k)
-          for (std::size_t r = 0; r < high; ++r)
-            for (std::size_t c = 0; c < across; ++c)
-              sum[r][c] += a[(row + r) * inner + k] * b[k * columns + column + c];
-      for (std::size_t r = 0; r < high; ++r)
-        for (std::size_t c = 0; c < across; ++c)
-          out[(row + r) * columns + column + c] = sum[r][c];
-    }
-  }
-}
 
 BEM_CONTACT_WIDE void add_harmonics(const double* weight, std::size_t counts, std::size_t width,
                                     std::size_t harmonics, const double* first_cos, const double* first_sin,
