@@ -138,8 +138,10 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
     progress.step();
   };
   WorkerCalls calls;
+  const auto files = std::make_shared<SceneFiles>(); // each worker fills its own copy
   calls.make_solver = [&]() -> CaseSolver {
-    return [&, sequence = std::make_shared<Sequence>()](std::size_t index) {
+    const auto sequence = std::make_shared<Sequence>(SequenceOptions{}, files);
+    return [&, sequence](std::size_t index) {
       return to_bytes(solve_case(*sequence, sweep, index, request.model));
     };
   };

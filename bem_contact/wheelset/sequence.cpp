@@ -48,26 +48,6 @@ std::string not_accurate(const ContactResult& result, double asked, const std::s
 
 } // namespace
 
-const WheelRailProfiles& Sequence::profiles(const SceneFile& scene) {
-  if (!options_.keep_files)
-    profiles_.clear();
-  const std::string key =
-      fmt::format("{}\n{}\n{}", scene.folder.string(), scene.rail.profile, scene.wheel.profile);
-  const auto found = profiles_.find(key);
-  return found != profiles_.end() ? found->second
-                                  : profiles_.emplace(key, read_profiles(scene)).first->second;
-}
-
-const PairFiles& Sequence::files(const SceneFile& scene) {
-  if (!options_.keep_files)
-    files_.clear();
-  std::string key = scene.folder.string();
-  for (const SceneFile::Side* side : {&scene.rail, &scene.wheel}) // the reader checks the material
-    key += fmt::format("\n{}\n{} {}", side->influence, side->material.shear_modulus, side->material.poisson);
-  const auto found = files_.find(key);
-  return found != files_.end() ? found->second : files_.emplace(key, read_pair_files(scene)).first->second;
-}
-
 void Sequence::learn(const SceneResult& result, const ContactEstimate& estimate) {
   const ContactResult& r = result.result;
   const ContactGrid& grid = result.problem.grid;
@@ -92,10 +72,12 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
     ++counts_.solves;
     return solve_scene(asked, model);
   }
-  WheelRailScene placed = place_wheel_rail(asked, profiles(asked), options_.foresee_shear);
+  if (!files_ || !options_.keep_files)
+    files_ = std::make_shared<SceneFiles>();
+  WheelRailScene placed = place_wheel_rail(asked, files_->profiles(asked), options_.foresee_shear);
   if (!options_.potential_contact)
     placed.estimate.reach *= 3;
-  const PairFiles& read = files(asked);
+  const PairFiles& read = files_->influence(asked);
   const double geometry = seconds();
   const bool adapt = asked.grid.elements > 0 || asked.grid.accuracy > 0;
   const std::string wanted = model.empty() ? asked.solver.model : model;

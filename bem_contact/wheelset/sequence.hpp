@@ -2,10 +2,12 @@
 
 #include "bem_contact/wheelset/adapt.hpp"
 #include "bem_contact/wheelset/scene_aids.hpp"
+#include "bem_contact/wheelset/scene_files.hpp"
 
-#include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace bem_contact {
 
@@ -28,7 +30,9 @@ struct SequenceOptions {
 /// One object serves one thread.
 class Sequence {
 public:
-  explicit Sequence(SequenceOptions options = {}) : options_(options) {}
+  /// `files`: shared with other sequences of this thread; null: its own.
+  explicit Sequence(SequenceOptions options = {}, std::shared_ptr<SceneFiles> files = nullptr)
+      : options_(options), files_(std::move(files)) {}
 
   /// As solve_scene(). Where the scene asks for grid.elements or grid.accuracy, dx and ds are chosen: the
   /// case is solved again, at most `most_solves` times, until its estimated error is within the accuracy.
@@ -47,13 +51,10 @@ public:
   static constexpr int most_solves = 4;
 
 private:
-  const WheelRailProfiles& profiles(const SceneFile& scene);
-  const PairFiles& files(const SceneFile& scene);
   void learn(const SceneResult& result, const ContactEstimate& estimate);
 
   SequenceOptions options_;
-  std::map<std::string, WheelRailProfiles> profiles_;
-  std::map<std::string, PairFiles> files_;
+  std::shared_ptr<SceneFiles> files_;
   NumbersStore numbers_;
   Workspace workspace_{3};
   std::optional<FormerTractions> former_;
