@@ -40,12 +40,7 @@ std::vector<std::size_t> chosen_stations(std::size_t count) {
 
 InfluenceFunction part_of(const InfluenceFunction& f, std::span<const std::size_t> stations,
                           std::span<const std::size_t> samples) {
-  InfluenceFunction part = f;
-  part.stations.clear();
-  part.wavenumber.clear();
-  part.kernel.clear();
-  part.remote.clear();
-  part.remote_self.clear();
+  InfluenceFunction part = without_numbers(f);
   std::vector<std::size_t> column;
   for (const std::size_t J : stations) {
     part.stations.push_back(f.stations[J]);

@@ -88,17 +88,10 @@ BEM_CONTACT_WIDE void mix_rows(const double* table, std::size_t stride, std::siz
 /// The function with its rows for stations: what expand() does is linear in the kernel, and the kernel has
 /// far fewer wavenumbers than there are offsets, and fewer rows than stations.
 InfluenceFunction with_rows(const InfluenceFunction& f, std::span<const RowWeights> rows, bool plane_strain) {
-  InfluenceFunction out;
-  out.body = f.body;
-  out.material = f.material;
-  out.invariance = f.invariance;
-  out.reference_radius = f.reference_radius;
-  out.half_period = f.half_period;
-  out.station_width = f.station_width;
+  InfluenceFunction out = without_numbers(f);
   out.stations.resize(rows.size());
   out.wavenumber = f.wavenumber;
   out.remote_self = f.remote_self;
-  out.table_dx = f.table_dx;
 
   const auto [from, last] = std::minmax(rows.front().first, rows.back().first);
   const int to = last + rows.front().count;

@@ -78,6 +78,9 @@ struct InfluenceFunction {
   std::size_t table_offsets() const { return table.size() / (9 * stations.size() * stations.size()); }
 };
 
+/// The same body without stations, wavenumbers and numbers: to fill it with others.
+InfluenceFunction without_numbers(const InfluenceFunction& function);
+
 /// Throws InputError unless sizes agree, all numbers are finite, stations and wavenumbers ascend, the
 /// kernel is symmetric and its diagonal is positive, or the same of a table.
 void validate(const InfluenceFunction& function);
