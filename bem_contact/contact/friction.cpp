@@ -1,5 +1,6 @@
 #include "bem_contact/contact/friction.hpp"
 
+#include "bem_contact/contact/linearise.hpp"
 #include "bem_contact/contact/prepared.hpp"
 #include "bem_contact/contact/rolling_step.hpp"
 
@@ -125,6 +126,13 @@ StepBox& TangentialSystem::box_for(const std::vector<int>& contact) const {
   if (!box || !serve(box->box, needed, contact, problem->grid.mx) || box->rule.present != rule.present)
     box.emplace(problem->numbers, needed, rule, kept_->pool.get());
   return *box;
+}
+
+const Eigen::MatrixXd& TangentialSystem::matrix_for(const std::vector<int>& contact) const {
+  StepMatrix& kept = kept_->step_matrix;
+  if (kept.contact != contact || kept.step != rule.present)
+    kept = {contact, rule.present, step_matrix(*this, contact)};
+  return kept.matrix;
 }
 
 const StripOperator& TangentialSystem::whole() const {

@@ -76,6 +76,13 @@ private:
                   std::vector<float>& to);
 };
 
+/// B of the few elements that were last in contact, [x, s] of the first, of the second, ...
+struct StepMatrix {
+  std::vector<int> contact;
+  std::array<double, 3> step{};
+  Eigen::MatrixXd matrix;
+};
+
 struct Prepared;
 
 /// One step of rolling or shift on a grid; vectors are fields of two components, [2][ms][mx].
@@ -93,6 +100,7 @@ public:
   const StepNumbers& step_numbers() const;                 ///< made when first asked for
   void spend(double elements) const;                       ///< work.hpp
   StepBox& box_for(const std::vector<int>& contact) const; ///< the last one is kept while it serves
+  const Eigen::MatrixXd& matrix_for(const std::vector<int>& contact) const; ///< likewise
 
   const ContactProblem* problem;
   SlipStep rule;

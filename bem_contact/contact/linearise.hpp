@@ -17,6 +17,8 @@ struct Linearisation {
 
 /// B of one element under a load on another (slip_step.hpp), tangential components.
 Eigen::Matrix2d step_number(const TangentialSystem& system, int target, int load);
+/// The same of all pairs of these elements.
+Eigen::MatrixXd step_matrix(const TangentialSystem& system, const std::vector<int>& elements);
 
 Linearisation linearise(const Eigen::VectorXd& stiffness, const Eigen::VectorXd& bound,
                         const Eigen::VectorXd& p, const Eigen::VectorXd& slip);

@@ -30,7 +30,8 @@ constexpr int most_products = 250;
 struct Compressed {
   const TangentialSystem& system;
   const TangentialTask& task;
-  StepBox& box;
+  const MatrixXd* matrix = nullptr; ///< B of a contact of few elements; else
+  StepBox* box = nullptr;
   std::vector<int> local; ///< numbers of the elements in the box
   VectorXd stiffness, bound;
 
@@ -53,19 +54,25 @@ struct Compressed {
   }
   /// B v
   void step(const VectorXd& v, VectorXd& result) const {
-    const int n = box.box.size();
-    std::fill(box.in.begin(), box.in.end(), 0.0);
-    for (int a = 0; a < unknowns() / 2; ++a) {
-      box.in[local[a]] = v[2 * a];
-      box.in[n + local[a]] = v[2 * a + 1];
+    if (matrix) {
+      result.noalias() = *matrix * v;
+      return;
     }
-    box.step();
+    const int n = box->box.size();
+    std::fill(box->in.begin(), box->in.end(), 0.0);
+    for (int a = 0; a < unknowns() / 2; ++a) {
+      box->in[local[a]] = v[2 * a];
+      box->in[n + local[a]] = v[2 * a + 1];
+    }
+    box->step();
     result.resize(unknowns());
     for (int a = 0; a < unknowns() / 2; ++a) {
-      result[2 * a] = box.out[local[a]];
-      result[2 * a + 1] = box.out[n + local[a]];
+      result[2 * a] = box->out[local[a]];
+      result[2 * a + 1] = box->out[n + local[a]];
     }
   }
+  /// Of one product.
+  double work() const { return matrix ? task.contact.size() : box->box.size(); }
 };
 
 /// The Newton matrix of one linearisation and about its inverse, in single precision, for GMRES. An element's
@@ -73,15 +80,15 @@ struct Compressed {
 /// above `directed`) counts as sticking along t.
 class FastJacobian {
 public:
-  FastJacobian(const Compressed& c, const Linearisation& at) : c_(c), n_(c.box.box.size()) {
+  FastJacobian(const Compressed& c, const Linearisation& at) : c_(c), box_(*c.box), n_(box_.box.size()) {
     double slipping = 0, sum = 0, stiffness = 0;
-    c.box.elements.clear();
+    box_.elements.clear();
     for (std::size_t a = 0; a < c.local.size(); ++a) {
       const double m = std::min(at.projection[a].trace(), 2.0);
       const auto r = static_cast<float>(c.stiffness[a]);
-      c.box.sticks[c.local[a]] = m > directed;
+      box_.sticks[c.local[a]] = m > directed;
       sticking_ = sticking_ || m > directed;
-      c.box.elements.push_back({at.projection[a].cast<float>(), r, static_cast<float>(m), 0});
+      box_.elements.push_back({at.projection[a].cast<float>(), r, static_cast<float>(m), 0});
       stiffness += r;
       if (m <= directed) {
         slipping += 1;
@@ -92,23 +99,22 @@ public:
       return;
     // (1 - m)/m + r B, scaled from both sides to the mean of the first
     const double mean = std::max(sum / slipping, 1e-3), shift = (1 - mean) / mean;
-    for (StepBox::Element& e : c.box.elements)
+    for (StepBox::Element& e : box_.elements)
       if (e.m <= directed)
         e.scale = static_cast<float>(std::sqrt(shift * e.m / (1 - e.m)));
     damped_ = true;
-    c.box.set_damping(shift, stiffness / c.local.size());
+    box_.set_damping(shift, stiffness / c.local.size());
   }
 
   /// J v = v - M (v - r B v)
   void apply(const VectorXf& v, VectorXf& result) const {
-    StepBox& box = c_.box;
     clear();
     for (std::size_t a = 0; a < c_.local.size(); ++a)
       put(a, v.segment<2>(2 * a));
-    box.fast_step();
+    box_.fast_step();
     for (std::size_t a = 0; a < c_.local.size(); ++a) {
       const Vector2f here = v.segment<2>(2 * a);
-      const StepBox::Element& e = box.elements[a];
+      const StepBox::Element& e = box_.elements[a];
       result.segment<2>(2 * a) = here - e.projection * (here - e.stiffness * get(a));
     }
   }
@@ -116,22 +122,21 @@ public:
   /// About J^-1 v: r B inverted where it sticks, the damped matrix where it slips; across the bound J is the
   /// identity.
   void precondition(const VectorXf& v, VectorXf& result) const {
-    StepBox& box = c_.box;
     result = v;
     for (std::size_t a = 0; a < c_.local.size(); ++a)
-      if (const StepBox::Element& e = box.elements[a]; e.m >= 2)
+      if (const StepBox::Element& e = box_.elements[a]; e.m >= 2)
         result.segment<2>(2 * a).setZero();
       else if (e.m > 0)
         result.segment<2>(2 * a) -= e.projection * v.segment<2>(2 * a) / e.m;
     if (sticking_) {
       clear();
       for (std::size_t a = 0; a < c_.local.size(); ++a)
-        if (const StepBox::Element& e = box.elements[a]; e.m > directed)
+        if (const StepBox::Element& e = box_.elements[a]; e.m > directed)
           put(a, e.m >= 2 ? Vector2f(v.segment<2>(2 * a) / e.stiffness)
                           : Vector2f(e.projection * v.segment<2>(2 * a) / (e.m * e.m * e.stiffness)));
-      box.invert();
+      box_.invert();
       for (std::size_t a = 0; a < c_.local.size(); ++a)
-        if (const StepBox::Element& e = box.elements[a]; e.m >= 2)
+        if (const StepBox::Element& e = box_.elements[a]; e.m >= 2)
           result.segment<2>(2 * a) = get(a);
         else if (e.m > directed)
           result.segment<2>(2 * a) += e.projection * get(a) / e.m;
@@ -140,54 +145,47 @@ public:
       return;
     clear();
     for (std::size_t a = 0; a < c_.local.size(); ++a)
-      if (const StepBox::Element& e = box.elements[a]; e.scale > 0)
+      if (const StepBox::Element& e = box_.elements[a]; e.scale > 0)
         put(a, e.scale / (e.m * e.m) * (e.projection * v.segment<2>(2 * a)));
-    box.invert_damped();
+    box_.invert_damped();
     for (std::size_t a = 0; a < c_.local.size(); ++a)
-      if (const StepBox::Element& e = box.elements[a]; e.scale > 0)
+      if (const StepBox::Element& e = box_.elements[a]; e.scale > 0)
         result.segment<2>(2 * a) += e.scale / e.m * (e.projection * get(a));
   }
 
 private:
-  void clear() const { std::fill(c_.box.fast_in.begin(), c_.box.fast_in.end(), 0.0f); }
+  void clear() const { std::fill(box_.fast_in.begin(), box_.fast_in.end(), 0.0f); }
   void put(std::size_t a, const Vector2f& v) const {
-    c_.box.fast_in[c_.local[a]] = v[0];
-    c_.box.fast_in[n_ + c_.local[a]] = v[1];
+    box_.fast_in[c_.local[a]] = v[0];
+    box_.fast_in[n_ + c_.local[a]] = v[1];
   }
-  Vector2f get(std::size_t a) const {
-    return {c_.box.fast_out[c_.local[a]], c_.box.fast_out[n_ + c_.local[a]]};
-  }
+  Vector2f get(std::size_t a) const { return {box_.fast_out[c_.local[a]], box_.fast_out[n_ + c_.local[a]]}; }
 
   const Compressed& c_;
+  StepBox& box_;
   std::size_t n_;
   bool sticking_ = false, damped_ = false;
 };
 
 MatrixXd dense_jacobian(const Compressed& c, const Linearisation& at) {
-  const int n = c.unknowns() / 2;
-  MatrixXd jacobian(2 * n, 2 * n);
-  for (int b = 0; b < n; ++b) {
-    for (int a = 0; a < n; ++a) {
-      const int i = c.task.contact[a];
-      Matrix2d block =
-          at.projection[a] * (c.system.stiffness[i] * step_number(c.system, i, c.task.contact[b]));
-      if (a == b)
-        block += Matrix2d::Identity() - at.projection[a];
-      jacobian.block<2, 2>(2 * a, 2 * b) = block;
-    }
+  MatrixXd jacobian = c.matrix ? *c.matrix : step_matrix(c.system, c.task.contact);
+  for (int a = 0; a < c.unknowns() / 2; ++a) {
+    auto rows = jacobian.middleRows<2>(2 * a);
+    rows = (c.stiffness[a] * at.projection[a] * rows).eval();
+    jacobian.block<2, 2>(2 * a, 2 * a) += Matrix2d::Identity() - at.projection[a];
   }
   return jacobian;
 }
 
 VectorXd newton_step(const Compressed& c, const Linearisation& at, double tolerance, TangentialState& state) {
   const int elements = c.unknowns() / 2;
-  if (elements > dense_limit) {
+  if (!c.matrix) {
     VectorXd step;
     const FastJacobian jacobian(c, at);
     const auto apply = [&](const VectorXf& v, VectorXf& result) { jacobian.apply(v, result); };
     const auto inverse = [&](const VectorXf& v, VectorXf& result) { jacobian.precondition(v, result); };
-    const bool enough = c.box.gmres.solve(apply, inverse, -at.residual, tolerance, most_products, step);
-    state.products += c.box.gmres.products();
+    const bool enough = c.box->gmres.solve(apply, inverse, -at.residual, tolerance, most_products, step);
+    state.products += c.box->gmres.products();
     if (enough || elements > dense_memory_limit) {
       state.solver = "Newton, GMRES";
       return step;
@@ -204,9 +202,14 @@ VectorXd newton_step(const Compressed& c, const Linearisation& at, double tolera
 
 void newton(const TangentialSystem& system, const TangentialTask& task, const SolverOptions& options,
             TangentialState& state) {
-  StepBox& box = system.box_for(task.contact);
-  std::fill(box.sticks.begin(), box.sticks.end(), 0);
-  Compressed c{system, task, box, box.box.local(task.contact, system.problem->grid.mx), {}, {}};
+  Compressed c{system, task, nullptr, nullptr, {}, {}, {}};
+  if (static_cast<int>(task.contact.size()) <= dense_limit) {
+    c.matrix = &system.matrix_for(task.contact);
+  } else {
+    c.box = &system.box_for(task.contact);
+    c.local = c.box->box.local(task.contact, system.problem->grid.mx);
+    std::fill(c.box->sticks.begin(), c.box->sticks.end(), 0);
+  }
   c.stiffness.resize(c.unknowns() / 2);
   c.bound.resize(c.unknowns() / 2);
   for (std::size_t a = 0; a < task.contact.size(); ++a) {
@@ -236,7 +239,7 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
     last = before;
     const int before_step = state.products;
     const VectorXd step = newton_step(c, at, forcing, state);
-    system.spend((2.0 + 3.0 * (state.products - before_step)) * box.box.size());
+    system.spend((2.0 + 3.0 * (state.products - before_step)) * c.work());
     if (!step.allFinite())
       break;
     c.step(step, step_slip);

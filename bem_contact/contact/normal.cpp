@@ -23,16 +23,6 @@ std::vector<int> indices_of(const std::vector<char>& active) {
   return list;
 }
 
-Eigen::MatrixXd dense_block(const NormalSystem& system, const std::vector<int>& list) {
-  const int n = static_cast<int>(list.size()), mx = system.grid.mx;
-  Eigen::MatrixXd matrix(n, n);
-  for (int b = 0; b < n; ++b)
-    for (int a = b; a < n; ++a)
-      matrix(a, b) = system.numbers->at(std::abs(list[a] % mx - list[b] % mx), list[a] / mx, component_n,
-                                        list[b] / mx, component_n);
-  return matrix;
-}
-
 /// Solutions of A_CC y = q cos - gap and, where the force is given, A_CC unit = cos: what more approach adds.
 struct Response {
   VectorXd p, unit, u, u_unit; ///< u = A p, where it is known
@@ -59,8 +49,7 @@ bool solve_on(const NormalSystem& system, const std::vector<int>& list, const Ve
   Eigen::MatrixXd right(list.size(), 2);
   for (std::size_t a = 0; a < list.size(); ++a)
     right.row(a) << rhs[list[a]], system.cosine[list[a]];
-  Eigen::MatrixXd matrix = dense_block(system, list);
-  if (!solve_cholesky(matrix, right))
+  if (!system.solve_dense(list, right))
     return false;
   y.p.setZero();
   y.unit.setZero();
@@ -156,6 +145,31 @@ VectorXd NormalSystem::apply(const VectorXd& p) const {
   return u;
 }
 
+const NormalLines& NormalSystem::lines() const {
+  if (!kept_->normal_lines)
+    kept_->normal_lines.emplace(*numbers, grid.mx);
+  return *kept_->normal_lines;
+}
+
+VectorXd NormalSystem::apply_directly(const VectorXd& p) const {
+  kept_->spend(grid.size());
+  return lines().apply(p);
+}
+
+bool NormalSystem::solve_dense(const std::vector<int>& list, Eigen::MatrixXd& right) const {
+  NormalFactor& kept = kept_->normal_factor;
+  if (kept.list == list) {
+    solve_factored(kept.factor, right);
+    return true;
+  }
+  kept.list.clear();
+  kept.factor = lines().block(list);
+  const bool positive = solve_cholesky(kept.factor, right);
+  if (positive)
+    kept.list = list;
+  return positive;
+}
+
 void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalLoad& load,
                   const SolverOptions& options, NormalState& state) {
   const int n = static_cast<int>(gap.size());
@@ -219,7 +233,7 @@ void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalL
     }
     y.p = state.p;
     if (direct) {
-      y.u = system.apply(state.p);
+      y.u = system.apply_directly(state.p);
       y.known = whole;
     }
     // the residual of the conjugate gradients and rounding must not change a set

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/box.hpp"
+#include "bem_contact/contact/normal_lines.hpp"
 #include "bem_contact/contact/operator.hpp"
 #include "bem_contact/contact/plane_operator.hpp"
 #include "bem_contact/contact/solve.hpp"
@@ -30,6 +31,12 @@ struct NormalBox {
   void copy_u(int grid_mx, Eigen::VectorXd& field) const; ///< to the field of the grid
 };
 
+/// The Cholesky factor of A_nn of the elements that were last in contact: sets settle long before forces do.
+struct NormalFactor {
+  std::vector<int> list;
+  Eigen::MatrixXd factor;
+};
+
 struct Prepared;
 
 /// What stays the same over the outer iterations. Fields are [ms][mx].
@@ -40,6 +47,10 @@ struct NormalSystem {
   ~NormalSystem();
 
   Eigen::VectorXd apply(const Eigen::VectorXd& p) const;
+  /// The same by direct sums: for a few hundred elements in contact.
+  Eigen::VectorXd apply_directly(const Eigen::VectorXd& p) const;
+  /// right := A_CC^-1 right on the elements of the list; false where A_CC is not positive definite.
+  bool solve_dense(const std::vector<int>& list, Eigen::MatrixXd& right) const;
   /// Around these elements; the last one is kept while it serves.
   NormalBox& box_for(const std::vector<int>& elements) const;
   void spend(double elements) const; ///< work.hpp
@@ -51,6 +62,8 @@ struct NormalSystem {
   double self = 0;                 ///< largest self number, mm/MPa
 
 private:
+  const NormalLines& lines() const; ///< made when first asked for
+
   std::unique_ptr<Prepared> own_;
   Prepared* kept_;
 };

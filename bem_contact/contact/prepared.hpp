@@ -29,7 +29,10 @@ struct Prepared {
   WorkBudget* work = nullptr; ///< of the case at hand: solve() sets it; null: unlimited
   std::optional<StripOperator> nn, tt, normal_from_shear, shear_from_normal; ///< whole grid
   std::optional<NormalBox> normal_box;
+  std::optional<NormalLines> normal_lines;
+  NormalFactor normal_factor;
   std::optional<StepBox> step_box;
+  StepMatrix step_matrix;
   std::optional<StepNumbers> step_numbers;
   std::array<double, 3> step{}; ///< of step_numbers
   std::optional<bool> coupled;  ///< normal and tangential, by the numbers

@@ -72,6 +72,15 @@ Matrix2d step_number(const TangentialSystem& system, int target, int load) {
   return block;
 }
 
+MatrixXd step_matrix(const TangentialSystem& system, const std::vector<int>& elements) {
+  const auto n = static_cast<Eigen::Index>(elements.size());
+  MatrixXd matrix(2 * n, 2 * n);
+  for (Eigen::Index b = 0; b < n; ++b)
+    for (Eigen::Index a = 0; a < n; ++a)
+      matrix.block<2, 2>(2 * a, 2 * b) = step_number(system, elements[a], elements[b]);
+  return matrix;
+}
+
 Linearisation linearise(const VectorXd& stiffness, const VectorXd& bound, const VectorXd& p,
                         const VectorXd& slip) {
   const auto n = bound.size();

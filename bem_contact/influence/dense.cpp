@@ -8,6 +8,8 @@ void openblas_set_num_threads(int);
 int openblas_get_num_threads();
 void dposv_(const char* uplo, const int* n, const int* nrhs, double* a, const int* lda, double* b,
             const int* ldb, int* info);
+void dpotrs_(const char* uplo, const int* n, const int* nrhs, const double* a, const int* lda, double* b,
+             const int* ldb, int* info);
 void dgesv_(const int* n, const int* nrhs, double* a, const int* lda, int* pivots, double* b, const int* ldb,
             int* info);
 void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k,
@@ -29,12 +31,13 @@ public:
     const std::lock_guard lock(mutex);
     if (callers++ == 0) {
       before = openblas_get_num_threads();
-      openblas_set_num_threads(1);
+      if (before != 1) // it does not look itself
+        openblas_set_num_threads(1);
     }
   }
   ~OneThread() {
     const std::lock_guard lock(mutex);
-    if (--callers == 0)
+    if (--callers == 0 && before != 1)
       openblas_set_num_threads(before);
   }
   OneThread(const OneThread&) = delete;
@@ -54,6 +57,14 @@ bool solve_cholesky(Eigen::MatrixXd& a, Eigen::MatrixXd& x) {
   if (n > 0)
     dposv_("L", &n, &nrhs, a.data(), &n, x.data(), &n, &info);
   return info == 0;
+}
+
+void solve_factored(const Eigen::MatrixXd& factor, Eigen::MatrixXd& x) {
+  const int n = static_cast<int>(factor.rows()), nrhs = static_cast<int>(x.cols());
+  int info = 0;
+  const OneThread one_thread;
+  if (n > 0)
+    dpotrs_("L", &n, &nrhs, factor.data(), &n, x.data(), &n, &info);
 }
 
 bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x) {

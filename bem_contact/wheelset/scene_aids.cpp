@@ -59,10 +59,15 @@ StartingPoint start_from(const FormerTractions& former, const ContactProblem& pr
         continue;
       const int i = static_cast<int>(row), j = static_cast<int>(column);
       const double t = row - i, u = column - j;
+      const auto mean = [&](const auto& at) {
+        return (1 - t) * ((1 - u) * at(0) + u * at(1)) + t * ((1 - u) * at(from.mx) + u * at(from.mx + 1));
+      };
+      const std::size_t corner = static_cast<std::size_t>(i) * from.mx + j;
+      // in contact where most of its corners were, or the start would have an element more all around
+      if (mean([&](int c) { return former.pn[corner + c] > 0 ? 1.0 : 0.0; }) < 0.5)
+        continue;
       const auto value = [&](const std::vector<double>& f) {
-        const double* at = &f[static_cast<std::size_t>(i) * from.mx + j];
-        return scale *
-               ((1 - t) * ((1 - u) * at[0] + u * at[1]) + t * ((1 - u) * at[from.mx] + u * at[from.mx + 1]));
+        return scale * mean([&](int c) { return f[corner + c]; });
       };
       const int element = is * to.mx + ix;
       start.px[element] = value(former.px);
