@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <tuple>
 
 namespace bem_contact::contact {
 namespace {
@@ -27,13 +28,6 @@ int lines_of(int ms) {
 template <class Real>
 std::shared_ptr<PlaneTransforms<Real>> pooled(const PlaneShape& shape, TransformPool* pool) {
   return pool ? pool->get<Real>(shape) : std::make_shared<PlaneTransforms<Real>>(shape);
-}
-
-int even_length(int n) {
-  n = good_fft_length(n);
-  while (n % 2 != 0)
-    n = good_fft_length(n + 1);
-  return n;
 }
 
 /// out = a b or out += a b, element by element, without the tests for infinity that std::complex makes
@@ -122,8 +116,9 @@ void BasicPlaneOperator<Real>::prepare(int mx, int ms, int outputs, int inputs, 
   o.mx = mx;
   o.ms = ms;
   const bool exact = form == Form::exact;
-  o.length_x = even_length(exact ? 2 * mx + rolling_columns - 1 : mx + 4 + mx / periodic_margin);
-  o.length_s = even_length(std::max(lines_of(ms), exact ? 2 * ms - 1 : ms + 4 + ms / periodic_margin));
+  std::tie(o.length_x, o.length_s) =
+      good_lengths(exact ? 2 * mx + rolling_columns - 1 : mx + 4 + mx / periodic_margin,
+                   std::max(lines_of(ms), exact ? 2 * ms - 1 : ms + 4 + ms / periodic_margin), lines_of(ms));
   o.frequencies = o.length_x / 2 + 1;
   o.inputs = inputs;
   o.outputs = outputs;
@@ -179,25 +174,35 @@ template <class Real> BasicPlaneOperator<Real>::BasicPlaneOperator(BasicPlaneOpe
 template <class Real>
 BasicPlaneOperator<Real>& BasicPlaneOperator<Real>::operator=(BasicPlaneOperator&&) noexcept = default;
 
-/// Leaves u of columns up to mx + 1, times both lengths, in space_out.
+/// Leaves u of columns up to mx + 1, times both lengths, in rows_out.
 template <class Real> void BasicPlaneOperator<Real>::Impl::apply(std::span<const Real> p) const {
   PlaneTransforms<Real>& t = *transforms;
-  const int lines = t.shape.lines;
-  for (int b = 0; b < inputs; ++b) // others have left what they had beyond
-    for (int is = 0; is < lines; ++is) {
-      Real* to = &t.space_in[(static_cast<std::size_t>(b) * lines + is) * length_x];
-      const int count = is < ms ? mx : 0;
-      std::copy_n(&p[static_cast<std::size_t>(b * ms + is) * mx * (count > 0)], count, to);
-      std::fill(to + count, to + length_x, Real(0));
+  t.ready();
+  const int pairs = t.shape.lines / 2;
+  for (int b = 0; b < inputs; ++b)
+    for (int pair = 0; pair < pairs; ++pair) { // others have left what they had beyond
+      Real* to = t.rows_in(b, pair);
+      const Real* row = &p[static_cast<std::size_t>(b * ms + std::min(2 * pair, ms - 1)) * mx];
+      const int count = 2 * pair < ms ? mx : 0;
+      const Real second = 2 * pair + 1 < ms;
+      const Real* next = row + (second != 0 ? mx : 0);
+      for (int ix = 0; ix < count; ++ix) {
+        to[2 * ix] = row[ix];
+        to[2 * ix + 1] = second * next[ix];
+      }
+      std::fill(to + 2 * count, to + 2 * length_x, Real(0));
     }
   t.forward();
-  for (int first = 0; first < frequencies; first += t.together()) {
+  const int together = t.together();
+  for (int k = 0; k < frequencies; k += together) {
+    const int first = std::min(k, frequencies - together); // some twice, where it does not come out even
     t.forward_s(first);
-    for (int k = 0; k < t.together(); ++k)
+    for (int line = 0; line < together; ++line)
       for (int a = 0; a < outputs; ++a)
         for (int b = 0; b < inputs; ++b)
-          multiply(parts(symbol_at(first + k, a, b)), parts(t.turned_in() + (k * inputs + b) * length_s),
-                   length_s, b > 0, parts(t.turned() + (k * outputs + a) * length_s));
+          multiply(parts(symbol_at(first + line, a, b)),
+                   parts(t.turned_in() + (line * inputs + b) * length_s), length_s, b > 0,
+                   parts(t.turned() + (line * outputs + a) * length_s));
     t.backward_s(first);
   }
   t.backward();
@@ -210,9 +215,9 @@ void BasicPlaneOperator<Real>::apply(std::span<const Real> p, std::span<Real> u,
   const Real scale = 1.0 / o.length_x / o.length_s;
   for (int a = 0; a < o.outputs; ++a)
     for (int is = 0; is < o.ms; ++is) {
-      const Real* v = o.transforms->line_out(a, is) + columns;
+      const Real* v = o.transforms->rows_out(a, is / 2) + is % 2 + 2 * columns;
       for (int ix = 0; ix < o.mx; ++ix)
-        u[static_cast<std::size_t>(a * o.ms + is) * o.mx + ix] = scale * v[ix];
+        u[static_cast<std::size_t>(a * o.ms + is) * o.mx + ix] = scale * v[2 * ix];
     }
 }
 
@@ -223,10 +228,11 @@ void BasicPlaneOperator<Real>::apply_step(std::span<const Real> p, std::span<Rea
   const Real scale = 1.0 / o.length_x / o.length_s;
   for (int a = 0; a < o.outputs; ++a)
     for (int is = 0; is < o.ms; ++is) {
-      const Real* v = o.transforms->line_out(a, is);
+      const Real* v = o.transforms->rows_out(a, is / 2) + is % 2;
       for (int ix = 0; ix < o.mx; ++ix)
         u[static_cast<std::size_t>(a * o.ms + is) * o.mx + ix] =
-            scale * (rolling_step[0] * v[ix] + rolling_step[1] * v[ix + 1] + rolling_step[2] * v[ix + 2]);
+            scale *
+            (rolling_step[0] * v[2 * ix] + rolling_step[1] * v[2 * ix + 2] + rolling_step[2] * v[2 * ix + 4]);
     }
 }
 
@@ -246,33 +252,20 @@ template <class Real> void BasicPlaneOperator<Real>::invert() {
 
 template <class Real> void BasicPlaneOperator<Real>::invert_factor(Factor factor) {
   const Impl& o = *impl_;
-  const int n = o.length_x, half = n / 2;
   Real largest = 0;
-  for (int k = 0; k < o.frequencies; ++k)
-    for (int l = 0; l < o.length_s; ++l)
-      largest = std::max(largest, o.symbol_at(k, 0, 0)[l].real());
+  const std::size_t count = static_cast<std::size_t>(o.frequencies) * o.length_s;
+  for (std::size_t k = 0; k < count; ++k)
+    largest = std::max(largest, complex(o.symbol)[k].real());
   constexpr Real least_share = 1e-4f;
   // the part of the logarithm whose kernel lies behind (or ahead) only, one frequency of s at a time
-  const std::size_t together = static_cast<std::size_t>(o.frequencies) * o.length_s;
-  FftBuffer<Real> spectrum = make_fft_buffer<Real>(together), one_sided = make_fft_buffer<Real>(2 * together);
-  for (int l = 0; l < o.length_s; ++l)
-    for (int k = 0; k <= half; ++k)
-      spectrum[static_cast<std::size_t>(l) * (half + 1) + k] =
-          std::log(std::max(std::abs(o.symbol_at(k, 0, 0)[l].real()), least_share * largest));
-  o.transforms->even_to_kernel(spectrum.get());
-  Real* kernel = o.transforms->kernel();
-  std::fill_n(kernel, static_cast<std::size_t>(n) * o.length_s, Real(0));
-  for (int l = 0; l < o.length_s; ++l)
-    for (int m = 0; m <= half; ++m)
-      kernel[static_cast<std::size_t>(l) * n + m] =
-          spectrum[static_cast<std::size_t>(l) * (half + 1) + m] / n * (m == 0 || m == half ? 0.5 : 1.0);
-  o.transforms->kernel_to_spectra(complex(one_sided));
-  for (int l = 0; l < o.length_s; ++l)
-    for (int k = 0; k <= half; ++k) {
-      const Complex<Real> behind =
-          std::exp(-complex(one_sided)[static_cast<std::size_t>(l) * (half + 1) + k]);
-      o.symbol_at(k, 0, 0)[l] = factor == Factor::behind ? behind : std::conj(behind);
-    }
+  std::vector<Real> logarithm(count);
+  for (std::size_t k = 0; k < count; ++k)
+    logarithm[k] = std::log(std::max(std::abs(complex(o.symbol)[k].real()), least_share * largest));
+  const Complex<Real>* half = o.transforms->half_behind(logarithm);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Complex<Real> behind = std::exp(-half[k]);
+    complex(o.symbol)[k] = factor == Factor::behind ? behind : std::conj(behind);
+  }
 }
 
 template <class Real>

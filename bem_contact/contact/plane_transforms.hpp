@@ -5,6 +5,8 @@
 #include <complex>
 #include <list>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace bem_contact::contact {
 
@@ -19,48 +21,61 @@ struct PlaneShape {
   int frequencies() const { return length_x / 2 + 1; } ///< along x
 };
 
-/// FFTW's plans for fields [..][lines][length_x] and their vectors. Making them takes as long as some
-/// products, so operators of the same shape share them: one after the other.
+/// Even lengths, at least these, for which the transforms of `lines` rows, along x in pairs and then along s,
+/// cost least.
+std::pair<int, int> good_lengths(int least_x, int least_s, int lines);
+
+/// FFTW's plans for fields [..][lines][length_x] and their vectors, made when first needed. Operators of the
+/// same shape share them: one after the other.
+///
+/// Along x two rows are transformed as the real and the imaginary part of one: complex transforms line by
+/// line are what FFTW does fastest, and it remembers how for a length, whatever the number of lines.
 template <class Real> class PlaneTransforms {
 public:
   using Complex = std::complex<Real>;
   explicit PlaneTransforms(const PlaneShape& shape);
 
   const PlaneShape shape;
-  FftBuffer<Real> space_in;  ///< [input][lines][length_x]
-  FftBuffer<Real> space_out; ///< [output][lines][length_x]
 
-  const Real* line_out(int output, int row) const {
-    return &space_out[(static_cast<std::size_t>(output) * shape.lines + row) * shape.length_x];
-  }
-  /// How many frequencies along x are transformed along s at once: all of them, where they stay in the cache.
+  void ready(); ///< before the first product
+
+  /// Two rows of a field, 2 `pair` and the next, element by element in turn; length_x of each.
+  Real* rows_in(int input, int pair) { return rows(space_in_, input, pair); }
+  const Real* rows_out(int output, int pair) const { return rows(space_out_, output, pair); }
+  /// How many frequencies along x are transformed along s at once: as many as stay in the cache.
   int together() const { return together_; }
   Complex* turned_in() { return complex(turned_in_); } ///< [together][input][length_s]
   Complex* turned() { return complex(turned_); }       ///< [together][output][length_s]
 
-  void forward();         ///< space_in to spectra along x
-  void forward_s(int k);  ///< those of frequencies k .. to turned_in
-  void backward_s(int k); ///< turned to spectra along x of frequencies k ..
-  void backward();        ///< those to space_out, times both lengths
+  void forward();         ///< rows_in to spectra along x
+  void forward_s(int k);  ///< those of frequencies k .. k + together - 1 to turned_in
+  void backward_s(int k); ///< turned to spectra along x of these frequencies
+  void backward();        ///< those to rows_out, times both lengths
 
   /// kernel [length_s][length_x] to symbol [frequency], each frequency's length_s values `stride` after those
   /// of the one before.
   Real* kernel();
   void transform_kernel(Complex* symbol, std::ptrdiff_t stride);
-  /// Of real even spectra [length_s][frequencies], in place (DCT-I), and back from kernels [length_s]
-  /// [length_x] to complex spectra [length_s][frequencies].
-  void even_to_kernel(Real* spectra);
-  void kernel_to_spectra(Complex* spectra);
+  /// Of real spectra [frequency][length_s] of kernels even in x those of the kernels' halves behind, in which
+  /// what lies at 0 and at the far end counts half; until the next kernel.
+  const Complex* half_behind(const std::vector<Real>& spectra);
 
 private:
-  int together_ = 1;
   static Complex* complex(const FftBuffer<Real>& b) { return reinterpret_cast<Complex*>(b.get()); }
+  Real* rows(const FftBuffer<Real>& space, int field, int pair) const {
+    return &space[2 * (static_cast<std::size_t>(field) * shape.lines / 2 + pair) * shape.length_x];
+  }
+  FftPlan<Real> plan(int length, int lines, const FftBuffer<Real>& from, const FftBuffer<Real>& to,
+                     int sign) const;
+  Real* kernel_pairs();
 
-  FftBuffer<Real> spectrum_in_;  ///< complex [frequency][input][length_s]; rows beyond lines stay zero
-  FftBuffer<Real> spectrum_out_; ///< complex [frequency][output][lines]
-  FftBuffer<Real> turned_in_, turned_, kernel_, one_sided_;
+  int together_ = 1;
+  // no transform in place: FFTW plans and does others in half the time
+  FftBuffer<Real> space_in_, spectra_in_, spectra_out_, space_out_;
+  FftBuffer<Real> columns_in_, turned_in_, turned_, columns_out_;
+  FftBuffer<Real> kernel_, pairs_, pair_spectra_, one_sided_, symbol_;
   FftPlan<Real> x_forward_, s_forward_, s_backward_, x_backward_;
-  FftPlan<Real> kernel_x_, kernel_s_, even_, one_sided_x_;
+  FftPlan<Real> kernel_x_, kernel_s_;
 };
 
 /// Transforms made before, the last used first. All that share one pool serve one thread at a time.
