@@ -148,7 +148,7 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
   solution.pressed = problem.force;
   if (by_force && solution.normal.p.size() == n) { // what shear bears of the start
     const double borne = system.cosine.dot(solution.normal.p) * problem.element_area();
-    solution.pressed /= std::clamp(1 + shear_force() / borne, 0.25, 4.0);
+    solution.pressed /= std::clamp(1 + shear_force() / borne, 2 / ForceBalance::most, 4.0);
   }
   if (numbers_do && solution.shear.p.any())
     v.head(n) = normal_displacement(*shear, solution);
