@@ -23,6 +23,8 @@ constexpr int dense_memory_limit = 3000;
 
 /// The eigenvalue of M along the boundary of the friction disc above which slip counts as sticking there.
 constexpr double directed = 0.7;
+/// A step that leaves more of the residual is helped on in its worst rows.
+constexpr double slow = 0.3;
 /// GMRES: the most products.
 constexpr int most_products = 250;
 
@@ -258,7 +260,8 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
     }
     failed_searches += !decreased;
     VectorXd trial = p;
-    if (newton_on_rows(system, task.contact, c.stiffness, c.bound, slip, at, trial)) {
+    if (at.residual.norm() > slow * before &&
+        sweep_rows(system, task.contact, c.stiffness, c.bound, slip, at, trial)) {
       c.step(trial, step_slip);
       step_slip = drive - step_slip;
       Linearisation there = linearise(c.stiffness, c.bound, trial, step_slip);

@@ -1,4 +1,4 @@
-#include "bem_contact/contact/friction.hpp"
+#include "bem_contact/contact/linearise.hpp"
 
 #include <Eigen/LU>
 
@@ -7,15 +7,13 @@
 #include <numeric>
 
 namespace bem_contact::contact {
-namespace {
 
 using Eigen::Map;
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-/// p with S = c - B p: S = 0 if |p| <= bound, else |p| = bound and S along p: (B + lambda) p = c, lambda > 0
-/// by the iteration of More and Sorensen 1983.
+/// Where it slips (B + lambda) p = c, lambda > 0 by the iteration of More and Sorensen 1983.
 Vector2d solve_element(const Matrix2d& b, const Vector2d& c, double bound) {
   Vector2d p = b.inverse() * c;
   if (!(bound > 0))
@@ -36,8 +34,6 @@ Vector2d solve_element(const Matrix2d& b, const Vector2d& c, double bound) {
   }
   return bound / p.norm() * p;
 }
-
-} // namespace
 
 void sweeps(const TangentialSystem& system, const TangentialTask& task, double tolerance, int most,
             TangentialState& state) {

@@ -1,6 +1,6 @@
 #include "bem_contact/contact/linearise.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <numeric>
@@ -13,10 +13,13 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-/// The rows hold this share of the sum of squares, with this many elements at most.
-constexpr double most_of_it = 0.7;
-constexpr std::size_t most_elements = 200;
-constexpr int most_steps = 25;
+/// The rows hold this share of the sum of squares, with this many elements at most and this share of all.
+constexpr double most_of_it = 0.7, most_of_all = 0.25;
+constexpr std::size_t most_elements = 1000;
+/// Sweeps until so much of the residual is left. Undamped ones overshoot: rolling elements have self numbers
+/// hardly larger than their neighbours'.
+constexpr int most_sweeps = 50;
+constexpr double enough = 0.01, first_damping = 1;
 
 /// Numbers in the contact list of the elements of the rows with the largest residuals; none: too many.
 std::vector<int> worst_rows(const TangentialSystem& system, const std::vector<int>& contact,
@@ -40,7 +43,7 @@ std::vector<int> worst_rows(const TangentialSystem& system, const std::vector<in
     taken[order[k]] = 1;
   }
   std::vector<int> list;
-  if (elements > most_elements || 20 * elements > contact.size())
+  if (elements > most_elements || double(elements) > most_of_all * double(contact.size()))
     return list;
   for (std::size_t a = 0; a < contact.size(); ++a)
     if (taken[contact[a] / mx])
@@ -53,6 +56,33 @@ VectorXd gather(const VectorXd& v, const std::vector<int>& list) {
   for (std::size_t a = 0; a < list.size(); ++a)
     out.segment<2>(2 * a) = v.segment<2>(2 * list[a]);
   return out;
+}
+
+/// B between these elements of a few rows: that of two rows depends on the offset along x alone.
+MatrixXd numbers_between(const TangentialSystem& system, const std::vector<int>& contact,
+                         const std::vector<int>& list) {
+  const int mx = system.problem->grid.mx;
+  const auto n = static_cast<Eigen::Index>(list.size());
+  std::vector<int> rank(system.problem->grid.ms, -1), rows;
+  for (const int a : list)
+    if (int& known = rank[contact[a] / mx]; known < 0) {
+      known = static_cast<int>(rows.size());
+      rows.push_back(contact[a] / mx);
+    }
+  std::vector<Matrix2d> lines;
+  lines.reserve(rows.size() * rows.size() * (2 * mx - 1));
+  for (const int to : rows)
+    for (const int from : rows)
+      for (int m = 1 - mx; m < mx; ++m)
+        lines.push_back(step_number(system, to * mx + std::max(m, 0), from * mx + std::max(-m, 0)));
+  MatrixXd b(2 * n, 2 * n);
+  for (Eigen::Index c = 0; c < n; ++c)
+    for (Eigen::Index r = 0; r < n; ++r) {
+      const int target = contact[list[r]], load = contact[list[c]];
+      const std::size_t pair = rank[target / mx] * rows.size() + rank[load / mx];
+      b.block<2, 2>(2 * r, 2 * c) = lines[pair * (2 * mx - 1) + target % mx - load % mx + mx - 1];
+    }
+  return b;
 }
 
 } // namespace
@@ -100,37 +130,38 @@ Linearisation linearise(const VectorXd& stiffness, const VectorXd& bound, const 
   return result;
 }
 
-bool newton_on_rows(const TangentialSystem& system, const std::vector<int>& contact,
-                    const VectorXd& stiffness, const VectorXd& bound, const VectorXd& slip,
-                    const Linearisation& at, VectorXd& p) {
-  const std::vector<int> list = worst_rows(system, contact, at);
+bool sweep_rows(const TangentialSystem& system, const std::vector<int>& contact, const VectorXd& stiffness,
+                const VectorXd& bound, const VectorXd& slip, const Linearisation& at, VectorXd& p) {
+  std::vector<int> list = worst_rows(system, contact, at);
   const auto n = static_cast<Eigen::Index>(list.size());
   if (n == 0)
     return false;
-  MatrixXd b(2 * n, 2 * n);
+  const int mx = system.problem->grid.mx;
+  std::ranges::stable_sort(list, [&](int a, int b) { return contact[a] % mx > contact[b] % mx; });
+  const MatrixXd b = numbers_between(system, contact, list);
   VectorXd here_stiffness(n), here_bound(n);
-  for (Eigen::Index c = 0; c < n; ++c) {
-    here_stiffness[c] = stiffness[list[c]];
-    here_bound[c] = bound[list[c]];
-    for (Eigen::Index r = 0; r < n; ++r)
-      b.block<2, 2>(2 * r, 2 * c) = step_number(system, contact[list[r]], contact[list[c]]);
+  for (Eigen::Index a = 0; a < n; ++a) {
+    here_stiffness[a] = stiffness[list[a]];
+    here_bound[a] = bound[list[a]];
   }
   VectorXd here = gather(p, list), here_slip = gather(slip, list);
-  Linearisation now = linearise(here_stiffness, here_bound, here, here_slip);
-  const double target = 0.01 * now.residual.norm();
-  for (int k = 0; k < most_steps && now.residual.norm() > target; ++k) {
-    MatrixXd jacobian(2 * n, 2 * n);
+  const double before = gather(at.residual, list).norm();
+  double left = before, damping = first_damping;
+  for (int k = 0; k < most_sweeps && !(left <= enough * before); ++k) {
     for (Eigen::Index a = 0; a < n; ++a) {
-      jacobian.middleRows<2>(2 * a) = here_stiffness[a] * now.projection[a] * b.middleRows<2>(2 * a);
-      jacobian.block<2, 2>(2 * a, 2 * a) += Matrix2d::Identity() - now.projection[a];
+      const Vector2d old = here.segment<2>(2 * a);
+      const Matrix2d self = b.block<2, 2>(2 * a, 2 * a) + damping / here_stiffness[a] * Matrix2d::Identity();
+      const Vector2d next = solve_element(self, here_slip.segment<2>(2 * a) + self * old, here_bound[a]);
+      here_slip -= b.middleCols<2>(2 * a) * (next - old);
+      here.segment<2>(2 * a) = next;
     }
-    const VectorXd step = jacobian.partialPivLu().solve(-now.residual);
-    if (!step.allFinite())
-      return false;
-    here += step;
-    here_slip -= b * step;
-    now = linearise(here_stiffness, here_bound, here, here_slip);
+    const double now = linearise(here_stiffness, here_bound, here, here_slip).residual.norm();
+    if (now > left)
+      damping *= 2;
+    left = now;
   }
+  if (!(left < before))
+    return false;
   for (Eigen::Index a = 0; a < n; ++a)
     p.segment<2>(2 * list[a]) = here.segment<2>(2 * a);
   return true;
