@@ -129,7 +129,9 @@ const Parts* conjugate_gradients(const NormalSystem& system, const std::vector<i
     const int before = products;
     const auto reached =
         correct(at, worst, std::max(wanted, single_run), 50 + static_cast<int>(list.size()), products);
-    system.spend(2.0 * (products - before) * at.box.size());
+    // of one component: a quarter of the product, and the preconditioner
+    const double product = product_work(system.numbers->translational, at.box.rows());
+    system.spend((0.25 * product + 0.3) * (products - before) * at.box.size());
     if (!reached)
       return nullptr;
     for (const int l : at.local)

@@ -135,6 +135,10 @@ const Eigen::MatrixXd& TangentialSystem::matrix_for(const std::vector<int>& cont
   return kept.matrix;
 }
 
+double TangentialSystem::product_work(int rows) const {
+  return bem_contact::product_work(problem->numbers.translational, rows);
+}
+
 const StripOperator& TangentialSystem::whole() const {
   if (!kept_->tt)
     kept_->tt.emplace(problem->numbers, problem->grid.mx, std::vector<int>{component_x, component_s},
@@ -143,7 +147,7 @@ const StripOperator& TangentialSystem::whole() const {
 }
 
 VectorXd TangentialSystem::displacement(const VectorXd& p, int columns) const {
-  kept_->spend(size());
+  spend(product_work(problem->grid.ms) * size());
   VectorXd u(p.size());
   whole().apply({p.data(), static_cast<std::size_t>(p.size())},
                 {u.data(), static_cast<std::size_t>(u.size())}, columns);
@@ -153,7 +157,7 @@ VectorXd TangentialSystem::displacement(const VectorXd& p, int columns) const {
 VectorXd TangentialSystem::step(const VectorXd& p) const {
   if (problem->motion != MotionKind::steady)
     return rule.present[0] * displacement(p);
-  kept_->spend(size());
+  spend(product_work(problem->grid.ms) * size());
   VectorXd u(p.size());
   whole().apply_step({p.data(), static_cast<std::size_t>(p.size())},
                      {u.data(), static_cast<std::size_t>(u.size())});

@@ -99,6 +99,7 @@ public:
   Eigen::VectorXd step(const Eigen::VectorXd& p) const;    ///< B_tt p, mm
   const StepNumbers& step_numbers() const;                 ///< made when first asked for
   void spend(double elements) const;                       ///< work.hpp
+  double product_work(int rows) const;                     ///< work.hpp
   StepBox& box_for(const std::vector<int>& contact) const; ///< the last one is kept while it serves
   const Eigen::MatrixXd& matrix_for(const std::vector<int>& contact) const; ///< likewise
 

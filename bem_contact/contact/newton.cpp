@@ -73,8 +73,11 @@ struct Compressed {
       result[2 * a + 1] = box->out[n + local[a]];
     }
   }
-  /// Of one product.
-  double work() const { return matrix ? task.contact.size() : box->box.size(); }
+  /// work.hpp; a turn of GMRES is a product and the preconditioner, which is translational.
+  double product_work() const {
+    return matrix ? task.contact.size() : system.product_work(box->box.rows()) * box->box.size();
+  }
+  double gmres_work() const { return box ? product_work() + 2.0 * box->box.size() : 0; }
 };
 
 /// The Newton matrix of one linearisation and about its inverse, in single precision, for GMRES. An element's
@@ -241,7 +244,7 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
     last = before;
     const int before_step = state.products;
     const VectorXd step = newton_step(c, at, forcing, state);
-    system.spend((2.0 + 3.0 * (state.products - before_step)) * c.work());
+    system.spend(2.0 * c.product_work() + (state.products - before_step) * c.gmres_work());
     if (!step.allFinite())
       break;
     c.step(step, step_slip);

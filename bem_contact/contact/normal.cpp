@@ -135,7 +135,7 @@ NormalSystem::NormalSystem(const ContactGrid& the_grid, const InfluenceNumbers& 
 NormalSystem::~NormalSystem() = default;
 
 VectorXd NormalSystem::apply(const VectorXd& p) const {
-  kept_->spend(grid.size());
+  kept_->spend(0.5 * product_work(numbers->translational, grid.ms) * grid.size());
   VectorXd u(p.size());
   if (!kept_->nn)
     kept_->nn.emplace(*numbers, grid.mx, std::vector<int>{component_n}, std::vector<int>{component_n},

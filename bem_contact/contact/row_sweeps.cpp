@@ -58,33 +58,6 @@ VectorXd gather(const VectorXd& v, const std::vector<int>& list) {
   return out;
 }
 
-/// B between these elements of a few rows: that of two rows depends on the offset along x alone.
-MatrixXd numbers_between(const TangentialSystem& system, const std::vector<int>& contact,
-                         const std::vector<int>& list) {
-  const int mx = system.problem->grid.mx;
-  const auto n = static_cast<Eigen::Index>(list.size());
-  std::vector<int> rank(system.problem->grid.ms, -1), rows;
-  for (const int a : list)
-    if (int& known = rank[contact[a] / mx]; known < 0) {
-      known = static_cast<int>(rows.size());
-      rows.push_back(contact[a] / mx);
-    }
-  std::vector<Matrix2d> lines;
-  lines.reserve(rows.size() * rows.size() * (2 * mx - 1));
-  for (const int to : rows)
-    for (const int from : rows)
-      for (int m = 1 - mx; m < mx; ++m)
-        lines.push_back(step_number(system, to * mx + std::max(m, 0), from * mx + std::max(-m, 0)));
-  MatrixXd b(2 * n, 2 * n);
-  for (Eigen::Index c = 0; c < n; ++c)
-    for (Eigen::Index r = 0; r < n; ++r) {
-      const int target = contact[list[r]], load = contact[list[c]];
-      const std::size_t pair = rank[target / mx] * rows.size() + rank[load / mx];
-      b.block<2, 2>(2 * r, 2 * c) = lines[pair * (2 * mx - 1) + target % mx - load % mx + mx - 1];
-    }
-  return b;
-}
-
 } // namespace
 
 Matrix2d step_number(const TangentialSystem& system, int target, int load) {
@@ -103,11 +76,33 @@ Matrix2d step_number(const TangentialSystem& system, int target, int load) {
 }
 
 MatrixXd step_matrix(const TangentialSystem& system, const std::vector<int>& elements) {
+  const int mx = system.problem->grid.mx;
+  std::vector<int> rank(system.problem->grid.ms, -1), rows;
+  int low = mx, high = 0;
+  for (const int i : elements) {
+    low = std::min(low, i % mx);
+    high = std::max(high, i % mx);
+    if (int& known = rank[i / mx]; known < 0) {
+      known = static_cast<int>(rows.size());
+      rows.push_back(i / mx);
+    }
+  }
+  // two rows' depend on the offset along x alone: all of those, once
+  const int most = high - low, each = 2 * most + 1;
+  std::vector<Matrix2d> lines;
+  lines.reserve(rows.size() * rows.size() * each);
+  for (const int to : rows)
+    for (const int from : rows)
+      for (int m = -most; m <= most; ++m)
+        lines.push_back(step_number(system, to * mx + std::max(m, 0), from * mx + std::max(-m, 0)));
   const auto n = static_cast<Eigen::Index>(elements.size());
   MatrixXd matrix(2 * n, 2 * n);
   for (Eigen::Index b = 0; b < n; ++b)
-    for (Eigen::Index a = 0; a < n; ++a)
-      matrix.block<2, 2>(2 * a, 2 * b) = step_number(system, elements[a], elements[b]);
+    for (Eigen::Index a = 0; a < n; ++a) {
+      const int target = elements[a], load = elements[b];
+      const std::size_t pair = rank[target / mx] * rows.size() + rank[load / mx];
+      matrix.block<2, 2>(2 * a, 2 * b) = lines[pair * each + target % mx - load % mx + most];
+    }
   return matrix;
 }
 
@@ -138,16 +133,19 @@ bool sweep_rows(const TangentialSystem& system, const std::vector<int>& contact,
     return false;
   const int mx = system.problem->grid.mx;
   std::ranges::stable_sort(list, [&](int a, int b) { return contact[a] % mx > contact[b] % mx; });
-  const MatrixXd b = numbers_between(system, contact, list);
   VectorXd here_stiffness(n), here_bound(n);
+  std::vector<int> elements(n);
   for (Eigen::Index a = 0; a < n; ++a) {
+    elements[a] = contact[list[a]];
     here_stiffness[a] = stiffness[list[a]];
     here_bound[a] = bound[list[a]];
   }
+  const MatrixXd b = step_matrix(system, elements);
   VectorXd here = gather(p, list), here_slip = gather(slip, list);
   const double before = gather(at.residual, list).norm();
   double left = before, damping = first_damping;
   for (int k = 0; k < most_sweeps && !(left <= enough * before); ++k) {
+    system.spend(sweep_work(static_cast<double>(n)));
     for (Eigen::Index a = 0; a < n; ++a) {
       const Vector2d old = here.segment<2>(2 * a);
       const Matrix2d self = b.block<2, 2>(2 * a, 2 * a) + damping / here_stiffness[a] * Matrix2d::Identity();

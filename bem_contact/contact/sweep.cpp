@@ -25,7 +25,7 @@ Vector2d solve_element(const Matrix2d& b, const Vector2d& c, double bound) {
     const Matrix2d inverse = (b + lambda * Matrix2d::Identity()).inverse();
     p = inverse * c;
     const double length = p.norm();
-    if (std::abs(length - bound) <= 1e-15 * bound)
+    if (std::abs(length - bound) <= 1e-13 * bound)
       break;
     (length > bound ? low : high) = lambda;
     lambda += (length - bound) / bound * length * length / p.dot(inverse * p);
@@ -57,7 +57,7 @@ void sweeps(const TangentialSystem& system, const TangentialTask& task, double t
   double damping = 3, before = 1;
   for (int sweep = 0; sweep < most && !state.converged && damping < 200; ++sweep) {
     ++state.iterations;
-    system.spend(0.01 * double(order.size()) * double(order.size()));
+    system.spend(sweep_work(static_cast<double>(order.size())));
     for (const int i : order) {
       const int ix = i % mx, is = i / mx;
       Vector2d slip(task.drive[i], task.drive[n + i]);

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 
 namespace bem_contact {
@@ -176,6 +177,25 @@ TEST(Rolling, EstimateOfPartialSlip) {
       EXPECT_LT(result.discretisation->tangential, 3 * error) << factor;
     }
   }
+}
+
+/// Pure spin turns the longitudinal slip around between two rows: adhesion reaches into one of them from the
+/// leading edge, the farther in elements the smaller they are. Newton must not follow it element by element.
+TEST(Rolling, NewtonNeedsHardlyMoreStepsOnAFinerGrid) {
+  const auto steps = [](int ms) {
+    const int mx = 2 * ms;
+    ContactProblem problem =
+        scenes::flat(scenes::steel, scenes::steel, mx, ms, 16.0 / mx, 8.0 / ms, 2e-4, 1e-3);
+    scenes::set_creepage(problem, 0.3, 0, 0, 2e-3);
+    std::ranges::fill(problem.slip_s, 0.0);
+    problem.load = LoadKind::approach;
+    problem.approach = 0.01;
+    const ContactResult r =
+        solve(problem, {.only_newton = true, .estimate_discretisation = false, .coarse_start = false});
+    EXPECT_TRUE(r.converged) << r.remark;
+    return r.tangential_iterations;
+  };
+  EXPECT_LE(steps(160), 2 * steps(40));
 }
 
 TEST(Rolling, FullSlip) {

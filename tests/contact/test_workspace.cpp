@@ -100,12 +100,13 @@ TEST(Workspace, OneOtherNumberIsNoticed) {
   EXPECT_EQ(workspace.kept(), 0);
 }
 
+/// Than from nothing: the steps on larger elements, from which a cold start may begin, are not counted.
 TEST(Workspace, WarmStartNeedsFewerSteps) {
   Workspace workspace;
   const ContactResult first = solve(rolling(true, 40000, 1e-3), {.workspace = &workspace});
   const ContactProblem next = rolling(true, 40400, 1.01e-3);
   const StartingPoint start{first.px, first.ps, first.pn, first.approach};
-  const ContactResult cold = solve(next, {.workspace = &workspace});
+  const ContactResult cold = solve(next, {.coarse_start = false, .workspace = &workspace});
   const ContactResult warm = solve(next, {.start = &start, .workspace = &workspace});
   expect_same(cold, warm);
   EXPECT_LT(warm.tangential_iterations, cold.tangential_iterations);
@@ -203,6 +204,17 @@ TEST(Workspace, ACaseIsRefusedWhereItsWorkIsUsedUp) {
   WorkBudget again(0.3 * result.work);
   EXPECT_THROW(solve(problem, {.work = &again, .workspace = &kept}), ConvergenceError);
   EXPECT_NEAR(solve(problem, {.workspace = &kept}).Fx, result.Fx, 1e-6 * result.Fx);
+}
+
+/// The same solution by numbers that are full in s: the same products, each of which costs more.
+TEST(Workspace, ProductsWithFullNumbersCountForMore) {
+  ContactProblem problem = rolling(false, 40000, 1e-3);
+  const ContactResult translational = solve(problem);
+  problem.numbers = spelled_out(problem.numbers);
+  const ContactResult full = solve(problem);
+  expect_same(translational, full);
+  EXPECT_GT(full.work, 1.2 * translational.work);
+  EXPECT_LT(full.work, 1.1 * product_work(false, problem.grid.ms) * translational.work);
 }
 
 } // namespace

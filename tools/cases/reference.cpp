@@ -15,30 +15,22 @@ using namespace bem_contact;
 
 namespace {
 
-/// Several times what a reference takes: where the tangential solver falls through to its last resorts,
-/// other elements are tried first. A product with half-space numbers costs a tenth of one that is full in s.
-constexpr double most_work_full = 4e7, most_work_translational = 4e8;
-
-/// On elements `finer` times as small as the grid's, or a little smaller still; longer ones where influence
-/// files have no numbers for those.
+/// On elements `finer` times as small as the grid's; longer ones where influence files have no numbers for
+/// those.
 Reference reference_of(SceneFile scene, const SceneFile::Grid& grid, int finer) {
   scene.grid = grid;
   std::string reason;
   for (int along_x = finer; along_x > 0; along_x /= 2)
-    for (const double smaller : {1.0, 1.06, 1.13})
-      try {
-        scene.grid.dx = grid.dx / (along_x * smaller);
-        scene.grid.ds = grid.ds / (finer * smaller);
-        WorkBudget work(scene.solver.model == "halfspace" ? most_work_translational : most_work_full);
-        SceneAids aids;
-        aids.work = &work;
-        const ContactResult r = solve_scene(scene, "", aids).result;
-        if (r.converged)
-          return {along_x, r.Fx, r.Fs, r.Fy, r.approach, r.Fz, scene.motion.friction};
-        reason = r.remark;
-      } catch (const Error& error) {
-        reason = error.what();
-      }
+    try {
+      scene.grid.dx = grid.dx / along_x;
+      scene.grid.ds = grid.ds / finer;
+      const ContactResult r = solve_scene(scene).result;
+      if (r.converged)
+        return {along_x, r.Fx, r.Fs, r.Fy, r.approach, r.Fz, scene.motion.friction};
+      reason = r.remark;
+    } catch (const Error& error) {
+      reason = error.what();
+    }
   throw InputError("There is no reference", reason, "Its error is left out.");
 }
 
