@@ -89,9 +89,11 @@ void NormalSystem::spend(double elements) const {
 NormalBox& NormalSystem::box_for(const std::vector<int>& elements) const {
   std::optional<NormalBox>& box = kept_->normal_box;
   const bool columns = !numbers->translational;
-  if (!box || !serve(box->box, parts_around(elements, grid, 0, columns), elements, grid.mx))
-    box.emplace(*numbers, parts_around(elements, grid, 1 + std::min(grid.mx, grid.ms) / 60, columns),
-                kept_->pool.get());
+  if (!box || !serve(box->box, parts_around(elements, grid, 0, columns), elements, grid.mx)) {
+    const Parts wider = parts_around(elements, grid, 1 + std::min(grid.mx, grid.ms) / 60, columns);
+    spend(spectra_work(numbers->translational, 1, wider.rows(), wider.mx()));
+    box.emplace(*numbers, wider, kept_->pool.get());
+  }
   return *box;
 }
 

@@ -131,6 +131,7 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
       if (!kept.normal_from_shear) {
         kept.normal_from_shear.emplace(problem.numbers, problem.grid.mx, normal, tangential, RowRange{},
                                        kept.pool.get());
+        kept.spend(spectra_work(problem.numbers.translational, 4, problem.grid.ms, problem.grid.mx));
         kept.shear_from_normal.emplace(problem.numbers, problem.grid.mx, tangential, normal, RowRange{},
                                        kept.pool.get());
       }

@@ -123,8 +123,10 @@ void TangentialSystem::spend(double elements) const {
 StepBox& TangentialSystem::box_for(const std::vector<int>& contact) const {
   const Parts needed = parts_around(contact, problem->grid, 0, !problem->numbers.translational);
   std::optional<StepBox>& box = kept_->step_box;
-  if (!box || !serve(box->box, needed, contact, problem->grid.mx) || box->rule.present != rule.present)
+  if (!box || !serve(box->box, needed, contact, problem->grid.mx) || box->rule.present != rule.present) {
+    spend(spectra_work(problem->numbers.translational, 4, needed.rows(), needed.mx()));
     box.emplace(problem->numbers, needed, rule, kept_->pool.get());
+  }
   return *box;
 }
 
@@ -140,9 +142,11 @@ double TangentialSystem::product_work(int rows) const {
 }
 
 const StripOperator& TangentialSystem::whole() const {
-  if (!kept_->tt)
+  if (!kept_->tt) {
+    spend(spectra_work(problem->numbers.translational, 4, problem->grid.ms, problem->grid.mx));
     kept_->tt.emplace(problem->numbers, problem->grid.mx, std::vector<int>{component_x, component_s},
                       std::vector<int>{component_x, component_s}, RowRange{}, kept_->pool.get());
+  }
   return *kept_->tt;
 }
 

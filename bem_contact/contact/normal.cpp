@@ -137,9 +137,11 @@ NormalSystem::~NormalSystem() = default;
 VectorXd NormalSystem::apply(const VectorXd& p) const {
   kept_->spend(0.5 * product_work(numbers->translational, grid.ms) * grid.size());
   VectorXd u(p.size());
-  if (!kept_->nn)
+  if (!kept_->nn) {
+    spend(spectra_work(numbers->translational, 1, grid.ms, grid.mx));
     kept_->nn.emplace(*numbers, grid.mx, std::vector<int>{component_n}, std::vector<int>{component_n},
                       RowRange{}, kept_->pool.get());
+  }
   kept_->nn->apply({p.data(), static_cast<std::size_t>(p.size())},
                    {u.data(), static_cast<std::size_t>(u.size())});
   return u;
