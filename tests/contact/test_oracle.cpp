@@ -1,3 +1,4 @@
+#include "bem_contact/contact/normal_lines.hpp"
 #include "bem_contact/contact/operator.hpp"
 #include "bem_contact/contact/plane_operator.hpp"
 #include "tests/contact/scenes.hpp"
@@ -99,6 +100,36 @@ Tractions relax(const ContactProblem& problem) {
   }
   ADD_FAILURE() << "the oracle did not converge";
   return t;
+}
+
+TEST(Oracle, NormalLinesAreTheDenseSum) {
+  std::mt19937 random(2);
+  for (int k = 0; k < 20; ++k) {
+    const ContactProblem problem =
+        k % 2 ? random_problem(random)
+              : scenes::flat(scenes::steel, scenes::steel, 3 + k / 4, 2 + k / 3, 0.5, 0.4, 1, 1);
+    const int n = problem.grid.size();
+    Eigen::VectorXd p(n);
+    std::vector<int> loaded; // some elements only
+    for (int i = 0; i < n; ++i) {
+      p[i] = i % 3 ? std::uniform_real_distribution<>(0, 1)(random) : 0;
+      if (p[i] > 0)
+        loaded.push_back(i);
+    }
+    const contact::NormalLines lines(problem.numbers, problem.grid.mx);
+    const Eigen::VectorXd u = lines.apply(p);
+    const Eigen::MatrixXd block = lines.block(loaded);
+    const double self = number(problem, 0, 2, 0, 2);
+    for (int i = 0; i < n; ++i) {
+      double sum = 0;
+      for (int j = 0; j < n; ++j)
+        sum += number(problem, i, 2, j, 2) * p[j];
+      EXPECT_NEAR(u[i], sum, 1e-13 * n * self);
+    }
+    for (std::size_t b = 0; b < loaded.size(); ++b)
+      for (std::size_t a = b; a < loaded.size(); ++a)
+        EXPECT_EQ(block(a, b), number(problem, loaded[a], 2, loaded[b], 2));
+  }
 }
 
 TEST(Oracle, OperatorIsTheDenseSum) {
