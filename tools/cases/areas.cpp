@@ -1,5 +1,6 @@
 #include "tools/cases/tables.hpp"
 
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/wheelset/sequence.hpp"
 
 #include <algorithm>
@@ -69,6 +70,8 @@ void areas(const SweepFile& sweep) {
              "ratio");
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     SceneFile scene = sweep.scene(i);
+    scene.motion.rolling_radius =
+        place_wheel_rail(scene).rolling_radius; // one area alone would choose its own
     const ContactGrid chosen = Sequence().solve(scene).problem.grid;
     scene.grid.accuracy = 0;
     scene.grid.dx = chosen.dx;
@@ -82,9 +85,14 @@ void areas(const SweepFile& sweep) {
       one.load.force = part.force;
       one.grid.s_from = part.s_from - 4 * chosen.ds;
       one.grid.s_to = part.s_to + 4 * chosen.ds;
-      const double seconds = cost_of(one).seconds;
-      sum += seconds;
-      alone += fmt::format("{:.1f} ", 1e3 * seconds);
+      try {
+        const double seconds = cost_of(one).seconds;
+        sum += seconds;
+        alone += fmt::format("{:.1f} ", 1e3 * seconds);
+      } catch (const Error&) { // its force alone would rest on another area, where the search begins
+        sum = std::nan("");
+        alone += "- ";
+      }
     }
     const ContactGrid& grid = both.result.problem.grid;
     fmt::print("{:>4} {:>10} {:>8} {:>12.1f} {:>22} {:>8.2f}\n", i, fmt::format("{} x {}", grid.mx, grid.ms),
