@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "tests/base/message.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <set>
@@ -186,6 +187,28 @@ std::size_t follow(double from, int steps, double step, const std::string& more)
 TEST(WheelRailScene, ForcesDoNotLeapWhenTheFlangeTakesOver) {
   // Through y* = 6.676 mm, where the point of first touch leaps from the tread to the flange.
   follow(6.62, 12, 0.01, loaded);
+}
+
+/// The second of two areas, 19 mm away along x from the first: rows asked for over it alone lead there.
+TEST(WheelRailScene, RowsAskedForOverASecondAreaLeadThereAlongXToo) {
+  const auto solved = [](double force, const std::string& rows) {
+    SceneFile scene = parse_scene_file(fmt::format(
+        "kind = \"wheel_rail\"\nrail.profile = \"worn_rail.txt\"\nwheel.profile = \"worn_wheel.txt\"\n"
+        "solver.model = \"halfspace\"\nposition.lateral = 9.77934\nposition.yaw = 0.0108345\n"
+        "position.roll = 0.0027909\nmotion.friction = 0.239617\nload.force = {}\n"
+        "[grid]\ndx = 0.2\nds = 0.12\n{}",
+        force, rows));
+    scene.folder = std::filesystem::path(CONFORMAL_SOURCE_DIR) / "data/bodies";
+    return solve_scene(scene);
+  };
+  const SceneResult both = solved(5690.41, "");
+  ASSERT_EQ(both.result.patches.size(), 2u);
+  const PatchSummary& second = both.result.patches[1];
+  const SceneResult alone = solved(1061, fmt::format("s_from = {}\ns_to = {}\n", second.s - 1, second.s + 1));
+  EXPECT_TRUE(alone.result.converged);
+  ASSERT_EQ(alone.result.patches.size(), 1u);
+  EXPECT_NEAR(alone.result.patches[0].x, second.x, 0.3);
+  EXPECT_NEAR(alone.result.patches[0].fn, second.fn, 0.1 * second.fn); // other creepages
 }
 
 TEST(WheelRailScene, ForcesDoNotLeapWhenAreasSplitAndMerge) {
