@@ -68,10 +68,11 @@ Point2 CurvedOutline::mean_on_profile(std::span<const Point2> points, std::span<
 
 Point2 CurvedOutline::mean_on_arc(std::span<const Point2> points, std::span<const double> weights) const {
   const Point2 middle = 0.5 * (points.front() + points.back());
-  const auto off = [&](const Arc& arc) { // from the chord
+  const auto off = [&](const Arc& arc) { // squared, from the chord
     const Point2 chord = arc.to - arc.from;
     const double t = std::clamp(dot(middle - arc.from, chord) / dot(chord, chord), 0.0, 1.0);
-    return norm(arc.from + t * chord - middle);
+    const Point2 apart = arc.from + t * chord - middle;
+    return dot(apart, apart);
   };
   const Arc& arc = *std::min_element(arcs_.begin(), arcs_.end(),
                                      [&](const Arc& a, const Arc& b) { return off(a) < off(b); });

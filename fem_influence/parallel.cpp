@@ -99,51 +99,44 @@ const std::vector<int>& Fellows::received() {
   return impl_->numbers;
 }
 
-namespace {
-
-constexpr int result_tag = 1, done_tag = 2;
-
-/// Two counters in the first process's memory that every process takes the next number from.
-class SharedCounters {
-public:
-  SharedCounters() {
-    MPI_Win_allocate(process_rank() == 0 ? 2 * sizeof(long long) : 0, sizeof(long long), MPI_INFO_NULL,
-                     MPI_COMM_WORLD, &memory_, &window_);
-    if (process_rank() == 0) {
-      MPI_Win_lock(MPI_LOCK_EXCLUSIVE, 0, 0, window_);
-      memory_[0] = memory_[1] = 0;
-      MPI_Win_unlock(0, window_);
-    }
-    MPI_Barrier(MPI_COMM_WORLD);
-    MPI_Win_lock_all(0, window_);
-  }
-  ~SharedCounters() {
-    MPI_Win_unlock_all(window_);
-    MPI_Win_free(&window_);
-  }
-  SharedCounters(const SharedCounters&) = delete;
-  SharedCounters& operator=(const SharedCounters&) = delete;
-
-  /// The number before `step` is added.
-  std::size_t add(int counter, std::size_t step) {
-    const auto mine = static_cast<long long>(step);
-    long long before = 0;
-    MPI_Fetch_and_op(&mine, &before, MPI_LONG_LONG, 0, counter, MPI_SUM, window_);
-    MPI_Win_flush(0, window_);
-    return static_cast<std::size_t>(before);
-  }
-
-private:
-  long long* memory_ = nullptr;
-  MPI_Win window_ = MPI_WIN_NULL;
+struct SharedCounters::Impl {
+  long long* memory = nullptr;
+  MPI_Win window = MPI_WIN_NULL;
 };
 
-} // namespace
+SharedCounters::SharedCounters() : impl_(std::make_unique<Impl>()) {
+  auto& [memory, window] = *impl_;
+  MPI_Win_allocate(process_rank() == 0 ? 2 * sizeof(long long) : 0, sizeof(long long), MPI_INFO_NULL,
+                   MPI_COMM_WORLD, &memory, &window);
+  if (process_rank() == 0) {
+    MPI_Win_lock(MPI_LOCK_EXCLUSIVE, 0, 0, window);
+    memory[0] = memory[1] = 0;
+    MPI_Win_unlock(0, window);
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  MPI_Win_lock_all(0, window);
+}
 
-void distribute(std::size_t count, std::size_t second, bool begins_with_second,
+SharedCounters::~SharedCounters() {
+  MPI_Win_unlock_all(impl_->window);
+  MPI_Win_free(&impl_->window);
+}
+
+std::size_t SharedCounters::add(int counter, std::size_t step) {
+  const auto mine = static_cast<long long>(step);
+  long long before = 0;
+  MPI_Fetch_and_op(&mine, &before, MPI_LONG_LONG, 0, counter, MPI_SUM, impl_->window);
+  MPI_Win_flush(0, impl_->window);
+  return static_cast<std::size_t>(before);
+}
+
+namespace {
+constexpr int result_tag = 1, done_tag = 2;
+}
+
+void distribute(SharedCounters& counters, std::size_t count, std::size_t second, bool begins_with_second,
                 const std::function<std::vector<double>(std::size_t)>& work,
                 const std::function<void(std::size_t, std::span<const double>)>& collect) {
-  SharedCounters counters;
   const auto next = [&] {
     std::size_t task = count;
     for (const int which : {begins_with_second ? 1 : 0, begins_with_second ? 0 : 1}) {

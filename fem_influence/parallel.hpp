@@ -60,11 +60,29 @@ private:
   std::unique_ptr<Impl> impl_;
 };
 
+/// Two counters in the first process's memory that every process takes the next number from. Made and
+/// destroyed by all processes together, so made where they are together anyway.
+class SharedCounters {
+public:
+  SharedCounters();
+  ~SharedCounters();
+  SharedCounters(const SharedCounters&) = delete;
+  SharedCounters& operator=(const SharedCounters&) = delete;
+
+  /// The number before `step` is added.
+  std::size_t add(int counter, std::size_t step);
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
 /// Tasks 0 .. count-1, each done by whichever process is free next, lower ones first; a process that
 /// `begins_with_second` takes those from `second` on before the others. What `work` gives comes
 /// to `collect` on the first process, in any order and as soon as that one is between two tasks of its own.
-/// Called by all processes together. Fails as together() does; then no further task is begun.
-void distribute(std::size_t count, std::size_t second, bool begins_with_second,
+/// Called by all processes with fresh counters; nobody waits for another to begin. Fails as together() does;
+/// then no further task is begun.
+void distribute(SharedCounters& counters, std::size_t count, std::size_t second, bool begins_with_second,
                 const std::function<std::vector<double>(std::size_t)>& work,
                 const std::function<void(std::size_t, std::span<const double>)>& collect);
 

@@ -65,7 +65,7 @@ std::string fingerprint(const BodyFile& body, const ProfileCurve& curve, const s
         double(body.harmonic.border_levels), body.harmonic.shortest_dx,
         double(body.harmonic.samples_per_decade), body.harmonic.remote_distance})
     hash.add(std::as_bytes(std::span(&value, 1)));
-  return "harmonic 6 " + std::to_string(hash.value());
+  return "harmonic 7 " + std::to_string(hash.value());
 }
 
 std::string method_of(const BodyFile& body, std::size_t cells) {
@@ -155,6 +155,7 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
   };
   const bool companion_first = begins_with_companion(rank);
   Fellows fellows(companion_first);
+  SharedCounters counters;
   // One process of each machine assembles for all, if it is one of those that begin with the run.
   const bool shared = fellows.count() > 1 && !begins_with_companion(fellows.first());
   InfluenceFunction function, coarse;
@@ -214,7 +215,7 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
   const auto first_of_companion =
       std::find_if(tasks.begin(), tasks.end(), [](const Task& task) { return task.companion; });
   distribute(
-      tasks.size(), static_cast<std::size_t>(first_of_companion - tasks.begin()), companion_first,
+      counters, tasks.size(), static_cast<std::size_t>(first_of_companion - tasks.begin()), companion_first,
       [&](std::size_t t) {
         if (not_shared)
           std::rethrow_exception(not_shared);

@@ -9,6 +9,7 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
+#include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/manifold.h>
 #include <deal.II/grid/tria.h>
@@ -144,7 +145,7 @@ struct Section::Impl {
   dealii::Triangulation<2> mesh;
   dealii::FE_Q<2> element;
   dealii::DoFHandler<2> dofs;
-  dealii::MappingQ<2> mapping;
+  dealii::MappingQCache<2> mapping; // points on curved edges are dear to find
   dealii::AffineConstraints<double> hanging;
   std::vector<int> node; ///< of each degree of freedom of deal.II; -1: hangs on others
   std::vector<Point2> positions;
@@ -222,6 +223,7 @@ Section::Section(const std::filesystem::path& path, int degree, const ProfileCur
   impl_->mesh.set_manifold(curve_id, OnOutline(outline, true));
   impl_->mesh.set_manifold(arcs_id, OnOutline(outline, false));
   refine(impl_->mesh, curve, strip, refinement);
+  impl_->mapping.initialize(dealii::MappingQ<2>(static_cast<unsigned>(degree)), impl_->mesh);
   impl_->dofs.reinit(impl_->mesh);
   impl_->dofs.distribute_dofs(impl_->element);
   dealii::DoFTools::make_hanging_node_constraints(impl_->dofs, impl_->hanging);

@@ -129,54 +129,47 @@ SparseColumns remote_functionals(const Section& section, std::span<const Station
   double largest = 0;
   for (const Point2 p : section.node_positions())
     largest = std::max(largest, from_strip(p));
-  // A mean over the section, for the largest distance of a node is another one on each mesh.
-  const auto typical = [&] {
-    double area = 0, squares = 0;
-    section.for_each_cell([&](const CellView& cell) {
-      for (const CellPoint& point : cell.points) {
-        const double d = from_strip(point.position);
-        area += point.weight;
-        squares += point.weight * d * d;
-      }
-    });
-    return std::sqrt(squares / area);
+  struct RemoteCell {
+    std::vector<int> nodes;
+    std::vector<Point2> position;
+    std::vector<double> weight, distance, value; // weight: area, then that of the mean
   };
-  const double limit = distance > 0 ? distance : std::min(20.0, 0.8 * typical());
+  std::vector<RemoteCell> cells;
+  double area = 0, squares = 0;
+  section.for_each_cell([&](const CellView& cell) {
+    RemoteCell& remote = cells.emplace_back();
+    remote.nodes.assign(cell.nodes.begin(), cell.nodes.end());
+    remote.value.assign(cell.value.begin(), cell.value.end());
+    for (const CellPoint& point : cell.points) {
+      const double d = from_strip(point.position);
+      area += point.weight;
+      squares += point.weight * d * d;
+      remote.position.push_back(point.position);
+      remote.weight.push_back(point.weight);
+      remote.distance.push_back(d);
+    }
+  });
+  // A mean over the section, for the largest distance of a node is another one on each mesh.
+  const double limit = distance > 0 ? distance : std::min(20.0, 0.8 * std::sqrt(squares / area));
   if (limit >= largest)
     throw InputError("No cell is farther than " + std::to_string(limit) + " mm from the strip",
                      "the largest distance is " + std::to_string(largest) + " mm",
                      "lower harmonic.remote_distance, or give 0 for the default");
 
-  // A smooth weight: a sharp border would pass between the quadrature points of any mesh in its own way.
-  const auto weight = [&](const CellPoint& point) {
-    const double part = from_strip(point.position) / limit - 1;
-    const double root = part > 0 && part < 1 ? std::sin(std::numbers::pi * part) : 0;
-    return root * root * point.weight;
-  };
-  struct RemoteCell {
-    std::vector<int> nodes;
-    std::vector<Point2> position;
-    std::vector<double> weight, value;
-  };
-  std::vector<RemoteCell> cells;
-  double area = 0, yy = 0, zz = 0;
+  double yy = 0, zz = 0;
   Point2 centroid;
-  section.for_each_cell([&](const CellView& cell) {
-    RemoteCell remote;
-    double sum = 0;
-    for (const CellPoint& point : cell.points) {
-      const double w = weight(point);
-      sum += w;
-      centroid = centroid + w * point.position;
-      remote.weight.push_back(w);
-      remote.position.push_back(point.position);
+  area = 0;
+  for (RemoteCell& cell : cells)
+    for (std::size_t q = 0; q < cell.weight.size(); ++q) {
+      // A smooth weight: a sharp border would pass between the quadrature points of any mesh in its own way.
+      const double part = cell.distance[q] / limit - 1;
+      const double root = part > 0 && part < 1 ? std::sin(std::numbers::pi * part) : 0;
+      cell.weight[q] *= root * root;
+      area += cell.weight[q];
+      centroid = centroid + cell.weight[q] * cell.position[q];
     }
-    if (!(sum > 0))
-      return;
-    area += sum;
-    remote.nodes.assign(cell.nodes.begin(), cell.nodes.end());
-    remote.value.assign(cell.value.begin(), cell.value.end());
-    cells.push_back(std::move(remote));
+  std::erase_if(cells, [](const RemoteCell& cell) {
+    return std::none_of(cell.weight.begin(), cell.weight.end(), [](double w) { return w > 0; });
   });
   if (!(area > 0))
     throw InputError("No cell lies between " + range(limit, 2 * limit) + " from the strip",

@@ -115,14 +115,17 @@ CurvePoint ProfileCurve::nearest(Point2 p) const {
     throw InputError(fmt::format("no point of the profile '{}' is nearest to ({}, {})", name_, p.y, p.z),
                      "coordinates must be finite", "Check where they come from.");
   // |p - middle| bounds the distance to a piece from above, |p - middle| - length/2 from below.
+  const auto squared = [&](const CurvePiece& piece) { return dot(p - piece.middle, p - piece.middle); };
   double bound = std::numeric_limits<double>::infinity();
   for (const CurvePiece& piece : pieces_)
-    bound = std::min(bound, norm(p - piece.middle));
+    bound = std::min(bound, squared(piece));
+  bound = std::sqrt(bound);
   const CurvePiece* best = nullptr;
   double best_along = 0;
   double least = std::numeric_limits<double>::infinity();
   for (const CurvePiece& piece : pieces_) {
-    if (norm(p - piece.middle) - piece.length / 2 > std::min(bound, least))
+    const double farthest = std::min(bound, least) + piece.length / 2;
+    if (squared(piece) > farthest * farthest * (1 + 1e-12)) // its own bound, rounded, is not beyond
       continue;
     const double along = nearest_on(piece, p);
     const double distance = norm(p - point_on(piece, along).position);
