@@ -6,10 +6,10 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace bem_contact::fem {
 
@@ -114,21 +114,23 @@ HarmonicSystem assemble_system(const Section& section, const BodyFile& body, con
 }
 
 std::vector<int> elimination_order(const HarmonicSystem& system) {
-  std::vector<char> used;
-  for (std::size_t a = 0; a < system.op.node_count(); ++a)
-    used.push_back(system.unknown[3 * a] >= 0); // a node is held in all three components, or free in all
-  return nested_dissection(system.op.row_begin, system.op.column, used);
+  Elements free;
+  std::vector<int> nodes;
+  for (std::size_t c = 0; c < system.op.cells.count(); ++c) {
+    nodes.clear();
+    for (const int node : system.op.cells[c])
+      if (system.unknown[3 * static_cast<std::size_t>(node)] >= 0) // held in all three components, or in none
+        nodes.push_back(node);
+    free.add(nodes);
+  }
+  return nested_dissection(system.unknown.size() / 3, free);
 }
 
 void renumber(HarmonicSystem& system, std::span<const int> place) {
-  system.op = renumbered(system.op, place);
-  std::vector<int> unknown(system.unknown.size(), -1), moved(system.unknowns());
-  for (std::size_t d = 0; d < unknown.size(); ++d)
-    if (system.unknown[d] >= 0) {
-      const int to = 3 * place[d / 3] + static_cast<int>(d % 3);
-      unknown[static_cast<std::size_t>(to)] = moved[static_cast<std::size_t>(system.unknown[d])] = to;
-    }
-  system.unknown = std::move(unknown);
+  std::vector<int> moved(system.unknowns());
+  for (std::size_t d = 0; d < system.unknown.size(); ++d)
+    if (int& u = system.unknown[d]; u >= 0)
+      u = moved[static_cast<std::size_t>(u)] = 3 * place[d / 3] + static_cast<int>(d % 3);
   for (int& row : system.functionals.row)
     row = moved[static_cast<std::size_t>(row)];
 }
@@ -141,20 +143,45 @@ void HarmonicSolver::analyse() {
     return;
   const Stopwatch watch(timing_.analysis);
   renumber(system_, order_ ? order_() : elimination_order(system_));
-  std::vector<int> row, column;
-  for (auto* list : {&row, &column})
-    list->reserve(9 * system_.op.column.size());
-  system_.for_each_free_block([&](std::size_t a, std::size_t b, std::size_t) {
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = a == b ? i : 0; j < 3; ++j) {
-        row.push_back(system_.unknown[3 * a + i]);
-        column.push_back(system_.unknown[3 * b + j]);
+  Elements elements;
+  std::vector<int> members;
+  for (std::size_t c = 0; c < system_.op.cells.count(); ++c) {
+    members.clear();
+    for (const int node : system_.op.cells[c])
+      for (std::size_t i = 0; i < 3; ++i)
+        if (const int u = system_.unknown[3 * static_cast<std::size_t>(node) + i]; u >= 0)
+          members.push_back(u);
+    if (!members.empty())
+      elements.add(members);
+  }
+  solver_ =
+      std::make_unique<MumpsSolver>(static_cast<int>(unknowns()), std::move(elements), system_.functionals);
+}
+
+std::vector<double> HarmonicSolver::values(double k) const {
+  const SectionOperator& op = system_.op;
+  std::vector<double> value;
+  value.reserve(9 * op.block.size());
+  std::array<std::vector<double>, 3> column; // of a lower triangle, for the components of one node
+  std::size_t e = 0;
+  for (std::size_t c = 0; c < op.cells.count(); ++c) {
+    const auto nodes = op.cells[c];
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      for (std::size_t b = a; b < nodes.size(); ++b, ++e) {
+        if (held(nodes[a]) || held(nodes[b]))
+          continue;
+        const auto entry = op.at(e, k);
+        for (std::size_t i = 0; i < 3; ++i)
+          column[i].insert(column[i].end(), entry.begin() + 3 * i + (a == b ? i : 0),
+                           entry.begin() + 3 * i + 3);
       }
-  });
-  std::vector<int> place(unknowns());
-  std::iota(place.begin(), place.end(), 0);
-  solver_ = std::make_unique<MumpsSolver>(static_cast<int>(unknowns()), std::move(row), std::move(column),
-                                          system_.functionals, place);
+      for (auto& values : column) {
+        value.insert(value.end(), values.begin(), values.end());
+        values.clear();
+      }
+    }
+  }
+  return value;
 }
 
 WavenumberResult HarmonicSolver::at(double k) {
@@ -162,15 +189,7 @@ WavenumberResult HarmonicSolver::at(double k) {
   const std::size_t n = 3 * system_.stations;
   {
     const Stopwatch watch(timing_.factorization);
-    std::vector<double> value;
-    value.reserve(9 * system_.op.column.size());
-    system_.for_each_free_block([&](std::size_t a, std::size_t b, std::size_t e) {
-      const auto entry = system_.op.at(e, k);
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = a == b ? i : 0; j < 3; ++j)
-          value.push_back(entry[3 * i + j]);
-    });
-    solver_->factorize(std::move(value));
+    solver_->factorize(values(k));
   }
   const std::vector<double>& all = solver_->schur();
   const std::size_t size = system_.functionals.columns();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem_influence/mumps_solver.hpp"
 #include "fem_influence/section_operator.hpp"
 #include "fem_influence/strip.hpp"
 
@@ -43,27 +44,19 @@ struct HarmonicSystem {
   SparseColumns functionals;     ///< of the unknowns: stations', remote, supports' reactions
   std::vector<double> load_work; ///< [rigid motion][load]: work of the load on the unknowns
   std::size_t unknowns() const;
-  /// use(a, b, e): block e of the operator belongs to the nodes a <= b, neither held.
-  template <class Use> void for_each_free_block(Use&& use) const {
-    for (std::size_t a = 0; a < op.node_count(); ++a)
-      if (unknown[3 * a] >= 0)
-        for (std::size_t e = op.row_begin[a]; e < op.row_begin[a + 1]; ++e)
-          if (const auto b = static_cast<std::size_t>(op.column[e]); unknown[3 * b] >= 0)
-            use(a, b, e);
-  }
   /// use(array) and use(number) of everything above, always in the same order: to send it to others.
   template <class Use> void for_each_part(Use&& use) {
     use(cells), use(stations), use(width), use(op.mu), use(op.stiff);
-    use(op.row_begin), use(op.column), use(op.block), use(unknown);
+    use(op.cells.begin), use(op.cells.member), use(op.block), use(unknown);
     use(functionals.column_begin), use(functionals.row), use(functionals.value), use(load_work);
   }
 };
 
 HarmonicSystem assemble_system(const Section& section, const BodyFile& body, const ProfileCurve& curve);
-/// Place of each node in the elimination. Deterministic, so that who computes it does not matter.
+/// Place of each node in the elimination, the held ones last. Deterministic, so that who computes it does not
+/// matter.
 std::vector<int> elimination_order(const HarmonicSystem& system);
-/// Numbers nodes and unknowns by their places, the held nodes last: entries that come in the order of their
-/// elimination save MUMPS a twelfth of the time.
+/// Numbers the unknowns by their nodes' places.
 void renumber(HarmonicSystem& system, std::span<const int> place);
 
 /// The section's problem for any wavenumber: with F the stations' functionals and r the remote ones,
@@ -83,6 +76,10 @@ public:
   void analyse();
 
 private:
+  bool held(int node) const { return system_.unknown[3 * static_cast<std::size_t>(node)] < 0; }
+  /// K(k) as MumpsSolver takes it.
+  std::vector<double> values(double k) const;
+
   HarmonicSystem system_;
   std::function<std::vector<int>()> order_;
   std::unique_ptr<MumpsSolver> solver_;

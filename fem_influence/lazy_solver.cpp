@@ -20,7 +20,7 @@ void LazySolver::share(Fellows& fellows) {
   if (!system_)
     system_.emplace();
   system_->for_each_part([&](auto& part) { fellows.broadcast(part); });
-  const std::size_t nodes = system_->op.node_count();
+  const std::size_t nodes = system_->unknown.size() / 3;
   order_ = [&fellows] {
     if (fellows.received().empty())
       throw Error("The unknowns have no order of elimination",

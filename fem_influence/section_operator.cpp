@@ -4,34 +4,11 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace bem_contact::fem {
 
 namespace {
-
-void make_pattern(const Section& section, SectionOperator& op) {
-  std::vector<std::vector<int>> neighbours(section.node_count());
-  section.for_each_cell_nodes([&](std::span<const int> nodes) {
-    for (const int a : nodes) {
-      auto& list = neighbours[static_cast<std::size_t>(a)];
-      for (const int b : nodes)
-        if (b >= a)
-          list.push_back(b);
-    }
-  });
-  op.row_begin.assign(1, 0);
-  for (auto& list : neighbours) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    op.column.insert(op.column.end(), list.begin(), list.end());
-    op.row_begin.push_back(op.column.size());
-    std::vector<int>().swap(list);
-  }
-  op.block.resize(op.column.size());
-}
 
 /// Where the strains of a cell's shapes are: the columns of its table are n shapes of each kind, each times
 /// the root of its point's weight. by_r = f / r is the hoop strain (none in a prism), by_rho = f / rho what k
@@ -42,7 +19,6 @@ enum Kind : Eigen::Index { d_dy, d_dz, by_r, by_rho, kinds };
 
 SectionOperator assemble(const Section& section, const Material& material, double reference_radius) {
   SectionOperator op;
-  make_pattern(section, op);
   const double mu = material.shear_modulus, lambda = 2 * mu * material.poisson / (1 - 2 * material.poisson),
                stiff = lambda + 2 * mu;
   op.mu = mu;
@@ -72,93 +48,50 @@ SectionOperator assemble(const Section& section, const Material& material, doubl
     }
     product.noalias() = table.transpose() * table;
 
-    for (Eigen::Index a = 0; a < n; ++a) {
-      const int row = cell.nodes[static_cast<std::size_t>(a)];
-      const auto first =
-          op.column.begin() + static_cast<std::ptrdiff_t>(op.row_begin[static_cast<std::size_t>(row)]);
-      const auto last =
-          op.column.begin() + static_cast<std::ptrdiff_t>(op.row_begin[static_cast<std::size_t>(row) + 1]);
-      for (Eigen::Index b = 0; b < n; ++b) {
-        const int col = cell.nodes[static_cast<std::size_t>(b)];
-        if (row > col)
-          continue;
+    op.cells.add(cell.nodes);
+    for (Eigen::Index a = 0; a < n; ++a)
+      for (Eigen::Index b = a; b < n; ++b) {
         const auto of = [&](Kind i, Kind j) { return product(i * n + a, j * n + b); };
-        auto& [k0, k1, shapes] =
-            op.block[static_cast<std::size_t>(std::lower_bound(first, last, col) - op.column.begin())];
+        auto& [k0, k1, shapes] = op.block.emplace_back();
         const double yy = of(d_dy, d_dy), zz = of(d_dz, d_dz), rr = of(by_r, by_r), zr = of(d_dz, by_r),
                      rz = of(by_r, d_dz);
         // Strain after strain, as section_operator.hpp has them.
-        k0[0] += mu * (yy + zz - zr - rz + rr);
-        k0[1] += stiff * yy + mu * zz;
-        k0[2] += lambda * (of(d_dy, by_r) + of(d_dy, d_dz)) + mu * of(d_dz, d_dy);
-        k0[3] += lambda * (of(by_r, d_dy) + of(d_dz, d_dy)) + mu * of(d_dy, d_dz);
-        k0[4] += stiff * (rr + zz) + lambda * (rz + zr) + mu * yy;
-        k1[0] += lambda * of(by_rho, d_dy) - mu * of(d_dy, by_rho);
-        k1[1] +=
+        k0[0] = mu * (yy + zz - zr - rz + rr);
+        k0[1] = stiff * yy + mu * zz;
+        k0[2] = lambda * (of(d_dy, by_r) + of(d_dy, d_dz)) + mu * of(d_dz, d_dy);
+        k0[3] = lambda * (of(by_r, d_dy) + of(d_dz, d_dy)) + mu * of(d_dy, d_dz);
+        k0[4] = stiff * (rr + zz) + lambda * (rz + zr) + mu * yy;
+        k1[0] = lambda * of(by_rho, d_dy) - mu * of(d_dy, by_rho);
+        k1[1] =
             stiff * of(by_rho, by_r) + lambda * of(by_rho, d_dz) - mu * (of(d_dz, by_rho) - of(by_r, by_rho));
-        k1[2] += lambda * of(d_dy, by_rho) - mu * of(by_rho, d_dy);
-        k1[3] +=
+        k1[2] = lambda * of(d_dy, by_rho) - mu * of(by_rho, d_dy);
+        k1[3] =
             stiff * of(by_r, by_rho) + lambda * of(d_dz, by_rho) - mu * (of(by_rho, d_dz) - of(by_rho, by_r));
-        shapes += of(by_rho, by_rho);
+        shapes = of(by_rho, by_rho);
       }
-    }
   });
   return op;
 }
 
 std::vector<double> SectionOperator::apply(double k, std::span<const double> u) const {
   std::vector<double> f(u.size(), 0.0);
-  for (std::size_t a = 0; a < node_count(); ++a)
-    for (std::size_t e = row_begin[a]; e < row_begin[a + 1]; ++e) {
-      const auto b = static_cast<std::size_t>(column[e]);
-      const auto entries = at(e, k);
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) {
-          const double v = entries[3 * i + j];
-          f[3 * a + i] += v * u[3 * b + j];
-          if (a != b)
-            f[3 * b + j] += v * u[3 * a + i];
-        }
+  std::size_t e = 0;
+  for (std::size_t c = 0; c < cells.count(); ++c)
+    for (auto nodes = cells[c]; !nodes.empty(); nodes = nodes.subspan(1)) {
+      const auto a = static_cast<std::size_t>(nodes.front());
+      for (const int node : nodes) {
+        const auto b = static_cast<std::size_t>(node);
+        const auto entries = at(e++, k);
+        for (std::size_t i = 0; i < 3; ++i)
+          for (std::size_t j = 0; j < 3; ++j) {
+            const double v = entries[3 * i + j];
+            f[3 * a + i] += v * u[3 * b + j];
+            if (a != b)
+              f[3 * b + j] += v * u[3 * a + i];
+          }
+      }
     }
   return f;
-}
-
-SectionOperator renumbered(const SectionOperator& op, std::span<const int> place) {
-  SectionOperator result;
-  result.mu = op.mu;
-  result.stiff = op.stiff;
-  result.row_begin.assign(op.node_count() + 1, 0);
-  const auto for_each = [&](auto&& use) {
-    for (std::size_t a = 0; a < op.node_count(); ++a)
-      for (std::size_t e = op.row_begin[a]; e < op.row_begin[a + 1]; ++e) {
-        const auto [low, high] = std::minmax(place[a], place[static_cast<std::size_t>(op.column[e])]);
-        use(static_cast<std::size_t>(low), high, e, low != place[a]);
-      }
-  };
-  for_each([&](std::size_t row, int, std::size_t, bool) { ++result.row_begin[row + 1]; });
-  std::partial_sum(result.row_begin.begin(), result.row_begin.end(), result.row_begin.begin());
-
-  struct Source {
-    int column;
-    bool turned;
-    std::size_t e;
-  };
-  std::vector<Source> sources(op.column.size());
-  std::vector<std::size_t> next(result.row_begin.begin(), result.row_begin.end() - 1);
-  for_each([&](std::size_t row, int column, std::size_t e, bool turned) {
-    sources[next[row]++] = {column, turned, e};
-  });
-  for (std::size_t row = 0; row < op.node_count(); ++row)
-    std::sort(sources.begin() + static_cast<std::ptrdiff_t>(result.row_begin[row]),
-              sources.begin() + static_cast<std::ptrdiff_t>(result.row_begin[row + 1]),
-              [](const Source& a, const Source& b) { return a.column < b.column; });
-  result.column.reserve(sources.size());
-  result.block.reserve(sources.size());
-  for (const Source& from : sources) {
-    result.column.push_back(from.column);
-    result.block.push_back(from.turned ? op.block[from.e].transposed() : op.block[from.e]);
-  }
-  return result;
 }
 
 std::vector<std::vector<double>> rigid_motions(std::span<const Point2> nodes, double reference_radius,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/base/material.hpp"
+#include "fem_influence/elements.hpp"
 #include "fem_influence/section.hpp"
 
 #include <array>
@@ -12,7 +13,7 @@ namespace bem_contact::fem {
 /// K(k) = K0 + k K1 + k^2 K2, real and symmetric, of the displacement
 ///     u_x = U sin kx, u_y = V cos kx, u_z = W cos kx
 /// on the section (per unit length, or per unit of R_ref theta). Degree of freedom 3 node + component.
-/// Stored: the blocks (a, b), a <= b, of neighbouring nodes.
+/// Stored cell by cell: blocks (a, b) of the cell's nodes, b not before a.
 struct SectionOperator {
   /// What a block is made of: K0 has the entries xx, yy, yz, zy, zz; K1 has xy, xz, yx, zx; K2 is diagonal,
   /// the shapes' product times lambda + 2 mu, mu, mu.
@@ -20,15 +21,10 @@ struct SectionOperator {
     std::array<double, 5> k0{};
     std::array<double, 4> k1{};
     double product = 0;
-
-    Block transposed() const {
-      return {{k0[0], k0[1], k0[3], k0[2], k0[4]}, {k1[2], k1[3], k1[0], k1[1]}, product};
-    }
   };
-  std::vector<std::size_t> row_begin; ///< nodes + 1
-  std::vector<int> column;            ///< ascending within a row, the first is the diagonal
-  std::vector<Block> block;           ///< of each column
-  double mu = 0, stiff = 0;           ///< shear modulus; lambda + 2 mu
+  Elements cells;           ///< nodes
+  std::vector<Block> block; ///< cell after cell, of its first node with itself and all after it, and so on
+  double mu = 0, stiff = 0; ///< shear modulus; lambda + 2 mu
 
   /// Block e of K(k), row-major.
   std::array<double, 9> at(std::size_t e, double k) const {
@@ -37,7 +33,6 @@ struct SectionOperator {
     return {b.k0[0] + stiff * kk, k * b.k1[0], k * b.k1[1],      k * b.k1[2], b.k0[1] + mu * kk, b.k0[2],
             k * b.k1[3],          b.k0[3],     b.k0[4] + mu * kk};
   }
-  std::size_t node_count() const { return row_begin.empty() ? 0 : row_begin.size() - 1; }
   /// K(k) u over all degrees of freedom.
   std::vector<double> apply(double k, std::span<const double> u) const;
 };
@@ -48,9 +43,6 @@ struct SectionOperator {
 ///     e_xx = (k/rho) U + W/r, g_xy = U_y - (k/rho) V, g_xz = U_z - U/r - (k/rho) W, the rest as above.
 /// Throws InputError when a point of a body of revolution lies on or beyond the axle (r <= 0).
 SectionOperator assemble(const Section& section, const Material& material, double reference_radius);
-
-/// The same with node a at place[a].
-SectionOperator renumbered(const SectionOperator& op, std::span<const int> place);
 
 /// Nodal values [3 node + component] of the body's rigid motions that belong to wavenumber k.
 /// A prism, k = 0: translations x, y, z and the rotation about x.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -72,62 +73,50 @@ SparseColumns patch_functionals(const SolidBody& body, const ContactSurface& sur
 }
 
 SolidSolver::SolidSolver(const SolidBody& body, const Material& material) : body_(body) {
-  const std::size_t n = body.node_count();
-  std::vector<std::vector<int>> rows(n);
-  std::vector<int> of_cell;
+  const double mu = material.shear_modulus, lambda = 2 * mu * material.poisson / (1 - 2 * material.poisson);
+  std::vector<int> nodes;
+  Eigen::MatrixXd of_cell;
   body.for_each_cell([&](const SolidCellView& cell) {
-    of_cell.clear();
+    nodes.clear();
     for (const int node : cell.nodes)
       for (const auto& master : body.masters(node))
-        of_cell.push_back(master.node);
-    std::sort(of_cell.begin(), of_cell.end());
-    of_cell.erase(std::unique(of_cell.begin(), of_cell.end()), of_cell.end());
-    for (auto row = of_cell.begin(); row != of_cell.end(); ++row)
-      rows[static_cast<std::size_t>(*row)].insert(rows[static_cast<std::size_t>(*row)].end(), of_cell.begin(),
-                                                  row + 1);
-  });
-  row_begin_.assign(1, 0);
-  for (auto& row : rows) {
-    std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
-    column_.insert(column_.end(), row.begin(), row.end());
-    row_begin_.push_back(column_.size());
-    std::vector<int>().swap(row);
-  }
-  value_.assign(9 * column_.size(), 0.0);
-
-  const double mu = material.shear_modulus, lambda = 2 * mu * material.poisson / (1 - 2 * material.poisson);
-  body.for_each_cell([&](const SolidCellView& cell) {
+        nodes.push_back(master.node);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    cells_.add(nodes);
+    const auto local = [&](int node) {
+      return std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin();
+    };
     const auto m = static_cast<Eigen::Index>(cell.nodes.size()),
-               np = static_cast<Eigen::Index>(cell.weight.size());
+               np = static_cast<Eigen::Index>(cell.weight.size()),
+               size = 3 * static_cast<Eigen::Index>(nodes.size());
     const Eigen::Map<const RowMajor> g(cell.gradient.data(), np, 3 * m);
     const Eigen::Map<const Eigen::VectorXd> w(cell.weight.data(), np);
     const RowMajor h = g.transpose() * w.asDiagonal() * g;
+    of_cell.setZero(size, size);
     for (Eigen::Index a = 0; a < m; ++a)
       for (Eigen::Index b = 0; b < m; ++b) {
         const Eigen::Matrix3d block = h.block<3, 3>(3 * a, 3 * b);
         const Eigen::Matrix3d k =
             lambda * block + mu * block.transpose() + mu * block.trace() * Eigen::Matrix3d::Identity();
         for (const auto [row, row_weight] : body.masters(cell.nodes[static_cast<std::size_t>(a)]))
-          for (const auto [column, column_weight] : body.masters(cell.nodes[static_cast<std::size_t>(b)])) {
-            if (column > row)
-              continue;
-            const auto from = column_.begin() + static_cast<std::ptrdiff_t>(row_begin_[row]),
-                       to = column_.begin() + static_cast<std::ptrdiff_t>(row_begin_[row + 1]);
-            const auto e = static_cast<std::size_t>(std::lower_bound(from, to, column) - column_.begin());
-            for (int i = 0; i < 3; ++i)
-              for (int j = 0; j < 3; ++j)
-                value_[9 * e + static_cast<std::size_t>(3 * i + j)] += row_weight * column_weight * k(i, j);
-          }
+          for (const auto [column, column_weight] : body.masters(cell.nodes[static_cast<std::size_t>(b)]))
+            of_cell.block<3, 3>(3 * local(row), 3 * local(column)) += row_weight * column_weight * k;
       }
+    for (Eigen::Index column = 0; column < size; ++column)
+      value_.insert(value_.end(), &of_cell(column, column), of_cell.col(column).data() + size);
   });
+  place_ = nested_dissection(body.node_count(), cells_);
 }
 
 std::vector<int> SolidSolver::unknown_numbers(MirrorSymmetry symmetry) const {
   const NodeFlags& flags = body_.flags();
   std::vector<int> unknown(3 * flags.held.size(), -1);
+  std::vector<std::size_t> node_at(place_.size());
+  for (std::size_t node = 0; node < place_.size(); ++node)
+    node_at[static_cast<std::size_t>(place_[node])] = node;
   int next = 0;
-  for (std::size_t node = 0; node < flags.held.size(); ++node)
+  for (const std::size_t node : node_at)
     for (std::size_t c = 0; c < 3; ++c)
       if (!flags.hanging[node] && !flags.held[node] &&
           !(flags.mirrored[node] && (c == 0) == (symmetry == MirrorSymmetry::even)))
@@ -145,21 +134,25 @@ void SolidSolver::solve(
     const std::function<void(std::size_t, std::span<const double>, std::span<const double>)>& use) const {
   const std::vector<int> unknown = unknown_numbers(symmetry);
   const int size = *std::max_element(unknown.begin(), unknown.end()) + 1;
-  std::vector<int> rows, columns;
+  Elements elements;
   std::vector<double> values;
-  for (std::size_t node = 0; node + 1 < row_begin_.size(); ++node)
-    for (std::size_t e = row_begin_[node]; e < row_begin_[node + 1]; ++e)
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) {
-          const auto other = static_cast<std::size_t>(column_[e]);
-          const int row = unknown[3 * node + i], column = unknown[3 * other + j];
-          if (row < 0 || column < 0 || column > row)
-            continue;
-          rows.push_back(row);
-          columns.push_back(column);
-          values.push_back(value_[9 * e + 3 * i + j]);
-        }
-  MumpsSolver solver(size, std::move(rows), std::move(columns));
+  std::vector<int> all, members; // of a cell: -1 where there is no unknown
+  auto value = value_.begin();
+  for (std::size_t cell = 0; cell < cells_.count(); ++cell) {
+    all.clear();
+    for (const int node : cells_[cell])
+      for (std::size_t c = 0; c < 3; ++c)
+        all.push_back(unknown[3 * static_cast<std::size_t>(node) + c]);
+    for (std::size_t column = 0; column < all.size(); ++column)
+      for (std::size_t row = column; row < all.size(); ++row, ++value)
+        if (all[row] >= 0 && all[column] >= 0)
+          values.push_back(*value);
+    members.clear();
+    std::copy_if(all.begin(), all.end(), std::back_inserter(members), [](int u) { return u >= 0; });
+    if (!members.empty())
+      elements.add(members);
+  }
+  MumpsSolver solver(size, std::move(elements));
   const double needed = solver.estimated_memory(), there = available_memory();
   if (needed > there)
     throw Error(
@@ -180,7 +173,7 @@ void SolidSolver::solve(
       sampled[s] = sum;
     }
     displacement.assign(unknown.size(), 0.0);
-    for (std::size_t node = 0; node + 1 < row_begin_.size(); ++node)
+    for (std::size_t node = 0; node < place_.size(); ++node)
       for (const auto [master, weight] : body_.masters(static_cast<int>(node)))
         for (std::size_t i = 0; i < 3; ++i)
           if (const int u = unknown[3 * static_cast<std::size_t>(master) + i]; u >= 0)

@@ -33,9 +33,9 @@ private:
   std::vector<int> unknown_numbers(MirrorSymmetry symmetry) const;
 
   const SolidBody& body_;
-  std::vector<std::size_t> row_begin_; ///< nodes + 1
-  std::vector<int> column_;            ///< nodes up to the diagonal, ascending
-  std::vector<double> value_;          ///< 3 x 3 blocks, row-major
+  Elements cells_;            ///< nodes, masters for those that hang
+  std::vector<double> value_; ///< of each cell's degrees of freedom the lower triangle, column by column
+  std::vector<int> place_;    ///< of each node in the elimination
 };
 
 /// Memory that processes may still take, GiB; infinite where the system does not say.

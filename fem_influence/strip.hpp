@@ -3,7 +3,7 @@
 #include "bem_contact/base/body_file.hpp"
 #include "bem_contact/influence/influence_function.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
-#include "fem_influence/mumps_solver.hpp"
+#include "fem_influence/elements.hpp"
 #include "fem_influence/section.hpp"
 
 namespace bem_contact::fem {

@@ -158,12 +158,15 @@ void check_michell(bool hole) {
 TEST(Kernel, schur_complement_is_what_solving_gives) {
   // A chain of springs, held at one end; borders with repeated and single entries.
   const int size = 50;
-  std::vector<int> row, column;
+  Elements springs;
   std::vector<double> value;
   for (int i = 0; i < size; ++i) {
-    row.insert(row.end(), {i, i});
-    column.insert(column.end(), {i, std::max(0, i - 1)});
-    value.insert(value.end(), {2.0 + 0.01 * i, i > 0 ? -1.0 : 0.5});
+    springs.add(std::array{i});
+    value.push_back(i > 0 ? 2.0 + 0.01 * i : 2.5);
+    if (i > 0) { // lower triangle column by column, whatever the order of the two
+      springs.add(i % 2 ? std::array{i, i - 1} : std::array{i - 1, i});
+      value.insert(value.end(), {0.0, -1.0, 0.0});
+    }
   }
   SparseColumns border;
   for (const int at : {0, 7, 7, 49}) {
@@ -171,7 +174,7 @@ TEST(Kernel, schur_complement_is_what_solving_gives) {
     border.value.insert(border.value.end(), {1.0, 0.25 * at});
     border.column_begin.push_back(border.row.size());
   }
-  MumpsSolver bordered(size, row, column, border), plain(size, row, column);
+  MumpsSolver bordered(size, springs, border), plain(size, springs);
   bordered.factorize(value);
   plain.factorize(value);
   const std::vector<double>& schur = bordered.schur();
@@ -184,6 +187,45 @@ TEST(Kernel, schur_complement_is_what_solving_gives) {
       EXPECT_EQ(schur[a * border.columns() + c], schur[c * border.columns() + a]);
     }
   });
+}
+
+TEST(Kernel, elimination_numbers_nodes_of_elements_first) {
+  // A strip of squares, every second node of its lower edge in none of them.
+  Elements squares;
+  for (int i = 0; i < 20; ++i)
+    squares.add(std::array{4 * i, 4 * i + 2, 4 * i + 4, 4 * i + 6});
+  const std::size_t nodes = 87;
+  const std::vector<int> place = nested_dissection(nodes, squares);
+  std::vector<int> sorted(place);
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t a = 0; a < nodes; ++a)
+    EXPECT_EQ(sorted[a], static_cast<int>(a));
+  for (std::size_t a = 0; a < nodes; ++a)
+    EXPECT_EQ(place[a] < 42, a % 2 == 0 && a < 84) << "node " << a;
+  EXPECT_EQ(place, nested_dissection(nodes, squares)); // processes may find it each for themselves
+}
+
+TEST(Kernel, order_of_elimination_does_not_matter) {
+  const Folder folder;
+  write_block_mesh(folder / "block.msh", 0.5, 2, 50, true);
+  const BodyFile body = strip_body("wheel", 2, 0.5, 2);
+  const ProfileCurve curve = straight_line(50, true);
+  const Section section(folder / "block.msh", 2, curve, body.strip, {.borders = 1});
+  const HarmonicSystem system = assemble_system(section, body, curve);
+  HarmonicSolver found(system), backwards(system, [&] {
+    std::vector<int> place = elimination_order(system);
+    const auto held = std::count(section.held().begin(), section.held().end(), 1);
+    EXPECT_GT(held, 0);
+    for (int& p : place) // the held nodes stay last
+      if (const int free = static_cast<int>(place.size()) - static_cast<int>(held); p < free)
+        p = free - 1 - p;
+    return place;
+  });
+  const auto a = found.at(0.3), b = backwards.at(0.3);
+  const double largest = *std::max_element(a.kernel.begin(), a.kernel.end());
+  for (std::size_t i = 0; i < a.kernel.size(); ++i)
+    EXPECT_NEAR(a.kernel[i], b.kernel[i], 1e-11 * largest);
+  EXPECT_NE(a.kernel, b.kernel); // another order it was
 }
 
 TEST(Kernel, disc_has_michells_modes) {

@@ -115,30 +115,6 @@ TEST_F(Operator, wheel_of_huge_radius_is_a_prism) {
   }
 }
 
-TEST_F(Operator, numbering_of_nodes_does_not_matter) {
-  const Section section(mesh_, 2, straight_line(50, true), {-4, 4, 2});
-  const auto op = assemble(section, Material{}, wheel_radius);
-  const std::size_t nodes = section.node_count();
-  std::vector<int> place(nodes);
-  for (std::size_t a = 0; a < nodes; ++a) // far from the old order, and descending for half of the pairs
-    place[a] = static_cast<int>(a % 2 ? a / 2 : nodes - 1 - a / 2);
-  const auto moved = [&](const std::vector<double>& field) {
-    std::vector<double> result(field.size());
-    for (std::size_t d = 0; d < field.size(); ++d)
-      result[3 * static_cast<std::size_t>(place[d / 3]) + d % 3] = field[d];
-    return result;
-  };
-  const auto u = strained(section.node_positions(), 1);
-  const std::vector<double> expected = moved(op.apply(0.3, u)),
-                            force = renumbered(op, place).apply(0.3, moved(u));
-  double largest = 0, difference = 0;
-  for (std::size_t d = 0; d < force.size(); ++d) {
-    largest = std::max(largest, std::abs(expected[d]));
-    difference = std::max(difference, std::abs(force[d] - expected[d]));
-  }
-  EXPECT_LT(difference, 1e-13 * largest);
-}
-
 TEST_F(Operator, reversed_wavenumber_turns_the_longitudinal_component) {
   const Section section(mesh_, 2, straight_line(50, true), {-4, 4, 2});
   for (const double radius : {0.0, wheel_radius}) {
