@@ -295,14 +295,6 @@ void Section::for_each_cell(const std::function<void(const CellView&)>& visit) c
   }
 }
 
-void Section::for_each_cell_nodes(const std::function<void(std::span<const int>)>& visit) const {
-  std::vector<dealii::types::global_dof_index> dofs(impl_->element.n_dofs_per_cell());
-  for (const auto& cell : impl_->dofs.active_cell_iterators()) {
-    cell->get_dof_indices(dofs);
-    visit(CellNodes(dofs, impl_->hanging, impl_->node).nodes);
-  }
-}
-
 void Section::for_each_contact_edge(const std::function<void(const EdgeView&)>& visit) const {
   using namespace dealii;
   const QGauss<1> rule(impl_->element.degree + 2);

@@ -73,7 +73,6 @@ public:
   const std::vector<char>& held() const; ///< per node
 
   void for_each_cell(const std::function<void(const CellView&)>& visit) const;
-  void for_each_cell_nodes(const std::function<void(std::span<const int>)>& visit) const;
   void for_each_contact_edge(const std::function<void(const EdgeView&)>& visit) const;
 
 private:
