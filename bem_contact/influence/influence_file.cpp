@@ -5,6 +5,7 @@
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/h5_handle.hpp"
 #include "bem_contact/influence/h5_image.hpp"
+#include "bem_contact/influence/lower_triangle.hpp"
 
 #include <functional>
 #include <numeric>
@@ -162,11 +163,7 @@ std::vector<double> read_triangles(hid_t at, const char* name, hsize_t count, hs
     const hsize_t from[] = {k, 0}, extent[] = {1, shape[1]};
     check(H5Sselect_hyperslab(space, H5S_SELECT_SET, from, nullptr, extent, nullptr), name);
     check(H5Dread(set, H5T_NATIVE_DOUBLE, one, space, H5P_DEFAULT, triangle.data()), name);
-    const double* value = triangle.data();
-    double* matrix = &matrices[k * n * n];
-    for (hsize_t row = 0; row < n; ++row)
-      for (hsize_t column = 0; column <= row; ++column)
-        matrix[row * n + column] = matrix[column * n + row] = *value++;
+    fill_symmetric(std::span(matrices).subspan(k * n * n, n * n), triangle, n);
   }
   return matrices;
 }
@@ -194,8 +191,7 @@ std::vector<double> packed(const std::vector<double>& kernel, std::size_t n, std
   std::vector<double> lower;
   lower.reserve(count * n * (n + 1) / 2);
   for (std::size_t k = 0; k < count; ++k)
-    for (std::size_t row = 0; row < n; ++row)
-      lower.insert(lower.end(), &kernel[(k * n + row) * n], &kernel[(k * n + row) * n] + row + 1);
+    append_lower(lower, std::span(kernel).subspan(k * n * n, n * n), n);
   return lower;
 }
 

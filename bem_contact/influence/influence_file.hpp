@@ -38,6 +38,7 @@ public:
                        std::span<const double> wavenumber);
   ~PartialInfluenceFile();
   bool has(std::size_t k) const;
+  /// Of the kernel, which is symmetric, the lower triangle is kept.
   void write(std::size_t k, std::span<const double> kernel, std::span<const double> remote,
              std::span<const double> remote_self, std::span<const double> errors);
   void read_into(InfluenceFunction& function, std::vector<double>& errors) const;

@@ -1,6 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/lower_triangle.hpp"
 
 #include <cstring>
 #include <fstream>
@@ -9,7 +10,7 @@
 namespace bem_contact {
 namespace {
 
-constexpr std::string_view magic = "conformal-contact partial influence 1\n";
+constexpr std::string_view magic = "conformal-contact partial influence 2\n";
 constexpr std::size_t digest_size = 64;
 
 template <class T> void append(std::string& bytes, const T* data, std::size_t count) {
@@ -23,8 +24,9 @@ std::string digest_of(std::string_view bytes) {
 } // namespace
 
 /// The file: a header (magic, fingerprint, sizes, wavenumbers), then records of
-/// [u64 k][u64 errors][kernel, remote, remote_self, errors][SHA-256 of all before it, 64 characters], in the
-/// machine's own byte order. A record that a kill left unfinished is cut off when the file is opened again.
+/// [u64 k][u64 errors][kernel's lower triangle, remote, remote_self, errors][SHA-256 of all before it, 64
+/// characters], in the machine's own byte order. A record that a kill left unfinished is cut off when the
+/// file is opened again.
 struct PartialInfluenceFile::Impl {
   std::filesystem::path path;
   std::size_t rows = 0; ///< 3 NS
@@ -32,7 +34,7 @@ struct PartialInfluenceFile::Impl {
   std::map<std::size_t, std::vector<double>> part;
   std::ofstream out;
 
-  std::size_t numbers() const { return rows * rows + 6 * rows + 36; }
+  std::size_t numbers() const { return rows * (rows + 1) / 2 + 6 * rows + 36; }
   [[noreturn]] void fail(const char* why) const {
     throw InputError("the file of finished wavenumbers '" + path.string() + "' cannot be written", why,
                      "check that its folder exists and has room");
@@ -106,7 +108,8 @@ void PartialInfluenceFile::write(std::size_t k, std::span<const double> kernel,
                 "report this as a bug");
   std::vector<double> values;
   values.reserve(impl_->numbers() + errors.size());
-  for (const auto piece : {kernel, remote, remote_self, errors})
+  append_lower(values, kernel, n);
+  for (const auto piece : {remote, remote_self, errors})
     values.insert(values.end(), piece.begin(), piece.end());
   std::string record;
   const std::uint64_t head[] = {k, errors.size()};
@@ -123,6 +126,7 @@ void PartialInfluenceFile::read_into(InfluenceFunction& function, std::vector<do
   const std::size_t n = impl_->rows;
   function.wavenumber = impl_->wavenumber;
   function.kernel.clear();
+  function.kernel.reserve(impl_->wavenumber.size() * n * n);
   function.remote.clear();
   function.remote_self.clear();
   errors.clear();
@@ -138,7 +142,10 @@ void PartialInfluenceFile::read_into(InfluenceFunction& function, std::vector<do
       to.insert(to.end(), from, from + static_cast<std::ptrdiff_t>(count));
       from += static_cast<std::ptrdiff_t>(count);
     };
-    take(function.kernel, n * n);
+    const std::size_t lower = n * (n + 1) / 2, matrix = function.kernel.size();
+    function.kernel.resize(matrix + n * n);
+    fill_symmetric(std::span(function.kernel).subspan(matrix), std::span(found->second).first(lower), n);
+    from += static_cast<std::ptrdiff_t>(lower);
     take(function.remote, 6 * n);
     take(function.remote_self, 36);
     errors.insert(errors.end(), from, found->second.end());
