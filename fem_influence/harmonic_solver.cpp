@@ -81,6 +81,9 @@ HarmonicSystem assemble_system(const Section& section, const BodyFile& body, con
   for (std::size_t d = 0; d < unknown.size(); ++d)
     if (!section.held()[d / 3])
       unknown[d] = next++;
+  if (next == 0)
+    throw InputError("The mesh has nothing that can move", "all its nodes lie on the group 'held'",
+                     "hold a part of the body, or refine the mesh");
   append_unknowns(system.functionals, loads, unknown);
   append_unknowns(system.functionals, remote, unknown);
 
@@ -119,11 +122,11 @@ std::vector<int> elimination_order(const HarmonicSystem& system) {
   for (std::size_t c = 0; c < system.op.cells.count(); ++c) {
     nodes.clear();
     for (const int node : system.op.cells[c])
-      if (system.unknown[3 * static_cast<std::size_t>(node)] >= 0) // held in all three components, or in none
+      if (!system.held(node))
         nodes.push_back(node);
     free.add(nodes);
   }
-  return nested_dissection(system.unknown.size() / 3, free);
+  return nested_dissection(system.nodes(), free);
 }
 
 void renumber(HarmonicSystem& system, std::span<const int> place) {
@@ -148,9 +151,9 @@ void HarmonicSolver::analyse() {
   for (std::size_t c = 0; c < system_.op.cells.count(); ++c) {
     members.clear();
     for (const int node : system_.op.cells[c])
-      for (std::size_t i = 0; i < 3; ++i)
-        if (const int u = system_.unknown[3 * static_cast<std::size_t>(node) + i]; u >= 0)
-          members.push_back(u);
+      if (!system_.held(node))
+        for (std::size_t i = 0; i < 3; ++i)
+          members.push_back(system_.unknown[3 * static_cast<std::size_t>(node) + i]);
     if (!members.empty())
       elements.add(members);
   }
@@ -168,7 +171,7 @@ std::vector<double> HarmonicSolver::values(double k) const {
     const auto nodes = op.cells[c];
     for (std::size_t a = 0; a < nodes.size(); ++a) {
       for (std::size_t b = a; b < nodes.size(); ++b, ++e) {
-        if (held(nodes[a]) || held(nodes[b]))
+        if (system_.held(nodes[a]) || system_.held(nodes[b]))
           continue;
         const auto entry = op.at(e, k);
         for (std::size_t i = 0; i < 3; ++i)

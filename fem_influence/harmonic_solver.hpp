@@ -43,7 +43,10 @@ struct HarmonicSystem {
   std::vector<int> unknown;      ///< of degree of freedom 3 node + component; -1: held
   SparseColumns functionals;     ///< of the unknowns: stations', remote, supports' reactions
   std::vector<double> load_work; ///< [rigid motion][load]: work of the load on the unknowns
+  std::size_t nodes() const { return unknown.size() / 3; }
   std::size_t unknowns() const;
+  /// In all three components; the others are held in none.
+  bool held(int node) const { return unknown[3 * static_cast<std::size_t>(node)] < 0; }
   /// use(array) and use(number) of everything above, always in the same order: to send it to others.
   template <class Use> void for_each_part(Use&& use) {
     use(cells), use(stations), use(width), use(op.mu), use(op.stiff);
@@ -76,7 +79,6 @@ public:
   void analyse();
 
 private:
-  bool held(int node) const { return system_.unknown[3 * static_cast<std::size_t>(node)] < 0; }
   /// K(k) as MumpsSolver takes it.
   std::vector<double> values(double k) const;
 

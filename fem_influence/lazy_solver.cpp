@@ -20,7 +20,6 @@ void LazySolver::share(Fellows& fellows) {
   if (!system_)
     system_.emplace();
   system_->for_each_part([&](auto& part) { fellows.broadcast(part); });
-  const std::size_t nodes = system_->unknown.size() / 3;
   order_ = [&fellows] {
     if (fellows.received().empty())
       throw Error("The unknowns have no order of elimination",
@@ -28,7 +27,7 @@ void LazySolver::share(Fellows& fellows) {
     return fellows.received();
   };
   if (fellows.rank() > 0) {
-    fellows.expect(nodes);
+    fellows.expect(system_->nodes());
     return;
   }
   const auto start = std::chrono::steady_clock::now();

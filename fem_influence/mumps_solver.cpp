@@ -71,7 +71,7 @@ MumpsSolver::MumpsSolver(int size, Elements elements, const SparseColumns& borde
   id.n = size + bordered;
   position.resize(static_cast<std::size_t>(id.n));
   std::iota(position.begin(), position.end(), 1);
-  impl_->control(7) = 1;
+  impl_->control(7) = 1; // the order is given: Debian's MUMPS has no METIS of its own
   id.perm_in = position.data();
   if (bordered > 0) {
     impl_->control(31) = 1; // no factors are kept, for nothing is solved

@@ -1,3 +1,4 @@
+#include "bem_contact/base/error.hpp"
 #include "fem_influence/harmonic_solver.hpp"
 #include "section_meshes.hpp"
 
@@ -246,6 +247,24 @@ TEST(Kernel, reactions_balance_the_load_of_prism_and_wheel) {
     const auto result = solver.at(0);
     EXPECT_LT(result.reaction_error, 1e-8);
     EXPECT_LT(result.betti_error, 1e-10);
+  }
+}
+
+TEST(Kernel, a_body_held_at_all_nodes_is_refused) {
+  const Folder folder;
+  write_text(folder / "one.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n"
+                                 "1 -1 0 0\n2 1 0 0\n3 1 10 0\n4 -1 10 0\n$EndNodes\n$Elements\n5\n"
+                                 "1 1 2 1 1 1 2\n2 1 2 2 2 2 3\n3 1 2 2 2 3 4\n4 1 2 2 2 4 1\n"
+                                 "5 3 2 10 10 1 2 3 4\n$EndElements\n");
+  BodyFile body = strip_body("block", 1, 2, 1);
+  body.harmonic.remote_distance = 4;
+  const ProfileCurve curve = straight_line(10);
+  const Section section(folder / "one.msh", 1, curve, body.strip);
+  try {
+    assemble_system(section, body, curve);
+    ADD_FAILURE() << "taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("nothing that can move"), std::string::npos) << error.what();
   }
 }
 
