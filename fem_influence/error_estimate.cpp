@@ -24,8 +24,9 @@ double sampling_ratio(int samples_per_decade) {
   return std::clamp(10 * std::pow(samples_per_decade / 7.0, 3), 10.0, 30.0);
 }
 
-/// Stations whose numbers are looked at: some evenly spread, and ever farther neighbours of three of them.
-std::vector<std::size_t> chosen_stations(std::size_t count) {
+} // namespace
+
+std::vector<std::size_t> compared_stations(std::size_t count) {
   std::set<std::size_t> chosen;
   const std::size_t last = count - 1;
   for (std::size_t i = 0; i <= 24; ++i)
@@ -37,6 +38,8 @@ std::vector<std::size_t> chosen_stations(std::size_t count) {
           chosen.insert(at);
   return {chosen.begin(), chosen.end()};
 }
+
+namespace {
 
 InfluenceFunction part_of(const InfluenceFunction& f, std::span<const std::size_t> stations,
                           std::span<const std::size_t> samples) {
@@ -52,7 +55,8 @@ InfluenceFunction part_of(const InfluenceFunction& f, std::span<const std::size_
     part.wavenumber.push_back(f.wavenumber[k]);
     for (const std::size_t a : column)
       for (const std::size_t b : column)
-        part.kernel.push_back(f.kernel[(k * n + a) * n + b]);
+        if (b <= a)
+          part.kernel.push_back(f.kernel[f.kernel_index(k, a, b)]);
     for (std::size_t m = 0; m < 6; ++m)
       for (const std::size_t b : column)
         part.remote.push_back(f.remote[(k * 6 + m) * n + b]);
@@ -98,15 +102,14 @@ std::vector<std::size_t> companion_samples(std::size_t count) {
 
 ErrorEstimate estimate_error(const InfluenceFunction& function, const InfluenceFunction& companion,
                              double shortest_dx, double ratio, int samples_per_decade) {
-  const auto stations = chosen_stations(function.station_count());
+  const auto stations = compared_stations(function.station_count());
   const auto half = companion_samples(function.wavenumber_count());
   const int offsets =
       1 + static_cast<int>(std::min(reach, 0.5 * function.half_period) / shortest_dx * (1 + 1e-9));
   const auto fine =
       numbers_of(part_of(function, stations, all_of(function.wavenumber_count())), shortest_dx, offsets);
   const auto fewer = numbers_of(part_of(function, stations, half), shortest_dx, offsets);
-  const auto coarse =
-      numbers_of(part_of(companion, stations, all_of(companion.wavenumber_count())), shortest_dx, offsets);
+  const auto coarse = numbers_of(companion, shortest_dx, offsets);
 
   const double half_ratio = sampling_ratio(samples_per_decade);
   ErrorEstimate estimate;

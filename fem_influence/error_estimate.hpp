@@ -22,8 +22,11 @@ struct ErrorEstimate {
   double total = 0;   ///< largest sum of the two; bounds the true error
 };
 
-/// `companion` has the samples companion_samples() of `function`. The structural motion is removed where it
-/// can be.
+/// Stations whose numbers are looked at: some evenly spread, and ever farther neighbours of three of them.
+std::vector<std::size_t> compared_stations(std::size_t count);
+
+/// `companion` has the samples companion_samples() of `function` and its compared_stations() alone. The
+/// structural motion is removed where it can be.
 ErrorEstimate estimate_error(const InfluenceFunction& function, const InfluenceFunction& companion,
                              double shortest_dx, double ratio, int samples_per_decade);
 

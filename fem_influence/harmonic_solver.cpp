@@ -7,25 +7,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
 namespace bem_contact::fem {
-
-namespace {
-
-class Stopwatch {
-public:
-  explicit Stopwatch(double& total) : total_(total) {}
-  ~Stopwatch() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
-private:
-  double& total_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-} // namespace
 
 double smallest_eigenvalue(std::span<const double> kernel) {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -64,16 +49,36 @@ std::size_t HarmonicSystem::unknowns() const {
       std::count_if(unknown.begin(), unknown.end(), [](int u) { return u >= 0; }));
 }
 
-HarmonicSystem assemble_system(const Section& section, const BodyFile& body, const ProfileCurve& curve) {
+namespace {
+
+/// The three columns of each of these stations.
+SparseColumns of_stations(const SparseColumns& loads, std::span<const std::size_t> stations) {
+  SparseColumns some;
+  for (const std::size_t J : stations)
+    for (std::size_t c = 3 * J; c < 3 * J + 3; ++c) {
+      for (std::size_t e = loads.column_begin[c]; e < loads.column_begin[c + 1]; ++e) {
+        some.row.push_back(loads.row[e]);
+        some.value.push_back(loads.value[e]);
+      }
+      some.column_begin.push_back(some.row.size());
+    }
+  return some;
+}
+
+} // namespace
+
+HarmonicSystem lay_out_system(const Section& section, const BodyFile& body, const ProfileCurve& curve,
+                              std::span<const std::size_t> chosen) {
   HarmonicSystem system;
   const double reference_radius = reference_radius_of(body);
   const std::vector<Station> stations = make_stations(body.strip, curve);
   system.cells = section.cell_count();
-  system.stations = stations.size();
+  system.stations = chosen.empty() ? stations.size() : chosen.size();
   system.width = body.strip.station_width;
-  const SparseColumns loads = station_functionals(section, curve, body.strip, stations);
+  const SparseColumns all_loads = station_functionals(section, curve, body.strip, stations);
+  const SparseColumns loads = chosen.empty() ? all_loads : of_stations(all_loads, chosen);
   const SparseColumns remote = remote_functionals(section, stations, body.harmonic.remote_distance);
-  system.op = assemble(section, body.material, reference_radius);
+  system.op = lay_out(section, body.material, reference_radius);
 
   auto& unknown = system.unknown;
   unknown.assign(3 * section.node_count(), -1);
@@ -87,24 +92,18 @@ HarmonicSystem assemble_system(const Section& section, const BodyFile& body, con
   append_unknowns(system.functionals, loads, unknown);
   append_unknowns(system.functionals, remote, unknown);
 
-  // The support's reaction on a rigid motion m of the held part is a functional as well: (K m)^T u.
   for (auto& motion : rigid_motions(section.node_positions(), reference_radius, 0)) {
     double largest = 0;
     for (const double u : motion)
       largest = std::max(largest, std::abs(u));
-    for (double& u : motion)
-      u /= largest;
-    std::vector<double> held(motion.size(), 0.0);
-    for (std::size_t d = 0; d < held.size(); ++d)
-      if (unknown[d] < 0)
-        held[d] = motion[d];
-    const std::vector<double> reaction = system.op.apply(0.0, held);
-    for (std::size_t d = 0; d < reaction.size(); ++d)
-      if (unknown[d] >= 0 && reaction[d] != 0) {
-        system.functionals.row.push_back(unknown[d]);
-        system.functionals.value.push_back(reaction[d]);
+    for (std::size_t d = 0; d < motion.size(); ++d) {
+      motion[d] /= largest;
+      if (unknown[d] < 0) {
+        system.held_motion.row.push_back(static_cast<int>(d));
+        system.held_motion.value.push_back(motion[d]);
       }
-    system.functionals.column_begin.push_back(system.functionals.row.size());
+    }
+    system.held_motion.column_begin.push_back(system.held_motion.row.size());
     for (std::size_t c = 0; c < loads.columns(); ++c) {
       double work = 0;
       for (std::size_t e = loads.column_begin[c]; e < loads.column_begin[c + 1]; ++e)
@@ -115,6 +114,33 @@ HarmonicSystem assemble_system(const Section& section, const BodyFile& body, con
   }
   return system;
 }
+
+HarmonicSystem assemble_system(const Section& section, const BodyFile& body, const ProfileCurve& curve) {
+  HarmonicSystem system = lay_out_system(section, body, curve);
+  fill(system.op, section, reference_radius_of(body));
+  return system;
+}
+
+namespace {
+
+/// The support's reaction on a rigid motion m of the held part is a functional as well: (K m)^T u.
+void append_reactions(HarmonicSystem& system) {
+  const SparseColumns& held = system.held_motion;
+  for (std::size_t c = 0; c < held.columns(); ++c) {
+    std::vector<double> motion(system.unknown.size(), 0.0);
+    for (std::size_t e = held.column_begin[c]; e < held.column_begin[c + 1]; ++e)
+      motion[static_cast<std::size_t>(held.row[e])] = held.value[e];
+    const std::vector<double> reaction = system.op.apply(0.0, motion);
+    for (std::size_t d = 0; d < reaction.size(); ++d)
+      if (system.unknown[d] >= 0 && reaction[d] != 0) {
+        system.functionals.row.push_back(system.unknown[d]);
+        system.functionals.value.push_back(reaction[d]);
+      }
+    system.functionals.column_begin.push_back(system.functionals.row.size());
+  }
+}
+
+} // namespace
 
 std::vector<int> elimination_order(const HarmonicSystem& system) {
   Elements free;
@@ -138,14 +164,15 @@ void renumber(HarmonicSystem& system, std::span<const int> place) {
     row = moved[static_cast<std::size_t>(row)];
 }
 
-HarmonicSolver::HarmonicSolver(HarmonicSystem system, std::function<std::vector<int>()> order)
+HarmonicSolver::HarmonicSolver(HarmonicSystem system, std::vector<int> order)
     : system_(std::move(system)), order_(std::move(order)) {}
 
 void HarmonicSolver::analyse() {
   if (solver_)
     return;
   const Stopwatch watch(timing_.analysis);
-  renumber(system_, order_ ? order_() : elimination_order(system_));
+  append_reactions(system_);
+  renumber(system_, order_.empty() ? elimination_order(system_) : order_);
   Elements elements;
   std::vector<int> members;
   for (std::size_t c = 0; c < system_.op.cells.count(); ++c) {
@@ -161,30 +188,41 @@ void HarmonicSolver::analyse() {
       std::make_unique<MumpsSolver>(static_cast<int>(unknowns()), std::move(elements), system_.functionals);
 }
 
-std::vector<double> HarmonicSolver::values(double k) const {
+void HarmonicSolver::evaluate(double k) {
   const SectionOperator& op = system_.op;
-  std::vector<double> value;
-  value.reserve(9 * op.block.size());
-  std::array<std::vector<double>, 3> column; // of a lower triangle, for the components of one node
+  value_.resize(9 * op.block.size()); // at least
+  double* to = value_.data();
   std::size_t e = 0;
+  std::vector<char> held;
   for (std::size_t c = 0; c < op.cells.count(); ++c) {
-    const auto nodes = op.cells[c];
-    for (std::size_t a = 0; a < nodes.size(); ++a) {
-      for (std::size_t b = a; b < nodes.size(); ++b, ++e) {
-        if (system_.held(nodes[a]) || system_.held(nodes[b]))
+    held.clear();
+    for (const int node : op.cells[c])
+      held.push_back(system_.held(node));
+    auto left = 3 * static_cast<std::size_t>(std::count(held.begin(), held.end(), 0)); // rows of a column
+    for (std::size_t a = 0; a < held.size(); ++a) {
+      if (held[a]) {
+        e += held.size() - a;
+        continue;
+      }
+      // The columns of one node's components, each from its diagonal on.
+      std::array<double*, 3> column{to, to + left, to + 2 * left - 1};
+      to += 3 * left - 3;
+      left -= 3;
+      const auto diagonal = op.at(e++, k);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = i; j < 3; ++j)
+          *column[i]++ = diagonal[3 * i + j];
+      for (std::size_t b = a + 1; b < held.size(); ++b, ++e) {
+        if (held[b])
           continue;
         const auto entry = op.at(e, k);
         for (std::size_t i = 0; i < 3; ++i)
-          column[i].insert(column[i].end(), entry.begin() + 3 * i + (a == b ? i : 0),
-                           entry.begin() + 3 * i + 3);
-      }
-      for (auto& values : column) {
-        value.insert(value.end(), values.begin(), values.end());
-        values.clear();
+          for (std::size_t j = 0; j < 3; ++j)
+            *column[i]++ = entry[3 * i + j];
       }
     }
   }
-  return value;
+  value_.resize(static_cast<std::size_t>(to - value_.data()));
 }
 
 WavenumberResult HarmonicSolver::at(double k) {
@@ -192,7 +230,8 @@ WavenumberResult HarmonicSolver::at(double k) {
   const std::size_t n = 3 * system_.stations;
   {
     const Stopwatch watch(timing_.factorization);
-    solver_->factorize(values(k));
+    evaluate(k);
+    solver_->factorize(value_);
   }
   const std::vector<double>& all = solver_->schur();
   const std::size_t size = system_.functionals.columns();

@@ -4,7 +4,7 @@
 #include "fem_influence/section_operator.hpp"
 #include "fem_influence/strip.hpp"
 
-#include <functional>
+#include <chrono>
 
 namespace bem_contact::fem {
 
@@ -19,6 +19,17 @@ struct Timing {
   friend Timing operator+(const Timing& a, const Timing& b) {
     return {a.assembly + b.assembly, a.analysis + b.analysis, a.factorization + b.factorization};
   }
+};
+
+/// Adds the seconds that it lives to a total.
+class Stopwatch {
+public:
+  explicit Stopwatch(double& total) : total_(total) {}
+  ~Stopwatch() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+private:
+  double& total_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 /// What one wavenumber gives; layout as in InfluenceFunction.
@@ -41,21 +52,28 @@ struct HarmonicSystem {
   double width = 0; ///< of a station, mm
   SectionOperator op;
   std::vector<int> unknown;      ///< of degree of freedom 3 node + component; -1: held
-  SparseColumns functionals;     ///< of the unknowns: stations', remote, supports' reactions
+  SparseColumns functionals;     ///< of the unknowns: stations', remote
+  SparseColumns held_motion;     ///< of the degrees of freedom: rigid motions of the held part
   std::vector<double> load_work; ///< [rigid motion][load]: work of the load on the unknowns
   std::size_t nodes() const { return unknown.size() / 3; }
   std::size_t unknowns() const;
   /// In all three components; the others are held in none.
   bool held(int node) const { return unknown[3 * static_cast<std::size_t>(node)] < 0; }
-  /// use(array) and use(number) of everything above, always in the same order: to send it to others.
+  /// use(array) and use(number) of everything above but op's blocks, always in the same order: to send it to
+  /// others.
   template <class Use> void for_each_part(Use&& use) {
-    use(cells), use(stations), use(width), use(op.mu), use(op.stiff);
-    use(op.cells.begin), use(op.cells.member), use(op.block), use(unknown);
-    use(functionals.column_begin), use(functionals.row), use(functionals.value), use(load_work);
+    use(cells), use(stations), use(width), use(op.mu), use(op.lambda);
+    use(op.cells.begin), use(op.cells.member), use(unknown), use(load_work);
+    for (SparseColumns* columns : {&functionals, &held_motion})
+      use(columns->column_begin), use(columns->row), use(columns->value);
   }
 };
 
 HarmonicSystem assemble_system(const Section& section, const BodyFile& body, const ProfileCurve& curve);
+/// The same without the blocks of its operator, which take most of the time: fill() gives them. `chosen`: of
+/// these stations alone, in this order; none: of all.
+HarmonicSystem lay_out_system(const Section& section, const BodyFile& body, const ProfileCurve& curve,
+                              std::span<const std::size_t> chosen = {});
 /// Place of each node in the elimination, the held ones last. Deterministic, so that who computes it does not
 /// matter.
 std::vector<int> elimination_order(const HarmonicSystem& system);
@@ -68,23 +86,23 @@ void renumber(HarmonicSystem& system, std::span<const int> place);
 /// kernel - remote^T remote_self^-1 remote is the kernel with the six means of the remote section held at 0.
 class HarmonicSolver {
 public:
-  /// `order` is called when the matrix is analysed, for the first wavenumber; none: elimination_order().
-  explicit HarmonicSolver(HarmonicSystem system, std::function<std::vector<int>()> order = {});
+  /// `order`: of elimination; empty: elimination_order().
+  explicit HarmonicSolver(HarmonicSystem system, std::vector<int> order = {});
 
   std::size_t unknowns() const { return system_.unknowns(); }
   WavenumberResult at(double wavenumber);
   const Timing& timing() const { return timing_; }
 
+private:
   /// Orders the unknowns and lays out the factors, if that was not done.
   void analyse();
-
-private:
-  /// K(k) as MumpsSolver takes it.
-  std::vector<double> values(double k) const;
+  /// K(k) as MumpsSolver takes it, in value_.
+  void evaluate(double k);
 
   HarmonicSystem system_;
-  std::function<std::vector<int>()> order_;
+  std::vector<int> order_;
   std::unique_ptr<MumpsSolver> solver_;
+  std::vector<double> value_;
   Timing timing_;
 };
 

@@ -2,16 +2,15 @@
 
 #include "bem_contact/base/error.hpp"
 
-#include <chrono>
+#include <algorithm>
 
 namespace bem_contact::fem {
 
-void LazySolver::assemble() {
-  const auto start = std::chrono::steady_clock::now();
-  system_ = assemble_system(
-      {mesh_, body_.harmonic.degree, curve_, body_.strip, {.borders = body_.harmonic.border_levels}}, body_,
-      curve_);
-  timing_.assembly += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+void LazySolver::prepare() {
+  const Stopwatch watch(timing_.assembly);
+  section_ = std::make_unique<Section>(mesh_, body_.harmonic.degree, curve_, body_.strip,
+                                       Refinement{.everywhere = 0, .borders = body_.harmonic.border_levels});
+  system_ = lay_out_system(*section_, body_, curve_, chosen_);
   cells_ = system_->cells;
   unknowns_ = system_->unknowns();
 }
@@ -20,35 +19,51 @@ void LazySolver::share(Fellows& fellows) {
   if (!system_)
     system_.emplace();
   system_->for_each_part([&](auto& part) { fellows.broadcast(part); });
-  order_ = [&fellows] {
-    if (fellows.received().empty())
-      throw Error("The unknowns have no order of elimination",
-                  "the process that finds it for all of this machine failed", "see its own message");
-    return fellows.received();
-  };
-  if (fellows.rank() > 0) {
-    fellows.expect(system_->nodes());
+  const std::size_t blocks = system_->op.block_count(), bytes = blocks * sizeof(SectionOperator::Block);
+  const auto memory = fellows.memory(bytes + system_->nodes() * sizeof(int));
+  if (memory.empty())
     return;
-  }
-  const auto start = std::chrono::steady_clock::now();
-  std::vector<int> order;
+  fellows_ = &fellows;
+  blocks_ = {reinterpret_cast<SectionOperator::Block*>(memory.data()), blocks};
+  place_ = {reinterpret_cast<int*>(memory.data() + bytes), system_->nodes()};
+}
+
+void LazySolver::assemble() {
+  if (!section_)
+    prepare();
   try {
-    order = elimination_order(*system_);
+    {
+      const Stopwatch watch(timing_.assembly);
+      fill(system_->op, *section_, reference_radius_of(body_), blocks_);
+      section_.reset();
+    }
+    const Stopwatch watch(timing_.analysis);
+    order_ = elimination_order(*system_);
   } catch (...) {
-    fellows.send({}); // they wait for something
+    if (fellows_)
+      fellows_->announce(false);
     throw;
   }
-  fellows.send(std::move(order));
-  timing_.analysis += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (fellows_) {
+    std::copy(order_.begin(), order_.end(), place_.begin());
+    fellows_->announce(true);
+  }
 }
 
 HarmonicSolver& LazySolver::solver() {
-  if (!solver_) {
-    if (!system_)
-      assemble();
-    solver_ = std::make_unique<HarmonicSolver>(std::move(*system_), order_);
-    system_.reset();
+  if (solver_)
+    return *solver_;
+  if (fellows_ && fellows_->rank() > 0) {
+    if (!fellows_->wait())
+      throw Error("There are no matrices", "the process that assembles them for all of this machine failed",
+                  "see its own message");
+    system_->op.block = blocks_;
+    order_.assign(place_.begin(), place_.end());
+  } else if (order_.empty()) {
+    assemble();
   }
+  solver_ = std::make_unique<HarmonicSolver>(std::move(*system_), std::move(order_));
+  system_.reset();
   return *solver_;
 }
 

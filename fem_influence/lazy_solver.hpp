@@ -4,26 +4,31 @@
 #include "fem_influence/parallel.hpp"
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace bem_contact::fem {
 
-/// The solver of a run or of its companion as one process sees it: mesh and factors are there from the first
-/// wavenumber that this process does to the last. `body` and `curve` must live as long.
+/// The solver of a run or of its companion as one process sees it: matrices and factors are there from the
+/// first wavenumber that this process does to the last. `body` and `curve` must live as long.
 class LazySolver {
 public:
   LazySolver(const BodyFile& body, const ProfileCurve& curve, std::filesystem::path mesh)
       : body_(body), curve_(curve), mesh_(std::move(mesh)) {}
 
-  /// Throws InputError for a mesh that does not fit.
-  void assemble();
-  /// Together: what the first of the fellows assembled goes to all, and then its order of elimination. Nobody
-  /// waits for that order before it is needed.
+  /// The kernel of these stations alone, as in lay_out_system(); before anything else.
+  void choose(std::vector<std::size_t> stations) { chosen_ = std::move(stations); }
+
+  /// Mesh and functionals. Throws InputError for a mesh that does not fit.
+  void prepare();
+  /// Together: what the first of the fellows prepared goes to all, and its matrices and their order of
+  /// elimination will: it must call assemble() then, whether it needs them itself or not. Nobody waits for
+  /// them before they are needed.
   void share(Fellows& fellows);
-  /// Assembled here unless it is already.
+  void assemble();
+  /// Assembled here unless it is, or the first of the fellows does.
   HarmonicSolver& solver();
   void release();
 
@@ -35,8 +40,13 @@ private:
   const BodyFile& body_;
   const ProfileCurve& curve_;
   std::filesystem::path mesh_;
+  std::vector<std::size_t> chosen_;
+  std::unique_ptr<Section> section_;     // until the matrices are assembled
   std::optional<HarmonicSystem> system_; // until the solver takes it
-  std::function<std::vector<int>()> order_;
+  std::vector<int> order_;
+  Fellows* fellows_ = nullptr; // with whom the next two are shared
+  std::span<SectionOperator::Block> blocks_;
+  std::span<int> place_;
   std::unique_ptr<HarmonicSolver> solver_;
   std::size_t cells_ = 0, unknowns_ = 0;
   Timing timing_;

@@ -1,6 +1,7 @@
 #include "fem_influence/mumps_solver.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/lower_triangle.hpp"
 
 #include <dmumps_c.h>
 #include <mpi.h>
@@ -18,7 +19,7 @@ constexpr int block = 128; // right-hand sides solved at once: more costs memory
 struct MumpsSolver::Impl {
   DMUMPS_STRUC_C id{};
   std::vector<MUMPS_INT> begin, unknown, position, schur_unknown;
-  std::vector<double> value, border_value, schur;
+  std::vector<double> border_value, schur;
 
   // MUMPS counts from 1.
   MUMPS_INT& control(int n) { return id.icntl[n - 1]; }
@@ -47,7 +48,7 @@ struct MumpsSolver::Impl {
 
 MumpsSolver::MumpsSolver(int size, Elements elements, const SparseColumns& border)
     : impl_(std::make_unique<Impl>()) {
-  auto& [id, begin, unknown, position, schur_unknown, value, border_value, schur] = *impl_;
+  auto& [id, begin, unknown, position, schur_unknown, border_value, schur] = *impl_;
   id.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_SELF));
   id.par = 1;
   id.sym = 1;
@@ -94,25 +95,25 @@ double MumpsSolver::estimated_memory() const {
   return impl_->id.infog[15] * 1e6 / (1024.0 * 1024.0 * 1024.0);
 }
 
-void MumpsSolver::factorize(std::vector<double> value) {
-  impl_->value = std::move(value);
-  impl_->value.insert(impl_->value.end(), impl_->border_value.begin(), impl_->border_value.end());
-  impl_->id.a_elt = impl_->value.data();
+void MumpsSolver::factorize(std::vector<double>& value) {
+  const std::size_t own = value.size();
+  value.insert(value.end(), impl_->border_value.begin(), impl_->border_value.end());
+  impl_->id.a_elt = value.data();
   for (int attempt = 0; attempt < 3; ++attempt) {
     impl_->call(2);
     if (impl_->id.infog[0] != -9 && impl_->id.infog[0] != -8)
       break;
     impl_->control(14) *= 3; // the estimate of the work space was too small
   }
+  value.resize(own);
   impl_->check("factorization");
   // MUMPS gives one triangle of -B^T K^-1 B.
+  auto& schur = impl_->schur;
   const std::size_t m = impl_->schur_unknown.size();
   for (std::size_t i = 0; i < m; ++i)
-    for (std::size_t j = 0; j <= i; ++j) {
-      double& lower = impl_->schur[i * m + j];
-      lower = -lower;
-      impl_->schur[j * m + i] = lower;
-    }
+    schur[i * m + i] = -schur[i * m + i];
+  for_each_below_diagonal(
+      m, [&](std::size_t i, std::size_t j) { schur[j * m + i] = schur[i * m + j] = -schur[i * m + j]; });
 }
 
 const std::vector<double>& MumpsSolver::schur() const {

@@ -24,9 +24,9 @@ public:
 
   double estimated_memory() const; ///< of the factorization, by the analysis, GiB
 
-  /// Element after element its lower triangle, column by column.
-  /// Throws InputError where the matrix is not positive definite, Error where memory is short.
-  void factorize(std::vector<double> value);
+  /// Element after element its lower triangle, column by column; the border's numbers are appended for the
+  /// while. Throws InputError where the matrix is not positive definite, Error where memory is short.
+  void factorize(std::vector<double>& value);
 
   /// B^T K^-1 B of the last factorize(), row-major: a Schur complement, symmetric to the last bit. It comes
   /// with the factors and costs less than a forward substitution: no solution is ever formed.

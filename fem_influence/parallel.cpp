@@ -1,6 +1,7 @@
 #include "fem_influence/parallel.hpp"
 
 #include <mpi.h>
+#include <sys/statvfs.h>
 
 #include <algorithm>
 #include <deque>
@@ -38,24 +39,27 @@ void together(const std::function<void()>& work) {
 
 struct Fellows::Impl {
   MPI_Comm together = MPI_COMM_NULL;
+  MPI_Win window = MPI_WIN_NULL;
   int rank = 0, count = 1, first = 0;
-  std::vector<int> busy, numbers;    // busy: [fellow], on the first one
-  std::vector<MPI_Request> requests; // of send(), of expect()
+  int word = -1;                     // announced; -1: not yet
+  std::vector<MPI_Request> requests; // of announce()
 };
 
-Fellows::Fellows(bool busy) : impl_(std::make_unique<Impl>()) {
-  auto& [together, rank, count, first, all_busy, numbers, requests] = *impl_;
+Fellows::Fellows() : impl_(std::make_unique<Impl>()) {
+  MPI_Comm& together = impl_->together;
   MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &together);
-  MPI_Comm_rank(together, &rank);
-  MPI_Comm_size(together, &count);
-  const int mine = process_rank(), is_busy = busy;
-  MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, together);
-  all_busy.resize(static_cast<std::size_t>(count));
-  MPI_Gather(&is_busy, 1, MPI_INT, all_busy.data(), 1, MPI_INT, 0, together);
+  MPI_Comm_rank(together, &impl_->rank);
+  MPI_Comm_size(together, &impl_->count);
+  const int mine = process_rank();
+  MPI_Allreduce(&mine, &impl_->first, 1, MPI_INT, MPI_MIN, together);
 }
 
 Fellows::~Fellows() {
   MPI_Waitall(static_cast<int>(impl_->requests.size()), impl_->requests.data(), MPI_STATUSES_IGNORE);
+  if (impl_->window != MPI_WIN_NULL) {
+    MPI_Win_unlock_all(impl_->window);
+    MPI_Win_free(&impl_->window);
+  }
   MPI_Comm_free(&impl_->together);
 }
 
@@ -77,26 +81,36 @@ void Fellows::broadcast(std::span<std::byte> bytes) const {
   }
 }
 
-void Fellows::send(std::vector<int> numbers) {
-  impl_->numbers = std::move(numbers);
+std::span<std::byte> Fellows::memory(std::size_t bytes) {
+  // MPI's shared memory is a file there, and one that does not fit ends all processes without a word.
+  struct statvfs room {};
+  int fits = statvfs("/dev/shm", &room) != 0 || room.f_bavail * room.f_frsize > bytes + bytes / 8;
+  MPI_Bcast(&fits, 1, MPI_INT, 0, impl_->together);
+  if (!fits)
+    return {};
+  std::byte* memory = nullptr;
+  MPI_Win_allocate_shared(rank() == 0 ? static_cast<MPI_Aint>(bytes) : 0, 1, MPI_INFO_NULL, impl_->together,
+                          &memory, &impl_->window);
+  MPI_Win_lock_all(MPI_MODE_NOCHECK, impl_->window);
+  MPI_Aint size = 0;
+  int unit = 1;
+  MPI_Win_shared_query(impl_->window, 0, &size, &unit, &memory);
+  return {memory, static_cast<std::size_t>(size)};
+}
+
+void Fellows::announce(bool there) {
+  MPI_Win_sync(impl_->window);
+  impl_->word = there;
   for (int to = 1; to < impl_->count; ++to)
-    MPI_Isend(impl_->numbers.data(), static_cast<int>(impl_->numbers.size()), MPI_INT, to, 0, impl_->together,
+    MPI_Isend(&impl_->word, 1, MPI_INT, to, 0, impl_->together,
               &impl_->requests.emplace_back(MPI_REQUEST_NULL));
-  for (std::size_t to = 1; to < impl_->busy.size(); ++to)
-    if (!impl_->busy[to])
-      MPI_Wait(&impl_->requests[to - 1], MPI_STATUS_IGNORE);
 }
 
-void Fellows::expect(std::size_t size) {
-  impl_->numbers.resize(size);
-  MPI_Irecv(impl_->numbers.data(), static_cast<int>(size), MPI_INT, 0, 0, impl_->together,
-            &impl_->requests.emplace_back(MPI_REQUEST_NULL));
-}
-
-const std::vector<int>& Fellows::received() {
-  if (rank() > 0) // the first one has them at once, whether the others took them or not
-    MPI_Waitall(static_cast<int>(impl_->requests.size()), impl_->requests.data(), MPI_STATUSES_IGNORE);
-  return impl_->numbers;
+bool Fellows::wait() {
+  if (impl_->word < 0)
+    MPI_Recv(&impl_->word, 1, MPI_INT, 0, 0, impl_->together, MPI_STATUS_IGNORE);
+  MPI_Win_sync(impl_->window);
+  return impl_->word;
 }
 
 struct SharedCounters::Impl {
@@ -136,7 +150,7 @@ constexpr int result_tag = 1, done_tag = 2;
 
 void distribute(SharedCounters& counters, std::size_t count, std::size_t second, bool begins_with_second,
                 const std::function<std::vector<double>(std::size_t)>& work,
-                const std::function<void(std::size_t, std::span<const double>)>& collect) {
+                const std::function<void(std::size_t, std::vector<double>)>& collect) {
   const auto next = [&] {
     std::size_t task = count;
     for (const int which : {begins_with_second ? 1 : 0, begins_with_second ? 0 : 1}) {
@@ -178,8 +192,9 @@ void distribute(SharedCounters& counters, std::size_t count, std::size_t second,
         --working;
       else
         guarded([&] {
-          collect(static_cast<std::size_t>(message.back()),
-                  std::span<const double>(message).first(message.size() - 1));
+          const auto task = static_cast<std::size_t>(message.back());
+          message.pop_back();
+          collect(task, std::move(message));
         });
     }
   };
@@ -196,7 +211,7 @@ void distribute(SharedCounters& counters, std::size_t count, std::size_t second,
     guarded([&] {
       result = work(task);
       if (first)
-        collect(task, result);
+        collect(task, std::move(result));
     });
     if (first) {
       receive(false);

@@ -27,8 +27,7 @@ void together(const std::function<void()>& work);
 /// Made and destroyed by all processes together.
 class Fellows {
 public:
-  /// busy: this process has other work before it needs what the first one sends.
-  explicit Fellows(bool busy);
+  Fellows();
   ~Fellows();
   Fellows(const Fellows&) = delete;
   Fellows& operator=(const Fellows&) = delete;
@@ -49,11 +48,13 @@ public:
     broadcast(std::as_writable_bytes(std::span(array)));
   }
 
-  /// The first one's part; waits for those fellows that are not busy. Each other one has called expect().
-  void send(std::vector<int> numbers);
-  void expect(std::size_t size);
-  /// What was expected, once it is here.
-  const std::vector<int>& received();
+  /// Together; memory that all of them see, until the fellows are destroyed. `bytes` of the first one counts.
+  /// Empty where the machine has no room for it.
+  std::span<std::byte> memory(std::size_t bytes);
+  /// The first one's word that what the others wait for is in the memory, or that it will never be.
+  void announce(bool there);
+  /// The others wait for that word; false: never.
+  bool wait();
 
 private:
   struct Impl;
@@ -84,6 +85,6 @@ private:
 /// then no further task is begun.
 void distribute(SharedCounters& counters, std::size_t count, std::size_t second, bool begins_with_second,
                 const std::function<std::vector<double>(std::size_t)>& work,
-                const std::function<void(std::size_t, std::span<const double>)>& collect);
+                const std::function<void(std::size_t, std::vector<double>)>& collect);
 
 } // namespace bem_contact::fem

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/fnv1a.hpp"
 #include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/lower_triangle.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "fem_influence/lazy_solver.hpp"
 #include "fem_influence/parallel.hpp"
@@ -92,9 +93,12 @@ InfluenceFunction describe(const BodyFile& body, const ProfileCurve& curve, std:
   return f;
 }
 
-/// Numbers of one wavenumber as one message; the layout of a partial file's record.
+/// Numbers of one wavenumber as PartialInfluenceFile takes them.
 std::vector<double> pack(const WavenumberResult& r) {
-  std::vector<double> all(r.kernel);
+  const std::size_t rows = r.remote.size() / 6;
+  std::vector<double> all;
+  all.reserve(lower_size(rows) + 6 * rows + 36 + errors_each + 1); // and the task's number behind them
+  append_lower(all, r.kernel, rows);
   all.insert(all.end(), r.remote.begin(), r.remote.end());
   all.insert(all.end(), r.remote_self.begin(), r.remote_self.end());
   all.push_back(r.betti_error);
@@ -113,12 +117,6 @@ double reduced(double mine, MPI_Op op) {
   double all = 0;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, op, MPI_COMM_WORLD);
   return all;
-}
-
-void keep(PartialInfluenceFile& file, std::size_t k, std::size_t stations, std::span<const double> packed) {
-  const std::size_t n = 3 * stations, kernel = n * n, remote = 6 * n;
-  file.write(k, packed.first(kernel), packed.subspan(kernel, remote), packed.subspan(kernel + remote, 36),
-             packed.last(errors_each));
 }
 
 /// shortest_dx as arc length at the reference radius: an element at the strip's largest radius is the
@@ -154,7 +152,7 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
     return estimated && process > 0 && process >= process_count() - std::max(1, process_count() / 5);
   };
   const bool companion_first = begins_with_companion(rank);
-  Fellows fellows(companion_first);
+  Fellows fellows;
   SharedCounters counters;
   // One process of each machine assembles for all, if it is one of those that begin with the run.
   const bool shared = fellows.count() > 1 && !begins_with_companion(fellows.first());
@@ -170,15 +168,21 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
                         wavenumber_samples(half_period_of(body), shortest_reference_dx(body, stations),
                                            body.harmonic.samples_per_decade));
     require_mesh_of(body, curve, mesh);
+    const std::vector<std::size_t> compared = compared_stations(stations.size());
+    companion.choose(compared);
+    // What is wrong with the mesh is found before anything is written.
     if (companion_first)
-      companion.solver().analyse();
+      companion.prepare();
     else if (!shared || fellows.rank() == 0)
-      run.assemble(); // what is wrong with the mesh is found before anything is written
+      run.prepare();
     for (std::size_t k = 0; k < function.wavenumber_count(); ++k)
       tasks.push_back({false, k});
     if (estimated) {
       coarse = function;
       coarse.wavenumber.clear();
+      coarse.stations.clear();
+      for (const std::size_t J : compared)
+        coarse.stations.push_back(stations[J]);
       for (const std::size_t k : companion_samples(function.wavenumber_count())) {
         tasks.push_back({true, coarse.wavenumber_count()});
         coarse.wavenumber.push_back(function.wavenumber[k]);
@@ -205,27 +209,30 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
   if (rank == 0 && progress)
     progress(finished, all);
 
-  std::exception_ptr not_shared;
-  if (shared && !tasks.empty() && !tasks.front().companion)
-    try {
-      run.share(fellows);
-    } catch (...) {
-      not_shared = std::current_exception();
-    }
+  std::exception_ptr not_assembled;
+  if (shared && !tasks.empty() && !tasks.front().companion) {
+    run.share(fellows);
+    if (fellows.rank() == 0)
+      try {
+        run.assemble();
+      } catch (...) {
+        not_assembled = std::current_exception();
+      }
+  }
   const auto first_of_companion =
       std::find_if(tasks.begin(), tasks.end(), [](const Task& task) { return task.companion; });
   distribute(
       counters, tasks.size(), static_cast<std::size_t>(first_of_companion - tasks.begin()), companion_first,
       [&](std::size_t t) {
-        if (not_shared)
-          std::rethrow_exception(not_shared);
+        if (not_assembled)
+          std::rethrow_exception(not_assembled);
         if (tasks[t].companion != companion_first)
           (companion_first ? companion : run).release(); // the first kind is done
         return tasks[t].companion ? pack(companion.solver().at(coarse.wavenumber[tasks[t].k]))
                                   : pack(run.solver().at(function.wavenumber[tasks[t].k]));
       },
-      [&](std::size_t t, std::span<const double> packed) {
-        keep(tasks[t].companion ? *coarse_partial : *partial, tasks[t].k, function.station_count(), packed);
+      [&](std::size_t t, std::vector<double> packed) {
+        (tasks[t].companion ? coarse_partial : partial)->write(tasks[t].k, std::move(packed));
         if (progress)
           progress(++finished, all);
       });
@@ -244,7 +251,7 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
     if (rank != 0)
       return;
     std::vector<double> errors;
-    partial->read_into(function, errors);
+    partial->take_into(function, errors);
     report.smallest_eigenvalue = std::numeric_limits<double>::max();
     for (std::size_t k = 0; k < report.wavenumbers; ++k) {
       report.betti_error = std::max(report.betti_error, errors.at(errors_each * k));
@@ -252,7 +259,7 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
       report.smallest_eigenvalue = std::min(report.smallest_eigenvalue, errors.at(errors_each * k + 2));
     }
     if (estimated) {
-      coarse_partial->read_into(coarse, errors);
+      coarse_partial->take_into(coarse, errors);
       report.error = estimate_error(function, coarse, shortest_reference_dx(body, function.stations),
                                     error_ratio(body.harmonic.degree, body.harmonic.border_levels),
                                     body.harmonic.samples_per_decade);

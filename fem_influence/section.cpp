@@ -268,6 +268,16 @@ const std::vector<char>& Section::held() const {
   return impl_->held;
 }
 
+Elements Section::cells() const {
+  Elements all;
+  std::vector<dealii::types::global_dof_index> dofs(impl_->element.n_dofs_per_cell());
+  for (const auto& cell : impl_->dofs.active_cell_iterators()) {
+    cell->get_dof_indices(dofs);
+    all.add(CellNodes(dofs, impl_->hanging, impl_->node).nodes);
+  }
+  return all;
+}
+
 void Section::for_each_cell(const std::function<void(const CellView&)>& visit) const {
   using namespace dealii;
   const QGauss<2> rule(impl_->element.degree + 1);

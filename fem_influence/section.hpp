@@ -3,6 +3,7 @@
 #include "bem_contact/base/body_file.hpp"
 #include "bem_contact/base/conventions.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
+#include "fem_influence/elements.hpp"
 
 #include <cstddef>
 #include <exception>
@@ -72,6 +73,7 @@ public:
   const std::vector<Point2>& node_positions() const;
   const std::vector<char>& held() const; ///< per node
 
+  Elements cells() const; ///< nodes of each cell, as for_each_cell() has them
   void for_each_cell(const std::function<void(const CellView&)>& visit) const;
   void for_each_contact_edge(const std::function<void(const EdgeView&)>& visit) const;
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bem_contact::fem {
@@ -17,13 +18,37 @@ enum Kind : Eigen::Index { d_dy, d_dz, by_r, by_rho, kinds };
 
 } // namespace
 
-SectionOperator assemble(const Section& section, const Material& material, double reference_radius) {
+std::size_t SectionOperator::block_count() const {
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < cells.count(); ++c)
+    count += cells[c].size() * (cells[c].size() + 1) / 2;
+  return count;
+}
+
+SectionOperator lay_out(const Section& section, const Material& material, double reference_radius) {
+  for (const Point2 p : section.node_positions())
+    if (reference_radius > 0 && !(reference_radius + p.z > 0))
+      throw InputError("The mesh reaches the axle of the wheel",
+                       "a node has z = " + std::to_string(p.z) + " mm and r = R_ref + z <= 0",
+                       "use a section with a bore");
   SectionOperator op;
-  const double mu = material.shear_modulus, lambda = 2 * mu * material.poisson / (1 - 2 * material.poisson),
-               stiff = lambda + 2 * mu;
-  op.mu = mu;
-  op.stiff = stiff;
+  op.cells = section.cells();
+  op.mu = material.shear_modulus;
+  op.lambda = 2 * op.mu * material.poisson / (1 - 2 * material.poisson);
+  return op;
+}
+
+void fill(SectionOperator& op, const Section& section, double reference_radius,
+          std::span<SectionOperator::Block> memory) {
+  const double mu = op.mu, lambda = op.lambda, stiff = lambda + 2 * mu;
   const bool revolution = reference_radius > 0;
+  if (memory.empty()) {
+    const auto own = std::make_shared<std::vector<SectionOperator::Block>>(op.block_count());
+    op.own = own;
+    memory = *own;
+  }
+  op.block = memory;
+  auto block = memory.begin();
 
   Eigen::MatrixXd table, product; // [point][n kind + shape]; of two shapes, summed over points
   section.for_each_cell([&](const CellView& cell) {
@@ -33,10 +58,6 @@ SectionOperator assemble(const Section& section, const Material& material, doubl
     for (Eigen::Index q = 0; q < np; ++q) {
       const CellPoint& point = cell.points[static_cast<std::size_t>(q)];
       const double r = reference_radius + point.position.z;
-      if (revolution && !(r > 0))
-        throw InputError("The mesh reaches the axle of the wheel",
-                         "a point has z = " + std::to_string(point.position.z) + " mm and r = R_ref + z <= 0",
-                         "use a section with a bore");
       const double rho = revolution ? r / reference_radius : 1.0, root = std::sqrt(point.weight * rho);
       for (Eigen::Index a = 0; a < n; ++a) {
         const auto at = static_cast<std::size_t>(q * n + a);
@@ -48,11 +69,10 @@ SectionOperator assemble(const Section& section, const Material& material, doubl
     }
     product.noalias() = table.transpose() * table;
 
-    op.cells.add(cell.nodes);
     for (Eigen::Index a = 0; a < n; ++a)
       for (Eigen::Index b = a; b < n; ++b) {
         const auto of = [&](Kind i, Kind j) { return product(i * n + a, j * n + b); };
-        auto& [k0, k1, shapes] = op.block.emplace_back();
+        auto& [k0, k1, shapes] = *block++;
         const double yy = of(d_dy, d_dy), zz = of(d_dz, d_dz), rr = of(by_r, by_r), zr = of(d_dz, by_r),
                      rz = of(by_r, d_dz);
         // Strain after strain, as section_operator.hpp has them.
@@ -70,13 +90,26 @@ SectionOperator assemble(const Section& section, const Material& material, doubl
         shapes = of(by_rho, by_rho);
       }
   });
+}
+
+SectionOperator assemble(const Section& section, const Material& material, double reference_radius) {
+  SectionOperator op = lay_out(section, material, reference_radius);
+  fill(op, section, reference_radius);
   return op;
 }
 
 std::vector<double> SectionOperator::apply(double k, std::span<const double> u) const {
   std::vector<double> f(u.size(), 0.0);
   std::size_t e = 0;
-  for (std::size_t c = 0; c < cells.count(); ++c)
+  for (std::size_t c = 0; c < cells.count(); ++c) {
+    const auto still = [&](int node) {
+      const auto at = u.subspan(3 * static_cast<std::size_t>(node), 3);
+      return at[0] == 0 && at[1] == 0 && at[2] == 0;
+    };
+    if (std::all_of(cells[c].begin(), cells[c].end(), still)) {
+      e += cells[c].size() * (cells[c].size() + 1) / 2;
+      continue;
+    }
     for (auto nodes = cells[c]; !nodes.empty(); nodes = nodes.subspan(1)) {
       const auto a = static_cast<std::size_t>(nodes.front());
       for (const int node : nodes) {
@@ -91,6 +124,7 @@ std::vector<double> SectionOperator::apply(double k, std::span<const double> u) 
           }
       }
     }
+  }
   return f;
 }
 

@@ -5,6 +5,7 @@
 #include "fem_influence/section.hpp"
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,14 +23,18 @@ struct SectionOperator {
     std::array<double, 4> k1{};
     double product = 0;
   };
-  Elements cells;           ///< nodes
-  std::vector<Block> block; ///< cell after cell, of its first node with itself and all after it, and so on
-  double mu = 0, stiff = 0; ///< shear modulus; lambda + 2 mu
+  Elements cells;            ///< nodes
+  double lambda = 0, mu = 0; ///< Lame's constants
+  std::span<const Block>
+      block; ///< cell after cell, of its first node with itself and all after it, and so on
+  std::shared_ptr<const std::vector<Block>> own; ///< where `block` lies, unless somebody else keeps it
+
+  std::size_t block_count() const; ///< of these cells
 
   /// Block e of K(k), row-major.
   std::array<double, 9> at(std::size_t e, double k) const {
     const Block& b = block[e];
-    const double kk = k * k * b.product;
+    const double kk = k * k * b.product, stiff = lambda + 2 * mu;
     return {b.k0[0] + stiff * kk, k * b.k1[0], k * b.k1[1],      k * b.k1[2], b.k0[1] + mu * kk, b.k0[2],
             k * b.k1[3],          b.k0[3],     b.k0[4] + mu * kk};
   }
@@ -41,8 +46,14 @@ struct SectionOperator {
 ///     e_xx = k U, g_xy = U_y - k V, g_xz = U_z - k W, e_yy = V_y, e_zz = W_z, g_yz = V_z + W_y.
 /// Of a body of revolution with r = R_ref + z, rho = r / R_ref, k = n / R_ref, weight rho dA:
 ///     e_xx = (k/rho) U + W/r, g_xy = U_y - (k/rho) V, g_xz = U_z - U/r - (k/rho) W, the rest as above.
-/// Throws InputError when a point of a body of revolution lies on or beyond the axle (r <= 0).
+/// Throws InputError when a node of a body of revolution lies on or beyond the axle (r <= 0).
 SectionOperator assemble(const Section& section, const Material& material, double reference_radius);
+
+/// assemble() in two steps: all but the blocks, and these: into `memory` of block_count() of them that lives
+/// as long as the operator, or into memory of its own.
+SectionOperator lay_out(const Section& section, const Material& material, double reference_radius);
+void fill(SectionOperator& op, const Section& section, double reference_radius,
+          std::span<SectionOperator::Block> memory = {});
 
 /// Nodal values [3 node + component] of the body's rigid motions that belong to wavenumber k.
 /// A prism, k = 0: translations x, y, z and the rotation about x.

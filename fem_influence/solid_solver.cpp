@@ -160,7 +160,7 @@ void SolidSolver::solve(
         std::to_string(size) + " unknowns need about " + std::to_string(needed) + " GiB, and " +
             std::to_string(there) + " GiB are free",
         "raise solid.grading, or lower solid.loads_at_once, solid.elements_per_load or the mesh's own size");
-  solver.factorize(std::move(values));
+  solver.factorize(values);
   SparseColumns loaded_rows, sampled_rows;
   append_unknowns(loaded_rows, loads, unknown);
   append_unknowns(sampled_rows, samples, unknown);

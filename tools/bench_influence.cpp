@@ -30,13 +30,13 @@ InfluenceFunction made_up(int stations) {
   for (int k = 0; k < 32; ++k)
     f.wavenumber.push_back(k <= 8 ? k * M_PI / 600 : 8 * M_PI / 600 * std::pow(1200.0, (k - 8) / 23.0));
   const std::size_t n = 3 * f.stations.size();
-  f.kernel.resize(32 * n * n);
+  f.kernel.resize(32 * f.kernel_size());
   f.remote.resize(32 * 6 * n);
   f.remote_self.assign(32 * 36, 0.0);
   for (std::size_t k = 0; k < 32; ++k) {
     for (std::size_t a = 0; a < n; ++a)
-      for (std::size_t b = 0; b < n; ++b)
-        f.kernel[(k * n + a) * n + b] = 1e-6 / (1 + f.wavenumber[k] + std::abs(double(a) - double(b)));
+      for (std::size_t b = 0; b <= a; ++b)
+        f.kernel[f.kernel_index(k, a, b)] = 1e-6 / (1 + f.wavenumber[k] + std::abs(double(a) - double(b)));
     for (std::size_t d = 0; d < 6; ++d)
       f.remote_self[36 * k + 7 * d] = 1e-6;
   }

@@ -101,29 +101,36 @@ InfluenceFunction with_rows(const InfluenceFunction& f, std::span<const RowWeigh
   for (RowWeights& row : shifted)
     row.first -= from;
   std::vector<double> half(n * wide), turned(wide * n), whole(n * n);
-  const auto mix = [&](const std::vector<double>& tables, std::size_t count, std::vector<double>& result) {
-    result.resize(count * n * n);
-    for (std::size_t k = 0; k < count; ++k) {
-      mix_rows(&tables[k * all * all + 3 * static_cast<std::size_t>(from) * (all + 1)], all, wide,
-               shifted.data(), shifted.size(), half.data());
-      for (std::size_t row = 0; row < n; ++row)
-        for (std::size_t e = 0; e < wide; ++e)
-          turned[e * n + row] = half[row * wide + e];
-      mix_rows(turned.data(), n, n, shifted.data(), shifted.size(), whole.data()); // [3 J + j][3 I + i]
-      for (std::size_t row = 0; row < n; ++row)
-        for (std::size_t column = 0; column <= row; ++column) { // Maxwell-Betti to the last bit
-          const double value = whole[column * n + row];
-          const int sign = f.is_table() ? parity(static_cast<int>(row % 3), static_cast<int>(column % 3)) : 1;
-          result[k * n * n + row * n + column] = value;
-          result[k * n * n + column * n + row] = sign * value;
-        }
-    }
+  // put(row, column, value) for the lower triangle of what the rows make of a matrix.
+  const auto mix = [&](const double* matrix, std::size_t stride, auto&& put) {
+    mix_rows(matrix, stride, wide, shifted.data(), shifted.size(), half.data());
+    for (std::size_t row = 0; row < n; ++row)
+      for (std::size_t e = 0; e < wide; ++e)
+        turned[e * n + row] = half[row * wide + e];
+    mix_rows(turned.data(), n, n, shifted.data(), shifted.size(), whole.data()); // [3 J + j][3 I + i]
+    for (std::size_t row = 0; row < n; ++row)
+      for (std::size_t column = 0; column <= row; ++column)
+        put(row, column, whole[column * n + row]);
   };
+  const std::size_t begin = 3 * static_cast<std::size_t>(from);
   if (f.is_table()) {
-    mix(f.table, f.table_offsets(), out.table);
+    out.table.resize(f.table_offsets() * n * n);
+    for (std::size_t m = 0; m < f.table_offsets(); ++m)
+      mix(&f.table[m * all * all + begin * (all + 1)], all,
+          [&](std::size_t row, std::size_t column, double value) { // Maxwell-Betti to the last bit
+            const int sign = parity(static_cast<int>(row % 3), static_cast<int>(column % 3));
+            out.table[(m * n + row) * n + column] = value;
+            out.table[(m * n + column) * n + row] = sign * value;
+          });
     return out;
   }
-  mix(f.kernel, plane_strain ? 1 : f.wavenumber_count(), out.kernel);
+  std::vector<double> used(wide * wide); // of the kernel
+  for (std::size_t k = 0; k < (plane_strain ? 1 : f.wavenumber_count()); ++k) {
+    for (std::size_t row = 0; row < wide; ++row)
+      std::copy_n(&f.kernel[f.kernel_index(k, begin + row, begin)], row + 1, &used[row * wide]);
+    mirror_lower(used, wide);
+    mix(used.data(), wide, [&](std::size_t, std::size_t, double value) { out.kernel.push_back(value); });
+  }
   out.remote.reserve(6 * f.wavenumber_count() * n);
   for (std::size_t m = 0; m < 6 * f.wavenumber_count(); ++m)
     for (const RowWeights& row : rows)

@@ -184,7 +184,6 @@ InfluenceNumbers expand(const InfluenceFunction& f, const ExpandOptions& o) {
   if (f.is_table())
     return expand_table(f, o, range, scaling);
   const Eigen::Index size = 3 * range.count, from = 3 * range.first;
-  const auto all = static_cast<Eigen::Index>(3 * f.station_count());
   InfluenceNumbers result{o.offsets, static_cast<int>(range.count), o.dx, f.station_width, {}};
   result.values.assign(static_cast<std::size_t>(o.offsets * size * size), 0.0);
 
@@ -206,8 +205,13 @@ InfluenceNumbers expand(const InfluenceFunction& f, const ExpandOptions& o) {
     const Eigen::Index columns = row + 1;
     even_kernel.resize(5 * columns, nk);
     odd_kernel.resize(4 * columns, nk);
+    block.resize(3, 3 * columns);
     for (Eigen::Index k = 0; k < nk; ++k) {
-      block = Table(f.kernel.data() + k * all * all, all, all).block(from + 3 * row, from, 3, 3 * columns);
+      for (Eigen::Index i = 0; i < 3; ++i)
+        for (Eigen::Index j = 0; j < 3 * columns; ++j)
+          block(i, j) = f.kernel[f.kernel_index(static_cast<std::size_t>(k),
+                                                static_cast<std::size_t>(from + 3 * row + i),
+                                                static_cast<std::size_t>(from + j))];
       removed.take_from(block, k, row);
       for (Eigen::Index column = 0; column < columns; ++column) {
         for (std::size_t e = 0; e < 5; ++e)

@@ -75,10 +75,15 @@ std::array<char, seal_size> make_seal(int major, int minor, std::size_t bytes, c
 
 } // namespace
 
-std::string sha256(std::span<const std::byte> data) {
+std::string sha256(std::initializer_list<std::span<const std::byte>> pieces) {
   Sha256 hash;
-  hash.add(data);
+  for (const auto piece : pieces)
+    hash.add(piece);
   return hash.hex();
+}
+
+std::string sha256(std::span<const std::byte> data) {
+  return sha256({data, {}});
 }
 
 void seal(std::span<std::byte> whole_file, int format_major, int format_minor) {

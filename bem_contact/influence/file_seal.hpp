@@ -2,13 +2,15 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <initializer_list>
 #include <span>
 #include <string>
 
 namespace bem_contact {
 
-/// SHA-256 in lower-case hexadecimal.
+/// SHA-256 in lower-case hexadecimal, of one piece or of several after each other.
 std::string sha256(std::span<const std::byte> data);
+std::string sha256(std::initializer_list<std::span<const std::byte>> pieces);
 
 /// The seal of an influence file: its first 512 bytes (HDF5's "user block", which HDF5 programs skip). Text,
 /// then zeros:

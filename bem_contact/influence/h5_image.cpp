@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <utility>
+#include <ostream>
 
 namespace bem_contact {
 namespace {
@@ -17,12 +17,8 @@ void check(bool good, const char* what) {
                      "close other programs, or write a smaller file");
 }
 
-// The memory of HDF5's core driver goes through these, so that the bytes can be taken when the file is
+// The memory of HDF5's core driver goes through these, so that it can be taken when the file is
 // closed: H5Fget_file_image of 1.10 gives a superblock whose checksum does not hold.
-struct Taken {
-  std::size_t user_block = 0;
-  std::string bytes;
-};
 
 /// The buffer grows in steps; where the file ends is said by its superblock (version 2, byte 28).
 std::size_t end_of_file(const char* superblock) {
@@ -40,12 +36,11 @@ void* copy(void* to, const void* from, size_t size, H5FD_file_image_op_t, void*)
 void* reallocate(void* memory, size_t size, H5FD_file_image_op_t, void*) {
   return std::realloc(memory, size);
 }
-herr_t take(void* memory, H5FD_file_image_op_t operation, void* data) {
-  auto& taken = *static_cast<Taken*>(data);
+herr_t take(void* memory, H5FD_file_image_op_t operation, void* taken) {
   if (operation == H5FD_FILE_IMAGE_OP_FILE_CLOSE)
-    taken.bytes.assign(static_cast<const char*>(memory),
-                       end_of_file(static_cast<const char*>(memory) + taken.user_block));
-  std::free(memory);
+    *static_cast<void**>(taken) = memory;
+  else
+    std::free(memory);
   return 0;
 }
 void* share(void* data) {
@@ -57,9 +52,9 @@ herr_t keep(void*) {
 
 } // namespace
 
-std::string h5_image(std::size_t user_block, const std::function<void(hid_t root)>& fill) {
+H5Image::H5Image(std::size_t user_block, const std::function<void(hid_t root)>& fill) {
   constexpr std::size_t increment = 1 << 20;
-  Taken taken{user_block, {}};
+  void* taken = nullptr;
   H5FD_file_image_callbacks_t callbacks{allocate, copy, reallocate, take, share, keep, &taken};
   const H5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose), access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   check(creation >= 0 && access >= 0 && H5Pset_userblock(creation, user_block) >= 0 &&
@@ -74,8 +69,13 @@ std::string h5_image(std::size_t user_block, const std::function<void(hid_t root
     fill(root);
     check(H5Fflush(root, H5F_SCOPE_GLOBAL) >= 0, "flushing a file in memory");
   }
-  check(!taken.bytes.empty(), "closing a file in memory");
-  return std::move(taken.bytes);
+  check(taken, "closing a file in memory");
+  memory_.reset(static_cast<char*>(taken));
+  size_ = end_of_file(memory_.get() + user_block);
+}
+
+std::ostream& operator<<(std::ostream& out, const H5Image& image) {
+  return out.write(image.bytes().data(), static_cast<std::streamsize>(image.bytes().size()));
 }
 
 } // namespace bem_contact

@@ -3,8 +3,11 @@
 #include <hdf5.h>
 
 #include <cstddef>
+#include <cstdlib>
 #include <functional>
-#include <string>
+#include <iosfwd>
+#include <memory>
+#include <span>
 
 /// Private to this room.
 namespace bem_contact {
@@ -13,6 +16,20 @@ namespace bem_contact {
 /// after a failed write to a full disk the library cannot even close its file. Throws InputError where `fill`
 /// does or HDF5 fails. Layout of HDF5 1.8, the oldest whose headers carry checksums: the library is not safe
 /// on damaged ones without.
-std::string h5_image(std::size_t user_block, const std::function<void(hid_t root)>& fill);
+class H5Image {
+public:
+  H5Image(std::size_t user_block, const std::function<void(hid_t root)>& fill);
+
+  std::span<char> bytes() const { return {memory_.get(), size_}; }
+
+private:
+  struct Free {
+    void operator()(char* memory) const { std::free(memory); }
+  };
+  std::unique_ptr<char, Free> memory_; // HDF5's own
+  std::size_t size_ = 0;
+};
+
+std::ostream& operator<<(std::ostream& out, const H5Image& image);
 
 } // namespace bem_contact

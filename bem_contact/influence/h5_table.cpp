@@ -198,7 +198,7 @@ H5Writer::H5Writer(std::filesystem::path file) : impl_(std::make_unique<Impl>())
   impl_->temporary = file;
   impl_->temporary += ".tmp";
   impl_->file = std::move(file);
-  const std::string empty = h5_image(0, [](hid_t) {});
+  const H5Image empty(0, [](hid_t) {});
   write_whole(impl_->temporary, [&](std::ostream& out) { out << empty; });
   impl_->descriptor = open(impl_->temporary.c_str(), O_WRONLY | O_CLOEXEC);
   impl_->root = H5Fopen(impl_->temporary.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
@@ -239,7 +239,7 @@ void H5Writer::finish() {
 
 void write_h5(const std::filesystem::path& file, const H5Table& table) {
   const QuietHdf5 silence;
-  const std::string image = h5_image(0, [&](hid_t root) { write_all(root, table, file); });
+  const H5Image image(0, [&](hid_t root) { write_all(root, table, file); });
   write_whole(file, [&](std::ostream& out) { out << image; });
 }
 

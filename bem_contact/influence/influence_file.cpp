@@ -152,22 +152,6 @@ std::vector<double> read_table(hid_t at, const char* name, Shape wanted) {
   return values;
 }
 
-/// A stack of lower triangles by rows as `count` (0: of any number) symmetric n x n matrices. One triangle
-/// after the other: of a long strip they take as much memory together as all else.
-std::vector<double> read_triangles(hid_t at, const char* name, hsize_t count, hsize_t n) {
-  const auto [set, shape] = open_table(at, name, {count, n * (n + 1) / 2});
-  const Handle space(H5Dget_space(set), H5Sclose, name);
-  const Handle one(H5Screate_simple(1, &shape[1], nullptr), H5Sclose, name);
-  std::vector<double> triangle(shape[1]), matrices(shape[0] * n * n);
-  for (hsize_t k = 0; k < shape[0]; ++k) {
-    const hsize_t from[] = {k, 0}, extent[] = {1, shape[1]};
-    check(H5Sselect_hyperslab(space, H5S_SELECT_SET, from, nullptr, extent, nullptr), name);
-    check(H5Dread(set, H5T_NATIVE_DOUBLE, one, space, H5P_DEFAULT, triangle.data()), name);
-    fill_symmetric(std::span(matrices).subspan(k * n * n, n * n), triangle, n);
-  }
-  return matrices;
-}
-
 // --- the contents -----------------------------------------------------------------------------------
 
 /// Calls entry(name, member) for each scalar of the format, so that reading and writing cannot differ.
@@ -185,14 +169,6 @@ template <class Function, class Entry> void for_each_scalar(Function& f, Entry&&
   entry("betti_error", f.betti_error);
   entry("reaction_error", f.reaction_error);
   entry("estimated_error", f.estimated_error);
-}
-
-std::vector<double> packed(const std::vector<double>& kernel, std::size_t n, std::size_t count) {
-  std::vector<double> lower;
-  lower.reserve(count * n * (n + 1) / 2);
-  for (std::size_t k = 0; k < count; ++k)
-    append_lower(lower, std::span(kernel).subspan(k * n * n, n * n), n);
-  return lower;
 }
 
 int format_minor_of(const InfluenceFunction& f) {
@@ -220,13 +196,15 @@ void write_contents(hid_t root, const InfluenceFunction& f) {
     table.insert(table.end(), {station.s, station.position.y, station.position.z, station.delta});
   write_table(root, "stations", {ns, 4}, table, "mm, mm, mm, rad");
   if (f.is_table()) {
-    const hsize_t nm = f.table_offsets();
     write_attribute(root, "table_dx", f.table_dx);
-    write_table(root, "table", {nm, n * (n + 1) / 2}, packed(f.table, n, nm), "mm/MPa", true);
+    std::vector<double> lower;
+    for (hsize_t m = 0; m < f.table_offsets(); ++m)
+      append_lower(lower, std::span(f.table).subspan(m * n * n, n * n), n);
+    write_table(root, "table", {f.table_offsets(), lower_size(n)}, lower, "mm/MPa", true);
     return;
   }
   write_table(root, "wavenumber", {nk}, f.wavenumber, "1/mm");
-  write_table(root, "kernel", {nk, n * (n + 1) / 2}, packed(f.kernel, n, nk), "mm/MPa", true);
+  write_table(root, "kernel", {nk, lower_size(n)}, f.kernel, "mm/MPa", true);
   write_table(root, "remote", {nk, 6, n}, f.remote, "mm/MPa, 1/MPa", true);
   write_table(root, "remote_self", {nk, 6, 6}, f.remote_self, "mm/MPa and per mm of each rotation");
 }
@@ -248,13 +226,17 @@ InfluenceFunction read_contents(const std::filesystem::path& file) {
   const hsize_t n = 3 * f.station_count();
   if (n > 0 && H5Lexists(root, "table", H5P_DEFAULT) > 0) {
     read_attribute(root, "table_dx", f.table_dx);
-    f.table = read_triangles(root, "table", 0, n);
+    const std::vector<double> lower = read_table(root, "table", {0, lower_size(n)});
+    f.table.resize(lower.size() / lower_size(n) * n * n);
+    for (hsize_t m = 0; m < f.table_offsets(); ++m)
+      fill_symmetric(std::span(f.table).subspan(m * n * n, n * n),
+                     std::span(lower).subspan(m * lower_size(n), lower_size(n)), n);
     reflect(f.table, n);
     return f;
   }
   f.wavenumber = read_table(root, "wavenumber", {0});
   const hsize_t nk = f.wavenumber_count();
-  f.kernel = read_triangles(root, "kernel", nk, n);
+  f.kernel = read_table(root, "kernel", {nk, lower_size(n)});
   f.remote = read_table(root, "remote", {nk, 6, n});
   f.remote_self = read_table(root, "remote_self", {nk, 6, 6});
   return f;
@@ -273,8 +255,8 @@ InfluenceFunction read_influence_file(const std::filesystem::path& file) {
 void write_influence_file(const std::filesystem::path& file, const InfluenceFunction& function) {
   validate(function);
   const QuietHdf5 quiet;
-  std::string image = h5_image(seal_size, [&](hid_t root) { write_contents(root, function); });
-  seal(std::as_writable_bytes(std::span(image)), influence_format_major, format_minor_of(function));
+  const H5Image image(seal_size, [&](hid_t root) { write_contents(root, function); });
+  seal(std::as_writable_bytes(image.bytes()), influence_format_major, format_minor_of(function));
   write_whole(file, [&](std::ostream& out) { out << image; });
 }
 

@@ -38,10 +38,11 @@ public:
                        std::span<const double> wavenumber);
   ~PartialInfluenceFile();
   bool has(std::size_t k) const;
-  /// Of the kernel, which is symmetric, the lower triangle is kept.
-  void write(std::size_t k, std::span<const double> kernel, std::span<const double> remote,
-             std::span<const double> remote_self, std::span<const double> errors);
-  void read_into(InfluenceFunction& function, std::vector<double>& errors) const;
+  /// numbers: the kernel's lower triangle by rows, remote, remote_self, and errors of any meaning.
+  void write(std::size_t k, std::vector<double> numbers);
+  /// Wavenumbers, kernel and remote of all parts, which must be there, and their errors one after the other;
+  /// they are kept in the file alone then.
+  void take_into(InfluenceFunction& function, std::vector<double>& errors);
   void remove(); ///< after the final file is complete
 
 private:

@@ -2,7 +2,9 @@
 
 #include "bem_contact/base/conventions.hpp"
 #include "bem_contact/base/material.hpp"
+#include "bem_contact/influence/lower_triangle.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -31,7 +33,8 @@ struct Station {
 /// displacement i of station I, averaged over its width; how it varies along x is said under `kernel`.
 /// Frame: the body's own (x, s, n), n into the body, turned to the inclination of each station.
 ///
-/// kernel[k][3 I + i][3 J + j], row-major, mm/MPa, symmetric to the last bit in (3 I + i, 3 J + j):
+/// g_ij is the number (row, column) = (3 I + i, 3 J + j), in mm/MPa, of the symmetric matrix that kernel has
+/// for each k, of which it keeps the lower triangle by rows (kernel_index):
 ///   load p_j cos kx, j in {s, n}:  u_x = g_xj sin kx,  u_i = g_ij cos kx  (i in {s, n});
 ///   load p_x cos kx:               u_x = g_xx cos kx,  u_i = -g_ix sin kx (i in {s, n}).
 /// On a body of revolution x = R_ref theta, k = n / R_ref, and the unit load is 1 MPa per REFERENCE area
@@ -56,7 +59,7 @@ struct InfluenceFunction {
   std::vector<Station> stations; ///< NS of them, equally spaced, ascending in s
 
   std::vector<double> wavenumber;  ///< NK values, 1/mm, ascending, the first is 0
-  std::vector<double> kernel;      ///< NK x 3NS x 3NS
+  std::vector<double> kernel;      ///< NK x 3NS (3NS + 1) / 2
   std::vector<double> remote;      ///< NK x 6 x 3NS
   std::vector<double> remote_self; ///< NK x 6 x 6
 
@@ -76,13 +79,20 @@ struct InfluenceFunction {
   std::size_t wavenumber_count() const { return wavenumber.size(); }
   bool is_table() const { return table_dx > 0; }
   std::size_t table_offsets() const { return table.size() / (9 * stations.size() * stations.size()); }
+
+  /// Numbers of the kernel for one wavenumber.
+  std::size_t kernel_size() const { return lower_size(3 * stations.size()); }
+  /// Where g of the row and column for wavenumber k is, or, the same, of column and row.
+  std::size_t kernel_index(std::size_t k, std::size_t row, std::size_t column) const {
+    return k * kernel_size() + lower_size(std::max(row, column)) + std::min(row, column);
+  }
 };
 
 /// The same body without stations, wavenumbers and numbers: to fill it with others.
 InfluenceFunction without_numbers(const InfluenceFunction& function);
 
 /// Throws InputError unless sizes agree, all numbers are finite, stations and wavenumbers ascend, the
-/// kernel is symmetric and its diagonal is positive, or the same of a table.
+/// kernel's diagonal is positive, or a table's, which must be reciprocal as well.
 void validate(const InfluenceFunction& function);
 
 } // namespace bem_contact

@@ -1,7 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
-#include "bem_contact/influence/lower_triangle.hpp"
 
 #include <cstring>
 #include <fstream>
@@ -11,14 +10,11 @@ namespace bem_contact {
 namespace {
 
 constexpr std::string_view magic = "conformal-contact partial influence 2\n";
-constexpr std::size_t digest_size = 64;
+constexpr std::size_t digest_size = 64;   // bytes
+constexpr std::size_t most_errors = 1000; // of a wavenumber
 
 template <class T> void append(std::string& bytes, const T* data, std::size_t count) {
   bytes.append(reinterpret_cast<const char*>(data), count * sizeof(T));
-}
-
-std::string digest_of(std::string_view bytes) {
-  return sha256(std::as_bytes(std::span(bytes)));
 }
 
 } // namespace
@@ -31,10 +27,29 @@ struct PartialInfluenceFile::Impl {
   std::filesystem::path path;
   std::size_t rows = 0; ///< 3 NS
   std::vector<double> wavenumber;
-  std::map<std::size_t, std::vector<double>> part;
+  std::size_t in_order = 0; ///< wavenumbers that these four have
+  std::vector<double> kernel, remote, remote_self, errors;
+  std::map<std::size_t, std::vector<double>> waiting; ///< for those before them
   std::ofstream out;
 
-  std::size_t numbers() const { return rows * (rows + 1) / 2 + 6 * rows + 36; }
+  std::size_t numbers() const { return lower_size(rows) + 6 * rows + 36; } ///< without errors
+  void keep(std::size_t k, std::vector<double> part) {
+    if (k < in_order)
+      return;
+    waiting[k] = std::move(part);
+    for (auto next = waiting.begin(); next != waiting.end() && next->first == in_order;
+         next = waiting.erase(next), ++in_order) {
+      auto from = next->second.begin();
+      const auto take = [&](std::vector<double>& to, std::size_t count) {
+        to.insert(to.end(), from, from + static_cast<std::ptrdiff_t>(count));
+        from += static_cast<std::ptrdiff_t>(count);
+      };
+      take(kernel, lower_size(rows));
+      take(remote, 6 * rows);
+      take(remote_self, 36);
+      take(errors, static_cast<std::size_t>(next->second.end() - from));
+    }
+  }
   [[noreturn]] void fail(const char* why) const {
     throw InputError("the file of finished wavenumbers '" + path.string() + "' cannot be written", why,
                      "check that its folder exists and has room");
@@ -48,6 +63,7 @@ PartialInfluenceFile::PartialInfluenceFile(std::filesystem::path file, std::stri
   impl_->path += ".part";
   impl_->rows = 3 * stations;
   impl_->wavenumber.assign(wavenumber.begin(), wavenumber.end());
+  impl_->kernel.reserve(wavenumber.size() * lower_size(impl_->rows)); // growing it would copy it
 
   std::string header(magic);
   const std::uint64_t sizes[] = {fingerprint.size(), stations, wavenumber.size()};
@@ -64,17 +80,18 @@ PartialInfluenceFile::PartialInfluenceFile(std::filesystem::path file, std::stri
     while (found.size() - good >= 2 * sizeof(std::uint64_t)) {
       std::uint64_t head[2];
       std::memcpy(head, found.data() + good, sizeof head);
-      if (head[0] >= wavenumber.size() || head[1] > 1000)
+      if (head[0] >= wavenumber.size() || head[1] > most_errors)
         break;
       const std::size_t count = impl_->numbers() + head[1], body = sizeof head + count * sizeof(double);
       if (found.size() - good < body + digest_size)
         break;
       const std::string_view record = std::string_view(found).substr(good, body);
-      if (digest_of(record) != std::string_view(found).substr(good + body, digest_size))
+      if (sha256(std::as_bytes(std::span(record))) !=
+          std::string_view(found).substr(good + body, digest_size))
         break;
       std::vector<double> values(count);
       std::memcpy(values.data(), record.data() + sizeof head, count * sizeof(double));
-      impl_->part[head[0]] = std::move(values);
+      impl_->keep(head[0], std::move(values));
       good += body + digest_size;
     }
   }
@@ -95,61 +112,37 @@ PartialInfluenceFile::PartialInfluenceFile(std::filesystem::path file, std::stri
 PartialInfluenceFile::~PartialInfluenceFile() = default;
 
 bool PartialInfluenceFile::has(std::size_t k) const {
-  return impl_->part.contains(k);
+  return k < impl_->in_order || impl_->waiting.contains(k);
 }
 
-void PartialInfluenceFile::write(std::size_t k, std::span<const double> kernel,
-                                 std::span<const double> remote, std::span<const double> remote_self,
-                                 std::span<const double> errors) {
-  const std::size_t n = impl_->rows;
-  if (k >= impl_->wavenumber.size() || kernel.size() != n * n || remote.size() != 6 * n ||
-      remote_self.size() != 36 || errors.size() > 1000)
+void PartialInfluenceFile::write(std::size_t k, std::vector<double> numbers) {
+  const std::size_t needed = impl_->numbers();
+  if (k >= impl_->wavenumber.size() || numbers.size() < needed || numbers.size() > needed + most_errors)
     throw Error("a wavenumber's numbers do not fit the partial influence file", "wrong index or size",
                 "report this as a bug");
-  std::vector<double> values;
-  values.reserve(impl_->numbers() + errors.size());
-  append_lower(values, kernel, n);
-  for (const auto piece : {remote, remote_self, errors})
-    values.insert(values.end(), piece.begin(), piece.end());
-  std::string record;
-  const std::uint64_t head[] = {k, errors.size()};
-  append(record, head, 2);
-  append(record, values.data(), values.size());
-  record += digest_of(record);
-  impl_->out.write(record.data(), static_cast<std::streamsize>(record.size())).flush();
+  const std::uint64_t head[] = {k, numbers.size() - needed};
+  const std::span<const std::byte> first = std::as_bytes(std::span(head)),
+                                   rest = std::as_bytes(std::span(numbers));
+  for (const auto bytes : {first, rest})
+    impl_->out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  impl_->out << sha256({first, rest}) << std::flush;
   if (!impl_->out)
     impl_->fail("the disk may be full");
-  impl_->part[k] = std::move(values);
+  impl_->keep(k, std::move(numbers));
 }
 
-void PartialInfluenceFile::read_into(InfluenceFunction& function, std::vector<double>& errors) const {
-  const std::size_t n = impl_->rows;
+void PartialInfluenceFile::take_into(InfluenceFunction& function, std::vector<double>& errors) {
+  const std::size_t count = impl_->wavenumber.size();
+  if (impl_->in_order < count)
+    throw InputError("the influence functions are not complete",
+                     "wavenumber " + std::to_string(impl_->in_order) + " of " + std::to_string(count) +
+                         " is missing in '" + impl_->path.string() + "'",
+                     "run fem_influence again: it goes on where it stopped");
   function.wavenumber = impl_->wavenumber;
-  function.kernel.clear();
-  function.kernel.reserve(impl_->wavenumber.size() * n * n);
-  function.remote.clear();
-  function.remote_self.clear();
-  errors.clear();
-  for (std::size_t k = 0; k < impl_->wavenumber.size(); ++k) {
-    const auto found = impl_->part.find(k);
-    if (found == impl_->part.end())
-      throw InputError("the influence functions are not complete",
-                       "wavenumber " + std::to_string(k) + " of " + std::to_string(impl_->wavenumber.size()) +
-                           " is missing in '" + impl_->path.string() + "'",
-                       "run fem_influence again: it goes on where it stopped");
-    auto from = found->second.begin();
-    const auto take = [&](std::vector<double>& to, std::size_t count) {
-      to.insert(to.end(), from, from + static_cast<std::ptrdiff_t>(count));
-      from += static_cast<std::ptrdiff_t>(count);
-    };
-    const std::size_t lower = n * (n + 1) / 2, matrix = function.kernel.size();
-    function.kernel.resize(matrix + n * n);
-    fill_symmetric(std::span(function.kernel).subspan(matrix), std::span(found->second).first(lower), n);
-    from += static_cast<std::ptrdiff_t>(lower);
-    take(function.remote, 6 * n);
-    take(function.remote_self, 36);
-    errors.insert(errors.end(), from, found->second.end());
-  }
+  function.kernel = std::move(impl_->kernel);
+  function.remote = std::move(impl_->remote);
+  function.remote_self = std::move(impl_->remote_self);
+  errors = std::move(impl_->errors);
 }
 
 void PartialInfluenceFile::remove() {

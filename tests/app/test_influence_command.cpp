@@ -175,7 +175,7 @@ TEST_F(InfluenceCommand, OneMatrixIsRefusedWhereTheCurvatureVaries) {
   const std::size_t n = 24;
   for (std::size_t k = 0; k < bent.wavenumber_count(); ++k)
     for (std::size_t a = 0; a < n; ++a)
-      bent.kernel[(k * n + a) * n + a] *= 1 + 0.02 * static_cast<double>(a / 3);
+      bent.kernel[bent.kernel_index(k, a, a)] *= 1 + 0.02 * static_cast<double>(a / 3);
   write_influence_file(folder_ / "bent.h5", bent);
   const std::string files = path("bent.h5") + " " + path("wheel.h5");
   refused(expand(files, "--format contact --matrices one -o " + path("one.txt")),

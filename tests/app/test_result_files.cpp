@@ -44,15 +44,15 @@ protected:
     for (double k = 0.005236; k < 22; k *= 1.4)
       f.wavenumber.push_back(k);
     const std::size_t n = 3 * f.stations.size();
-    f.kernel.assign(f.wavenumber.size() * n * n, 0.0);
+    f.kernel.assign(f.wavenumber.size() * f.kernel_size(), 0.0);
     const double unit = (1 - material.poisson) / material.shear_modulus * f.station_width / 3.14159;
     for (std::size_t k = 0; k < f.wavenumber.size(); ++k)
       for (std::size_t a = 0; a < n; ++a)
         for (std::size_t b = 0; b < n; ++b)
           if (a % 3 == b % 3) {
             const double distance = std::hypot((double(a / 3) - double(b / 3)) * f.station_width, 0.1);
-            f.kernel[(k * n + a) * n + b] = unit * std::exp(-f.wavenumber[k] * distance) /
-                                            (0.2 + f.wavenumber[k] * 0.25 + 0.1 * distance);
+            f.kernel[f.kernel_index(k, a, b)] = unit * std::exp(-f.wavenumber[k] * distance) /
+                                                (0.2 + f.wavenumber[k] * 0.25 + 0.1 * distance);
           }
     f.remote.assign(f.wavenumber.size() * 6 * n, 0.0);
     f.remote_self.assign(f.wavenumber.size() * 36, 0.0);

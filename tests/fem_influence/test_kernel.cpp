@@ -213,20 +213,43 @@ TEST(Kernel, order_of_elimination_does_not_matter) {
   const ProfileCurve curve = straight_line(50, true);
   const Section section(folder / "block.msh", 2, curve, body.strip, {.borders = 1});
   const HarmonicSystem system = assemble_system(section, body, curve);
-  HarmonicSolver found(system), backwards(system, [&] {
-    std::vector<int> place = elimination_order(system);
-    const auto held = std::count(section.held().begin(), section.held().end(), 1);
-    EXPECT_GT(held, 0);
-    for (int& p : place) // the held nodes stay last
-      if (const int free = static_cast<int>(place.size()) - static_cast<int>(held); p < free)
-        p = free - 1 - p;
-    return place;
-  });
+  std::vector<int> place = elimination_order(system);
+  const auto held = std::count(section.held().begin(), section.held().end(), 1);
+  EXPECT_GT(held, 0);
+  for (int& p : place) // the held nodes stay last
+    if (const int free = static_cast<int>(place.size()) - static_cast<int>(held); p < free)
+      p = free - 1 - p;
+  HarmonicSolver found(system), backwards(system, place);
   const auto a = found.at(0.3), b = backwards.at(0.3);
   const double largest = *std::max_element(a.kernel.begin(), a.kernel.end());
   for (std::size_t i = 0; i < a.kernel.size(); ++i)
     EXPECT_NEAR(a.kernel[i], b.kernel[i], 1e-11 * largest);
   EXPECT_NE(a.kernel, b.kernel); // another order it was
+}
+
+TEST(Kernel, chosen_stations_have_the_numbers_that_all_have) {
+  const Folder folder;
+  write_block_mesh(folder / "block.msh", 0.5, 2, 50);
+  const BodyFile body = strip_body("block", 2, 0.5, 2);
+  const ProfileCurve curve = straight_line(50);
+  const Section section(folder / "block.msh", 2, curve, body.strip, {.borders = 1});
+  const std::vector<std::size_t> chosen = {1, 2, 6};
+  HarmonicSystem system = lay_out_system(section, body, curve, chosen);
+  fill(system.op, section, 0);
+  HarmonicSolver some(std::move(system)), all(assemble_system(section, body, curve));
+  const WavenumberResult a = some.at(0), b = all.at(0);
+  const std::size_t n = 9, whole = b.remote.size() / 6;
+  ASSERT_EQ(a.remote.size(), 6 * n);
+  ASSERT_GT(whole, n);
+  const auto row = [&](std::size_t i) { return 3 * chosen[i / 3] + i % 3; };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j)
+      EXPECT_NEAR(a.kernel[i * n + j], b.kernel[row(i) * whole + row(j)], 1e-11 * b.kernel[0]);
+    for (std::size_t m = 0; m < 6; ++m)
+      EXPECT_NEAR(a.remote[m * n + i], b.remote[m * whole + row(i)],
+                  1e-11 * std::abs(b.remote[2 * whole + 2]));
+  }
+  EXPECT_LT(a.reaction_error, 1e-8);
 }
 
 TEST(Kernel, disc_has_michells_modes) {

@@ -73,7 +73,7 @@ inline bem_contact::InfluenceFunction halfspace_function(const bem_contact::Mate
     f.stations.push_back({(i - 0.5 * (stations - 1)) * width, {(i - 0.5 * (stations - 1)) * width, 0}, 0});
   f.wavenumber = sampled_wavenumbers(half_period, shortest_dx, per_decade);
   const std::size_t n = 3 * static_cast<std::size_t>(stations), nk = f.wavenumber.size();
-  f.kernel.resize(nk * n * n);
+  f.kernel.resize(nk * f.kernel_size());
   f.remote.assign(nk * 6 * n, 0);
   f.remote_self.assign(nk * 36, 0);
   for (std::size_t k = 0; k < nk; ++k) {
@@ -87,7 +87,7 @@ inline bem_contact::InfluenceFunction halfspace_function(const bem_contact::Mate
           for (std::size_t j = 0; j < 3; ++j) {
             const std::size_t a = 3 * (row + distance) + i, b = 3 * row + j;
             const double value = distance > 0 || i == j || (i != 1 && j != 1) ? g[i][j] : 0;
-            f.kernel[(k * n + a) * n + b] = f.kernel[(k * n + b) * n + a] = value;
+            f.kernel[f.kernel_index(k, a, b)] = value;
           }
     }
   }

@@ -30,15 +30,14 @@ ExpandOptions options_for(double dx, int offsets) {
 /// varies along the strip. A load on a station is proportional to its width, so the addition is as well.
 InfluenceFunction bent_body(int stations, double width) {
   InfluenceFunction f = halfspace_function(steel, stations, width, 0.4);
-  const std::size_t n = 3 * f.stations.size();
   for (std::size_t k = 0; k < f.wavenumber.size(); ++k)
     for (std::size_t row = 0; row < f.stations.size(); ++row)
-      for (std::size_t column = 0; column < f.stations.size(); ++column) {
+      for (std::size_t column = 0; column <= row; ++column) {
         const double s = f.stations[row].s, t = f.stations[column].s;
         const double part =
             width * 1e-6 * std::exp(-4 * f.wavenumber[k]) * (1 + 0.2 * std::cos(0.5 * (s - t)));
         for (std::size_t i = 1; i < 3; ++i)
-          f.kernel[(k * n + 3 * row + i) * n + 3 * column + i] += part * (1 + 0.05 * (s + t));
+          f.kernel[f.kernel_index(k, 3 * row + i, 3 * column + i)] += part * (1 + 0.05 * (s + t));
       }
   return f;
 }

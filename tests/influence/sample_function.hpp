@@ -28,7 +28,7 @@ inline bem_contact::InfluenceFunction sample_function() {
   for (std::size_t k = 0; k < 11; ++k) {
     const double fade = 1e-6 / (1 + f.wavenumber[k]);
     for (std::size_t a = 0; a < n; ++a)
-      for (std::size_t b = 0; b < n; ++b)
+      for (std::size_t b = 0; b <= a; ++b)
         f.kernel.push_back(fade * (a == b ? 3.0 + 0.1 * static_cast<double>(a)
                                           : std::cos(double(a * b)) / (1.0 + double(a + b))));
     for (std::size_t d = 0; d < 6; ++d)

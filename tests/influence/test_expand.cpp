@@ -54,12 +54,15 @@ TEST(Expand, OneHarmonicIsItsOwnSeries) {
   // A kernel that lives in harmonic 2 alone (and is exact there) gives c_2 g cos(k_2 x), c_2 g sin(k_2 x).
   InfluenceFunction f = sample_function();
   for (std::size_t k = 0; k < f.wavenumber_count(); ++k)
-    for (std::size_t e = 0; e < 81; ++e)
-      f.kernel[81 * k + e] *= k == 2 ? 1 : (k == 0 || e % 10 == 0 ? 1e-12 : 0);
+    for (std::size_t a = 0; a < 9; ++a)
+      for (std::size_t b = 0; b <= a; ++b)
+        f.kernel[f.kernel_index(k, a, b)] *= k == 2 ? 1 : (k == 0 || a == b ? 1e-12 : 0);
   const double dx = 0.5, k2 = f.wavenumber[2], s = std::sin(k2 * dx / 2);
   const double c = 2 * s * s / (f.half_period * k2 * k2 * dx / 2);
   const InfluenceNumbers a = expand(f, options_for(dx, 5));
-  const auto g = [&](int i, int j) { return f.kernel[2 * 81 + static_cast<std::size_t>(9 * i + j)]; };
+  const auto g = [&](int row, int column) {
+    return f.kernel[f.kernel_index(2, static_cast<std::size_t>(row), static_cast<std::size_t>(column))];
+  };
   for (int m = 0; m < 5; ++m)
     for (int p = 0; p < 3; ++p)
       for (int i = 0; i < 3; ++i)
@@ -74,10 +77,11 @@ TEST(Expand, PlaneStrainIsTheFirstWavenumber) {
   const InfluenceFunction f = sample_function();
   const InfluenceNumbers a = expand(f, options_for(0, 1));
   EXPECT_EQ(a.dx, 0);
-  for (int p = 0; p < 9; ++p)
-    for (int q = 0; q < 9; ++q)
-      EXPECT_EQ(a.values[static_cast<std::size_t>(9 * p + q)],
-                parity(p % 3, q % 3) > 0 ? f.kernel[static_cast<std::size_t>(9 * p + q)] : 0);
+  for (std::size_t p = 0; p < 9; ++p)
+    for (std::size_t q = 0; q < 9; ++q)
+      EXPECT_EQ(a.values[9 * p + q], parity(static_cast<int>(p % 3), static_cast<int>(q % 3)) > 0
+                                         ? f.kernel[f.kernel_index(0, p, q)]
+                                         : 0);
 }
 
 TEST(Expand, RemovedHoldsTheRemoteSectionAtRest) {
@@ -100,7 +104,7 @@ TEST(Expand, RemovedHoldsTheRemoteSectionAtRest) {
         }
     for (std::size_t row = 0; row < 9; ++row)
       if (parity(static_cast<int>(row % 3), static_cast<int>(load % 3)) > 0) {
-        double u = f.kernel[9 * row + load];
+        double u = f.kernel[f.kernel_index(0, row, load)];
         for (std::size_t d = 0; d < 6; ++d)
           u += f.remote[9 * d + row] * system[d][6] / system[d][d];
         EXPECT_NEAR(removed.values[9 * row + load], u, 1e-12 * f.kernel[0]);

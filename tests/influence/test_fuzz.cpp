@@ -66,8 +66,8 @@ InfluenceFunction small_function(std::size_t stations) {
   f.remote.clear();
   for (std::size_t k = 0; k < wavenumbers; ++k) {
     for (std::size_t a = 0; a < n; ++a)
-      for (std::size_t b = 0; b < n; ++b)
-        f.kernel.push_back(whole.kernel[k * 81 + a * 9 + b]);
+      for (std::size_t b = 0; b <= a; ++b)
+        f.kernel.push_back(whole.kernel[whole.kernel_index(k, a, b)]);
     for (std::size_t d = 0; d < 6; ++d)
       for (std::size_t a = 0; a < n; ++a)
         f.remote.push_back(whole.remote[k * 54 + d * 9 + a]);
