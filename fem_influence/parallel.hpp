@@ -48,8 +48,8 @@ public:
     broadcast(std::as_writable_bytes(std::span(array)));
   }
 
-  /// Together; memory that all of them see, until the fellows are destroyed. `bytes` of the first one counts.
-  /// Empty where the machine has no room for it.
+  /// Together, once; memory that all of them see, until the fellows are destroyed. `bytes` of the first one
+  /// counts. Empty where the machine has no room for it.
   std::span<std::byte> memory(std::size_t bytes);
   /// The first one's word that what the others wait for is in the memory, or that it will never be.
   void announce(bool there);

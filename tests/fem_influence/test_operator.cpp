@@ -1,3 +1,4 @@
+#include "bem_contact/base/error.hpp"
 #include "fem_influence/section_operator.hpp"
 #include "section_meshes.hpp"
 
@@ -92,6 +93,22 @@ TEST_F(Operator, rigid_motions_of_a_wheel_carry_no_energy) {
       EXPECT_GT(energy(op, 2 / wheel_radius, u), 1e-7 * reference) << "n = " << n;
     }
   }
+}
+
+TEST_F(Operator, a_wheel_that_reaches_its_axle_is_refused) {
+  const Section section(mesh_, 1, straight_line(50, true), {-4, 4, 2});
+  double lowest = 0;
+  for (const Point2 p : section.node_positions())
+    lowest = std::min(lowest, p.z);
+  ASSERT_LT(lowest, -10);
+  for (const double radius : {-lowest, -0.5 * lowest}) // a node on the axle, nodes beyond it
+    try {
+      assemble(section, Material{}, radius);
+      ADD_FAILURE() << "taken";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("reaches the axle"), std::string::npos) << error.what();
+    }
+  EXPECT_NO_THROW(assemble(section, Material{}, 1 - lowest));
 }
 
 TEST_F(Operator, wheel_of_huge_radius_is_a_prism) {
