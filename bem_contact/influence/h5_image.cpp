@@ -17,9 +17,6 @@ void check(bool good, const char* what) {
                      "close other programs, or write a smaller file");
 }
 
-// The memory of HDF5's core driver goes through these, so that it can be taken when the file is
-// closed: H5Fget_file_image of 1.10 gives a superblock whose checksum does not hold.
-
 /// The buffer grows in steps; where the file ends is said by its superblock (version 2, byte 28).
 std::size_t end_of_file(const char* superblock) {
   std::uint64_t end = 0;
@@ -27,6 +24,8 @@ std::size_t end_of_file(const char* superblock) {
   return static_cast<std::size_t>(end);
 }
 
+// The memory of HDF5's core driver goes through these, so that it can be taken when the file is
+// closed: H5Fget_file_image of 1.10 gives a superblock whose checksum does not hold.
 void* allocate(size_t size, H5FD_file_image_op_t, void*) {
   return std::malloc(size);
 }
@@ -38,7 +37,7 @@ void* reallocate(void* memory, size_t size, H5FD_file_image_op_t, void*) {
 }
 herr_t take(void* memory, H5FD_file_image_op_t operation, void* taken) {
   if (operation == H5FD_FILE_IMAGE_OP_FILE_CLOSE)
-    *static_cast<void**>(taken) = memory;
+    static_cast<H5Image::Memory*>(taken)->reset(static_cast<char*>(memory));
   else
     std::free(memory);
   return 0;
@@ -54,8 +53,7 @@ herr_t keep(void*) {
 
 H5Image::H5Image(std::size_t user_block, const std::function<void(hid_t root)>& fill) {
   constexpr std::size_t increment = 1 << 20;
-  void* taken = nullptr;
-  H5FD_file_image_callbacks_t callbacks{allocate, copy, reallocate, take, share, keep, &taken};
+  H5FD_file_image_callbacks_t callbacks{allocate, copy, reallocate, take, share, keep, &memory_};
   const H5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose), access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   check(creation >= 0 && access >= 0 && H5Pset_userblock(creation, user_block) >= 0 &&
             H5Pset_obj_track_times(creation, false) >= 0 &&
@@ -69,8 +67,7 @@ H5Image::H5Image(std::size_t user_block, const std::function<void(hid_t root)>& 
     fill(root);
     check(H5Fflush(root, H5F_SCOPE_GLOBAL) >= 0, "flushing a file in memory");
   }
-  check(taken, "closing a file in memory");
-  memory_.reset(static_cast<char*>(taken));
+  check(memory_ != nullptr, "closing a file in memory");
   size_ = end_of_file(memory_.get() + user_block);
 }
 

@@ -22,11 +22,13 @@ public:
 
   std::span<char> bytes() const { return {memory_.get(), size_}; }
 
-private:
   struct Free {
     void operator()(char* memory) const { std::free(memory); }
   };
-  std::unique_ptr<char, Free> memory_; // HDF5's own
+  using Memory = std::unique_ptr<char, Free>;
+
+private:
+  Memory memory_; // HDF5's own
   std::size_t size_ = 0;
 };
 
