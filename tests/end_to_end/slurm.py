@@ -1,7 +1,8 @@
-"""tools/slurm_influence with stand-ins of sbatch and srun: Slurm runs a copy of the script from its own spool, in the
-folder of submission, and a step as processes side by side."""
+"""tools/slurm_influence with a stand-in of sbatch: Slurm runs a copy of the script from its own spool, in the folder of
+submission. mpirun is told how many processes there are, which it would ask Slurm."""
 
 import os
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -16,9 +17,9 @@ shift
 export SLURM_SUBMIT_DIR=$PWD
 exec bash "$SPOOL/slurm_script" "$@"
 """
-SRUN = """#!/usr/bin/env bash
-echo "srun $*" >> "$SPOOL/steps"
-exec mpirun --oversubscribe -n 2 "$@"
+MPIRUN = f"""#!/usr/bin/env bash
+echo "mpirun $*" >> "$SPOOL/steps"
+exec {shutil.which("mpirun")} --oversubscribe -n 2 "$@"
 """
 BODY = """[body]
 kind = "block"
@@ -42,7 +43,7 @@ class Slurm(unittest.TestCase):
         self.folder = Path(temporary.name)
         self.spool = self.folder / "spool"
         self.spool.mkdir()
-        for name, text in (("sbatch", SBATCH), ("srun", SRUN)):
+        for name, text in (("sbatch", SBATCH), ("mpirun", MPIRUN)):
             program = self.folder / name
             program.write_text(text)
             program.chmod(0o755)
