@@ -1,6 +1,7 @@
 #include "fem_influence/elements.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/lower_triangle.hpp"
 
 #include <metis.h>
 
@@ -76,7 +77,7 @@ std::vector<double> add_border(Elements& elements, int size, const SparseColumns
                                       members.begin());
     };
     const std::size_t first = values.size(), m = members.size();
-    values.resize(first + m * (m + 1) / 2, 0.0);
+    values.resize(first + lower_size(m), 0.0);
     for (const auto& [row, column, value] : entries) // the column's unknown is the larger of the two
       values[first + at(row) * m - at(row) * (at(row) + 1) / 2 + at(column)] += value;
     elements.add(members);

@@ -1,6 +1,7 @@
 #include "fem_influence/section_operator.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/lower_triangle.hpp"
 
 #include <Eigen/Core>
 
@@ -21,7 +22,7 @@ enum Kind : Eigen::Index { d_dy, d_dz, by_r, by_rho, kinds };
 std::size_t SectionOperator::block_count() const {
   std::size_t count = 0;
   for (std::size_t c = 0; c < cells.count(); ++c)
-    count += cells[c].size() * (cells[c].size() + 1) / 2;
+    count += lower_size(cells[c].size());
   return count;
 }
 
@@ -107,7 +108,7 @@ std::vector<double> SectionOperator::apply(double k, std::span<const double> u) 
       return at[0] == 0 && at[1] == 0 && at[2] == 0;
     };
     if (std::all_of(cells[c].begin(), cells[c].end(), still)) {
-      e += cells[c].size() * (cells[c].size() + 1) / 2;
+      e += lower_size(cells[c].size());
       continue;
     }
     for (auto nodes = cells[c]; !nodes.empty(); nodes = nodes.subspan(1)) {

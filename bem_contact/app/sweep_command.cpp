@@ -29,7 +29,7 @@ namespace bem_contact::app {
 namespace {
 
 std::string digest_of(const std::string& text) {
-  return sha256(std::as_bytes(std::span(text)));
+  return sha256({std::as_bytes(std::span(text))});
 }
 
 /// Every value of every list, and all of a zip: wrong input is found before anything is computed.

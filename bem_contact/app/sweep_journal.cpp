@@ -27,7 +27,7 @@ std::string header_of(const std::string& digest) {
 }
 
 std::string digest_of(const std::string& bytes) {
-  return sha256(std::as_bytes(std::span(bytes)));
+  return sha256({std::as_bytes(std::span(bytes))});
 }
 
 void write_all(int handle, const std::string& bytes, const std::filesystem::path& file) {

@@ -82,13 +82,9 @@ std::string sha256(std::initializer_list<std::span<const std::byte>> pieces) {
   return hash.hex();
 }
 
-std::string sha256(std::span<const std::byte> data) {
-  return sha256({data, {}});
-}
-
 void seal(std::span<std::byte> whole_file, int format_major, int format_minor) {
   const auto text =
-      make_seal(format_major, format_minor, whole_file.size(), sha256(whole_file.subspan(seal_size)));
+      make_seal(format_major, format_minor, whole_file.size(), sha256({whole_file.subspan(seal_size)}));
   std::memcpy(whole_file.data(), text.data(), text.size());
 }
 

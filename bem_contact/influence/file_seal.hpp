@@ -8,8 +8,7 @@
 
 namespace bem_contact {
 
-/// SHA-256 in lower-case hexadecimal, of one piece or of several after each other.
-std::string sha256(std::span<const std::byte> data);
+/// SHA-256 of the pieces after each other, in lower-case hexadecimal.
 std::string sha256(std::initializer_list<std::span<const std::byte>> pieces);
 
 /// The seal of an influence file: its first 512 bytes (HDF5's "user block", which HDF5 programs skip). Text,

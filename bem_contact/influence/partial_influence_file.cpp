@@ -86,7 +86,7 @@ PartialInfluenceFile::PartialInfluenceFile(std::filesystem::path file, std::stri
       if (found.size() - good < body + digest_size)
         break;
       const std::string_view record = std::string_view(found).substr(good, body);
-      if (sha256(std::as_bytes(std::span(record))) !=
+      if (sha256({std::as_bytes(std::span(record))}) !=
           std::string_view(found).substr(good + body, digest_size))
         break;
       std::vector<double> values(count);
