@@ -1,15 +1,15 @@
-#include "bem_contact/base/body_file.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/influence/expand.hpp"
 #include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/profile/body_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
-#include "fem_influence/parallel.hpp"
-#include "fem_influence/run.hpp"
-#include "fem_influence/solid_check.hpp"
-#include "fem_influence/solid_file.hpp"
-#include "fem_influence/strip.hpp"
+#include "fem_influence/harmonic/run.hpp"
+#include "fem_influence/shared/parallel.hpp"
+#include "fem_influence/shared/strip.hpp"
+#include "fem_influence/solid/solid_check.hpp"
+#include "fem_influence/solid/solid_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

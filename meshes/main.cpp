@@ -1,6 +1,6 @@
-#include "bem_contact/base/body_file.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/profile/body_file.hpp"
 #include "meshes/mesh_body.hpp"
 #include "meshes/solid_mesh.hpp"
 

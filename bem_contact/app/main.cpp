@@ -7,7 +7,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/provenance.hpp"
-#include "bem_contact/wheelset/sequence.hpp"
+#include "bem_contact/sequence/sequence.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

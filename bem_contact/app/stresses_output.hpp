@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem_contact/influence/h5_table.hpp"
-#include "bem_contact/wheelset/stresses.hpp"
+#include "bem_contact/sequence/stresses.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

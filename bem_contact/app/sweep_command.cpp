@@ -10,7 +10,7 @@
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/influence/file_seal.hpp"
-#include "bem_contact/wheelset/sequence.hpp"
+#include "bem_contact/sequence/sequence.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -276,7 +276,7 @@ std::string sweep_help() {
          "    mode = \"product\"        # or \"zip\"\n"
          "    fields = true           # false: keep the totals of each case only\n"
          "Called again after a kill, it goes on: SWEEP.h5.part holds what was finished.\n"
-         "On a cluster (tools/slurm_sweep): sweep SCENE.toml -o SWEEP.h5 --part 1/8 ... --part 8/8,\n"
+         "On a cluster (tools/cluster/slurm_sweep): sweep SCENE.toml -o SWEEP.h5 --part 1/8 ... --part 8/8,\n"
          "then sweep SCENE.toml -o SWEEP.h5 --merge.\n"
          "Exit code 0: all certified; 2: wrong input; 3: a case is missing or not certified.";
 }

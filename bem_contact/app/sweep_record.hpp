@@ -1,8 +1,8 @@
 #pragma once
 
-#include "bem_contact/base/sweep_file.hpp"
 #include "bem_contact/influence/h5_table.hpp"
-#include "bem_contact/wheelset/scene.hpp"
+#include "bem_contact/scene/sweep_file.hpp"
+#include "bem_contact/sequence/solve_scene.hpp"
 
 #include <cstddef>
 #include <span>

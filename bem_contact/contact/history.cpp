@@ -1,7 +1,7 @@
 #include "bem_contact/contact/history.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/contact/direct_sums.hpp"
+#include "bem_contact/contact/check/direct_sums.hpp"
 
 #include <utility>
 

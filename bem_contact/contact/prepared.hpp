@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bem_contact/contact/friction.hpp"
-#include "bem_contact/contact/normal.hpp"
+#include "bem_contact/contact/normal/normal.hpp"
+#include "bem_contact/contact/tangential/friction.hpp"
 #include "bem_contact/contact/work.hpp"
 
 #include <array>

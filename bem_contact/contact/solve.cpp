@@ -1,9 +1,9 @@
 #include "bem_contact/contact/solve.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/contact/coupling.hpp"
-#include "bem_contact/contact/discretisation.hpp"
-#include "bem_contact/contact/patches.hpp"
+#include "bem_contact/contact/check/discretisation.hpp"
+#include "bem_contact/contact/coupled/solve_coupled.hpp"
+#include "bem_contact/contact/grid/patches.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "bem_contact/contact/workspace.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/contact/plane_transforms.hpp"
+#include "bem_contact/contact/operator/plane_transforms.hpp"
 #include "bem_contact/contact/prepared.hpp"
 
 #include <fmt/format.h>

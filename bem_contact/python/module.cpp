@@ -1,6 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/history.hpp"
-#include "bem_contact/wheelset/sequence.hpp"
+#include "bem_contact/sequence/sequence.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

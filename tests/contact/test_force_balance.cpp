@@ -1,4 +1,4 @@
-#include "bem_contact/contact/force_balance.hpp"
+#include "bem_contact/contact/coupled/force_balance.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "tests/contact/scenes.hpp"

@@ -1,5 +1,5 @@
-#include "bem_contact/contact/friction.hpp"
-#include "bem_contact/contact/normal.hpp"
+#include "bem_contact/contact/normal/normal.hpp"
+#include "bem_contact/contact/tangential/friction.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
-#include "bem_contact/contact/normal_lines.hpp"
-#include "bem_contact/contact/operator.hpp"
-#include "bem_contact/contact/plane_operator.hpp"
+#include "bem_contact/contact/normal/normal_lines.hpp"
+#include "bem_contact/contact/operator/plane_operator.hpp"
+#include "bem_contact/contact/operator/strip_operator.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-"""tools/slurm_influence with a stand-in of sbatch: Slurm runs a copy of the script from its own spool, in the folder of
+"""tools/cluster/slurm_influence with a stand-in of sbatch: Slurm runs a copy of the script from its own spool, in the folder of
 submission. mpirun is told how many processes there are, which it would ask Slurm."""
 
 import os
@@ -54,7 +54,7 @@ class Slurm(unittest.TestCase):
             "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
     def submit(self, *arguments, **changes):
-        return subprocess.run(["sbatch", ROOT / "tools" / "slurm_influence", *arguments], cwd=self.folder,
+        return subprocess.run(["sbatch", ROOT / "tools" / "cluster" / "slurm_influence", *arguments], cwd=self.folder,
                               env=self.environment | changes, capture_output=True, text=True)
 
     def test_a_job_writes_the_file_of_a_run_without_slurm(self):

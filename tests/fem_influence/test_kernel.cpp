@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "fem_influence/harmonic_solver.hpp"
+#include "fem_influence/harmonic/harmonic_solver.hpp"
 #include "section_meshes.hpp"
 
 #include <gtest/gtest.h>

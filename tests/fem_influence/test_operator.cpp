@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "fem_influence/section_operator.hpp"
+#include "fem_influence/harmonic/section_operator.hpp"
 #include "section_meshes.hpp"
 
 #include <fmt/format.h>

@@ -2,9 +2,9 @@
 #include "bem_contact/halfspace/rectangle.hpp"
 #include "bem_contact/influence/expand.hpp"
 #include "bem_contact/influence/influence_file.hpp"
-#include "fem_influence/parallel.hpp"
-#include "fem_influence/run.hpp"
-#include "fem_influence/wavenumbers.hpp"
+#include "fem_influence/harmonic/run.hpp"
+#include "fem_influence/harmonic/wavenumbers.hpp"
+#include "fem_influence/shared/parallel.hpp"
 #include "section_meshes.hpp"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/halfspace/rectangle.hpp"
-#include "fem_influence/solid_body.hpp"
-#include "fem_influence/solid_check.hpp"
-#include "fem_influence/solid_surface.hpp"
+#include "fem_influence/solid/solid_body.hpp"
+#include "fem_influence/solid/solid_check.hpp"
+#include "fem_influence/solid/solid_surface.hpp"
 #include "section_meshes.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/wheelset/scene.hpp"
+#include "bem_contact/sequence/solve_scene.hpp"
 #include "tests/hard_cases/hard_case.hpp"
 
 /// A patch that touches the edge of the potential contact: it grows and is solved again.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/wheelset/scene.hpp"
+#include "bem_contact/sequence/solve_scene.hpp"
 
 #include <gmock/gmock.h>
 

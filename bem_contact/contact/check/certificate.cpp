@@ -1,0 +1,203 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/check/direct_sums.hpp"
+#include "bem_contact/contact/slip_step.hpp"
+#include "bem_contact/contact/solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bem_contact {
+namespace {
+
+using contact::Fields;
+
+/// Rows on which something is in contact; none without friction.
+std::vector<char> rows_in_contact(const ContactProblem& problem, const ContactResult& result) {
+  if (!problem.has_friction())
+    return {};
+  std::vector<char> rows(problem.grid.ms, 0);
+  for (int i = 0; i < problem.grid.size(); ++i)
+    rows[i / problem.grid.mx] |= result.pn[i] > 0;
+  return rows;
+}
+
+/// sum_k former[k] (A p_k)(x + k columns dx) over the tractions of former steps; as displacements().
+Fields former_displacements(const ContactProblem& problem, const SlipStep& step,
+                            const std::vector<char>& slip_rows, int columns) {
+  Fields sum;
+  sum.fill(std::vector<double>(static_cast<std::size_t>(columns) * problem.grid.ms, 0.0));
+  for (std::size_t k = 1; k <= std::min<std::size_t>(problem.previous.size(), 2); ++k) {
+    const Tractions& former = problem.previous[k - 1];
+    const auto u = contact::direct_displacements(problem, slip_rows, {&former.px, &former.ps, &former.pn});
+    const int ahead = static_cast<int>(k) * step.columns;
+    for (const int c : {component_x, component_s})
+      for (int is = 0; is < problem.grid.ms; ++is)
+        for (int ix = 0; ix < problem.grid.mx; ++ix)
+          sum[c][static_cast<std::size_t>(is) * columns + ix] +=
+              step.former[k] * u[c][static_cast<std::size_t>(is) * columns + ix + ahead];
+  }
+  return sum;
+}
+
+/// The largest of what the prescribed shear forces miss, over what friction can carry.
+double shear_imbalance(const ContactProblem& problem, const ContactResult& result) {
+  if (!problem.has_friction())
+    return 0;
+  double fx = 0, fs = 0, capacity = 0;
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    const int row = i / problem.grid.mx;
+    fx += result.px[i] * problem.element_area();
+    fs += result.ps[i] * problem.lateral_share(row) * problem.element_area();
+    capacity += problem.friction_of(row) * result.pn[i] * problem.element_area();
+  }
+  const double missing = std::max(problem.force_x ? std::abs(fx - *problem.force_x) : 0.0,
+                                  problem.force_s ? std::abs(fs - *problem.force_s) : 0.0);
+  return missing > 0 ? missing / capacity : 0;
+}
+
+void require_fields(const ContactProblem& problem, const ContactResult& result) {
+  const std::size_t n = problem.grid.size();
+  if (result.px.size() != n || result.ps.size() != n || result.pn.size() != n)
+    throw InputError("the result does not belong to the problem",
+                     "its fields have another size than the grid",
+                     "certify a result with the problem that it solves");
+}
+
+void check_normal(const ContactProblem& problem, const ContactResult& result, const std::vector<double>& u_n,
+                  int columns, Certificate& certificate) {
+  const auto& [mx, ms, dx, ds, x0] = problem.grid;
+  const double q = problem.load == LoadKind::approach ? problem.approach : result.approach;
+  double pmax = 0, scale = 0, remote_scale = std::abs(q), lowest_p = 0, lowest_e = 0, product = 0;
+  for (int is = 0; is < ms; ++is)
+    for (int ix = 0; ix < mx; ++ix) {
+      const int i = is * mx + ix;
+      const double p = result.pn[i], u = u_n[static_cast<std::size_t>(is) * columns + ix];
+      const double e = problem.gap[i] - q * std::cos(problem.rows[is].delta) + u;
+      pmax = std::max(pmax, p);
+      remote_scale = std::max(remote_scale, std::abs(problem.gap[i]));
+      if (p > 0)
+        scale = std::max(scale, std::abs(u));
+      lowest_p = std::max(lowest_p, -p);
+      lowest_e = std::max(lowest_e, -e);
+      product = std::max(product, std::abs(p * e));
+      if (!std::isfinite(p) || !std::isfinite(e))
+        lowest_p = std::numeric_limits<double>::infinity();
+    }
+  if (scale == 0)
+    scale = remote_scale;
+  const auto relative = [](double value, double to) { return value > 0 ? value / to : 0.0; };
+  certificate.pressure = relative(lowest_p, pmax);
+  certificate.penetration = relative(lowest_e, scale);
+  certificate.complementarity = relative(product, pmax * scale);
+}
+
+void check_friction(const ContactProblem& problem, const ContactResult& result, const Fields& u,
+                    const std::vector<char>& slip_rows, int columns, Certificate& certificate) {
+  const auto& [mx, ms, dx, ds, x0] = problem.grid;
+  const bool friction = problem.has_friction();
+  const auto mu = [&](int i) { return friction ? problem.friction_of(i / mx) : 0.0; };
+  const double pmax = *std::max_element(result.pn.begin(), result.pn.end());
+  double traction_scale = friction ? 0.0 : pmax;
+  for (int i = 0; friction && i < mx * ms; ++i)
+    traction_scale = std::max(traction_scale, mu(i) * result.pn[i]);
+  const auto relative = [](double value, double to) { return value > 0 ? value / to : 0.0; };
+  double cone = 0;
+  for (int i = 0; i < mx * ms; ++i) {
+    const double shear = std::hypot(result.px[i], result.ps[i]);
+    cone = std::max(cone, shear - mu(i) * result.pn[i]);
+    if (!std::isfinite(shear))
+      cone = std::numeric_limits<double>::infinity();
+  }
+  certificate.friction_cone = relative(cone, traction_scale);
+  if (!friction)
+    return;
+  const SlipStep step = slip_step(problem);
+  const auto before = former_displacements(problem, step, slip_rows, columns);
+  const bool steady = problem.motion == MotionKind::steady;
+  const std::vector<double> none(result.pn.size(), 0.0);
+  const auto from_normal =
+      steady ? u : contact::direct_displacements(problem, slip_rows, {&none, &none, &result.pn});
+  struct Slip {
+    double x, s, bound;
+    int element;
+  };
+  std::vector<Slip> slips;
+  double self = 0;
+  for (int row = 0; row < ms; ++row)
+    self = std::max(self, problem.numbers.at(0, row, component_n, row, component_n));
+  // rounding of the displacements, which steady slip (their difference over one element) shares
+  double scale = (problem.motion == MotionKind::steady ? 1e-12 : 1e-9) * pmax * self;
+  for (int is = 0; is < ms; ++is)
+    for (int ix = 0; ix < mx; ++ix) {
+      const int i = is * mx + ix;
+      if (!(result.pn[i] > 0))
+        continue;
+      const std::size_t at = static_cast<std::size_t>(is) * columns + ix;
+      const double rigid_x = (problem.slip_x[i] + result.creepage_x) * step.length;
+      const double rigid_s =
+          (problem.slip_s[i] + result.creepage_s * problem.lateral_share(is)) * step.length;
+      double elastic_x = -before[component_x][at], elastic_s = -before[component_s][at]; // u = -A p
+      for (int k = 0; k <= rolling_columns; ++k) {
+        elastic_x -= step.present[k] * u[component_x][at + k];
+        elastic_s -= step.present[k] * u[component_s][at + k];
+      }
+      slips.push_back({rigid_x + elastic_x, rigid_s + elastic_s, problem.kinetic * mu(i) * result.pn[i], i});
+      scale = std::max({scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s),
+                        // rounding, where the creepage found takes back the one given
+                        1e-9 * std::hypot(result.creepage_x, result.creepage_s) * step.length});
+      if (!steady) // where all sticks without rigid slip: what the shear tractions hold back
+        scale = std::max(
+            scale,
+            std::hypot(rigid_x - before[component_x][at] - step.present[0] * from_normal[component_x][at],
+                       rigid_s - before[component_s][at] - step.present[0] * from_normal[component_s][at]));
+    }
+  // Coulomb's law leaves two states; each element counts in the one it is nearer to
+  for (const Slip& slip : slips) {
+    const double length = std::hypot(slip.x, slip.s);
+    if (length == 0)
+      continue;
+    const double adhesion = length / scale;
+    const double direction = std::hypot(result.px[slip.element] - slip.bound * slip.x / length,
+                                        result.ps[slip.element] - slip.bound * slip.s / length) /
+                             traction_scale;
+    double& quantity = adhesion <= direction ? certificate.adhesion : certificate.slip_direction;
+    quantity = std::max(quantity, std::min(adhesion, direction));
+  }
+}
+
+} // namespace
+
+double Certificate::worst() const {
+  double worst = 0;
+  for (const double v :
+       {pressure, penetration, complementarity, friction_cone, adhesion, slip_direction, force_balance}) {
+    if (std::isnan(v))
+      return std::numeric_limits<double>::infinity();
+    worst = std::max(worst, v);
+  }
+  return worst;
+}
+
+Certificate certify(const ContactProblem& problem, const ContactResult& result) {
+  require_fields(problem, result);
+  const std::vector<char> slip_rows = rows_in_contact(problem, result);
+  Certificate certificate;
+  const auto u = contact::direct_displacements(problem, slip_rows, {&result.px, &result.ps, &result.pn});
+  const int columns = static_cast<int>(u[0].size()) / problem.grid.ms;
+  check_normal(problem, result, u[component_n], columns, certificate);
+  check_friction(problem, result, u, slip_rows, columns, certificate);
+  if (problem.load == LoadKind::force) {
+    double force = 0;
+    for (int i = 0; i < problem.grid.size(); ++i) {
+      const double delta = problem.rows[i / problem.grid.mx].delta;
+      force += (result.pn[i] * std::cos(delta) + result.ps[i] * std::sin(delta)) * problem.element_area();
+    }
+    const double missing = std::abs(force - problem.force);
+    certificate.force_balance = problem.force > 0 ? missing / problem.force : missing;
+  }
+  certificate.force_balance = std::max(certificate.force_balance, shear_imbalance(problem, result));
+  return certificate;
+}
+
+} // namespace bem_contact

@@ -1,0 +1,293 @@
+#include "bem_contact/contact/operator/plane_operator.hpp"
+
+#include "bem_contact/base/simd.hpp"
+#include "bem_contact/contact/operator/plane_transforms.hpp"
+#include "bem_contact/contact/rolling_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <tuple>
+
+namespace bem_contact::contact {
+namespace {
+
+template <class Real> using Complex = std::complex<Real>;
+
+/// The periodic form is longer than the grid by 1/periodic_margin of it.
+constexpr int periodic_margin = 3;
+
+template <class Real> Complex<Real>* complex(const FftBuffer<Real>& buffer) {
+  return reinterpret_cast<Complex<Real>*>(buffer.get());
+}
+int lines_of(int ms) {
+  return (ms + PlaneShape::step - 1) / PlaneShape::step * PlaneShape::step;
+}
+
+template <class Real>
+std::shared_ptr<PlaneTransforms<Real>> pooled(const PlaneShape& shape, TransformPool* pool) {
+  return pool ? pool->get<Real>(shape) : std::make_shared<PlaneTransforms<Real>>(shape);
+}
+
+/// out = a b or out += a b, element by element, without the tests for infinity that std::complex makes
+template <class Real>
+inline __attribute__((always_inline)) void multiply_parts(const Real* __restrict a, const Real* __restrict b,
+                                                          int n, bool add, Real* __restrict out) {
+  if (!add)
+    for (int k = 0; k < 2 * n; k += 2) {
+      out[k] = a[k] * b[k] - a[k + 1] * b[k + 1];
+      out[k + 1] = a[k] * b[k + 1] + a[k + 1] * b[k];
+    }
+  else
+    for (int k = 0; k < 2 * n; k += 2) {
+      out[k] += a[k] * b[k] - a[k + 1] * b[k + 1];
+      out[k + 1] += a[k] * b[k + 1] + a[k + 1] * b[k];
+    }
+}
+BEM_CONTACT_WIDE void multiply(const double* a, const double* b, int n, bool add, double* out) {
+  multiply_parts(a, b, n, add, out);
+}
+BEM_CONTACT_WIDE void multiply(const float* a, const float* b, int n, bool add, float* out) {
+  multiply_parts(a, b, n, add, out);
+}
+
+template <class Real> Real* parts(Complex<Real>* p) {
+  return reinterpret_cast<Real*>(p);
+}
+
+} // namespace
+
+template <class Real> struct BasicPlaneOperator<Real>::Impl {
+  int mx = 0, ms = 0, length_x = 0, length_s = 0, frequencies = 0, inputs = 0, outputs = 0;
+  FftBuffer<Real> symbol; ///< complex [frequency][output][input][length_s]
+  std::shared_ptr<PlaneTransforms<Real>> transforms;
+
+  std::size_t symbol_size() const { // reals
+    return 2 * static_cast<std::size_t>(frequencies) * outputs * inputs * length_s;
+  }
+  Complex<Real>* symbol_at(int k, int a, int b) const {
+    return complex(symbol) + ((static_cast<std::size_t>(k) * outputs + a) * inputs + b) * length_s;
+  }
+  PlaneShape shape() const { return {length_x, length_s, lines_of(ms), inputs, outputs}; }
+  template <class Other> void copy(const Other& from) {
+    mx = from.mx;
+    ms = from.ms;
+    length_x = from.length_x;
+    length_s = from.length_s;
+    frequencies = from.frequencies;
+    inputs = from.inputs;
+    outputs = from.outputs;
+    symbol = make_fft_buffer<Real>(symbol_size());
+    std::transform(from.symbol.get(), from.symbol.get() + symbol_size(), symbol.get(),
+                   [](auto v) { return static_cast<Real>(v); });
+  }
+  /// Symbol (a, b) of A_ij, the target `ahead_x` columns and `ahead_s` rows ahead of the load.
+  void transform_numbers(const InfluenceNumbers& numbers, int i, int j, int ahead_x, int ahead_s, int middle,
+                         int a, int b);
+  void apply(std::span<const Real> p) const;
+};
+
+template <class Real>
+void BasicPlaneOperator<Real>::Impl::transform_numbers(const InfluenceNumbers& numbers, int i, int j,
+                                                       int ahead_x, int ahead_s, int middle, int a, int b) {
+  Real* kernel = transforms->kernel();
+  std::fill_n(kernel, static_cast<std::size_t>(length_s) * length_x, Real(0));
+  for (int d = 1 - ms; d < ms; ++d) {
+    const int rows = d + ahead_s;
+    int row_i = std::max(rows, 0), row_j = std::max(-rows, 0);
+    if (!numbers.translational) {
+      row_i = std::clamp(middle + rows / 2, row_i, numbers.rows - 1 - row_j);
+      row_j = row_i - rows;
+    }
+    Real* line = &kernel[static_cast<std::size_t>((d + 2 * length_s) % length_s) * length_x];
+    for (int m = 1 - mx; m < mx + rolling_columns; ++m)
+      if (const int offset = m + ahead_x; std::abs(offset) < numbers.offsets)
+        line[(m + 2 * length_x) % length_x] += static_cast<Real>(
+            (offset < 0 ? parity(i, j) : 1) * numbers.at(std::abs(offset), row_i, i, row_j, j));
+  }
+  transforms->transform_kernel(symbol_at(0, a, b), static_cast<std::ptrdiff_t>(inputs) * outputs * length_s);
+}
+
+template <class Real>
+void BasicPlaneOperator<Real>::prepare(int mx, int ms, int outputs, int inputs, Form form,
+                                       TransformPool* pool) {
+  Impl& o = *impl_;
+  o.mx = mx;
+  o.ms = ms;
+  const bool exact = form == Form::exact;
+  std::tie(o.length_x, o.length_s) =
+      good_lengths(exact ? 2 * mx + rolling_columns - 1 : mx + 4 + mx / periodic_margin,
+                   std::max(lines_of(ms), exact ? 2 * ms - 1 : ms + 4 + ms / periodic_margin), lines_of(ms));
+  o.frequencies = o.length_x / 2 + 1;
+  o.inputs = inputs;
+  o.outputs = outputs;
+  o.transforms = pooled<Real>(o.shape(), pool);
+  o.symbol = make_fft_buffer<Real>(o.symbol_size());
+}
+
+template <class Real>
+BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, int mx, int ms,
+                                             std::vector<int> outputs, std::vector<int> inputs, Form form,
+                                             int middle, TransformPool* pool)
+    : impl_(std::make_unique<Impl>()) {
+  prepare(mx, ms, static_cast<int>(outputs.size()), static_cast<int>(inputs.size()), form, pool);
+  for (int a = 0; a < impl_->outputs; ++a)
+    for (int b = 0; b < impl_->inputs; ++b)
+      impl_->transform_numbers(numbers, outputs[a], inputs[b], 0, 0, middle, a, b);
+}
+
+template <class Real>
+BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, const Parts& parts,
+                                             const std::vector<int>& outputs, const std::vector<int>& inputs,
+                                             TransformPool* pool)
+    : impl_(std::make_unique<Impl>()) {
+  // each box of a component is a component of its own
+  const int count = parts.count();
+  prepare(parts.mx(), parts.ms(), count * static_cast<int>(outputs.size()),
+          count * static_cast<int>(inputs.size()), Form::exact, pool);
+  for (int a = 0; a < impl_->outputs; ++a)
+    for (int b = 0; b < impl_->inputs; ++b) {
+      const Box &to = parts.boxes[a % count], &from = parts.boxes[b % count];
+      impl_->transform_numbers(numbers, outputs[a / count], inputs[b / count], to.first_x - from.first_x,
+                               to.first_s - from.first_s, 0, a, b);
+    }
+}
+
+template <class Real>
+template <class Other>
+BasicPlaneOperator<Real>::BasicPlaneOperator(const BasicPlaneOperator<Other>& other, TransformPool* pool)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->copy(*other.impl_);
+  impl_->transforms = pooled<Real>(impl_->shape(), pool);
+}
+
+template <class Real>
+BasicPlaneOperator<Real>::BasicPlaneOperator(const BasicPlaneOperator& other)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->copy(*other.impl_);
+  impl_->transforms = other.impl_->transforms;
+}
+
+template <class Real> BasicPlaneOperator<Real>::~BasicPlaneOperator() = default;
+template <class Real> BasicPlaneOperator<Real>::BasicPlaneOperator(BasicPlaneOperator&&) noexcept = default;
+template <class Real>
+BasicPlaneOperator<Real>& BasicPlaneOperator<Real>::operator=(BasicPlaneOperator&&) noexcept = default;
+
+/// Leaves u of columns up to mx + 1, times both lengths, in rows_out.
+template <class Real> void BasicPlaneOperator<Real>::Impl::apply(std::span<const Real> p) const {
+  PlaneTransforms<Real>& t = *transforms;
+  t.ready();
+  const int pairs = t.shape.lines / 2;
+  for (int b = 0; b < inputs; ++b)
+    for (int pair = 0; pair < pairs; ++pair) { // others have left what they had beyond
+      Real* to = t.rows_in(b, pair);
+      const Real* row = &p[static_cast<std::size_t>(b * ms + std::min(2 * pair, ms - 1)) * mx];
+      const int count = 2 * pair < ms ? mx : 0;
+      const Real second = 2 * pair + 1 < ms;
+      const Real* next = row + (second != 0 ? mx : 0);
+      for (int ix = 0; ix < count; ++ix) {
+        to[2 * ix] = row[ix];
+        to[2 * ix + 1] = second * next[ix];
+      }
+      std::fill(to + 2 * count, to + 2 * length_x, Real(0));
+    }
+  t.forward();
+  const int together = t.together();
+  for (int k = 0; k < frequencies; k += together) {
+    const int first = std::min(k, frequencies - together); // some twice, where it does not come out even
+    t.forward_s(first);
+    for (int line = 0; line < together; ++line)
+      for (int a = 0; a < outputs; ++a)
+        for (int b = 0; b < inputs; ++b)
+          multiply(parts(symbol_at(first + line, a, b)),
+                   parts(t.turned_in() + (line * inputs + b) * length_s), length_s, b > 0,
+                   parts(t.turned() + (line * outputs + a) * length_s));
+    t.backward_s(first);
+  }
+  t.backward();
+}
+
+template <class Real>
+void BasicPlaneOperator<Real>::apply(std::span<const Real> p, std::span<Real> u, int columns) const {
+  const Impl& o = *impl_;
+  o.apply(p);
+  const Real scale = 1.0 / o.length_x / o.length_s;
+  for (int a = 0; a < o.outputs; ++a)
+    for (int is = 0; is < o.ms; ++is) {
+      const Real* v = o.transforms->rows_out(a, is / 2) + is % 2 + 2 * columns;
+      for (int ix = 0; ix < o.mx; ++ix)
+        u[static_cast<std::size_t>(a * o.ms + is) * o.mx + ix] = scale * v[2 * ix];
+    }
+}
+
+template <class Real>
+void BasicPlaneOperator<Real>::apply_step(std::span<const Real> p, std::span<Real> u) const {
+  const Impl& o = *impl_;
+  o.apply(p);
+  const Real scale = 1.0 / o.length_x / o.length_s;
+  for (int a = 0; a < o.outputs; ++a)
+    for (int is = 0; is < o.ms; ++is) {
+      const Real* v = o.transforms->rows_out(a, is / 2) + is % 2;
+      for (int ix = 0; ix < o.mx; ++ix)
+        u[static_cast<std::size_t>(a * o.ms + is) * o.mx + ix] =
+            scale *
+            (rolling_step[0] * v[2 * ix] + rolling_step[1] * v[2 * ix + 2] + rolling_step[2] * v[2 * ix + 4]);
+    }
+}
+
+template <class Real> void BasicPlaneOperator<Real>::invert() {
+  const Impl& o = *impl_;
+  constexpr Real least_share = 1e-4f;
+  // the truncated kernel's ripples must not turn an eigenvalue's sign: positive and real
+  Real largest = 0;
+  const std::size_t count = static_cast<std::size_t>(o.frequencies) * o.length_s;
+  for (std::size_t k = 0; k < count; ++k)
+    largest = std::max(largest, complex(o.symbol)[k].real());
+  for (std::size_t k = 0; k < count; ++k) {
+    Complex<Real>& z = complex(o.symbol)[k];
+    z = 1 / std::max(std::abs(z.real()), least_share * largest);
+  }
+}
+
+template <class Real> void BasicPlaneOperator<Real>::invert_factor(Factor factor) {
+  const Impl& o = *impl_;
+  Real largest = 0;
+  const std::size_t count = static_cast<std::size_t>(o.frequencies) * o.length_s;
+  for (std::size_t k = 0; k < count; ++k)
+    largest = std::max(largest, complex(o.symbol)[k].real());
+  constexpr Real least_share = 1e-4f;
+  // the part of the logarithm whose kernel lies behind (or ahead) only, one frequency of s at a time
+  std::vector<Real> logarithm(count);
+  for (std::size_t k = 0; k < count; ++k)
+    logarithm[k] = std::log(std::max(std::abs(complex(o.symbol)[k].real()), least_share * largest));
+  const Complex<Real>* half = o.transforms->half_behind(logarithm);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Complex<Real> behind = std::exp(-half[k]);
+    complex(o.symbol)[k] = factor == Factor::behind ? behind : std::conj(behind);
+  }
+}
+
+template <class Real>
+void BasicPlaneOperator<Real>::invert_shifted(const BasicPlaneOperator& of, Real shift, Real scale,
+                                              const std::array<double, 3>& step) {
+  const Impl& o = *impl_;
+  for (int k = 0; k < o.frequencies; ++k) {
+    const std::complex<double> ahead = std::polar(1.0, 2 * std::numbers::pi * k / o.length_x);
+    const Complex<Real> factor(static_cast<double>(scale) * (step[0] + ahead * (step[1] + ahead * step[2])));
+    const Complex<Real>* from = of.impl_->symbol_at(k, 0, 0);
+    Complex<Real>* to = o.symbol_at(k, 0, 0);
+    for (int l = 0; l < o.length_s; ++l) {
+      const Real positive = std::abs(from[l].real());
+      const Real re = shift + positive * factor.real(), im = positive * factor.imag();
+      const Real share = 1 / (re * re + im * im);
+      to[l] = {re * share, -im * share};
+    }
+  }
+}
+
+template class BasicPlaneOperator<double>;
+template class BasicPlaneOperator<float>;
+template BasicPlaneOperator<float>::BasicPlaneOperator(const BasicPlaneOperator<double>&, TransformPool*);
+
+} // namespace bem_contact::contact

@@ -1,0 +1,276 @@
+#include "bem_contact/contact/operator/strip_operator.hpp"
+
+#include "bem_contact/base/simd.hpp"
+#include "bem_contact/contact/operator/fft.hpp"
+#include "bem_contact/contact/operator/plane_operator.hpp"
+#include "bem_contact/contact/rolling_step.hpp"
+#include "bem_contact/influence/dense.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <optional>
+
+namespace bem_contact::contact {
+namespace {
+
+/// ax = A x and ay = A y in one pass over the column-major A: fetching A is what takes the time.
+template <class Real>
+inline __attribute__((always_inline)) void multiply_both(const Real* __restrict a, int rows, int columns,
+                                                         const Real* x, const Real* y, Real* __restrict ax,
+                                                         Real* __restrict ay) {
+  std::fill_n(ax, rows, Real(0));
+  std::fill_n(ay, rows, Real(0));
+  int j = 0;
+  for (; j + 4 <= columns; j += 4, a += 4 * static_cast<std::ptrdiff_t>(rows)) {
+    const Real x0 = x[j], x1 = x[j + 1], x2 = x[j + 2], x3 = x[j + 3];
+    const Real y0 = y[j], y1 = y[j + 1], y2 = y[j + 2], y3 = y[j + 3];
+    for (int i = 0; i < rows; ++i) {
+      const Real a0 = a[i], a1 = a[i + rows], a2 = a[i + 2 * rows], a3 = a[i + 3 * rows];
+      ax[i] += a0 * x0 + a1 * x1 + a2 * x2 + a3 * x3;
+      ay[i] += a0 * y0 + a1 * y1 + a2 * y2 + a3 * y3;
+    }
+  }
+  for (; j < columns; ++j, a += rows)
+    for (int i = 0; i < rows; ++i) {
+      ax[i] += a[i] * x[j];
+      ay[i] += a[i] * y[j];
+    }
+}
+BEM_CONTACT_WIDE void multiply(const double* a, int rows, int columns, const double* x, const double* y,
+                               double* ax, double* ay) {
+  multiply_both(a, rows, columns, x, y, ax, ay);
+}
+BEM_CONTACT_WIDE void multiply(const float* a, int rows, int columns, const float* x, const float* y,
+                               float* ax, float* ay) {
+  multiply_both(a, rows, columns, x, y, ax, ay);
+}
+
+} // namespace
+
+template <class Real> struct BasicStripOperator<Real>::Impl {
+  using Fft = Fftw<Real>;
+  int mx = 0, ms = 0, length = 0, frequencies = 0, lines_in = 0, lines_out = 0;
+  std::vector<int> outputs, inputs;
+  std::vector<Real> spectrum;                   ///< [frequency], column-major lines_out x lines_in
+  FftBuffer<Real> space_in, space_out;          ///< [line][place]
+  FftBuffer<Real> frequency_in, frequency_out;  ///< [line][frequency], complex
+  FftBuffer<Real> re_in, im_in, re_out, im_out; ///< of one frequency, [line]
+  FftPlan<Real> forward, backward;
+  std::optional<BasicPlaneOperator<Real>> plane; ///< does all the work where the numbers are translational
+
+  void make_plans();
+  void apply(std::span<const Real> p) const;
+};
+
+template <class Real>
+BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, int mx,
+                                             std::vector<int> outputs, std::vector<int> inputs,
+                                             RowRange range, TransformPool* pool)
+    : impl_(std::make_unique<Impl>()) {
+  Impl& o = *impl_;
+  o.mx = mx;
+  o.ms = range.count < 0 ? numbers.rows - range.first : range.count;
+  if (numbers.translational) {
+    o.plane.emplace(numbers, mx, o.ms, std::move(outputs), std::move(inputs),
+                    BasicPlaneOperator<Real>::Form::exact, 0, pool);
+    return;
+  }
+  std::vector<int> rows(o.ms);
+  std::iota(rows.begin(), rows.end(), range.first);
+  transform(numbers, mx, rows, std::move(outputs), std::move(inputs));
+}
+
+template <class Real>
+BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, const Parts& parts,
+                                             std::vector<int> outputs, std::vector<int> inputs,
+                                             TransformPool* pool)
+    : impl_(std::make_unique<Impl>()) {
+  Impl& o = *impl_;
+  o.mx = parts.mx();
+  o.ms = parts.rows();
+  if (numbers.translational) {
+    o.plane.emplace(numbers, parts, outputs, inputs, pool);
+    return;
+  }
+  std::vector<int> rows;
+  for (const Box& box : parts.boxes)
+    for (int is = 0; is < box.ms; ++is)
+      rows.push_back(box.first_s + is);
+  transform(numbers, o.mx, rows, std::move(outputs), std::move(inputs));
+}
+
+template <class Real>
+void BasicStripOperator<Real>::transform(const InfluenceNumbers& numbers, int mx,
+                                         const std::vector<int>& rows, std::vector<int> outputs,
+                                         std::vector<int> inputs) {
+  Impl& o = *impl_;
+  o.length = good_fft_length(2 * (mx + rolling_columns) + 1);
+  o.frequencies = o.length / 2 + 1;
+  o.outputs = std::move(outputs);
+  o.inputs = std::move(inputs);
+  o.lines_in = o.ms * static_cast<int>(o.inputs.size());
+  o.lines_out = o.ms * static_cast<int>(o.outputs.size());
+
+  // The spectra of all pairs of rows at once: one product with the cosines (or sines) of the offsets.
+  const int used = std::min(numbers.offsets, mx + rolling_columns + 1);
+  // columns: frequencies
+  Eigen::MatrixXd cosines(used, o.frequencies), sines(used, o.frequencies);
+  Eigen::ArrayXd angle = Eigen::ArrayXd::LinSpaced(o.length, 0, o.length - 1);
+  angle *= 2.0 * std::numbers::pi / o.length;
+  const Eigen::ArrayXd cosine = angle.cos(), sine = angle.sin();
+  for (int k = 0; k < o.frequencies; ++k)
+    for (int m = 0, turn = 0; m < used; ++m, turn = (turn + k) % o.length) {
+      cosines(m, k) = m == 0 ? 1.0 : 2.0 * cosine[turn];
+      sines(m, k) = -2.0 * sine[turn];
+    }
+  const std::size_t block = static_cast<std::size_t>(o.lines_out) * o.lines_in;
+  o.spectrum.resize(block * o.frequencies);
+  // one pass over the numbers, which lie [m][I][i][J][j]: fetching them is what takes the time
+  const std::size_t in = o.inputs.size(), pairs = o.outputs.size() * in;
+  std::vector<Eigen::MatrixXd> values(pairs, Eigen::MatrixXd(o.ms * o.ms, used));
+  for (int m = 0; m < used; ++m)
+    for (int row_i = 0; row_i < o.ms; ++row_i)
+      for (std::size_t pair = 0; pair < pairs; ++pair) {
+        const int i = o.outputs[pair / in], j = o.inputs[pair % in];
+        double* to = &values[pair](row_i, m);
+        for (int row_j = 0; row_j < o.ms; ++row_j)
+          to[static_cast<std::ptrdiff_t>(row_j) * o.ms] = numbers.at(m, rows[row_i], i, rows[row_j], j);
+      }
+  for (std::size_t pair = 0; pair < pairs; ++pair) {
+    const int i = o.outputs[pair / in], j = o.inputs[pair % in];
+    const Eigen::MatrixXd transformed = product(values[pair], parity(i, j) > 0 ? cosines : sines);
+    const double sign = parity(i, j) < 0 && i == component_x ? -1.0 : 1.0;
+    for (int k = 0; k < o.frequencies; ++k)
+      for (int row_j = 0; row_j < o.ms; ++row_j) {
+        const double* from = &transformed(row_j * o.ms, k);
+        Real* to = &o.spectrum[block * k + (pair % in * o.ms + row_j) * o.lines_out + pair / in * o.ms];
+        std::transform(from, from + o.ms, to, [sign](double v) { return static_cast<Real>(sign * v); });
+      }
+  }
+
+  o.make_plans();
+}
+
+template <class Real>
+template <class Other>
+BasicStripOperator<Real>::BasicStripOperator(const BasicStripOperator<Other>& other, TransformPool* pool)
+    : impl_(std::make_unique<Impl>()) {
+  Impl& o = *impl_;
+  const auto& from = *other.impl_;
+  o.mx = from.mx;
+  o.ms = from.ms;
+  if (from.plane) {
+    o.plane.emplace(*from.plane, pool);
+    return;
+  }
+  o.length = from.length;
+  o.frequencies = from.frequencies;
+  o.lines_in = from.lines_in;
+  o.lines_out = from.lines_out;
+  o.outputs = from.outputs;
+  o.inputs = from.inputs;
+  o.spectrum.assign(from.spectrum.begin(), from.spectrum.end());
+  o.make_plans();
+}
+
+template <class Real> void BasicStripOperator<Real>::Impl::make_plans() {
+  const auto all = [](int lines, int each) { return static_cast<std::size_t>(lines) * each; };
+  space_in = make_fft_buffer<Real>(all(lines_in, length));
+  space_out = make_fft_buffer<Real>(all(lines_out, length));
+  frequency_in = make_fft_buffer<Real>(all(lines_in, 2 * frequencies));
+  frequency_out = make_fft_buffer<Real>(all(lines_out, 2 * frequencies));
+  for (auto* buffer : {&re_in, &im_in})
+    *buffer = make_fft_buffer<Real>(lines_in);
+  for (auto* buffer : {&re_out, &im_out})
+    *buffer = make_fft_buffer<Real>(lines_out);
+  const std::lock_guard lock(fft_planner());
+  // Line by line: FFTW remembers a length, whatever the number of lines, so that the next plan costs nothing.
+  using Complex = typename Fft::Complex;
+  forward.reset(Fft::plan_many_dft_r2c(1, &length, lines_in, space_in.get(), nullptr, 1, length,
+                                       reinterpret_cast<Complex*>(frequency_in.get()), nullptr, 1,
+                                       frequencies, FFTW_ESTIMATE));
+  backward.reset(Fft::plan_many_dft_c2r(1, &length, lines_out,
+                                        reinterpret_cast<Complex*>(frequency_out.get()), nullptr, 1,
+                                        frequencies, space_out.get(), nullptr, 1, length, FFTW_ESTIMATE));
+}
+
+template <class Real> BasicStripOperator<Real>::~BasicStripOperator() = default;
+template <class Real> BasicStripOperator<Real>::BasicStripOperator(BasicStripOperator&&) noexcept = default;
+template <class Real>
+BasicStripOperator<Real>& BasicStripOperator<Real>::operator=(BasicStripOperator&&) noexcept = default;
+
+/// Leaves u of columns up to mx + 1, times the transform's length, in space_out.
+template <class Real> void BasicStripOperator<Real>::Impl::apply(std::span<const Real> p) const {
+  for (int line = 0; line < lines_in; ++line) {
+    Real* to = &space_in[static_cast<std::size_t>(line) * length];
+    std::copy_n(&p[static_cast<std::size_t>(line) * mx], mx, to);
+    std::fill(to + mx, to + length, 0.0);
+  }
+  Fft::execute(forward.get());
+
+  for (int k = 0; k < frequencies; ++k) {
+    for (std::size_t b = 0; b < inputs.size(); ++b) {
+      const bool turn = inputs[b] == component_x; // times i
+      Real* re = (turn ? im_in : re_in).get();
+      Real* im = (turn ? re_in : im_in).get();
+      const Real sign = turn ? -1 : 1;
+      for (int line = static_cast<int>(b) * ms; line < static_cast<int>(b + 1) * ms; ++line) {
+        const Real* from = &frequency_in[2 * (static_cast<std::size_t>(line) * frequencies + k)];
+        re[line] = from[0];
+        im[line] = sign * from[1];
+      }
+    }
+    multiply(&spectrum[static_cast<std::size_t>(k) * lines_out * lines_in], lines_out, lines_in, re_in.get(),
+             im_in.get(), re_out.get(), im_out.get());
+    for (std::size_t a = 0; a < outputs.size(); ++a) {
+      const bool turn = outputs[a] == component_x; // times -i
+      const Real* re = (turn ? im_out : re_out).get();
+      const Real* im = (turn ? re_out : im_out).get();
+      const Real sign = turn ? -1 : 1;
+      for (int line = static_cast<int>(a) * ms; line < static_cast<int>(a + 1) * ms; ++line) {
+        Real* to = &frequency_out[2 * (static_cast<std::size_t>(line) * frequencies + k)];
+        to[0] = re[line];
+        to[1] = sign * im[line];
+      }
+    }
+  }
+  Fft::execute(backward.get());
+}
+
+template <class Real>
+void BasicStripOperator<Real>::apply(std::span<const Real> p, std::span<Real> u, int columns) const {
+  const Impl& o = *impl_;
+  if (o.plane)
+    return o.plane->apply(p, u, columns);
+  o.apply(p);
+  const Real scale = 1.0 / o.length;
+  for (int line = 0; line < o.lines_out; ++line)
+    for (int ix = 0; ix < o.mx; ++ix)
+      u[static_cast<std::size_t>(line) * o.mx + ix] =
+          scale * o.space_out[static_cast<std::size_t>(line) * o.length + ix + columns];
+}
+
+template <class Real>
+void BasicStripOperator<Real>::apply_step(std::span<const Real> p, std::span<Real> u) const {
+  const Impl& o = *impl_;
+  if (o.plane)
+    return o.plane->apply_step(p, u);
+  o.apply(p);
+  const Real scale = 1.0 / o.length;
+  for (int line = 0; line < o.lines_out; ++line) {
+    const Real* v = &o.space_out[static_cast<std::size_t>(line) * o.length];
+    for (int ix = 0; ix < o.mx; ++ix)
+      u[static_cast<std::size_t>(line) * o.mx + ix] =
+          scale * (rolling_step[0] * v[ix] + rolling_step[1] * v[ix + 1] + rolling_step[2] * v[ix + 2]);
+  }
+}
+
+template class BasicStripOperator<double>;
+template class BasicStripOperator<float>;
+template BasicStripOperator<float>::BasicStripOperator(const BasicStripOperator<double>&, TransformPool*);
+
+} // namespace bem_contact::contact

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "bem_contact/contact/grid/box.hpp"
+#include "bem_contact/influence/influence_numbers.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace bem_contact::contact {
+
+class TransformPool;
+
+/// A run of the numbers' rows; count < 0: all from `first` on.
+struct RowRange {
+  int first = 0, count = -1;
+};
+
+/// u = A p on the grid [ms][mx], for some components: block Toeplitz in x, full in s. FFT in x, one real
+/// (outputs * ms) x (inputs * ms) matrix a frequency: a longitudinal traction multiplied by i (and likewise
+/// the displacement) makes the even and the odd numbers real alike. Numbers that are translational in s:
+/// FFT in x and s (plane_operator.hpp).
+///
+/// Fields are component-major: component c of element (ix, is) at (c * ms + is) * mx + ix, in the order of
+/// `inputs` and `outputs`. One object, and all that are made with one `pool`, serve one thread at a time.
+/// `Real`: double, or float where a few digits are enough.
+template <class Real> class BasicStripOperator {
+public:
+  BasicStripOperator(const InfluenceNumbers& numbers, int mx, std::vector<int> outputs,
+                     std::vector<int> inputs, RowRange rows = {}, TransformPool* pool = nullptr);
+  /// On boxes of the grid; fields [component][box][ms][mx]. Where the numbers are not translational the boxes
+  /// have the same columns.
+  BasicStripOperator(const InfluenceNumbers& numbers, const Parts& parts, std::vector<int> outputs,
+                     std::vector<int> inputs, TransformPool* pool = nullptr);
+  /// The same in another precision.
+  template <class Other>
+  explicit BasicStripOperator(const BasicStripOperator<Other>& other, TransformPool* pool = nullptr);
+  ~BasicStripOperator();
+  BasicStripOperator(BasicStripOperator&&) noexcept;
+  BasicStripOperator& operator=(BasicStripOperator&&) noexcept;
+
+  /// u(x + columns dx), inputs * ms * mx values to outputs * ms * mx values; needs numbers of mx + columns
+  /// offsets, columns <= 2.
+  void apply(std::span<const Real> p, std::span<Real> u, int columns = 0) const;
+
+  /// sum_k rolling_step[k] u(x + k dx) (rolling_step.hpp). Needs numbers of mx + 2 offsets.
+  void apply_step(std::span<const Real> p, std::span<Real> u) const;
+
+private:
+  template <class Other> friend class BasicStripOperator;
+  struct Impl;
+  void transform(const InfluenceNumbers& numbers, int mx, const std::vector<int>& rows,
+                 std::vector<int> outputs, std::vector<int> inputs);
+  std::unique_ptr<Impl> impl_;
+};
+
+extern template class BasicStripOperator<double>;
+extern template class BasicStripOperator<float>;
+using StripOperator = BasicStripOperator<double>;
+
+} // namespace bem_contact::contact

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "bem_contact/geometry/contact_locus.hpp"
+
+#include <vector>
+
+namespace bem_contact {
+
+/// Two minima of the distance with less than this between them are one: elastically they are the same, mm.
+inline constexpr double flat_distance = 2e-5;
+
+/// One local minimum of the vertical distance of wheel and rail.
+struct TouchPoint {
+  double rail_s = 0, wheel_s = 0; ///< arc length on either profile, mm
+  double x = 0;                   ///< mm
+  Point2 position;                ///< on the rail, track frame
+  double delta = 0;               ///< inclination of the rail there, rad
+  double distance = 0;            ///< vertical distance from rail to wheel, mm (< 0: they overlap)
+  /// The stretch of the rail around it within which the distance is the same to flat_distance: a point, or,
+  /// where the bodies touch along a line, that line. Arc length on the rail, mm.
+  double s_from = 0, s_to = 0;
+};
+
+/// All local minima of the vertical distance between the surfaces over the track's (x, y), smallest first:
+/// those of the contact locus over the profile of the rail. Where the rail is seen from above twice, its
+/// upper part counts. Throws InputError when no part of the wheel is above the rail, and when the smallest
+/// distance is at the end of a profile or of the locus (a yaw too large for so steep a flange).
+std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair);
+
+/// Moves the wheel along z until it just touches; returns the touch points then (the first has distance 0).
+std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair);
+
+} // namespace bem_contact

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "bem_contact/geometry/tabulated_profile.hpp"
+#include "bem_contact/scene/scene_file.hpp"
+
+#include <array>
+
+namespace bem_contact {
+
+/// Distance of the flange back from the tape circle, mm (EN 13715: the profile's y = -70).
+inline constexpr double flange_back_to_tape_circle = 70.0;
+
+/// Where a section stands in the track frame: track = origin + Rot(angle) section, the rotation taking
+/// the section's y towards z (about +x). Inclinations grow by `angle`.
+struct Pose {
+  Point2 origin;
+  double angle = 0; ///< rad
+
+  Point2 to_track(Point2 section) const;
+  Point2 to_section(Point2 track) const;
+};
+
+/// A point or vector of the track frame (x, y, z), mm.
+using Vector3 = std::array<double, 3>;
+
+/// The wheel as it stands: the centre of its tape circle on the axle, and three unit vectors that are the
+/// track's x, y, z where it is neither rolled nor yawed.
+struct WheelFrame {
+  Vector3 centre{}, forward{}, axle{}, down{};
+};
+
+/// A wheel on a rail. Track frame: x from the wheelset's centre, y from the track's centre line towards the
+/// side of this wheel, z down from the highest point of the rail (as it stands without deviations). Both
+/// curves stay in their own section frames.
+///
+/// A wheel on the left is its mirror image: y to the left, and yaw, roll and lateral displacement change
+/// sign. Longitudinal quantities, pressures and Fz are what they are; those along y or s, and moments about
+/// z, are counted to the left.
+///
+/// Rail: inclined by cant towards the track centre; its gauge face (the point nearest to the track centre
+/// within gauge_height below the top) is at y = gauge / 2. Without cant its axis is at gauge / 2 plus half
+/// the head's width. Then moved by its deviations and turned about the origin of its section.
+/// Wheel: the wheelset's centre is displaced by `lateral`; the wheelset is rolled about it (right side down),
+/// then yawed about the vertical through it (right-hand side backwards). The tape circle is at
+/// back_to_back / 2 + 70 mm from it. The wheel's surface is the profile turned about the axle,
+/// r = wheel_radius + z of its section.
+struct WheelOnRail {
+  TabulatedProfile rail, wheel;
+  Pose rail_pose, wheel_pose; ///< of the wheel: before the yaw
+  double wheel_radius = 460;  ///< nominal, at the tape circle, mm
+  double yaw = 0;             ///< rad, towards +y in front
+  double centre_y = 0;        ///< the vertical about which it is yawed, mm
+
+  /// A point of the rail's profile at its own arc length, in the track frame; delta too, curvature as it is.
+  CurvePoint rail_at(double s) const;
+  WheelFrame wheel_frame() const;
+};
+
+/// Places both; the wheel stands with its tape circle wherever the axle height -wheel_radius puts it, so
+/// that it may hang above or cut into the rail: see lower_to_touch().
+/// Throws InputError where the rail has no gauge face at the given height.
+WheelOnRail place(const SceneFile::Position& position, TabulatedProfile rail, TabulatedProfile wheel);
+
+} // namespace bem_contact

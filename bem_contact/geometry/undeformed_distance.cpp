@@ -1,0 +1,237 @@
+#include "bem_contact/geometry/undeformed_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace bem_contact {
+
+namespace {
+
+// A wheel that overlaps the rail by more than this is on another side of the flange, mm.
+constexpr double deepest_overlap = 2.0;
+
+/// The normal of a row, seen along x.
+struct Ray {
+  Point2 origin, tangent, normal;
+
+  explicit Ray(const ContactRow& row)
+      : origin(row.position), tangent(tangent_of(row.delta)), normal(normal_of(row.delta)) {}
+  double along(Point2 p) const { return dot(p - origin, tangent); }
+  double outward(Point2 p) const { return -dot(p - origin, normal); }
+};
+
+/// The wheel cut by a plane x = const, over a stretch of its profile.
+class WheelSection {
+public:
+  struct Node {
+    Point2 position;
+    bool joined = true;
+  };
+
+  WheelSection(const WheelOnRail& pair, const WheelFrame& frame, double x, int first, int last)
+      : wheel_(pair.wheel), frame_(frame), radius_(pair.wheel_radius), x_(x), first_(first) {
+    bool joined = false;
+    for (int k = first; k <= last; ++k) {
+      const auto p = from_section(wheel_.nodes()[k].position);
+      nodes_.push_back({p.value_or(Point2{}), joined && p});
+      joined = p.has_value();
+    }
+  }
+  const std::vector<Node>& nodes() const { return nodes_; }
+  Node between(int k, double t) const {
+    const auto p = from_section(wheel_.between(first_ + k, t).position);
+    return {p ? *p : nodes_[k].position};
+  }
+
+private:
+  /// Nothing where the wheel does not reach the plane: on the circle of a point (y, z) the angle from `down`
+  /// to `forward` is where its x is that of the plane.
+  std::optional<Point2> from_section(Point2 p) const {
+    const double r = radius_ + p.z;
+    if (r <= 0)
+      return std::nullopt;
+    const double a = frame_.forward[0], b = frame_.down[0];
+    const double c = (x_ - frame_.centre[0] - p.y * frame_.axle[0]) / r;
+    const double size = a * a + b * b, under = size - c * c;
+    if (under <= 0)
+      return std::nullopt;
+    const double root = std::sqrt(under);
+    const double sine = (a * c - b * root) / size, cosine = (b * c + a * root) / size;
+    const auto coordinate = [&](int i) {
+      return frame_.centre[i] + p.y * frame_.axle[i] +
+             r * (cosine * frame_.down[i] + sine * frame_.forward[i]);
+    };
+    return Point2{coordinate(1), coordinate(2)};
+  }
+
+  const TabulatedProfile& wheel_;
+  const WheelFrame& frame_;
+  double radius_, x_;
+  int first_;
+  std::vector<Node> nodes_;
+};
+
+struct Crossing {
+  int k = 0; ///< between nodes k and k + 1
+  double t = 0, distance = excluded_gap;
+};
+
+/// Where the ray crosses a curve that is walked against it (the wheel's profile or locus), the nearest
+/// crossing to node `start`.
+template <class Curve> std::optional<Crossing> cross(const Curve& curve, const Ray& ray, int start) {
+  const auto& nodes = curve.nodes();
+  const int last = static_cast<int>(nodes.size()) - 1;
+  int k = std::clamp(start, 0, last);
+  double fa = ray.along(nodes[k].position), fb = fa;
+  if (fa > 0) {
+    do {
+      if (++k > last || !nodes[k].joined)
+        return std::nullopt;
+      fa = fb;
+      fb = ray.along(nodes[k].position);
+    } while (fb > 0);
+    --k;
+  } else {
+    do {
+      if (k == 0 || !nodes[k].joined)
+        return std::nullopt;
+      --k;
+      fb = fa;
+      fa = ray.along(nodes[k].position);
+    } while (fa <= 0);
+  }
+  // fa > 0 >= fb: regula falsi of Anderson and Bjorck, with bisection behind it.
+  double a = 0, b = 1, ga = fa, gb = fb;
+  Point2 p = nodes[k + 1].position;
+  double t = 1;
+  for (int i = 0; i < 60 && gb != 0 && std::abs(b - a) > 1e-14; ++i) {
+    t = i % 8 == 7 ? 0.5 * (a + b) : b - gb * (b - a) / (gb - ga);
+    p = curve.between(k, t).position;
+    const double g = ray.along(p);
+    if (std::abs(g) < 1e-13)
+      break;
+    if ((g > 0) != (gb > 0)) {
+      a = b, ga = gb;
+    } else {
+      const double m = 1 - g / gb;
+      ga *= m > 0 ? m : 0.5;
+    }
+    b = t, gb = g;
+  }
+  const double distance = ray.outward(p);
+  if (distance < -deepest_overlap || distance >= excluded_gap)
+    return std::nullopt;
+  return Crossing{k, t, distance};
+}
+
+/// The nearest node: of every twelfth (1.2 mm), then downhill; -1 beyond `farthest`.
+int nearest_node(const ContactLocus& locus, Point2 p, double farthest) {
+  const auto& nodes = locus.nodes();
+  const int last = static_cast<int>(nodes.size()) - 1;
+  const auto square = [&](int k) {
+    const Point2 d = nodes[k].position - p;
+    return dot(d, d);
+  };
+  int best = last;
+  double least = square(last);
+  for (int k = 0; k < last; k += 12)
+    if (const double d = square(k); d < least)
+      best = k, least = d;
+  if (std::sqrt(least) > farthest + 1.2)
+    return -1;
+  while (best > 0 && square(best - 1) < square(best))
+    --best;
+  while (best < last && square(best + 1) < square(best))
+    ++best;
+  return square(best) <= farthest * farthest ? best : -1;
+}
+
+} // namespace
+
+std::vector<RowOnLocus> rows_on_locus(const ContactLocus& locus, std::span<const ContactRow> rows,
+                                      double farthest) {
+  std::vector<RowOnLocus> out(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const int near = nearest_node(locus, rows[i].position, farthest);
+    if (near < 0)
+      continue;
+    const auto found = cross(locus, Ray(rows[i]), near);
+    if (!found)
+      continue;
+    const ContactLocus::Point p = locus.between(found->k, found->t);
+    out[i] = {found->distance, p.x, p.s, 0.5 * locus.curvature_along_x(found->k, found->t)};
+  }
+  return out;
+}
+
+std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const RowOnLocus> on_locus,
+                                        std::span<const ContactRow> rows, std::span<const double> x) {
+  std::vector<double> gap(rows.size() * x.size(), excluded_gap);
+  double from = pair.wheel.s_end(), to = pair.wheel.s_begin();
+  for (const RowOnLocus& row : on_locus)
+    if (row.hit())
+      from = std::min(from, row.wheel_s), to = std::max(to, row.wheel_s);
+  if (from > to)
+    return gap;
+  // How far a section's crossing may lie from that of the locus, mm of the profile.
+  constexpr double margin = 6.0;
+  const int first = pair.wheel.interval(from - margin, 0);
+  const int last = pair.wheel.interval(to + margin, first) + 1;
+  const WheelFrame frame = pair.wheel_frame();
+
+  std::vector<int> start(rows.size());
+  for (std::size_t is = 0; is < rows.size(); ++is)
+    start[is] = pair.wheel.interval(on_locus[is].wheel_s, first) - first;
+  for (std::size_t ix = 0; ix < x.size(); ++ix) {
+    const WheelSection section(pair, frame, x[ix], first, last);
+    for (std::size_t is = 0; is < rows.size(); ++is) {
+      if (!on_locus[is].hit())
+        continue;
+      if (const auto found = cross(section, Ray(rows[is]), start[is])) {
+        gap[is * x.size() + ix] = found->distance;
+        start[is] = found->k;
+      }
+    }
+  }
+  return gap;
+}
+
+std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const ContactRow> rows,
+                                        std::span<const double> x) {
+  return undeformed_distance(pair, rows_on_locus(ContactLocus(pair), rows), rows, x);
+}
+
+std::vector<double> wheel_stations(const ContactLocus& locus, std::span<const ContactRow> rows) {
+  std::vector<double> out;
+  const auto& nodes = locus.nodes();
+  for (const ContactRow& row : rows) {
+    const int near = nearest_node(locus, row.position, 1e9);
+    // Golden section on the stretches beside the node.
+    const auto square = [&](double v) {
+      const int k = std::min(static_cast<int>(v), static_cast<int>(nodes.size()) - 2);
+      const Point2 d = locus.between(k, v - k).position - row.position;
+      return dot(d, d);
+    };
+    const bool left = near > 0 && nodes[near].joined;
+    const bool right = near + 1 < static_cast<int>(nodes.size()) && nodes[near + 1].joined;
+    const double golden = 0.5 * (std::sqrt(5.0) - 1);
+    double a = near - (left ? 1 : 0), b = near + (right ? 1 : 0);
+    double c = b - golden * (b - a), d = a + golden * (b - a), fc = square(c), fd = square(d);
+    while (b - a > 1e-6) {
+      if (fc < fd) {
+        b = d, d = c, fd = fc;
+        c = b - golden * (b - a), fc = square(c);
+      } else {
+        a = c, c = d, fc = fd;
+        d = a + golden * (b - a), fd = square(d);
+      }
+    }
+    const double v = 0.5 * (a + b);
+    const int k = std::min(static_cast<int>(v), static_cast<int>(nodes.size()) - 2);
+    out.push_back(locus.between(k, v - k).s);
+  }
+  return out;
+}
+
+} // namespace bem_contact

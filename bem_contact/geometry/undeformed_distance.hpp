@@ -1,0 +1,38 @@
+#pragma once
+
+#include "bem_contact/contact/problem.hpp"
+#include "bem_contact/geometry/contact_locus.hpp"
+
+#include <span>
+#include <vector>
+
+namespace bem_contact {
+
+/// Undeformed distance given to an element whose normal misses the other body, mm: far beyond any approach.
+inline constexpr double excluded_gap = 100.0;
+
+/// Where the normal of a row meets the wheel at the x at which it is nearest: on the contact locus.
+struct RowOnLocus {
+  double distance = excluded_gap; ///< along the rail's normal, mm
+  double x = 0;                   ///< mm
+  double wheel_s = 0;             ///< arc length on the wheel's profile, mm
+  double half = 0;                ///< the wheel is near distance + half (x' - x)^2 there, 1/mm
+  bool hit() const { return distance < excluded_gap; }
+};
+/// Rows farther than `farthest` (mm) from the locus miss it.
+std::vector<RowOnLocus> rows_on_locus(const ContactLocus& locus, std::span<const ContactRow> rows,
+                                      double farthest = 20);
+
+/// Undeformed distance along the rail's normal n from the rail to the exact wheel surface of revolution, mm;
+/// field [rows][x]. A row whose normal misses the wheel, or 20 mm from it, gets excluded_gap.
+/// At x the rolled and yawed wheel is cut by the plane x = const, and the normal intersected with that
+/// section (no quadratic approximation). `on_locus`: of the rows.
+std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const RowOnLocus> on_locus,
+                                        std::span<const ContactRow> rows, std::span<const double> x);
+std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const ContactRow> rows,
+                                        std::span<const double> x);
+
+/// Arc length of the point of the wheel's profile whose locus, seen along x, is nearest to each row, mm.
+std::vector<double> wheel_stations(const ContactLocus& locus, std::span<const ContactRow> rows);
+
+} // namespace bem_contact

@@ -1,0 +1,170 @@
+#include "bem_contact/scene/scene_file.hpp"
+
+#include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/material_keys.hpp"
+#include "bem_contact/scene/scene_keys.hpp"
+#include "bem_contact/scene/unused_keys.hpp"
+
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+void check_load(const SceneFile& f, const Schema& s) {
+  const int given = f.load.has_force + f.load.has_approach + f.position.has_vertical;
+  if (given > 1)
+    s.refuse(f.position.has_vertical ? "position.vertical" : "load.approach",
+             f.load.has_force ? "load.force is given too" : "load.approach is given too",
+             f.position.has_vertical ? "Give exactly one of load.force, load.approach and position.vertical."
+                                     : "Give exactly one of load.force and load.approach.");
+  if (given == 0)
+    s.refuse("load", "neither force nor approach is given",
+             s.has("sweep") ? "Give load.force or load.approach; a scene whose table [sweep] does is for "
+                              "bem_contact sweep."
+                            : "Give load.force or load.approach.");
+}
+
+void check_motion(const SceneFile& f, const Schema& s) {
+  if (!f.motion.frictionless && f.motion.friction == 0)
+    s.refuse("motion.friction", "zero friction leaves nothing to roll on",
+             "Set motion.frictionless = true for the normal problem alone, or give friction > 0.");
+  const std::pair<const char*, double> rates[] = {{"motion.pitch_rate", f.motion.pitch_rate},
+                                                  {"motion.lateral_velocity", f.motion.lateral_velocity},
+                                                  {"motion.vertical_velocity", f.motion.vertical_velocity},
+                                                  {"motion.roll_rate", f.motion.roll_rate},
+                                                  {"motion.yaw_rate", f.motion.yaw_rate}};
+  for (const auto& [key, rate] : rates) {
+    if (rate != 0 && f.motion.speed == 0)
+      s.refuse(key, "only its ratio to the forward speed counts, and motion.speed is not given",
+               "Give motion.speed too.");
+    if (rate != 0 && f.motion.kind == "shift")
+      s.refuse(key, "a shift has no velocities", "Give xi, eta and phi.");
+  }
+  if (f.motion.pitch_rate > 0 && f.motion.rolling_radius > 0)
+    s.refuse("motion.rolling_radius", "pitch_rate is given too",
+             "Give either the rolling radius or both speed and pitch_rate.");
+  if (!f.motion.slip_table.empty() && (f.motion.xi != 0 || f.motion.eta != 0 || f.motion.phi != 0))
+    s.refuse("motion.slip_table", "creepages are given too", "Give either the table or xi, eta and phi.");
+}
+
+void check_steps(const SceneFile& f, const Schema& s) {
+  const bool steps = f.motion.steps > 1 || !f.motion.step_table.empty() || !f.motion.start_table.empty();
+  if (steps && f.motion.kind == "steady")
+    s.refuse("motion.kind", "steady rolling has no steps",
+             "Choose transient or shift, or leave out the steps.");
+  if (steps && f.motion.frictionless)
+    s.refuse("motion.frictionless", "without friction nothing remembers a step",
+             "Leave out the steps, or give friction.");
+  if (f.motion.steps > 1 && !f.motion.step_table.empty())
+    s.refuse("motion.steps", "the step table has a row for each step", "Give either of the two.");
+  if ((f.load.has_force_x || f.load.has_force_s) && f.motion.frictionless)
+    s.refuse("load", "without friction there is no shear force", "Leave out force_x and force_s.");
+  if (f.motion.friction_table.empty() && f.motion.kinetic_friction > f.motion.friction)
+    s.refuse("motion.kinetic_friction", fmt::format("friction in adhesion is only {}", f.motion.friction),
+             "Give a smaller coefficient.");
+}
+
+void check_patch(const SceneFile& f, const Schema& s) {
+  if (f.grid.mx < 1)
+    s.refuse("grid.mx", "a patch needs its number of elements along x", "Give grid.mx >= 1.");
+  if (f.grid.ms < 1)
+    s.refuse("grid.ms", "a patch needs its number of elements along s", "Give grid.ms >= 1.");
+  if (f.grid.plane_strain && f.grid.mx != 1)
+    s.refuse("grid.mx", "plane strain has one element, infinitely long along x", "Give grid.mx = 1.");
+  if (f.grid.plane_strain && !f.motion.frictionless)
+    s.refuse("grid.plane_strain", "rolling and shifts need elements along x",
+             "Set motion.frictionless = true, or leave it out.");
+  if (!f.gap.table.empty() && (f.gap.a != 0 || f.gap.b != 0 || f.gap.c != 0))
+    s.refuse("gap.table", "quadratic coefficients are given too", "Give either the table or a, b and c.");
+  if (!f.strip.inclination.empty() && f.strip.radius != 0)
+    s.refuse("strip.inclination", "strip.radius is given too", "Give either the table or the radius.");
+  if (f.strip.upper_radius != 0 && f.strip.radius == 0)
+    s.refuse("strip.upper_radius", "it makes a gap between two circles, and strip.radius is not given",
+             "On a flat strip give the gap: gap.b = 1/2 over the radius.");
+}
+
+void check_wheel_rail(const SceneFile& f, const Schema& s) {
+  if (f.rail.profile.empty())
+    s.refuse("rail.profile", "a wheel on a rail needs the rail's profile",
+             "Give for instance profile = \"60E1\".");
+  if (f.wheel.profile.empty())
+    s.refuse("wheel.profile", "a wheel on a rail needs the wheel's profile",
+             "Give for instance profile = \"S1002\".");
+  if (f.position.back_to_back >= f.position.gauge) {
+    if (!s.has("position.back_to_back"))
+      s.refuse("position.gauge", fmt::format("the flange backs are {} mm apart", f.position.back_to_back),
+               "Give the gauge in mm, and position.back_to_back if it is another one.");
+    s.refuse("position.back_to_back", fmt::format("the gauge is only {} mm", f.position.gauge),
+             "Give a distance between the flange backs smaller than the gauge.");
+  }
+  if ((f.grid.elements > 0 || f.grid.accuracy > 0) && (f.grid.mx > 0 || f.grid.ms > 0))
+    s.refuse(f.grid.accuracy > 0 ? "grid.accuracy" : "grid.elements", "the numbers mx or ms are given too",
+             "Leave out grid.mx and grid.ms.");
+  if ((f.grid.elements > 0 || f.grid.accuracy > 0) && f.motion.kind != "steady")
+    s.refuse(f.grid.accuracy > 0 ? "grid.accuracy" : "grid.elements",
+             "a transient needs one grid for all its steps", "Give grid.dx and grid.ds.");
+  if ((f.grid.s_from != 0 || f.grid.s_to != 0) && f.grid.ms > 0)
+    s.refuse("grid.ms", "grid.s_from and grid.s_to say where the rows begin and end",
+             "Leave out grid.ms, or s_from and s_to.");
+  if ((f.grid.s_from != 0 || f.grid.s_to != 0) && f.grid.s_to <= f.grid.s_from)
+    s.refuse("grid.s_to", fmt::format("the rows would run from {} to {} mm", f.grid.s_from, f.grid.s_to),
+             "Give s_to greater than s_from, or leave both out.");
+}
+
+} // namespace
+
+SceneFile parse_scene_file(std::string_view toml, std::string_view source_name,
+                           std::span<const SceneChange> changes) {
+  SceneFile file;
+  YoungsModuli young;
+  Schema schema = scene_schema(file, young);
+  schema.skip("sweep");
+  schema.read(toml, source_name);
+  for (const SceneChange& change : changes)
+    schema.set(change.key, change.value, change.line);
+  settle_material(schema, "rail.material", file.rail.material, young.rail);
+  settle_material(schema, "wheel.material", file.wheel.material, young.wheel);
+  check_load(file, schema);
+  check_motion(file, schema);
+  check_steps(file, schema);
+  if (file.kind == "patch")
+    check_patch(file, schema);
+  else
+    check_wheel_rail(file, schema);
+  if (file.solver.model == "fem" && file.rail.influence.empty() && file.wheel.influence.empty())
+    schema.refuse("solver.model", "no influence file is given",
+                  "Give rail.influence and wheel.influence, or use model = \"halfspace\".");
+  file.unused = unused_keys(file, schema);
+  return file;
+}
+
+SceneFile read_scene_file(const std::filesystem::path& path, std::span<const SceneChange> changes) {
+  SceneFile file = parse_scene_file(read_text_file(path.string(), "scene file"), path.string(), changes);
+  file.folder = path.parent_path();
+  return file;
+}
+
+std::vector<std::filesystem::path> input_files(const SceneFile& scene) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name :
+       {scene.rail.profile, scene.rail.influence, scene.wheel.profile, scene.wheel.influence, scene.gap.table,
+        scene.strip.inclination, scene.motion.slip_table, scene.motion.friction_table,
+        scene.motion.step_table, scene.motion.start_table})
+    if (!name.empty())
+      files.push_back(scene.folder / name);
+  return files;
+}
+
+std::string default_scene_file() {
+  SceneFile file;
+  file.rail.profile = "60E1";
+  file.wheel.profile = "S1002";
+  file.load.force = 1e5;
+  YoungsModuli young;
+  Schema schema = scene_schema(file, young);
+  file.load.has_force = true; // declared keys start as not given; the printed scene must be complete
+  return schema.print();
+}
+
+} // namespace bem_contact

@@ -1,0 +1,209 @@
+#include "bem_contact/scene/sweep_file.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+namespace bem_contact {
+
+namespace {
+
+constexpr std::size_t most_cases = 10'000'000;
+
+/// 6.3, not 6.300000000000001.
+double rounded(double value) {
+  return std::stod(fmt::format("{:.12g}", value));
+}
+
+struct Reader {
+  SweepFile& sweep;
+
+  [[noreturn]] void refuse(int line, const std::string& problem, const std::string& why,
+                           const std::string& what_to_do) const {
+    throw InputError(fmt::format("{}:{}: {}", sweep.source, line, problem), why, what_to_do);
+  }
+
+  void table(const toml::table& table, const std::string& prefix) {
+    for (const auto& [name, node] : table) {
+      const std::string key =
+          prefix.empty() ? std::string(name.str()) : prefix + "." + std::string(name.str());
+      const int line = static_cast<int>(name.source().begin.line);
+      const toml::table* inner = node.as_table();
+      if (key == "mode")
+        mode(node, line);
+      else if (key == "fields" && node.is_boolean())
+        sweep.fields = *node.value<bool>();
+      else if (inner && (inner->contains("from") || inner->contains("to")))
+        sweep.axes.push_back({key, range(*inner, key, line), line});
+      else if (inner)
+        this->table(*inner, key);
+      else if (const toml::array* list = node.as_array())
+        sweep.axes.push_back({key, values(*list, key, line), line});
+      else
+        refuse(line, fmt::format("sweep.{} is a single value", key), "a sweep needs a list or a range",
+               "Give a list [a, b, ...] or { from = a, to = b, step = c }, or move it out of [sweep].");
+    }
+  }
+
+  void mode(const toml::node& node, int line) {
+    const auto mode = node.value<std::string>();
+    if (mode != "product" && mode != "zip")
+      refuse(line, "sweep.mode cannot be that", "known are product and zip", "Use one of these.");
+    sweep.zip = mode == "zip";
+  }
+
+  std::vector<SchemaValue> values(const toml::array& list, const std::string& key, int line) const {
+    std::vector<SchemaValue> out;
+    for (const toml::node& node : list) {
+      if (const auto* whole = node.as_integer())
+        out.emplace_back(whole->get());
+      else if (const auto* number = node.as_floating_point())
+        out.emplace_back(number->get());
+      else if (const auto* flag = node.as_boolean())
+        out.emplace_back(flag->get());
+      else if (const auto* text = node.as_string())
+        out.emplace_back(text->get());
+      else
+        refuse(line, fmt::format("sweep.{} holds something that is no value", key),
+               "its elements must be numbers, texts, true or false", "Correct the list.");
+    }
+    if (out.empty())
+      refuse(line, fmt::format("sweep.{} is empty", key), "there is nothing to solve", "Give values.");
+    return out;
+  }
+
+  std::vector<SchemaValue> range(const toml::table& t, const std::string& key, int line) const {
+    const std::string example = "Give { from = a, to = b, step = c } or { from = a, to = b, count = n }.";
+    for (const auto& [name, node] : t)
+      if (name != "from" && name != "to" && name != "step" && name != "count")
+        refuse(line, fmt::format("unknown key '{}' in the range of sweep.{}", name.str(), key),
+               "a range has from, to and step or count", example);
+    const auto from = t["from"].value<double>(), to = t["to"].value<double>();
+    const auto step = t["step"].value<double>();
+    const auto count = t["count"].value<std::int64_t>();
+    if (!from || !to || (step.has_value() == count.has_value()) || (t.contains("count") && !count) ||
+        !std::isfinite(*from) || !std::isfinite(*to))
+      refuse(line, fmt::format("the range of sweep.{} is not complete", key),
+             "it needs finite numbers from, to and one of step and count", example);
+    if (step && (!std::isfinite(*step) || *step == 0 || (*to - *from) / *step < 0 ||
+                 (*to - *from) / *step > double(most_cases)))
+      refuse(line, fmt::format("the range of sweep.{} never ends", key),
+             fmt::format("a step of {} does not lead from {} to {}", *step, *from, *to), "Correct the step.");
+    if (count && (*count < 1 || *count > std::int64_t(most_cases) || (*count == 1 && *from != *to)))
+      refuse(line, fmt::format("the range of sweep.{} cannot have {} values", key, *count),
+             fmt::format("at least 2 and at most {} lie between two ends", most_cases), "Correct the count.");
+    const bool whole = t["from"].is_integer() && t["step"].is_integer();
+    // `to` belongs to the range where a step hits it but for rounding.
+    const std::int64_t n =
+        count ? *count : static_cast<std::int64_t>(std::floor((*to - *from) / *step + 1e-9)) + 1;
+    std::vector<SchemaValue> out;
+    for (std::int64_t i = 0; i < n; ++i)
+      if (whole)
+        out.emplace_back(*t["from"].value<std::int64_t>() + i * *t["step"].value<std::int64_t>());
+      else if (count)
+        out.emplace_back(i + 1 == n ? *to : rounded(*from + (*to - *from) * double(i) / double(n - 1)));
+      else
+        out.emplace_back(rounded(*from + double(i) * *step));
+    return out;
+  }
+};
+
+} // namespace
+
+std::size_t SweepFile::size() const {
+  if (zip)
+    return axes.front().values.size();
+  std::size_t n = 1;
+  for (const Axis& axis : axes)
+    n *= axis.values.size();
+  return n;
+}
+
+std::vector<std::size_t> SweepFile::indices(std::size_t index) const {
+  std::vector<std::size_t> out(axes.size(), index);
+  for (std::size_t a = axes.size(); a-- > 0 && !zip;) {
+    out[a] = index % axes[a].values.size();
+    index /= axes[a].values.size();
+  }
+  return out;
+}
+
+std::vector<SceneChange> SweepFile::changes(std::size_t index) const {
+  const std::vector<std::size_t> at = indices(index);
+  std::vector<SceneChange> out;
+  for (std::size_t a = 0; a < axes.size(); ++a)
+    out.push_back({axes[a].key, axes[a].values[at[a]], axes[a].line});
+  return out;
+}
+
+SceneFile SweepFile::scene(std::size_t index) const {
+  SceneFile scene = parse_scene_file(text, source, changes(index));
+  scene.folder = folder;
+  return scene;
+}
+
+std::string SweepFile::describe(std::size_t index) const {
+  std::string out;
+  for (const SceneChange& change : changes(index))
+    out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", change.key, to_text(change.value));
+  return out;
+}
+
+SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name) {
+  SweepFile sweep;
+  sweep.text = toml;
+  sweep.source = source_name;
+  toml::table root;
+  try {
+    root = toml::parse(toml, source_name);
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}: {}", source_name, error.source().begin.line, error.description()),
+                     "the file is not valid TOML", "Correct the line.");
+  }
+  const toml::table* table = root["sweep"].as_table();
+  if (table)
+    Reader{sweep}.table(*table, "");
+  if (sweep.axes.empty())
+    throw InputError(fmt::format("'{}' is no sweep", source_name), "it has no table [sweep] with lists",
+                     "Add one, for instance [sweep] with position.lateral = { from = 6.2, to = 7.1, step = "
+                     "0.05 } below it.");
+  std::ranges::stable_sort(sweep.axes, {}, &SweepFile::Axis::line);
+  double cases = 1;
+  for (const SweepFile::Axis& axis : sweep.axes) {
+    cases *= double(axis.values.size());
+    if (std::ranges::count(sweep.axes, axis.key, &SweepFile::Axis::key) > 1)
+      throw InputError(fmt::format("{}:{}: sweep.{} is given twice", source_name, axis.line, axis.key),
+                       "once as a dotted and once as a quoted key", "Remove one.");
+    if (sweep.zip && axis.values.size() != sweep.axes.front().values.size())
+      throw InputError(fmt::format("{}:{}: the lists cannot be zipped", source_name, axis.line),
+                       fmt::format("{} has {} values and {} has {}", sweep.axes.front().key,
+                                   sweep.axes.front().values.size(), axis.key, axis.values.size()),
+                       "Give lists of equal lengths, or mode = \"product\".");
+  }
+  if (!sweep.zip && cases > double(most_cases))
+    throw InputError(fmt::format("'{}' has {:.3g} cases", source_name, cases),
+                     fmt::format("at most {} are possible", most_cases), "Sweep over fewer values.");
+  return sweep;
+}
+
+SweepFile read_sweep_file(const std::filesystem::path& file) {
+  SweepFile sweep = parse_sweep_file(read_text_file(file.string(), "scene file"), file.string());
+  sweep.folder = file.parent_path();
+  return sweep;
+}
+
+std::string to_text(const SchemaValue& value) {
+  if (const auto* number = std::get_if<double>(&value))
+    return fmt::format("{}", *number);
+  if (const auto* whole = std::get_if<std::int64_t>(&value))
+    return fmt::format("{}", *whole);
+  if (const auto* flag = std::get_if<bool>(&value))
+    return *flag ? "true" : "false";
+  return fmt::format("\"{}\"", std::get<std::string>(value));
+}
+
+} // namespace bem_contact

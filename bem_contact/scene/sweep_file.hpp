@@ -1,0 +1,54 @@
+#pragma once
+
+#include "bem_contact/scene/scene_file.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bem_contact {
+
+/// A scene file with a table [sweep]: lists or ranges for any of its keys.
+///
+///     [sweep]
+///     mode = "product"            # or "zip": the first of each list, the second of each ...
+///     position.lateral = { from = 6.2, to = 7.1, step = 0.05 }   # or count = 19
+///     load.force = [ 5e4, 1e5 ]
+///     rail.profile = [ "60E1", "worn.prr" ]
+///
+/// A product runs through the last list fastest, in the order of the file: what lies next to each other
+/// should be alike. Each case is the scene with its values, checked as the scene is.
+struct SweepFile {
+  struct Axis {
+    std::string key;
+    std::vector<SchemaValue> values;
+    int line = 0;
+  };
+
+  std::string text, source; ///< of the file
+  std::filesystem::path folder;
+  std::vector<Axis> axes; ///< in the order of the file
+  bool zip = false;
+  bool fields = true; ///< keep the fields of each case, not only its totals
+
+  std::size_t size() const;
+  /// Which value of each axis a case has.
+  std::vector<std::size_t> indices(std::size_t index) const;
+  std::vector<SceneChange> changes(std::size_t index) const;
+  /// Throws InputError naming the line of the value that cannot be.
+  SceneFile scene(std::size_t index) const;
+  /// "position.lateral = 6.2, load.force = 50000"
+  std::string describe(std::size_t index) const;
+};
+
+/// Throws InputError for a file without [sweep], an empty or endless range, lists of unequal lengths to be
+/// zipped, or a key that no scene has.
+SweepFile read_sweep_file(const std::filesystem::path& file);
+SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name = "text");
+
+/// As TOML writes it; numbers with the fewest digits that give them back.
+std::string to_text(const SchemaValue& value);
+
+} // namespace bem_contact

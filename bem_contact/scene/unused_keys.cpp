@@ -1,0 +1,72 @@
+#include "bem_contact/scene/unused_keys.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace bem_contact {
+
+namespace {
+
+/// While `holds`, nothing looks at `keys`.
+struct Cause {
+  std::vector<const char*> keys;
+  bool holds;
+  const char* why;
+};
+
+} // namespace
+
+std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
+  const SceneFile::Motion& m = f.motion;
+  const bool patch = f.kind == "patch";
+  const bool files = !f.rail.influence.empty() && !f.wheel.influence.empty();
+  const bool one_file = f.rail.influence.empty() != f.wheel.influence.empty();
+  const bool chosen = f.grid.elements > 0 || f.grid.accuracy > 0;
+  const bool rates = m.pitch_rate != 0 || m.lateral_velocity != 0 || m.vertical_velocity != 0 ||
+                     m.roll_rate != 0 || m.yaw_rate != 0;
+  const Cause causes[] = {
+      {{"motion.friction", "motion.kinetic_friction", "motion.friction_table", "motion.xi", "motion.eta",
+        "motion.phi", "motion.slip_table", "motion.rolling_radius", "motion.speed", "motion.pitch_rate",
+        "motion.lateral_velocity", "motion.vertical_velocity", "motion.roll_rate", "motion.yaw_rate"},
+       m.frictionless,
+       "motion.frictionless = true leaves the normal problem alone"},
+      {{"motion.kind"}, m.frictionless && m.kind != "steady", "without friction nothing remembers a step"},
+      {{"motion.friction"},
+       !m.frictionless && !m.friction_table.empty(),
+       "motion.friction_table is given instead"},
+      {{"motion.speed", "motion.rolling_radius"},
+       !m.frictionless && m.kind == "shift",
+       "bodies that are shifted do not roll"},
+      {{"motion.speed"},
+       !m.frictionless && m.kind != "shift" && !rates,
+       "neither motion.pitch_rate nor a velocity is given beside it"},
+      {{"grid.dx", "grid.ds"}, chosen, "grid.accuracy or grid.elements chooses the elements"},
+      {{"grid.dx", "gap.a", "gap.c", "stresses.x"},
+       f.grid.plane_strain,
+       "plane strain is the same all along x"},
+      {{"stresses.x", "stresses.s"}, f.stresses.depths.empty(), "no stresses.depths are given"},
+      {{"rail.structural"},
+       f.rail.structural == "included" && f.rail.influence.empty(),
+       "it says which part of an influence file is taken, and there is no rail.influence"},
+      {{"wheel.structural"},
+       f.wheel.structural == "included" && f.wheel.influence.empty(),
+       "it says which part of an influence file is taken, and there is no wheel.influence"},
+      {{"rail.influence", "wheel.influence"},
+       one_file,
+       "influence files are used where both bodies have one"},
+      {{"strip.rail_s0", "strip.wheel_s0"}, patch && !files, "they are places in influence files"},
+      {{"strip.upper_radius"}, !files && !f.gap.table.empty(), "gap.table is the whole distance"},
+  };
+  std::vector<std::string> out;
+  for (const Cause& cause : causes) {
+    std::vector<const char*> given;
+    for (const char* key : cause.keys)
+      if (cause.holds && schema.changed(key))
+        given.push_back(key);
+    if (!given.empty())
+      out.push_back(fmt::format("{}: without effect ({})", fmt::join(given, ", "), cause.why));
+  }
+  return out;
+}
+
+} // namespace bem_contact

@@ -1,0 +1,96 @@
+#include "bem_contact/scene/sweep_file.hpp"
+
+#include "tests/base/message.hpp"
+
+#include <gmock/gmock.h>
+
+namespace {
+
+using namespace bem_contact;
+using ::testing::HasSubstr;
+
+const std::string scene =
+    "kind = \"patch\"\n[motion]\nfriction = 0.3\n[grid]\ndx = 0.5\nds = 0.5\nmx = 16\nms = "
+    "16\n[gap]\na = 1e-3\nb = 1e-3\n[sweep]\n";
+
+TEST(SweepFile, AProductRunsThroughTheLastListFastest) {
+  const SweepFile sweep = parse_sweep_file(scene + "load.force = [1e3, 2e3]\nmotion.xi = [0, 1e-3, 2e-3]\n");
+  ASSERT_EQ(sweep.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(sweep.scene(i).load.force, i < 3 ? 1e3 : 2e3) << i;
+    EXPECT_EQ(sweep.scene(i).motion.xi, double(i % 3) * 1e-3) << i;
+    EXPECT_EQ(sweep.scene(i).gap.a, 1e-3);
+  }
+  EXPECT_EQ(sweep.describe(5), "load.force = 2000, motion.xi = 0.002");
+}
+
+TEST(SweepFile, TheOrderIsThatOfTheFileNotOfTheAlphabet) {
+  const SweepFile sweep = parse_sweep_file(scene + "motion.xi = [0, 1e-3]\nload.force = [1e3, 2e3]\n");
+  EXPECT_EQ(sweep.axes[0].key, "motion.xi");
+  EXPECT_EQ(sweep.scene(1).load.force, 2e3);
+  EXPECT_EQ(sweep.scene(1).motion.xi, 0);
+}
+
+TEST(SweepFile, AZipTakesOneOfEach) {
+  const SweepFile sweep =
+      parse_sweep_file(scene + "mode = \"zip\"\nload.force = [1e3, 2e3]\n\"motion.xi\" = [0, 1e-3]\n");
+  ASSERT_EQ(sweep.size(), 2u);
+  EXPECT_EQ(sweep.scene(1).load.force, 2e3);
+  EXPECT_EQ(sweep.scene(1).motion.xi, 1e-3);
+}
+
+TEST(SweepFile, ARangeHasBothEndsAndRoundNumbers) {
+  const auto values = [](const std::string& range) {
+    std::vector<double> out;
+    const SweepFile sweep = parse_sweep_file(scene + "load.force = " + range + "\n");
+    for (std::size_t i = 0; i < sweep.size(); ++i)
+      out.push_back(sweep.scene(i).load.force);
+    return out;
+  };
+  EXPECT_EQ(values("{ from = 6.2, to = 6.5, step = 0.1 }"), (std::vector<double>{6.2, 6.3, 6.4, 6.5}));
+  EXPECT_EQ(values("{ from = 3, to = 1, step = -1 }"), (std::vector<double>{3, 2, 1}));
+  EXPECT_EQ(values("{ from = 1, to = 2, count = 5 }"), (std::vector<double>{1, 1.25, 1.5, 1.75, 2}));
+  EXPECT_EQ(values("{ from = 1, to = 1.95, step = 0.5 }"), (std::vector<double>{1, 1.5})); // 2 is beyond
+}
+
+TEST(SweepFile, WholeNumbersStayWhole) {
+  const SweepFile sweep =
+      parse_sweep_file(scene + "load.force = [1e3]\ngrid.mx = { from = 8, to = 16, step = 4 }\n");
+  EXPECT_EQ(sweep.scene(2).grid.mx, 16);
+}
+
+TEST(SweepFile, WhatIsWrongIsSaidWithItsLine) {
+  const auto message = [](const std::string& sweep, std::size_t index = 0) {
+    return message_of([&] { parse_sweep_file(scene + sweep, "s.toml").scene(index); });
+  };
+  EXPECT_THAT(message("motion.xi = [0]\nload.forse = [1]\n"),
+              HasSubstr("s.toml:14: unknown key 'load.forse'"));
+  EXPECT_THAT(message("load.force = [1e3, -1]\n", 1),
+              HasSubstr("s.toml:13: load.force = -1.0 (out of range)"));
+  EXPECT_THAT(message("load.force = [1e3]\nposition.lateral = [1]\n"), HasSubstr("no meaning where kind is"));
+  EXPECT_THAT(message("load.force = [\"a\"]\n"), HasSubstr("must be of type: number"));
+  EXPECT_THAT(message("load.force = 3\n"), HasSubstr("needs a list or a range"));
+  EXPECT_THAT(message("load.force = []\n"), HasSubstr("is empty"));
+  EXPECT_THAT(message("load.force = {from = 1, to = 2}\n"), HasSubstr("is not complete"));
+  EXPECT_THAT(message("load.force = {from = 1, to = 2, step = 1, count = 2}\n"),
+              HasSubstr("is not complete"));
+  EXPECT_THAT(message("load.force = {from = 1, to = 2, step = -1}\n"), HasSubstr("never ends"));
+  EXPECT_THAT(message("load.force = {from = 1, to = 2, step = 0}\n"), HasSubstr("never ends"));
+  EXPECT_THAT(message("load.force = {from = 1, to = 2, step = 1e-12}\n"), HasSubstr("never ends"));
+  EXPECT_THAT(message("load.force = {from = 1, to = inf, count = 3}\n"), HasSubstr("finite"));
+  EXPECT_THAT(message("load.force = {from = 1, to = 2, count = 1}\n"), HasSubstr("cannot have 1 values"));
+  EXPECT_THAT(message("load.force = {from = 1, to = 2, stepp = 1}\n"), HasSubstr("unknown key 'stepp'"));
+  EXPECT_THAT(message("mode = \"zipp\"\nload.force = [1]\n"), HasSubstr("known are product and zip"));
+  EXPECT_THAT(message("mode = \"zip\"\nload.force = [1, 2]\nmotion.xi = [0]\n"),
+              HasSubstr("load.force has 2 values and motion.xi has 1"));
+  EXPECT_THAT(message("load.force = [1]\n\"load.force\" = [2]\n"), HasSubstr("given twice"));
+  EXPECT_THAT(message(""), HasSubstr("no table [sweep]"));
+}
+
+TEST(SweepFile, ASceneWithASweepIsASceneToo) {
+  std::string text = scene;
+  text.replace(text.find("[motion]"), 8, "[load]\nforce = 5e3\n[motion]");
+  EXPECT_EQ(parse_scene_file(text + "load.force = [1e3]\n").load.force, 5e3);
+}
+
+} // namespace

@@ -1,0 +1,183 @@
+#include "bem_contact/sequence/hertz_model.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/scene/patch_scene.hpp"
+#include "bem_contact/sequence/pair_numbers.hpp"
+#include "bem_contact/sequence/solve_scene.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace bem_contact;
+using ::testing::HasSubstr;
+
+/// Rx 460, Ry 300, E 210000, nu .3, 1e5 N (REFERENCES 2.1), c x s besides.
+SceneFile hertz(double mixed = 0, const std::string& load = "force = 1e5", const std::string& rest = "") {
+  return parse_scene_file("kind = 'patch'\nmotion.frictionless = true\n[load]\n" + load +
+                          "\n[rail.material]\nyoung = 210000\npoisson = 0.3\n"
+                          "[wheel.material]\nyoung = 210000\npoisson = 0.3\n"
+                          "[grid]\ndx = 0.5\nds = 0.4\nmx = 36\nms = 36\n"
+                          "[gap]\na = 0.00108695652\nb = 0.00166666667\nc = " +
+                          std::to_string(mixed) + "\n" + rest);
+}
+
+TEST(HertzModel, IsTheClosedForm) {
+  const SceneResult r = solve_scene(hertz(), "hertz");
+  ASSERT_TRUE(r.result.converged);
+  ASSERT_EQ(r.result.patches.size(), 1u);
+  EXPECT_NEAR(r.result.patches[0].pmax, 1237.5588, 1e-4 * 1237);
+  EXPECT_NEAR(r.result.patches[0].area, 3.14159265 * 7.161676 * 5.387172, 1e-3);
+  EXPECT_NEAR(r.result.approach, 0.10411895, 1e-7);
+  EXPECT_NEAR(r.result.Fz, 1e5, 1e-6);
+  EXPECT_LT(r.result.certificate.worst(), 1e-8);
+  double sum = 0;
+  for (const double p : r.result.pn)
+    sum += p * 0.5 * 0.4;
+  EXPECT_NEAR(sum, 1e5, 1e-3 * 1e5) << "means of the elements";
+  const SceneResult back = solve_scene(hertz(0, "approach = 0.10411895"), "hertz");
+  EXPECT_NEAR(back.result.Fz, 1e5, 1);
+}
+
+/// Element by element the same as the half-space on the same grid, principal axes turned or not.
+TEST(HertzModel, AgreesWithTheHalfSpace) {
+  for (const double mixed : {0.0, 8e-4, -1.5e-3}) {
+    const SceneResult closed = solve_scene(hertz(mixed), "hertz"),
+                      solved = solve_scene(hertz(mixed), "halfspace");
+    EXPECT_NEAR(closed.result.approach, solved.result.approach, 2e-3 * solved.result.approach);
+    double square = 0, norm = 0;
+    for (std::size_t i = 0; i < solved.result.pn.size(); ++i) {
+      square += std::pow(closed.result.pn[i] - solved.result.pn[i], 2);
+      norm += std::pow(solved.result.pn[i], 2);
+      EXPECT_NEAR(closed.displacements.un[i], solved.displacements.un[i], 0.01 * closed.result.approach);
+      EXPECT_NEAR(closed.result.deformed_distance[i], solved.result.deformed_distance[i],
+                  0.01 * closed.result.approach);
+    }
+    EXPECT_LT(std::sqrt(square / norm), 0.04) << mixed;
+  }
+}
+
+TEST(HertzModel, IsWhatAutoTakesForAQuadratic) {
+  const SceneResult r = solve_scene(hertz());
+  EXPECT_EQ(r.model, "hertz");
+  EXPECT_THAT(r.reason, HasSubstr("within the 1 % allowed"));
+  SceneFile rolling = hertz();
+  rolling.motion.frictionless = false;
+  rolling.motion.xi = 1e-3;
+  EXPECT_EQ(solve_scene(rolling).model, "halfspace");
+  EXPECT_THROW(solve_scene(rolling, "hertz"), InputError);
+}
+
+/// A quartic of Steuermann's is no quadratic: auto sees it, and Hertz asked for is as wrong as predicted at
+/// most.
+TEST(HertzModel, IsNotTakenForAQuartic) {
+  SceneFile scene = hertz();
+  PreparedContact contact = prepare_patch(scene);
+  const ContactGrid& grid = contact.problem.grid;
+  for (const double quartic : {0.0, 1e-7, 1e-6, 1e-5}) {
+    for (int i = 0; i < grid.size(); ++i) {
+      const double x = grid.x(i % grid.mx), s = contact.problem.rows[i / grid.mx].s;
+      contact.problem.gap[i] = 1e-3 * (x * x + s * s) + quartic * std::pow(x * x + s * s, 2);
+    }
+    contact.problem.force = 4e4;
+    contact.problem.tangential = false;
+    const auto model = fit_hertz(contact.problem, scene.rail.material, scene.wheel.material);
+    ASSERT_TRUE(model);
+    contact.problem.numbers = halfspace_pair(scene, contact);
+    const ContactResult solved = solve(contact.problem, {.estimate_discretisation = false});
+    const double error = std::abs(model->contact.max_pressure / solved.patches.at(0).pmax - 1);
+    EXPECT_LT(error, predicted_error(*model) + 0.005) << quartic;
+    EXPECT_EQ(choose_hertz(*model, 0.01).enough, quartic < 1e-6) << quartic;
+  }
+}
+
+TEST(HertzModel, OfAWheelOnTheTreadAgreesWithTheHalfSpaceWhereItIsTaken) {
+  SceneFile scene = parse_scene_file("kind = 'wheel_rail'\nrail.profile = '60E1'\nwheel.profile = 'S1002'\n"
+                                     "position.lateral = 6\nload.force = 3e3\nmotion.frictionless = true\n"
+                                     "[grid]\ndx = 0.2\nds = 0.1\n");
+  scene.solver.model_tolerance = 0.05;
+  const SceneResult r = solve_scene(scene), solved = solve_scene(scene, "halfspace");
+  EXPECT_EQ(r.model, "hertz") << r.reason;
+  const auto& [one, other] = std::pair{r.result.patches.at(0), solved.result.patches.at(0)};
+  EXPECT_NEAR(one.pmax, other.pmax, 0.05 * other.pmax);
+  EXPECT_NEAR(r.result.Fz, 3e3, 1e-3);
+  EXPECT_NEAR(r.result.Fy, solved.result.Fy, 0.02 * solved.result.Fz);
+  EXPECT_NEAR(one.s, other.s, 0.1);
+  EXPECT_NEAR(r.moment, solved.moment, 1e-3 * 3e3);
+}
+
+TEST(HertzModel, WithoutContactThereIsNoForce) {
+  const SceneResult r = solve_scene(hertz(0, "approach = -0.1"), "hertz");
+  EXPECT_TRUE(r.result.converged);
+  EXPECT_EQ(r.result.Fz, 0);
+  EXPECT_TRUE(r.result.patches.empty());
+}
+
+TEST(HertzModel, WhatItCannotDoIsRefused) {
+  const auto refused = [](SceneFile scene) {
+    try {
+      solve_scene(scene, "hertz");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  SceneFile saddle = hertz();
+  saddle.gap.b = -1e-4;
+  SceneFile small = hertz(0, "force = 1e7");
+  SceneFile narrow = hertz();
+  narrow.grid.ms = 3;
+  for (const SceneFile& scene : {saddle, small, narrow})
+    EXPECT_THAT(refused(scene), HasSubstr("does not fit this contact"));
+}
+
+/// 14 to 23 degrees: tangent planes; beyond, the bodies' own numbers, where the scene names them.
+TEST(ModelChoice, GoesFromTheCheapestUp) {
+  const auto on_bore = [](double turn) {
+    ContactProblem problem;
+    problem.grid = {1, 21, 1, 0.1, 0};
+    problem.numbers.dx = 1;
+    for (int i = 0; i < 21; ++i)
+      problem.rows.push_back({0.1 * i, {0.1 * i, 0}, turn * 3.14159265 / 180 * i / 20});
+    return problem;
+  };
+  ContactResult all;
+  all.state.assign(21, ElementState::slip);
+  EXPECT_EQ(choose_model(on_bore(12), all, true, true, 0.01).model, "halfspace");
+  EXPECT_EQ(choose_model(on_bore(20), all, true, true, 0.01).model, "tangent_plane");
+  EXPECT_EQ(choose_model(on_bore(30), all, true, true, 0.01).model, "fem");
+  EXPECT_EQ(choose_model(on_bore(30), all, true, true, 0.02).model, "tangent_plane");
+  const ModelChoice none = choose_model(on_bore(30), all, true, false, 0.01);
+  EXPECT_EQ(none.model, "tangent_plane");
+  EXPECT_FALSE(none.enough);
+  ContactProblem plane = on_bore(60);
+  plane.numbers.dx = 0;
+  EXPECT_EQ(choose_model(plane, all, true, true, 0.01).model, "tangent_plane") << "exact there";
+  EXPECT_EQ(choose_model(plane, all, false, true, 0.01).model, "fem");
+}
+
+/// Against the bodies' own numbers, with the influence files that are shipped: neither model is wronger than
+/// predicted, and the tangent planes are the better one.
+TEST(ModelChoice, PredictionsHoldOnTheGaugeCorner) {
+  const std::string folder = std::string(CONFORMAL_SOURCE_DIR) + "/data/influence/";
+  for (const double lateral : {6.4, 6.5, 6.65}) {
+    const SceneFile scene = parse_scene_file(
+        "kind = 'wheel_rail'\nposition.lateral = " + std::to_string(lateral) +
+        "\nload.force = 1e5\nmotion.frictionless = true\n[rail]\nprofile = '60E1'\ninfluence = '" + folder +
+        "small_rail.h5'\n[wheel]\nprofile = 'S1002'\ninfluence = '" + folder +
+        "small_wheel.h5'\n[grid]\ndx = 0.5\nds = 0.5\n");
+    const SceneResult fem = solve_scene(scene, "fem");
+    const auto error_of = [&](const char* model) {
+      const SceneResult r = solve_scene(scene, model);
+      return std::abs(r.result.patches.at(0).pmax / fem.result.patches.at(0).pmax - 1);
+    };
+    const double turn = turn_of_contact(fem.problem, fem.result);
+    const double halfspace = error_of("halfspace"), tangent_plane = error_of("tangent_plane");
+    EXPECT_LT(halfspace, predicted_halfspace_error(turn)) << lateral;
+    EXPECT_LT(tangent_plane, predicted_tangent_plane_error(fem.problem, turn, true)) << lateral;
+    EXPECT_LT(tangent_plane, halfspace) << lateral;
+  }
+}
+
+} // namespace

@@ -1,0 +1,253 @@
+#include "bem_contact/sequence/solve_scene.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/pair_numbers.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace {
+
+using namespace bem_contact;
+using ::testing::HasSubstr;
+
+constexpr double pi = std::numbers::pi;
+
+SceneFile scene_of(const std::string& text) {
+  return parse_scene_file(text);
+}
+
+SceneFile wheel_on_rail(double lateral, double force, const std::string& motion = "frictionless = true") {
+  return scene_of("kind = \"wheel_rail\"\nrail.profile = \"60E1\"\nwheel.profile = \"S1002\"\n"
+                  "position.lateral = " +
+                  std::to_string(lateral) + "\nload.force = " + std::to_string(force) + "\n[motion]\n" +
+                  motion + "\n[grid]\ndx = 1.0\nds = 0.5\n");
+}
+
+TEST(Scene, HertzPatch) {
+  // REFERENCES 2.1: E 210000, nu .3, Rx 460, Ry 300, F 1e5.
+  SceneFile scene = scene_of("kind = \"patch\"\nload.force = 1e5\nmotion.frictionless = true\n"
+                             "[rail.material]\nshear_modulus = 80769.230769\npoisson = 0.3\n"
+                             "[wheel.material]\nshear_modulus = 80769.230769\npoisson = 0.3\n"
+                             "[grid]\ndx = 0.6\nds = 0.45\nmx = 30\nms = 30\n"
+                             "[gap]\na = 0.00108695652\nb = 0.00166666667\n");
+  const SceneResult r = solve_scene(scene, "halfspace");
+  EXPECT_EQ(r.model, "halfspace");
+  EXPECT_TRUE(r.result.certificate.holds());
+  EXPECT_NEAR(largest_pressure(r.result), 1237.5588, 0.015 * 1237.5588);
+  EXPECT_NEAR(r.result.approach, 0.10411895, 0.01 * 0.10411895);
+  EXPECT_NEAR(r.result.Fz, 1e5, 1e-3);
+  EXPECT_TRUE(r.warnings.empty());
+}
+
+/// A fifth of Young's modulus: elements far below it and just above, in one patch and in other units.
+TEST(Scene, PressuresBeyondElasticityAreRefused) {
+  const auto solve_at = [](double approach, double shear_modulus) {
+    SceneFile scene = scene_of("kind = \"patch\"\nload.approach = 0.1\nmotion.frictionless = true\n"
+                               "[grid]\ndx = 3.0\nds = 3.0\nmx = 30\nms = 30\n[gap]\na = 0.01\nb = 0.01\n");
+    scene.load.approach = approach;
+    scene.rail.material.shear_modulus = shear_modulus;
+    return solve_scene(scene, "halfspace");
+  };
+  // Hertz: pmax = 2 E* a / (pi R), a^2 = R q, R = 50, and .2 E = .4 (1 - nu^2) E*: q = 16.8 mm.
+  EXPECT_TRUE(solve_at(15.5, 82000).result.converged);
+  try {
+    solve_at(18, 82000);
+    FAIL() << "solved";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("far beyond elastic contact"));
+    EXPECT_THAT(error.what(), HasSubstr("4.198e+04 MPa are 0.2 of the softer body's Young's modulus"));
+  }
+  EXPECT_THROW(solve_at(5.6, 8200), InputError) << "the softer body counts: 5.1 mm";
+  EXPECT_TRUE(solve_at(4.6, 8200).result.converged);
+}
+
+TEST(Scene, NoLengthIsItsOwnUnit) {
+  const auto scaled = [](double k, double force) { // N at k = 1
+    return parse_scene_file(fmt::format("kind = 'patch'\nload.force = {}\nmotion.frictionless = true\n"
+                                        "grid.mx = 20\ngrid.ms = 20\ngrid.dx = {}\ngrid.ds = {}\n"
+                                        "gap.a = {}\ngap.b = {}\n",
+                                        force * k * k, 0.4 * k, 0.3 * k, 1e-2 / k, 2e-2 / k));
+  };
+  const double pmax = largest_pressure(solve_scene(scaled(1, 2e4), "halfspace").result);
+  for (const double k : {1e-2, 30.0, 1e3}) {
+    EXPECT_NEAR(largest_pressure(solve_scene(scaled(k, 2e4), "halfspace").result), pmax, 1e-6 * pmax) << k;
+    EXPECT_THROW(solve_scene(scaled(k, 3e6), "halfspace"), InputError) << k; // on all of the grid
+  }
+}
+
+TEST(Scene, PressureAndShearOfEqualHalfSpacesAreUncoupled) {
+  // Pure pressure moves equal half-spaces' surfaces alike: no row of the pair's numbers couples n with x or
+  // s.
+  SceneFile scene = scene_of("kind = \"patch\"\nload.force = 1e5\n[motion]\nfriction = 0.3\nphi = 1e-3\n"
+                             "[grid]\ndx = 0.6\nds = 0.45\nmx = 3\nms = 5\n[gap]\na = 0.001\nb = 0.001\n");
+  const PreparedContact contact = prepare_patch(scene);
+  const InfluenceNumbers pair = halfspace_pair(scene, contact);
+  const double self = pair.at(0, 0, component_n, 0, component_n);
+  for (int m = 0; m < pair.offsets; ++m)
+    for (int row_i = 0; row_i < 5; ++row_i)
+      for (int row_j = 0; row_j < 5; ++row_j)
+        for (const int t : {component_x, component_s}) {
+          EXPECT_NEAR(pair.at(m, row_i, t, row_j, component_n), 0, 1e-12 * self);
+          EXPECT_NEAR(pair.at(m, row_i, component_n, row_j, t), 0, 1e-12 * self);
+        }
+  // Unlike bodies are coupled (Bentall and Johnson).
+  scene.wheel.material.shear_modulus = 23000;
+  const InfluenceNumbers unlike = halfspace_pair(scene, contact);
+  EXPECT_GT(std::abs(unlike.at(1, 2, component_x, 2, component_n)), 1e-3 * self);
+}
+
+TEST(Scene, APressedGaugeCornerPushesTheRailOutwards) {
+  // n points into the rail; at the gauge corner (delta < 0) it points to the field side: Fy = -sum p_n
+  // sin(delta) dS on the rail is positive, on the wheel negative, towards the track's centre.
+  const SceneResult r = solve_scene(wheel_on_rail(6.4, 2e4), "halfspace");
+  ASSERT_TRUE(r.result.certificate.holds());
+  ASSERT_LT(r.reference.delta, -0.3);
+  EXPECT_GT(r.result.Fy, 0);
+  double fy = 0, fz = 0;
+  for (int is = 0; is < r.problem.grid.ms; ++is)
+    for (int ix = 0; ix < r.problem.grid.mx; ++ix) {
+      const double p = r.result.pn[is * r.problem.grid.mx + ix] * r.problem.grid.dx * r.problem.grid.ds;
+      fy -= p * std::sin(r.problem.rows[is].delta);
+      fz += p * std::cos(r.problem.rows[is].delta);
+    }
+  EXPECT_NEAR(r.result.Fy, fy, 1e-6 * fy);
+  EXPECT_NEAR(r.result.Fz, fz, 1e-6 * fz);
+  EXPECT_NEAR(r.result.Fz, 2e4, 1e-6 * 2e4);
+}
+
+TEST(Scene, TheContactLiesInsideTheGrid) {
+  for (const double lateral : {0.0, 6.6}) {
+    const SceneResult r = solve_scene(wheel_on_rail(lateral, 1e5), "halfspace");
+    const ContactGrid& grid = r.problem.grid;
+    ASSERT_TRUE(r.result.certificate.holds());
+    for (int i = 0; i < grid.size(); ++i) {
+      const int ix = i % grid.mx, is = i / grid.mx;
+      if (ix == 0 || ix == grid.mx - 1 || is == 0 || is == grid.ms - 1) {
+        EXPECT_EQ(r.result.state[i], ElementState::exterior) << ix << " " << is;
+      }
+    }
+  }
+}
+
+TEST(Scene, AGridThatIsTooSmallGrows) {
+  SceneFile scene = wheel_on_rail(0, 1e5);
+  const SceneResult whole = solve_scene(scene, "halfspace");
+  scene.grid.s_from = -14.5;
+  scene.grid.s_to = -12.5;
+  const auto said = [](const SceneResult& r) {
+    ASSERT_EQ(r.warnings.size(), 1u);
+    EXPECT_THAT(r.warnings[0], HasSubstr("did not fit on the grid asked for: it grew to"));
+  };
+  said(solve_scene(scene, "halfspace"));
+  said(solve_scene(scene, "auto")); // which looks at the normal problem first
+  scene.grid.mx = 6;
+  const SceneResult grown = solve_scene(scene, "halfspace");
+  said(grown);
+  EXPECT_GT(grown.problem.grid.ms, 4);
+  EXPECT_GT(grown.problem.grid.mx, 6);
+  EXPECT_NEAR(grown.result.approach, whole.result.approach, 1e-6 * whole.result.approach);
+}
+
+TEST(Scene, AutoAsksForFemWhereTheNormalTurns) {
+  const SceneResult corner = solve_scene(wheel_on_rail(6.65, 1e5), "auto");
+  EXPECT_EQ(corner.model, "tangent_plane"); // no influence files to go on with
+  ASSERT_EQ(corner.warnings.size(), 1u);
+  EXPECT_THAT(corner.warnings[0], HasSubstr("the finite-element model is needed here"));
+  EXPECT_THAT(corner.reason, HasSubstr("names no influence files"));
+  const SceneResult tread = solve_scene(wheel_on_rail(0, 1e4), "auto");
+  EXPECT_THAT(tread.reason, HasSubstr("within the 1 % allowed"));
+  EXPECT_TRUE(tread.warnings.empty());
+}
+
+TEST(Scene, PredictedErrorAgreesWithPerssonAndTheSphericalSeat) {
+  // REFERENCES 3.1 and 3.3: half-space pressure over the exact one, half angle 30 degrees.
+  const double persson = 1 - 644.83 / 722.77, seat = 1 - 1 / 1.202;
+  const double predicted = predicted_halfspace_error(60 * pi / 180);
+  EXPECT_GT(predicted, persson);
+  EXPECT_NEAR(predicted, seat, 0.02);
+}
+
+TEST(Scene, SteadyRollingWithGeometricSpinHolds) {
+  const SceneResult r = solve_scene(wheel_on_rail(6.4, 5e4, "friction = 0.3"), "halfspace");
+  EXPECT_TRUE(r.result.certificate.holds()) << r.result.remark;
+  EXPECT_GT(r.result.patches.at(0).slip, 0);
+  EXPECT_GT(std::abs(r.moment), 0);
+  EXPECT_LE(std::hypot(r.result.patches[0].fx, r.result.patches[0].fs), 0.3 * r.result.patches[0].fn);
+}
+
+TEST(Scene, HalfSpaceNumbersOnTheBoreAreNoWorseThanPredicted) {
+  // Persson at a half angle of 30 degrees (REFERENCES 3.1): exact pmax 722.77 MPa.
+  SceneFile scene = scene_of("kind = \"patch\"\nload.force = 5734.92\nmotion.frictionless = true\n"
+                             "[grid]\nplane_strain = true\nmx = 1\nms = 128\nds = 0.11\n"
+                             "[strip]\nradius = -10\nupper_radius = 9.8\n");
+  const SceneResult r = solve_scene(scene, "halfspace");
+  ASSERT_TRUE(r.result.certificate.holds());
+  const double error = std::abs(largest_pressure(r.result) / 722.77 - 1);
+  EXPECT_GT(error, 0.02); // and it is wrong
+  EXPECT_LT(error, predicted_halfspace_error(60 * pi / 180));
+  EXPECT_NEAR(r.result.Fz, 5734.92, 1e-3);
+  EXPECT_NEAR(r.result.Fy, 0, 1e-6);
+  // Equal bodies on a circle in plane strain: auto knows what serves. (9.8 in 10 mm is not quite a perfect
+  // fit.)
+  const SceneResult chosen = solve_scene(scene);
+  EXPECT_EQ(chosen.model, "tangent_plane");
+  EXPECT_NEAR(largest_pressure(chosen.result), 722.77, 0.01 * 722.77);
+}
+
+TEST(Scene, NoContactIsZeroForce) {
+  SceneFile scene = scene_of("kind = \"patch\"\nload.approach = -0.1\n[motion]\nfriction = 0.3\n"
+                             "[grid]\nmx = 4\nms = 4\n[gap]\na = 0.01\nb = 0.01\n");
+  const SceneResult r = solve_scene(scene);
+  EXPECT_EQ(r.result.Fz, 0);
+  EXPECT_TRUE(r.result.patches.empty());
+  EXPECT_TRUE(r.result.certificate.holds());
+  SceneFile wheel = scene_of("rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nload.approach = -0.01\n");
+  const SceneResult lifted = solve_scene(wheel);
+  EXPECT_EQ(lifted.result.Fz, 0);
+  EXPECT_TRUE(lifted.result.certificate.holds());
+}
+
+TEST(Scene, ForceAndApproachAgree) {
+  SceneFile scene = wheel_on_rail(6.4, 3e4);
+  const SceneResult by_force = solve_scene(scene, "halfspace");
+  scene.load = {0, by_force.result.approach, true, false};
+  const SceneResult by_approach = solve_scene(scene, "halfspace");
+  EXPECT_NEAR(by_approach.result.Fz, 3e4, 1e-5 * 3e4);
+}
+
+TEST(Scene, AContactAtTheEdgeOfAPatchsGridIsSaid) {
+  SceneFile scene = scene_of("kind = \"patch\"\nload.force = 1e4\nmotion.frictionless = true\n"
+                             "[grid]\nmx = 5\nms = 5\n[gap]\na = 0.001\nb = 0.001\n");
+  const SceneResult r = solve_scene(scene);
+  ASSERT_EQ(r.warnings.size(), 1u);
+  EXPECT_THAT(r.warnings[0], HasSubstr("reaches the edge of the grid"));
+}
+
+TEST(Scene, FemWithoutInfluenceFilesIsRefused) {
+  const SceneFile scene = wheel_on_rail(0, 1e5);
+  for (const auto run :
+       {+[](const SceneFile& s) { solve_scene(s, "fem"); }, +[](const SceneFile& s) { compare_scene(s); }})
+    try {
+      run(scene);
+      FAIL() << "there are no influence functions to solve with";
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("needs influence functions of both bodies"));
+      EXPECT_THAT(error.what(), HasSubstr("rail.influence"));
+    }
+}
+
+TEST(Scene, UnknownModelIsRefused) {
+  EXPECT_THROW(solve_scene(wheel_on_rail(0, 1e5), "magic"), InputError);
+}
+
+TEST(Scene, CheckSaysWhatWouldBeSolved) {
+  const std::vector<std::string> lines = check_scene(wheel_on_rail(6.4, 1e5));
+  EXPECT_THAT(lines, ::testing::Contains(HasSubstr("touch point: rail s = -28")));
+  EXPECT_THAT(lines, ::testing::Contains(HasSubstr("vertical force 100000 N")));
+  EXPECT_THAT(lines, ::testing::Contains(HasSubstr("rail: no influence file")));
+}
+
+} // namespace

@@ -1,0 +1,272 @@
+#include "bem_contact/sequence/sequence.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/history.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace bem_contact;
+using ::testing::HasSubstr;
+
+SceneFile rolling(double lateral, double force = 1e5, const std::string& grid = "dx = 1.0\nds = 0.6\n") {
+  return parse_scene_file(
+      fmt::format("kind = \"wheel_rail\"\nrail.profile = \"60E1\"\nwheel.profile = \"S1002\"\n"
+                  "position.lateral = {}\nload.force = {}\nsolver.model = \"halfspace\"\n[grid]\n{}",
+                  lateral, force, grid));
+}
+
+int in_contact(const SceneResult& r) {
+  return count_elements(r.result).contact;
+}
+
+/// Two certified results on the same elements.
+void expect_same(const SceneResult& a, const SceneResult& b) {
+  ASSERT_TRUE(a.result.certificate.holds());
+  ASSERT_TRUE(b.result.certificate.holds());
+  const double scale = std::abs(a.result.Fz);
+  EXPECT_NEAR(a.result.Fx, b.result.Fx, 1e-5 * scale);
+  EXPECT_NEAR(a.result.Fy, b.result.Fy, 1e-5 * scale);
+  EXPECT_NEAR(a.result.approach, b.result.approach, 1e-6 * a.result.approach);
+  EXPECT_EQ(in_contact(a), in_contact(b));
+}
+
+TEST(Sequence, FindsWhatEachCaseAloneIs) {
+  Sequence sequence;
+  for (const double lateral : {0.0, 0.4, 0.8, 1.2, 4.0, 6.6})
+    for (const double force : {4e4, 1e5}) {
+      const SceneFile scene = rolling(lateral, force);
+      expect_same(solve_scene(scene), sequence.solve(scene));
+    }
+  EXPECT_EQ(sequence.counts().cases, 12);
+  EXPECT_EQ(sequence.counts().solves, 12);
+  EXPECT_GE(sequence.counts().starts, 6);
+}
+
+TEST(Sequence, ComparesOnTheElementsThatTheSceneAsksFor) {
+  const std::vector<SceneChange> changes{{"grid.elements", SchemaValue(std::int64_t{150}), 0}};
+  const SceneFile scene = read_scene_file(CONFORMAL_SOURCE_DIR "/data/scenes/conformal_small.toml", changes);
+  const Comparison both = Sequence().compare(scene);
+  const SceneResult alone = Sequence().solve(scene, "fem");
+  EXPECT_EQ(both.fem.problem.grid.dx, alone.problem.grid.dx);
+  EXPECT_EQ(both.halfspace.problem.grid.ds, alone.problem.grid.ds);
+  EXPECT_NE(both.fem.problem.grid.dx, scene.grid.dx) << "that is what nobody asked for";
+  EXPECT_EQ(in_contact(both.fem), in_contact(alone));
+}
+
+TEST(Sequence, EachSwitchChangesTheWayAndNotTheResult) {
+  for (const SequenceOptions off :
+       {SequenceOptions{.keep_files = false}, SequenceOptions{.keep_numbers = false},
+        SequenceOptions{.keep_start = false}, SequenceOptions{.learn = false}}) {
+    Sequence sequence(off);
+    sequence.solve(rolling(1.0));
+    expect_same(solve_scene(rolling(1.1)), sequence.solve(rolling(1.1)));
+    EXPECT_EQ(sequence.counts().starts, off.keep_start ? 1 : 0);
+  }
+}
+
+TEST(Sequence, ComputesTheNumbersOfAGridOnce) {
+  Sequence sequence({.learn = false});
+  SceneFile scene = rolling(1.0);
+  for (const double friction : {0.1, 0.2, 0.3}) {
+    scene.motion.friction = friction;
+    sequence.solve(scene);
+  }
+  EXPECT_EQ(sequence.counts().numbers_kept, 2);
+}
+
+TEST(Sequence, ReadsAProfileOnce) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "sequence_rail.txt";
+  std::filesystem::copy_file(std::filesystem::path(CONFORMAL_SOURCE_DIR) / "data/bodies/worn_rail.txt", file,
+                             std::filesystem::copy_options::overwrite_existing);
+  SceneFile scene = rolling(0.0);
+  scene.rail.profile = file.string();
+  Sequence keeps, reads({.keep_files = false});
+  EXPECT_NO_THROW(keeps.solve(scene));
+  EXPECT_NO_THROW(reads.solve(scene));
+  std::filesystem::remove(file);
+  EXPECT_NO_THROW(keeps.solve(scene));
+  EXPECT_THROW(reads.solve(scene), InputError);
+}
+
+TEST(Sequence, HoldsTheNumberOfElementsWhateverTheForce) {
+  Sequence sequence;
+  for (const double lateral : {-2.0, 1.0})
+    for (const double force : {1e3, 2e4, 1.5e5}) {
+      const int contact = in_contact(sequence.solve(rolling(lateral, force, "elements = 200\n")));
+      EXPECT_GE(contact, 130) << lateral << " " << force;
+      EXPECT_LE(contact, 320) << lateral << " " << force;
+    }
+}
+
+TEST(Sequence, AnAccuracyIsReachedWithMoreElementsTheFinerItIs) {
+  int before = 0;
+  for (const double accuracy : {0.05, 0.01}) {
+    Sequence sequence;
+    int most = 0;
+    for (const double lateral : {-1.0, -0.8, 4.2}) {
+      const SceneResult r = sequence.solve(rolling(lateral, 1e5, fmt::format("accuracy = {}\n", accuracy)));
+      EXPECT_TRUE(r.result.certificate.holds());
+      EXPECT_GT(r.result.certificate.discretisation, 0);
+      EXPECT_LE(r.result.certificate.discretisation, accuracy) << lateral;
+      most = std::max(most, in_contact(r));
+    }
+    EXPECT_GT(most, before);
+    before = most;
+  }
+}
+
+TEST(Sequence, OtherScenesAreSolvedByThemselves) {
+  const SceneFile patch =
+      parse_scene_file("kind = \"patch\"\nload.force = 1e4\nmotion.xi = 1e-3\n[grid]\ndx = 0.5\nds = "
+                       "0.5\nmx = 16\nms = 16\n[gap]\na = 1e-3\nb = 1e-3\n");
+  Sequence sequence;
+  sequence.solve(rolling(1.0));
+  EXPECT_EQ(sequence.solve(patch).result.Fx, solve_scene(patch).result.Fx);
+  EXPECT_EQ(sequence.counts().starts, 0);
+}
+
+TEST(Sequence, TheShortestElementOfTheFilesIsKept) {
+  ContactEstimate estimate;
+  estimate.slices = {{.s = 0, .half = 1e-3}, {.s = 0.1, .half = 1e-3}};
+  estimate.approach = 0.1;
+  const auto [dx, ds] = size_of_elements(estimate, 3000, 1.0, 0.5, 1.1);
+  EXPECT_EQ(dx, 0.5);
+  EXPECT_LT(size_of_elements(estimate, 3000, 1.0, 0, 1.1).first, 0.5);
+  EXPECT_EQ(ds, 0.125);
+  const double area = contact_extent(estimate).area;
+  const auto [free_dx, free_ds] = size_of_elements(estimate, 3000, 1.0, 0, 1.1);
+  EXPECT_LE(free_dx * free_ds, 1.001 * area / 3000);
+}
+
+TEST(Sequence, ElementsAreGivenInOneWay) {
+  EXPECT_THROW(rolling(0.0, 1e5, "elements = 100\nmx = 20\n"), InputError);
+  EXPECT_THROW(rolling(0.0, 1e5, "accuracy = 0.6\n"), InputError);
+}
+
+TEST(ElementCount, MoreWhereTheErrorIsTooLargeFewerWhereItIsNot) {
+  ElementCount count(200, 0.02);
+  EXPECT_TRUE(count.learn(200, 0.04));
+  EXPECT_GT(count.wanted(), 260);
+  EXPECT_LE(count.wanted(), 800);
+  EXPECT_FALSE(count.learn(600, 0.002));
+  EXPECT_LT(count.wanted(), 600);
+  EXPECT_GE(count.wanted(), 0.35 * 600 - 1);
+  EXPECT_FALSE(count.learn(250, 1e-6));
+  EXPECT_EQ(count.wanted(), ElementCount::fewest);
+}
+
+TEST(ElementCount, WithoutAnEstimateTwiceAsMany) {
+  ElementCount count(100, 0.02);
+  EXPECT_TRUE(count.learn(90, -1));
+  EXPECT_EQ(count.wanted(), 200);
+}
+
+TEST(ElementCount, NeverBeyondTheMost) {
+  ElementCount count(0, 1e-6);
+  for (int i = 0; i < 20 && count.learn(count.wanted(), 0.1); ++i) {
+  }
+  EXPECT_EQ(count.wanted(), count.most());
+  EXPECT_FALSE(count.learn(count.most(), 0.1));
+}
+
+TEST(ElementCount, AFinerAccuracyMayHaveMoreElements) {
+  EXPECT_LT(ElementCount(0, 0.05).most(), 2000);
+  EXPECT_GT(ElementCount(0, 0.001, 100000).most(), 5 * ElementCount(0, 0.01).most());
+  EXPECT_EQ(ElementCount(0, 0.001, 5000).most(), 5000);
+  EXPECT_GT(ElementCount(0, 0.001).wanted(), ElementCount(0, 0.02).wanted());
+}
+
+TEST(ElementCount, AnotherContactStartsWithWhatIsUsual) {
+  ElementCount count(0, 0.02);
+  EXPECT_TRUE(count.learn(200, 0.1));
+  EXPECT_GT(count.wanted(), 600);
+  count.forget();
+  EXPECT_EQ(count.wanted(), 200);
+}
+
+TEST(ElementCount, WithoutAnAccuracyItStays) {
+  ElementCount count(300, 0);
+  EXPECT_FALSE(count.learn(100, 0.5));
+  EXPECT_EQ(count.wanted(), 300);
+}
+
+/// A smooth field on a grid: an ellipsoid of semi-axes a, b about (0, s0).
+FormerTractions ellipsoid(double a, double b, double s0) {
+  FormerTractions f;
+  f.grid = {60, 60, 4 * a / 60, 4 * b / 60, -2 * a + 2 * a / 60};
+  f.first_s = s0 - 2 * b + 2 * b / 60;
+  f.areas = {{s0 - b, s0 + b, -a, a}};
+  f.force = 1000;
+  f.approach = 0.1;
+  for (int i = 0; i < f.grid.size(); ++i) {
+    const double x = f.grid.x(i % 60) / a, s = (f.first_s + (i / 60) * f.grid.ds - s0) / b;
+    f.pn.push_back(std::exp(-x * x - s * s));
+    f.px.push_back(0.1 * f.pn.back());
+    f.ps.push_back(x * f.pn.back());
+  }
+  return f;
+}
+
+TEST(StartFrom, MovesWithTheAreaAndScalesWithTheForce) {
+  const FormerTractions former = ellipsoid(4, 3, -10);
+  ContactProblem problem;
+  problem.grid = {50, 40, 0.3, 0.25, -7.2 + 1.5};
+  for (int is = 0; is < 40; ++is)
+    problem.rows.push_back({-8 + 0.25 * (is - 20), {}, 0});
+  const std::vector<PotentialArea> areas{{-8 - 6, -8 + 6, 1.5 - 8, 1.5 + 8}}; // twice as large
+  ASSERT_TRUE(alike(areas, former.areas));
+  const StartingPoint start = start_from(former, problem, areas, 8000);
+  EXPECT_DOUBLE_EQ(start.approach, 0.4);
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    const double x = (problem.grid.x(i % 50) - 1.5) / 8, s = (problem.rows[i / 50].s + 8) / 6;
+    if (std::hypot(x, s) < 0.9) {
+      EXPECT_NEAR(start.pn[i], 2 * std::exp(-x * x - s * s), 0.02);
+      EXPECT_NEAR(start.ps[i], 2 * x * std::exp(-x * x - s * s), 0.02);
+    }
+  }
+}
+
+/// Two areas that move apart: each takes its own tractions along.
+TEST(StartFrom, EachAreaMovesByItself) {
+  FormerTractions former = ellipsoid(2, 2, 0);
+  former.grid = {30, 100, 0.2, 0.2, -2.9};
+  former.first_s = -9.9;
+  former.areas = {{-8, -4, -2, 2}, {4, 8, -2, 2}};
+  former.pn.clear();
+  for (int i = 0; i < former.grid.size(); ++i) {
+    const double s = former.first_s + (i / 30) * 0.2;
+    former.pn.push_back(std::exp(-std::pow(s + 6, 2)) + 3 * std::exp(-std::pow(s - 6, 2)));
+  }
+  former.px = former.ps = former.pn;
+  ContactProblem problem;
+  problem.grid = {20, 100, 0.2, 0.2, -1.9};
+  for (int is = 0; is < 100; ++is)
+    problem.rows.push_back({-9.9 + 0.2 * is, {}, 0});
+  const std::vector<PotentialArea> areas{{-9, -5, -2, 2}, {5, 9, -2, 2}};
+  ASSERT_TRUE(alike(areas, former.areas));
+  const StartingPoint start = start_from(former, problem, areas, 1000);
+  for (int is = 10; is < 90; ++is) {
+    const double s = problem.rows[is].s;
+    const double expected = s < 0 ? std::exp(-std::pow(s + 7, 2)) : 3 * std::exp(-std::pow(s - 7, 2));
+    EXPECT_NEAR(start.pn[is * 20 + 10], expected, 0.04) << s;
+  }
+}
+
+TEST(StartFrom, OtherAreasAreNoStart) {
+  const std::vector<PotentialArea> one{{0, 4, -3, 3}}, two{{0, 4, -3, 3}, {20, 22, 1, 5}};
+  EXPECT_TRUE(alike(one, one));
+  EXPECT_TRUE(alike(two, two));
+  EXPECT_FALSE(alike(one, two));
+  EXPECT_FALSE(alike(one, {{5, 9, -3, 3}}));                 // elsewhere along s
+  EXPECT_FALSE(alike(one, {{0, 4, 7, 13}}));                 // elsewhere along x
+  EXPECT_FALSE(alike(two, {{0, 4, -3, 3}, {30, 32, 1, 5}})); // only one of them
+  EXPECT_FALSE(alike({}, one));
+}
+
+} // namespace

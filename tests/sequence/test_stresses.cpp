@@ -1,0 +1,116 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/solve_scene.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using namespace bem_contact;
+using ::testing::HasSubstr;
+
+const std::string materials = "[rail.material]\nshear_modulus = 80769.230769\npoisson = 0.3\n"
+                              "[wheel.material]\nshear_modulus = 80769.230769\npoisson = 0.3\n";
+
+std::string depths(double from, double to, double step) {
+  std::string list;
+  for (double z = from; z < to; z += step)
+    list += std::to_string(z) + ", ";
+  return "[stresses]\ndepths = [" + list + "]\n";
+}
+
+std::size_t place_of_largest(const std::vector<double>& v) {
+  return static_cast<std::size_t>(std::max_element(v.begin(), v.end()) - v.begin());
+}
+
+/// Sphere R 50, F 1000 (REFERENCES 2.1): a .68753, p0 1010.07; nu .3: tau_max .310 p0 at .48 a.
+TEST(StressesBelow, HertzOnACircle) {
+  const SceneResult r = solve_scene(
+      parse_scene_file("kind = \"patch\"\nload.force = 1000\nmotion.frictionless = true\n" + materials +
+                       "[grid]\ndx = 0.04\nds = 0.04\nmx = 40\nms = 40\n[gap]\na = 0.01\nb = 0.01\n" +
+                       depths(0.02, 0.8, 0.01)));
+  ASSERT_TRUE(r.stresses);
+  const StressesBelow& b = *r.stresses;
+  const std::size_t at = place_of_largest(b.largest_shear);
+  EXPECT_NEAR(b.largest_shear[at], 0.310 * 1010.07, 0.01 * 0.310 * 1010.07);
+  EXPECT_NEAR(b.depths[at], 0.48 * 0.68753, 0.015);
+  // Johnson 1985, eq. 3.45
+  for (std::size_t i = 0; i < b.depths.size(); i += 10) {
+    const double z = b.depths[i] / 0.68753443;
+    EXPECT_NEAR(b.stress[i].nn, -1010.07 / (1 + z * z), 0.012 * 1010.07) << z;
+  }
+  EXPECT_TRUE(r.warnings.empty());
+}
+
+/// Line contact: tau_max .300 p0 at .786 b; sigma_x = nu (sigma_s + sigma_n).
+TEST(StressesBelow, LineContact) {
+  const double radius = 500, semi = 1, modulus = 80769.230769 / 0.7;
+  const double force = std::numbers::pi * semi * semi * modulus / (4 * radius),
+               p0 = 2 * force / std::numbers::pi;
+  const SceneResult r = solve_scene(parse_scene_file(
+      "kind = \"patch\"\nload.force = " + std::to_string(force) + "\nmotion.frictionless = true\n" +
+      materials + "[grid]\nplane_strain = true\nds = 0.025\nmx = 1\nms = 96\n[gap]\nb = 0.001\n" +
+      depths(0.4, 1.2, 0.01)));
+  ASSERT_TRUE(r.stresses);
+  const StressesBelow& b = *r.stresses;
+  const std::size_t at = place_of_largest(b.largest_shear);
+  EXPECT_NEAR(b.largest_shear[at], 0.300 * p0, 0.005 * p0);
+  EXPECT_NEAR(b.depths[at], 0.786, 0.02);
+  for (const halfspace::Stress& t : b.stress)
+    EXPECT_NEAR(t.xx, 0.3 * (t.ss + t.nn), 1e-4 * p0);
+}
+
+/// On every horizontal plane the tractions have the resultant of the surface's. Beyond the square |x|, |s| <
+/// l lies the share 3 sqrt(2) z/(pi l) of the shear (Cerruti's point force far away; of the pressure
+/// (z/l)^3).
+TEST(StressesBelow, CarryTheForcesDown) {
+  SceneFile scene =
+      parse_scene_file("kind = \"patch\"\nload.force = 2e4\n[motion]\nfriction = 0.3\nxi = 3e-4\n"
+                       "eta = 2e-4\nphi = 1e-4\n[grid]\ndx = 0.5\nds = 0.5\nmx = 20\nms = 20\n"
+                       "[gap]\na = 1e-3\nb = 1.5e-3\n[stresses]\ndepths = [1.5]\n");
+  scene.stresses.x.clear();
+  for (double x = -60; x <= 60; x += 1)
+    scene.stresses.x.push_back(x);
+  scene.stresses.s = scene.stresses.x;
+  const SceneResult r = solve_scene(scene);
+  ASSERT_TRUE(r.stresses);
+  double fx = 0, fs = 0, fn = 0;
+  for (const halfspace::Stress& t : r.stresses->stress) {
+    fx -= t.xn;
+    fs -= t.sn;
+    fn -= t.nn;
+  }
+  const double inside = 1 - 3 * std::numbers::sqrt2 * 1.5 / (std::numbers::pi * 60.5);
+  EXPECT_NEAR(fn, 2e4, 1e-3 * 2e4);
+  EXPECT_NEAR(fx, inside * r.result.Fx, 1e-3 * r.result.Fx);
+  EXPECT_NEAR(fs, inside * r.result.Fy, 1e-3 * r.result.Fx);
+}
+
+TEST(StressesBelow, SayWhereTheyAreAnApproximation) {
+  SceneFile scene = parse_scene_file("kind = \"patch\"\nload.force = 2000\nmotion.frictionless = true\n"
+                                     "[grid]\ndx = 0.5\nds = 0.25\nmx = 20\nms = 40\n[gap]\na = 1e-3\n"
+                                     "[strip]\nradius = -10\nupper_radius = 9.8\n[stresses]\ndepths = [1]\n");
+  scene.solver.model = "halfspace";
+  const SceneResult r = solve_scene(scene);
+  ASSERT_TRUE(r.stresses);
+  EXPECT_THAT(r.warnings, ::testing::Contains(HasSubstr("those of a half-space under these tractions")));
+  scene.stresses.depths.clear();
+  EXPECT_FALSE(solve_scene(scene).stresses) << "not asked for";
+}
+
+TEST(StressesBelow, AreRefusedAtTheSurfaceAndInMillions) {
+  EXPECT_THROW(parse_scene_file("kind = \"patch\"\nload.force = 1\n[grid]\nmx = 2\nms = 2\n"
+                                "[stresses]\ndepths = [1, 0]\n"),
+               InputError);
+  SceneFile::Stresses asked;
+  asked.x.assign(2000, 0);
+  asked.s.assign(2000, 0);
+  asked.depths = {1};
+  EXPECT_THROW(stresses_below(asked, {}, {}, false, 0.3, 0), InputError);
+}
+
+} // namespace
