@@ -4,6 +4,9 @@
 add_library(conformal_options INTERFACE)
 target_include_directories(conformal_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(conformal_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
+if(CONFORMAL_TUNABLE)
+  target_compile_definitions(conformal_options INTERFACE CONFORMAL_TUNABLE)
+endif()
 if(CONFORMAL_SANITIZE)
   target_compile_options(conformal_options INTERFACE -fsanitize=address,undefined
                          -fno-sanitize-recover=all -fno-omit-frame-pointer)
