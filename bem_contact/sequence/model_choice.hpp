@@ -10,7 +10,7 @@ struct HertzModel;
 
 /// Predicted relative error of half-space theory in pmax for a patch within which the normal turns by `turn`
 /// rad: 0.66 (turn/2)^2. Hertz against Persson (1964) is low by 0.39 (turn/2)^2, against the sphere in its
-/// seat by 0.66 to 0.61 (turn/2)^2 (REFERENCES 3.1, 3.3): the larger of the two.
+/// seat by 0.66 to 0.61 (turn/2)^2 (THEORY.md 14): the larger of the two.
 double predicted_halfspace_error(double turn);
 
 /// The same for the tangent-plane model: 0.24 (turn/2)^2. Against the influence functions of a 60E1 rail and

@@ -27,7 +27,7 @@ SceneFile wheel_on_rail(double lateral, double force, const std::string& motion 
 }
 
 TEST(Scene, HertzPatch) {
-  // REFERENCES 2.1: E 210000, nu .3, Rx 460, Ry 300, F 1e5.
+  // Hertz (bem_contact/THEORY.md 14): E 210000, nu .3, Rx 460, Ry 300, F 1e5.
   SceneFile scene = scene_of("kind = \"patch\"\nload.force = 1e5\nmotion.frictionless = true\n"
                              "[rail.material]\nshear_modulus = 80769.230769\npoisson = 0.3\n"
                              "[wheel.material]\nshear_modulus = 80769.230769\npoisson = 0.3\n"
@@ -163,7 +163,8 @@ TEST(Scene, AutoAsksForFemWhereTheNormalTurns) {
 }
 
 TEST(Scene, PredictedErrorAgreesWithPerssonAndTheSphericalSeat) {
-  // REFERENCES 3.1 and 3.3: half-space pressure over the exact one, half angle 30 degrees.
+  // Persson and the sphere in its seat (bem_contact/THEORY.md 14), half-space pressure over the exact one:
+  // half angle 30 degrees.
   const double persson = 1 - 644.83 / 722.77, seat = 1 - 1 / 1.202;
   const double predicted = predicted_halfspace_error(60 * pi / 180);
   EXPECT_GT(predicted, persson);
@@ -179,7 +180,7 @@ TEST(Scene, SteadyRollingWithGeometricSpinHolds) {
 }
 
 TEST(Scene, HalfSpaceNumbersOnTheBoreAreNoWorseThanPredicted) {
-  // Persson at a half angle of 30 degrees (REFERENCES 3.1): exact pmax 722.77 MPa.
+  // Persson at a half angle of 30 degrees (bem_contact/THEORY.md 14): exact pmax 722.77 MPa.
   SceneFile scene = scene_of("kind = \"patch\"\nload.force = 5734.92\nmotion.frictionless = true\n"
                              "[grid]\nplane_strain = true\nmx = 1\nms = 128\nds = 0.11\n"
                              "[strip]\nradius = -10\nupper_radius = 9.8\n");

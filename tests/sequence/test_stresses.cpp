@@ -27,7 +27,7 @@ std::size_t place_of_largest(const std::vector<double>& v) {
   return static_cast<std::size_t>(std::max_element(v.begin(), v.end()) - v.begin());
 }
 
-/// Sphere R 50, F 1000 (REFERENCES 2.1): a .68753, p0 1010.07; nu .3: tau_max .310 p0 at .48 a.
+/// Sphere R 50, F 1000 (bem_contact/THEORY.md 14): a .68753, p0 1010.07; nu .3: tau_max .310 p0 at .48 a.
 TEST(StressesBelow, HertzOnACircle) {
   const SceneResult r = solve_scene(
       parse_scene_file("kind = \"patch\"\nload.force = 1000\nmotion.frictionless = true\n" + materials +
