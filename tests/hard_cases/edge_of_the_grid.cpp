@@ -29,7 +29,7 @@ TEST(HardCases, EdgeOfTheGrid) {
   tight.grid.s_to = free.reference.s + 1;
   const SceneResult grown = solve_scene(tight);
   hard::print_line("edge of the potential contact",
-                   "asked for 6 x 4 elements: grows until exterior all around", grown.result);
+                   "6 x 4 elements asked for: the grid grows until the contact lies inside", grown.result);
   EXPECT_TRUE(grown.result.converged);
   EXPECT_FALSE(grown.result.touches_border);
   EXPECT_THAT(grown.warnings, testing::Contains(testing::HasSubstr("it grew to")));
