@@ -15,10 +15,6 @@ namespace {
 constexpr double level_ratio = 1.05;
 constexpr double ray_step = 0.5; // mm between the places where the body's thickness is measured
 
-double cross(Point2 a, Point2 b) {
-  return a.y * b.z - b.y * a.z;
-}
-
 struct Candidate {
   double size;
   Point2 place;

@@ -8,10 +8,6 @@
 namespace bem_contact::meshes {
 namespace {
 
-double cross(Point2 a, Point2 b) {
-  return a.y * b.z - b.y * a.z;
-}
-
 double area(const std::array<Point2, 4>& q) {
   return cross(q[2] - q[0], q[3] - q[1]) / 2;
 }

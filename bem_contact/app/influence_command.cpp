@@ -3,8 +3,10 @@
 #include "bem_contact/app/numbers_file.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/halfspace/combine.hpp"
 #include "bem_contact/halfspace/resample.hpp"
 #include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/requirements.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -61,6 +61,10 @@ constexpr Point2 operator*(double c, Point2 a) {
 constexpr double dot(Point2 a, Point2 b) {
   return a.y * b.y + a.z * b.z;
 }
+/// The third component of a x b: above 0 where b is turned from a towards +z.
+constexpr double cross(Point2 a, Point2 b) {
+  return a.y * b.z - a.z * b.y;
+}
 inline double norm(Point2 a) {
   return std::hypot(a.y, a.z);
 }

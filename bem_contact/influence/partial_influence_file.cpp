@@ -1,6 +1,7 @@
+#include "bem_contact/influence/partial_influence_file.hpp"
+
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/file_seal.hpp"
-#include "bem_contact/influence/influence_file.hpp"
 
 #include <cstring>
 #include <fstream>

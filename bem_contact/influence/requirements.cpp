@@ -1,5 +1,6 @@
+#include "bem_contact/influence/requirements.hpp"
+
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/influence/influence_file.hpp"
 
 #include <cmath>
 #include <sstream>

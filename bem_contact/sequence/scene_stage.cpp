@@ -1,7 +1,7 @@
 #include "bem_contact/sequence/scene_stage.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/scene/elastic_limit.hpp"
 
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "bem_contact/base/fnv1a.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/lower_triangle.hpp"
+#include "bem_contact/influence/partial_influence_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "fem_influence/harmonic/lazy_solver.hpp"
 #include "fem_influence/harmonic/wavenumbers.hpp"

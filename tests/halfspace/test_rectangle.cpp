@@ -1,4 +1,6 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/halfspace/element_line.hpp"
+#include "bem_contact/halfspace/flat_strip.hpp"
 #include "bem_contact/halfspace/rectangle.hpp"
 
 #include "quadrature.hpp"

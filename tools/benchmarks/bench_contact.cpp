@@ -7,7 +7,8 @@
 // rows as narrow as the case wants.
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
 #include "bem_contact/contact/prepared.hpp"
-#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/halfspace/combine.hpp"
+#include "bem_contact/halfspace/flat_strip.hpp"
 #include "bem_contact/halfspace/resample.hpp"
 #include "bem_contact/halfspace/tangent_plane.hpp"
 #include "bem_contact/influence/influence_file.hpp"

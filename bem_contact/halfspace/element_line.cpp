@@ -1,10 +1,16 @@
+#include "bem_contact/halfspace/element_line.hpp"
+
+#include "bem_contact/halfspace/gauss.hpp"
 #include "bem_contact/halfspace/kernels.hpp"
+#include "bem_contact/halfspace/settings.hpp"
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace bem_contact::halfspace {
 namespace {
@@ -68,8 +74,8 @@ void quadrature(double s, double dx, double ds, int first, int last, std::span<K
   const int cells = last - first + 2; // cell c lies between the centres first - 1 + c and first + c
   using Row = Eigen::Array<double, N, 1>;
   using Cells = Eigen::Array<double, N, Eigen::Dynamic>;
-  const Row t = 0.5 * (1 + Eigen::Map<const Row>(gauss<N>.point.data()));
-  const Row half_weight = 0.5 * Eigen::Map<const Row>(gauss<N>.weight.data());
+  const Row t = 0.5 * (1 + Eigen::Map<const Row>(gauss<N>().point.data()));
+  const Row half_weight = 0.5 * Eigen::Map<const Row>(gauss<N>().weight.data());
   Cells x(N, cells);
   for (int c = 0; c < cells; ++c)
     x.col(c) = dx * (first - 1 + c + t);
@@ -110,14 +116,13 @@ void averaged_line(const Material& material, double s, double dx, double ds, std
     return left <= 0 ? 0 : static_cast<int>(std::min(std::ceil(std::sqrt(left) / dx), double(count)));
   };
   std::vector<Kernels> kernels(line.size());
-  // Gauss with N points on a half of the density is exact to (2 radius)^(-2N).
-  const int near = from(12), middle = from(36), far = from(120);
+  const int near = from(closed_form_radius), middle = from(six_point_radius), far = from(four_point_radius);
   closed_form(distance, dx, ds, 0, near - 1, kernels);
   quadrature<6>(distance, dx, ds, near, middle - 1, kernels);
   quadrature<4>(distance, dx, ds, middle, far - 1, kernels);
   quadrature<3>(distance, dx, ds, far, count - 1, kernels);
   for (std::size_t m = 0; m < line.size(); ++m) {
-    Kernels& k = kernels[m]; // put back the signs that parity asks for, exactly
+    Kernels& k = kernels[m]; // the signs that parity asks for, exactly
     if (m == 0)
       k.x_r2 = k.xs_r3 = 0;
     if (s == 0)

@@ -1,5 +1,7 @@
+#include "bem_contact/profile/simpack_format.hpp"
+
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/profile_formats.hpp"
+#include "bem_contact/profile/text_lines.hpp"
 
 #include <fmt/format.h>
 
@@ -124,8 +126,7 @@ std::vector<Point2> simpack_points(std::string_view text, const std::string& sou
         "the file is truncated", "Export it anew.");
   if (type >= 0 && type != (kind == ProfileKind::rail ? 0 : 1))
     throw InputError(fmt::format("{} is the profile of a {}", source, type == 0 ? "rail" : "wheel"),
-                     fmt::format("its header says type = {}, a {} is asked for", type,
-                                 kind == ProfileKind::rail ? "rail" : "wheel"),
+                     fmt::format("its header says type = {}, a {} is asked for", type, name_of(kind)),
                      "Name the other file.");
   apply_flags(points, flags);
   return points;

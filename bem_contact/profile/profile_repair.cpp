@@ -1,5 +1,9 @@
+#include "bem_contact/profile/profile_repair.hpp"
+
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/profile_formats.hpp"
+#include "bem_contact/profile/profile_orientation.hpp"
+#include "bem_contact/profile/settings.hpp"
+#include "bem_contact/profile/turn_at.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -12,16 +16,6 @@
 namespace bem_contact {
 
 namespace {
-
-constexpr double crowded = 0.01;                         // mm; nearer points carry rounding, not shape
-constexpr double zig_zag = 100 * std::numbers::pi / 180; // no profile turns so sharply between two chords
-constexpr double repairable_share = 0.05;                // of the points may be dropped as zig-zag
-constexpr double repairable_loop = 1;                    // mm
-
-double turn_at(const std::vector<Point2>& p, std::size_t i) {
-  const Point2 a = p[i] - p[i - 1], b = p[i + 1] - p[i];
-  return std::abs(std::atan2(a.y * b.z - a.z * b.y, dot(a, b)));
-}
 
 double path_length(const std::vector<Point2>& p) {
   double sum = 0;
@@ -42,20 +36,19 @@ void mend_units(std::vector<Point2>& points, const std::string& source) {
   const auto [low, high] =
       std::minmax_element(points.begin(), points.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
   double width = high->y - low->y;
-  if (width >= 0.02 && width <= 0.3) {
+  if (width >= narrowest_in_metres && width <= widest_in_metres) {
     spdlog::warn("{}: {:.4g} wide: taken as metres", source, width);
     for (Point2& p : points)
       p = 1000 * p;
     width *= 1000;
   }
-  if (!(width >= 10 && width <= 300))
+  if (!(width >= narrowest_profile && width <= widest_profile))
     throw InputError(fmt::format("{}: the profile is {:.4g} mm wide", source, width),
                      "no rail or wheel is; the unit is neither mm nor m, or the columns are not y and z",
                      "Convert it to mm.");
 }
 
-/// Whether the walk goes over the same ground twice: a profile, even with under-head or flange back, does
-/// not.
+/// Whether the walk goes over the same ground twice. A profile does not, even with under-head or flange back.
 bool runs_back(const std::vector<Point2>& p) {
   double travelled = 0, low = p.front().y, high = low;
   for (std::size_t i = 1; i < p.size(); ++i) {
@@ -63,7 +56,7 @@ bool runs_back(const std::vector<Point2>& p) {
     low = std::min(low, p[i].y);
     high = std::max(high, p[i].y);
   }
-  return travelled > 1.9 * (high - low);
+  return travelled > doubled_walk * (high - low);
 }
 
 /// Drops points nearer than `crowded` to the one before; the last point stays.
@@ -95,7 +88,8 @@ bool drop_stray(std::vector<Point2>& points, const std::string& source) {
       without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
       // An end point always shortens the walk: it is dropped only where nothing else helps.
       const bool end = i == 0 || i + 1 == mended.size();
-      if (const double length = path_length(without) + (end ? 1e-3 * shortest : 0); length < shortest) {
+      if (const double length = path_length(without) + (end ? end_point_penalty * shortest : 0);
+          length < shortest) {
         shortest = length;
         drop = i;
       }
@@ -113,7 +107,7 @@ void mend_order(std::vector<Point2>& points, const std::string& source) {
     return;
   std::vector<Point2> sorted = points;
   std::stable_sort(sorted.begin(), sorted.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
-  if (!first_zig_zag(sorted) && path_length(points) > 1.5 * path_length(sorted)) {
+  if (!first_zig_zag(sorted) && path_length(points) > shuffled_walk * path_length(sorted)) {
     spdlog::warn("{}: the points are out of order: sorted by y", source);
     points = std::move(sorted);
     return;
@@ -130,10 +124,10 @@ void mend_order(std::vector<Point2>& points, const std::string& source) {
 /// Where segments i and j > i + 1 cross, if they do.
 std::optional<Point2> crossing(const std::vector<Point2>& p, std::size_t i, std::size_t j) {
   const Point2 a = p[i + 1] - p[i], b = p[j + 1] - p[j], c = p[j] - p[i];
-  const double det = a.y * b.z - a.z * b.y;
+  const double det = cross(a, b);
   if (det == 0)
     return std::nullopt;
-  const double u = (c.y * b.z - c.z * b.y) / det, v = (c.y * a.z - c.z * a.y) / det;
+  const double u = cross(c, b) / det, v = cross(c, a) / det;
   if (u < 0 || u > 1 || v < 0 || v > 1)
     return std::nullopt;
   return p[i] + u * a;
@@ -164,10 +158,8 @@ void mend_loops(std::vector<Point2>& points, const std::string& source) {
     }
 }
 
-/// Missing points and jumps are not mended, but said: the curve goes through the points that there are.
+/// Missing points and jumps are reported, not mended: the curve goes through the points that there are.
 void report_holes(const std::vector<Point2>& p, const std::string& source) {
-  constexpr double usual = 10, least = 2, turn = 2; // times the median distance; mm; degrees
-  constexpr double steep = 45;                      // degrees, there and back
   std::vector<double> length;
   for (std::size_t i = 1; i < p.size(); ++i)
     length.push_back(norm(p[i] - p[i - 1]));
@@ -182,77 +174,18 @@ void report_holes(const std::vector<Point2>& p, const std::string& source) {
   std::size_t jumps = 0, first = 0;
   for (std::size_t i = 1; i + 2 < p.size(); ++i) {
     const double turned = std::abs(degrees(i - 1, i + 1));
-    if (length[i] > std::max(usual * median, least) && turned > turn)
+    if (length[i] > std::max(hole_length * median, least_hole) && turned > hole_turn)
       spdlog::warn(
           "{}: no points for {:.3g} mm from y = {:.4g} to y = {:.4g}, over which the profile turns by "
           "{:.2g} degrees: its shape there is a guess",
           source, length[i], p[i].y, p[i + 1].y, turned);
     const double into = degrees(i - 1, i), out = degrees(i, i + 1);
-    if (into * out < 0 && std::min(std::abs(into), std::abs(out)) > steep && ++jumps == 1)
+    if (into * out < 0 && std::min(std::abs(into), std::abs(out)) > jump_turn && ++jumps == 1)
       first = i;
   }
   if (jumps > 0)
     spdlog::warn("{}: the profile jumps {} times, first by {:.2g} mm at y = {:.4g}", source, jumps,
                  length[first], p[first].y);
-}
-
-void flip_z(std::vector<Point2>& points, const std::string& source) {
-  spdlog::warn("{}: z points up: its sign is changed", source);
-  for (Point2& p : points)
-    p.z = -p.z;
-}
-
-/// A rail's head bulges upward from the chord between its ends.
-void mend_rail_signs(std::vector<Point2>& points, const std::string& source) {
-  const Point2 first = points.front(), chord = points.back() - first;
-  const Point2 downward = normal_of(std::atan2(chord.z, chord.y));
-  double bulge = 0;
-  for (const Point2 p : points)
-    if (const double height = dot(p - first, downward); std::abs(height) > std::abs(bulge))
-      bulge = height;
-  if (bulge > 0.005 * norm(chord))
-    flip_z(points, source);
-}
-
-/// The top of a rail is broad. What is narrow at the top of something as wide as a wheel is a flange.
-void require_rail(const std::vector<Point2>& points, const std::string& source) {
-  constexpr double below = 3, narrow = 25, wheel_width = 90; // mm
-  const auto by_y = [](Point2 a, Point2 b) { return a.y < b.y; };
-  const double top = std::ranges::min_element(points, {}, &Point2::z)->z;
-  std::vector<Point2> high;
-  std::ranges::copy_if(points, std::back_inserter(high), [&](Point2 p) { return p.z < top + below; });
-  const auto width = [&](const std::vector<Point2>& of) {
-    const auto [low, last] = std::minmax_element(of.begin(), of.end(), by_y);
-    return last->y - low->y;
-  };
-  if (width(high) < narrow && width(points) > wheel_width)
-    throw InputError(
-        fmt::format("{} is no profile of a rail", source),
-        fmt::format("only {:.3g} of its {:.3g} mm are within {:g} mm of its top, as on the flange of a "
-                    "wheel",
-                    width(high), width(points), below),
-        "Give the rail's profile here and the wheel's as wheel.profile.");
-}
-
-/// A wheel's flange is what stands out most from the median height; it points down and lies at y < 0.
-void mend_wheel_signs(std::vector<Point2>& points, const std::string& source) {
-  constexpr double least_flange = 8; // mm; below that there is no flange to go by
-  std::vector<Point2> by_height = points;
-  std::sort(by_height.begin(), by_height.end(), [](Point2 a, Point2 b) { return a.z < b.z; });
-  const double median = by_height[by_height.size() / 2].z;
-  const double down = by_height.back().z - median, up = median - by_height.front().z;
-  if (std::max(up, down) < least_flange)
-    return;
-  const Point2 tip = up > down ? by_height.front() : by_height.back();
-  if (up > down)
-    flip_z(points, source);
-  const auto [low, high] =
-      std::minmax_element(points.begin(), points.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
-  if (tip.y > (low->y + high->y) / 2) {
-    spdlog::warn("{}: the flange lies at y > 0: y is mirrored", source);
-    for (Point2& p : points)
-      p.y = -p.y;
-  }
 }
 
 } // namespace
@@ -270,15 +203,7 @@ std::vector<Point2> repaired(std::vector<Point2> points, const std::string& sour
   mend_order(points, source);
   drop_crowded(points, source); // sorting brings doubled points together
   require_some();
-  const bool rail = kind == ProfileKind::rail;
-  // The signs are judged on a walk towards +y, then the walk gets its kind's direction.
-  if (points.front().y > points.back().y)
-    std::reverse(points.begin(), points.end());
-  rail ? mend_rail_signs(points, source) : mend_wheel_signs(points, source);
-  if (rail)
-    require_rail(points, source);
-  if ((points.front().y < points.back().y) != rail)
-    std::reverse(points.begin(), points.end());
+  orient(points, source, kind);
   mend_loops(points, source);
   report_holes(points, source);
   return points;
