@@ -54,7 +54,7 @@ WheelFrame WheelOnRail::wheel_frame() const {
 
 WheelOnRail place(const SceneFile::Position& position, TabulatedProfile rail, TabulatedProfile wheel) {
   // Roll and yaw are axial vectors in the plane that mirrors left and right: they change sign with y.
-  const double side = position.side == "left" ? -1 : 1;
+  const double side = position.side == WheelSide::left ? -1 : 1;
   WheelOnRail pair{
       std::move(rail),       std::move(wheel),    {{0, 0}, -position.cant}, {{0, 0}, side * position.roll},
       position.wheel_radius, side * position.yaw, side * position.lateral};

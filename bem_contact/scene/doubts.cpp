@@ -25,19 +25,19 @@ void doubt_motion(const SceneFile& scene, const WheelRailScene& placed, std::vec
   const SceneFile::Motion& m = scene.motion;
   const double radius = scene.position.wheel_radius;
   const auto unlike = [&](double r) { return std::abs(r - radius) > largest_share * radius; };
-  if (m.pitch_rate > 0 && unlike(placed.rolling_radius))
+  if (m.pitch_rate && unlike(placed.rolling_radius))
     out.push_back(
         fmt::format("motion.speed over motion.pitch_rate is a rolling radius of {:.4g} mm on a wheel of "
                     "{:g} mm: it slides (the unit of the speed is mm/s)",
                     placed.rolling_radius, radius));
-  else if (m.rolling_radius > 0 && unlike(m.rolling_radius))
+  else if (m.rolling_radius && unlike(*m.rolling_radius))
     out.push_back(fmt::format("motion.rolling_radius is {:g} mm on a wheel of {:g} mm: it slides",
-                              m.rolling_radius, radius));
+                              *m.rolling_radius, radius));
   for (const auto& [key, velocity] : {std::pair{"lateral_velocity", m.lateral_velocity},
                                       std::pair{"vertical_velocity", m.vertical_velocity}})
-    if (std::abs(velocity) > largest_share * m.speed)
+    if (m.speed && std::abs(velocity) > largest_share * *m.speed)
       out.push_back(fmt::format("motion.{} is {:.3g} times motion.speed (the unit of both is mm/s)", key,
-                                std::abs(velocity) / m.speed));
+                                std::abs(velocity) / *m.speed));
 }
 
 void doubt_position(const SceneFile& scene, const WheelRailScene& placed, std::vector<std::string>& out) {

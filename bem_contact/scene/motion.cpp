@@ -54,7 +54,7 @@ std::vector<MotionStep> read_steps(const SceneFile& scene) {
       throw InputError(fmt::format("The table '{}' has other columns", file.string()),
                        fmt::format("'{}' is {}", name, found == known.end() ? "not known" : "there twice"),
                        "Columns are some of load, xi, eta, phi, force_x, force_s, x.");
-    if ((name == "force_x" && !scene.load.has_force_x) || (name == "force_s" && !scene.load.has_force_s))
+    if ((name == "force_x" && !scene.load.force_x) || (name == "force_s" && !scene.load.force_s))
       throw InputError(fmt::format("The table '{}' has forces that are not prescribed", file.string()),
                        fmt::format("load.{} is not given", name), "Give it, with any value.");
     if ((name == "xi" || name == "eta" || name == "phi") && !scene.motion.slip_table.empty())
@@ -64,7 +64,8 @@ std::vector<MotionStep> read_steps(const SceneFile& scene) {
         (name == "phi" && scene.motion.phi != 0))
       throw InputError(fmt::format("The table '{}' has the creepage {}", file.string(), name),
                        fmt::format("motion.{} is given too", name), "Leave out one of the two.");
-    if (name == "x" && (scene.motion.kind != "shift" || scene.kind != "patch" || !scene.gap.table.empty()))
+    if (name == "x" && (scene.motion.kind != MotionKind::shift || scene.kind != SceneKind::patch ||
+                        !scene.gap.table.empty()))
       throw InputError(fmt::format("The table '{}' moves a contact that cannot be moved", file.string()),
                        "column x is for shifts of a patch whose gap is given by coefficients",
                        "Leave it out.");
@@ -86,22 +87,20 @@ void set_motion(ContactProblem& problem, const SceneFile& scene, double referenc
   if (!problem.tangential)
     return;
   problem.reference_delta = reference_delta;
-  problem.motion = scene.motion.kind == "shift"       ? MotionKind::shift
-                   : scene.motion.kind == "transient" ? MotionKind::transient
-                                                      : MotionKind::steady;
+  problem.motion = scene.motion.kind;
   if (!scene.motion.friction_table.empty())
     problem.friction_rows = friction_of_rows(problem, scene.folder / scene.motion.friction_table);
   const double largest = problem.largest_friction();
-  if (scene.motion.kinetic_friction > largest)
-    throw InputError(fmt::format("Kinetic friction cannot be {:g}", scene.motion.kinetic_friction),
+  if (scene.motion.kinetic_friction.value_or(0) > largest)
+    throw InputError(fmt::format("Kinetic friction cannot be {:g}", *scene.motion.kinetic_friction),
                      fmt::format("friction in adhesion is at most {:g} on these rows", largest),
                      "Give a smaller motion.kinetic_friction.");
-  if (scene.motion.kinetic_friction > 0)
-    problem.kinetic = scene.motion.kinetic_friction / largest;
-  if (scene.load.has_force_x)
-    problem.force_x = scene.load.force_x;
-  if (scene.load.has_force_s)
-    problem.force_s = scene.load.force_s;
+  if (scene.motion.kinetic_friction)
+    problem.kinetic = *scene.motion.kinetic_friction / largest;
+  if (scene.load.force_x)
+    problem.force_x = *scene.load.force_x;
+  if (scene.load.force_s)
+    problem.force_s = *scene.load.force_s;
 }
 
 void prescribe_step(ContactProblem& problem, const SceneFile& scene, const WheelRailScene* placed,
@@ -109,19 +108,19 @@ void prescribe_step(ContactProblem& problem, const SceneFile& scene, const Wheel
   if (step.load)
     (problem.load == LoadKind::force ? problem.force : problem.approach) = *step.load;
   if (problem.force_x)
-    problem.force_x = step.force_x.value_or(scene.load.force_x);
+    problem.force_x = step.force_x.value_or(scene.load.force_x.value_or(0));
   if (problem.force_s)
-    problem.force_s = step.force_s.value_or(scene.load.force_s);
+    problem.force_s = step.force_s.value_or(scene.load.force_s.value_or(0));
   if (step.x)
     set_gap(problem, scene, *step.x);
   if (!scene.motion.slip_table.empty())
     return;
   Creepage creepage{step.xi.value_or(scene.motion.xi), step.eta.value_or(scene.motion.eta),
                     step.phi.value_or(scene.motion.phi), placed ? placed->rolling_radius : 0.0};
-  if (scene.motion.speed > 0) {
+  if (scene.motion.speed) {
     const SceneFile::Motion& m = scene.motion;
-    const double right = (scene.position.side == "left" ? -1 : 1) / m.speed;
-    creepage.velocity = {0, right * m.lateral_velocity, m.vertical_velocity / m.speed};
+    const double right = (scene.position.side == WheelSide::left ? -1 : 1) / *m.speed;
+    creepage.velocity = {0, right * m.lateral_velocity, m.vertical_velocity / *m.speed};
     creepage.roll = right * m.roll_rate;
     creepage.yaw = right * m.yaw_rate;
   }

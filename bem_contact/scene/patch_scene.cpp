@@ -102,8 +102,8 @@ PreparedContact prepare_patch(const SceneFile& scene) {
   out.plane_strain = scene.grid.plane_strain;
   ContactProblem& problem = out.problem;
   ContactGrid& grid = problem.grid;
-  grid.mx = scene.grid.plane_strain ? 1 : scene.grid.mx;
-  grid.ms = scene.grid.ms;
+  grid.mx = scene.grid.plane_strain ? 1 : scene.grid.mx.value_or(0);
+  grid.ms = scene.grid.ms.value_or(0);
   grid.dx = scene.grid.plane_strain ? 1.0 : scene.grid.dx;
   grid.ds = scene.grid.ds;
   if (grid.mx < 1 || grid.ms < 1)

@@ -14,27 +14,27 @@ namespace {
 
 std::string motion_text(const SceneFile& scene) {
   const std::size_t steps = read_steps(scene).size();
-  return scene.motion.kind == "steady"  ? std::string("steady rolling")
-         : scene.motion.kind == "shift" ? fmt::format("shift in {} steps", steps)
-                                        : fmt::format("transient rolling, {} steps of dx", steps);
+  return scene.motion.kind == MotionKind::steady  ? std::string("steady rolling")
+         : scene.motion.kind == MotionKind::shift ? fmt::format("shift in {} steps", steps)
+                                                  : fmt::format("transient rolling, {} steps of dx", steps);
 }
 
 } // namespace
 
 std::vector<std::string> check_scene(const SceneFile& scene) {
-  const Stage stage = prepare_stage(scene, scene.solver.model == "fem");
+  const Stage stage = prepare_stage(scene, scene.solver.model == Model::fem);
   const ContactProblem& problem = stage.contact.problem;
   std::vector<std::string> lines;
-  lines.push_back(fmt::format("kind: {}", scene.kind));
+  lines.push_back(fmt::format("kind: {}", name_of(scene.kind)));
   if (stage.wheel_rail)
     std::ranges::copy(describe(*stage.wheel_rail), std::back_inserter(lines));
   lines.push_back(problem.load == LoadKind::force ? fmt::format("load: vertical force {:g} N", problem.force)
                                                   : fmt::format("load: approach {:g} mm", problem.approach));
   const SceneFile::Grid& asked = scene.grid;
-  if (asked.accuracy > 0)
-    lines.push_back(fmt::format("grid: dx and ds are chosen for an error of {:g} %", 100 * asked.accuracy));
-  else if (asked.elements > 0)
-    lines.push_back(fmt::format("grid: dx and ds are chosen for {} elements in contact", asked.elements));
+  if (asked.accuracy)
+    lines.push_back(fmt::format("grid: dx and ds are chosen for an error of {:g} %", 100 * *asked.accuracy));
+  else if (asked.elements)
+    lines.push_back(fmt::format("grid: dx and ds are chosen for {} elements in contact", *asked.elements));
   else
     lines.push_back(fmt::format(
         "grid: {} x {} elements of {:g} x {:g} mm, s = {:.3f} .. {:.3f} mm, inclination "
@@ -65,7 +65,7 @@ std::vector<std::string> check_scene(const SceneFile& scene) {
   side("rail", stage.files.rail, stage.contact.rail_s);
   side("wheel", stage.files.wheel, stage.contact.wheel_s);
   lines.push_back(fmt::format(
-      "model: {}{}", scene.solver.model,
+      "model: {}{}", name_of(scene.solver.model),
       stage.wheel_rail ? "; by the estimate " + halfspace_text(stage.wheel_rail->estimate.turn) : ""));
   for (const std::string& doubt : doubts(scene, stage.wheel_rail ? &*stage.wheel_rail : nullptr))
     lines.push_back("warning: " + doubt);

@@ -15,14 +15,13 @@ using Slice = ContactEstimate::Slice;
 /// The nearest slice of the rows asked for, where the estimate has the contact on others: it may lie far from
 /// there along x as well.
 const Slice* nearest_if_elsewhere(const ContactEstimate& estimate, const std::vector<PotentialArea>& areas,
-                                  const SceneFile::Grid& grid) {
-  if (std::ranges::any_of(areas, [&](const PotentialArea& area) {
-        return area.s_from <= grid.s_to && grid.s_from <= area.s_to;
-      }))
+                                  const SceneFile::RowRange& rows) {
+  if (std::ranges::any_of(
+          areas, [&](const PotentialArea& area) { return area.s_from <= rows.to && rows.from <= area.s_to; }))
     return nullptr;
   const Slice* nearest = nullptr;
   for (const Slice& slice : estimate.slices)
-    if (grid.s_from <= slice.s && slice.s <= grid.s_to && (!nearest || slice.gap < nearest->gap))
+    if (rows.from <= slice.s && slice.s <= rows.to && (!nearest || slice.gap < nearest->gap))
       nearest = &slice;
   return nearest;
 }
@@ -30,7 +29,7 @@ const Slice* nearest_if_elsewhere(const ContactEstimate& estimate, const std::ve
 } // namespace
 
 GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid, double origin) {
-  GridPlan plan{origin, 0, grid.ms, grid.mx, grid.dx, grid.ds};
+  GridPlan plan{origin, 0, grid.ms.value_or(0), grid.mx.value_or(0), grid.dx, grid.ds};
   const std::vector<PotentialArea> areas = potential_areas(estimate);
   double from = 0, to = 0, x_from = 0, x_to = 0;
   if (!areas.empty()) {
@@ -42,9 +41,9 @@ GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid,
     const Slice& nearest = *std::ranges::min_element(estimate.slices, {}, &Slice::gap);
     from = to = nearest.s, x_from = x_to = nearest.x;
   }
-  if (grid.s_from != 0 || grid.s_to != 0) {
-    from = grid.s_from + 0.5 * grid.ds, to = grid.s_to - 0.5 * grid.ds;
-    if (const Slice* nearest = nearest_if_elsewhere(estimate, areas, grid)) {
+  if (grid.rows) {
+    from = grid.rows->from + 0.5 * grid.ds, to = grid.rows->to - 0.5 * grid.ds;
+    if (const Slice* nearest = nearest_if_elsewhere(estimate, areas, *grid.rows)) {
       const double shift = nearest->x - 0.5 * (x_from + x_to);
       x_from += shift, x_to += shift;
     }
@@ -59,8 +58,8 @@ GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid,
                      "Give larger elements (grid.dx, grid.ds), or fewer rows (grid.s_from, grid.s_to).");
   const auto row_of = [&](double s) { return static_cast<int>(std::lround((s - origin) / grid.ds)); };
   if (plan.rows == 0) {
-    plan.first = row_of(from) - (grid.s_from == grid.s_to ? 2 : 0);
-    plan.rows = std::max(row_of(to) + (grid.s_from == grid.s_to ? 2 : 0) - plan.first + 1, 3);
+    plan.first = row_of(from) - (grid.rows ? 0 : 2);
+    plan.rows = std::max(row_of(to) + (grid.rows ? 0 : 2) - plan.first + 1, 3);
   } else {
     plan.first = row_of(0.5 * (from + to)) - plan.rows / 2;
   }

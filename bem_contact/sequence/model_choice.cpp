@@ -68,7 +68,7 @@ double turn_of_contact(const ContactProblem& problem, const ContactResult& resul
 ModelChoice choose_hertz(const HertzModel& model, double tolerance) {
   const double error = predicted_error(model);
   return {
-      "hertz",
+      Model::hertz,
       fmt::format("no friction, the undeformed distance is a quadratic within {:.1g} of the approach, the "
                   "normal turns by {:.1f} degrees: Hertz's closed form is predicted to miss the largest "
                   "pressure by up to {:.1f} %: within the {:g} % allowed",
@@ -84,14 +84,14 @@ ModelChoice choose_model(const ContactProblem& problem, const ContactResult& nor
   std::string reason = halfspace_text(turn);
   const std::string within = fmt::format(": within the {:g} % allowed", 100 * tolerance);
   if (halfspace <= tolerance)
-    return {"halfspace", reason + within};
+    return {Model::halfspace, reason + within};
   reason += fmt::format(", tangent planes by up to {:.1f} %", 100 * tangent_plane);
   if (tangent_plane <= tolerance)
-    return {"tangent_plane", reason + within};
+    return {Model::tangent_plane, reason + within};
   reason += fmt::format(": more than the {:g} % allowed", 100 * tolerance);
   if (fem)
-    return {"fem", reason};
-  return {"tangent_plane", reason + ", but the scene names no influence files of both bodies", false};
+    return {Model::fem, reason};
+  return {Model::tangent_plane, reason + ", but the scene names no influence files of both bodies", false};
 }
 
 } // namespace bem_contact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/problem.hpp"
+#include "bem_contact/scene/choices.hpp"
 
 #include <string>
 
@@ -31,7 +32,8 @@ double turn_of_contact(const ContactProblem& problem, const ContactResult& resul
 
 /// The cheapest model whose predicted error of pmax is within the tolerance, and why.
 struct ModelChoice {
-  std::string model, reason;
+  Model model;
+  std::string reason;
   bool enough = true; ///< false: fem would be needed, and there are no influence files
 };
 

@@ -46,8 +46,7 @@ InfluenceNumbers expand_side(const InfluenceFunction& function, const SceneFile:
   ExpandOptions options;
   options.dx = plane_strain ? 0.0 : grid.dx;
   options.offsets = plane_strain ? 1 : grid.mx + 2;
-  options.structural =
-      side.structural == "included" ? StructuralCompliance::included : StructuralCompliance::removed;
+  options.structural = side.structural;
   options.contact_radius = function.invariance == Invariance::revolution ? contact.contact_radius : 0.0;
   return halfspace::resample(function, options, row_s, grid.ds);
 }
@@ -138,7 +137,7 @@ InfluenceNumbers fem_pair(const SceneFile& scene, const PairFiles& files, const 
                                                  : "the scene names none for the rail",
                      "Give rail.influence and wheel.influence, or ask for the half-space model.");
   require_strips(files, contact);
-  if (scene.kind == "patch") {
+  if (scene.kind == SceneKind::patch) {
     require_turn(*files.rail, contact, contact.rail_s, 0.02);
     require_turn(*files.wheel, contact, contact.wheel_s, 0.2); // its surface need not follow the rail's
   }

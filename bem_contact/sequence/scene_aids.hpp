@@ -54,7 +54,7 @@ struct SceneAids {
   bool coarse_start = true;       ///< of a case without start
 };
 
-SceneResult solve_scene(const SceneFile& scene, const std::string& model, const SceneAids& aids);
+SceneResult solve_scene(const SceneFile& scene, const SceneAids& aids);
 
 /// Whether the two have as many areas, each of them over its counterpart: else the one is no start for the
 /// other.

@@ -95,8 +95,8 @@ bool add_areas(Stage& stage, SceneResult& out) {
     }
   if (!second)
     return false;
-  const bool rows_given = asked.ms > 0 || asked.s_from != asked.s_to;
-  if (rows_given || out.model == "hertz") {
+  const bool rows_given = asked.ms || asked.rows;
+  if (rows_given || out.model == Model::hertz) {
     plan = before;
     out.warnings.push_back(fmt::format(
         "the bodies come nearer than the approach at s = {:.2f} mm too, by {:.4f} mm, {}: what may touch "
@@ -125,7 +125,7 @@ std::string edge_warning(const Touched& touched) {
 
 } // namespace
 
-SceneResult solve_grown(Stage& stage, const std::string& model, bool tangential) {
+SceneResult solve_grown(Stage& stage, Model model, bool tangential) {
   PhaseSeconds spent;
   for (int round = 0;; ++round) {
     SceneResult out = solve_once(stage, model, tangential);
@@ -137,7 +137,7 @@ SceneResult solve_grown(Stage& stage, const std::string& model, bool tangential)
       if (round < most_growths && add_areas(stage, out))
         continue;
       const SceneFile::Grid& asked = stage.scene->grid;
-      if (stage.grown && (asked.mx > 0 || asked.ms > 0 || asked.s_from != asked.s_to))
+      if (stage.grown && (asked.mx || asked.ms || asked.rows))
         out.warnings.push_back(fmt::format("the contact did not fit on the grid asked for: it grew to {} x "
                                            "{} elements, s = {:.2f} .. {:.2f} mm",
                                            out.problem.grid.mx, out.problem.grid.ms,

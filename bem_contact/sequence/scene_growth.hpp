@@ -10,6 +10,6 @@ constexpr int most_growths = 6;
 /// patch: says so). Without `tangential` it is a look at the normal problem, for the choice of the model.
 /// Throws InputError where the strips of influence files end before, or the grid would grow more than
 /// most_growths times.
-SceneResult solve_grown(Stage& stage, const std::string& model, bool tangential);
+SceneResult solve_grown(Stage& stage, Model model, bool tangential);
 
 } // namespace bem_contact

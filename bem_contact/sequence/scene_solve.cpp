@@ -35,10 +35,10 @@ void require_memory(const ContactGrid& grid, std::size_t steps) {
         "Take fewer steps (rolling is steady after about two lengths of contact), or elements.");
 }
 
-InfluenceNumbers compute_numbers(const Stage& stage, const std::string& model) {
-  return model == "fem"             ? fem_pair(*stage.scene, stage.files, stage.contact)
-         : model == "tangent_plane" ? tangent_plane_pair(*stage.scene, stage.contact)
-                                    : halfspace_pair(*stage.scene, stage.contact);
+InfluenceNumbers compute_numbers(const Stage& stage, Model model) {
+  return model == Model::fem             ? fem_pair(*stage.scene, stage.files, stage.contact)
+         : model == Model::tangent_plane ? tangent_plane_pair(*stage.scene, stage.contact)
+                                         : halfspace_pair(*stage.scene, stage.contact);
 }
 
 SceneResult solve_by_hertz(const Stage& stage) {
@@ -50,26 +50,26 @@ SceneResult solve_by_hertz(const Stage& stage) {
         "both ways and known all over the contact (on at least 5 x 5 elements)",
         "Set motion.frictionless = true, give a larger grid, or choose another model.");
   SceneResult out;
-  out.model = "hertz";
+  out.model = Model::hertz;
   out.problem = stage.contact.problem;
   out.problem.numbers.dx = out.problem.grid.dx; // not plane strain
   out.result = solve_hertz(out.problem, *model, out.displacements);
   return out;
 }
 
-InfluenceNumbers numbers_of(const Stage& stage, const std::string& model) {
-  NumbersStore* store = stage.wheel_rail && model != "tangent_plane" ? stage.aids.numbers : nullptr;
+InfluenceNumbers numbers_of(const Stage& stage, Model model) {
+  NumbersStore* store = stage.wheel_rail && model != Model::tangent_plane ? stage.aids.numbers : nullptr;
   const auto compute = [&] { return compute_numbers(stage, model); };
   if (!store)
     return compute();
   // All that they depend on: half-space numbers on the grid's size alone.
   const ContactGrid& grid = stage.contact.problem.grid;
   const SceneFile& scene = *stage.scene;
-  std::string key = fmt::format("{} {} {} {} {}", model, grid.mx, grid.ms, grid.dx, grid.ds);
+  std::string key = fmt::format("{} {} {} {} {}", name_of(model), grid.mx, grid.ms, grid.dx, grid.ds);
   for (const SceneFile::Side* side : {&scene.rail, &scene.wheel})
     key += fmt::format(" {} {} {} {}", side->material.shear_modulus, side->material.poisson, side->influence,
-                       side->structural);
-  if (model == "fem")
+                       name_of(side->structural));
+  if (model == Model::fem)
     key += fmt::format(" {} {} {}", fmt::join(stage.contact.rail_s, " "),
                        fmt::join(stage.contact.wheel_s, " "), stage.contact.contact_radius);
   return store->get(key, compute);
@@ -84,8 +84,8 @@ std::optional<HertzModel> hertz_of(const Stage& stage) {
   return fit_hertz(problem, stage.scene->rail.material, stage.scene->wheel.material);
 }
 
-SceneResult solve_once(Stage& stage, const std::string& model, bool tangential) {
-  if (model == "hertz")
+SceneResult solve_once(Stage& stage, Model model, bool tangential) {
+  if (model == Model::hertz)
     return solve_by_hertz(stage);
   SceneResult out;
   out.model = model;

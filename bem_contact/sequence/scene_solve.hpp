@@ -13,6 +13,6 @@ std::optional<HertzModel> hertz_of(const Stage& stage);
 
 /// Solves the problem on the grid as it is. Without `tangential` it is a look at the normal problem, for the
 /// choice of the model.
-SceneResult solve_once(Stage& stage, const std::string& model, bool tangential);
+SceneResult solve_once(Stage& stage, Model model, bool tangential);
 
 } // namespace bem_contact

@@ -26,7 +26,7 @@ void require_radius(const InfluenceFunction& wheel, double wheel_radius) {
 Stage prepare_stage(const SceneFile& scene, bool needs_strips, const SceneAids& aids) {
   const Stopwatch watch;
   Stage stage{&scene, {}, {}, {}, {}, needs_strips, aids, false};
-  if (scene.kind == "wheel_rail") {
+  if (scene.kind == SceneKind::wheel_rail) {
     stage.wheel_rail = aids.placed ? *aids.placed : place_wheel_rail(scene);
     stage.files = aids.files ? *aids.files : read_pair_files(scene);
     if (stage.files.rail)
@@ -40,7 +40,7 @@ Stage prepare_stage(const SceneFile& scene, bool needs_strips, const SceneAids& 
     stage.wheel_rail->plan = plan_wheel_rail(*stage.wheel_rail, scene, stage.files);
     stage.contact = prepare_wheel_rail(*stage.wheel_rail, scene);
     // The estimate is generous: give up rows off the strips, as long as the contact does not need them.
-    if (needs_strips && scene.grid.s_from == scene.grid.s_to && scene.grid.ms == 0) {
+    if (needs_strips && !scene.grid.rows && !scene.grid.ms) {
       const auto [first, last] = covered_rows(stage.files, stage.contact);
       GridPlan& plan = stage.wheel_rail->plan;
       const int deepest =
@@ -58,11 +58,11 @@ Stage prepare_stage(const SceneFile& scene, bool needs_strips, const SceneAids& 
   if (needs_strips)
     require_strips(stage.files, stage.contact);
   ContactProblem& problem = stage.contact.problem;
-  problem.load = scene.load.has_force ? LoadKind::force : LoadKind::approach;
-  problem.approach = scene.load.has_force ? 0.0
-                     : stage.wheel_rail   ? stage.wheel_rail->approach
-                                          : scene.load.approach;
-  problem.force = scene.load.has_force ? scene.load.force : 0.0;
+  problem.load = scene.load.force ? LoadKind::force : LoadKind::approach;
+  problem.approach = scene.load.force   ? 0.0
+                     : stage.wheel_rail ? stage.wheel_rail->approach
+                                        : scene.load.approach.value_or(0);
+  problem.force = scene.load.force.value_or(0);
   if (!stage.wheel_rail)
     require_bearable(scene, problem);
   stage.seconds.geometry = watch.seconds();

@@ -62,15 +62,15 @@ void Sequence::learn(const SceneResult& result, const ContactEstimate& estimate)
         grid, result.problem.rows.front().s, r.Fz, r.approach, potential_areas(estimate), r.px, r.ps, r.pn};
 }
 
-SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
+SceneResult Sequence::solve(const SceneFile& asked) {
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   ++counts_.cases;
-  if (asked.kind != "wheel_rail" || asked.motion.kind != "steady") {
+  if (asked.kind != SceneKind::wheel_rail || asked.motion.kind != MotionKind::steady) {
     ++counts_.solves;
-    return solve_scene(asked, model);
+    return solve_scene(asked);
   }
   if (!files_ || !options_.keep_files)
     files_ = std::make_shared<SceneFiles>();
@@ -79,12 +79,12 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
     placed.estimate.reach *= 3;
   const PairFiles& read = files_->influence(asked);
   const double geometry = seconds();
-  const bool adapt = asked.grid.elements > 0 || asked.grid.accuracy > 0;
-  const std::string wanted = model.empty() ? asked.solver.model : model;
-  const bool full = wanted != "halfspace" && wanted != "hertz"; // auto may be
+  const bool adapt = asked.grid.elements || asked.grid.accuracy;
+  const std::optional<Model> model = asked.solver.model;
+  const bool full = model != Model::halfspace && model != Model::hertz; // an automatic choice may be
   if (!count_ || asked_elements_ != asked.grid.elements || asked_accuracy_ != asked.grid.accuracy)
-    count_.emplace(asked.grid.elements, asked.grid.accuracy, full ? most_full : most_translational,
-                   full ? least_full : ElementCount::fewest);
+    count_.emplace(asked.grid.elements.value_or(0), asked.grid.accuracy.value_or(0),
+                   full ? most_full : most_translational, full ? least_full : ElementCount::fewest);
   asked_elements_ = asked.grid.elements;
   asked_accuracy_ = asked.grid.accuracy;
 
@@ -97,8 +97,8 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
                  options_.keep_numbers ? &workspace_ : nullptr,
                  options_.coarse_start};
   SceneFile scene = asked;
-  // Half-space numbers serve any element; which model auto takes is not known yet.
-  const double shortest = wanted == "fem" || wanted == "auto" ? shortest_element(read) : 0;
+  // Half-space numbers serve any element; which model is chosen automatically is not known yet.
+  const double shortest = !model || model == Model::fem ? shortest_element(read) : 0;
   const auto size = [&] {
     return size_of_elements(placed.estimate, count_->wanted(), area_ratio_, shortest,
                             full ? longest_full : longest_translational);
@@ -118,18 +118,19 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
     aids.start = near ? &*former_ : nullptr;
     counts_.starts += near;
     ++counts_.solves;
-    SceneResult out = solve_scene(scene, model, aids);
+    SceneResult out = solve_scene(scene, aids);
     learn(out, placed.estimate);
     spent.numbers += out.seconds.numbers;
     spent.solve += out.seconds.solve;
     spent.geometry += out.seconds.geometry;
     const double error = out.result.certificate.discretisation;
-    const bool again = adapt && out.model != "hertz" && out.result.converged && !out.result.patches.empty() &&
+    const bool again = adapt && out.model != Model::hertz && out.result.converged &&
+                       !out.result.patches.empty() &&
                        count_->learn(count_elements(out.result).contact, error);
     if (again && round < most_solves && size() != std::pair(scene.grid.dx, scene.grid.ds))
       continue;
-    if (asked.grid.accuracy > 0 && out.result.converged && error > asked.grid.accuracy)
-      out.warnings.push_back(not_accurate(out.result, asked.grid.accuracy,
+    if (asked.grid.accuracy && out.result.converged && error > *asked.grid.accuracy)
+      out.warnings.push_back(not_accurate(out.result, *asked.grid.accuracy,
                                           scene.grid.dx == shortest
                                               ? "the influence files have no numbers for shorter ones"
                                               : fmt::format("at most {} are tried", count_->most())));
@@ -142,17 +143,17 @@ SceneResult Sequence::solve(const SceneFile& asked, const std::string& model) {
 
 Comparison Sequence::compare(const SceneFile& asked) {
   SceneFile scene = asked;
-  if (asked.kind == "wheel_rail" && (asked.grid.elements > 0 || asked.grid.accuracy > 0)) {
-    const ContactGrid grid = solve(asked, "fem").problem.grid;
+  if (asked.kind == SceneKind::wheel_rail && (asked.grid.elements || asked.grid.accuracy)) {
+    const ContactGrid grid = solve(with_model(asked, Model::fem)).problem.grid;
     scene.grid.dx = grid.dx;
     scene.grid.ds = grid.ds;
   }
   Comparison out = compare_scene(scene);
   for (SceneResult* result : {&out.halfspace, &out.fem})
-    if (asked.grid.accuracy > 0 && result->result.converged &&
-        result->result.certificate.discretisation > asked.grid.accuracy)
+    if (asked.grid.accuracy && result->result.converged &&
+        result->result.certificate.discretisation > *asked.grid.accuracy)
       result->warnings.push_back(
-          not_accurate(result->result, asked.grid.accuracy, "both models have the elements of fem"));
+          not_accurate(result->result, *asked.grid.accuracy, "both models have the elements of fem"));
   return out;
 }
 

@@ -38,7 +38,7 @@ public:
   /// As solve_scene(). Where the scene asks for grid.elements or grid.accuracy, dx and ds are chosen: the
   /// case is solved again, at most `most_solves` times, until its estimated error is within the accuracy.
   /// Other kinds of scene are solved by themselves.
-  SceneResult solve(const SceneFile& scene, const std::string& model = "");
+  SceneResult solve(const SceneFile& scene);
 
   /// As compare_scene(). Where the scene asks for grid.elements or grid.accuracy, dx and ds are those that
   /// solve() chooses for the influence files; both models are solved on them.
@@ -61,8 +61,8 @@ private:
   std::optional<FormerTractions> former_;
   std::vector<PotentialArea> former_areas_;
   std::optional<ElementCount> count_;
-  int asked_elements_ = 0;
-  double asked_accuracy_ = 0;
+  std::optional<int> asked_elements_;
+  std::optional<double> asked_accuracy_;
   double area_ratio_ = 1;
   Counts counts_;
 };

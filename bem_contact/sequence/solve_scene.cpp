@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <iterator>
 #include <tuple>
 
@@ -35,7 +34,7 @@ void finish(SceneResult& out, const Stage& stage) {
   require_elastic(*stage.scene, highest_pressure(out));
   std::ranges::move(doubts(*stage.scene, stage.wheel_rail ? &*stage.wheel_rail : nullptr),
                     std::back_inserter(out.warnings));
-  out.left = stage.scene->position.side == "left";
+  out.left = stage.scene->position.side == WheelSide::left;
   out.reference = stage.reference();
   out.moment = out.result.Mz + out.reference.position.y * out.result.Fx - out.reference.x * out.result.Fy;
   if (stage.wheel_rail || stage.files.complete())
@@ -75,7 +74,7 @@ ModelChoice choose(Stage& stage, PhaseSeconds& spent) {
     if (choice.enough)
       return choice;
   }
-  const SceneResult normal = solve_grown(stage, "halfspace", false);
+  const SceneResult normal = solve_grown(stage, Model::halfspace, false);
   spent = normal.seconds;
   const bool equal = stage.scene->rail.material == stage.scene->wheel.material;
   return choose_model(normal.problem, normal.result, equal, stage.files.complete(), tolerance);
@@ -95,28 +94,24 @@ void add_stresses(SceneResult& out, const SceneFile& scene) {
 
 } // namespace
 
-SceneResult solve_scene(const SceneFile& scene, const std::string& model) {
-  return solve_scene(scene, model, {});
+SceneResult solve_scene(const SceneFile& scene) {
+  return solve_scene(scene, SceneAids{});
 }
 
-SceneResult solve_scene(const SceneFile& scene, const std::string& wanted, const SceneAids& given) {
+SceneResult solve_scene(const SceneFile& scene, const SceneAids& given) {
   WorkBudget work;
   SceneAids aids = given;
   if (!aids.work)
     aids.work = &work;
   const Stopwatch watch;
-  const std::string model = wanted.empty() ? scene.solver.model : wanted;
-  const auto known = {"auto", "hertz", "halfspace", "tangent_plane", "fem"};
-  if (std::ranges::find(known, model) == known.end())
-    throw InputError(fmt::format("There is no model '{}'", model),
-                     fmt::format("the models are {}", fmt::join(known, ", ")), "Choose one of them.");
-  Stage stage = prepare_stage(scene, model == "fem", aids);
+  const std::optional<Model> asked = scene.solver.model;
+  Stage stage = prepare_stage(scene, asked == Model::fem, aids);
   SceneResult out;
   PhaseSeconds probe;
-  ModelChoice choice{model, "asked for"};
-  if (model == "auto") {
+  ModelChoice choice{asked.value_or(Model::halfspace), "asked for"};
+  if (!asked) {
     choice = choose(stage, probe);
-    if (choice.model == "fem")
+    if (choice.model == Model::fem)
       stage = prepare_stage(scene, true, aids);
   }
   out = solve_grown(stage, choice.model, true);
@@ -133,7 +128,7 @@ SceneResult solve_scene(const SceneFile& scene, const std::string& wanted, const
 
 Comparison compare_scene(const SceneFile& scene) {
   const Stopwatch watch;
-  if (!scene.load.has_force && scene.motion.kind != "steady")
+  if (!scene.load.force && scene.motion.kind != MotionKind::steady)
     throw InputError("The models cannot be compared over these steps", "only the approach is given",
                      "Give load.force, at which they are compared, or solve the scene with either model.");
   Stage stage = prepare_stage(scene, true);
@@ -141,14 +136,14 @@ Comparison compare_scene(const SceneFile& scene) {
   const ContactProblem asked = stage.contact.problem;
   for (int round = 0;; ++round) {
     // Both on one grid: where either grows, both are solved again.
-    out.fem = solve_grown(stage, "fem", true);
+    out.fem = solve_grown(stage, Model::fem, true);
     const int size = stage.contact.problem.grid.size();
     ContactProblem& problem = stage.contact.problem;
     if (asked.load == LoadKind::approach) {
       problem.load = LoadKind::force;
       problem.force = out.fem.result.Fz;
     }
-    out.halfspace = solve_grown(stage, "halfspace", true);
+    out.halfspace = solve_grown(stage, Model::halfspace, true);
     if (stage.contact.problem.grid.size() == size)
       break;
     stage.contact.problem.load = asked.load;

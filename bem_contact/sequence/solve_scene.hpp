@@ -24,7 +24,7 @@ struct PhaseSeconds {
 
 /// One scene solved with one model.
 struct SceneResult {
-  std::string model;      ///< "hertz" | "halfspace" | "tangent_plane" | "fem"
+  Model model = Model::halfspace;
   std::string reason;     ///< why this model, in a sentence
   ContactProblem problem; ///< grid, rows (wheel_rail: track frame), undeformed distance, rigid slip; values
                           ///< of the numbers left out
@@ -47,13 +47,13 @@ struct Comparison {
   SceneResult halfspace, fem;
 };
 
-/// `model`: "auto", "hertz", "halfspace", "tangent_plane" or "fem"; "" takes the scene's own.
-/// auto takes the cheapest whose predicted error of pmax is within solver.model_tolerance (model_choice.hpp):
-/// hertz by a fit of the undeformed distance, the others by the turn of the normal within the contact that
-/// the normal problem has with half-space numbers; fem only where there are influence files. A wheel_rail
-/// grid grows until the contact lies inside; throws InputError where the strip of an influence file ends
-/// before. Throws InputError for wrong input; lack of convergence is in the result.
-SceneResult solve_scene(const SceneFile& scene, const std::string& model = "");
+/// Without a model in the scene, takes the cheapest whose predicted error of pmax is within
+/// solver.model_tolerance (model_choice.hpp): hertz by a fit of the undeformed distance, the others by the
+/// turn of the normal within the contact that the normal problem has with half-space numbers; fem only where
+/// there are influence files. A wheel_rail grid grows until the contact lies inside; throws InputError where
+/// the strip of an influence file ends before. Throws InputError for wrong input; lack of convergence is in
+/// the result.
+SceneResult solve_scene(const SceneFile& scene);
 Comparison compare_scene(const SceneFile& scene);
 
 /// What would be solved, line by line, after everything short of the solve has been checked.

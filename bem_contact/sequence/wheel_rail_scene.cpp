@@ -28,8 +28,8 @@ void require_elastic(double approach) {
 void add_shear(WheelRailScene& placed, const SceneFile& scene) {
   constexpr double small = 0.002; // creepage at which about half of a contact slips
   const SceneFile::Motion& motion = scene.motion;
-  if (motion.frictionless || motion.kind == "shift" || !scene.load.has_force || !(scene.load.force > 0) ||
-      scene.load.has_force_x || scene.load.has_force_s)
+  if (motion.frictionless || motion.kind == MotionKind::shift || !(scene.load.force > 0) ||
+      scene.load.force_x || scene.load.force_s)
     return;
   ContactProblem point; // of one element, where a slice is nearest to the wheel
   point.grid = {1, 1, 1, 1, 0};
@@ -43,7 +43,7 @@ void add_shear(WheelRailScene& placed, const SceneFile& scene) {
     const double along_s = point.slip_s[0] / std::hypot(point.slip_x[0], point.slip_s[0], small);
     c.lift = std::clamp(1 + motion.friction * along_s * std::tan(c.delta), 0.05, 4.0);
   }
-  estimate_with_shear(placed.estimate, scene.rail.material, scene.wheel.material, scene.load.force,
+  estimate_with_shear(placed.estimate, scene.rail.material, scene.wheel.material, *scene.load.force,
                       2 * largest_approach); // an overestimate costs a grid that is too coarse
 }
 
@@ -60,17 +60,18 @@ WheelRailScene place_wheel_rail(const SceneFile& scene) {
 
 WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles& profiles,
                                 bool foresee_shear) {
-  if (scene.load.has_approach)
-    require_elastic(scene.load.approach);
+  if (scene.load.approach)
+    require_elastic(*scene.load.approach);
   WheelOnRail pair = place(scene.position, profiles.rail, profiles.wheel);
   const double before = pair.wheel_pose.origin.z;
   std::vector<TouchPoint> touch = lower_to_touch(pair);
   const double lowered = pair.wheel_pose.origin.z - before;
   ContactLocus locus(pair);
   WheelRailScene out{std::move(pair), std::move(locus), std::move(touch), {}, {}, 0, 0, {}};
-  out.approach = scene.position.has_vertical ? scene.position.vertical - lowered : scene.load.approach;
+  out.approach =
+      scene.position.vertical ? *scene.position.vertical - lowered : scene.load.approach.value_or(0);
   out.estimate = estimate_contact(out.pair, out.locus, scene.rail.material, scene.wheel.material,
-                                  scene.load.force, out.approach, !scene.load.has_force);
+                                  scene.load.force.value_or(0), out.approach, !scene.load.force);
   if (out.estimate.touching) {
     const CurvePoint p = out.pair.rail_at(out.estimate.s);
     out.reference = {p.position, p.s, p.delta, out.estimate.x};
@@ -80,10 +81,10 @@ WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles&
     out.reference = {deepest.position, deepest.rail_s, deepest.delta, deepest.x};
     out.rolling_radius = out.pair.wheel_radius + out.pair.wheel.at(deepest.wheel_s).position.z;
   }
-  if (scene.motion.rolling_radius > 0)
-    out.rolling_radius = scene.motion.rolling_radius;
-  else if (scene.motion.pitch_rate > 0)
-    out.rolling_radius = scene.motion.speed / scene.motion.pitch_rate;
+  if (scene.motion.rolling_radius)
+    out.rolling_radius = *scene.motion.rolling_radius;
+  else if (scene.motion.pitch_rate)
+    out.rolling_radius = scene.motion.speed.value_or(0) / *scene.motion.pitch_rate;
   require_elastic(out.estimate.approach);
   if (foresee_shear)
     add_shear(out, scene);

@@ -96,7 +96,7 @@ private:
   double angle(int j) const { return dangle * (j - angles / 2); }
 
   void stand(const SceneFile::Position& position, const WheelOnRail& pair) {
-    const double side = position.side == "left" ? -1 : 1;
+    const double side = position.side == WheelSide::left ? -1 : 1;
     roll_ = side * position.roll, yaw_ = side * position.yaw, lateral_ = side * position.lateral;
     arm_ = position.back_to_back / 2 + 70, radius_ = position.wheel_radius;
     // As a height on a regular raster of y, from the points that are seen from above.

@@ -31,7 +31,7 @@ void compare_with_brute_force(const TabulatedProfile& rail, const TabulatedProfi
   const auto uniform = [&](double a, double b) { return std::uniform_real_distribution(a, b)(random); };
   for (int i = 0; i < cases; ++i) {
     SceneFile::Position position;
-    position.side = i % 2 ? "left" : "right";
+    position.side = i % 2 ? WheelSide::left : WheelSide::right;
     position.lateral = uniform(-10, 10);
     position.yaw = uniform(-0.024, 0.024);
     position.roll = uniform(-0.01, 0.01);

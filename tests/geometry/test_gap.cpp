@@ -166,8 +166,7 @@ TEST(GridPlan, CoversTheContactSymmetrically) {
   EXPECT_NEAR(plan.s_from(), -plan.s_to(), 0.5);
   EXPECT_EQ(plan.columns % 2, 0);
   EXPECT_NEAR(std::remainder(plan.s(3) - 0.1, 0.25), 0, 1e-12);
-  grid.s_from = -2;
-  grid.s_to = 3;
+  grid.rows = {-2, 3};
   const GridPlan wanted = plan_grid(estimate, grid, 0);
   EXPECT_NEAR(wanted.s_from(), -2, 0.125);
   EXPECT_NEAR(wanted.s_to(), 3, 0.125);

@@ -78,7 +78,7 @@ TEST(Placement, TheLeftWheelIsTheMirrorImage) {
   right.lateral = 3, right.yaw = 0.01, right.roll = 0.02, right.cant = 0.025;
   right.rail_lateral = 0.4, right.rail_vertical = 0.3, right.rail_roll = 0.01;
   left = right;
-  left.side = "left";
+  left.side = WheelSide::left;
   left.lateral = -3, left.yaw = -0.01, left.roll = -0.02, left.rail_lateral = -0.4, left.rail_roll = -0.01;
   const WheelOnRail a = s1002_on_60e1(right), b = s1002_on_60e1(left);
   EXPECT_EQ(a.rail_pose.origin.y, b.rail_pose.origin.y);
@@ -89,7 +89,7 @@ TEST(Placement, TheLeftWheelIsTheMirrorImage) {
   // And a wheelset rolled right side down lifts the left wheel.
   right = left = {};
   right.roll = left.roll = 0.01;
-  left.side = "left";
+  left.side = WheelSide::left;
   EXPECT_GT(s1002_on_60e1(right).wheel_frame().centre[2], -460);
   EXPECT_LT(s1002_on_60e1(left).wheel_frame().centre[2], -460);
 }

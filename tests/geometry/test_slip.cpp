@@ -163,7 +163,7 @@ TEST(RigidSlip, RatesMoveTheWheelAsItsPlacementDoes) {
 
 TEST(RigidSlip, OfALeftWheelIsTheMirrorImage) {
   // The same motion seen in a mirror: the yaw that pushes the right wheel's flange pulls the left one's.
-  const auto at = [](const char* side, double yaw) {
+  const auto at = [](WheelSide side, double yaw) {
     SceneFile::Position position;
     position.side = side;
     position.yaw = yaw;
@@ -176,10 +176,10 @@ TEST(RigidSlip, OfALeftWheelIsTheMirrorImage) {
     set_rigid_slip(problem, pair, {touch.position, touch.rail_s, touch.delta, touch.x}, {0, 0, 0, 460});
     return std::pair(problem.slip_x[0], problem.slip_s[0]);
   };
-  EXPECT_EQ(at("left", -0.01), at("right", 0.01));
+  EXPECT_EQ(at(WheelSide::left, -0.01), at(WheelSide::right, 0.01));
   // Positive: towards its own side. Both wheels of one wheelset slide to the track's left.
-  EXPECT_LT(at("right", 0.01).second, 0);
-  EXPECT_GT(at("left", 0.01).second, 0);
+  EXPECT_LT(at(WheelSide::right, 0.01).second, 0);
+  EXPECT_GT(at(WheelSide::left, 0.01).second, 0);
 }
 
 TEST(RigidSlip, OfAPatchIsThatOfAPlane) {

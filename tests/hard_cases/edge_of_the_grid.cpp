@@ -13,11 +13,10 @@ SceneFile wheel_on_rail() {
   scene.rail.material = scene.wheel.material = scenes::steel;
   scene.position.lateral = 0;
   scene.load.force = 80000;
-  scene.load.has_force = true;
   scene.motion.xi = 5e-4;
   scene.grid.dx = 0.8;
   scene.grid.ds = 0.8;
-  scene.solver.model = "halfspace";
+  scene.solver.model = Model::halfspace;
   return scene;
 }
 
@@ -25,8 +24,7 @@ TEST(HardCases, EdgeOfTheGrid) {
   const SceneResult free = solve_scene(wheel_on_rail());
   SceneFile tight = wheel_on_rail();
   tight.grid.mx = 6;
-  tight.grid.s_from = free.reference.s - 1.5;
-  tight.grid.s_to = free.reference.s + 1;
+  tight.grid.rows = {free.reference.s - 1.5, free.reference.s + 1};
   const SceneResult grown = solve_scene(tight);
   hard::print_line("edge of the potential contact",
                    "6 x 4 elements asked for: the grid grows until the contact lies inside", grown.result);

@@ -33,14 +33,14 @@ protected:
     return scene;
   }
   std::string refusal(const SceneFile& scene) {
-    return message_of([&] { solve_scene(scene, "halfspace"); });
+    return message_of([&] { solve_scene(with_model(scene, Model::halfspace)); });
   }
   std::filesystem::path folder_;
 };
 
 TEST_F(Motion, ForcesPrescribedAreReached) {
   const SceneFile scene = patch("force_x = 1200\nforce_s = -500", "phi = 1e-4");
-  const SceneResult r = solve_scene(scene, "halfspace");
+  const SceneResult r = solve_scene(with_model(scene, Model::halfspace));
   ASSERT_TRUE(r.result.converged) << r.result.remark;
   EXPECT_NEAR(r.result.Fx, 1200, 1e-2);
   EXPECT_NEAR(r.result.Fs, -500, 1e-2);
@@ -48,7 +48,7 @@ TEST_F(Motion, ForcesPrescribedAreReached) {
   SceneFile again = patch("", "phi = 1e-4");
   again.motion.xi = r.result.creepage_x;
   again.motion.eta = r.result.creepage_s;
-  const SceneResult s = solve_scene(again, "halfspace");
+  const SceneResult s = solve_scene(with_model(again, Model::halfspace));
   EXPECT_NEAR(s.result.Fx, 1200, 0.1);
   EXPECT_NEAR(s.result.Fy, -500, 0.1);
 }
@@ -61,23 +61,22 @@ TEST_F(Motion, EveryCombinationOfLoadsIsTheSameProblem) {
     s.wheel.material = {23000, 0.31};
     return s;
   };
-  const SceneResult known = solve_scene(scene("", "xi = 5e-4\neta = -3e-4\nphi = 2e-4"), "halfspace");
+  const SceneResult known =
+      solve_scene(with_model(scene("", "xi = 5e-4\neta = -3e-4\nphi = 2e-4"), Model::halfspace));
   ASSERT_TRUE(known.result.converged);
   for (int k = 0; k < 8; ++k) {
     SceneFile s = scene("", "phi = 2e-4");
     if (k & 1)
-      s.load = {.approach = known.result.approach, .has_approach = true};
+      s.load = {.approach = known.result.approach};
     if (k & 2) {
       s.load.force_x = known.result.Fx;
-      s.load.has_force_x = true;
     } else
       s.motion.xi = 5e-4;
     if (k & 4) {
       s.load.force_s = known.result.Fs;
-      s.load.has_force_s = true;
     } else
       s.motion.eta = -3e-4;
-    const SceneResult r = solve_scene(s, "halfspace");
+    const SceneResult r = solve_scene(with_model(s, Model::halfspace));
     ASSERT_TRUE(r.result.converged) << k;
     EXPECT_NEAR(r.result.Fz, 1e4, 1) << k;
     EXPECT_NEAR(r.result.Fx, known.result.Fx, 1e-4 * known.result.Fx) << k;
@@ -88,7 +87,7 @@ TEST_F(Motion, EveryCombinationOfLoadsIsTheSameProblem) {
 }
 
 TEST_F(Motion, RigidSlipByElement) {
-  const SceneResult known = solve_scene(patch("", "xi = 5e-4\nphi = 2e-4"), "halfspace");
+  const SceneResult known = solve_scene(with_model(patch("", "xi = 5e-4\nphi = 2e-4"), Model::halfspace));
   std::string table = "ix, is, wx, ws\n";
   for (int i = 0; i < 256; ++i) {
     const double x = (i % 16 - 7.5) * 0.5, s = (i / 16 - 7.5) * 0.5;
@@ -96,15 +95,15 @@ TEST_F(Motion, RigidSlipByElement) {
              "," + std::to_string(2e-4 * x) + "\n";
   }
   write("slip.csv", table);
-  const SceneResult r = solve_scene(patch("", "slip_table = 'slip.csv'"), "halfspace");
+  const SceneResult r = solve_scene(with_model(patch("", "slip_table = 'slip.csv'"), Model::halfspace));
   EXPECT_NEAR(r.result.Fx, known.result.Fx, 1e-2 * known.result.Fx) << "six digits in the table";
   EXPECT_NEAR(r.result.Fy, known.result.Fy, 1e-2 * known.result.Fx);
 }
 
 TEST_F(Motion, TransientRollingTendsToSteadyRolling) {
-  const SceneResult steady = solve_scene(patch("", "xi = 6e-4\neta = 2e-4"), "halfspace");
-  const SceneResult r =
-      solve_scene(patch("", "kind = 'transient'\nsteps = 60\nxi = 6e-4\neta = 2e-4"), "halfspace");
+  const SceneResult steady = solve_scene(with_model(patch("", "xi = 6e-4\neta = 2e-4"), Model::halfspace));
+  const SceneResult r = solve_scene(
+      with_model(patch("", "kind = 'transient'\nsteps = 60\nxi = 6e-4\neta = 2e-4"), Model::halfspace));
   ASSERT_EQ(r.history.size(), 60u);
   EXPECT_LT(r.history[0].Fx, 0.6 * steady.result.Fx);
   EXPECT_NEAR(r.result.Fx, steady.result.Fx, 0.01 * steady.result.Fx);
@@ -116,9 +115,10 @@ TEST_F(Motion, TransientRollingTendsToSteadyRolling) {
 TEST_F(Motion, MovingAndStillGridRollAlike) {
   write("moving.csv", "xi, load\n6e-4, 1e4\n6e-4, 1e4\n5e-4, 9e3\n");
   const SceneResult moving =
-      solve_scene(patch("", "kind = 'transient'\nstep_table = 'moving.csv'"), "halfspace");
+      solve_scene(with_model(patch("", "kind = 'transient'\nstep_table = 'moving.csv'"), Model::halfspace));
   write("still.csv", "xi, load, x\n3e-4, 1e4, -0.5\n3e-4, 1e4, 0\n2.5e-4, 9e3, 0.5\n");
-  const SceneResult still = solve_scene(patch("", "kind = 'shift'\nstep_table = 'still.csv'"), "halfspace");
+  const SceneResult still =
+      solve_scene(with_model(patch("", "kind = 'shift'\nstep_table = 'still.csv'"), Model::halfspace));
   ASSERT_EQ(moving.history.size(), 3u);
   ASSERT_EQ(still.history.size(), 3u);
   EXPECT_NEAR(still.history[0].Fx, moving.history[0].Fx, 1e-5 * moving.history[0].Fx);
@@ -129,16 +129,16 @@ TEST_F(Motion, MovingAndStillGridRollAlike) {
 }
 
 TEST_F(Motion, StartsFromTractionsGiven) {
-  const SceneResult first = solve_scene(patch("", "kind = 'shift'\nxi = 1e-3"), "halfspace");
+  const SceneResult first = solve_scene(with_model(patch("", "kind = 'shift'\nxi = 1e-3"), Model::halfspace));
   std::string table = "ix, is, px, ps, pn\n";
   for (int i = 0; i < 256; ++i)
     table += std::to_string(i % 16) + "," + std::to_string(i / 16) + "," +
              std::to_string(first.result.px[i]) + "," + std::to_string(first.result.ps[i]) + "," +
              std::to_string(first.result.pn[i]) + "\n";
   write("start.csv", table);
-  const SceneResult second =
-      solve_scene(patch("", "kind = 'shift'\nxi = 5e-4\nstart_table = 'start.csv'"), "halfspace");
-  const SceneResult both = solve_scene(patch("", "kind = 'shift'\nxi = 15e-4"), "halfspace");
+  const SceneResult second = solve_scene(
+      with_model(patch("", "kind = 'shift'\nxi = 5e-4\nstart_table = 'start.csv'"), Model::halfspace));
+  const SceneResult both = solve_scene(with_model(patch("", "kind = 'shift'\nxi = 15e-4"), Model::halfspace));
   ASSERT_TRUE(second.result.converged);
   // on a monotone path it does not matter how many steps lead along it
   EXPECT_NEAR(second.result.Fx, both.result.Fx, 1e-3 * both.result.Fx);
@@ -152,7 +152,7 @@ TEST_F(Motion, FrictionByATable) {
   EXPECT_DOUBLE_EQ(contact.problem.friction_of(0), 0.1);
   EXPECT_DOUBLE_EQ(contact.problem.friction_of(15), 0.5);
   EXPECT_NEAR(contact.problem.friction_of(8), 0.35, 1e-12); // s = .25
-  const SceneResult r = solve_scene(scene, "halfspace");
+  const SceneResult r = solve_scene(with_model(scene, Model::halfspace));
   EXPECT_NEAR(r.result.Fx, 0.3 * 1e4, 1) << "symmetric about mu = .3";
 }
 
@@ -169,7 +169,7 @@ TEST_F(Motion, AShiftOfAWheelDoesNotRoll) {
                                      "position.lateral = 6.4\nload.force = 2e4\n"
                                      "[motion]\nkind = 'shift'\nxi = 0.01\neta = 0.02\n"
                                      "[grid]\ndx = 1.0\nds = 0.5\n");
-  const SceneResult r = solve_scene(scene, "halfspace");
+  const SceneResult r = solve_scene(with_model(scene, Model::halfspace));
   ASSERT_TRUE(r.result.converged) << r.result.remark;
   for (int i = 0; i < r.problem.grid.size(); ++i) {
     EXPECT_DOUBLE_EQ(r.problem.slip_x[i], 0.01) << "no spin of the geometry";
@@ -187,7 +187,7 @@ TEST_F(Motion, TheGridGrowsForEveryStep) {
                        "load.force = 1e4\n[motion]\nkind = 'transient'\nstep_table = 'steps.csv'\n"
                        "[grid]\ndx = 1.0\nds = 1.0\n");
   scene.folder = folder_;
-  const SceneResult r = solve_scene(scene, "halfspace");
+  const SceneResult r = solve_scene(with_model(scene, Model::halfspace));
   ASSERT_EQ(r.history.size(), 2u);
   EXPECT_NEAR(r.history[0].Fz, 1e5, 1);
   EXPECT_FALSE(r.history[0].touches_border);
@@ -224,7 +224,6 @@ TEST_F(Motion, ComparingStepsNeedsAForce) {
   SceneFile scene = patch("", "kind = 'shift'\nxi = 1e-3");
   scene.load = {};
   scene.load.approach = 0.02;
-  scene.load.has_approach = true;
   EXPECT_THROW(compare_scene(scene), InputError);
 }
 

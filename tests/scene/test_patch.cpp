@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 
 SceneFile patch(int mx, int ms) {
   SceneFile scene;
-  scene.kind = "patch";
+  scene.kind = SceneKind::patch;
   scene.grid.mx = mx;
   scene.grid.ms = ms;
   return scene;

@@ -52,7 +52,7 @@ TEST(Sequence, ComparesOnTheElementsThatTheSceneAsksFor) {
   const std::vector<SceneChange> changes{{"grid.elements", SchemaValue(std::int64_t{150}), 0}};
   const SceneFile scene = read_scene_file(CONFORMAL_SOURCE_DIR "/data/scenes/conformal_small.toml", changes);
   const Comparison both = Sequence().compare(scene);
-  const SceneResult alone = Sequence().solve(scene, "fem");
+  const SceneResult alone = Sequence().solve(with_model(scene, Model::fem));
   EXPECT_EQ(both.fem.problem.grid.dx, alone.problem.grid.dx);
   EXPECT_EQ(both.halfspace.problem.grid.ds, alone.problem.grid.ds);
   EXPECT_NE(both.fem.problem.grid.dx, scene.grid.dx) << "that is what nobody asked for";

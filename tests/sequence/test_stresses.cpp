@@ -94,7 +94,7 @@ TEST(StressesBelow, SayWhereTheyAreAnApproximation) {
   SceneFile scene = parse_scene_file("kind = \"patch\"\nload.force = 2000\nmotion.frictionless = true\n"
                                      "[grid]\ndx = 0.5\nds = 0.25\nmx = 20\nms = 40\n[gap]\na = 1e-3\n"
                                      "[strip]\nradius = -10\nupper_radius = 9.8\n[stresses]\ndepths = [1]\n");
-  scene.solver.model = "halfspace";
+  scene.solver.model = Model::halfspace;
   const SceneResult r = solve_scene(scene);
   ASSERT_TRUE(r.stresses);
   EXPECT_THAT(r.warnings, ::testing::Contains(HasSubstr("those of a half-space under these tractions")));

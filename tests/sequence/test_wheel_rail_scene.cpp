@@ -163,7 +163,7 @@ std::size_t follow(double from, int steps, double step, const std::string& more)
   std::set<std::size_t> patches;
   for (int i = 0; i <= steps; ++i) {
     const SceneFile scene = s1002_on_60e1(from + step * i, more);
-    cases.push_back(solve_scene(scene, "halfspace"));
+    cases.push_back(solve_scene(with_model(scene, Model::halfspace)));
     EXPECT_TRUE(cases.back().result.certificate.holds()) << i << ": " << cases.back().result.remark;
     height.push_back(place_wheel_rail(scene, profiles()).pair.wheel_frame().centre[2] +
                      cases.back().result.approach);
@@ -217,13 +217,13 @@ TEST(WheelRailScene, ForcesDoNotLeapWhenAreasSplitAndMerge) {
 }
 
 TEST(WheelRailScene, AYawedWheelsetIsSolvedOnBothSides) {
-  const auto solved = [](const char* side, double sign) {
+  const auto solved = [](WheelSide side, double sign) {
     SceneFile scene =
         s1002_on_60e1(sign * 6.0, loaded + "position.yaw = " + std::to_string(sign * 0.012) + "\n");
     scene.position.side = side;
-    return solve_scene(scene, "halfspace");
+    return solve_scene(with_model(scene, Model::halfspace));
   };
-  const SceneResult right = solved("right", 1), left = solved("left", -1);
+  const SceneResult right = solved(WheelSide::right, 1), left = solved(WheelSide::left, -1);
   ASSERT_TRUE(right.result.certificate.holds());
   EXPECT_NEAR(right.result.Fz, 1e5, 1);
   EXPECT_EQ(right.result.Fy, left.result.Fy);
@@ -245,7 +245,7 @@ std::string two_areas(const std::string& grid) {
 
 TEST(WheelRailScene, ASecondAreaOffTheStripIsRefused) {
   try {
-    solve_scene(parse_scene_file(two_areas("")), "fem");
+    solve_scene(with_model(parse_scene_file(two_areas("")), Model::fem));
     FAIL() << "solved";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("second area that the influence files do not cover"));
@@ -255,10 +255,11 @@ TEST(WheelRailScene, ASecondAreaOffTheStripIsRefused) {
 }
 
 TEST(WheelRailScene, ASecondAreaLeftOutOnPurposeIsSaid) {
-  const SceneResult r = solve_scene(parse_scene_file(two_areas("s_from = -30.0\ns_to = -21.4\n")), "fem");
+  const SceneResult r =
+      solve_scene(with_model(parse_scene_file(two_areas("s_from = -30.0\ns_to = -21.4\n")), Model::fem));
   EXPECT_TRUE(r.result.converged);
   EXPECT_THAT(r.warnings, Contains(HasSubstr("off the rows that the scene asks for")));
-  const SceneResult all = solve_scene(parse_scene_file(two_areas("")), "halfspace");
+  const SceneResult all = solve_scene(with_model(parse_scene_file(two_areas("")), Model::halfspace));
   EXPECT_TRUE(all.result.converged);
   EXPECT_THAT(all.warnings, Not(Contains(HasSubstr("left out"))));
 }

@@ -72,7 +72,7 @@ void areas(const SweepFile& sweep) {
     scene.motion.rolling_radius =
         place_wheel_rail(scene).rolling_radius; // one area alone would choose its own
     const ContactGrid chosen = Sequence().solve(scene).problem.grid;
-    scene.grid.accuracy = 0;
+    scene.grid.accuracy.reset();
     scene.grid.dx = chosen.dx;
     scene.grid.ds = chosen.ds;
     const Cost both = cost_of(scene);
@@ -82,8 +82,7 @@ void areas(const SweepFile& sweep) {
     for (const Part& part : parts) {
       SceneFile one = scene;
       one.load.force = part.force;
-      one.grid.s_from = part.s_from - 4 * chosen.ds;
-      one.grid.s_to = part.s_to + 4 * chosen.ds;
+      one.grid.rows = {part.s_from - 4 * chosen.ds, part.s_to + 4 * chosen.ds};
       const double seconds = cost_of(one).seconds;
       sum += seconds;
       alone += fmt::format("{:.1f} ", 1e3 * seconds);
