@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/contact/grid/box.hpp"
+#include "bem_contact/contact/grid/boxes.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
 
 #include <memory>
@@ -30,7 +30,7 @@ public:
                      std::vector<int> inputs, RowRange rows = {}, TransformPool* pool = nullptr);
   /// On boxes of the grid; fields [component][box][ms][mx]. Where the numbers are not translational the boxes
   /// have the same columns.
-  BasicStripOperator(const InfluenceNumbers& numbers, const Parts& parts, std::vector<int> outputs,
+  BasicStripOperator(const InfluenceNumbers& numbers, const Boxes& boxes, std::vector<int> outputs,
                      std::vector<int> inputs, TransformPool* pool = nullptr);
   /// The same in another precision.
   template <class Other>

@@ -1,4 +1,6 @@
-#include "bem_contact/contact/grid/box.hpp"
+#include "bem_contact/contact/grid/boxes.hpp"
+
+#include "bem_contact/contact/settings.hpp"
 
 namespace bem_contact::contact {
 namespace {
@@ -8,7 +10,7 @@ struct Span {
   int low_x = 0, high_x = 0, low_s = 0, high_s = 0;
 };
 
-/// One for each group of rows that at least `apart` empty ones part.
+/// One for each group of rows. Between groups there are at least `apart` empty rows.
 std::vector<Span> groups(std::span<const int> elements, const ContactGrid& grid, int apart) {
   std::vector<int> low(grid.ms, grid.mx), high(grid.ms, -1);
   for (const int i : elements) {
@@ -27,8 +29,8 @@ std::vector<Span> groups(std::span<const int> elements, const ContactGrid& grid,
   return found;
 }
 
-/// Boxes of the size of the largest, inside the grid.
-std::vector<Box> boxes_around(const std::vector<Span>& spans, const ContactGrid& grid, int margin) {
+/// One box around each span, all of the size of the largest and inside the grid.
+std::vector<Box> boxes_of(const std::vector<Span>& spans, const ContactGrid& grid, int margin) {
   int mx = 1, ms = 1;
   for (const Span& s : spans) {
     mx = std::max(mx, std::min(s.high_x + margin, grid.mx - 1) - std::max(s.low_x - margin, 0) + 1);
@@ -43,24 +45,45 @@ std::vector<Box> boxes_around(const std::vector<Span>& spans, const ContactGrid&
 
 } // namespace
 
-Parts parts_around(std::span<const int> elements, const ContactGrid& grid, int margin, bool columns) {
-  constexpr int apart = 8, most = 3;
-  constexpr double saves = 0.6; // else one box is as good
-  std::vector<Span> spans = groups(elements, grid, apart);
+int Boxes::local(int element, int grid_mx) const {
+  const int x = element % grid_mx, s = element / grid_mx;
+  for (int k = 0; k < count(); ++k)
+    if (boxes[k].contains(x, s))
+      return (k * ms() + s - boxes[k].first_s) * mx() + x - boxes[k].first_x;
+  return -1;
+}
+
+std::vector<int> Boxes::local(std::span<const int> elements, int grid_mx) const {
+  std::vector<int> places(elements.size());
+  std::ranges::transform(elements, places.begin(), [&](int element) { return local(element, grid_mx); });
+  return places;
+}
+
+bool Boxes::cover(std::span<const int> elements, int grid_mx) const {
+  return std::ranges::all_of(elements, [&](int element) { return local(element, grid_mx) >= 0; });
+}
+
+Boxes boxes_around(std::span<const int> elements, const ContactGrid& grid, int margin, bool same_columns) {
+  std::vector<Span> spans = groups(elements, grid, rows_between_boxes);
   Span all = spans.front();
   for (const Span& s : spans)
     all = {std::min(all.low_x, s.low_x), std::max(all.high_x, s.high_x), all.low_s, s.high_s};
-  const Parts one{boxes_around({all}, grid, margin)};
-  if (spans.size() == 1 || spans.size() > most)
+  const Boxes one{boxes_of({all}, grid, margin)};
+  if (spans.size() == 1 || spans.size() > std::size_t(most_boxes))
     return one;
-  if (columns)
+  if (same_columns)
     for (Span& s : spans)
       s.low_x = all.low_x, s.high_x = all.high_x;
-  const Parts several{boxes_around(spans, grid, margin)};
+  const Boxes several{boxes_of(spans, grid, margin)};
   for (int k = 1; k < several.count(); ++k)
     if (several.boxes[k - 1].first_s + several.ms() > several.boxes[k].first_s)
       return one;
-  return several.size() < saves * one.size() ? several : one;
+  return several.size() < several_boxes_share * one.size() ? several : one;
+}
+
+bool serve(const Boxes& earlier, const Boxes& needed, std::span<const int> elements, int grid_mx) {
+  return earlier.size() <= box_reuse_factor * needed.size() + box_reuse_elements &&
+         earlier.cover(elements, grid_mx);
 }
 
 } // namespace bem_contact::contact
