@@ -3,24 +3,17 @@
 #include "bem_contact/base/conventions.hpp"
 #include "bem_contact/profile/body_file.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
+#include "fem_influence/harmonic/section_mesh.hpp"
 #include "fem_influence/shared/elements.hpp"
 
 #include <cstddef>
-#include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace bem_contact::fem {
-
-/// Physical ids of a section's mesh (written by mesh_body).
-inline constexpr int contact_id = 1, held_id = 2;
-
-/// deal.II's messages fill a page: what the part after "Additional information" says, on one line.
-std::string short_reason(const std::exception& error);
 
 /// A quadrature point of a cell: weight is the area it stands for, mm^2.
 struct CellPoint {
@@ -45,22 +38,11 @@ struct EdgeView {
   std::span<const double> value;     ///< [point][local node]
 };
 
-/// How often cells of the mesh that was read are halved: all of them, then those that touch the surface at
-/// the border of two stations. There a station's load jumps and the stress has a logarithm, which leaves an
-/// error of (h / p^2)^2 in averaged displacements whatever the degree p: each level at the borders takes it
-/// down to a quarter.
-struct Refinement {
-  int everywhere = 0;
-  int borders = 0;
-};
-
 /// A section's mesh with scalar Lagrange elements; each node carries the three displacements (x, y, z),
-/// so that degree of freedom 3 node + component. Only section.cpp sees deal.II.
+/// so that degree of freedom 3 node + component. No header includes deal.II.
 class Section {
 public:
-  /// Reads a gmsh mesh of quadrilaterals. Edges of the group `contact` follow the curve. Throws InputError
-  /// for a missing file, a file that is not a mesh of quadrilaterals in two dimensions, one without the
-  /// groups `contact` and `held`, or one whose contact edges do not lie on the curve.
+  /// Reads and refines the mesh as make_section_mesh() does, and throws what that throws.
   Section(const std::filesystem::path& mesh, int degree, const ProfileCurve& curve,
           const BodyFile::Strip& strip, Refinement refinement = {});
   ~Section();

@@ -1,36 +1,25 @@
-#include "fem_influence/solid/solid_file.hpp"
+#include "fem_influence/solid/solid_table.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/standard_profiles.hpp"
-#include "fem_influence/harmonic/run.hpp"
+#include "fem_influence/shared/body_description.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace bem_contact::fem {
 
-InfluenceFunction as_table(const BodyFile& body, const ProfileCurve& curve, const SolidNumbers& numbers,
-                           const SolidReport& report) {
+InfluenceFunction as_table(const BodyFile& body, const ProfileCurve& curve, const SolidNumbers& numbers) {
   const std::size_t stations = numbers.stations.size(), n = 3 * stations;
   if (numbers.loads.size() != stations)
     throw InputError("The table of influence numbers would not be complete",
                      std::to_string(numbers.loads.size()) + " of " + std::to_string(stations) +
                          " stations were loaded",
                      "load all of them");
-  InfluenceFunction f;
-  f.body = body_name(body);
-  f.profile = curve.name();
-  f.profile_digest = curve.digest();
-  f.material = body.material;
+  InfluenceFunction f = describe(body, curve, numbers.stations);
   f.held = "all three displacements are zero on the mesh's group 'held' (physical surface 2)";
   f.method = "solid3d, degree " + std::to_string(body.solid.degree) + ", up to " +
-             std::to_string(report.cells) + " hexahedra, " + std::to_string(body.solid.elements_per_load) +
-             " along each side of the loaded element";
-  f.reference_radius = reference_radius_of(body);
-  f.invariance = f.reference_radius > 0 ? Invariance::revolution : Invariance::prismatic;
-  f.half_period = half_period_of(body);
-  f.station_width = numbers.ds;
-  f.stations = numbers.stations;
+             std::to_string(numbers.report.cells) + " hexahedra, " +
+             std::to_string(body.solid.elements_per_load) + " along each side of the loaded element";
   f.table_dx = numbers.dx;
   f.table.assign(static_cast<std::size_t>(numbers.offsets) * n * n, 0.0);
   for (int m = 0; m < numbers.offsets; ++m)
@@ -59,8 +48,7 @@ double mesh_error(const BodyFile& body, const ProfileCurve& curve, const std::fi
     return -1;
   const std::size_t middle = numbers.loads.size() / 2;
   const int J = numbers.loads[middle];
-  SolidReport report;
-  const SolidNumbers other = solid_numbers(coarse, curve, mesh, {J}, report);
+  const SolidNumbers other = solid_numbers(coarse, curve, mesh, {.loads = {J}});
   double worst = 0;
   for (int j = 0; j < 3; ++j)
     for (int m = 0; m < numbers.offsets; ++m)

@@ -1,19 +1,14 @@
 #pragma once
 
+#include "bem_contact/profile/body_file.hpp"
+#include "bem_contact/profile/profile_curve.hpp"
 #include "fem_influence/harmonic/error_estimate.hpp"
-#include "fem_influence/harmonic/harmonic_solver.hpp"
+#include "fem_influence/harmonic/meshed_system.hpp"
 
 #include <filesystem>
 #include <functional>
-#include <string>
 
 namespace bem_contact::fem {
-
-/// Throws InputError where an output cannot be written: before the hours, not after.
-void require_writable(const std::filesystem::path& output);
-/// Meshes of mesh_body say at their end which body file they were made from (others say nothing): throws
-/// InputError where it is another one.
-void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh);
 
 struct RunReport {
   std::size_t cells = 0, unknowns = 0, stations = 0, wavenumbers = 0, companion_wavenumbers = 0;
