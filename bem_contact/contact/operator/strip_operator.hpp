@@ -43,7 +43,7 @@ public:
   /// offsets, columns <= 2.
   void apply(std::span<const Real> p, std::span<Real> u, int columns = 0) const;
 
-  /// sum_k rolling_step[k] u(x + k dx) (rolling_step.hpp). Needs numbers of mx + 2 offsets.
+  /// sum_k rolling_step[k] u(x + k dx) (slip_step.hpp). Needs numbers of mx + 2 offsets.
   void apply_step(std::span<const Real> p, std::span<Real> u) const;
 
 private:
