@@ -208,7 +208,7 @@ void have_the_same_tractions(Numbers kind) {
 }
 
 /// Bodies that friction wedges under a vertical force have no solution, one, or several: certified, or
-/// refused because there is none, or only one whose pressure bears more than ForceBalance::most times the
+/// refused because there is none, or only one whose pressure bears more than largest_force_ratio times the
 /// force.
 struct Wedged {
   int certified = 0, balanced_apart = 0, refused = 0;
