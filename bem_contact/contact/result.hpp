@@ -26,7 +26,7 @@ struct Certificate {
   double pressure = 0;        ///< largest -p_n, over pmax
   double penetration = 0;     ///< largest -e, over the approach scale
   double complementarity = 0; ///< largest p_n e, over pmax times the approach scale
-  double friction_cone = 0;   ///< largest |p_t| - mu p_n, over mu pmax
+  double friction_cone = 0;   ///< largest |p_t| - mu p_n, over the largest mu p_n
   double adhesion = 0;        ///< largest |S| where |p_t| < mu p_n, over the slip scale
   double slip_direction = 0;  ///< largest deviation of p_t from mu p_n S/|S| where it slips, over mu pmax
   double force_balance = 0;   ///< |Fz - prescribed| over prescribed; of Fx, Fs over sum mu p_n dS
