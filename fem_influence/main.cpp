@@ -1,16 +1,5 @@
 #include "bem_contact/base/error.hpp"
-<<<<<<< HEAD
-#include "bem_contact/base/output_file.hpp"
-#include "bem_contact/base/progress.hpp"
-#include "bem_contact/influence/expand.hpp"
-#include "bem_contact/influence/influence_file.hpp"
-#include "bem_contact/influence/requirements.hpp"
-#include "bem_contact/profile/body_file.hpp"
-#include "bem_contact/profile/standard_profiles.hpp"
-#include "fem_influence/harmonic/run.hpp"
-=======
 #include "fem_influence/harmonic_command.hpp"
->>>>>>> fem
 #include "fem_influence/shared/parallel.hpp"
 #include "fem_influence/solid_command.hpp"
 

@@ -32,25 +32,6 @@ double smallest_eigenvalue(std::span<const double> kernel) {
   return value / matrix.diagonal().maxCoeff();
 }
 
-<<<<<<< HEAD
-double reference_radius_of(const BodyFile& body) {
-  if (body.body.kind == BodyKind::outline)
-    return body.body.reference_radius;
-  return body.body.kind == BodyKind::wheel ? wheel_reference_radius : 0.0;
-}
-
-double half_period_of(const BodyFile& body) {
-  const double radius = reference_radius_of(body);
-  return radius > 0 ? std::numbers::pi * radius : body.harmonic.half_period;
-}
-
-std::size_t HarmonicSystem::unknowns() const {
-  return static_cast<std::size_t>(
-      std::count_if(unknown.begin(), unknown.end(), [](int u) { return u >= 0; }));
-}
-
-=======
->>>>>>> fem
 namespace {
 
 HarmonicSystem ready_to_solve(HarmonicSystem system, std::span<const int> order) {
