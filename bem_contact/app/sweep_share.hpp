@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/app/sweep_file.hpp"
+#include "bem_contact/app/sweep_output.hpp"
 #include "bem_contact/app/sweep_workers.hpp"
 
 #include <cstddef>

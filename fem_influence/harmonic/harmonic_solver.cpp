@@ -170,7 +170,7 @@ HarmonicSolver::HarmonicSolver(HarmonicSystem system, std::vector<int> order)
 void HarmonicSolver::analyse() {
   if (solver_)
     return;
-  const Stopwatch watch(timing_.analysis);
+  const TimedScope watch(timing_.analysis);
   append_reactions(system_);
   renumber(system_, order_.empty() ? elimination_order(system_) : order_);
   Elements elements;
@@ -229,7 +229,7 @@ WavenumberResult HarmonicSolver::at(double k) {
   analyse();
   const std::size_t n = 3 * system_.stations;
   {
-    const Stopwatch watch(timing_.factorization);
+    const TimedScope watch(timing_.factorization);
     evaluate(k);
     solver_->factorize(value_);
   }

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "bem_contact/base/stopwatch.hpp"
 #include "fem_influence/harmonic/section_operator.hpp"
 #include "fem_influence/shared/mumps_solver.hpp"
 #include "fem_influence/shared/strip.hpp"
-
-#include <chrono>
 
 namespace bem_contact::fem {
 
@@ -19,17 +18,6 @@ struct Timing {
   friend Timing operator+(const Timing& a, const Timing& b) {
     return {a.assembly + b.assembly, a.analysis + b.analysis, a.factorization + b.factorization};
   }
-};
-
-/// Adds the seconds that it lives to a total.
-class Stopwatch {
-public:
-  explicit Stopwatch(double& total) : total_(total) {}
-  ~Stopwatch() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
-private:
-  double& total_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 /// What one wavenumber gives; layout as in InfluenceFunction.

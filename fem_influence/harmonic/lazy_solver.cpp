@@ -7,7 +7,7 @@
 namespace bem_contact::fem {
 
 void LazySolver::prepare() {
-  const Stopwatch watch(timing_.assembly);
+  const TimedScope watch(timing_.assembly);
   section_ = std::make_unique<Section>(mesh_, body_.harmonic.degree, curve_, body_.strip,
                                        Refinement{.everywhere = 0, .borders = body_.harmonic.border_levels});
   system_ = lay_out_system(*section_, body_, curve_, chosen_);
@@ -33,11 +33,11 @@ void LazySolver::assemble() {
     prepare();
   try {
     {
-      const Stopwatch watch(timing_.assembly);
+      const TimedScope watch(timing_.assembly);
       fill(system_->op, *section_, reference_radius_of(body_), blocks_);
       section_.reset();
     }
-    const Stopwatch watch(timing_.analysis);
+    const TimedScope watch(timing_.analysis);
     order_ = elimination_order(*system_);
   } catch (...) {
     if (fellows_)
