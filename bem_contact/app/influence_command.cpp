@@ -69,7 +69,7 @@ double radius_at(const InfluenceFunction& f, double s) {
   return f.reference_radius + f.stations[static_cast<std::size_t>(std::lround(index))].position.z;
 }
 
-/// `direction`: +1 where the rows ascend with the body's own s, -1 where they run against it.
+/// `direction`: +1 if the rows ascend with the body's own s, -1 if they run against it.
 Body expand_body(const ExpandRequest& r, const std::string& file, double direction,
                  std::optional<double> centre) {
   Body body{read_influence_file(file), {}, {}};
@@ -103,7 +103,7 @@ void describe(PlainNumbers& out, const ExpandRequest& r, const Body& body, const
   out.rows.emplace_back("s" + suffix, body.row_s);
 }
 
-/// Refuses before anything is read what cannot be done, whatever the files hold.
+/// Refuses what cannot be done with any file, before any file is read.
 void check(const ExpandRequest& r, const std::string& format) {
   const std::vector<std::filesystem::path> inputs(r.files.begin(), r.files.end());
   refuse_overwriting(r.output, inputs);
