@@ -1,23 +1,13 @@
 #pragma once
 
+#include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/pair_numbers.hpp"
 #include "bem_contact/sequence/scene_aids.hpp"
 #include "bem_contact/sequence/wheel_rail_scene.hpp"
 
-#include <chrono>
 #include <optional>
 
 namespace bem_contact {
-
-class Stopwatch {
-public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// A scene made ready: a contact that can be rebuilt on a larger grid (wheel_rail) or not (patch). Between
 /// the parts of solve_scene() only.

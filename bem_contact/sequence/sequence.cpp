@@ -1,9 +1,9 @@
 #include "bem_contact/sequence/sequence.hpp"
 
+#include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/contact/history.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <tuple>
@@ -63,10 +63,7 @@ void Sequence::learn(const SceneResult& result, const ContactEstimate& estimate)
 }
 
 SceneResult Sequence::solve(const SceneFile& asked) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto seconds = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
+  const Stopwatch watch;
   ++counts_.cases;
   if (asked.kind != SceneKind::wheel_rail || asked.motion.kind != MotionKind::steady) {
     ++counts_.solves;
@@ -78,7 +75,7 @@ SceneResult Sequence::solve(const SceneFile& asked) {
   if (!options_.potential_contact)
     placed.estimate.reach *= 3;
   const PairFiles& read = files_->influence(asked);
-  const double geometry = seconds();
+  const double geometry = watch.seconds();
   const bool adapt = asked.grid.elements || asked.grid.accuracy;
   const std::optional<Model> model = asked.solver.model;
   const bool full = model != Model::halfspace && model != Model::hertz; // an automatic choice may be
@@ -135,7 +132,7 @@ SceneResult Sequence::solve(const SceneFile& asked) {
                                               ? "the influence files have no numbers for shorter ones"
                                               : fmt::format("at most {} are tried", count_->most())));
     spent.geometry += geometry;
-    spent.total = seconds();
+    spent.total = watch.seconds();
     out.seconds = spent;
     return out;
   }

@@ -11,16 +11,18 @@ namespace bem_contact::app {
 /// The attribute "format" of the file of a sweep.
 inline constexpr const char* sweep_format = "bem_contact sweep 1";
 
-/// The file of a sweep. At its top one dataset [case] for each key swept over (a text: which of its values),
-/// for status (CaseStatus), seconds and cpu_seconds, and for each of summary_columns(), nan where a case has
-/// no result. "cases/000012/" is the result file of case 12 (result_file.hpp), with "reason" in words where
-/// there is something to say. Attributes: format, program, digest, scene and scene_text, and how many cases
-/// have which status.
+/// The file of a sweep.
+///
+/// At its top: one dataset [case] for each key of the sweep (of a text: the index of its value), for status
+/// (CaseStatus), seconds and cpu_seconds, and for each of summary_columns(); nan if a case has no result.
+/// "cases/000012/" is the result file of case 12 (result_file.hpp). Its attribute "reason" says in words what
+/// is wrong or doubtful. Attributes at the top: format, program, digest, scene, scene_text, and the number of
+/// cases of each status.
 class SweepOutput {
 public:
   SweepOutput(const SweepFile& sweep, std::string digest);
 
-  void add(const CaseRecord& record); ///< of each case the first counts; its fields are not kept
+  void add(const CaseRecord& record); ///< the first record of a case counts; its fields are not kept
   CaseStatus status(std::size_t index) const { return status_[index]; }
   std::size_t count(CaseStatus status) const;
 
@@ -39,7 +41,7 @@ private:
 H5Table group_of(const CaseRecord& record);
 
 /// The top of a sweep's file as CSV: case, the keys swept over, status in words, seconds, the summary,
-/// reason. Throws InputError where it cannot be written.
+/// reason. Throws InputError if it cannot be written.
 void write_csv(const std::filesystem::path& csv, const SweepFile& sweep, const H5Table& top,
                const std::vector<std::string>& reasons);
 

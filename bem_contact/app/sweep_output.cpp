@@ -1,5 +1,6 @@
-#include "bem_contact/app/sweep_file.hpp"
+#include "bem_contact/app/sweep_output.hpp"
 
+#include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/provenance.hpp"
 
@@ -106,7 +107,7 @@ H5Table SweepOutput::top() const {
   a["program"] = provenance("bem_contact");
   a["digest"] = digest_;
   a["scene"] = sweep_->source;
-  if (constexpr std::size_t largest_attribute = 60000; sweep_->text.size() < largest_attribute)
+  if (sweep_->text.size() < largest_attribute)
     a["scene_text"] = sweep_->text;
   a["cases"] = static_cast<double>(n);
   for (const CaseStatus s : {CaseStatus::missing, CaseStatus::certified, CaseStatus::not_certified,
