@@ -10,6 +10,7 @@
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/influence/file_seal.hpp"
+#include "bem_contact/influence/h5_writer.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <algorithm>
