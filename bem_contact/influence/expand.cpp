@@ -44,7 +44,7 @@ Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
     return scaling;
   }
   const double largest = f.wavenumber.back();
-  if (f.wavenumber_count() < 3 || largest * scaling.dx / 2 < least_half_element_phase * (1 - 1e-9))
+  if (f.wavenumber_count() < 3 || largest * scaling.dx / 2 < least_half_element_phase * (1 - phase_slack))
     throw InputError("the influence functions of '" + f.body +
                          "' are too coarse along x for dx = " + std::to_string(o.dx) + " mm",
                      largest > 0

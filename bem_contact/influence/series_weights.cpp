@@ -87,7 +87,9 @@ public:
 private:
   double step() const { return std::numbers::pi / half_period_; }
   /// The last harmonic that is not beyond the last sample.
-  long inside() const { return static_cast<long>(std::floor(wavenumber_.back() / step() * (1 + 1e-12))); }
+  long inside() const {
+    return static_cast<long>(std::floor(wavenumber_.back() / step() * (1 + last_sample_slack)));
+  }
   void add_block(const RowMajor& weight, const Interpolation& samples, long first_harmonic, long count);
 
   std::span<const double> wavenumber_;

@@ -27,6 +27,10 @@ BEM_CONTACT_TUNED(double, expansion_tolerance, 1e-17);
 /// 1 (harmonics). Cosines follow from each other by rotation, and anew from the angle after so many: rounding
 /// grows with their number.
 BEM_CONTACT_TUNED(long, rotated_harmonics, 64);
+/// 1. How far the phase of least_half_element_phase may fall short: rounding.
+BEM_CONTACT_TUNED(double, phase_slack, 1e-9);
+/// 1 (share of a wavenumber). A harmonic that is beyond the last sample by less is not beyond it: rounding.
+BEM_CONTACT_TUNED(double, last_sample_slack, 1e-12);
 /// 1 (share of a wavenumber). A harmonic this near to a sample is that sample: rounding.
 BEM_CONTACT_TUNED(double, sample_snap, 1e-10);
 
@@ -41,6 +45,9 @@ BEM_CONTACT_TUNED(double, whole_ratio_slack, 1e-9);
 BEM_CONTACT_TUNED(double, station_spacing_slack, 1e-6);
 /// 1 (share of half a turn). How far the half period of a body of revolution may be off: rounding.
 BEM_CONTACT_TUNED(double, half_turn_slack, 1e-9);
+
+/// 1 (share of the arc lengths). How far a patch may reach beyond the strip: rounding.
+BEM_CONTACT_TUNED(double, strip_rounding, 1e-9);
 
 // Files.
 
