@@ -1,8 +1,10 @@
-#include "meshes/mesh_body.hpp"
+#include "meshes/section_mesh.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "meshes/crossings.hpp"
 #include "meshes/outline.hpp"
+#include "meshes/settings.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +16,7 @@ namespace {
 int strip_edges(const BodyFile& body) {
   const double stations = (body.strip.to - body.strip.from) / body.strip.station_width;
   const double whole = std::round(stations);
-  if (!(std::abs(stations - whole) < 1e-6) || whole < 1 || whole > 100000)
+  if (!(std::abs(stations - whole) < whole_stations_slack) || whole < 1 || whole > most_stations)
     throw InputError(fmt::format("the strip from {} to {} mm has {} stations of {} mm", body.strip.from,
                                  body.strip.to, stations, body.strip.station_width),
                      "their number must be whole", "Change [strip] to or station_width.");
@@ -32,9 +34,9 @@ void check_area(const QuadMesh& mesh, double area, const std::string& name) {
   for (const auto& edge : mesh.boundary) {
     const Point2 a = mesh.points[static_cast<std::size_t>(edge.vertices[0])];
     const Point2 b = mesh.points[static_cast<std::size_t>(edge.vertices[1])];
-    twice += a.y * b.z - b.y * a.z;
+    twice += cross(a, b);
   }
-  if (!(std::abs(area - twice / 2) < 1e-9 * area))
+  if (!(std::abs(area - twice / 2) < area_slack * area))
     throw Error(fmt::format("the mesh of {} does not fill its outline", name),
                 fmt::format("the quadrilaterals have {:.6f} mm^2, the outline {:.6f} mm^2", area, twice / 2),
                 "Report it with the body file.");
@@ -46,7 +48,7 @@ void check_strip(const QuadMesh& mesh, const Piece& strip, int edges, const std:
     const int vertex = edge.vertices[i == edges ? 1 : 0];
     const Point2 p = mesh.points[static_cast<std::size_t>(vertex)];
     const Point2 wanted = strip.at(strip.from + (strip.to - strip.from) * i / edges);
-    if (edge.group != Group::contact || !(norm(p - wanted) < 1e-9))
+    if (edge.group != Group::contact || !(norm(p - wanted) < strip_slack))
       throw Error(fmt::format("vertex {} of the strip of {} is not where it should be", i, name),
                   fmt::format("it is {:.3e} mm away", norm(p - wanted)), "Report it with the body file.");
   }
@@ -60,9 +62,8 @@ QuadMesh mesh_section(const BodyFile& body, double edge_angle) {
   const Outline outline = divide(section, edges, body.mesh, edge_angle);
   refuse_crossings(outline, section.name);
 
-  constexpr int sweeps = 10;
   QuadMesh mesh = split(coarse_mesh(outline), outline);
-  smooth(mesh, sweeps);
+  smooth(mesh, smoothing_sweeps);
   mesh.name = section.name;
   mesh.note = section.note;
   mesh.body_digest = mesh_digest(body, body_profile(body).digest());
