@@ -125,12 +125,13 @@ void prescribe_step(ContactProblem& problem, const SceneFile& scene, const Wheel
     creepage.roll = right * m.roll_rate;
     creepage.yaw = right * m.yaw_rate;
   }
-  if (!placed)
-    set_rigid_slip(problem, creepage, step.x.value_or(0.0));
-  else if (problem.motion == MotionKind::shift)
-    set_rigid_shift(problem, placed->reference, creepage);
-  else
-    set_rigid_slip(problem, placed->pair, placed->reference, creepage);
+  const std::vector<double> x = problem.grid.columns();
+  RigidSlip slip = !placed ? planar_slip(creepage, problem.rows, x, step.x.value_or(0.0))
+                   : problem.motion == MotionKind::shift
+                       ? rigid_shift(placed->reference, creepage, problem.rows, x)
+                       : rigid_slip(placed->pair, placed->reference, creepage, problem.rows, x);
+  problem.slip_x = std::move(slip.x);
+  problem.slip_s = std::move(slip.s);
 }
 
 } // namespace bem_contact

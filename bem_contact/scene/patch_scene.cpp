@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/geometry/rigid_slip.hpp"
+#include "bem_contact/geometry/undeformed_distance.hpp"
 #include "bem_contact/scene/csv_table.hpp"
 #include "bem_contact/scene/motion.hpp"
 #include "bem_contact/sequence/potential_contact.hpp"
@@ -144,7 +145,10 @@ PreparedContact prepare_patch(const SceneFile& scene) {
     problem.slip_x = std::move(fields[0]);
     problem.slip_s = std::move(fields[1]);
   } else if (problem.tangential) {
-    set_rigid_slip(problem, {scene.motion.xi, scene.motion.eta, scene.motion.phi});
+    RigidSlip slip = planar_slip({scene.motion.xi, scene.motion.eta, scene.motion.phi}, problem.rows,
+                                 problem.grid.columns());
+    problem.slip_x = std::move(slip.x);
+    problem.slip_s = std::move(slip.s);
   }
 
   for (const ContactRow& row : problem.rows) {

@@ -10,7 +10,7 @@ namespace bem_contact {
 
 namespace {
 
-using Slice = ContactEstimate::Slice;
+using Slice = RailSlice;
 
 /// The nearest slice of the rows asked for, where the estimate has the contact on others: it may lie far from
 /// there along x as well.
@@ -79,51 +79,6 @@ void cover(GridPlan& plan, const PotentialArea& area) {
   const double reach = std::max(area.x_to - plan.x_centre, plan.x_centre - area.x_from);
   const int columns = 2 * (static_cast<int>(std::ceil(reach / plan.dx)) + 2);
   plan.columns += std::max(0, 2 * ((columns - plan.columns + 1) / 2));
-}
-
-std::vector<ContactRow> rail_rows(const WheelOnRail& pair, const GridPlan& plan) {
-  if (plan.s_from() < pair.rail.s_begin() || plan.s_to() > pair.rail.s_end())
-    throw InputError("The potential contact leaves the rail's profile",
-                     fmt::format("rows need s = {:.7g} .. {:.7g} mm and '{}' spans {:.7g} .. {:.7g} mm",
-                                 plan.s_from(), plan.s_to(), pair.rail.name(), pair.rail.s_begin(),
-                                 pair.rail.s_end()),
-                     "Change position.lateral, grid.s_from and grid.s_to, or give a longer profile.");
-  std::vector<ContactRow> rows;
-  for (int i = 0; i < plan.rows; ++i) {
-    const CurvePoint p = pair.rail_at(plan.s(i));
-    rows.push_back({p.s, p.position, p.delta});
-  }
-  return rows;
-}
-
-std::vector<ContactRow> planar_rows(const WheelOnRail& pair, const GridPlan& plan,
-                                    const ReferencePoint& reference) {
-  const Point2 tangent = tangent_of(reference.delta);
-  std::vector<ContactRow> rows;
-  for (int i = 0; i < plan.rows; ++i) {
-    // Along the tangent the rail's points grow with s as long as it turns by less than a right angle.
-    const double wanted = plan.s(i) - reference.s;
-    const auto excess = [&](double s) {
-      return dot(pair.rail_at(s).position - reference.position, tangent) - wanted;
-    };
-    double lo = reference.s, hi = reference.s;
-    const double step = wanted < 0 ? -0.5 : 0.5;
-    for (double& s = wanted < 0 ? lo : hi; excess(s) * step < 0; s += step)
-      if (s + step < pair.rail.s_begin() || s + step > pair.rail.s_end() ||
-          std::cos(pair.rail_at(s + step).delta - reference.delta) <= 0)
-        throw InputError(
-            "The potential contact does not fit on a plane",
-            fmt::format("the rail turns away from the plane at s = {:.2f} mm before it gets {:.2f} mm "
-                        "along it",
-                        s, wanted),
-            "Leave out grid.planar.");
-    for (int n = 0; n < 60; ++n) {
-      const double mid = 0.5 * (lo + hi);
-      (excess(mid) < 0 ? lo : hi) = mid;
-    }
-    rows.push_back({plan.s(i), pair.rail_at(hi).position, reference.delta});
-  }
-  return rows;
 }
 
 } // namespace bem_contact

@@ -1,5 +1,7 @@
 #include "bem_contact/sequence/potential_contact.hpp"
 
+#include "bem_contact/geometry/settings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,10 +10,7 @@ namespace bem_contact {
 
 namespace {
 
-constexpr double slice_width = 0.2; // mm
-constexpr double farthest = 3.0;    // mm: a row that far from the wheel stays out of it
-
-using Slice = ContactEstimate::Slice;
+using Slice = RailSlice;
 
 /// What is left of the approach q where the rail is inclined, mm.
 double depth_of(const Slice& c, double q) {
@@ -37,7 +36,8 @@ double k_minus_e(double m) {
 struct Borne {
   double force = 0, turn = 0;
 };
-Borne borne_at(const std::vector<Slice>& slices, double q, double compliance) {
+Borne borne_at(const ContactEstimate& estimate, double q, double compliance) {
+  const std::vector<Slice>& slices = estimate.slices;
   Borne out;
   double largest = 0;
   const auto inside = [&](const Slice& c) { return depth_of(c, 0.55 * q) > 0; };
@@ -56,7 +56,7 @@ Borne borne_at(const std::vector<Slice>& slices, double q, double compliance) {
       i2 += 2 * std::sqrt(xl2 + t * t) * k_minus_e(xl2 / (xl2 + t * t));
     }
     const double normal = std::numbers::pi / compliance * depth_of(slices[deepest], q) * i1 / i2;
-    const double vertical = normal * slices[deepest].cosine * slices[deepest].lift;
+    const double vertical = normal * slices[deepest].cosine * estimate.lift[deepest];
     out.force += vertical;
     if (vertical > largest) {
       largest = vertical;
@@ -95,8 +95,7 @@ double foundation(const Slice& c, double q) {
   return depth > 0 ? 4.0 / 3 * depth * std::sqrt(depth / c.half) * slice_width : 0.0;
 }
 
-void set_centre(ContactEstimate& out, const std::vector<ContactRow>& rows, const WheelFrame& frame,
-                double compliance, double force, double approach, bool approach_given) {
+void set_centre(ContactEstimate& out, const WheelFrame& frame, double compliance, double force, double approach, bool approach_given) {
   // Of a Hertzian contact with p of a few 100 to 1000 MPa at a depth of some 0.05 mm.
   constexpr double foundation_depth = 10; // mm: p = depth E* / this
   const auto vertical = [&](double q) {
@@ -107,13 +106,12 @@ void set_centre(ContactEstimate& out, const std::vector<ContactRow>& rows, const
   };
   const double q = approach_given ? 0.55 * approach : approach_for(force, vertical);
   double sum = 0, s = 0, x = 0, radius = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double share = foundation(out.slices[i], q);
-    const Vector3 arm{out.slices[i].x - frame.centre[0], rows[i].position.y - frame.centre[1],
-                      rows[i].position.z - frame.centre[2]};
+  for (const Slice& c : out.slices) {
+    const double share = foundation(c, q);
+    const Vector3 arm{c.x - frame.centre[0], c.position.y - frame.centre[1], c.position.z - frame.centre[2]};
     sum += share;
-    s += share * rows[i].s;
-    x += share * out.slices[i].x;
+    s += share * c.s;
+    x += share * c.x;
     radius += share * (frame.axle[1] * arm[2] - frame.axle[2] * arm[1]); // (a x arm) along x
   }
   out.touching = sum > 0;
@@ -126,27 +124,16 @@ void set_centre(ContactEstimate& out, const std::vector<ContactRow>& rows, const
 ContactEstimate estimate_contact(const WheelOnRail& pair, const ContactLocus& locus, const Material& rail,
                                  const Material& wheel, double force, double approach, bool approach_given) {
   ContactEstimate out;
-  std::vector<ContactRow> rows;
-  int near = 0;
-  for (double s = pair.rail.s_begin() + slice_width; s < pair.rail.s_end(); s += slice_width) {
-    const CurvePoint p = pair.rail.quick(s, near);
-    rows.push_back({s, pair.rail_pose.to_track(p.position), p.delta + pair.rail_pose.angle});
-  }
-  const std::vector<RowOnLocus> nearest = rows_on_locus(locus, rows, farthest);
-  // An estimate needs some curvature along x: a yawed hollow wheel may have none.
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    out.slices.push_back({rows[i].s, rows[i].delta, std::cos(rows[i].delta), nearest[i].distance,
-                          nearest[i].x,
-                          nearest[i].hit() ? std::max(nearest[i].half, 0.05 / pair.wheel_radius) : 1.0});
-
+  out.slices = slice_rail(pair, locus);
+  out.lift.assign(out.slices.size(), 1.0);
   const double compliance = compliance_of(rail, wheel);
   out.approach = approach_given ? approach : approach_for(force, [&](double q) {
-    return borne_at(out.slices, q, compliance).force;
+    return borne_at(out, q, compliance).force;
   });
-  const Borne borne = borne_at(out.slices, out.approach, compliance);
+  const Borne borne = borne_at(out, out.approach, compliance);
   out.force = borne.force;
   out.turn = borne.turn;
-  set_centre(out, rows, locus.frame(), compliance, force, approach, approach_given);
+  set_centre(out, locus.frame(), compliance, force, approach, approach_given);
   return out;
 }
 
@@ -154,9 +141,9 @@ void estimate_with_shear(ContactEstimate& estimate, const Material& rail, const 
                          double most) {
   const double compliance = compliance_of(rail, wheel);
   const double q =
-      approach_for(force, [&](double at) { return borne_at(estimate.slices, at, compliance).force; });
+      approach_for(force, [&](double at) { return borne_at(estimate, at, compliance).force; });
   estimate.approach = std::min(q, most);
-  const Borne borne = borne_at(estimate.slices, estimate.approach, compliance);
+  const Borne borne = borne_at(estimate, estimate.approach, compliance);
   estimate.force = borne.force;
   estimate.turn = borne.turn;
 }
@@ -166,7 +153,7 @@ ContactExtent contact_extent(const ContactEstimate& estimate) {
   if (estimate.slices.size() < 2)
     return out;
   const double ds = estimate.slices[1].s - estimate.slices[0].s;
-  for (const ContactEstimate::Slice& c : estimate.slices) {
+  for (const RailSlice& c : estimate.slices) {
     const double depth = 0.55 * estimate.approach * c.cosine - c.gap;
     if (depth <= 0)
       continue;

@@ -1,7 +1,10 @@
 #pragma once
 
-#include "bem_contact/geometry/rigid_slip.hpp"
+#include "bem_contact/base/material.hpp"
+#include "bem_contact/geometry/rail_rows.hpp"
+#include "bem_contact/geometry/rail_slices.hpp"
 #include "bem_contact/geometry/undeformed_distance.hpp"
+#include "bem_contact/scene/scene_file.hpp"
 
 #include <algorithm>
 #include <span>
@@ -15,16 +18,8 @@ namespace bem_contact {
 /// Its centre is that of an elastic foundation (Winkler) under the same load: unlike the point of first touch
 /// it moves continuously when a second area takes over the load, and so does all that refers to it.
 struct ContactEstimate {
-  struct Slice {
-    double s = 0;      ///< arc length on the rail, mm
-    double delta = 0;  ///< rad, track frame
-    double cosine = 1; ///< of delta
-    double gap = 0;    ///< least undeformed distance along x, mm
-    double x = 0;      ///< where it is, mm
-    double half = 0;   ///< h(x') = gap + half (x' - x)^2, 1/mm
-    double lift = 1;   ///< vertical force of pressure and shear over that of the pressure
-  };
-  std::vector<Slice> slices; ///< the whole head, equally spaced; excluded_gap where it is 3 mm or more
+  std::vector<RailSlice> slices; ///< the whole head
+  std::vector<double> lift;      ///< of each: vertical force of pressure and shear over that of the pressure
   double approach = 0;       ///< mm
   double force = 0;          ///< vertical, N
   double reach = 0.9;        ///< of the approach: where h is below, the bodies may touch (the estimate's own
@@ -64,6 +59,12 @@ struct GridPlan {
   double x0() const { return x_centre - 0.5 * (columns - 1) * dx; } ///< of the first column
 
   double s(int row) const { return origin + (first + row) * ds; }
+  std::vector<double> rows_s() const {
+    std::vector<double> all(rows);
+    for (int i = 0; i < rows; ++i)
+      all[i] = s(i);
+    return all;
+  }
   double s_from() const { return s(0) - 0.5 * ds; }
   double s_to() const { return s(rows - 1) + 0.5 * ds; }
 };
@@ -82,12 +83,5 @@ GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& grid,
 
 /// Widens a plan so that it covers an area.
 void cover(GridPlan& plan, const PotentialArea& area);
-
-/// The rail's rows of a plan, in the track frame.
-std::vector<ContactRow> rail_rows(const WheelOnRail& pair, const GridPlan& plan);
-/// The same for planar contact: points of the rail at steps of ds along the tangent at `reference`, all with
-/// its inclination; s counts along the tangent from the reference point's own s.
-std::vector<ContactRow> planar_rows(const WheelOnRail& pair, const GridPlan& plan,
-                                    const ReferencePoint& reference);
 
 } // namespace bem_contact

@@ -33,7 +33,7 @@ void add_shear(WheelRailScene& placed, const SceneFile& scene) {
     return;
   ContactProblem point; // of one element, where a slice is nearest to the wheel
   point.grid = {1, 1, 1, 1, 0};
-  for (ContactEstimate::Slice& c : placed.estimate.slices) {
+  for (const RailSlice& c : placed.estimate.slices) {
     if (c.gap >= largest_approach)
       continue;
     const CurvePoint p = placed.pair.rail_at(c.s);
@@ -41,7 +41,7 @@ void add_shear(WheelRailScene& placed, const SceneFile& scene) {
     point.rows = {{c.s, p.position, p.delta}};
     prescribe_step(point, scene, &placed, {});
     const double along_s = point.slip_s[0] / std::hypot(point.slip_x[0], point.slip_s[0], small);
-    c.lift = std::clamp(1 + motion.friction * along_s * std::tan(c.delta), 0.05, 4.0);
+    placed.estimate.lift[&c - placed.estimate.slices.data()] = std::clamp(1 + motion.friction * along_s * std::tan(c.delta), 0.05, 4.0);
   }
   estimate_with_shear(placed.estimate, scene.rail.material, scene.wheel.material, scene.load.force,
                       2 * largest_approach); // an overestimate costs a grid that is too coarse
@@ -54,6 +54,21 @@ WheelRailProfiles read_profiles(const SceneFile& scene) {
           named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder)};
 }
 
+WheelsetPosition wheelset_of(const SceneFile::Position& p) {
+  return {p.side == "left" ? WheelSide::left : WheelSide::right,
+          p.lateral,
+          p.gauge,
+          p.gauge_height,
+          p.back_to_back,
+          p.cant,
+          p.roll,
+          p.yaw,
+          p.wheel_radius,
+          p.rail_lateral,
+          p.rail_vertical,
+          p.rail_roll};
+}
+
 WheelRailScene place_wheel_rail(const SceneFile& scene) {
   return place_wheel_rail(scene, read_profiles(scene));
 }
@@ -62,7 +77,7 @@ WheelRailScene place_wheel_rail(const SceneFile& scene, const WheelRailProfiles&
                                 bool foresee_shear) {
   if (scene.load.has_approach)
     require_elastic(scene.load.approach);
-  WheelOnRail pair = place(scene.position, profiles.rail, profiles.wheel);
+  WheelOnRail pair = place(wheelset_of(scene.position), profiles.rail, profiles.wheel);
   const double before = pair.wheel_pose.origin.z;
   std::vector<TouchPoint> touch = lower_to_touch(pair);
   const double lowered = pair.wheel_pose.origin.z - before;
@@ -101,7 +116,8 @@ PreparedContact prepare_wheel_rail(const WheelRailScene& placed, const SceneFile
   ContactProblem& problem = out.problem;
   problem.grid = {plan.columns, plan.rows, plan.dx, plan.ds, plan.x0()};
   const bool planar = scene.grid.planar;
-  problem.rows = planar ? planar_rows(placed.pair, plan, placed.reference) : rail_rows(placed.pair, plan);
+  problem.rows = planar ? planar_rows(placed.pair, plan.rows_s(), placed.reference)
+                        : rail_rows(placed.pair, plan.rows_s(), 0.5 * plan.ds);
 
   // Without yaw symmetric in x: half of the columns are computed.
   const bool symmetric = placed.pair.yaw == 0 && plan.x_centre == 0;

@@ -21,6 +21,9 @@ struct WheelRailScene {
   GridPlan plan;
 };
 
+/// As the placement wants it.
+WheelsetPosition wheelset_of(const SceneFile::Position& position);
+
 /// Both profiles, tabulated: read once for a sequence of cases with the same bodies.
 struct WheelRailProfiles {
   TabulatedProfile rail, wheel;
