@@ -93,7 +93,7 @@ Loop rail_loop(const std::string& name, const std::string& held) {
 /// What closes the profile of a rail or wheel.
 std::vector<Piece> below_profile(const BodyFile::Body& body, const ProfileCurve& profile,
                                  const std::string& held, std::string& note) {
-  const bool rail = body.kind == "rail";
+  const bool rail = body.kind == BodyKind::rail;
   const Point2 begin = profile.at(profile.s_begin()).position, end = profile.at(profile.s_end()).position;
   if (!is_standard_profile(body.profile)) {
     const std::string base = graft_base(body);
@@ -103,8 +103,8 @@ std::vector<Piece> below_profile(const BodyFile::Body& body, const ProfileCurve&
       for (Piece& piece :
            wheel_body(standard.at(standard.s_end()).position, standard.at(standard.s_begin()).position, held))
         loop.push_back(std::move(piece));
-    GraftPlace place{body.graft_at, body.graft_angle};
-    if (!body.graft_given && norm(place.at) == 0 && place.angle == 0) {
+    GraftPlace place{body.graft_at.value_or(Point2{}), body.graft_angle.value_or(0)};
+    if (!body.graft_at && !body.graft_angle) {
       place = find_graft(profile, loop, base);
       note = fmt::format(
           "body of {} found at graft_at = [{:.3f}, {:.3f}], graft_angle = {:.5f}: {:.0f} % of the "
@@ -126,8 +126,8 @@ void require_positive(double value, const char* key) {
                      "Give it in mm.");
 }
 
-Group group_of(const std::string& name) {
-  return name == "held" ? Group::held : Group::free;
+template <class Name> Group group_of(Name group) {
+  return group == Name::held ? Group::held : Group::free;
 }
 
 std::vector<Loop> own_loops(const BodyFile::Body& body, const Running& running) {
@@ -145,14 +145,14 @@ std::vector<Loop> loops_of(const BodyFile::Body& body, const ProfileCurve& profi
   const double a = body.size, r = body.radius;
   const std::string held = held_part(body);
   const auto group = [&](const char* part) { return held == part ? Group::held : Group::free; };
-  if (body.kind == "outline")
+  if (body.kind == BodyKind::outline)
     return own_loops(body, running);
-  if (body.kind == "rail" || body.kind == "wheel")
+  if (body.kind == BodyKind::rail || body.kind == BodyKind::wheel)
     return {close(running, below_profile(body, profile, held, note))};
-  if (body.kind == "block")
+  if (body.kind == BodyKind::block)
     return {close(running, {line({a, 0}, {a, a}, group("sides")), line({a, a}, {-a, a}, group("base")),
                             line({-a, a}, {-a, 0}, group("sides"))})};
-  if (body.kind == "disc")
+  if (body.kind == BodyKind::disc)
     return {close(running, {arc({}, r, pi, 2 * pi)}), {arc({}, hole_of_disc * r, 0, -2 * pi, Group::held)}};
   // bore: walked clockwise from +y towards -z, as a hole is
   return {close(running, {arc({}, r, 0, -pi)}),
@@ -188,11 +188,11 @@ Piece along(const ProfileCurve& curve, double from, double to, Group group) {
 
 Section make_section(const BodyFile& file) {
   const auto& body = file.body;
-  if (body.kind == "disc" || body.kind == "bore")
+  if (body.kind == BodyKind::disc || body.kind == BodyKind::bore)
     require_positive(body.radius, "radius");
-  if (body.kind == "block" || body.kind == "bore")
+  if (body.kind == BodyKind::block || body.kind == BodyKind::bore)
     require_positive(body.size, "size");
-  if (body.kind == "bore" && body.radius >= body.size)
+  if (body.kind == BodyKind::bore && body.radius >= body.size)
     throw InputError(fmt::format("a bore of radius {} mm does not fit into a block of half width {} mm",
                                  body.radius, body.size),
                      "it would cut the block's outer boundary",

@@ -23,9 +23,9 @@ constexpr double coarse_gradings[] = {0.8, 0.65, 0.5}, good_quality = 0.3;
 constexpr double widest_sector = 20 * std::numbers::pi / 180; // of one layer of a wheel
 
 double reference_radius(const BodyFile& body) {
-  if (body.body.kind == "outline")
+  if (body.body.kind == BodyKind::outline)
     return body.body.reference_radius;
-  return body.body.kind == "wheel" ? WheelSection{}.tape_radius : 0.0;
+  return body.body.kind == BodyKind::wheel ? WheelSection{}.tape_radius : 0.0;
 }
 
 /// The body with a strip of `bundle` stations an edge, an even number of edges, reaching over the one asked

@@ -52,14 +52,16 @@ ExitCode verdict(const SceneResult& r) {
   spdlog::error(
       "The {} result is not a solution (its worst violation is {:.1e}, {:.0e} is allowed; {}) Coarsen the "
       "grid, lower solver.tolerance, or raise solver.max_outer.",
-      r.model, r.result.certificate.worst(), r.result.certificate.tolerance, r.result.remark);
+      name_of(r.model), r.result.certificate.worst(), r.result.certificate.tolerance, r.result.remark);
   return no_convergence;
 }
 
 ExitCode run_solve(const Arguments& arguments) {
-  const SceneFile scene = read_scene_file(arguments.file);
+  SceneFile scene = read_scene_file(arguments.file);
   check_outputs(arguments, scene, {arguments.output, arguments.vtk});
-  const SceneResult result = Sequence().solve(scene, arguments.model);
+  if (!arguments.model.empty())
+    scene.solver.model = model_named(arguments.model);
+  const SceneResult result = Sequence().solve(scene);
   if (!arguments.output.empty()) {
     const std::array results{&result};
     write_h5(arguments.output, app::to_table(results, arguments.file));
@@ -88,9 +90,15 @@ ExitCode run_compare(const Arguments& arguments) {
 }
 
 ExitCode run_check(const Arguments& arguments) {
-  for (const std::string& line : check_scene(read_scene_file(arguments.file)))
+  for (const std::string& line : Sequence().check(read_scene_file(arguments.file)))
     fmt::print("{}\n", line);
   return success;
+}
+
+std::vector<std::string> model_names() {
+  std::vector<std::string> names{std::string(automatic_model)};
+  names.insert(names.end(), EnumNames<Model>::names.begin(), EnumNames<Model>::names.end());
+  return names;
 }
 
 CLI::App* add_expand(CLI::App& influence, app::ExpandRequest& r) {
@@ -125,7 +133,7 @@ CLI::App* add_sweep(CLI::App& cli, app::SweepRequest& r) {
   sweep->add_option("-o,--output", r.output, "File of all cases (HDF5)")->required();
   sweep->add_option("--csv", r.csv, "Summary, one line a case");
   sweep->add_option("--model", r.model, "What is taken for the bodies; the scene's own choice if not given")
-      ->check(CLI::IsMember({"auto", "hertz", "halfspace", "tangent_plane", "fem"}));
+      ->check(CLI::IsMember(model_names()));
   sweep->add_option("--jobs", r.jobs, "Processes side by side; 0: one a core")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
@@ -170,7 +178,7 @@ int main(int argc, char** argv) {
   CLI::App* solve = cli.add_subcommand("solve", "Solve a scene");
   solve->add_option("scene", arguments.file, "Scene file (TOML)")->required();
   solve->add_option("--model", arguments.model, "Influence numbers; the scene's own choice if not given")
-      ->check(CLI::IsMember({"auto", "hertz", "halfspace", "tangent_plane", "fem"}));
+      ->check(CLI::IsMember(model_names()));
   solve->add_flag("--json", arguments.json, "Print one JSON object on standard output");
   solve->add_option("-o,--output", arguments.output, "Result file (HDF5)");
   solve->add_option("--vtk", arguments.vtk, "Surface with the result for ParaView (.vts)");

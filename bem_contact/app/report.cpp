@@ -159,7 +159,7 @@ json to_json(const SceneResult& r) {
                        {"x", p.x},
                        {"s", p.s}});
   const ContactGrid& grid = r.problem.grid;
-  return {{"model", r.model},
+  return {{"model", name_of(r.model)},
           {"reason", r.reason},
           {"frame", {{"y", r.left ? "to the left" : "to the right"}, {"units", units_json(r)}}},
           {"converged", r.result.converged},
@@ -221,7 +221,7 @@ json to_json(const Comparison& c) {
 std::string to_text(const SceneResult& r) {
   const ContactResult& c = r.result;
   const double force = std::max({std::abs(c.Fx), std::abs(c.Fy), std::abs(c.Fz)});
-  std::string out = fmt::format("model: {} ({})\n", r.model, r.reason);
+  std::string out = fmt::format("model: {} ({})\n", name_of(r.model), r.reason);
   out += reference_text(r);
   if (r.result.patches.empty())
     out += "no contact: all forces are zero\n";

@@ -33,7 +33,7 @@ H5Dataset points(const std::vector<Point2>& line, std::string description) {
 
 /// [step][ms][mx] of every step, and the totals [step].
 void add_history(H5Table& table, const SceneResult& r) {
-  const std::string group = r.model + "/history/";
+  const std::string group = std::string(name_of(r.model)) + "/history/";
   const ContactGrid& grid = r.problem.grid;
   const auto fields = [&](const char* name, std::vector<double> ContactResult::*member, const char* unit) {
     H5Dataset out{{r.history.size(), static_cast<std::size_t>(grid.ms), static_cast<std::size_t>(grid.mx)},
@@ -67,7 +67,7 @@ void add_history(H5Table& table, const SceneResult& r) {
 
 void add_result(H5Table& table, const SceneResult& r) {
   const ContactGrid& grid = r.problem.grid;
-  const std::string group = r.model + "/";
+  const std::string group = std::string(name_of(r.model)) + "/";
   const ContactResult& c = r.result;
   table.datasets[group + "p_x"] = field(grid, c.px, "MPa", "traction on the rail along x");
   table.datasets[group + "p_s"] = field(grid, c.ps, "MPa", "traction on the rail along s");
@@ -94,7 +94,7 @@ void add_result(H5Table& table, const SceneResult& r) {
     add_stresses(table, group + "stresses/", *r.stresses);
 
   auto& a = table.attributes;
-  a[group + "model"] = r.model;
+  a[group + "model"] = std::string(name_of(r.model));
   a[group + "reason"] = r.reason;
   a[group + "Fx_N"] = c.Fx;
   a[group + "Fy_N"] = c.Fy;

@@ -110,7 +110,10 @@ CaseRecord solve_case(Sequence& sequence, const SweepFile& sweep, std::size_t in
     record.reason = reason;
   };
   try {
-    record = record_of(index, sequence.solve(sweep.scene(index), model), sweep.fields);
+    SceneFile scene = sweep.scene(index);
+    if (!model.empty())
+      scene.solver.model = model_named(model);
+    record = record_of(index, sequence.solve(scene), sweep.fields);
   } catch (const ConvergenceError& error) {
     failed(CaseStatus::not_certified, error.what());
   } catch (const Error& error) {
@@ -138,7 +141,7 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
     progress.step();
   };
   WorkerCalls calls;
-  const auto files = std::make_shared<SceneFiles>(); // each worker fills its own copy
+  const auto files = std::make_shared<SequenceFiles>(); // each worker fills its own copy
   calls.make_solver = [&]() -> CaseSolver {
     const auto sequence = std::make_shared<Sequence>(SequenceOptions{}, files);
     return [&, sequence](std::size_t index) {

@@ -23,8 +23,6 @@ double second_patch(const SceneResult& r, double PatchSummary::*number) {
   return r.result.patches.size() > 1 ? r.result.patches[1].*number : 0.0;
 }
 
-constexpr std::array<std::string_view, 4> models{"hertz", "halfspace", "tangent_plane", "fem"};
-
 constexpr SummaryColumn columns[] = {
     {"Fx", "N", "on the rail", [](const SceneResult& r) { return r.result.Fx; }},
     {"Fy", "N", "on the rail, to the right (left wheel: to the left)",
@@ -66,7 +64,7 @@ constexpr SummaryColumn columns[] = {
     {"tangential_iterations", "1", "steps of the tangential solver",
      [](const SceneResult& r) { return double(r.result.tangential_iterations); }},
     {"model", "1", "0 hertz, 1 halfspace, 2 tangent_plane, 3 fem",
-     [](const SceneResult& r) { return double(std::ranges::find(models, r.model) - models.begin()); }},
+     [](const SceneResult& r) { return static_cast<double>(r.model); }},
 };
 
 /// CBOR keeps every double to the last bit, not-a-number included.

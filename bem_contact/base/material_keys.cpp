@@ -10,7 +10,7 @@ void add_material(Schema& schema, const std::string& table, Material& material, 
              {.doc = "E; give either this or shear_modulus = E/(2 (1 + poisson))",
               .unit = "MPa",
               .above = 0,
-              .alternative = true});
+              .commented_out = true});
   schema.add(table + ".poisson", material.poisson, {.doc = "Poisson's ratio", .at_least = 0, .below = 0.5});
 }
 

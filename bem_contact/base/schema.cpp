@@ -18,11 +18,20 @@ std::string with_unit(std::string text, const KeyRule& rule) {
   return rule.unit.empty() ? text : text + " " + rule.unit;
 }
 
+bool has_no_value(const SchemaTarget& target) {
+  return std::visit(
+      [](const auto& bound) {
+        if constexpr (requires { bound->has_value(); })
+          return !bound->has_value();
+        else
+          return false;
+      },
+      target);
+}
+
 } // namespace
 
 void Schema::add_key(std::string path, SchemaTarget target, KeyRule rule) {
-  if (rule.given)
-    *rule.given = false;
   std::string text = std::holds_alternative<TableList>(target) ? "" : value_text(target);
   keys_.push_back({std::move(path), target, std::move(rule), std::move(text)});
 }
@@ -38,11 +47,16 @@ bool Schema::changed(std::string_view path) const {
          (std::holds_alternative<TableList>(key->target) || value_text(key->target) != key->default_text);
 }
 
+std::string Schema::name_of_choice(const Key& key) {
+  const NamedChoice& choice = std::get<NamedChoice>(key.target);
+  return choice.names[choice.get()];
+}
+
 bool Schema::belongs(const Key& key) const {
   const Key* kind = kind_path_.empty() ? nullptr : find(kind_path_);
   if (!kind || key.rule.kinds.empty())
     return true;
-  return std::count(key.rule.kinds.begin(), key.rule.kinds.end(), *std::get<std::string*>(kind->target)) > 0;
+  return std::count(key.rule.kinds.begin(), key.rule.kinds.end(), name_of_choice(*kind)) > 0;
 }
 
 std::string Schema::where(std::string_view path) const {
@@ -96,25 +110,26 @@ void Schema::check(const Key& key) const {
     if (!std::isfinite(value))
       refuse(key.path, "the value must be finite", "Give a number.");
     if (!(value >= rule.at_least && value > rule.above && value <= rule.at_most && value < rule.below))
-      refuse(key.path, "out of range", fmt::format("Give a value {}.", with_unit(range_text(rule), rule)));
+      refuse(key.path, "out of range",
+             fmt::format("Give a value {}.", with_unit(range_text(key.target, rule), rule)));
   };
-  if (const auto* number = std::get_if<double*>(&key.target))
-    check_number(**number);
-  if (const auto* whole = std::get_if<int*>(&key.target))
-    check_number(**whole);
-  if (auto* const* point = std::get_if<Point2*>(&key.target)) {
-    check_number((*point)->y);
-    check_number((*point)->z);
-  }
-  if (auto* const* list = std::get_if<std::vector<double>*>(&key.target))
-    std::for_each((*list)->begin(), (*list)->end(), check_number);
-  if (const auto* text = std::get_if<std::string*>(&key.target); text && !rule.choices.empty()) {
-    if (std::count(rule.choices.begin(), rule.choices.end(), **text))
-      return;
-    const auto like = nearest_names(**text, rule.choices, 1);
-    refuse(key.path, fmt::format("known are {}", fmt::join(rule.choices, ", ")),
-           like.empty() ? "Use one of these." : fmt::format("Did you mean \"{}\"?", like.front()));
-  }
+  const auto check_value = [&](const auto& self, const auto& value) -> void {
+    using T = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int>)
+      check_number(value);
+    else if constexpr (std::is_same_v<T, Point2>)
+      check_number(value.y), check_number(value.z);
+    else if constexpr (std::is_same_v<T, std::vector<double>>)
+      std::ranges::for_each(value, check_number);
+    else if constexpr (requires { value.has_value(); })
+      value ? self(self, *value) : void();
+  };
+  std::visit(
+      [&](const auto& target) {
+        if constexpr (std::is_pointer_v<std::decay_t<decltype(target)>>)
+          check_value(check_value, *target);
+      },
+      key.target);
 }
 
 void Schema::require_needed() const {
@@ -128,7 +143,7 @@ void Schema::require_needed() const {
 void Schema::require_kind(const Key& key) const {
   if (!has(key.path) || belongs(key))
     return;
-  const std::string kind = *std::get<std::string*>(find(kind_path_)->target);
+  const std::string kind = name_of_choice(*find(kind_path_));
   refuse(key.path,
          fmt::format("the key has no meaning where {} is \"{}\", only where it is {}", kind_path_, kind,
                      fmt::join(key.rule.kinds, " or ")),
@@ -147,14 +162,15 @@ std::string Schema::print() const {
     std::vector<std::string> facts{type_text(key.target)};
     if (!key.rule.unit.empty())
       facts.push_back(key.rule.unit);
-    if (const std::string range = range_text(key.rule); !range.empty())
+    if (const std::string range = range_text(key.target, key.rule); !range.empty())
       facts.push_back(range);
     if (!std::holds_alternative<TableList>(key.target))
       facts.push_back((key.rule.example ? "no default, for instance " : "default ") + value_text(key.target));
     if (!key.rule.kinds.empty())
       facts.push_back(fmt::format("only where {} is {}", kind_path_, fmt::join(key.rule.kinds, " or ")));
-    const bool off = !belongs(key) || key.rule.alternative || (key.rule.given && !*key.rule.given) ||
-                     std::holds_alternative<TableList>(key.target);
+    const bool off = !belongs(key) || key.rule.commented_out ||
+                     std::holds_alternative<TableList>(key.target) ||
+                     (has_no_value(key.target) && !key.rule.zero_is_none);
     out += fmt::format("# {} ({})\n{}{} = {}\n", key.rule.doc, fmt::join(facts, "; "), off ? "# " : "",
                        last_part(key.path), value_text(key.target));
   }

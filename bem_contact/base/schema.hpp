@@ -1,11 +1,14 @@
 #pragma once
 
 #include "bem_contact/base/conventions.hpp"
+#include "bem_contact/base/enum_names.hpp"
 
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -21,12 +24,11 @@ struct KeyRule {
   double above = -std::numeric_limits<double>::infinity();
   double at_most = std::numeric_limits<double>::infinity();
   double below = std::numeric_limits<double>::infinity();
-  std::vector<std::string> choices = {}; ///< of a text; empty: any
-  std::vector<std::string> kinds = {};   ///< kinds of file the key belongs to; empty: all
-  bool* given = nullptr;                 ///< set to whether the file has the key
-  bool needed = false;                   ///< the file must have it
-  bool example = false;                  ///< no default: the printed value is an example
-  bool alternative = false;              ///< says in another way what another key says: printed commented out
+  std::vector<std::string> kinds = {}; ///< kinds of file the key belongs to; empty: all
+  bool needed = false;                 ///< the file must have it
+  bool example = false;                ///< no default: the printed value is an example
+  bool zero_is_none = false;           ///< of an optional number: 0 in the file means the same as no key
+  bool commented_out = false;          ///< printed as a comment: without the key other keys say the value
 };
 
 class Schema;
@@ -38,9 +40,17 @@ struct TableList {
   std::string example; ///< a list as TOML, for messages and print()
 };
 
-/// What a key is bound to.
+/// A key with a fixed set of names, bound to an enum: `get` and `set` count in `names`.
+struct NamedChoice {
+  std::vector<std::string> names;
+  std::function<std::size_t()> get;
+  std::function<void(std::size_t)> set;
+};
+
+/// What a key is bound to. An optional is empty if the file does not have the key (KeyRule::zero_is_none).
 using SchemaTarget =
-    std::variant<double*, int*, bool*, std::string*, Point2*, std::vector<double>*, TableList>;
+    std::variant<double*, int*, bool*, std::string*, Point2*, std::optional<double>*, std::optional<int>*,
+                 std::optional<Point2>*, std::vector<double>*, NamedChoice, TableList>;
 
 /// A value that stands for the one in the file.
 using SchemaValue = std::variant<double, std::int64_t, bool, std::string>;
@@ -54,20 +64,26 @@ public:
   explicit Schema(std::string title) : title_(std::move(title)) {}
 
   /// `path` is "table.key" or "key"; keys of one table are added one after the other.
-  void add(std::string path, double& value, KeyRule rule) {
-    add_key(std::move(path), &value, std::move(rule));
+  /// Numbers, flags, texts, points and optionals of them; the range of the rule holds for each number.
+  template <class T>
+  requires std::constructible_from<SchemaTarget, T*>
+  void add(std::string path, T& value, KeyRule rule) { add_key(std::move(path), &value, std::move(rule)); }
+  template <NamedEnum E> void add(std::string path, E& value, KeyRule rule) {
+    const auto& names = EnumNames<E>::names;
+    add_key(std::move(path),
+            NamedChoice{{names.begin(), names.end()},
+                        [&value] { return static_cast<std::size_t>(value); },
+                        [&value](std::size_t i) { value = static_cast<E>(i); }},
+            std::move(rule));
   }
-  void add(std::string path, int& value, KeyRule rule) { add_key(std::move(path), &value, std::move(rule)); }
-  void add(std::string path, bool& value, KeyRule rule) { add_key(std::move(path), &value, std::move(rule)); }
-  void add(std::string path, std::string& value, KeyRule rule) {
-    add_key(std::move(path), &value, std::move(rule));
-  }
-  void add(std::string path, Point2& value, KeyRule rule) {
-    add_key(std::move(path), &value, std::move(rule));
-  }
-  /// A list of numbers; the rule's range holds for each.
-  void add(std::string path, std::vector<double>& value, KeyRule rule) {
-    add_key(std::move(path), &value, std::move(rule));
+  /// `none`: what the file writes for the empty optional.
+  template <NamedEnum E> void add(std::string path, std::optional<E>& value, std::string none, KeyRule rule) {
+    NamedChoice choice{
+        {std::move(none)},
+        [&value] { return value ? static_cast<std::size_t>(*value) + 1 : 0; },
+        [&value](std::size_t i) { value = i > 0 ? std::optional(static_cast<E>(i - 1)) : std::nullopt; }};
+    choice.names.insert(choice.names.end(), EnumNames<E>::names.begin(), EnumNames<E>::names.end());
+    add_key(std::move(path), std::move(choice), std::move(rule));
   }
   /// Keys of an element's schema have the path of the list before their names.
   void add(std::string path, TableList list, KeyRule rule) {
@@ -75,7 +91,7 @@ public:
   }
   /// A table that read() passes over: somebody else reads it.
   void skip(std::string table) { skipped_ = std::move(table); }
-  /// The text key that tells the kind of file (KeyRule::kinds).
+  /// The key that says which kind of file it is (KeyRule::kinds); it is bound to an enum.
   void kind_is(std::string path) { kind_path_ = std::move(path); }
 
   /// Sets the bound members. Throws InputError naming source, line and key: not TOML, unknown key or table
@@ -92,8 +108,8 @@ public:
   bool changed(std::string_view path) const;
   [[noreturn]] void refuse(std::string_view path, std::string_view why, std::string_view what_to_do) const;
 
-  /// Every key with its bound value, documented, as valid TOML. Keys of other kinds, alternatives, keys whose
-  /// `given` is false and lists of tables (an example of them) are commented out.
+  /// Every key with its bound value, documented, as valid TOML. Commented out are keys of other kinds,
+  /// optionals without a value, lists of tables (an example of them) and what its rule says.
   std::string print() const;
 
 private:
@@ -105,6 +121,7 @@ private:
   };
   void add_key(std::string path, SchemaTarget target, KeyRule rule);
   const Key* find(std::string_view path) const;
+  static std::string name_of_choice(const Key& key);
   bool belongs(const Key& key) const;
   void require_kind(const Key& key) const;
   void check(const Key& key) const;
@@ -115,7 +132,7 @@ private:
   std::string title_, kind_path_, skipped_, source_;
   std::vector<Key> keys_;
   std::map<std::string, int> lines_; ///< of the keys and tables that the file has
-  friend struct SchemaReader;
+  friend class SchemaReader;
 };
 
 } // namespace bem_contact

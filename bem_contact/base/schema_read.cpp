@@ -3,6 +3,7 @@
 #include "bem_contact/base/schema_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -28,8 +29,9 @@ std::string type_of(const toml::node& node) {
 
 } // namespace
 
-struct SchemaReader {
-  Schema& schema;
+class SchemaReader {
+public:
+  explicit SchemaReader(Schema& bound) : schema(bound) {}
 
   void table(const toml::table& table, const std::string& prefix) {
     for (const auto& [name, node] : table) {
@@ -57,64 +59,101 @@ struct SchemaReader {
   }
 
   void assign(const Schema::Key& key, const toml::node& node) {
-    const auto wrong_type = [&]() {
+    std::visit(
+        [&](const auto& target) {
+          if constexpr (std::is_pointer_v<std::decay_t<decltype(target)>>)
+            take(key, node, *target);
+          else
+            take(key, node, target);
+        },
+        key.target);
+    schema.check(key);
+  }
+
+private:
+  Schema& schema;
+
+  void require_type(const Schema::Key& key, const toml::node& node, bool fits) const {
+    if (!fits)
       throw InputError(
           schema.where(key.path) + key.path + " is " + type_of(node),
           fmt::format("it must be of type: {}", type_text(key.target)),
           fmt::format("Correct it, for instance {} = {}.", last_part(key.path), value_text(key.target)));
-    };
-    if (auto* const* number = std::get_if<double*>(&key.target)) {
-      if (!node.is_number())
-        wrong_type();
-      **number = *node.value<double>();
-    } else if (auto* const* whole = std::get_if<int*>(&key.target)) {
-      if (!node.is_integer())
-        wrong_type();
-      const std::int64_t value = *node.value<std::int64_t>();
-      if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max())
-        throw InputError(fmt::format("{}{} = {}", schema.where(key.path), key.path, value), "out of range",
-                         "Give a smaller value.");
-      **whole = static_cast<int>(value);
-    } else if (auto* const* flag = std::get_if<bool*>(&key.target)) {
-      if (!node.is_boolean())
-        wrong_type();
-      **flag = *node.value<bool>();
-    } else if (auto* const* point = std::get_if<Point2*>(&key.target)) {
-      const toml::array* pair = node.as_array();
-      if (!pair || pair->size() != 2 || !(*pair)[0].is_number() || !(*pair)[1].is_number())
-        wrong_type();
-      **point = {*(*pair)[0].value<double>(), *(*pair)[1].value<double>()};
-    } else if (auto* const* numbers = std::get_if<std::vector<double>*>(&key.target)) {
-      if (!node.is_array())
-        wrong_type();
-      (*numbers)->clear();
-      for (const toml::node& element : *node.as_array()) {
-        if (!element.is_number())
-          wrong_type();
-        (*numbers)->push_back(*element.value<double>());
-      }
-    } else if (const auto* list = std::get_if<TableList>(&key.target)) {
-      if (!node.is_array_of_tables() && !(node.is_array() && node.as_array()->empty()))
-        wrong_type();
-      list->clear();
-      for (const toml::node& element : *node.as_array()) {
-        Schema row = list->next();
-        row.source_ = schema.source_;
-        row.lines_[key.path] = static_cast<int>(element.source().begin.line);
-        SchemaReader{row}.table(*element.as_table(), key.path);
-        row.require_needed();
-      }
-    } else {
-      if (!node.is_string())
-        wrong_type();
-      std::string text = *node.value<std::string>();
-      if (text.find('\0') != std::string::npos)
-        schema.refuse(key.path, "its text holds the character NUL", "Take it out.");
-      *std::get<std::string*>(key.target) = std::move(text);
+  }
+
+  void take(const Schema::Key& key, const toml::node& node, double& number) {
+    require_type(key, node, node.is_number());
+    number = *node.value<double>();
+  }
+
+  void take(const Schema::Key& key, const toml::node& node, int& whole) {
+    require_type(key, node, node.is_integer());
+    const std::int64_t value = *node.value<std::int64_t>();
+    if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max())
+      throw InputError(fmt::format("{}{} = {}", schema.where(key.path), key.path, value), "out of range",
+                       "Give a smaller value.");
+    whole = static_cast<int>(value);
+  }
+
+  void take(const Schema::Key& key, const toml::node& node, bool& flag) {
+    require_type(key, node, node.is_boolean());
+    flag = *node.value<bool>();
+  }
+
+  void take(const Schema::Key& key, const toml::node& node, std::string& text) {
+    require_type(key, node, node.is_string());
+    std::string value = *node.value<std::string>();
+    if (value.find('\0') != std::string::npos)
+      schema.refuse(key.path, "its text holds the character NUL", "Take it out.");
+    text = std::move(value);
+  }
+
+  void take(const Schema::Key& key, const toml::node& node, Point2& point) {
+    const toml::array* pair = node.as_array();
+    require_type(key, node, pair && pair->size() == 2 && (*pair)[0].is_number() && (*pair)[1].is_number());
+    point = {*(*pair)[0].value<double>(), *(*pair)[1].value<double>()};
+  }
+
+  template <class T> void take(const Schema::Key& key, const toml::node& node, std::optional<T>& optional) {
+    T value{};
+    take(key, node, value);
+    optional = value;
+    if constexpr (!std::is_same_v<T, Point2>)
+      if (key.rule.zero_is_none && value == 0)
+        optional.reset();
+  }
+
+  void take(const Schema::Key& key, const toml::node& node, std::vector<double>& numbers) {
+    require_type(key, node, node.is_array());
+    numbers.clear();
+    for (const toml::node& element : *node.as_array()) {
+      require_type(key, node, element.is_number());
+      numbers.push_back(*element.value<double>());
     }
-    schema.check(key);
-    if (key.rule.given)
-      *key.rule.given = true;
+  }
+
+  void take(const Schema::Key& key, const toml::node& node, const NamedChoice& choice) {
+    std::string text;
+    take(key, node, text);
+    const auto found = std::ranges::find(choice.names, text);
+    if (found != choice.names.end())
+      return choice.set(found - choice.names.begin());
+    const auto like = nearest_names(text, choice.names, 1);
+    throw InputError(fmt::format("{}{} = {}", schema.where(key.path), key.path, toml_text(text)),
+                     fmt::format("known are {}", fmt::join(choice.names, ", ")),
+                     like.empty() ? "Use one of these." : fmt::format("Did you mean \"{}\"?", like.front()));
+  }
+
+  void take(const Schema::Key& key, const toml::node& node, const TableList& list) {
+    require_type(key, node, node.is_array_of_tables() || (node.is_array() && node.as_array()->empty()));
+    list.clear();
+    for (const toml::node& element : *node.as_array()) {
+      Schema row = list.next();
+      row.source_ = schema.source_;
+      row.lines_[key.path] = static_cast<int>(element.source().begin.line);
+      SchemaReader(row).table(*element.as_table(), key.path);
+      row.require_needed();
+    }
   }
 };
 
@@ -122,7 +161,7 @@ void Schema::read(std::string_view toml, std::string_view source_name) {
   source_ = source_name;
   lines_.clear();
   try {
-    SchemaReader{*this}.table(toml::parse(toml, source_name), "");
+    SchemaReader(*this).table(toml::parse(toml, source_name), "");
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: {}", source_name, error.source().begin.line, error.description()),
                      "the file is not valid TOML", "Correct the line.");
@@ -137,7 +176,7 @@ void Schema::set(const std::string& path, const SchemaValue& value, int line) {
   const Key* key = find(path);
   if (!key)
     refuse_unknown(path, false);
-  std::visit([&](const auto& v) { SchemaReader{*this}.assign(*key, toml::value(v)); }, value);
+  std::visit([&](const auto& v) { SchemaReader(*this).assign(*key, toml::value(v)); }, value);
   require_kind(*key);
 }
 

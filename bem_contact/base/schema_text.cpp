@@ -13,20 +13,6 @@ std::string number_text(double value) {
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
-/// A TOML basic string.
-std::string toml_text(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20)
-      out += fmt::format("\\u{:04X}", static_cast<int>(c));
-    else
-      out += c;
-  }
-  return out + "\"";
-}
-
 struct Print {
   std::string operator()(const double* v) const { return number_text(*v); }
   std::string operator()(const int* v) const { return fmt::format("{}", *v); }
@@ -41,6 +27,11 @@ struct Print {
       numbers.push_back(number_text(v));
     return fmt::format("[{}]", fmt::join(numbers, ", "));
   }
+  template <class T> std::string operator()(const std::optional<T>* v) const {
+    const T value = v->value_or(T{});
+    return (*this)(&value);
+  }
+  std::string operator()(const NamedChoice& choice) const { return toml_text(choice.names[choice.get()]); }
   std::string operator()(const TableList& list) const { return list.example; }
 };
 
@@ -51,6 +42,10 @@ struct TypeName {
   std::string operator()(const std::string*) const { return "text"; }
   std::string operator()(const Point2*) const { return "two numbers"; }
   std::string operator()(const std::vector<double>*) const { return "list of numbers"; }
+  template <class T> std::string operator()(const std::optional<T>*) const {
+    return (*this)(static_cast<const T*>(nullptr));
+  }
+  std::string operator()(const NamedChoice&) const { return "text"; }
   std::string operator()(const TableList&) const { return "list of tables"; }
 };
 
@@ -65,6 +60,19 @@ std::string table_of(std::string_view path) {
   return dot == std::string_view::npos ? "" : std::string(path.substr(0, dot));
 }
 
+std::string toml_text(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      out += '\\';
+    if (static_cast<unsigned char>(c) < 0x20)
+      out += fmt::format("\\u{:04X}", static_cast<int>(c));
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
 std::string value_text(const SchemaTarget& target) {
   return std::visit(Print{}, target);
 }
@@ -73,7 +81,7 @@ std::string type_text(const SchemaTarget& target) {
   return std::visit(TypeName{}, target);
 }
 
-std::string range_text(const KeyRule& rule) {
+std::string range_text(const SchemaTarget& target, const KeyRule& rule) {
   std::vector<std::string> parts;
   if (std::isfinite(rule.above))
     parts.push_back(fmt::format("> {}", rule.above));
@@ -83,8 +91,8 @@ std::string range_text(const KeyRule& rule) {
     parts.push_back(fmt::format("< {}", rule.below));
   if (std::isfinite(rule.at_most))
     parts.push_back(fmt::format("<= {}", rule.at_most));
-  if (!rule.choices.empty())
-    parts.push_back(fmt::format("{}", fmt::join(rule.choices, " | ")));
+  if (const auto* choice = std::get_if<NamedChoice>(&target))
+    parts.push_back(fmt::format("{}", fmt::join(choice->names, " | ")));
   return fmt::format("{}", fmt::join(parts, " and "));
 }
 

@@ -12,7 +12,10 @@ std::string table_of(std::string_view path);
 std::string value_text(const SchemaTarget& target);
 std::string type_text(const SchemaTarget& target);
 
-/// "> 0 and <= 1", "a | b"; "" where any value will do.
-std::string range_text(const KeyRule& rule);
+/// "> 0 and <= 1", "a | b"; "" if any value is allowed.
+std::string range_text(const SchemaTarget& target, const KeyRule& rule);
+
+/// A text as TOML writes it, with its quotes.
+std::string toml_text(std::string_view text);
 
 } // namespace bem_contact

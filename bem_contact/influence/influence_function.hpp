@@ -18,7 +18,7 @@ enum class Invariance { prismatic, revolution };
 /// What is done about the body's motion as a whole (the deflection of its support, web and foot or hub).
 ///   included: the body is held as the file says (`held`), all compliance counts;
 ///   removed:  every section's remote part (`remote`) has no mean displacement and no mean rotation.
-enum class StructuralCompliance { included, removed };
+enum class StructuralCompliance { removed, included };
 
 /// One station: an element of the contact strip, `width` long along s, infinitely long along x.
 struct Station {

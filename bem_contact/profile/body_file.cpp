@@ -25,8 +25,7 @@ TableList outline_of(BodyFile::Body& body) {
                   {.doc = "The piece ends here, (y, z)", .unit = "mm", .needed = true});
             s.add("body.outline.radius", piece.radius,
                   {.doc = "0: a line; > 0: convex, < 0: concave arc", .unit = "mm"});
-            s.add("body.outline.group", piece.group,
-                  {.doc = "What the piece is", .choices = {"contact", "held", "free"}});
+            s.add("body.outline.group", piece.group, {.doc = "What the piece is"});
             return s;
           },
           "[{ to = [10, 0] }, { to = [0, 10], radius = 10, group = \"contact\" }, ...]"};
@@ -40,7 +39,7 @@ TableList holes_of(BodyFile::Body& body) {
             s.add("body.holes.centre", hole.centre, {.doc = "Centre (y, z)", .unit = "mm", .needed = true});
             s.add("body.holes.radius", hole.radius,
                   {.doc = "Radius of the hole", .unit = "mm", .above = 0, .needed = true});
-            s.add("body.holes.group", hole.group, {.doc = "What it is", .choices = {"held", "free"}});
+            s.add("body.holes.group", hole.group, {.doc = "What it is"});
             return s;
           },
           "[{ centre = [0, 0], radius = 5, group = \"held\" }, ...]"};
@@ -62,6 +61,105 @@ void add_outline(Schema& s, BodyFile::Body& body) {
   s.add("body.holes", holes_of(body), {.doc = "Round holes", .unit = "mm", .kinds = kinds});
 }
 
+void add_body(Schema& s, BodyFile::Body& body) {
+  s.add("body.kind", body.kind, {.doc = "Kind of body"});
+  s.add("body.profile", body.profile,
+        {.doc = "Rail: 60E1, 60E2, 54E1, 46E3; wheel: S1002 (its default); or a profile file",
+         .kinds = {"rail", "wheel"}});
+  s.add("body.graft_onto", body.graft_onto,
+        {.doc = "Of a profile file: the standard whose body carries it; empty: 60E1 or S1002",
+         .kinds = {"rail", "wheel"}});
+  s.add("body.graft_at", body.graft_at,
+        {.doc = "Where that standard's origin lies in the file's frame, (y, z); found where neither this nor "
+                "graft_angle is given",
+         .unit = "mm",
+         .kinds = {"rail", "wheel"}});
+  s.add("body.graft_angle", body.graft_angle,
+        {.doc = "How its body is turned there, from +y towards +z (a rail inclined by 1:40: -0.025)",
+         .unit = "rad",
+         .at_least = -0.5,
+         .at_most = 0.5,
+         .kinds = {"rail", "wheel"}});
+  s.add("body.held", body.held,
+        {.doc = "What is held: rail: foot or web, wheel: bore or rim, block: base or sides; empty: the first",
+         .kinds = {"rail", "wheel", "block"}});
+  s.add("body.radius", body.radius,
+        {.doc = "Radius of the contact surface", .unit = "mm", .above = 0, .kinds = {"disc", "bore"}});
+  s.add("body.size", body.size,
+        {.doc = "Half width and depth of the block", .unit = "mm", .above = 0, .kinds = {"block", "bore"}});
+  add_outline(s, body);
+}
+
+void add_strip(Schema& s, BodyFile::Strip& strip) {
+  s.add("strip.from", strip.from,
+        {.doc = "The contact strip begins here, arc length on the profile", .unit = "mm"});
+  s.add("strip.to", strip.to, {.doc = "The contact strip ends here", .unit = "mm"});
+  s.add("strip.station_width", strip.station_width,
+        {.doc = "Width of a station; it must divide the strip", .unit = "mm", .above = 0});
+}
+
+void add_mesh(Schema& s, BodyFile::Mesh& mesh) {
+  s.add("mesh.elements_per_station", mesh.elements_per_station,
+        {.doc = "Element edges per station on the strip", .at_least = 1, .at_most = 16});
+  s.add("mesh.grading", mesh.grading,
+        {.doc = "Element size grows by this much per mm of distance from the strip",
+         .above = 0,
+         .at_most = 2,
+         .commented_out = true});
+  s.add("mesh.largest", mesh.largest, {.doc = "Largest element size", .unit = "mm", .above = 0});
+}
+
+void add_harmonic(Schema& s, BodyFile::Harmonic& harmonic) {
+  s.add("harmonic.degree", harmonic.degree,
+        {.doc = "Degree of the finite elements", .at_least = 1, .at_most = 4, .commented_out = true});
+  s.add("harmonic.border_levels", harmonic.border_levels,
+        {.doc = "How often elements at the borders of the stations are halved",
+         .at_least = 0,
+         .at_most = 12,
+         .commented_out = true});
+  s.add("harmonic.half_period", harmonic.half_period,
+        {.doc = "Half period of the Fourier series along x; a body of revolution uses pi times its radius",
+         .unit = "mm",
+         .above = 0});
+  s.add("harmonic.shortest_dx", harmonic.shortest_dx,
+        {.doc = "Shortest element length along x that the file must serve", .unit = "mm", .above = 0});
+  s.add("harmonic.samples_per_decade", harmonic.samples_per_decade,
+        {.doc = "Wavenumbers per decade above the lowest harmonics",
+         .at_least = 2,
+         .at_most = 100,
+         .commented_out = true});
+  s.add("harmonic.remote_distance", harmonic.remote_distance,
+        {.doc = "The remote section lies between one and two times this from the strip; 0: 20 mm, or less "
+                "in a small body",
+         .unit = "mm",
+         .at_least = 0});
+}
+
+void add_solid(Schema& s, BodyFile::Solid& solid) {
+  s.add("solid.size", solid.size,
+        {.doc = "3-D method: element size on the strip before the mesh is refined towards the load",
+         .unit = "mm",
+         .above = 0});
+  s.add("solid.edge_angle", solid.edge_angle,
+        {.doc = "Edges of that mesh on an arc turn by at most so much",
+         .unit = "deg",
+         .at_least = 1,
+         .at_most = 45});
+  s.add("solid.degree", solid.degree, {.doc = "Degree of the finite elements", .at_least = 1, .at_most = 4});
+  s.add("solid.dx", solid.dx,
+        {.doc = "Element length along x; 0: the station width", .unit = "mm", .at_least = 0});
+  s.add("solid.offsets", solid.offsets,
+        {.doc = "Influence numbers at x = 0, dx, .. (offsets - 1) dx", .at_least = 1, .at_most = 2000});
+  s.add("solid.elements_per_load", solid.elements_per_load,
+        {.doc = "Element edges along each side of the loaded element", .at_least = 1, .at_most = 64});
+  s.add("solid.grading", solid.grading,
+        {.doc = "Element size grows by this much per mm of distance from the loaded element",
+         .above = 0,
+         .at_most = 2});
+  s.add("solid.loads_at_once", solid.loads_at_once,
+        {.doc = "Stations loaded on one refined mesh: more need more memory", .at_least = 1});
+}
+
 Schema schema_of(BodyFile& f, double& young) {
   Schema s("body file");
   s.kind_is("body.kind");
@@ -70,100 +168,12 @@ Schema schema_of(BodyFile& f, double& young) {
                 "[harmonic]",
          .at_least = 1e-5,
          .at_most = 0.05});
-  s.add("body.kind", f.body.kind,
-        {.doc = "Kind of body", .choices = {"rail", "wheel", "block", "disc", "bore", "outline"}});
-  s.add("body.profile", f.body.profile,
-        {.doc = "Rail: 60E1, 60E2, 54E1, 46E3; wheel: S1002 (its default); or a profile file",
-         .kinds = {"rail", "wheel"}});
-  s.add("body.graft_onto", f.body.graft_onto,
-        {.doc = "Of a profile file: the standard whose body carries it; empty: 60E1 or S1002",
-         .kinds = {"rail", "wheel"}});
-  s.add("body.graft_at", f.body.graft_at,
-        {.doc = "Where that standard's origin lies in the file's frame, (y, z); found where neither this nor "
-                "graft_angle is given",
-         .unit = "mm",
-         .kinds = {"rail", "wheel"},
-         .given = &f.body.graft_given});
-  s.add("body.graft_angle", f.body.graft_angle,
-        {.doc = "How its body is turned there, from +y towards +z (a rail inclined by 1:40: -0.025)",
-         .unit = "rad",
-         .at_least = -0.5,
-         .at_most = 0.5,
-         .kinds = {"rail", "wheel"},
-         .given = &f.body.graft_given});
-  s.add("body.held", f.body.held,
-        {.doc = "What is held: rail: foot or web, wheel: bore or rim, block: base or sides; empty: the first",
-         .kinds = {"rail", "wheel", "block"}});
-  s.add("body.radius", f.body.radius,
-        {.doc = "Radius of the contact surface", .unit = "mm", .above = 0, .kinds = {"disc", "bore"}});
-  s.add("body.size", f.body.size,
-        {.doc = "Half width and depth of the block", .unit = "mm", .above = 0, .kinds = {"block", "bore"}});
-  add_outline(s, f.body);
-
+  add_body(s, f.body);
   add_material(s, "material", f.material, young);
-
-  s.add("strip.from", f.strip.from,
-        {.doc = "The contact strip begins here, arc length on the profile", .unit = "mm"});
-  s.add("strip.to", f.strip.to, {.doc = "The contact strip ends here", .unit = "mm"});
-  s.add("strip.station_width", f.strip.station_width,
-        {.doc = "Width of a station; it must divide the strip", .unit = "mm", .above = 0});
-
-  s.add("mesh.elements_per_station", f.mesh.elements_per_station,
-        {.doc = "Element edges per station on the strip", .at_least = 1, .at_most = 16});
-  s.add("mesh.grading", f.mesh.grading,
-        {.doc = "Element size grows by this much per mm of distance from the strip",
-         .above = 0,
-         .at_most = 2,
-         .given = &f.given.grading});
-  s.add("mesh.largest", f.mesh.largest, {.doc = "Largest element size", .unit = "mm", .above = 0});
-
-  s.add("harmonic.degree", f.harmonic.degree,
-        {.doc = "Degree of the finite elements", .at_least = 1, .at_most = 4, .given = &f.given.degree});
-  s.add("harmonic.border_levels", f.harmonic.border_levels,
-        {.doc = "How often elements at the borders of the stations are halved",
-         .at_least = 0,
-         .at_most = 12,
-         .given = &f.given.border_levels});
-  s.add("harmonic.half_period", f.harmonic.half_period,
-        {.doc = "Half period of the Fourier series along x; a body of revolution uses pi times its radius",
-         .unit = "mm",
-         .above = 0});
-  s.add("harmonic.shortest_dx", f.harmonic.shortest_dx,
-        {.doc = "Shortest element length along x that the file must serve", .unit = "mm", .above = 0});
-  s.add("harmonic.samples_per_decade", f.harmonic.samples_per_decade,
-        {.doc = "Wavenumbers per decade above the lowest harmonics",
-         .at_least = 2,
-         .at_most = 100,
-         .given = &f.given.samples_per_decade});
-  s.add("harmonic.remote_distance", f.harmonic.remote_distance,
-        {.doc = "The remote section lies between one and two times this from the strip; 0: 20 mm, or less "
-                "in a small body",
-         .unit = "mm",
-         .at_least = 0});
-
-  s.add("solid.size", f.solid.size,
-        {.doc = "3-D method: element size on the strip before the mesh is refined towards the load",
-         .unit = "mm",
-         .above = 0});
-  s.add("solid.edge_angle", f.solid.edge_angle,
-        {.doc = "Edges of that mesh on an arc turn by at most so much",
-         .unit = "deg",
-         .at_least = 1,
-         .at_most = 45});
-  s.add("solid.degree", f.solid.degree,
-        {.doc = "Degree of the finite elements", .at_least = 1, .at_most = 4});
-  s.add("solid.dx", f.solid.dx,
-        {.doc = "Element length along x; 0: the station width", .unit = "mm", .at_least = 0});
-  s.add("solid.offsets", f.solid.offsets,
-        {.doc = "Influence numbers at x = 0, dx, .. (offsets - 1) dx", .at_least = 1, .at_most = 2000});
-  s.add("solid.elements_per_load", f.solid.elements_per_load,
-        {.doc = "Element edges along each side of the loaded element", .at_least = 1, .at_most = 64});
-  s.add("solid.grading", f.solid.grading,
-        {.doc = "Element size grows by this much per mm of distance from the loaded element",
-         .above = 0,
-         .at_most = 2});
-  s.add("solid.loads_at_once", f.solid.loads_at_once,
-        {.doc = "Stations loaded on one refined mesh: more need more memory", .at_least = 1});
+  add_strip(s, f.strip);
+  add_mesh(s, f.mesh);
+  add_harmonic(s, f.harmonic);
+  add_solid(s, f.solid);
   return s;
 }
 
@@ -194,45 +204,47 @@ void cross_check(const BodyFile& f, const Schema& s) {
              "surface's own frame (x, s, n) the influence numbers are the same.");
   if (f.body.profile.empty())
     s.refuse("body.profile", "the name is empty", "Name a standard profile or a profile file.");
-  if (body.kind == "bore" && !(body.size > body.radius))
+  if (body.kind == BodyKind::bore && !(body.size > body.radius))
     s.refuse("body.size", fmt::format("the bore of radius {} mm does not fit into the block", body.radius),
              "Give a size greater than the radius.");
   const auto held_ok = [&](const char* first, const char* second) {
     if (!body.held.empty() && body.held != first && body.held != second)
-      s.refuse("body.held", fmt::format("a {} is held at its {} or its {}", body.kind, first, second),
+      s.refuse("body.held",
+               fmt::format("a {} is held at its {} or its {}", name_of(body.kind), first, second),
                fmt::format("Use \"{}\" or \"{}\".", first, second));
   };
-  if (body.kind == "rail")
+  if (body.kind == BodyKind::rail)
     held_ok("foot", "web");
-  if (body.kind == "wheel")
+  if (body.kind == BodyKind::wheel)
     held_ok("bore", "rim");
-  if (body.kind == "block")
+  if (body.kind == BodyKind::block)
     held_ok("base", "sides");
-  const double reach = body.kind == "block"                         ? body.size
-                       : body.kind == "disc" || body.kind == "bore" ? std::numbers::pi / 2 * body.radius
-                                                                    : 0;
+  const double reach = body.kind == BodyKind::block ? body.size
+                       : body.kind == BodyKind::disc || body.kind == BodyKind::bore
+                           ? std::numbers::pi / 2 * body.radius
+                           : 0;
   if (reach > 0 && (strip.from < -reach || strip.to > reach))
-    s.refuse(
-        strip.from < -reach ? "strip.from" : "strip.to",
-        fmt::format("the contact surface of this {} runs from {:.6g} to {:.6g} mm", body.kind, -reach, reach),
-        "Give a strip inside it.");
+    s.refuse(strip.from < -reach ? "strip.from" : "strip.to",
+             fmt::format("the contact surface of this {} runs from {:.6g} to {:.6g} mm", name_of(body.kind),
+                         -reach, reach),
+             "Give a strip inside it.");
 }
 
 /// What the tolerance asks for, fitted to block, disc, rail and wheel (fem_influence/README.md): the number
 /// itself is off by 2.3 % (3/p)^4 / 4^levels with one element a station, far numbers by .03 % at 7 samples
 /// a decade. Each gets a part of the tolerance that leaves room for the other.
-void choose(BodyFile& f) {
-  if (!f.given.degree)
+void choose(BodyFile& f, const Schema& s) {
+  if (!s.has("harmonic.degree"))
     f.harmonic.degree = f.tolerance < 3e-4 ? 4 : 3;
-  if (!f.given.grading && f.tolerance < 3e-4)
+  if (!s.has("mesh.grading") && f.tolerance < 3e-4)
     f.mesh.grading = 0.2;
-  if (!f.given.border_levels) {
+  if (!s.has("harmonic.border_levels")) {
     const double per_station = std::pow(f.mesh.elements_per_station, 2);
     const double unrefined = 0.023 * std::pow(3.0 / f.harmonic.degree, 4) / per_station;
     const double levels = std::ceil(std::log(10 * unrefined / f.tolerance) / std::log(4.0));
     f.harmonic.border_levels = std::clamp(static_cast<int>(levels), 0, 12);
   }
-  if (!f.given.samples_per_decade)
+  if (!s.has("harmonic.samples_per_decade"))
     f.harmonic.samples_per_decade =
         static_cast<int>(std::ceil(7 * std::pow(1e-3 / f.tolerance, 1.0 / 6) - 1e-9));
 }
@@ -245,10 +257,10 @@ BodyFile parse_body_file(std::string_view toml, std::string_view source_name) {
   Schema schema = schema_of(file, young);
   schema.read(toml, source_name);
   settle_material(schema, "material", file.material, young);
-  if (file.body.kind == "wheel" && !schema.has("body.profile"))
+  if (file.body.kind == BodyKind::wheel && !schema.has("body.profile"))
     file.body.profile = "S1002";
   cross_check(file, schema);
-  choose(file);
+  choose(file, schema);
   return file;
 }
 
@@ -260,16 +272,17 @@ BodyFile read_body_file(const std::filesystem::path& path) {
 
 std::string mesh_digest(const BodyFile& file, std::uint64_t profile_digest) {
   const auto& [body, strip, mesh] = std::tie(file.body, file.strip, file.mesh);
+  const Point2 graft_at = body.graft_at.value_or(Point2{});
   std::string all =
       fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", profile_digest, body.graft_onto,
-                  body.graft_at.y, body.graft_at.z, body.graft_angle, body.held, body.kind, body.profile,
-                  body.radius, body.size, body.reference_radius, strip.from, strip.to, strip.station_width,
-                  mesh.elements_per_station, mesh.grading, mesh.largest);
+                  graft_at.y, graft_at.z, body.graft_angle.value_or(0), body.held, name_of(body.kind),
+                  body.profile, body.radius, body.size, body.reference_radius, strip.from, strip.to,
+                  strip.station_width, mesh.elements_per_station, mesh.grading, mesh.largest);
   for (const auto& piece : body.outline)
-    all += fmt::format(" {} {} {} {}", piece.to.y, piece.to.z, piece.radius, piece.group);
+    all += fmt::format(" {} {} {} {}", piece.to.y, piece.to.z, piece.radius, name_of(piece.group));
   for (const auto& hole : body.holes)
-    all += fmt::format(" {} {} {} {}", hole.centre.y, hole.centre.z, hole.radius, hole.group);
-  if (body.graft_given)
+    all += fmt::format(" {} {} {} {}", hole.centre.y, hole.centre.z, hole.radius, name_of(hole.group));
+  if (body.graft_at || body.graft_angle)
     all += " grafted there";
   Fnv1a hash;
   hash.add(std::as_bytes(std::span(all)));

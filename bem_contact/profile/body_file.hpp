@@ -1,15 +1,33 @@
 #pragma once
 
 #include "bem_contact/base/conventions.hpp"
+#include "bem_contact/base/enum_names.hpp"
 #include "bem_contact/base/material.hpp"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace bem_contact {
+
+enum class BodyKind { rail, wheel, block, disc, bore, outline };
+template <> struct EnumNames<BodyKind> {
+  static constexpr std::array<std::string_view, 6> names{"rail", "wheel", "block", "disc", "bore", "outline"};
+};
+
+/// What a piece of an own outline is: part of the contact surface, held, or neither.
+enum class PieceGroup { contact, held, free };
+template <> struct EnumNames<PieceGroup> {
+  static constexpr std::array<std::string_view, 3> names{"contact", "held", "free"};
+};
+
+enum class HoleGroup { held, free };
+template <> struct EnumNames<HoleGroup> {
+  static constexpr std::array<std::string_view, 2> names{"held", "free"};
+};
 
 /// A body file (TOML): all that mesh_body and fem_influence need to know of one body. Both read the same
 /// file. Keys and members have the same names: [strip] station_width is `strip.station_width`.
@@ -19,25 +37,26 @@ struct BodyFile {
   /// A line or arc of an own outline; it begins where the piece before it ends, the first one at the end of
   /// the last. Arcs are at most half a circle.
   struct OutlinePiece {
-    Point2 to;                  ///< (y, z), mm
-    double radius = 0;          ///< 0: a line; > 0: convex, < 0: concave arc, mm
-    std::string group = "free"; ///< contact | held | free
+    Point2 to;         ///< (y, z), mm
+    double radius = 0; ///< 0: a line; > 0: convex, < 0: concave arc, mm
+    PieceGroup group = PieceGroup::free;
   };
   struct Hole {
-    Point2 centre;              ///< mm
-    double radius = 1;          ///< mm
-    std::string group = "free"; ///< held | free
+    Point2 centre;     ///< mm
+    double radius = 1; ///< mm
+    HoleGroup group = HoleGroup::free;
   };
 
   struct Body {
-    std::string kind = "rail"; ///< rail | wheel | block | disc | bore | outline
+    BodyKind kind = BodyKind::rail;
     std::string profile =
         "60E1"; ///< rail: 60E1 (E2), 54E1, 46E3 or a file; wheel: S1002 (its default) or a file
     std::string graft_onto =
-        {};                 ///< of a profile from a file: the standard whose body it gets; "": 60E1 or S1002
-    Point2 graft_at = {};   ///< where the origin of that standard lies in the file's frame, mm
-    double graft_angle = 0; ///< and how the body is turned there, from +y towards +z, rad
-    bool graft_given = false;     ///< not a key: whether the file has one of the two; else they are found
+        {}; ///< of a profile from a file: the standard whose body it gets; "": 60E1 or S1002
+    /// Where the origin of that standard lies in the file's frame, mm, and how the body is turned there, from
+    /// +y towards +z, rad. If both are empty, they are found; if one is, it is zero.
+    std::optional<Point2> graft_at = {};
+    std::optional<double> graft_angle = {};
     std::string held = {};        ///< rail: foot | web, wheel: bore | rim, block: base | sides; "": the first
     double radius = 10;           ///< disc, bore: radius of the contact surface, mm
     double size = 100;            ///< block, bore: half width and depth of the block, mm
@@ -79,10 +98,6 @@ struct BodyFile {
     double grading = 0.3;      ///< h <= h_load + grading * distance from the loaded element
     int loads_at_once = 4;     ///< stations loaded on one refined mesh
   } solid;
-  /// Not keys: whether the file has those that follow from the tolerance else.
-  struct Given {
-    bool grading = false, degree = false, border_levels = false, samples_per_decade = false;
-  } given;
 };
 
 /// Throws InputError (unknown key with the nearest names, wrong type, value out of range).

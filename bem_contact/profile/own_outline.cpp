@@ -53,7 +53,7 @@ std::vector<OwnOutline::Piece> joined(const BodyFile::Body& body) {
 /// The pieces turned so that the run of contact pieces comes first.
 OwnOutline split(const std::vector<OwnOutline::Piece>& pieces, const std::string& name) {
   const std::size_t n = pieces.size();
-  const auto contact = [&](std::size_t i) { return pieces[i % n].group == "contact"; };
+  const auto contact = [&](std::size_t i) { return pieces[i % n].group == PieceGroup::contact; };
   std::size_t runs = 0, begin = 0;
   for (std::size_t i = 0; i < n; ++i)
     if (contact(i) && !contact(i + n - 1)) {
@@ -115,7 +115,7 @@ OwnOutline own_outline(const BodyFile::Body& body) {
   const auto pieces = joined(body);
   OwnOutline outline = split(pieces, body.name);
   require_smooth(outline.contact, body.name);
-  const auto held = [](const auto& part) { return part.group == "held"; };
+  const auto held = [](const auto& part) { return part.group == decltype(part.group)::held; };
   if (std::none_of(pieces.begin(), pieces.end(), held) &&
       std::none_of(body.holes.begin(), body.holes.end(), held))
     throw InputError(fmt::format("nothing holds {}", body.name),

@@ -13,7 +13,7 @@ namespace bem_contact {
 struct OwnOutline {
   struct Piece {
     SectionPiece shape;
-    std::string group; ///< contact | held | free
+    PieceGroup group = PieceGroup::free;
   };
   std::vector<Piece> contact; ///< neighbouring pieces of group contact, in walking order
   std::vector<Piece> rest;    ///< the pieces that close the loop behind them

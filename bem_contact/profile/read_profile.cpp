@@ -28,7 +28,7 @@ ProfileCurve profile_of_body(const std::filesystem::path& file, ProfileKind kind
                                  kind == ProfileKind::rail ? "an upper" : "a lower"),
                      fmt::format("a {} is asked for", kind == ProfileKind::rail ? "rail" : "wheel"),
                      "Walk its contact surface the other way round, the material on the other side.");
-  if (kind == ProfileKind::rail && body.body.kind == "outline" && body.body.reference_radius > 0)
+  if (kind == ProfileKind::rail && body.body.kind == BodyKind::outline && body.body.reference_radius > 0)
     throw InputError(
         fmt::format("the body in {} is no rail: it is curved along x, about an axle {:g} mm above",
                     file.string(), body.body.reference_radius),

@@ -69,31 +69,27 @@ ProfileCurve standard_profile(std::string_view name) {
 
 ProfileCurve body_profile(const BodyFile& file) {
   const auto& body = file.body;
-  if (body.kind == "outline")
+  if (body.kind == BodyKind::outline)
     return outline_profile(body);
-  if (body.kind == "rail" || body.kind == "wheel")
-    return named_profile(body.profile, body.kind == "rail" ? ProfileKind::rail : ProfileKind::wheel,
+  if (body.kind == BodyKind::rail || body.kind == BodyKind::wheel)
+    return named_profile(body.profile, body.kind == BodyKind::rail ? ProfileKind::rail : ProfileKind::wheel,
                          file.folder);
-  if (body.kind == "disc")
+  if (body.kind == BodyKind::disc)
     return lower_half_circle(fmt::format("disc R {}", body.radius), body.radius, true);
-  if (body.kind == "bore")
+  if (body.kind == BodyKind::bore)
     return lower_half_circle(fmt::format("bore R {}", body.radius), body.radius, false);
-  if (body.kind == "block")
-    return ProfileCurve::from_pieces(
-        fmt::format("block {}", body.size),
-        {line_piece({-body.size, 0}, {0, 0}), line_piece({0, 0}, {body.size, 0})});
-  throw InputError(fmt::format("unknown kind of body '{}'", body.kind),
-                   "known are rail, wheel, block, disc, bore and outline", "Use one of these.");
+  return ProfileCurve::from_pieces(fmt::format("block {}", body.size),
+                                   {line_piece({-body.size, 0}, {0, 0}), line_piece({0, 0}, {body.size, 0})});
 }
 
 std::string graft_base(const BodyFile::Body& body) {
-  const std::string base = !body.graft_onto.empty() ? body.graft_onto
-                           : body.kind == "rail"    ? "60E1"
-                                                    : "S1002";
-  if (!is_standard_profile(base) || (base == "S1002") != (body.kind == "wheel"))
-    throw InputError(fmt::format("a {} cannot be grafted onto '{}'", body.kind, base),
+  const std::string base = !body.graft_onto.empty()      ? body.graft_onto
+                           : body.kind == BodyKind::rail ? "60E1"
+                                                         : "S1002";
+  if (!is_standard_profile(base) || (base == "S1002") != (body.kind == BodyKind::wheel))
+    throw InputError(fmt::format("a {} cannot be grafted onto '{}'", name_of(body.kind), base),
                      "bodies are known of the standard profiles only",
-                     body.kind == "rail" ? "Use 60E1, 60E2, 54E1 or 46E3." : "Use S1002.");
+                     body.kind == BodyKind::rail ? "Use 60E1, 60E2, 54E1 or 46E3." : "Use S1002.");
   return base;
 }
 
@@ -101,22 +97,25 @@ std::string held_part(const BodyFile::Body& body) {
   if (!body.held.empty())
     return body.held;
   const auto& k = body.kind;
-  return k == "rail" ? "foot" : k == "wheel" ? "bore" : k == "block" ? "base" : "its pieces of group held";
+  return k == BodyKind::rail    ? "foot"
+         : k == BodyKind::wheel ? "bore"
+         : k == BodyKind::block ? "base"
+                                : "its pieces of group held";
 }
 
 std::string body_name(const BodyFile& file) {
   const auto& body = file.body;
-  if (body.kind != "rail" && body.kind != "wheel")
+  if (body.kind != BodyKind::rail && body.kind != BodyKind::wheel)
     return body_profile(file).name();
   const bool standard = is_standard_profile(body.profile);
   const std::string base = standard ? body.profile : graft_base(body);
-  const char* what = body.kind == "wheel"          ? " (representative rim, web and hub)"
+  const char* what = body.kind == BodyKind::wheel  ? " (representative rim, web and hub)"
                      : is_exact_rail_section(base) ? ""
                                                    : " (representative web and foot)";
   if (standard)
-    return fmt::format("{} {}{}", body.kind, base, what);
-  return fmt::format("{} {} on {}{}", body.kind, std::filesystem::path(body.profile).filename().string(),
-                     base, what);
+    return fmt::format("{} {}{}", name_of(body.kind), base, what);
+  return fmt::format("{} {} on {}{}", name_of(body.kind),
+                     std::filesystem::path(body.profile).filename().string(), base, what);
 }
 
 } // namespace bem_contact

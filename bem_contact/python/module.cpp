@@ -39,6 +39,13 @@ std::vector<SceneChange> list_of(const Changes& changes) {
   return list;
 }
 
+/// `model`: instead of the scene's own; "" for that.
+SceneFile scene_of(const std::filesystem::path& file, const std::vector<SceneChange>& changes,
+                   const std::string& model) {
+  const SceneFile scene = read_scene_file(file, changes);
+  return model.empty() ? scene : with_model(scene, model_named(model));
+}
+
 /// Nothing of Python is touched while a scene is solved: other threads may go on.
 class PythonSequence {
 public:
@@ -47,7 +54,7 @@ public:
   SceneResult solve(const Changes& changes, const std::string& model) {
     const std::vector<SceneChange> list = list_of(changes);
     const py::gil_scoped_release others_may_run;
-    return sequence_.solve(read_scene_file(scene_, list), model);
+    return sequence_.solve(scene_of(scene_, list, model));
   }
 
 private:
@@ -56,9 +63,7 @@ private:
 };
 
 SceneResult solve_one(const std::filesystem::path& file, const Changes& changes, const std::string& model) {
-  const std::vector<SceneChange> list = list_of(changes);
-  const py::gil_scoped_release others_may_run;
-  return solve_scene(read_scene_file(file, list), model);
+  return PythonSequence(file).solve(changes, model);
 }
 
 py::array_t<double> line(std::vector<double> values) {
@@ -190,7 +195,9 @@ void add_fields(py::class_<SceneResult>& c) {
 }
 
 void add_trust(py::class_<SceneResult>& c) {
-  c.def_readonly("model", &SceneResult::model, "hertz, halfspace, tangent_plane or fem");
+  c.def_property_readonly(
+      "model", [](const SceneResult& r) { return std::string(name_of(r.model)); },
+      "hertz, halfspace, tangent_plane or fem");
   c.def_readonly("reason", &SceneResult::reason, "Why this model");
   c.def_readonly("warnings", &SceneResult::warnings);
   c.def_property_readonly(
@@ -208,8 +215,8 @@ void add_trust(py::class_<SceneResult>& c) {
       "Estimated discretisation error, relative; None: not estimated");
   c.def_property_readonly("seconds", [](const SceneResult& r) { return r.seconds.total; });
   c.def("__repr__", [](const SceneResult& r) {
-    return "<bem_contact.Result: " + r.model + ", Fz " + std::to_string(r.result.Fz) + " N, " +
-           std::to_string(r.result.patches.size()) + " patches, " +
+    return "<bem_contact.Result: " + std::string(name_of(r.model)) + ", Fz " + std::to_string(r.result.Fz) +
+           " N, " + std::to_string(r.result.patches.size()) + " patches, " +
            (r.result.certificate.holds() ? "certified>" : "NOT certified>");
   });
 }

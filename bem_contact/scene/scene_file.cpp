@@ -1,7 +1,6 @@
 #include "bem_contact/scene/scene_file.hpp"
 
 #include "bem_contact/base/input_file.hpp"
-#include "bem_contact/base/material_keys.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 #include "bem_contact/scene/unused_keys.hpp"
 
@@ -12,12 +11,12 @@ namespace bem_contact {
 namespace {
 
 void check_load(const SceneFile& f, const Schema& s) {
-  const int given = f.load.has_force + f.load.has_approach + f.position.has_vertical;
+  const int given = f.load.force.has_value() + f.load.approach.has_value() + f.position.vertical.has_value();
   if (given > 1)
-    s.refuse(f.position.has_vertical ? "position.vertical" : "load.approach",
-             f.load.has_force ? "load.force is given too" : "load.approach is given too",
-             f.position.has_vertical ? "Give exactly one of load.force, load.approach and position.vertical."
-                                     : "Give exactly one of load.force and load.approach.");
+    s.refuse(f.position.vertical ? "position.vertical" : "load.approach",
+             f.load.force ? "load.force is given too" : "load.approach is given too",
+             f.position.vertical ? "Give exactly one of load.force, load.approach and position.vertical."
+                                 : "Give exactly one of load.force and load.approach.");
   if (given == 0)
     s.refuse("load", "neither force nor approach is given",
              s.has("sweep") ? "Give load.force or load.approach; a scene whose table [sweep] does is for "
@@ -29,19 +28,19 @@ void check_motion(const SceneFile& f, const Schema& s) {
   if (!f.motion.frictionless && f.motion.friction == 0)
     s.refuse("motion.friction", "zero friction leaves nothing to roll on",
              "Set motion.frictionless = true for the normal problem alone, or give friction > 0.");
-  const std::pair<const char*, double> rates[] = {{"motion.pitch_rate", f.motion.pitch_rate},
+  const std::pair<const char*, double> rates[] = {{"motion.pitch_rate", f.motion.pitch_rate.value_or(0)},
                                                   {"motion.lateral_velocity", f.motion.lateral_velocity},
                                                   {"motion.vertical_velocity", f.motion.vertical_velocity},
                                                   {"motion.roll_rate", f.motion.roll_rate},
                                                   {"motion.yaw_rate", f.motion.yaw_rate}};
   for (const auto& [key, rate] : rates) {
-    if (rate != 0 && f.motion.speed == 0)
+    if (rate != 0 && !f.motion.speed)
       s.refuse(key, "only its ratio to the forward speed counts, and motion.speed is not given",
                "Give motion.speed too.");
-    if (rate != 0 && f.motion.kind == "shift")
+    if (rate != 0 && f.motion.kind == MotionKind::shift)
       s.refuse(key, "a shift has no velocities", "Give xi, eta and phi.");
   }
-  if (f.motion.pitch_rate > 0 && f.motion.rolling_radius > 0)
+  if (f.motion.pitch_rate && f.motion.rolling_radius)
     s.refuse("motion.rolling_radius", "pitch_rate is given too",
              "Give either the rolling radius or both speed and pitch_rate.");
   if (!f.motion.slip_table.empty() && (f.motion.xi != 0 || f.motion.eta != 0 || f.motion.phi != 0))
@@ -50,7 +49,7 @@ void check_motion(const SceneFile& f, const Schema& s) {
 
 void check_steps(const SceneFile& f, const Schema& s) {
   const bool steps = f.motion.steps > 1 || !f.motion.step_table.empty() || !f.motion.start_table.empty();
-  if (steps && f.motion.kind == "steady")
+  if (steps && f.motion.kind == MotionKind::steady)
     s.refuse("motion.kind", "steady rolling has no steps",
              "Choose transient or shift, or leave out the steps.");
   if (steps && f.motion.frictionless)
@@ -58,17 +57,17 @@ void check_steps(const SceneFile& f, const Schema& s) {
              "Leave out the steps, or give friction.");
   if (f.motion.steps > 1 && !f.motion.step_table.empty())
     s.refuse("motion.steps", "the step table has a row for each step", "Give either of the two.");
-  if ((f.load.has_force_x || f.load.has_force_s) && f.motion.frictionless)
+  if ((f.load.force_x || f.load.force_s) && f.motion.frictionless)
     s.refuse("load", "without friction there is no shear force", "Leave out force_x and force_s.");
-  if (f.motion.friction_table.empty() && f.motion.kinetic_friction > f.motion.friction)
+  if (f.motion.friction_table.empty() && f.motion.kinetic_friction.value_or(0) > f.motion.friction)
     s.refuse("motion.kinetic_friction", fmt::format("friction in adhesion is only {}", f.motion.friction),
              "Give a smaller coefficient.");
 }
 
 void check_patch(const SceneFile& f, const Schema& s) {
-  if (f.grid.mx < 1)
+  if (!f.grid.mx)
     s.refuse("grid.mx", "a patch needs its number of elements along x", "Give grid.mx >= 1.");
-  if (f.grid.ms < 1)
+  if (!f.grid.ms)
     s.refuse("grid.ms", "a patch needs its number of elements along s", "Give grid.ms >= 1.");
   if (f.grid.plane_strain && f.grid.mx != 1)
     s.refuse("grid.mx", "plane strain has one element, infinitely long along x", "Give grid.mx = 1.");
@@ -98,17 +97,18 @@ void check_wheel_rail(const SceneFile& f, const Schema& s) {
     s.refuse("position.back_to_back", fmt::format("the gauge is only {} mm", f.position.gauge),
              "Give a distance between the flange backs smaller than the gauge.");
   }
-  if ((f.grid.elements > 0 || f.grid.accuracy > 0) && (f.grid.mx > 0 || f.grid.ms > 0))
-    s.refuse(f.grid.accuracy > 0 ? "grid.accuracy" : "grid.elements", "the numbers mx or ms are given too",
+  if ((f.grid.elements || f.grid.accuracy) && (f.grid.mx || f.grid.ms))
+    s.refuse(f.grid.accuracy ? "grid.accuracy" : "grid.elements", "the numbers mx or ms are given too",
              "Leave out grid.mx and grid.ms.");
-  if ((f.grid.elements > 0 || f.grid.accuracy > 0) && f.motion.kind != "steady")
-    s.refuse(f.grid.accuracy > 0 ? "grid.accuracy" : "grid.elements",
+  if ((f.grid.elements || f.grid.accuracy) && f.motion.kind != MotionKind::steady)
+    s.refuse(f.grid.accuracy ? "grid.accuracy" : "grid.elements",
              "a transient needs one grid for all its steps", "Give grid.dx and grid.ds.");
-  if ((f.grid.s_from != 0 || f.grid.s_to != 0) && f.grid.ms > 0)
+  if (f.grid.rows && f.grid.ms)
     s.refuse("grid.ms", "grid.s_from and grid.s_to say where the rows begin and end",
              "Leave out grid.ms, or s_from and s_to.");
-  if ((f.grid.s_from != 0 || f.grid.s_to != 0) && f.grid.s_to <= f.grid.s_from)
-    s.refuse("grid.s_to", fmt::format("the rows would run from {} to {} mm", f.grid.s_from, f.grid.s_to),
+  if (f.grid.rows && f.grid.rows->to <= f.grid.rows->from)
+    s.refuse("grid.s_to",
+             fmt::format("the rows would run from {} to {} mm", f.grid.rows->from, f.grid.rows->to),
              "Give s_to greater than s_from, or leave both out.");
 }
 
@@ -117,22 +117,21 @@ void check_wheel_rail(const SceneFile& f, const Schema& s) {
 SceneFile parse_scene_file(std::string_view toml, std::string_view source_name,
                            std::span<const SceneChange> changes) {
   SceneFile file;
-  YoungsModuli young;
-  Schema schema = scene_schema(file, young);
+  SceneKeysAsRead read;
+  Schema schema = scene_schema(file, read);
   schema.skip("sweep");
   schema.read(toml, source_name);
   for (const SceneChange& change : changes)
     schema.set(change.key, change.value, change.line);
-  settle_material(schema, "rail.material", file.rail.material, young.rail);
-  settle_material(schema, "wheel.material", file.wheel.material, young.wheel);
+  settle(file, schema, read);
   check_load(file, schema);
   check_motion(file, schema);
   check_steps(file, schema);
-  if (file.kind == "patch")
+  if (file.kind == SceneKind::patch)
     check_patch(file, schema);
   else
     check_wheel_rail(file, schema);
-  if (file.solver.model == "fem" && file.rail.influence.empty() && file.wheel.influence.empty())
+  if (file.solver.model == Model::fem && file.rail.influence.empty() && file.wheel.influence.empty())
     schema.refuse("solver.model", "no influence file is given",
                   "Give rail.influence and wheel.influence, or use model = \"halfspace\".");
   file.unused = unused_keys(file, schema);
@@ -143,6 +142,11 @@ SceneFile read_scene_file(const std::filesystem::path& path, std::span<const Sce
   SceneFile file = parse_scene_file(read_text_file(path.string(), "scene file"), path.string(), changes);
   file.folder = path.parent_path();
   return file;
+}
+
+SceneFile with_model(SceneFile scene, std::optional<Model> model) {
+  scene.solver.model = model;
+  return scene;
 }
 
 std::vector<std::filesystem::path> input_files(const SceneFile& scene) {
@@ -161,10 +165,8 @@ std::string default_scene_file() {
   file.rail.profile = "60E1";
   file.wheel.profile = "S1002";
   file.load.force = 1e5;
-  YoungsModuli young;
-  Schema schema = scene_schema(file, young);
-  file.load.has_force = true; // declared keys start as not given; the printed scene must be complete
-  return schema.print();
+  SceneKeysAsRead read;
+  return scene_schema(file, read).print();
 }
 
 } // namespace bem_contact

@@ -2,8 +2,10 @@
 
 #include "bem_contact/base/material.hpp"
 #include "bem_contact/base/schema.hpp"
+#include "bem_contact/scene/choices.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,71 +15,63 @@ namespace bem_contact {
 
 /// A scene file (TOML). Two kinds: "wheel_rail" (profiles, positions, forces) and "patch" (one contact
 /// problem given directly). Keys and members have the same names. Paths are relative to the file's folder.
+/// An optional member is empty if the file does not have its key.
 struct SceneFile {
-  std::string kind = "wheel_rail";
+  SceneKind kind = SceneKind::wheel_rail;
   std::filesystem::path folder;    ///< not a key: where relative paths start
   std::vector<std::string> unused; ///< not a key: which keys are given and have no effect, and why
 
-  struct Side {                         ///< [rail], [wheel]
-    std::string profile;                ///< standard name or file (wheel_rail)
-    Material material;                  ///< [rail.material], [wheel.material]
-    std::string influence;              ///< influence file; "" where only half-space numbers are used
-    std::string structural = "removed"; ///< structural compliance: included | removed
+  struct Side {            ///< [rail], [wheel]
+    std::string profile;   ///< standard name or file (wheel_rail)
+    Material material;     ///< [rail.material], [wheel.material]
+    std::string influence; ///< influence file; "" where only half-space numbers are used
+    StructuralCompliance structural = StructuralCompliance::removed;
   };
   Side rail, wheel; ///< in a patch: the lower and the upper body
 
-  struct Position {             ///< [position], wheel_rail
-    std::string side = "right"; ///< right | left wheel
-    double lateral = 0;         ///< lateral displacement of the wheelset, mm, positive to the right
-    double gauge = 1435;        ///< mm
-    double gauge_height = 14;   ///< below the top of the rail, mm
-    double back_to_back = 1360; ///< mm
-    double cant = 0;            ///< rail inclination towards the track centre, rad
-    double roll = 0;            ///< wheelset roll, rad, right side down
-    double yaw = 0;             ///< wheelset yaw, rad, front to the right
-    double wheel_radius = 460;  ///< nominal, at the tape circle, mm
-    /// Deviations of the rail from where gauge and cant put it: to the right, down, and turned right side
-    /// down.
-    double rail_lateral = 0, rail_vertical = 0, rail_roll = 0; ///< mm, mm, rad
-    double vertical = 0; ///< z of the wheelset's centre over -wheel_radius, mm, instead of a load
-    bool has_vertical = false;
+  struct Position : WheelsetPosition { ///< [position], wheel_rail
+    std::optional<double> vertical; ///< z of the wheelset's centre over -wheel_radius, mm, instead of a load
   } position;
 
-  struct Load {          ///< [load]; exactly one of the two, or position.vertical
-    double force = 0;    ///< vertical (patch: normal) force, N; 0: not given
-    double approach = 0; ///< mm; used when has_approach
-    bool has_approach = false, has_force = false;
-    double force_x = 0, force_s = 0; ///< shear forces on the rail, N; the creepages are found
-    bool has_force_x = false, has_force_s = false;
+  struct Load {                          ///< [load]; exactly one of the two, or position.vertical
+    std::optional<double> force = {};    ///< vertical (patch: normal) force, N
+    std::optional<double> approach = {}; ///< mm
+    std::optional<double> force_x = {},
+                          force_s = {}; ///< shear forces on the rail, N; the creepages are found
   } load;
 
-  struct Motion {                ///< [motion]; creepages at the contact reference point
-    std::string kind = "steady"; ///< steady | transient | shift
+  struct Motion { ///< [motion]; creepages at the contact reference point
+    MotionKind kind = MotionKind::steady;
     bool frictionless = false;
     double friction = 0.3;
-    double kinetic_friction = 0;     ///< of what slips; 0: the same
-    std::string friction_table;      ///< CSV file with columns s, mu instead of friction
-    int steps = 1;                   ///< of transient rolling (dx each) or of shifts
+    std::optional<double> kinetic_friction; ///< of what slips; empty: the same
+    std::string friction_table;             ///< CSV file with columns s, mu instead of friction
+    int steps = 1;                          ///< of transient rolling (dx each) or of shifts
     std::string step_table;          ///< CSV file with one row a step: load, xi, eta, phi, force_x, force_s
     std::string start_table;         ///< patch: CSV file with columns ix, is, px, ps, pn
     double xi = 0, eta = 0, phi = 0; ///< wheel_rail: spin from the geometry is added to phi; phi in 1/mm
-    /// wheel_rail: forward over angular speed at xi = 0, mm; 0: speed / pitch_rate (mm/s, rad/s), where these
-    /// are 0 too what rolls freely under the estimated pressure.
-    double rolling_radius = 0, speed = 0, pitch_rate = 0;
+    /// wheel_rail: forward over angular speed at xi = 0, mm. Empty: speed / pitch_rate (mm/s, rad/s); if
+    /// these are empty too, the radius that rolls freely under the estimated pressure.
+    std::optional<double> rolling_radius, speed, pitch_rate;
     /// wheel_rail: of the wheelset, with speed: to the right and down, mm/s; right side down and front to the
     /// right, rad/s.
     double lateral_velocity = 0, vertical_velocity = 0, roll_rate = 0, yaw_rate = 0;
     std::string slip_table; ///< patch: CSV file with columns ix, is, wx, ws instead of creepages
   } motion;
 
-  struct Grid {                ///< [grid]
-    double dx = 0.5, ds = 0.2; ///< mm
-    int mx = 0, ms = 0;        ///< patch: size; wheel_rail: 0 = from the undeformed distance
-    int elements = 0;          ///< wheel_rail: wanted in contact, instead of dx and ds; 0: as these say
-    double accuracy = 0; ///< wheel_rail: discretisation error wanted, instead of dx and ds; 0: as these say
-    bool plane_strain = false;   ///< patch: mx = 1, infinitely long along x, forces per mm
-    double s_from = 0, s_to = 0; ///< wheel_rail: rows wanted on the rail's arc length; both 0 = automatic
-    bool planar = false;         ///< wheel_rail: all rows in the tangent plane at the reference point
+  /// From the outer border of the first row to that of the last, mm.
+  struct RowRange {
+    double from = 0, to = 0;
+  };
+
+  struct Grid {                     ///< [grid]
+    double dx = 0.5, ds = 0.2;      ///< mm
+    std::optional<int> mx, ms;      ///< patch: size; wheel_rail: empty = from the undeformed distance
+    std::optional<int> elements;    ///< wheel_rail: wanted in contact, instead of dx and ds
+    std::optional<double> accuracy; ///< wheel_rail: discretisation error wanted, instead of dx and ds
+    bool plane_strain = false;      ///< patch: mx = 1, infinitely long along x, forces per mm
+    std::optional<RowRange> rows;   ///< wheel_rail: keys s_from and s_to, on the rail's arc length
+    bool planar = false;            ///< wheel_rail: all rows in the tangent plane at the reference point
   } grid;
 
   struct Gap {                  ///< [gap], patch
@@ -100,7 +94,7 @@ struct SceneFile {
   } stresses;
 
   struct Solver {                  ///< [solver]
-    std::string model = "auto";    ///< auto | hertz | halfspace | tangent_plane | fem
+    std::optional<Model> model;    ///< empty: the cheapest that is accurate enough
     double model_tolerance = 0.01; ///< of pmax, for auto
     double tolerance = 1e-8;
     int max_outer = 50;
@@ -119,6 +113,9 @@ SceneFile read_scene_file(const std::filesystem::path& file, std::span<const Sce
 SceneFile parse_scene_file(std::string_view toml, std::string_view source_name = "text",
                            std::span<const SceneChange> changes = {});
 std::string default_scene_file();
+
+/// The same scene, to be answered with another model. Empty: with the cheapest that is accurate enough.
+SceneFile with_model(SceneFile scene, std::optional<Model> model);
 
 /// All files that the scene names, and all that it could: a profile may be a standard's name.
 std::vector<std::filesystem::path> input_files(const SceneFile& scene);

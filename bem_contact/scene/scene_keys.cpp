@@ -6,7 +6,8 @@ namespace bem_contact {
 
 namespace {
 
-const std::vector<std::string> wheel_rail{"wheel_rail"}, patch{"patch"};
+const std::vector<std::string> wheel_rail{std::string(name_of(SceneKind::wheel_rail))};
+const std::vector<std::string> patch{std::string(name_of(SceneKind::patch))};
 
 void add_side(Schema& s, const std::string& name, const std::string& role, SceneFile::Side& side,
               const std::string& standards, double& young) {
@@ -17,15 +18,13 @@ void add_side(Schema& s, const std::string& name, const std::string& role, Scene
   s.add(name + ".influence", side.influence,
         {.doc = "Influence file (HDF5); empty where only half-space numbers are used"});
   s.add(name + ".structural", side.structural,
-        {.doc = "Deflection of the body as a whole (web and foot, or hub)",
-         .choices = {"removed", "included"}});
+        {.doc = "Deflection of the body as a whole (web and foot, or hub)"});
   add_material(s, name + ".material", side.material, young);
 }
 
 void add_position(Schema& s, SceneFile::Position& p) {
   s.add("position.side", p.side,
         {.doc = "Which wheel of the wheelset; y, s and what is along them are counted towards its side",
-         .choices = {"right", "left"},
          .kinds = wheel_rail});
   s.add("position.lateral", p.lateral,
         {.doc = "Lateral displacement of the wheelset, positive to the right",
@@ -62,9 +61,7 @@ void add_position(Schema& s, SceneFile::Position& p) {
   s.add("position.vertical", p.vertical,
         {.doc = "How far the wheelset's centre stands below wheel_radius above the rail, instead of a load",
          .unit = "mm",
-         .kinds = wheel_rail,
-         .given = &p.has_vertical,
-         .alternative = true});
+         .kinds = wheel_rail});
   s.add("position.rail_lateral", p.rail_lateral,
         {.doc = "Deviation of the rail from its place, to the right", .unit = "mm", .kinds = wheel_rail});
   s.add("position.rail_vertical", p.rail_vertical,
@@ -82,37 +79,32 @@ void add_load(Schema& s, SceneFile::Load& load) {
         {.doc = "Vertical (patch: normal) force, plane strain: per mm; give either this or load.approach",
          .unit = "N",
          .above = 0,
-         .given = &load.has_force,
          .example = true});
   s.add("load.approach", load.approach,
-        {.doc = "Approach of the bodies; give either this or load.force",
-         .unit = "mm",
-         .given = &load.has_approach});
+        {.doc = "Approach of the bodies; give either this or load.force", .unit = "mm"});
 
   s.add("load.force_x", load.force_x,
         {.doc = "Longitudinal force on the rail; the creepage that gives it is found and added to motion.xi",
-         .unit = "N",
-         .given = &load.has_force_x});
+         .unit = "N"});
   s.add("load.force_s", load.force_s,
         {.doc = "Shear force on the rail along its tangent at the reference point, sum p_s cos(delta - "
                 "delta_ref) dS; the creepage is found and added to motion.eta",
-         .unit = "N",
-         .given = &load.has_force_s});
+         .unit = "N"});
 }
 
 void add_motion(Schema& s, SceneFile::Motion& m) {
   s.add("motion.kind", m.kind,
         {.doc =
              "Steady rolling; transient rolling from rest, dx a step; or shifts of bodies that do not roll, "
-             "xi and eta then in mm a step and phi in rad",
-         .choices = {"steady", "transient", "shift"}});
+             "xi and eta then in mm a step and phi in rad"});
   s.add("motion.frictionless", m.frictionless, {.doc = "No friction at all: the normal problem alone"});
   s.add("motion.friction", m.friction, {.doc = "Coulomb's coefficient of friction", .at_least = 0});
   s.add("motion.kinetic_friction", m.kinetic_friction,
         {.doc =
              "Coefficient of what slips, at most that of adhesion; 0: the same. With friction_table: of the "
              "largest, and in proportion elsewhere",
-         .at_least = 0});
+         .at_least = 0,
+         .zero_is_none = true});
   s.add("motion.friction_table", m.friction_table,
         {.doc = "CSV file with columns s, mu (linear in between) instead of friction; s as in the result"});
   s.add("motion.steps", m.steps,
@@ -134,18 +126,21 @@ void add_motion(Schema& s, SceneFile::Motion& m) {
         {.doc = "Forward over angular speed of the wheel where xi = 0; 0: what rolls freely in the mean",
          .unit = "mm",
          .at_least = 0,
-         .kinds = wheel_rail});
+         .kinds = wheel_rail,
+         .zero_is_none = true});
   s.add("motion.speed", m.speed,
         {.doc = "Forward speed of the wheelset, for the velocities and rates below",
          .unit = "mm/s",
          .at_least = 0,
-         .kinds = wheel_rail});
+         .kinds = wheel_rail,
+         .zero_is_none = true});
   s.add("motion.pitch_rate", m.pitch_rate,
         {.doc = "Angular speed of the wheelset about its axle, positive as it rolls forwards; instead of "
                 "rolling_radius",
          .unit = "rad/s",
          .at_least = 0,
-         .kinds = wheel_rail});
+         .kinds = wheel_rail,
+         .zero_is_none = true});
   s.add("motion.lateral_velocity", m.lateral_velocity,
         {.doc = "Of the wheelset's centre, to the right", .unit = "mm/s", .kinds = wheel_rail});
   s.add("motion.vertical_velocity", m.vertical_velocity,
@@ -158,34 +153,39 @@ void add_motion(Schema& s, SceneFile::Motion& m) {
         {.doc = "CSV file with columns ix, is, wx, ws (rigid slip) instead of creepages", .kinds = patch});
 }
 
-void add_grid(Schema& s, SceneFile::Grid& g) {
+void add_grid(Schema& s, SceneFile::Grid& g, SceneKeysAsRead& read) {
   s.add("grid.dx", g.dx, {.doc = "Element length along x", .unit = "mm", .at_least = 1e-6, .at_most = 1e6});
   s.add("grid.ds", g.ds, {.doc = "Element width along s", .unit = "mm", .at_least = 1e-6, .at_most = 1e6});
   s.add("grid.mx", g.mx,
         {.doc = "Elements along x; 0 (wheel_rail only): from the undeformed distance",
          .at_least = 0,
-         .at_most = 4096});
+         .at_most = 4096,
+         .zero_is_none = true});
   s.add("grid.ms", g.ms,
         {.doc = "Elements along s; 0 (wheel_rail only): from the undeformed distance",
          .at_least = 0,
-         .at_most = 4096});
+         .at_most = 4096,
+         .zero_is_none = true});
   s.add("grid.elements", g.elements,
         {.doc = "Elements in contact that dx and ds are chosen for; 0: dx and ds as given",
          .at_least = 0,
          .at_most = 4000,
-         .kinds = wheel_rail});
+         .kinds = wheel_rail,
+         .zero_is_none = true});
   s.add("grid.accuracy", g.accuracy,
         {.doc = "Discretisation error that dx and ds are chosen for (0.02: 2 %); 0: dx and ds as given",
          .at_least = 0,
          .at_most = 0.5,
-         .kinds = wheel_rail});
+         .kinds = wheel_rail,
+         .zero_is_none = true});
   s.add("grid.plane_strain", g.plane_strain,
         {.doc = "One element infinitely long along x (mx = 1), forces per mm", .kinds = patch});
-  s.add("grid.s_from", g.s_from,
+  s.add("grid.s_from", read.s_from,
         {.doc = "First row on the rail's arc length; s_from = s_to = 0: automatic",
          .unit = "mm",
          .kinds = wheel_rail});
-  s.add("grid.s_to", g.s_to, {.doc = "Last row on the rail's arc length", .unit = "mm", .kinds = wheel_rail});
+  s.add("grid.s_to", read.s_to,
+        {.doc = "Last row on the rail's arc length", .unit = "mm", .kinds = wheel_rail});
   s.add("grid.planar", g.planar,
         {.doc = "Planar contact: all rows in the tangent plane at the reference point", .kinds = wheel_rail});
 }
@@ -239,11 +239,10 @@ void add_stresses(Schema& s, SceneFile::Stresses& stresses) {
 }
 
 void add_solver(Schema& s, SceneFile::Solver& solver) {
-  s.add("solver.model", solver.model,
+  s.add("solver.model", solver.model, std::string(automatic_model),
         {.doc =
              "Hertz's closed form (frictionless); influence numbers of the half-space, of half-spaces in the "
-             "elements' tangent planes, of the bodies; or the cheapest of these that serves",
-         .choices = {"auto", "hertz", "halfspace", "tangent_plane", "fem"}});
+             "elements' tangent planes, of the bodies; or the cheapest of these that serves"});
   s.add(
       "solver.model_tolerance", solver.model_tolerance,
       {.doc = "For auto: predicted error of the largest pressure that is allowed", .above = 0, .at_most = 1});
@@ -255,22 +254,27 @@ void add_solver(Schema& s, SceneFile::Solver& solver) {
 
 } // namespace
 
-Schema scene_schema(SceneFile& f, YoungsModuli& young) {
+Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
   Schema s("scene file");
   s.kind_is("kind");
-  s.add("kind", f.kind,
-        {.doc = "A wheel on a rail, or one contact problem given directly",
-         .choices = {"wheel_rail", "patch"}});
-  add_side(s, "rail", "The rail", f.rail, "60E1, 60E2, 54E1, 46E3", young.rail);
-  add_side(s, "wheel", "The wheel", f.wheel, "S1002", young.wheel);
+  s.add("kind", f.kind, {.doc = "A wheel on a rail, or one contact problem given directly"});
+  add_side(s, "rail", "The rail", f.rail, "60E1, 60E2, 54E1, 46E3", read.rail_young);
+  add_side(s, "wheel", "The wheel", f.wheel, "S1002", read.wheel_young);
   add_position(s, f.position);
   add_load(s, f.load);
   add_motion(s, f.motion);
-  add_grid(s, f.grid);
+  add_grid(s, f.grid, read);
   add_patch(s, f.gap, f.strip);
   add_stresses(s, f.stresses);
   add_solver(s, f.solver);
   return s;
+}
+
+void settle(SceneFile& f, const Schema& s, const SceneKeysAsRead& read) {
+  settle_material(s, "rail.material", f.rail.material, read.rail_young);
+  settle_material(s, "wheel.material", f.wheel.material, read.wheel_young);
+  if (read.s_from != 0 || read.s_to != 0)
+    f.grid.rows = {read.s_from, read.s_to};
 }
 
 } // namespace bem_contact

@@ -18,11 +18,11 @@ struct Cause {
 
 std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
   const SceneFile::Motion& m = f.motion;
-  const bool patch = f.kind == "patch";
+  const bool patch = f.kind == SceneKind::patch;
   const bool files = !f.rail.influence.empty() && !f.wheel.influence.empty();
   const bool one_file = f.rail.influence.empty() != f.wheel.influence.empty();
-  const bool chosen = f.grid.elements > 0 || f.grid.accuracy > 0;
-  const bool rates = m.pitch_rate != 0 || m.lateral_velocity != 0 || m.vertical_velocity != 0 ||
+  const bool chosen = f.grid.elements || f.grid.accuracy;
+  const bool rates = m.pitch_rate || m.lateral_velocity != 0 || m.vertical_velocity != 0 ||
                      m.roll_rate != 0 || m.yaw_rate != 0;
   const Cause causes[] = {
       {{"motion.friction", "motion.kinetic_friction", "motion.friction_table", "motion.xi", "motion.eta",
@@ -30,15 +30,17 @@ std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
         "motion.lateral_velocity", "motion.vertical_velocity", "motion.roll_rate", "motion.yaw_rate"},
        m.frictionless,
        "motion.frictionless = true leaves the normal problem alone"},
-      {{"motion.kind"}, m.frictionless && m.kind != "steady", "without friction nothing remembers a step"},
+      {{"motion.kind"},
+       m.frictionless && m.kind != MotionKind::steady,
+       "without friction nothing remembers a step"},
       {{"motion.friction"},
        !m.frictionless && !m.friction_table.empty(),
        "motion.friction_table is given instead"},
       {{"motion.speed", "motion.rolling_radius"},
-       !m.frictionless && m.kind == "shift",
+       !m.frictionless && m.kind == MotionKind::shift,
        "bodies that are shifted do not roll"},
       {{"motion.speed"},
-       !m.frictionless && m.kind != "shift" && !rates,
+       !m.frictionless && m.kind != MotionKind::shift && !rates,
        "neither motion.pitch_rate nor a velocity is given beside it"},
       {{"grid.dx", "grid.ds"}, chosen, "grid.accuracy or grid.elements chooses the elements"},
       {{"grid.dx", "gap.a", "gap.c", "stresses.x"},
@@ -46,10 +48,10 @@ std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
        "plane strain is the same all along x"},
       {{"stresses.x", "stresses.s"}, f.stresses.depths.empty(), "no stresses.depths are given"},
       {{"rail.structural"},
-       f.rail.structural == "included" && f.rail.influence.empty(),
+       f.rail.structural == StructuralCompliance::included && f.rail.influence.empty(),
        "it says which part of an influence file is taken, and there is no rail.influence"},
       {{"wheel.structural"},
-       f.wheel.structural == "included" && f.wheel.influence.empty(),
+       f.wheel.structural == StructuralCompliance::included && f.wheel.influence.empty(),
        "it says which part of an influence file is taken, and there is no wheel.influence"},
       {{"rail.influence", "wheel.influence"},
        one_file,

@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/model_choice.hpp"
 
 #include "bem_contact/sequence/hertz_model.hpp"
+#include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ bool on_a_circle(const ContactProblem& problem) {
   const std::vector<ContactRow>& rows = problem.rows;
   const double turn = rows.size() > 1 ? rows[1].delta - rows[0].delta : 0;
   for (std::size_t i = 1; i < rows.size(); ++i)
-    if (std::abs(rows[i].delta - rows[i - 1].delta - turn) > 1e-9)
+    if (std::abs(rows[i].delta - rows[i - 1].delta - turn) > equal_turn)
       return false;
   return true;
 }
@@ -28,17 +29,17 @@ double degrees(double angle) {
 } // namespace
 
 double predicted_halfspace_error(double turn) {
-  return 0.66 * 0.25 * turn * turn;
+  return halfspace_error * 0.25 * turn * turn;
 }
 
 double predicted_tangent_plane_error(const ContactProblem& problem, double turn, bool equal_bodies) {
   if (problem.plane_strain() && equal_bodies && on_a_circle(problem))
     return 0;
-  return 0.24 * 0.25 * turn * turn;
+  return tangent_plane_error * 0.25 * turn * turn;
 }
 
 double predicted_error(const HertzModel& model) {
-  return 5 * model.deviation + predicted_halfspace_error(model.turn);
+  return hertz_deviation_error * model.deviation + predicted_halfspace_error(model.turn);
 }
 
 std::string halfspace_text(double turn) {
@@ -68,7 +69,7 @@ double turn_of_contact(const ContactProblem& problem, const ContactResult& resul
 ModelChoice choose_hertz(const HertzModel& model, double tolerance) {
   const double error = predicted_error(model);
   return {
-      "hertz",
+      Model::hertz,
       fmt::format("no friction, the undeformed distance is a quadratic within {:.1g} of the approach, the "
                   "normal turns by {:.1f} degrees: Hertz's closed form is predicted to miss the largest "
                   "pressure by up to {:.1f} %: within the {:g} % allowed",
@@ -84,14 +85,14 @@ ModelChoice choose_model(const ContactProblem& problem, const ContactResult& nor
   std::string reason = halfspace_text(turn);
   const std::string within = fmt::format(": within the {:g} % allowed", 100 * tolerance);
   if (halfspace <= tolerance)
-    return {"halfspace", reason + within};
+    return {Model::halfspace, reason + within};
   reason += fmt::format(", tangent planes by up to {:.1f} %", 100 * tangent_plane);
   if (tangent_plane <= tolerance)
-    return {"tangent_plane", reason + within};
+    return {Model::tangent_plane, reason + within};
   reason += fmt::format(": more than the {:g} % allowed", 100 * tolerance);
   if (fem)
-    return {"fem", reason};
-  return {"tangent_plane", reason + ", but the scene names no influence files of both bodies", false};
+    return {Model::fem, reason};
+  return {Model::tangent_plane, reason + ", but the scene names no influence files of both bodies", false};
 }
 
 } // namespace bem_contact

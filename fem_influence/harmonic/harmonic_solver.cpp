@@ -34,9 +34,9 @@ double smallest_eigenvalue(std::span<const double> kernel) {
 }
 
 double reference_radius_of(const BodyFile& body) {
-  if (body.body.kind == "outline")
+  if (body.body.kind == BodyKind::outline)
     return body.body.reference_radius;
-  return body.body.kind == "wheel" ? wheel_reference_radius : 0.0;
+  return body.body.kind == BodyKind::wheel ? wheel_reference_radius : 0.0;
 }
 
 double half_period_of(const BodyFile& body) {

@@ -37,7 +37,7 @@ std::array<std::array<double, 3>, 3> halfspace_kernel(const Material& m, double 
   return g;
 }
 
-BodyFile strip_body(const char* kind, double half, double width, int degree) {
+BodyFile strip_body(BodyKind kind, double half, double width, int degree) {
   BodyFile body;
   body.body.kind = kind;
   body.strip = {-half, half, width};
@@ -50,7 +50,7 @@ double worst_against_halfspace(bool wheel, double k, double h, int degree, int b
   const Folder folder;
   const double width = 0.5, half = 3.0;
   write_block_mesh(folder / "block.msh", h, half, 60, wheel);
-  const BodyFile body = strip_body(wheel ? "wheel" : "block", half, width, degree);
+  const BodyFile body = strip_body(wheel ? BodyKind::wheel : BodyKind::block, half, width, degree);
   const ProfileCurve curve = straight_line(60, wheel);
   const Section section(folder / "block.msh", degree, curve, body.strip, {.borders = borders});
   HarmonicSolver solver(assemble_system(section, body, curve));
@@ -110,7 +110,7 @@ void check_michell(bool hole) {
   const double radius = 10;
   const int count = 84;
   write_ring_mesh(folder / "ring.msh", radius, hole ? 200 * radius : 0.004 * radius, count);
-  BodyFile body = strip_body(hole ? "bore" : "disc", 0, 2 * pi * radius / count, 3);
+  BodyFile body = strip_body(hole ? BodyKind::bore : BodyKind::disc, 0, 2 * pi * radius / count, 3);
   const ProfileCurve circle = full_circle(radius, hole);
   body.strip = {circle.s_begin(), circle.s_end(), (circle.s_end() - circle.s_begin()) / count};
   body.harmonic.remote_distance = 0.5 * radius;
@@ -209,7 +209,7 @@ TEST(Kernel, elimination_numbers_nodes_of_elements_first) {
 TEST(Kernel, order_of_elimination_does_not_matter) {
   const Folder folder;
   write_block_mesh(folder / "block.msh", 0.5, 2, 50, true);
-  const BodyFile body = strip_body("wheel", 2, 0.5, 2);
+  const BodyFile body = strip_body(BodyKind::wheel, 2, 0.5, 2);
   const ProfileCurve curve = straight_line(50, true);
   const Section section(folder / "block.msh", 2, curve, body.strip, {.borders = 1});
   const HarmonicSystem system = assemble_system(section, body, curve);
@@ -230,7 +230,7 @@ TEST(Kernel, order_of_elimination_does_not_matter) {
 TEST(Kernel, chosen_stations_have_the_numbers_that_all_have) {
   const Folder folder;
   write_block_mesh(folder / "block.msh", 0.5, 2, 50);
-  const BodyFile body = strip_body("block", 2, 0.5, 2);
+  const BodyFile body = strip_body(BodyKind::block, 2, 0.5, 2);
   const ProfileCurve curve = straight_line(50);
   const Section section(folder / "block.msh", 2, curve, body.strip, {.borders = 1});
   const std::vector<std::size_t> chosen = {1, 2, 6};
@@ -263,7 +263,7 @@ TEST(Kernel, reactions_balance_the_load_of_prism_and_wheel) {
   for (const bool wheel : {false, true}) {
     const Folder folder;
     write_block_mesh(folder / "block.msh", 0.5, 2, 50, wheel);
-    const BodyFile body = strip_body(wheel ? "wheel" : "block", 2, 0.5, 2);
+    const BodyFile body = strip_body(wheel ? BodyKind::wheel : BodyKind::block, 2, 0.5, 2);
     const ProfileCurve curve = straight_line(50, wheel);
     const Section section(folder / "block.msh", 2, curve, body.strip, {.borders = 1});
     HarmonicSolver solver(assemble_system(section, body, curve));
@@ -279,7 +279,7 @@ TEST(Kernel, a_body_held_at_all_nodes_is_refused) {
                                  "1 -1 0 0\n2 1 0 0\n3 1 10 0\n4 -1 10 0\n$EndNodes\n$Elements\n5\n"
                                  "1 1 2 1 1 1 2\n2 1 2 2 2 2 3\n3 1 2 2 2 3 4\n4 1 2 2 2 4 1\n"
                                  "5 3 2 10 10 1 2 3 4\n$EndElements\n");
-  BodyFile body = strip_body("block", 1, 2, 1);
+  BodyFile body = strip_body(BodyKind::block, 1, 2, 1);
   body.harmonic.remote_distance = 4;
   const ProfileCurve curve = straight_line(10);
   const Section section(folder / "one.msh", 1, curve, body.strip);
@@ -300,7 +300,7 @@ TEST(Kernel, removing_the_remote_motion_takes_most_of_the_support_out) {
     const Folder folder;
     const double size = b == 0 ? 40 : 80;
     write_block_mesh(folder / "block.msh", 0.5, 2, size);
-    BodyFile body = strip_body("block", 2, 0.5, 2);
+    BodyFile body = strip_body(BodyKind::block, 2, 0.5, 2);
     body.harmonic.remote_distance = 20;
     const Section section(folder / "block.msh", 2, straight_line(size), body.strip);
     HarmonicSolver solver(assemble_system(section, body, straight_line(size)));

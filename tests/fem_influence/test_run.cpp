@@ -27,7 +27,7 @@ using ::testing::HasSubstr;
 /// A small block with few wavenumbers: a second or so.
 BodyFile small_block() {
   BodyFile body;
-  body.body.kind = "block";
+  body.body.kind = BodyKind::block;
   body.body.size = 40;
   body.strip = {-2, 2, 0.5};
   body.harmonic = {.degree = 2,

@@ -127,7 +127,7 @@ void write_tube(const std::filesystem::path& file, double outer, double inner, d
 
 BodyFile block() {
   BodyFile body;
-  body.body.kind = "block";
+  body.body.kind = BodyKind::block;
   body.strip = {-4, 4, 1};
   body.solid.offsets = 4;
   body.solid.elements_per_load = 4;

@@ -66,7 +66,7 @@ TEST(UndeformedDistance, AlongXHasTheCurvatureOfTheWheel) {
 }
 
 TEST(UndeformedDistance, ConformalArcsAreTheirDifferenceOfRadii) {
-  // Wheel groove R 10.2 on a rail corner R 10 that touch at s = 0: far from it the gap is c.f. REFERENCES 3,
+  // Wheel groove R 10.2 on a rail corner R 10 that touch at s = 0: far from it the gap is
   // exactly the circle about (0, 10.2) seen from the circle about (0, 10).
   const WheelOnRail pair = shapes::arcs(10, -10.2, 460);
   const std::vector<ContactRow> rows = rows_of(pair, -8, 8, 1);

@@ -45,7 +45,7 @@ TEST(Placement, TheGaugeFaceIsAtHalfTheGauge) {
 }
 
 TEST(Placement, TheRailWithoutCantStandsHalfItsHeadBeyondTheGaugeFace) {
-  // REFERENCES 1.2: R13 about (23.0160, -14.9491); at 14 mm below the top its half width is
+  // EN 13674-1: R13 about (23.0160, -14.9491); at 14 mm below the top its half width is
   const double half_width = 23.0160 + std::sqrt(13.0 * 13.0 - 0.9491 * 0.9491);
   EXPECT_NEAR(s1002_on_60e1({}).rail_pose.origin.y, 717.5 + half_width, 1e-3);
 }
@@ -149,7 +149,8 @@ TEST(ContactSearch, CirclesTouchOnTheLineOfTheirCentres) {
 }
 
 TEST(ContactSearch, TwoPointContactOfS1002On60E1IsNearSixPointSevenMillimetres) {
-  // y*: where the deepest point jumps from the gauge corner to the flange (REFERENCES 4).
+  // y*: where the deepest point jumps from the gauge corner to the flange. Li and Kalker 1998
+  // found two-point contact around such a position.
   const auto deepest = [](double lateral) {
     WheelOnRail pair = s1002_on_60e1(at_lateral(lateral));
     return lower_to_touch(pair);

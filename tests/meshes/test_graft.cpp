@@ -25,7 +25,7 @@ protected:
   void TearDown() override { std::filesystem::remove_all(folder); }
 
   /// A rail (or wheel) with a worn profile from a file.
-  BodyFile worn(const char* kind, const char* standard, const Wear& wear, BodyFile::Strip strip) {
+  BodyFile worn(BodyKind kind, const char* standard, const Wear& wear, BodyFile::Strip strip) {
     write_worn(folder / "worn.txt", standard, wear);
     BodyFile body;
     body.folder = folder;
@@ -51,7 +51,7 @@ double area_of(const BodyFile& body) {
   return area(make_section(body));
 }
 
-BodyFile standard_body(const char* kind, const char* profile, BodyFile::Strip strip) {
+BodyFile standard_body(BodyKind kind, const char* profile, BodyFile::Strip strip) {
   BodyFile body;
   body.body.kind = kind;
   body.body.profile = profile;
@@ -61,18 +61,20 @@ BodyFile standard_body(const char* kind, const char* profile, BodyFile::Strip st
 
 TEST_F(Graft, AnUnwornProfileGivesTheStandardBody) {
   const Wear none{.depth = 0, .noise = 0};
-  EXPECT_NEAR(area_of(worn("rail", "60E1", none, {-45, -17, 0.25})),
-              area_of(standard_body("rail", "60E1", {-45, -17, 0.25})), 0.5); // rounder under the head
-  EXPECT_NEAR(area_of(worn("wheel", "S1002", none, {20, 50, 0.25})),
-              area_of(standard_body("wheel", "S1002", {20, 50, 0.25})), 2);
+  EXPECT_NEAR(area_of(worn(BodyKind::rail, "60E1", none, {-45, -17, 0.25})),
+              area_of(standard_body(BodyKind::rail, "60E1", {-45, -17, 0.25})),
+              0.5); // rounder under the head
+  EXPECT_NEAR(area_of(worn(BodyKind::wheel, "S1002", none, {20, 50, 0.25})),
+              area_of(standard_body(BodyKind::wheel, "S1002", {20, 50, 0.25})), 2);
 }
 
 TEST_F(Graft, AWornGaugeCornerLacksWhatWasTaken) {
   const Wear wear{.depth = 1.2};
-  BodyFile body = worn("rail", "60E1", wear, {-45, -17, 0.25});
-  body.body.graft_given = true;                              // where it lies is known
+  BodyFile body = worn(BodyKind::rail, "60E1", wear, {-45, -17, 0.25});
+  body.body.graft_at = Point2{};                             // where it lies is known
   const double taken = 1.2 * 8 * std::sqrt(std::acos(-1.0)); // and less of it where the surface is convex
-  EXPECT_NEAR(area_of(body), area_of(standard_body("rail", "60E1", {-45, -17, 0.25})) - taken, 0.08 * taken);
+  EXPECT_NEAR(area_of(body), area_of(standard_body(BodyKind::rail, "60E1", {-45, -17, 0.25})) - taken,
+              0.08 * taken);
   const QuadMesh mesh = mesh_section(body);
   EXPECT_EQ(mesh.name, "rail worn.txt on 60E1");
   EXPECT_GE(quality(mesh).smallest, poor_quality);
@@ -82,7 +84,7 @@ TEST_F(Graft, AWornGaugeCornerLacksWhatWasTaken) {
 }
 
 TEST_F(Graft, AWornFlangeOnTheWheel) {
-  const BodyFile body = worn("wheel", "S1002", {.middle = 44, .depth = 1.5}, {25, 50, 0.25});
+  const BodyFile body = worn(BodyKind::wheel, "S1002", {.middle = 44, .depth = 1.5}, {25, 50, 0.25});
   const QuadMesh mesh = mesh_section(body);
   EXPECT_EQ(mesh.name, "wheel worn.txt on S1002 (representative rim, web and hub)");
   EXPECT_GE(quality(mesh).smallest, poor_quality);
@@ -91,16 +93,17 @@ TEST_F(Graft, AWornFlangeOnTheWheel) {
 
 TEST_F(Graft, AProfileThatEndsEarlyIsContinuedByTheStandard) {
   const BodyFile body =
-      worn("rail", "54E1", {.depth = 0, .noise = 0, .cut_begin = 9, .cut_end = 4}, {-20, 20, 0.5});
+      worn(BodyKind::rail, "54E1", {.depth = 0, .noise = 0, .cut_begin = 9, .cut_end = 4}, {-20, 20, 0.5});
   BodyFile on_54 = body;
   on_54.body.graft_onto = "54E1";
-  EXPECT_NEAR(area_of(on_54), area_of(standard_body("rail", "54E1", {-20, 20, 0.5})), 0.3);
+  EXPECT_NEAR(area_of(on_54), area_of(standard_body(BodyKind::rail, "54E1", {-20, 20, 0.5})), 0.3);
   EXPECT_EQ(make_section(on_54).name, "rail worn.txt on 54E1 (representative web and foot)");
 }
 
 TEST_F(Graft, AStepAtTheJointIsBlendedSmoothly) {
   // The gauge side of the head is 1 mm narrower all the way down to where the measurement ends.
-  const BodyFile body = worn("rail", "60E1", {.middle = -52, .width = 9, .depth = 1}, {-45, -17, 0.25});
+  const BodyFile body =
+      worn(BodyKind::rail, "60E1", {.middle = -52, .width = 9, .depth = 1}, {-45, -17, 0.25});
   const Section section = make_section(body);
   const Loop& loop = section.loops.front();
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -111,15 +114,15 @@ TEST_F(Graft, AStepAtTheJointIsBlendedSmoothly) {
 }
 
 TEST_F(Graft, WhatDoesNotFitIsRefusedWithBothFigures) {
-  BodyFile body = worn("rail", "60E1", {.depth = 0, .noise = 0, .cut_end = 20}, {-45, -17, 0.25});
+  BodyFile body = worn(BodyKind::rail, "60E1", {.depth = 0, .noise = 0, .cut_end = 20}, {-45, -17, 0.25});
   body.body.graft_at = {3, 0};
   EXPECT_THAT(refusal(body), AllOf(HasSubstr("the profile worn.txt does not fit the body of 60E1"),
                                    HasSubstr("mm off it, inclined by"), HasSubstr("up to 2 mm and 0.7 rad"),
                                    HasSubstr("graft_at and graft_angle")));
-  body.body.graft_at = {};
+  body.body.graft_at.reset();
   body.body.graft_angle = 0.3;
   EXPECT_THAT(refusal(body), HasSubstr("does not fit the body of 60E1"));
-  body.body.graft_angle = 0;
+  body.body.graft_angle.reset();
   body.body.graft_onto = "46E3"; // 30 mm lower and narrower
   EXPECT_NE(refusal(body), "no error");
   body.body.graft_onto = "S1002";
@@ -129,11 +132,12 @@ TEST_F(Graft, WhatDoesNotFitIsRefusedWithBothFigures) {
 }
 
 TEST_F(Graft, AnInclinedMeasurementNeedsAnInclinedBody) {
-  BodyFile body = worn("rail", "60E1", {.depth = 0.8, .angle = -0.025, .shift_z = 0.4}, {-45, -17, 0.25});
+  BodyFile body =
+      worn(BodyKind::rail, "60E1", {.depth = 0.8, .angle = -0.025, .shift_z = 0.4}, {-45, -17, 0.25});
   body.body.graft_angle = -0.025;
   body.body.graft_at = {0, 0.4};
-  BodyFile straight = worn("rail", "60E1", {.depth = 0.8}, {-45, -17, 0.25});
-  straight.body.graft_given = true; // where it lies is known
+  BodyFile straight = worn(BodyKind::rail, "60E1", {.depth = 0.8}, {-45, -17, 0.25});
+  straight.body.graft_at = Point2{}; // where it lies is known
   const double there = area_of(straight);
   write_worn(folder / "worn.txt", "60E1", {.depth = 0.8, .angle = -0.025, .shift_z = 0.4});
   EXPECT_NEAR(area_of(body), there, 1e-2);
@@ -151,19 +155,20 @@ TEST_F(Graft, TheBodyIsFoundOnTheUnwornPart) {
   for (const double angle : {0.0, 0.025, -0.05})
     for (const double depth : {0.0, 1.5, 4.0}) {
       const Wear wear{.depth = depth, .angle = angle, .shift_z = -6};
-      const GraftPlace rail = found(worn("rail", "60E1", wear, {-45, -17, 0.25}), "60E1");
+      const GraftPlace rail = found(worn(BodyKind::rail, "60E1", wear, {-45, -17, 0.25}), "60E1");
       EXPECT_NEAR(rail.angle, angle, 1e-4) << depth;
       EXPECT_LT(norm(rail.at - Point2{0, -6}), 0.005) << depth; // noise of 3 um, wear that ends slowly
       EXPECT_GT(rail.share, 0.6);
       const Wear flange{.middle = 44, .depth = depth, .angle = angle, .shift_z = 3};
-      const GraftPlace wheel = found(worn("wheel", "S1002", flange, {25, 50, 0.25}), "S1002");
+      const GraftPlace wheel = found(worn(BodyKind::wheel, "S1002", flange, {25, 50, 0.25}), "S1002");
       EXPECT_NEAR(wheel.angle, angle, 1e-4) << depth;
       EXPECT_LT(norm(wheel.at - Point2{0, 3}), 0.005) << depth;
     }
 }
 
 TEST_F(Graft, AFoundPlaceIsSaidAndOneThatIsGivenStays) {
-  BodyFile body = worn("rail", "60E1", {.depth = 0.8, .angle = -0.025, .shift_z = 4}, {-45, -17, 0.25});
+  BodyFile body =
+      worn(BodyKind::rail, "60E1", {.depth = 0.8, .angle = -0.025, .shift_z = 4}, {-45, -17, 0.25});
   const Section automatic = make_section(body);
   EXPECT_THAT(automatic.note, AllOf(HasSubstr("body of 60E1 found at graft_at ="), HasSubstr("% of the")));
   body.body.graft_at = {0, 4};
@@ -171,21 +176,21 @@ TEST_F(Graft, AFoundPlaceIsSaidAndOneThatIsGivenStays) {
   const Section given = make_section(body);
   EXPECT_EQ(given.note, "");
   EXPECT_NEAR(area(automatic), area(given), 0.2);
-  body.body.graft_at = {};
-  body.body.graft_angle = 0;
-  body.body.graft_given = true; // the keys are there, and zero
+  body.body.graft_at = Point2{};
+  body.body.graft_angle = 0; // the keys are there, and zero
   EXPECT_THAT(refusal(body), HasSubstr("does not fit the body of 60E1"));
 }
 
 TEST_F(Graft, APlaceThatCannotBeToldIsRefused) {
   // The top alone, 24 mm of two arcs that meet smoothly: it slides.
-  EXPECT_THAT(
-      refusal(worn("rail", "60E1", {.depth = 0, .noise = 0, .cut_begin = 55, .cut_end = 55}, {-5, 5, 0.25})),
-      AllOf(HasSubstr("no place for the body of 60E1 can be found"), HasSubstr("slides"),
-            HasSubstr("graft_at and graft_angle")));
+  EXPECT_THAT(refusal(worn(BodyKind::rail, "60E1", {.depth = 0, .noise = 0, .cut_begin = 55, .cut_end = 55},
+                           {-5, 5, 0.25})),
+              AllOf(HasSubstr("no place for the body of 60E1 can be found"), HasSubstr("slides"),
+                    HasSubstr("graft_at and graft_angle")));
   // Everything is worn.
-  EXPECT_THAT(refusal(worn("rail", "60E1", {.middle = 0, .width = 25, .depth = 15}, {-45, -17, 0.25})),
-              HasSubstr("% of it lie within 0.1 mm"));
+  EXPECT_THAT(
+      refusal(worn(BodyKind::rail, "60E1", {.middle = 0, .width = 25, .depth = 15}, {-45, -17, 0.25})),
+      HasSubstr("% of it lie within 0.1 mm"));
 }
 
 TEST_F(Graft, AMissingProfileIsNamed) {
@@ -202,21 +207,21 @@ TEST_F(Graft, PublishedSampleFilesFit) {
   };
   if (!std::filesystem::exists(sample("MBench_S1002_v3.prw")))
     GTEST_SKIP() << "the sample files are not at hand";
-  BodyFile wheel = standard_body("wheel", "S1002", {20, 50, 0.25});
+  BodyFile wheel = standard_body(BodyKind::wheel, "S1002", {20, 50, 0.25});
   wheel.body.profile = sample("MBench_S1002_v3.prw").string();
   EXPECT_GE(quality(mesh_section(wheel)).smallest, poor_quality);
-  BodyFile rail = standard_body("rail", "60E1", {-45, -17, 0.25});
+  BodyFile rail = standard_body(BodyKind::rail, "60E1", {-45, -17, 0.25});
   rail.body.profile = sample("MBench_UIC60_v3.ban").string();
   rail.strip = {-40, -12, 0.25};
   const GraftPlace place = found(rail, "60E1");
   EXPECT_NEAR(place.angle, -std::atan(1 / 40.0), 2e-3);
   EXPECT_GE(quality(mesh_section(rail)).smallest, poor_quality);
-  rail.body.graft_given = true;
+  rail.body.graft_at = Point2{};
   EXPECT_THAT(refusal(rail), HasSubstr("a measured rail is often inclined"));
-  rail.body.graft_angle = -std::atan(1 / 40.0);
-  rail.body.graft_at =
-      -7.4917 * tangent_of(rail.body.graft_angle) - 0.0937 * normal_of(rail.body.graft_angle);
-  EXPECT_LT(norm(place.at - rail.body.graft_at), 0.2);
+  const double angle = -std::atan(1 / 40.0);
+  rail.body.graft_angle = angle;
+  rail.body.graft_at = -7.4917 * tangent_of(angle) - 0.0937 * normal_of(angle);
+  EXPECT_LT(norm(place.at - *rail.body.graft_at), 0.2);
   EXPECT_GE(quality(mesh_section(rail)).smallest, poor_quality);
 }
 

@@ -25,7 +25,7 @@ protected:
              fmt::format("mesh_body_{}", testing::UnitTest::GetInstance()->current_test_info()->name());
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
-    body.body = {.kind = "block", .size = 20};
+    body.body = {.kind = BodyKind::block, .size = 20};
     body.strip = {.from = -5, .to = 5, .station_width = 0.5};
   }
   void TearDown() override { std::filesystem::remove_all(folder); }

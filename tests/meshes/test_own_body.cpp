@@ -19,9 +19,10 @@ constexpr double pi = std::numbers::pi;
 /// A block 40 wide and 20 high, its top the contact surface, with holes.
 BodyFile block(std::vector<BodyFile::Hole> holes) {
   BodyFile file;
-  file.body.kind = "outline";
+  file.body.kind = BodyKind::outline;
   file.body.name = "plate";
-  file.body.outline = {{{-20, 0}}, {{20, 0}, 0, "contact"}, {{20, 20}}, {{-20, 20}, 0, "held"}};
+  file.body.outline = {
+      {{-20, 0}}, {{20, 0}, 0, PieceGroup::contact}, {{20, 20}}, {{-20, 20}, 0, PieceGroup::held}};
   file.body.holes = std::move(holes);
   file.strip = {-5, 5, 0.5};
   return file;
@@ -32,7 +33,7 @@ std::string refusal(const BodyFile& body) {
 }
 
 TEST(OwnBody, HolesAreLeftOut) {
-  const QuadMesh mesh = mesh_section(block({{{-8, 12}, 3}, {{9, 11}, 4, "held"}}));
+  const QuadMesh mesh = mesh_section(block({{{-8, 12}, 3}, {{9, 11}, 4, HoleGroup::held}}));
   EXPECT_NEAR(mesh.section_area, 800 - 25 * pi, 1e-4);
   EXPECT_GE(quality(mesh).smallest, poor_quality);
   int on_hole = 0;
@@ -52,7 +53,11 @@ TEST(OwnBody, HolesThatAreNotWithinTheBodyAreRefused) {
 
 TEST(OwnBody, ASelfCrossingOutlineIsRefused) {
   BodyFile file = block({});
-  file.body.outline = {{{-20, 0}}, {{20, 0}, 0, "contact"}, {{20, 20}}, {{-5, -5}}, {{-20, 30}, 0, "held"}};
+  file.body.outline = {{{-20, 0}},
+                       {{20, 0}, 0, PieceGroup::contact},
+                       {{20, 20}},
+                       {{-5, -5}},
+                       {{-20, 30}, 0, PieceGroup::held}};
   EXPECT_THAT(refusal(file), AllOf(HasSubstr("the outline of plate crosses itself"), HasSubstr("near y = ")));
 }
 

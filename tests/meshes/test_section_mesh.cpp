@@ -40,7 +40,7 @@ void expect_strip_on_profile(const BodyFile& body, const QuadMesh& mesh) {
 /// Where the worn profiles lie is known: in the standard's own frame.
 BodyFile body_in_its_frame(const std::string& name) {
   BodyFile body = read_body_file(body_folder() / (name + ".toml"));
-  body.body.graft_given = true;
+  body.body.graft_at = Point2{};
   return body;
 }
 
@@ -76,7 +76,7 @@ TEST_P(Bodies, HaveEveryEdgeInTwoQuadsOrOnTheBoundary) {
   EXPECT_EQ(alone, mesh.boundary.size());
   // Euler: vertices - edges + quads = 1 - holes
   const auto edge_count = (edges.size() + alone) / 2;
-  const long holes = body.body.kind == "disc" || body.body.kind == "bore" ? 1 : 0;
+  const long holes = body.body.kind == BodyKind::disc || body.body.kind == BodyKind::bore ? 1 : 0;
   EXPECT_EQ(static_cast<long>(mesh.points.size() + mesh.quads.size()) - static_cast<long>(edge_count),
             1 - holes);
 }
@@ -90,19 +90,19 @@ TEST_P(Bodies, HaveAllGroups) {
   const double height = body.body.profile == "54E1" ? 159 : body.body.profile == "46E3" ? 142 : 172;
   double held_z = 0; // of an outline: that of its one held piece
   for (const auto& piece : body.body.outline)
-    held_z = piece.group == "held" ? piece.to.z : held_z;
+    held_z = piece.group == PieceGroup::held ? piece.to.z : held_z;
   for (const auto& edge : edges_of(mesh, Group::held)) {
     const Point2 p = point(mesh, edge.vertices[0]);
     const double a = body.body.size;
-    if (body.body.kind == "rail")
+    if (body.body.kind == BodyKind::rail)
       EXPECT_NEAR(p.z, height, 1e-9);
-    else if (body.body.kind == "wheel")
+    else if (body.body.kind == BodyKind::wheel)
       EXPECT_NEAR(p.z, 92.5 - 460, 1e-9);
-    else if (body.body.kind == "block")
+    else if (body.body.kind == BodyKind::block)
       EXPECT_NEAR(p.z, a, 1e-9);
-    else if (body.body.kind == "disc")
+    else if (body.body.kind == BodyKind::disc)
       EXPECT_NEAR(norm(p), 0.05 * body.body.radius, 1e-12);
-    else if (body.body.kind == "outline")
+    else if (body.body.kind == BodyKind::outline)
       EXPECT_NEAR(p.z, held_z, 1e-9);
     else
       EXPECT_NEAR(std::max(std::abs(p.y), std::abs(p.z)), a, 1e-9);
@@ -157,8 +157,7 @@ INSTANTIATE_TEST_SUITE_P(Data, Bodies,
                          [](const auto& test) { return std::string(test.param); });
 
 TEST(Held, IsWhatTheBodyFileSays) {
-  const auto held_places = [](const char* kind, const char* profile, const char* held,
-                              BodyFile::Strip strip) {
+  const auto held_places = [](BodyKind kind, const char* profile, const char* held, BodyFile::Strip strip) {
     BodyFile body;
     body.body.kind = kind;
     body.body.profile = profile;
@@ -173,7 +172,7 @@ TEST(Held, IsWhatTheBodyFileSays) {
   };
   for (const char* rail : {"60E1", "54E1", "46E3"}) {
     double left = 0, right = 0;
-    for (const Point2 p : held_places("rail", rail, "web", {-40, -20, 0.5})) {
+    for (const Point2 p : held_places(BodyKind::rail, rail, "web", {-40, -20, 0.5})) {
       EXPECT_LT(std::abs(p.y), 12.3) << rail;
       EXPECT_GT(std::abs(p.y), 6.9) << rail;
       left = std::min(left, p.y);
@@ -181,27 +180,27 @@ TEST(Held, IsWhatTheBodyFileSays) {
     }
     EXPECT_NEAR(left, -right, 0.05) << rail;
   }
-  for (const Point2 p : held_places("wheel", "S1002", "rim", {30, 40, 0.5}))
+  for (const Point2 p : held_places(BodyKind::wheel, "S1002", "rim", {30, 40, 0.5}))
     EXPECT_NEAR(p.z, 390 - 460, 1e-9);
-  for (const Point2 p : held_places("block", "", "sides", {-10, 10, 0.5}))
+  for (const Point2 p : held_places(BodyKind::block, "", "sides", {-10, 10, 0.5}))
     EXPECT_NEAR(std::abs(p.y), 100, 1e-9);
 }
 
 TEST(Section, AreasAreExact) {
   BodyFile body;
   body.strip = {.from = -5, .to = 5, .station_width = 0.5};
-  const auto area_of = [&](const char* kind) {
+  const auto area_of = [&](BodyKind kind) {
     body.body.kind = kind;
     return area(make_section(body));
   };
-  EXPECT_NEAR(area_of("block"), 2e4, 1e-6);
-  EXPECT_NEAR(area_of("disc"), pi * 100 * (1 - 0.0025), 1e-4);
-  EXPECT_NEAR(area_of("bore"), 4e4 - pi * 100, 1e-4);
+  EXPECT_NEAR(area_of(BodyKind::block), 2e4, 1e-6);
+  EXPECT_NEAR(area_of(BodyKind::disc), pi * 100 * (1 - 0.0025), 1e-4);
+  EXPECT_NEAR(area_of(BodyKind::bore), 4e4 - pi * 100, 1e-4);
 }
 
 TEST(Section, CurvedEdgesAreSaidInTheFile) {
   BodyFile body;
-  body.body.kind = "disc";
+  body.body.kind = BodyKind::disc;
   body.strip = {.from = -5, .to = 5, .station_width = 0.5};
   const QuadMesh mesh = mesh_section(body);
   std::size_t curved = 0;
@@ -305,7 +304,7 @@ INSTANTIATE_TEST_SUITE_P(PerStation, StripDivision, testing::Values(1, 2, 3, 5))
 
 TEST(StripCorners, AreReachedByAnEvenNumberOfEdges) {
   BodyFile body;
-  body.body = {.kind = "block", .size = 5};
+  body.body = {.kind = BodyKind::block, .size = 5};
   body.strip = {.from = -5, .to = 5, .station_width = 1};
   body.mesh.elements_per_station = 1;
   const QuadMesh mesh = mesh_section(body);

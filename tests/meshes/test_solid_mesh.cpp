@@ -22,7 +22,7 @@ using testing::HasSubstr;
 
 BodyFile small_block() {
   BodyFile body;
-  body.body.kind = "block";
+  body.body.kind = BodyKind::block;
   body.body.size = 40;
   body.strip = {.from = -5, .to = 5, .station_width = 0.5};
   body.harmonic.half_period = 120;
@@ -63,7 +63,7 @@ TEST(SolidMesh, FillsThePrismWithPositiveHexahedra) {
 
 TEST(SolidMesh, FillsHalfOfTheWheel) {
   BodyFile body;
-  body.body.kind = "wheel";
+  body.body.kind = BodyKind::wheel;
   body.body.profile = "S1002";
   body.strip = {.from = 24, .to = 44, .station_width = 0.5};
   const SolidMesh mesh = mesh_solid(body);

@@ -19,7 +19,7 @@ std::string refusal(const std::string& toml) {
 
 TEST(BodyFile, an_empty_file_is_the_default_one) {
   const BodyFile empty = parse_body_file(""), defaults;
-  EXPECT_EQ(empty.body.kind, "rail");
+  EXPECT_EQ(empty.body.kind, BodyKind::rail);
   EXPECT_EQ(empty.body.profile, defaults.body.profile);
   EXPECT_EQ(empty.material, defaults.material);
   EXPECT_EQ(empty.strip.from, defaults.strip.from);
@@ -99,7 +99,7 @@ TEST(BodyFile, every_key_is_read) {
     shortest_dx = 0.3
     samples_per_decade = 9
     remote_distance = 30)");
-  EXPECT_EQ(f.body.kind, "bore");
+  EXPECT_EQ(f.body.kind, BodyKind::bore);
   EXPECT_EQ(f.body.radius, 12);
   EXPECT_EQ(f.body.size, 80.5);
   EXPECT_EQ(f.material, (Material{70000, 0.3}));

@@ -116,7 +116,7 @@ TEST(StandardProfile, an_unknown_name_is_answered_with_the_nearest) {
   }
 }
 
-BodyFile body(const std::string& kind) {
+BodyFile body(BodyKind kind) {
   BodyFile file;
   file.body.kind = kind;
   file.body.radius = 10;
@@ -125,7 +125,7 @@ BodyFile body(const std::string& kind) {
 }
 
 TEST(BodyProfile, a_disc_is_an_upper_body) {
-  const ProfileCurve disc = body_profile(body("disc"));
+  const ProfileCurve disc = body_profile(body(BodyKind::disc));
   for (double s = -15.7; s < 15.7; s += 0.3) {
     const CurvePoint p = disc.at(s);
     EXPECT_NEAR(norm(p.position), 10, 1e-13);
@@ -137,7 +137,7 @@ TEST(BodyProfile, a_disc_is_an_upper_body) {
 }
 
 TEST(BodyProfile, a_bore_is_a_lower_body) {
-  const ProfileCurve bore = body_profile(body("bore"));
+  const ProfileCurve bore = body_profile(body(BodyKind::bore));
   for (double s = -15.7; s < 15.7; s += 0.3) {
     const CurvePoint p = bore.at(s);
     EXPECT_NEAR(p.position.y, 10 * std::sin(s / 10), 1e-13);
@@ -149,7 +149,7 @@ TEST(BodyProfile, a_bore_is_a_lower_body) {
 }
 
 TEST(BodyProfile, a_block_is_flat) {
-  const ProfileCurve block = body_profile(body("block"));
+  const ProfileCurve block = body_profile(body(BodyKind::block));
   EXPECT_EQ(block.s_begin(), -40);
   EXPECT_EQ(block.s_end(), 40);
   EXPECT_EQ(block.at(12.5).position.y, 12.5);
@@ -159,14 +159,14 @@ TEST(BodyProfile, a_block_is_flat) {
 }
 
 TEST(BodyProfile, rails_and_wheels_by_name_or_file) {
-  BodyFile file = body("rail");
+  BodyFile file = body(BodyKind::rail);
   EXPECT_EQ(body_profile(file).digest(), standard_profile("60E1").digest());
-  file = body("wheel");
+  file = body(BodyKind::wheel);
   EXPECT_THROW(body_profile(file), InputError); // 60E1 is no wheel
   file.body.profile = "S1002";
   EXPECT_EQ(body_profile(file).digest(), standard_profile("S1002").digest());
 
-  file = body("rail");
+  file = body(BodyKind::rail);
   file.folder = testing::TempDir();
   file.body.profile = "body_profile_test.txt";
   std::ofstream out(file.folder / file.body.profile);

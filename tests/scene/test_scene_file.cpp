@@ -26,11 +26,11 @@ const std::string patch = "kind = 'patch'\n[grid]\nmx = 20\nms = 10\n[load]\nfor
 
 TEST(SceneFile, the_printed_schema_is_a_valid_scene) {
   const SceneFile f = parse_scene_file(default_scene_file());
-  EXPECT_EQ(f.kind, "wheel_rail");
+  EXPECT_EQ(f.kind, SceneKind::wheel_rail);
   EXPECT_EQ(f.rail.profile, "60E1");
   EXPECT_EQ(f.wheel.profile, "S1002");
-  EXPECT_TRUE(f.load.has_force);
-  EXPECT_FALSE(f.load.has_approach);
+  EXPECT_TRUE(f.load.force.has_value());
+  EXPECT_FALSE(f.load.approach.has_value());
   EXPECT_EQ(f.load.force, 1e5);
   EXPECT_EQ(f.position.back_to_back, 1360);
   EXPECT_EQ(f.solver.tolerance, 1e-8);
@@ -75,18 +75,18 @@ TEST(SceneFile, a_wheel_on_a_rail) {
     model = "fem"
     max_outer = 7)");
   EXPECT_EQ(f.wheel.influence, "wheel.h5");
-  EXPECT_EQ(f.wheel.structural, "included");
+  EXPECT_EQ(f.wheel.structural, StructuralCompliance::included);
   EXPECT_EQ(f.wheel.material.poisson, 0.3);
   EXPECT_EQ(f.rail.material, Material{});
   EXPECT_EQ(f.position.lateral, 6.5);
   EXPECT_EQ(f.position.cant, 0.025);
-  EXPECT_TRUE(f.load.has_approach);
-  EXPECT_FALSE(f.load.has_force);
+  EXPECT_TRUE(f.load.approach.has_value());
+  EXPECT_FALSE(f.load.force.has_value());
   EXPECT_EQ(f.load.approach, -0.1);
   EXPECT_EQ(f.motion.friction, 0.4);
   EXPECT_EQ(f.motion.phi, 1e-4);
-  EXPECT_EQ(f.grid.s_from, -40);
-  EXPECT_EQ(f.solver.model, "fem");
+  EXPECT_EQ(f.grid.rows->from, -40);
+  EXPECT_EQ(f.solver.model, Model::fem);
   EXPECT_EQ(f.solver.max_outer, 7);
 }
 
@@ -102,7 +102,7 @@ TEST(SceneFile, a_patch) {
     [motion]
     frictionless = true
     friction = 0)");
-  EXPECT_EQ(f.kind, "patch");
+  EXPECT_EQ(f.kind, SceneKind::patch);
   EXPECT_EQ(f.grid.mx, 20);
   EXPECT_EQ(f.gap.b, 2e-3);
   EXPECT_EQ(f.strip.radius, -10.2);

@@ -44,7 +44,7 @@ TEST(SweepFile, ARangeHasBothEndsAndRoundNumbers) {
     std::vector<double> out;
     const SweepFile sweep = parse_sweep_file(scene + "load.force = " + range + "\n");
     for (std::size_t i = 0; i < sweep.size(); ++i)
-      out.push_back(sweep.scene(i).load.force);
+      out.push_back(*sweep.scene(i).load.force);
     return out;
   };
   EXPECT_EQ(values("{ from = 6.2, to = 6.5, step = 0.1 }"), (std::vector<double>{6.2, 6.3, 6.4, 6.5}));

@@ -37,7 +37,7 @@ void rows(const SweepFile& sweep, const std::vector<double>& asked, const std::v
         contact = count_elements(r.result).contact;
       } catch (const Error&) {
       }
-      fmt::print("{},{},{},{:.5f},{},{},{},{},{},{}\n", scene.solver.model, wanted, i,
+      fmt::print("{},{},{},{:.5f},{},{},{},{},{},{}\n", name_of(scene.solver.model), wanted, i,
                  double(std::clock() - start) / CLOCKS_PER_SEC, error, estimate, contact, elements, status,
                  exact[i].finer);
     }
@@ -48,7 +48,7 @@ void rows(const SweepFile& sweep, const std::vector<double>& asked, const std::v
 } // namespace
 
 void accuracy(const SweepFile& sweep, const SweepFile& by) {
-  const bool halfspace = sweep.scene(0).solver.model == "halfspace";
+  const bool halfspace = sweep.scene(0).solver.model == Model::halfspace;
   const std::size_t every = halfspace ? 4 : 3;
   fmt::print("model,accuracy,case,cpu_seconds,error,estimate,contact,dx,ds,status,reference\n");
   const std::vector<Reference> exact = references(sweep, by);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <type_traits>
+
+namespace bem_contact {
+
+/// The names of an enum's values as files, commands and messages write them. This table is the only one:
+///
+///     enum class WheelSide { right, left };
+///     template <> struct EnumNames<WheelSide> {
+///       static constexpr std::array<std::string_view, 2> names{"right", "left"};
+///     };
+///
+/// The values must count from 0 in the order of the names.
+template <class E> struct EnumNames;
+
+template <class E>
+concept NamedEnum = std::is_enum_v<E> && requires {
+  EnumNames<E>::names.size();
+};
+
+template <NamedEnum E> constexpr std::string_view name_of(E value) {
+  return EnumNames<E>::names[static_cast<std::size_t>(value)];
+}
+
+} // namespace bem_contact

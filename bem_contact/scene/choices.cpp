@@ -1,0 +1,27 @@
+#include "bem_contact/scene/choices.hpp"
+
+#include "bem_contact/base/error.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace bem_contact {
+
+std::string name_of(std::optional<Model> model) {
+  return std::string(model ? name_of(*model) : automatic_model);
+}
+
+std::optional<Model> model_named(const std::string& name) {
+  if (name == automatic_model)
+    return std::nullopt;
+  const auto& names = EnumNames<Model>::names;
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end())
+    throw InputError(fmt::format("There is no model '{}'", name),
+                     fmt::format("the models are {}, {}", automatic_model, fmt::join(names, ", ")),
+                     "Choose one of them.");
+  return static_cast<Model>(found - names.begin());
+}
+
+} // namespace bem_contact

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "bem_contact/base/enum_names.hpp"
+#include "bem_contact/contact/problem.hpp"
+#include "bem_contact/geometry/placement.hpp"
+#include "bem_contact/influence/influence_function.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// What a scene chooses between, with the names that files, commands, reports and Python use.
+namespace bem_contact {
+
+enum class SceneKind { wheel_rail, patch };
+template <> struct EnumNames<SceneKind> {
+  static constexpr std::array<std::string_view, 2> names{"wheel_rail", "patch"};
+};
+
+template <> struct EnumNames<WheelSide> {
+  static constexpr std::array<std::string_view, 2> names{"right", "left"};
+};
+
+template <> struct EnumNames<MotionKind> {
+  static constexpr std::array<std::string_view, 3> names{"steady", "transient", "shift"};
+};
+
+template <> struct EnumNames<StructuralCompliance> {
+  static constexpr std::array<std::string_view, 2> names{"removed", "included"};
+};
+
+/// What is taken for the bodies, cheapest first: Hertz's closed form; influence numbers of the half-space;
+/// of half-spaces in the elements' tangent planes; of the bodies themselves, from influence files.
+enum class Model { hertz, halfspace, tangent_plane, fem };
+template <> struct EnumNames<Model> {
+  static constexpr std::array<std::string_view, 4> names{"hertz", "halfspace", "tangent_plane", "fem"};
+};
+
+/// The name of an empty choice of model: the cheapest model that is accurate enough.
+inline constexpr std::string_view automatic_model = "auto";
+
+std::string name_of(std::optional<Model> model);
+
+/// The opposite. Throws InputError for a text that is neither a model nor "auto".
+std::optional<Model> model_named(const std::string& name);
+
+} // namespace bem_contact
