@@ -110,7 +110,7 @@ ExitCode run_compare(const SceneArguments& arguments) {
 }
 
 ExitCode run_check(const SceneArguments& arguments) {
-  for (const std::string& line : check_scene(read_scene_file(arguments.file)))
+  for (const std::string& line : Sequence().check(read_scene_file(arguments.file)))
     fmt::print("{}\n", line);
   return success;
 }

@@ -119,7 +119,7 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
     progress.step();
   };
   WorkerCalls calls;
-  const auto files = std::make_shared<SceneFiles>(); // each worker fills its own copy
+  const auto files = std::make_shared<SequenceFiles>(); // each worker fills its own copy
   calls.make_solver = [&]() -> CaseSolver {
     const auto sequence = std::make_shared<Sequence>(SequenceOptions{}, files);
     return [&, sequence](std::size_t index) {

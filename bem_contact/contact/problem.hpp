@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/influence/influence_numbers.hpp"
+#include "bem_contact/profile/contact_row.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +19,12 @@ struct ContactGrid {
 
   int size() const { return mx * ms; }
   double x(int ix) const { return x0 + ix * dx; }
-};
-
-/// Position and inclination of the middle of one row on the rail's surface (contact or track frame, mm, rad).
-struct ContactRow {
-  double s = 0;     ///< arc length along the rail profile
-  Point2 position;  ///< (y, z)
-  double delta = 0; ///< inclination
+  std::vector<double> columns() const { ///< x of each, mm
+    std::vector<double> all(mx);
+    for (int ix = 0; ix < mx; ++ix)
+      all[ix] = x(ix);
+    return all;
+  }
 };
 
 enum class LoadKind { approach, force };
