@@ -18,16 +18,16 @@ namespace {
 
 using namespace bem_contact;
 
-/// Processes share the wavenumbers, and threads of OpenBLAS would only get in their way. Looked up at run
-/// time: the library's name is not part of the BLAS interface this program is linked with.
+/// Processes share the wavenumbers, so threads of OpenBLAS would only disturb them. The function is looked up
+/// at run time, because it is not part of the BLAS interface that this program is linked with.
 void use_one_blas_thread() {
   using Setter = void (*)(int);
   if (const auto set = reinterpret_cast<Setter>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
     set(1);
 }
 
-/// OpenMPI's start looks .2 s for UCX, which only serves networks: not where all processes are on one machine
-/// and nobody asked for it.
+/// OpenMPI searches for UCX at the start, which takes .2 s and only serves networks. We switch the search off
+/// if all processes are on one machine and the user has not chosen otherwise.
 void start_quickly_on_one_machine() {
   const char *all = std::getenv("OMPI_COMM_WORLD_SIZE"), *here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
   if ((!all && !here) || (all && here && std::string_view(all) == here))
@@ -51,8 +51,8 @@ With --solid the mesh is 3-D (from mesh_body --solid, or your own). This compare
     mesh_body data/bodies/small_rail.toml --solid -o rail3d.msh
     fem_influence data/bodies/small_rail.toml rail3d.msh --solid --check rail.h5
 
-You should see how much the two differ, in percent, by distance from the load. It takes minutes and
-some gigabytes.)";
+You should see how much the two differ, in percent, by distance from the load: less than 0.1 % of the
+loaded element's own number. It takes a minute or two and 3.5 GB.)";
 
 struct Arguments {
   std::string body, mesh;
@@ -99,7 +99,7 @@ void compute(const Arguments& arguments) {
 } // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{description};
+  CLI::App app{description, "fem_influence"};
   Arguments arguments;
   add_options(app, arguments);
   // Before MPI starts, so that --help and misspelt options need no MPI.

@@ -23,7 +23,7 @@ struct ErrorEstimate {
   double total = 0;   ///< largest sum of the two; bounds the true error
 };
 
-/// Stations whose numbers are looked at: some evenly spread, and ever farther neighbours of three of them.
+/// Stations that are compared: some at equal distances, and neighbours 1, 2, 4, 8, .. of three of them.
 std::vector<std::size_t> compared_stations(std::size_t count);
 
 /// `companion` has the samples companion_samples() of `function` and its compared_stations() alone. The

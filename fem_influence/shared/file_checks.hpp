@@ -7,10 +7,10 @@
 
 namespace bem_contact::fem {
 
-/// Throws InputError where an output cannot be written: before the hours, not after.
+/// Throws InputError if an output cannot be written. Called before the long computation, not after it.
 void require_writable(const std::filesystem::path& output);
-/// Meshes of mesh_body say at their end which body file they were made from (others say nothing): throws
-/// InputError where it is another one.
+/// A mesh of mesh_body says at its end which body file it was made from; other meshes say nothing. Throws
+/// InputError if it was made from another one.
 void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh);
 
 } // namespace bem_contact::fem

@@ -24,7 +24,7 @@ BEM_CONTACT_TUNED(int, work_space_attempts, 3);
 // --- The mesh against the profile and the strip ---
 
 /// mm. A vertex this near to the profile lies on it. gmsh writes 16 digits, so a vertex on the profile is
-/// off by round-off alone; the smallest edges are about .01 mm.
+/// off by round-off alone; edges are far longer.
 BEM_CONTACT_TUNED(double, on_profile, 1e-6);
 
 /// 1, of the edge's length. The middle of an edge along the profile is no farther from it. The sagitta of an
@@ -47,7 +47,7 @@ BEM_CONTACT_TUNED(double, vanishing_shape, 1e-12);
 // --- harmonic: the section's mesh ---
 
 /// 1, of a station's width. A vertex of the mesh that is nearer to the border of two stations lies on it. It
-/// must be far below an element after all halvings (1/16 of a station by default).
+/// must be far below the size of an element after all halvings (1/16 of a station by default).
 BEM_CONTACT_TUNED(double, at_border, 1e-3);
 
 /// 1, of a station's width. Edges must end where stations do: an edge that reaches farther into the next
@@ -117,14 +117,15 @@ BEM_CONTACT_TUNED(double, shared_memory_reserve, 1.125);
 
 // --- solid: the mesh (THEORY.md, 9) ---
 
-/// 1, of the face's diameter. A vertex of the group 'contact' must not lie farther off the profile.
+/// 1, of the face's diameter. A vertex of the group 'contact' must not lie farther off the profile: other
+/// programs may write meshes with a few digits. Not measured.
 BEM_CONTACT_TUNED(double, vertex_off_profile, 1e-3);
 
-/// 1, of the face's diameter. Vertices of one mirror plane have the same x.
+/// 1, of the face's diameter. Vertices of one mirror plane have the same x, up to the digits of the file.
 BEM_CONTACT_TUNED(double, same_plane, 1e-6);
 
 /// 1. A cell is halved when it is larger than asked for by this factor, so that a cell of exactly the size
-/// asked for stays as it is.
+/// asked for stays as it is. Not measured.
 BEM_CONTACT_TUNED(double, size_excess, 1.05);
 
 /// mm. Samples lie within about this distance of the load. Farther away only the body's motion as a whole
@@ -133,7 +134,7 @@ BEM_CONTACT_TUNED(double, accurate_distance, 20.0);
 
 // --- solid: patches on faces ---
 
-/// 1, of the element's area. Parts of an element on a face that are smaller are left out.
+/// 1, of the element's area. Parts of an element on a face that are smaller are round-off and left out.
 BEM_CONTACT_TUNED(double, smallest_part, 1e-14);
 
 /// 1. Newton steps at most for the place on a face, and the change that ends them. Faces are nearly
@@ -141,7 +142,8 @@ BEM_CONTACT_TUNED(double, smallest_part, 1e-14);
 BEM_CONTACT_TUNED(int, face_steps, 20);
 BEM_CONTACT_TUNED(double, face_change, 1e-13);
 
-/// 1, of the element's area. The faces of the group 'contact' must cover it within this.
+/// 1, of the element's area. The faces of the group 'contact' must cover it within this: see
+/// edge_beyond_station.
 BEM_CONTACT_TUNED(double, uncovered, 1e-4);
 
 // --- solid: comparison of two methods ---
