@@ -182,9 +182,9 @@ void check_friction(const ContactProblem& problem, const ContactResult& result, 
                     const std::vector<char>& slip_rows, int columns, Certificate& certificate) {
   double traction_scale = 0;
   for (int i = 0; i < problem.grid.size(); ++i)
-    traction_scale = std::max(
-        traction_scale,
-        problem.has_friction() ? problem.friction_of(i / problem.grid.mx) * result.pn[i] : result.pn[i]);
+    traction_scale = std::max(traction_scale, problem.has_friction()
+                                                  ? problem.friction_of(i / problem.grid.mx) * result.pn[i]
+                                                  : result.pn[i]);
   certificate.friction_cone = relative(cone_violation(problem, result), traction_scale);
   if (problem.has_friction())
     check_states(result, slips_of(problem, result, u, slip_rows, columns), traction_scale, certificate);
@@ -212,8 +212,7 @@ Certificate certify(const ContactProblem& problem, const ContactResult& result) 
   const int columns = static_cast<int>(u[0].size()) / problem.grid.ms;
   check_normal(problem, result, u[component_n], columns, certificate);
   check_friction(problem, result, u, slip_rows, columns, certificate);
-  certificate.force_balance =
-      std::max(vertical_imbalance(problem, result), shear_imbalance(problem, result));
+  certificate.force_balance = std::max(vertical_imbalance(problem, result), shear_imbalance(problem, result));
   return certificate;
 }
 

@@ -28,7 +28,8 @@ double displacement_of(const ContactProblem& problem, const ComponentSpans& p, i
 }
 
 /// By FFT, columns 0 .. mx + 1; nothing where direct sums disagree.
-std::optional<ComponentFields> transformed_displacements(const ContactProblem& problem, bool shear, const ComponentSpans& p) {
+std::optional<ComponentFields> transformed_displacements(const ContactProblem& problem, bool shear,
+                                                         const ComponentSpans& p) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   std::vector<int> loaded;
   std::vector<double> tractions;
@@ -92,12 +93,17 @@ LoadedRow loaded_row(const double* row, int mx) {
   return {from, to - from, row + from};
 }
 
-using LoadedRows = std::array<std::vector<LoadedRow>, 3>;
+/// What is summed: influence numbers, tractions of each component by rows, and the columns of the result.
+struct Terms {
+  const InfluenceNumbers& a;
+  int mx, columns;
+  std::array<std::vector<LoadedRow>, 3> loads;
+};
 
-/// Adds to u_i = (A p)_i, [ms][columns], on the rows `wanted`, where numbers depend on the distance of rows:
-/// each line of them serves all pairs equally far apart.
-void add_translational(const InfluenceNumbers& a, int mx, const LoadedRows& loads, int i,
-                       const std::vector<char>& wanted, int columns, double* u) {
+/// Adds to u_i = (A p)_i, [ms][columns], on the rows `wanted`, for translational numbers: each line of them
+/// serves all pairs of rows at the same distance.
+void add_translational(const Terms& terms, int i, const std::vector<char>& wanted, double* u) {
+  const auto& [a, mx, columns, loads] = terms;
   std::vector<double> line(mx + columns); // of x_I - x_J = 1 - mx .. columns - 1
   for (int j = 0; j < 3; ++j)
     for (const auto& [row_i, row_j] : a.stored_rows()) {
@@ -119,9 +125,9 @@ void add_translational(const InfluenceNumbers& a, int mx, const LoadedRows& load
     }
 }
 
-/// The same for any numbers; read as they lie, all of a row and component at once.
-void add_full(const InfluenceNumbers& a, int mx, const LoadedRows& loads, int i,
-              const std::vector<char>& wanted, int columns, double* u) {
+/// The same for any numbers. They are read in the order of memory, all of a row and component at once.
+void add_full(const Terms& terms, int i, const std::vector<char>& wanted, double* u) {
+  const auto& [a, mx, columns, loads] = terms;
   const int offsets = std::max(mx, columns);
   std::vector<double> lines(static_cast<std::size_t>(3) * a.rows * (mx + columns)); // [J][j][..]
   for (int row_i = 0; row_i < a.rows; ++row_i) {
@@ -150,27 +156,27 @@ void add_full(const InfluenceNumbers& a, int mx, const LoadedRows& loads, int i,
 
 } // namespace
 
-ComponentFields direct_displacements(const ContactProblem& problem, const std::vector<char>& slips, const ComponentSpans& p) {
+ComponentFields direct_displacements(const ContactProblem& problem, const std::vector<char>& slips,
+                                     const ComponentSpans& p) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   const InfluenceNumbers& a = problem.numbers;
   const int columns = std::min(mx + rolling_columns, a.offsets);
-  double terms = 0;
+  double count = 0;
   for (int j = 0; j < 3; ++j)
-    terms += (slips.empty() ? 1.0 : 3.0) * problem.grid.size() *
+    count += (slips.empty() ? 1.0 : 3.0) * problem.grid.size() *
              std::count_if(p[j].begin(), p[j].end(), [](double v) { return v != 0; });
-  if (terms > many_terms && columns == mx + rolling_columns)
+  if (count > many_terms && columns == mx + rolling_columns)
     if (auto u = transformed_displacements(problem, !slips.empty(), p))
       return std::move(*u);
   ComponentFields u;
   u.fill(std::vector<double>(static_cast<std::size_t>(columns) * ms, 0.0));
-  LoadedRows loads;
+  Terms terms{a, mx, columns, {}};
   for (int j = 0; j < 3; ++j)
     for (int row = 0; row < ms; ++row)
-      loads[j].push_back(loaded_row(p[j].data() + static_cast<std::size_t>(row) * mx, mx));
+      terms.loads[j].push_back(loaded_row(p[j].data() + static_cast<std::size_t>(row) * mx, mx));
   const std::vector<char> all(ms, 1);
   for (int i = slips.empty() ? component_n : component_x; i < 3; ++i)
-    (a.translational ? add_translational : add_full)(a, mx, loads, i, i == component_n ? all : slips, columns,
-                                                     u[i].data());
+    (a.translational ? add_translational : add_full)(terms, i, i == component_n ? all : slips, u[i].data());
   return u;
 }
 

@@ -24,7 +24,8 @@ bool numbers_couple(const InfluenceNumbers& a) {
 }
 
 Coupling::Coupling(const ContactProblem& problem, TransformPool* pool)
-    : normal_from_shear(problem.numbers, problem.grid.mx, {component_n}, {component_x, component_s}, {}, pool),
+    : normal_from_shear(problem.numbers, problem.grid.mx, {component_n}, {component_x, component_s}, {},
+                        pool),
       shear_from_normal(problem.numbers, problem.grid.mx, {component_x, component_s}, {component_n}, {},
                         pool) {}
 
@@ -46,9 +47,8 @@ const Coupling* ContactOperators::coupling(const ContactProblem& problem, WorkBu
 StartingOperators& ContactOperators::start(const InfluenceNumbers& fine, const ContactGrid& coarse,
                                            int middle, bool only_normal) {
   if (!start_ || start_->middle != middle || start_->only_normal != only_normal)
-    start_.reset(new StartingOperators{middle, only_normal,
-                                       starting_numbers(fine, coarse, middle, only_normal),
-                                       ContactOperators(pool_)});
+    start_.reset(new StartingOperators{
+        middle, only_normal, starting_numbers(fine, coarse, middle, only_normal), ContactOperators(pool_)});
   return *start_;
 }
 

@@ -79,8 +79,8 @@ CoupledSystem::CoupledSystem(const ContactProblem& the_problem, ContactOperators
   if (!problem.has_friction())
     return;
   shear.emplace(problem, operators, work);
-  coupled = shear->coupling ||
-            (problem.load == LoadKind::force && sine.cwiseAbs().maxCoeff() > coupling_rounding);
+  coupled =
+      shear->coupling || (problem.load == LoadKind::force && sine.cwiseAbs().maxCoeff() > coupling_rounding);
   by_force = coupled && problem.load == LoadKind::force && problem.force > 0;
 }
 

@@ -50,9 +50,9 @@ OuterLoop::OuterLoop(const CoupledSystem& system, const SolverOptions& options, 
     : system_(system), options_(options), work_(work), solution_(solution), n_(system.gap.size()),
       tolerance_(options.tolerance, system.coupled), balance_(system.problem.force),
       v_(VectorXd::Zero(n_ + 1)) {
-  if (system.by_force && solution.normal.p.size() == n_) { // guess the share that shear carries from the start
-    const double pressure_force =
-        system.normal.cosine.dot(solution.normal.p) * system.problem.element_area();
+  if (system.by_force &&
+      solution.normal.p.size() == n_) { // guess the share that shear carries from the start
+    const double pressure_force = system.normal.cosine.dot(solution.normal.p) * system.problem.element_area();
     solution.pressed /= std::clamp(1 + system.shear_force(solution.shear.p) / pressure_force,
                                    2 / largest_force_ratio, largest_start_share);
   }
@@ -77,8 +77,7 @@ VectorXd OuterLoop::image() {
 }
 
 double OuterLoop::relative_change(const VectorXd& residual) const {
-  const double change =
-      residual.head(n_).cwiseAbs().maxCoeff() / solution_.normal.u.cwiseAbs().maxCoeff();
+  const double change = residual.head(n_).cwiseAbs().maxCoeff() / solution_.normal.u.cwiseAbs().maxCoeff();
   if (!system_.by_force)
     return change;
   return std::max(change, std::abs(solution_.borne - system_.problem.force) / system_.problem.force);
@@ -92,9 +91,9 @@ void OuterLoop::advance(const VectorXd& residual) {
   }
   v_ = anderson_.next(v_, residual);
   if (system_.by_force) {
-    solution_.pressed =
-        std::clamp(v_[n_] / force_to_length_, solution_.pressed / largest_force_step,
-                   std::min(largest_force_step * solution_.pressed, largest_force_ratio * system_.problem.force));
+    solution_.pressed = std::clamp(
+        v_[n_] / force_to_length_, solution_.pressed / largest_force_step,
+        std::min(largest_force_step * solution_.pressed, largest_force_ratio * system_.problem.force));
     v_[n_] = solution_.pressed * force_to_length_;
   }
 }
@@ -172,7 +171,7 @@ std::string remark_of(const Solution& solution, bool settled) {
     remark += "; ";
   remark += solution.shear.remark;
   if (!settled)
-    remark += fmt::format("normal and tangential problem did not settle in {} turns; ",
+    remark += fmt::format("normal and tangential problem did not settle in {} outer iterations; ",
                           solution.outer_iterations);
   return remark;
 }
@@ -204,8 +203,8 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
   if (!settled && system.by_force && system.coupled_by_numbers() && !solution.unbalanced)
     settled = balance_apart(system, options, work, solution);
   require_capacity(problem, solution.creepage);
-  solution.distance = system.gap + solution.from_shear -
-                      solution.normal.approach * system.normal.cosine + solution.normal.u;
+  solution.distance =
+      system.gap + solution.from_shear - solution.normal.approach * system.normal.cosine + solution.normal.u;
   solution.remark = remark_of(solution, settled);
   return solution;
 }

@@ -7,11 +7,11 @@
 namespace bem_contact::contact {
 
 /// Solves the normal and the tangential problem in turn (Panagiotopoulos 1975) until the normal displacement
-/// and the vertical force that the shear tractions cause no longer change. One outer iteration is enough where
-/// shear does not act on the normal problem. Where it acts by its vertical force alone, ForceBalance looks for
-/// the pressure that balances the load; else Anderson acceleration finds both.
-/// `operators` belong to the influence numbers and the grid of the problem.
-/// Throws InputError if friction cannot carry the prescribed shear forces.
+/// and the vertical force that the shear tractions cause no longer change. One outer iteration is enough
+/// where shear does not act on the normal problem. Where it acts by its vertical force alone, ForceBalance
+/// looks for the pressure that balances the load; else Anderson acceleration finds both. `operators` belong
+/// to the influence numbers and the grid of the problem. Throws InputError if friction cannot carry the
+/// prescribed shear forces.
 Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options,
                        ContactOperators& operators, WorkBudget& work);
 

@@ -58,8 +58,8 @@ void prolong(const ContactGrid& from, const double* coarse, const ContactGrid& t
   }
 }
 
-/// Sets pressures, states and (steady rolling) shear tractions of the same problem on elements twice as large,
-/// which starts likewise. A small problem is quickly solved from anywhere and stays as it is.
+/// Sets pressures, states and (steady rolling) shear tractions of the same problem on elements twice as
+/// large, which starts likewise. A small problem is quickly solved from anywhere and stays as it is.
 void start_from_larger_elements(const ContactProblem& problem, const SolverOptions& options,
                                 ContactOperators& operators, WorkBudget& work, Solution& solution) {
   const ContactGrid& grid = problem.grid;

@@ -62,8 +62,8 @@ struct Companion {
 
 /// For the estimate of the discretisation: the influence numbers are exact; undeformed distance, rigid slip
 /// and rows are taken at the new centres. Nothing where the contact touches the border of the grid, where
-/// there is no contact, where the grid is one element, and for a transient rolling step, which is another step
-/// on larger elements.
+/// there is no contact, where the grid is one element, and for a transient rolling step, which is another
+/// step on larger elements.
 std::optional<Companion> companion_of(const ContactProblem& problem, const ContactResult& result);
 
 /// For a start: everything is a mean, and all pairs of rows at the same distance have the influence numbers

@@ -147,10 +147,9 @@ int ActiveSet::change_sides(const Boxes& where, double largest_u) {
     for (int is = box.first_s; is < box.first_s + box.ms; ++is)
       for (int ix = box.first_x; ix < box.first_x + box.mx; ++ix) {
         const int i = is * system_.grid.mx + ix;
-        const bool wrong =
-            state_.active[i]
-                ? state_.p[i] < least_p
-                : gap_[i] - state_.approach * system_.cosine[i] + pressure_.u[i] < least_e;
+        const bool wrong = state_.active[i]
+                               ? state_.p[i] < least_p
+                               : gap_[i] - state_.approach * system_.cosine[i] + pressure_.u[i] < least_e;
         if (wrong) {
           state_.active[i] = !state_.active[i];
           ++changes;
@@ -162,10 +161,9 @@ int ActiveSet::change_sides(const Boxes& where, double largest_u) {
 /// Sets the precision of the next step: sets that hardly change are worth knowing better. False if the sets
 /// have not come closer for many steps.
 bool ActiveSet::progresses(int changes) {
-  precision_ = changes == 0
-                   ? wanted_
-                   : std::max(wanted_, std::min(precision_, precision_of_changes * changes /
-                                                                static_cast<double>(gap_.size())));
+  precision_ = changes == 0 ? wanted_
+                            : std::max(wanted_, std::min(precision_, precision_of_changes * changes /
+                                                                         static_cast<double>(gap_.size())));
   without_progress_ = changes < fewest_changes_ ? 0 : without_progress_ + 1;
   fewest_changes_ = std::min(fewest_changes_, changes);
   return without_progress_ < most_steps_without_progress;

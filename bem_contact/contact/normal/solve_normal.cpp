@@ -77,8 +77,7 @@ void solve_normal_safely(const NormalSystem& system, const VectorXd& gap, const 
   state.solver = "MPRGP";
   state.p = VectorXd::Zero(gap.size());
   const auto force_at = [&](double q) {
-    const MprgpOutcome outcome =
-        solve_mprgp(system, q * system.cosine - gap, tolerance, most, work, state.p);
+    const MprgpOutcome outcome = solve_mprgp(system, q * system.cosine - gap, tolerance, most, work, state.p);
     state.iterations += outcome.products;
     state.converged = outcome.converged;
     state.approach = q;

@@ -80,15 +80,19 @@ template <class Real> struct BasicPlaneOperator<Real>::Impl {
     std::transform(from.symbol.get(), from.symbol.get() + symbol_size(), symbol.get(),
                    [](auto v) { return static_cast<Real>(v); });
   }
-  /// Symbol (a, b) of A_ij, the target `ahead_x` columns and `ahead_s` rows ahead of the load.
-  void transform_numbers(const InfluenceNumbers& numbers, int i, int j, int ahead_x, int ahead_s, int middle,
-                         int a, int b);
+  /// Of A_ij where the target lies so many columns and rows ahead of the load.
+  struct Entry {
+    int i, j, ahead_x = 0, ahead_s = 0;
+  };
+  /// Symbol (a, b) of this entry. `middle`: as in the constructor of the operator.
+  void transform_numbers(const InfluenceNumbers& numbers, const Entry& entry, int middle, int a, int b);
   void apply(std::span<const Real> p) const;
 };
 
 template <class Real>
-void BasicPlaneOperator<Real>::Impl::transform_numbers(const InfluenceNumbers& numbers, int i, int j,
-                                                       int ahead_x, int ahead_s, int middle, int a, int b) {
+void BasicPlaneOperator<Real>::Impl::transform_numbers(const InfluenceNumbers& numbers, const Entry& entry,
+                                                       int middle, int a, int b) {
+  const auto [i, j, ahead_x, ahead_s] = entry;
   Real* kernel = transforms->kernel();
   std::fill_n(kernel, static_cast<std::size_t>(length_s) * length_x, Real(0));
   for (int d = 1 - ms; d < ms; ++d) {
@@ -116,7 +120,8 @@ void BasicPlaneOperator<Real>::prepare(int mx, int ms, int outputs, int inputs, 
   const bool exact = form == Form::exact;
   std::tie(o.length_x, o.length_s) =
       good_lengths(exact ? 2 * mx + rolling_columns - 1 : mx + periodic_elements + mx / periodic_margin,
-                   std::max(lines_of(ms), exact ? 2 * ms - 1 : ms + periodic_elements + ms / periodic_margin), lines_of(ms));
+                   std::max(lines_of(ms), exact ? 2 * ms - 1 : ms + periodic_elements + ms / periodic_margin),
+                   lines_of(ms));
   o.frequencies = o.length_x / 2 + 1;
   o.inputs = inputs;
   o.outputs = outputs;
@@ -132,7 +137,7 @@ BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, in
   prepare(mx, ms, static_cast<int>(outputs.size()), static_cast<int>(inputs.size()), form, pool);
   for (int a = 0; a < impl_->outputs; ++a)
     for (int b = 0; b < impl_->inputs; ++b)
-      impl_->transform_numbers(numbers, outputs[a], inputs[b], 0, 0, middle, a, b);
+      impl_->transform_numbers(numbers, {outputs[a], inputs[b]}, middle, a, b);
 }
 
 template <class Real>
@@ -147,8 +152,10 @@ BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, co
   for (int a = 0; a < impl_->outputs; ++a)
     for (int b = 0; b < impl_->inputs; ++b) {
       const Box &to = boxes.boxes[a % count], &from = boxes.boxes[b % count];
-      impl_->transform_numbers(numbers, outputs[a / count], inputs[b / count], to.first_x - from.first_x,
-                               to.first_s - from.first_s, 0, a, b);
+      impl_->transform_numbers(
+          numbers,
+          {outputs[a / count], inputs[b / count], to.first_x - from.first_x, to.first_s - from.first_s}, 0, a,
+          b);
     }
 }
 
@@ -256,7 +263,8 @@ template <class Real> void BasicPlaneOperator<Real>::invert_factor(Factor factor
   // the part of the logarithm whose kernel lies behind (or ahead) only, one frequency of s at a time
   std::vector<Real> logarithm(count);
   for (std::size_t k = 0; k < count; ++k)
-    logarithm[k] = std::log(std::max(std::abs(complex(o.symbol)[k].real()), Real(least_eigenvalue) * largest));
+    logarithm[k] =
+        std::log(std::max(std::abs(complex(o.symbol)[k].real()), Real(least_eigenvalue) * largest));
   const Complex<Real>* half = o.transforms->half_behind(logarithm);
   for (std::size_t k = 0; k < count; ++k) {
     const Complex<Real> behind = std::exp(-half[k]);

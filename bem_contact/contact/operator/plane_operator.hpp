@@ -12,16 +12,17 @@ namespace bem_contact::contact {
 
 class TransformPool;
 
-/// u = A p on a grid [ms][mx] for numbers that depend on x_I - x_J and s_I - s_J alone: FFT in x and in s,
-/// one small complex matrix (outputs x inputs) a pair of frequencies. Fields as for StripOperator, to which
-/// this belongs. What is made with one `pool` shares transforms and serves one thread at a time. `Real`:
-/// double, or float where a few digits are enough.
+/// u = A p on a grid [ms][mx] for influence numbers that depend on x_I - x_J and s_I - s_J alone: FFT in x
+/// and in s, and one small complex matrix (outputs x inputs) for each pair of frequencies. Fields are those
+/// of StripOperator, which uses this class. Operators that are made with one `pool` share their transforms
+/// and the scratch of these, and serve one thread at a time. `Real`: double, or float where a few digits are
+/// enough.
 template <class Real> class BasicPlaneOperator {
 public:
-  /// Of numbers that are not translational the pairs of rows about row `middle` stand for all that are
-  /// equally far apart.
-  /// `periodic`: the transforms are hardly longer than the grid, its ends feel each other: a quarter of the
-  /// work, good enough for a preconditioner.
+  /// If the numbers are not translational, the pairs of rows about row `middle` stand for all pairs at the
+  /// same distance.
+  /// `periodic`: the transforms are hardly longer than the grid, so that its ends act on each other. That is
+  /// a quarter of the work and good enough for a preconditioner.
   enum class Form { exact, periodic };
   BasicPlaneOperator(const InfluenceNumbers& numbers, int mx, int ms, std::vector<int> outputs,
                      std::vector<int> inputs, Form form = Form::exact, int middle = 0,
@@ -40,13 +41,13 @@ public:
   void apply(std::span<const Real> p, std::span<Real> u, int columns) const;
   void apply_step(std::span<const Real> p, std::span<Real> u) const;
 
-  /// Turns this (one component) into an approximate inverse of A, for preconditioning: the inverse of the
-  /// periodic operator, which knows nothing of the border of the contact.
+  /// Changes this operator (one component) to an approximate inverse of A, for preconditioning: the inverse
+  /// of the periodic operator, which knows nothing of the border of the contact.
   void invert();
 
-  /// The same of one of the two factors of A: A = A_ahead A_behind, where A_behind p at x depends on p at
-  /// <= x alone and A_ahead on p at >= x. Between them a border across x can be respected (Wiener, Hopf
-  /// 1931).
+  /// The same for one of the two factors of A = A_ahead A_behind (Wiener, Hopf 1931). A_behind p at x depends
+  /// only on p at <= x, and A_ahead p only on p at >= x. Between the two factors a border across x can be
+  /// respected.
   enum class Factor { behind, ahead };
   void invert_factor(Factor factor);
 

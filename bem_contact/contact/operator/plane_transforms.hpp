@@ -26,11 +26,12 @@ struct PlaneShape {
 /// cost least.
 std::pair<int, int> good_lengths(int least_x, int least_s, int lines);
 
-/// FFTW's plans for fields [..][lines][length_x] and their vectors, made when first needed. Operators of the
-/// same shape share them: one after the other.
+/// FFTW's plans for fields [..][lines][length_x] and the vectors that they work on: the scratch of plane
+/// operators. Operators of the same shape share them, one after the other. Those for products and those for
+/// kernels are each made when first needed.
 ///
-/// Along x two rows are transformed as the real and the imaginary part of one: complex transforms line by
-/// line are what FFTW does fastest, and it remembers how for a length, whatever the number of lines.
+/// Along x two rows are transformed as the real and the imaginary part of one: FFTW does complex transforms
+/// line by line fastest, and it remembers its plan for a length, whatever the number of lines.
 template <class Real> class PlaneTransforms {
 public:
   using Complex = std::complex<Real>;
@@ -79,7 +80,7 @@ private:
   FftPlan<Real> kernel_x_, kernel_s_;
 };
 
-/// Transforms made before, the last used first. All that share one pool serve one thread at a time.
+/// Keeps transforms, the last used first. All operators that share one pool serve one thread at a time.
 class TransformPool {
 public:
   template <class Real> std::shared_ptr<PlaneTransforms<Real>> get(const PlaneShape& shape) {

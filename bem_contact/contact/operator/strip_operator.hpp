@@ -16,10 +16,10 @@ struct RowRange {
   int first = 0, count = -1;
 };
 
-/// u = A p on the grid [ms][mx], for some components: block Toeplitz in x, full in s. FFT in x, one real
-/// (outputs * ms) x (inputs * ms) matrix a frequency: a longitudinal traction multiplied by i (and likewise
-/// the displacement) makes the even and the odd numbers real alike. Numbers that are translational in s:
-/// FFT in x and s (plane_operator.hpp).
+/// u = A p on the grid [ms][mx], for some components. The influence numbers depend on x_I - x_J and on both
+/// rows: FFT in x, and one real (outputs * ms) x (inputs * ms) matrix for each frequency. The matrix is real
+/// because longitudinal tractions and displacements are multiplied by i, where the numbers are odd in x.
+/// Translational numbers use FFT in x and s (plane_operator.hpp).
 ///
 /// Fields are component-major: component c of element (ix, is) at (c * ms + is) * mx + ix, in the order of
 /// `inputs` and `outputs`. One object, and all that are made with one `pool`, serve one thread at a time.

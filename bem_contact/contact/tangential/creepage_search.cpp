@@ -23,7 +23,8 @@ using Eigen::Vector2d;
 /// Then the tractions are interpolated between both sides of the jump. The last call of `missing_at` is the
 /// one at the result.
 template <class Function>
-bool find_root(CreepageForces& forces, const Function& missing_at, double start, double step, double tolerance) {
+bool find_root(CreepageForces& forces, const Function& missing_at, double start, double step,
+               double tolerance) {
   int calls = 1;
   double a = start, at_a = missing_at(a), b = a, at_b = at_a;
   CreepageForces::Solved solved_a = forces.solved(), solved_b = solved_a;
@@ -34,9 +35,9 @@ bool find_root(CreepageForces& forces, const Function& missing_at, double start,
       const double secant = (b - a) * at_b / (at_a - at_b); // infinite where everything slips
       a = b;
       at_a = at_b;
-      step = std::clamp(std::isfinite(secant) ? creepage_overshoot * std::abs(secant)
-                                              : creepage_growth * step,
-                        step, creepage_growth * step);
+      step =
+          std::clamp(std::isfinite(secant) ? creepage_overshoot * std::abs(secant) : creepage_growth * step,
+                     step, creepage_growth * step);
     }
     solved_a = std::move(solved_b);
     b = a + (at_a > 0 ? step : -step);
@@ -86,8 +87,8 @@ bool find_one(CreepageForces& forces, int unknown, double wanted, double toleran
   return find_root(forces, missing_at, w[unknown], first_step(forces, near, w[unknown]), tolerance);
 }
 
-/// Two unknowns, one within the other: for each creepage along s the one along x that gives its force. This is
-/// slow, but each force grows with its creepage, so that it ends where Newton's method does not.
+/// Two unknowns, one within the other: for each creepage along s the one along x that gives its force. This
+/// is slow, but each force grows with its creepage, so that it ends where Newton's method does not.
 bool find_nested(CreepageForces& forces, const Vector2d& wanted, double tolerance, Vector2d& w) {
   bool inner = true, near = false;
   const auto missing_at = [&](double v) {
@@ -103,7 +104,8 @@ bool find_nested(CreepageForces& forces, const Vector2d& wanted, double toleranc
 bool find_both(CreepageForces& forces, const Vector2d& wanted, double tolerance, Vector2d& w) {
   const Vector2d start = w;
   Vector2d missing = wanted - forces.at(w);
-  for (int k = 0, stops = 0; k < most_creepage_newton && stops < most_creepage_stops && missing.norm() > tolerance; ++k) {
+  for (int k = 0, stops = 0;
+       k < most_creepage_newton && stops < most_creepage_stops && missing.norm() > tolerance; ++k) {
     const double reach = std::max(w.norm(), first_creepage_step * forces.unit());
     Matrix2d jacobian;
     for (int c = 0; c < 2; ++c) {

@@ -105,7 +105,9 @@ private:
     scratch_.fast_in[local_[a]] = v[0];
     scratch_.fast_in[n_ + local_[a]] = v[1];
   }
-  Vector2f get(std::size_t a) const { return {scratch_.fast_out[local_[a]], scratch_.fast_out[n_ + local_[a]]}; }
+  Vector2f get(std::size_t a) const {
+    return {scratch_.fast_out[local_[a]], scratch_.fast_out[n_ + local_[a]]};
+  }
 
   const StepBox& box_;
   const std::vector<int>& local_;

@@ -36,7 +36,8 @@ std::vector<int> worst_rows(const TangentialSystem& system, const std::vector<in
     taken[order[k]] = 1;
   }
   std::vector<int> list;
-  if (elements > std::size_t(most_swept_elements) || double(elements) > most_swept_share * double(contact.size()))
+  if (elements > std::size_t(most_swept_elements) ||
+      double(elements) > most_swept_share * double(contact.size()))
     return list;
   for (std::size_t a = 0; a < contact.size(); ++a)
     if (taken[contact[a] / mx])
@@ -57,8 +58,8 @@ struct Rows {
   VectorXd stiffness, bound, p, slip;
 };
 
-/// Sweeps until little of the residual is left; returns how much is. Undamped sweeps overshoot: in rolling the
-/// self numbers are hardly larger than those of the neighbours.
+/// Sweeps until little of the residual is left; returns how much is. Undamped sweeps overshoot: in rolling
+/// the self numbers are hardly larger than those of the neighbours.
 double sweep(const MatrixXd& b, double before, WorkBudget& work, Rows& rows) {
   const auto n = static_cast<Eigen::Index>(rows.list.size());
   double left = before, damping = first_row_damping;

@@ -27,7 +27,8 @@ void StepBox::apply_each(const std::vector<BasicPlaneOperator<float>>& of, std::
 }
 
 template <class Real>
-void StepBox::step_by(const BasicStripOperator<Real>& a, std::span<const Real> in, std::span<Real> out) const {
+void StepBox::step_by(const BasicStripOperator<Real>& a, std::span<const Real> in,
+                      std::span<Real> out) const {
   if (present_[1] != 0)
     return a.apply_step(in, out);
   a.apply(in, out);

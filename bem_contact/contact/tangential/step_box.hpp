@@ -32,12 +32,12 @@ public:
 
   /// out = about B_SS^-1 in, S the elements whose `sticks` is set; zero elsewhere, in `in` as well.
   ///
-  /// B = D A with D = sum_k present[k] (x + k dx), x and s apart. Where S ends ahead, at the leading edge, the
-  /// inverse is nearly exact: A_behind^-1, then D^-1 from that edge on, then A_ahead^-1, each on S alone.
+  /// B = D A with D = sum_k present[k] (x + k dx), x and s apart. Where S ends ahead, at the leading edge,
+  /// the inverse is nearly exact: A_behind^-1, then D^-1 from that edge on, then A_ahead^-1, each on S alone.
   void invert(const std::vector<char>& sticks, std::span<const float> in, std::span<float> out) const;
 
-  /// Approximates (shift + stiffness B)^-1, x and s apart: what slips obeys such a matrix along its own bound,
-  /// where the shift damps so well that borders need no respect.
+  /// Approximates (shift + stiffness B)^-1, x and s apart: what slips obeys such a matrix along its own
+  /// bound, where the shift damps so well that borders need no respect.
   class DampedInverse {
   public:
     explicit DampedInverse(const StepBox& box);

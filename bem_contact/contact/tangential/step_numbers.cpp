@@ -60,8 +60,7 @@ MatrixXd step_matrix(const ContactProblem& problem, const std::array<double, 3>&
   for (const int to : rows)
     for (const int from : rows)
       for (int m = -most; m <= most; ++m)
-        lines.push_back(
-            step_number(problem, present, to * mx + std::max(m, 0), from * mx + std::max(-m, 0)));
+        lines.push_back(step_number(problem, present, to * mx + std::max(m, 0), from * mx + std::max(-m, 0)));
   const auto n = static_cast<Eigen::Index>(elements.size());
   MatrixXd matrix(2 * n, 2 * n);
   for (Eigen::Index b = 0; b < n; ++b)

@@ -18,14 +18,14 @@ const StripOperator& TangentialOperators::whole(const ContactProblem& problem, W
 const StepNumbers& TangentialOperators::step_numbers(const ContactProblem& problem,
                                                      const std::array<double, 3>& present) {
   if (!step_numbers_ || step_numbers_->present != present)
-    step_numbers_.emplace(
-        NumbersOfStep{present, StepNumbers(problem.numbers, problem.grid.mx, present)});
+    step_numbers_.emplace(NumbersOfStep{present, StepNumbers(problem.numbers, problem.grid.mx, present)});
   return step_numbers_->numbers;
 }
 
-TangentialOperators::BoxWithScratch
-TangentialOperators::box_around(const std::vector<int>& contact, const ContactProblem& problem,
-                                const std::array<double, 3>& present, WorkBudget& work) {
+TangentialOperators::BoxWithScratch TangentialOperators::box_around(const std::vector<int>& contact,
+                                                                    const ContactProblem& problem,
+                                                                    const std::array<double, 3>& present,
+                                                                    WorkBudget& work) {
   const Boxes needed = boxes_around(contact, problem.grid, 0, !problem.numbers.translational);
   if (!box_ || !serve(box_->boxes(), needed, contact, problem.grid.mx) || box_->present() != present) {
     work.spend(spectra_work(problem.numbers.translational, 4, needed.rows(), needed.mx()));

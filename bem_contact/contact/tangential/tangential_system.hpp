@@ -11,7 +11,8 @@
 namespace bem_contact::contact {
 
 /// The linear part of one rolling step or load step on a grid; vectors are fields of two components,
-/// [2][ms][mx]. `problem` and `operators` outlive it; the operators belong to the problem's influence numbers.
+/// [2][ms][mx]. `problem` and `operators` outlive it; the operators belong to the problem's influence
+/// numbers.
 class TangentialSystem {
 public:
   TangentialSystem(const ContactProblem& problem, TangentialOperators& operators);
