@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem_contact/influence/h5_table.hpp"
-#include "bem_contact/sequence/solve_scene.hpp"
+#include "bem_contact/sequence/scene_result.hpp"
 
 #include <span>
 #include <string>

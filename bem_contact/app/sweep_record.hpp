@@ -2,7 +2,7 @@
 
 #include "bem_contact/influence/h5_table.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
-#include "bem_contact/sequence/solve_scene.hpp"
+#include "bem_contact/sequence/scene_result.hpp"
 
 #include <cstddef>
 #include <span>

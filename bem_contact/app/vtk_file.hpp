@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/sequence/solve_scene.hpp"
+#include "bem_contact/sequence/scene_result.hpp"
 
 #include <filesystem>
 

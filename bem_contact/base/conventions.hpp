@@ -22,7 +22,7 @@
 /// Rigid slip w: velocity of the wheel's surface over the rail's, over the rolling speed:
 ///     w_x = xi - phi s,  w_s = eta + phi x    on a plane (xi, eta, phi: creepage as Kalker defines it).
 /// Slip S over one step of rolled distance dx, steady rolling: S = w dx - dx du/dx, for the particle now at x
-/// was at x + dx (Kalker 1990, eq. 1.65 ff.; contact/rolling_step.hpp says how du/dx is taken).
+/// was at x + dx (Kalker 1990, eq. 1.65 ff.; contact/slip_step.hpp says how du/dx is taken).
 /// Friction drags the rail along with the wheel: p_t = +mu p_n S / |S|. Hence for small creepage
 ///     Fx = c^2 G C11 xi, Fy = c^2 G (C22 eta + c C23 phi), Mz = c^3 G (-C23 eta + c C33 phi):
 /// the forces on the rail, opposite to Kalker's forces on the wheel.

@@ -1,13 +1,12 @@
 #include "bem_contact/geometry/contact_locus.hpp"
 
+#include "bem_contact/geometry/settings.hpp"
+
 #include <numbers>
 
 namespace bem_contact {
 
 namespace {
-
-constexpr double smooth = 1e-9;    // turn of the tangent at a node that is no kink
-constexpr double fan_step = 0.005; // rad, of the nodes at an edge
 
 /// Angle from a to b, of unit vectors.
 double turn(Point2 a, Point2 b) {
@@ -53,9 +52,9 @@ ContactLocus::ContactLocus(const WheelOnRail& pair)
   for (int k = 0; k < static_cast<int>(table.size()); ++k) {
     add(k, table[k].before);
     const double angle = turn(table[k].before, table[k].after);
-    if (std::abs(angle) < smooth || frame_.axle[0] == 0)
+    if (std::abs(angle) < smooth_turn || frame_.axle[0] == 0)
       continue;
-    const int steps = 1 + static_cast<int>(std::abs(angle) / fan_step);
+    const int steps = 1 + static_cast<int>(std::abs(angle) / edge_step);
     for (int i = 1; i <= steps; ++i)
       add(k, turned(table[k].before, angle * i / steps));
   }

@@ -1,13 +1,11 @@
 #pragma once
 
-#include "bem_contact/geometry/contact_locus.hpp"
+#include "bem_contact/geometry/placement.hpp"
+#include "bem_contact/geometry/settings.hpp"
 
 #include <vector>
 
 namespace bem_contact {
-
-/// Two minima of the distance with less than this between them are one: elastically they are the same, mm.
-inline constexpr double flat_distance = 2e-5;
 
 /// One local minimum of the vertical distance of wheel and rail.
 struct TouchPoint {

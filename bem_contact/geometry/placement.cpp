@@ -1,6 +1,8 @@
 #include "bem_contact/geometry/placement.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/geometry/line_search.hpp"
+#include "bem_contact/geometry/settings.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -17,13 +19,70 @@ Point2 turned(Point2 p, double angle) {
 
 /// t in [0, 1] at which f, positive at 0 and not at 1, vanishes.
 template <class F> double where_it_vanishes(const F& f) {
-  double lo = 0, hi = 1;
-  for (int i = 0; i < 52; ++i) {
-    const double mid = 0.5 * (lo + hi);
-    (f(mid) > 0 ? lo : hi) = mid;
-  }
-  return hi;
+  return bisect(0, 1, placement_halvings, [&](double t) { return f(t) > 0; }).second;
 }
+
+void require_axle_above(const TabulatedProfile& wheel, double wheel_radius) {
+  for (const TabulatedProfile::Node& node : wheel.nodes())
+    if (!(wheel_radius + node.position.z > 0))
+      throw InputError(
+          fmt::format("The wheel '{}' reaches beyond its axle", wheel.name()),
+          fmt::format("its radius at y = {:.4g} mm would be {:.4g} mm: position.wheel_radius is {:g} mm",
+                      node.position.y, wheel_radius + node.position.z, wheel_radius),
+          "Give the nominal radius, at the tape circle, in mm.");
+}
+
+/// The rail's head as it is inclined, about the origin of its section.
+class Head {
+public:
+  Head(const TabulatedProfile& rail, double angle) : rail_(rail), pose_{{0, 0}, angle} {
+    for (const TabulatedProfile::Node& node : rail.nodes())
+      nodes_.push_back(pose_.to_track(node.position));
+    top_ = static_cast<int>(std::ranges::min_element(nodes_, {}, &Point2::z) - nodes_.begin());
+  }
+
+  double top() const { return extreme(top_, &Point2::z); }
+  /// Least y between the top and `height` below it. Throws InputError where the rail ends before.
+  double gauge_face(double height) const {
+    const double gauge_z = top() + height;
+    int below = top_;
+    while (below >= 0 && nodes_[below].z < gauge_z)
+      --below;
+    if (below < 0)
+      throw InputError(
+          fmt::format("The rail '{}' has no gauge face", rail_.name()),
+          fmt::format("its profile ends less than {} mm below its top on the gauge side (-y)", height),
+          "Give a profile that reaches further down, or a smaller position.gauge_height.");
+    const double t = where_it_vanishes([&](double u) { return at(below, u).z - gauge_z; });
+    const int innermost = static_cast<int>(
+        std::ranges::min_element(nodes_.begin() + below + 1, nodes_.begin() + top_ + 1, {}, &Point2::y) -
+        nodes_.begin());
+    const double face = at(below, t).y;
+    return nodes_[innermost].y < face ? std::min(face, extreme(innermost, &Point2::y)) : face;
+  }
+
+private:
+  Point2 at(int k, double t) const { return pose_.to_track(rail_.between(k, t).position); }
+  /// The exact least value lies in one of the two intervals at the node of least value.
+  double extreme(int k, double Point2::*coordinate) const {
+    double least = nodes_[k].*coordinate;
+    for (const int i : {k - 1, k}) {
+      if (i < 0 || i + 1 >= static_cast<int>(nodes_.size()))
+        continue;
+      const auto slope = [&](double t) {
+        return turned(rail_.between(i, t).tangent, pose_.angle).*coordinate;
+      };
+      if (slope(0) < 0 && slope(1) > 0)
+        least = std::min(least, at(i, where_it_vanishes([&](double t) { return -slope(t); })).*coordinate);
+    }
+    return least;
+  }
+
+  const TabulatedProfile& rail_;
+  Pose pose_;
+  std::vector<Point2> nodes_;
+  int top_ = 0;
+};
 
 } // namespace
 
@@ -52,59 +111,17 @@ WheelFrame WheelOnRail::wheel_frame() const {
           {s * sine, -c * sine, cosine}};
 }
 
-WheelOnRail place(const SceneFile::Position& position, TabulatedProfile rail, TabulatedProfile wheel) {
+WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel) {
   // Roll and yaw are axial vectors in the plane that mirrors left and right: they change sign with y.
   const double side = position.side == WheelSide::left ? -1 : 1;
   WheelOnRail pair{
       std::move(rail),       std::move(wheel),    {{0, 0}, -position.cant}, {{0, 0}, side * position.roll},
       position.wheel_radius, side * position.yaw, side * position.lateral};
 
-  for (const TabulatedProfile::Node& node : pair.wheel.nodes())
-    if (!(position.wheel_radius + node.position.z > 0))
-      throw InputError(
-          fmt::format("The wheel '{}' reaches beyond its axle", pair.wheel.name()),
-          fmt::format("its radius at y = {:.4g} mm would be {:.4g} mm: position.wheel_radius is {:g} mm",
-                      node.position.y, position.wheel_radius + node.position.z, position.wheel_radius),
-          "Give the nominal radius, at the tape circle, in mm.");
-
-  const auto nodes = pair.rail.nodes();
-  const auto at = [&](int k, double t) { return pair.rail_pose.to_track(pair.rail.between(k, t).position); };
-  std::vector<Point2> head;
-  for (const TabulatedProfile::Node& node : nodes)
-    head.push_back(pair.rail_pose.to_track(node.position));
-  // The exact extreme lies in one of the two intervals at the extreme node.
-  const auto extreme = [&](int k, double Point2::*coordinate) {
-    double least = head[k].*coordinate;
-    for (const int i : {k - 1, k}) {
-      if (i < 0 || i + 1 >= static_cast<int>(head.size()))
-        continue;
-      const auto slope = [&](double t) {
-        return turned(pair.rail.between(i, t).tangent, pair.rail_pose.angle).*coordinate;
-      };
-      if (slope(0) < 0 && slope(1) > 0)
-        least = std::min(least, at(i, where_it_vanishes([&](double t) { return -slope(t); })).*coordinate);
-    }
-    return least;
-  };
-
-  const int top = static_cast<int>(std::ranges::min_element(head, {}, &Point2::z) - head.begin());
-  const double top_z = extreme(top, &Point2::z), gauge_z = top_z + position.gauge_height;
-  int below = top;
-  while (below >= 0 && head[below].z < gauge_z)
-    --below;
-  if (below < 0)
-    throw InputError(fmt::format("The rail '{}' has no gauge face", pair.rail.name()),
-                     fmt::format("its profile ends less than {} mm below its top on the gauge side (-y)",
-                                 position.gauge_height),
-                     "Give a profile that reaches further down, or a smaller position.gauge_height.");
-  const double t = where_it_vanishes([&](double u) { return at(below, u).z - gauge_z; });
-  const int innermost = static_cast<int>(
-      std::ranges::min_element(head.begin() + below + 1, head.begin() + top + 1, {}, &Point2::y) -
-      head.begin());
-  double gauge_y = at(below, t).y;
-  if (head[innermost].y < gauge_y)
-    gauge_y = std::min(gauge_y, extreme(innermost, &Point2::y));
-  pair.rail_pose.origin = Point2{position.gauge / 2 - gauge_y, -top_z} +
+  require_axle_above(pair.wheel, position.wheel_radius);
+  const Head head(pair.rail, pair.rail_pose.angle);
+  const double gauge_y = head.gauge_face(position.gauge_height);
+  pair.rail_pose.origin = Point2{position.gauge / 2 - gauge_y, -head.top()} +
                           Point2{side * position.rail_lateral, position.rail_vertical};
   pair.rail_pose.angle += side * position.rail_roll;
 

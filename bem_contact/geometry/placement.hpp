@@ -1,7 +1,6 @@
 #pragma once
 
 #include "bem_contact/geometry/tabulated_profile.hpp"
-#include "bem_contact/scene/scene_file.hpp"
 
 #include <array>
 
@@ -9,6 +8,24 @@ namespace bem_contact {
 
 /// Distance of the flange back from the tape circle, mm (EN 13715: the profile's y = -70).
 inline constexpr double flange_back_to_tape_circle = 70.0;
+
+enum class WheelSide { right, left };
+
+/// Where a wheelset stands on its track, and where the rail under one of its wheels lies.
+struct WheelsetPosition {
+  WheelSide side = WheelSide::right; ///< which of its two wheels
+  double lateral = 0;                ///< lateral displacement of the wheelset, mm, positive to the right
+  double gauge = 1435;               ///< mm
+  double gauge_height = 14;          ///< where the gauge is measured: below the top of the rail, mm
+  double back_to_back = 1360;        ///< distance between the flange backs, mm
+  double cant = 0;                   ///< rail inclination towards the track centre, rad
+  double roll = 0;                   ///< wheelset roll, rad, right side down
+  double yaw = 0;                    ///< wheelset yaw, rad, front to the right
+  double wheel_radius = 460;         ///< nominal, at the tape circle, mm
+  /// Deviations of the rail from where gauge and cant put it: to the right, down, and turned right side
+  /// down.
+  double rail_lateral = 0, rail_vertical = 0, rail_roll = 0; ///< mm, mm, rad
+};
 
 /// Where a section stands in the track frame: track = origin + Rot(angle) section, the rotation taking
 /// the section's y towards z (about +x). Inclinations grow by `angle`.
@@ -59,6 +76,6 @@ struct WheelOnRail {
 /// Places both; the wheel stands with its tape circle wherever the axle height -wheel_radius puts it, so
 /// that it may hang above or cut into the rail: see lower_to_touch().
 /// Throws InputError where the rail has no gauge face at the given height.
-WheelOnRail place(const SceneFile::Position& position, TabulatedProfile rail, TabulatedProfile wheel);
+WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel);
 
 } // namespace bem_contact

@@ -12,65 +12,61 @@ Vector3 from(const Vector3& centre, double x, Point2 p) {
   return {x - centre[0], p.y - centre[1], p.z - centre[2]};
 }
 
+/// `of(row, x)`: w_x and w_s of one element.
+template <class Of>
+RigidSlip fields(std::span<const ContactRow> rows, std::span<const double> x, const Of& of) {
+  RigidSlip slip;
+  slip.x.reserve(rows.size() * x.size());
+  slip.s.reserve(rows.size() * x.size());
+  for (const ContactRow& row : rows)
+    for (const double at : x) {
+      const auto [w_x, w_s] = of(row, at);
+      slip.x.push_back(w_x);
+      slip.s.push_back(w_s);
+    }
+  return slip;
+}
+
 } // namespace
 
-void set_rigid_slip(ContactProblem& problem, const WheelOnRail& pair, const ReferencePoint& reference,
-                    const Creepage& creepage) {
-  const ContactGrid& grid = problem.grid;
-  problem.slip_x.resize(grid.size());
-  problem.slip_s.resize(grid.size());
+RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage,
+                     std::span<const ContactRow> rows, std::span<const double> x) {
   const WheelFrame frame = pair.wheel_frame();
   // The vertical about which the wheelset is yawed meets its axle at x = 0.
   const double arm = (pair.centre_y - frame.centre[1]) / frame.axle[1];
   const Vector3 centre{0, pair.centre_y, frame.centre[2] + arm * frame.axle[2]};
   const Vector3 rotation{creepage.roll * frame.forward[0], creepage.roll * frame.forward[1], creepage.yaw};
-  const auto around_axle = [&](double x, Point2 p) { return cross(frame.axle, from(frame.centre, x, p)); };
+  const auto around_axle = [&](double at, Point2 p) { return cross(frame.axle, from(frame.centre, at, p)); };
   const double radius =
       creepage.rolling_radius > 0 ? creepage.rolling_radius : around_axle(reference.x, reference.position)[0];
   const double turning = (1 - creepage.xi) / radius; // 1 / R_roll
   const Point2 tangent = tangent_of(reference.delta);
-  for (int is = 0; is < grid.ms; ++is) {
-    const ContactRow& row = problem.rows[is];
-    const Point2 along = tangent_of(row.delta);
+  return fields(rows, x, [&](const ContactRow& row, double at) {
     const double s = dot(row.position - reference.position, tangent);
-    for (int ix = 0; ix < grid.mx; ++ix) {
-      const double x = grid.x(ix);
-      const Vector3 turned = around_axle(x, row.position);
-      // phi e_n x (r - reference), with e_n x e_x = e_s and e_n x e_s = -e_x at the reference point.
-      const Point2 added = (creepage.eta + creepage.phi * (x - reference.x)) * tangent;
-      const Vector3 rotated = cross(rotation, from(centre, x, row.position));
-      const auto own = [&](int k) { return creepage.velocity[k] + rotated[k] - turning * turned[k]; };
-      problem.slip_x[is * grid.mx + ix] = 1 + own(0) - creepage.phi * s;
-      problem.slip_s[is * grid.mx + ix] = dot(added + Point2{own(1), own(2)}, along);
-    }
-  }
+    const Vector3 turned = around_axle(at, row.position);
+    // phi e_n x (r - reference), with e_n x e_x = e_s and e_n x e_s = -e_x at the reference point.
+    const Point2 added = (creepage.eta + creepage.phi * (at - reference.x)) * tangent;
+    const Vector3 rotated = cross(rotation, from(centre, at, row.position));
+    const auto own = [&](int k) { return creepage.velocity[k] + rotated[k] - turning * turned[k]; };
+    return std::pair(1 + own(0) - creepage.phi * s,
+                     dot(added + Point2{own(1), own(2)}, tangent_of(row.delta)));
+  });
 }
 
-void set_rigid_shift(ContactProblem& problem, const ReferencePoint& reference, const Creepage& creepage) {
-  const ContactGrid& grid = problem.grid;
-  problem.slip_x.resize(grid.size());
-  problem.slip_s.resize(grid.size());
-  for (int is = 0; is < grid.ms; ++is) {
-    const ContactRow& row = problem.rows[is];
+RigidSlip rigid_shift(const ReferencePoint& reference, const Creepage& creepage,
+                      std::span<const ContactRow> rows, std::span<const double> x) {
+  return fields(rows, x, [&](const ContactRow& row, double at) {
     const double s = dot(row.position - reference.position, tangent_of(reference.delta));
-    const double share = std::cos(row.delta - reference.delta);
-    for (int ix = 0; ix < grid.mx; ++ix) {
-      problem.slip_x[is * grid.mx + ix] = creepage.xi - creepage.phi * s;
-      problem.slip_s[is * grid.mx + ix] = (creepage.eta + creepage.phi * (grid.x(ix) - reference.x)) * share;
-    }
-  }
+    return std::pair(creepage.xi - creepage.phi * s, (creepage.eta + creepage.phi * (at - reference.x)) *
+                                                         std::cos(row.delta - reference.delta));
+  });
 }
 
-void set_rigid_slip(ContactProblem& problem, const Creepage& creepage, double x_of_contact) {
-  const ContactGrid& grid = problem.grid;
-  problem.slip_x.resize(grid.size());
-  problem.slip_s.resize(grid.size());
-  for (int is = 0; is < grid.ms; ++is) {
-    for (int ix = 0; ix < grid.mx; ++ix) {
-      problem.slip_x[is * grid.mx + ix] = creepage.xi - creepage.phi * problem.rows[is].s;
-      problem.slip_s[is * grid.mx + ix] = creepage.eta + creepage.phi * (grid.x(ix) - x_of_contact);
-    }
-  }
+RigidSlip planar_slip(const Creepage& creepage, std::span<const ContactRow> rows, std::span<const double> x,
+                      double x_of_contact) {
+  return fields(rows, x, [&](const ContactRow& row, double at) {
+    return std::pair(creepage.xi - creepage.phi * row.s, creepage.eta + creepage.phi * (at - x_of_contact));
+  });
 }
 
 } // namespace bem_contact

@@ -1,12 +1,14 @@
 #pragma once
 
-#include "bem_contact/contact/problem.hpp"
 #include "bem_contact/geometry/placement.hpp"
+#include "bem_contact/profile/contact_row.hpp"
+
+#include <span>
+#include <vector>
 
 namespace bem_contact {
 
-/// Where approach, creepages and moments refer to: a point of the rail (wheel_rail) or the middle of the grid
-/// (patch).
+/// Where approach, creepages and moments refer to: a point of the rail, or the middle of a patch's grid.
 struct ReferencePoint {
   Point2 position;  ///< on the rail, frame of the rows, mm
   double s = 0;     ///< arc length on the rail, mm
@@ -14,7 +16,8 @@ struct ReferencePoint {
   double x = 0;     ///< mm
 };
 
-/// Creepages at the reference point; what comes from the wheelset's own motion is added by set_rigid_slip().
+/// Creepages at the reference point, and the wheelset's own velocities, from which rigid_slip() finds the
+/// rest.
 struct Creepage {
   double xi = 0, eta = 0;    ///< longitudinal, lateral (along the rail's tangent there)
   double phi = 0;            ///< about the rail's normal there, 1/mm
@@ -23,28 +26,33 @@ struct Creepage {
   double roll = 0, yaw = 0;  ///< rates over V: about the wheelset's forward axis and the vertical, rad/mm
 };
 
-/// Rigid slip w = velocity of the wheel's surface over the rail's, over the rolling speed V, in the local
-/// frames of the rows; fields slip_x, slip_s of `problem` (grid and rows set).
-///
-/// The wheelset moves along x with V and turns about its axle a (WheelFrame; it points to the right) with
-/// omega = -V / R_roll, R_roll = rolling_radius / (1 - xi). Its surface at X, seen from a point C of the
-/// axle, moves by
+/// Rigid slip w of elements: velocity of the wheel's surface over the rail's, over the rolling speed V, in
+/// the local frames (x, s) of the rows; fields [rows][x]. Of a shift: its displacement, mm.
+struct RigidSlip {
+  std::vector<double> x, s;
+};
+
+/// Of a rolling wheel. It moves along x with V and turns about its axle a (WheelFrame; it points to the
+/// right) with omega = -V / R_roll, R_roll = rolling_radius / (1 - xi). Its surface at X, seen from a point C
+/// of the axle, moves by
 ///   v/V = e_x - a x (X - C) / R_roll,
 /// plus velocity + (roll e_forward + yaw e_z) x (X - centre of the wheelset), plus eta along the rail's
 /// tangent and phi about the rail's normal at the reference point. What moves along the normal is left to the
 /// approach. On a rail at inclination delta that is, to first order and with yaw psi, w_x = 1 - r/R_roll, w_s
 /// = -psi cos(delta) + sin(delta) x/R_roll: a yawed wheel slides to the left, the geometric spin is
 /// sin(delta)/R, negative at the gauge corner of a right-hand rail, and differs from row to row.
-void set_rigid_slip(ContactProblem& problem, const WheelOnRail& pair, const ReferencePoint& reference,
-                    const Creepage& creepage);
+/// `rows`, `x`: middles of the elements, mm.
+RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage,
+                     std::span<const ContactRow> rows, std::span<const double> x);
 
-/// A shift of the wheel that does not turn, on the same frames, mm: w_x = xi - phi s, w_s = (eta + phi x)
-/// cos(delta - delta of the reference point), xi, eta in mm and phi in rad, s along the tangent there, s and
-/// x from there.
-void set_rigid_shift(ContactProblem& problem, const ReferencePoint& reference, const Creepage& creepage);
+/// Of a wheel that is shifted and does not roll, mm: w_x = xi - phi s, w_s = (eta + phi x) cos(delta - delta
+/// of the reference point), xi, eta in mm and phi in rad, s along the tangent there, s and x from there.
+RigidSlip rigid_shift(const ReferencePoint& reference, const Creepage& creepage,
+                      std::span<const ContactRow> rows, std::span<const double> x);
 
-/// The same as set_rigid_slip for a patch given directly: w_x = xi - phi s, w_s = eta + phi x (s measured
-/// from the grid's middle, x from `x_of_contact`).
-void set_rigid_slip(ContactProblem& problem, const Creepage& creepage, double x_of_contact = 0);
+/// On a plane, where the contact lies at (x_of_contact, s = 0): w_x = xi - phi s, w_s = eta + phi (x -
+/// x_of_contact).
+RigidSlip planar_slip(const Creepage& creepage, std::span<const ContactRow> rows, std::span<const double> x,
+                      double x_of_contact = 0);
 
 } // namespace bem_contact

@@ -1,5 +1,7 @@
 #include "bem_contact/geometry/tabulated_profile.hpp"
 
+#include "bem_contact/geometry/settings.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -8,10 +10,6 @@ namespace bem_contact {
 namespace {
 
 using Node = TabulatedProfile::Node;
-
-constexpr double largest_step = 0.1;   // mm
-constexpr double smallest_step = 2e-3; // mm: no finer, whatever the curve does
-constexpr double tolerance = 1e-9;     // mm
 
 TabulatedProfile::Point hermite(const Node& a, const Node& b, double t) {
   const double length = b.s - a.s, u = 1 - t;
@@ -32,9 +30,9 @@ double turn(Point2 a, Point2 b) {
 /// Nodes after `a` up to and with `b`, both within one piece.
 void refine(const ProfileCurve& curve, const Node& a, const Node& b, std::vector<Node>& out) {
   const double middle = 0.5 * (a.s + b.s), length = b.s - a.s;
-  if (length > smallest_step) {
+  if (length > smallest_table_step) {
     const CurvePoint p = curve.at(middle);
-    if (length > largest_step || norm(hermite(a, b, 0.5).position - p.position) > tolerance) {
+    if (length > largest_table_step || norm(hermite(a, b, 0.5).position - p.position) > table_tolerance) {
       const Node m{middle, p.position, tangent_of(p.delta), tangent_of(p.delta), p.delta};
       refine(curve, a, m, out);
       refine(curve, m, b, out);

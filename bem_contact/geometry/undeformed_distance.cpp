@@ -1,5 +1,8 @@
 #include "bem_contact/geometry/undeformed_distance.hpp"
 
+#include "bem_contact/geometry/line_search.hpp"
+#include "bem_contact/geometry/settings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,9 +10,6 @@
 namespace bem_contact {
 
 namespace {
-
-// A wheel that overlaps the rail by more than this is on another side of the flange, mm.
-constexpr double deepest_overlap = 2.0;
 
 /// The normal of a row, seen along x.
 struct Ray {
@@ -77,39 +77,43 @@ struct Crossing {
   double t = 0, distance = excluded_gap;
 };
 
-/// Where the ray crosses a curve that is walked against it (the wheel's profile or locus), the nearest
-/// crossing to node `start`.
-template <class Curve> std::optional<Crossing> cross(const Curve& curve, const Ray& ray, int start) {
+/// The last of the nodes k, k + 1 between which the ray crosses a curve that is walked against it, looked for
+/// from `start` on; -1 where there is none.
+template <class Curve> int interval_crossed(const Curve& curve, const Ray& ray, int start) {
   const auto& nodes = curve.nodes();
   const int last = static_cast<int>(nodes.size()) - 1;
+  const auto along = [&](int k) { return ray.along(nodes[k].position); };
   int k = std::clamp(start, 0, last);
-  double fa = ray.along(nodes[k].position), fb = fa;
-  if (fa > 0) {
+  if (along(k) > 0) {
     do {
       if (++k > last || !nodes[k].joined)
-        return std::nullopt;
-      fa = fb;
-      fb = ray.along(nodes[k].position);
-    } while (fb > 0);
-    --k;
-  } else {
-    do {
-      if (k == 0 || !nodes[k].joined)
-        return std::nullopt;
-      --k;
-      fb = fa;
-      fa = ray.along(nodes[k].position);
-    } while (fa <= 0);
+        return -1;
+    } while (along(k) > 0);
+    return k - 1;
   }
-  // fa > 0 >= fb: regula falsi of Anderson and Bjorck, with bisection behind it.
-  double a = 0, b = 1, ga = fa, gb = fb;
-  Point2 p = nodes[k + 1].position;
-  double t = 1;
-  for (int i = 0; i < 60 && gb != 0 && std::abs(b - a) > 1e-14; ++i) {
-    t = i % 8 == 7 ? 0.5 * (a + b) : b - gb * (b - a) / (gb - ga);
+  do {
+    if (k == 0 || !nodes[k].joined)
+      return -1;
+    --k;
+  } while (along(k) <= 0);
+  return k;
+}
+
+/// Where the ray crosses a curve (the wheel's profile or locus), the nearest crossing to node `start`: regula
+/// falsi of Anderson and Bjorck (1973), which halves the bracket now and then.
+template <class Curve> std::optional<Crossing> cross(const Curve& curve, const Ray& ray, int start) {
+  const int k = interval_crossed(curve, ray, start);
+  if (k < 0)
+    return std::nullopt;
+  Point2 p = curve.nodes()[k + 1].position;
+  double a = 0, b = 1, t = 1;
+  double ga = ray.along(curve.nodes()[k].position), gb = ray.along(p); // ga > 0 >= gb
+  for (int i = 0; i < crossing_steps && gb != 0 && std::abs(b - a) > crossing_width; ++i) {
+    const bool halve = i % crossing_halving_period == crossing_halving_period - 1;
+    t = halve ? 0.5 * (a + b) : b - gb * (b - a) / (gb - ga);
     p = curve.between(k, t).position;
     const double g = ray.along(p);
-    if (std::abs(g) < 1e-13)
+    if (std::abs(g) < crossing_distance)
       break;
     if ((g > 0) != (gb > 0)) {
       a = b, ga = gb;
@@ -125,7 +129,7 @@ template <class Curve> std::optional<Crossing> cross(const Curve& curve, const R
   return Crossing{k, t, distance};
 }
 
-/// The nearest node: of every twelfth (1.2 mm), then downhill; -1 beyond `farthest`.
+/// The nearest node; -1 beyond `farthest`.
 int nearest_node(const ContactLocus& locus, Point2 p, double farthest) {
   const auto& nodes = locus.nodes();
   const int last = static_cast<int>(nodes.size()) - 1;
@@ -135,10 +139,10 @@ int nearest_node(const ContactLocus& locus, Point2 p, double farthest) {
   };
   int best = last;
   double least = square(last);
-  for (int k = 0; k < last; k += 12)
+  for (int k = 0; k < last; k += node_stride)
     if (const double d = square(k); d < least)
       best = k, least = d;
-  if (std::sqrt(least) > farthest + 1.2)
+  if (std::sqrt(least) > farthest + node_stride * largest_table_step)
     return -1;
   while (best > 0 && square(best - 1) < square(best))
     --best;
@@ -174,10 +178,8 @@ std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const
       from = std::min(from, row.wheel_s), to = std::max(to, row.wheel_s);
   if (from > to)
     return gap;
-  // How far a section's crossing may lie from that of the locus, mm of the profile.
-  constexpr double margin = 6.0;
-  const int first = pair.wheel.interval(from - margin, 0);
-  const int last = pair.wheel.interval(to + margin, first) + 1;
+  const int first = pair.wheel.interval(from - section_margin, 0);
+  const int last = pair.wheel.interval(to + section_margin, first) + 1;
   const WheelFrame frame = pair.wheel_frame();
 
   std::vector<int> start(rows.size());
@@ -207,29 +209,19 @@ std::vector<double> wheel_stations(const ContactLocus& locus, std::span<const Co
   const auto& nodes = locus.nodes();
   for (const ContactRow& row : rows) {
     const int near = nearest_node(locus, row.position, 1e9);
-    // Golden section on the stretches beside the node.
-    const auto square = [&](double v) {
+    // On the stretches beside the node.
+    const auto on_locus = [&](double v) {
       const int k = std::min(static_cast<int>(v), static_cast<int>(nodes.size()) - 2);
-      const Point2 d = locus.between(k, v - k).position - row.position;
+      return locus.between(k, v - k);
+    };
+    const auto square = [&](double v) {
+      const Point2 d = on_locus(v).position - row.position;
       return dot(d, d);
     };
     const bool left = near > 0 && nodes[near].joined;
     const bool right = near + 1 < static_cast<int>(nodes.size()) && nodes[near + 1].joined;
-    const double golden = 0.5 * (std::sqrt(5.0) - 1);
-    double a = near - (left ? 1 : 0), b = near + (right ? 1 : 0);
-    double c = b - golden * (b - a), d = a + golden * (b - a), fc = square(c), fd = square(d);
-    while (b - a > 1e-6) {
-      if (fc < fd) {
-        b = d, d = c, fd = fc;
-        c = b - golden * (b - a), fc = square(c);
-      } else {
-        a = c, c = d, fc = fd;
-        d = a + golden * (b - a), fd = square(d);
-      }
-    }
-    const double v = 0.5 * (a + b);
-    const int k = std::min(static_cast<int>(v), static_cast<int>(nodes.size()) - 2);
-    out.push_back(locus.between(k, v - k).s);
+    const double from = near - (left ? 1 : 0), to = near + (right ? 1 : 0);
+    out.push_back(on_locus(golden_section(from, to, station_width, square).at).s);
   }
   return out;
 }

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "bem_contact/contact/problem.hpp"
 #include "bem_contact/geometry/contact_locus.hpp"
+#include "bem_contact/geometry/settings.hpp"
+#include "bem_contact/profile/contact_row.hpp"
 
 #include <span>
 #include <vector>
@@ -21,7 +22,7 @@ struct RowOnLocus {
 };
 /// Rows farther than `farthest` (mm) from the locus miss it.
 std::vector<RowOnLocus> rows_on_locus(const ContactLocus& locus, std::span<const ContactRow> rows,
-                                      double farthest = 20);
+                                      double farthest = farthest_row);
 
 /// Undeformed distance along the rail's normal n from the rail to the exact wheel surface of revolution, mm;
 /// field [rows][x]. A row whose normal misses the wheel, or 20 mm from it, gets excluded_gap.

@@ -34,7 +34,7 @@ std::vector<OwnOutline::Piece> joined(const BodyFile::Body& body) {
     if (chord < shortest_outline_piece)
       throw InputError(name + " has no length", "it ends where it begins",
                        "Remove it; the first piece begins where the last one ends, so the loop is closed.");
-    if (is_arc(piece) && chord > 2 * std::abs(piece.radius) * (1 + 1e-9))
+    if (is_arc(piece) && chord > 2 * std::abs(piece.radius) * (1 + half_circle_rounding))
       throw InputError(name + " is no arc",
                        fmt::format("its ends are {:.6g} mm apart, more than twice its radius of {} mm", chord,
                                    std::abs(piece.radius)),

@@ -151,7 +151,7 @@ CurvePoint ProfileCurve::nearest(Point2 p) const {
   double least = std::numeric_limits<double>::infinity();
   for (const CurvePiece& piece : pieces_) {
     const double farthest = std::min(bound, least) + piece.length / 2;
-    if (squared(piece) > farthest * farthest * (1 + 1e-12)) // its own bound, rounded, is not beyond
+    if (squared(piece) > farthest * farthest * (1 + bound_rounding))
       continue;
     const double along = nearest_on(piece, p);
     const double distance = norm(p - point_on(piece, along).position);

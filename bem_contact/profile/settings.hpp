@@ -35,12 +35,18 @@ BEM_CONTACT_TUNED(double, parameter_tolerance, 1e-15);
 /// length to the last digit.
 BEM_CONTACT_TUNED(double, s1002_piece, 1.0);
 
+/// 1. Bounds of a search for the nearest piece are widened by so much, so that no piece's own bound, rounded,
+/// excludes it.
+BEM_CONTACT_TUNED(double, bound_rounding, 1e-12);
+
 // Outlines of a body file.
 
 /// rad. Pieces of a contact surface that meet at less are smooth: the coordinates of a drawing are rounded.
 BEM_CONTACT_TUNED(double, tangent_slack, 0.01);
 /// mm. A shorter piece of an outline is a mistake. Chosen: a thousandth of the last digit of a drawing.
 BEM_CONTACT_TUNED(double, shortest_outline_piece, 1e-6);
+/// 1. An arc's chord may exceed its diameter by so much: a half circle with rounded ends.
+BEM_CONTACT_TUNED(double, half_circle_rounding, 1e-9);
 /// 1. Points of an arc among which its lowest z is looked for. Chosen.
 BEM_CONTACT_TUNED(int, lowest_point_samples, 64);
 

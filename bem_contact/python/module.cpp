@@ -63,9 +63,7 @@ private:
 };
 
 SceneResult solve_one(const std::filesystem::path& file, const Changes& changes, const std::string& model) {
-  const std::vector<SceneChange> list = list_of(changes);
-  const py::gil_scoped_release others_may_run;
-  return solve_scene(scene_of(file, list, model));
+  return PythonSequence(file).solve(changes, model);
 }
 
 py::array_t<double> line(std::vector<double> values) {

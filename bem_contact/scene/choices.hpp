@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/enum_names.hpp"
 #include "bem_contact/contact/problem.hpp"
+#include "bem_contact/geometry/placement.hpp"
 #include "bem_contact/influence/influence_function.hpp"
 
 #include <optional>
@@ -16,8 +17,6 @@ template <> struct EnumNames<SceneKind> {
   static constexpr std::array<std::string_view, 2> names{"wheel_rail", "patch"};
 };
 
-/// Which wheel of the wheelset.
-enum class WheelSide { right, left };
 template <> struct EnumNames<WheelSide> {
   static constexpr std::array<std::string_view, 2> names{"right", "left"};
 };

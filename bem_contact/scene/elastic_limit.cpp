@@ -1,6 +1,7 @@
 #include "bem_contact/scene/elastic_limit.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/scene/settings.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -9,36 +10,43 @@ namespace bem_contact {
 
 namespace {
 
-double limit_of(const SceneFile& scene) {
-  return largest_pressure_share * std::min(scene.rail.material.young(), scene.wheel.material.young());
+double limit_of(const ContactSetup& setup) {
+  return largest_pressure_share * std::min(setup.rail.material.young(), setup.wheel.material.young());
 }
 
-[[noreturn]] void refuse(const SceneFile& scene, const std::string& pressure) {
+[[noreturn]] void refuse(const ContactSetup& setup, const std::string& pressure) {
   throw InputError(
       "The load is far beyond elastic contact",
       fmt::format("{}, and {:.4g} MPa are {:g} of the softer body's Young's modulus, where "
                   "linear elasticity ends",
-                  pressure, limit_of(scene), largest_pressure_share),
+                  pressure, limit_of(setup), largest_pressure_share),
       "Check load, lengths and moduli and their units (N, mm, MPa), and whether the grid holds the "
       "contact.");
 }
 
 } // namespace
 
-void require_bearable(const SceneFile& scene, const ContactProblem& problem) {
-  if (problem.load != LoadKind::force)
+void require_bearable(const ContactSetup& patch) {
+  if (patch.load.kind != LoadKind::force)
     return;
-  const double area =
-      problem.grid.size() * problem.grid.dx * problem.grid.ds; // no numbers yet; plane strain: dx = 1
-  const double least = problem.force / area / (1 + (problem.tangential ? problem.largest_friction() : 0));
-  if (least > limit_of(scene))
-    refuse(scene, fmt::format("{:g} N on all of the grid's {:.4g} mm2 are {:.4g} MPa or more", problem.force,
-                              area, least));
+  const ContactProblem problem = patch.on(patch.patch()->plan()).problem;
+  const double area = problem.grid.size() * problem.element_area(); // plane strain: per mm
+  const double least = patch.load.force / area / (1 + (problem.tangential ? problem.largest_friction() : 0));
+  if (least > limit_of(patch))
+    refuse(patch, fmt::format("{:g} N on all of the grid's {:.4g} mm2 are {:.4g} MPa or more",
+                              patch.load.force, area, least));
 }
 
-void require_elastic(const SceneFile& scene, double pressure) {
-  if (pressure > limit_of(scene))
-    refuse(scene, fmt::format("the largest pressure would be {:.4g} MPa", pressure));
+void require_small_approach(double approach) {
+  if (approach > largest_approach)
+    throw InputError("The load is far beyond elastic contact",
+                     fmt::format("the bodies would approach by about {:.3g} mm", approach),
+                     "Check load and units (N, mm).");
+}
+
+void require_elastic(const ContactSetup& setup, double pressure) {
+  if (pressure > limit_of(setup))
+    refuse(setup, fmt::format("the largest pressure would be {:.4g} MPa", pressure));
 }
 
 } // namespace bem_contact

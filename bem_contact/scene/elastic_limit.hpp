@@ -1,19 +1,18 @@
 #pragma once
 
-#include "bem_contact/contact/problem.hpp"
-#include "bem_contact/scene/scene_file.hpp"
+#include "bem_contact/scene/contact_setup.hpp"
 
 namespace bem_contact {
 
-/// Share of the softer body's Young's modulus that no pressure may exceed: strains are tens of percent there,
-/// and the theory is one of small strains. (Steel yields at a hundredth of that.)
-constexpr double largest_pressure_share = 0.2;
+/// Before anything is solved: throws InputError where the force prescribed exceeds the largest pressure of
+/// elasticity (largest_pressure_share) even if all of a patch's grid bore it.
+void require_bearable(const ContactSetup& patch);
 
-/// Throws InputError where the force prescribed exceeds that pressure even if all of the grid bore it; before
-/// anything is solved.
-void require_bearable(const SceneFile& scene, const ContactProblem& problem);
+/// Before anything is solved: throws InputError where wheel and rail would approach by more than
+/// largest_approach, mm.
+void require_small_approach(double approach);
 
-/// Throws InputError where a pressure found, MPa, is above it.
-void require_elastic(const SceneFile& scene, double pressure);
+/// Of a solution: throws InputError where its pressure, MPa, is beyond elasticity.
+void require_elastic(const ContactSetup& setup, double pressure);
 
 } // namespace bem_contact

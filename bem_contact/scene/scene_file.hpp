@@ -29,19 +29,7 @@ struct SceneFile {
   };
   Side rail, wheel; ///< in a patch: the lower and the upper body
 
-  struct Position { ///< [position], wheel_rail
-    WheelSide side = WheelSide::right;
-    double lateral = 0;         ///< lateral displacement of the wheelset, mm, positive to the right
-    double gauge = 1435;        ///< mm
-    double gauge_height = 14;   ///< below the top of the rail, mm
-    double back_to_back = 1360; ///< mm
-    double cant = 0;            ///< rail inclination towards the track centre, rad
-    double roll = 0;            ///< wheelset roll, rad, right side down
-    double yaw = 0;             ///< wheelset yaw, rad, front to the right
-    double wheel_radius = 460;  ///< nominal, at the tape circle, mm
-    /// Deviations of the rail from where gauge and cant put it: to the right, down, and turned right side
-    /// down.
-    double rail_lateral = 0, rail_vertical = 0, rail_roll = 0; ///< mm, mm, rad
+  struct Position : WheelsetPosition { ///< [position], wheel_rail
     std::optional<double> vertical; ///< z of the wheelset's centre over -wheel_radius, mm, instead of a load
   } position;
 
@@ -113,7 +101,7 @@ struct SceneFile {
   } solver;
 };
 
-/// A key of a scene with another value than its file says (base/sweep_file.hpp).
+/// A key of a scene with another value than its file says (sweep_file.hpp).
 struct SceneChange {
   std::string key; ///< dotted: "position.lateral"
   SchemaValue value;

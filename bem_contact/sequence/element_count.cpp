@@ -1,5 +1,7 @@
 #include "bem_contact/sequence/element_count.hpp"
 
+#include "bem_contact/sequence/settings.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,30 +9,26 @@ namespace bem_contact {
 
 namespace {
 
-constexpr double order = 0.65;  // of the error in the number of elements
-constexpr double reserve = 1.1; // elements beyond what the accuracy is predicted to need
-constexpr int first_guess = 200;
-
 /// Rounded in the logarithm; `down`: not larger.
 double on_ladder(double length, bool down) {
-  const double step = 4 * std::log2(length);
-  return std::exp2((down ? std::floor(step + 1e-9) : std::round(step)) / 4);
+  const double step = sizes_per_octave * std::log2(length);
+  return std::exp2((down ? std::floor(step + 1e-9) : std::round(step)) / sizes_per_octave); // 1e-9: rounding
 }
 
 } // namespace
 
 ElementCount::ElementCount(int elements, double accuracy, int limit, int least)
-    : accuracy_(accuracy), least_(least), usual_(elements > 0 ? elements : first_guess), wanted_(usual_) {
-  // The median contact has an error of .3 % with 200 elements; one in a hundred needs seven times as many as
-  // the median for 2 %.
+    : accuracy_(accuracy), least_(least), usual_(elements > 0 ? elements : int(usual_elements)),
+      wanted_(usual_) {
   const auto elements_for = [&](double error) {
-    return first_guess * (accuracy > 0 ? std::pow(error / accuracy, 1 / order) : 1.0);
+    return usual_elements * (accuracy > 0 ? std::pow(error / accuracy, 1 / error_order) : 1.0);
   };
-  const double needed = elements_for(0.003);
-  most_ = static_cast<int>(std::clamp(7 * elements_for(0.02), 7.0 * first_guess, double(limit)));
+  const double needed = elements_for(usual_error);
+  most_ = static_cast<int>(
+      std::clamp(rare_factor * elements_for(rare_error), rare_factor * usual_elements, double(limit)));
   if (elements == 0)
     usual_ = wanted_ =
-        static_cast<int>(std::clamp(needed, double(std::max(first_guess, least)), double(limit)));
+        static_cast<int>(std::clamp(needed, double(std::max(int(usual_elements), least)), double(limit)));
 }
 
 void ElementCount::forget() {
@@ -45,10 +43,10 @@ bool ElementCount::learn(int contact, double error) {
     wanted_ = more ? std::min(most_, 2 * std::max(wanted_, contact)) : wanted_;
     return more;
   }
-  const double needed = reserve * contact * std::pow(error / accuracy_, 1 / order);
+  const double needed = element_reserve * contact * std::pow(error / accuracy_, 1 / error_order);
   const bool again = error > accuracy_ && contact < most_;
   // Errors scatter: come down not at once, and go up by no more than a retry can correct.
-  const double lo = again ? 1.3 * contact : 0.35 * contact, hi = 4.0 * contact;
+  const double lo = (again ? least_retry : least_change) * contact, hi = most_change * contact;
   wanted_ = static_cast<int>(std::clamp(std::clamp(needed, lo, hi), double(least_), double(most_)));
   return again && wanted_ > contact;
 }
@@ -57,15 +55,15 @@ std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int 
                                            double shortest, double longest) {
   const ContactExtent extent = contact_extent(estimate);
   if (!(extent.area > 0) || !(extent.along_x > 0) || !(extent.along_s > 0))
-    return {0.5, 0.25};
+    return {default_dx, default_ds};
   const double element = extent.area * area_ratio / elements;
   // Behind the leading edge tractions grow over the shorter axis of a contact, whichever way that lies: long
   // elements in a contact drawn out along x, as at the gauge corner, cost three times the error.
-  const double aspect = std::clamp(extent.along_x / extent.along_s, 0.4, longest);
+  const double aspect = std::clamp(extent.along_x / extent.along_s, double(shortest_element_aspect), longest);
   // One is rounded to the nearest, the other such that there are not fewer elements than asked for.
   const double dx = std::max(shortest, on_ladder(std::sqrt(element * aspect), false));
   // Where dx may not follow, ever narrower rows would cost much and say little.
-  const double narrowest = dx == shortest ? shortest / 4 : 0;
+  const double narrowest = dx == shortest ? narrowest_element_share * shortest : 0;
   return {dx, std::max(narrowest, on_ladder(element / dx, true))};
 }
 

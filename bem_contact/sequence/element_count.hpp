@@ -1,6 +1,7 @@
 #pragma once
 
-#include "bem_contact/sequence/potential_contact.hpp"
+#include "bem_contact/sequence/contact_estimate.hpp"
+#include "bem_contact/sequence/settings.hpp"
 
 #include <utility>
 
@@ -12,12 +13,9 @@ namespace bem_contact {
 /// with N elements e ~ N^-0.65 lies between. A conformal case, whose error is larger, gets more on its own.
 class ElementCount {
 public:
-  /// Fewer have no estimate: the companion has a quarter of them, and needs 40.
-  static constexpr int fewest = 180;
-
   /// `accuracy`: discretisation error wanted; 0: `elements` whatever the error. `limit`: never more; `least`:
   /// for an accuracy no fewer.
-  ElementCount(int elements, double accuracy, int limit = 12000, int least = fewest);
+  ElementCount(int elements, double accuracy, int limit = most_elements, int least = fewest_elements);
 
   int wanted() const { return wanted_; }
   /// No more than this is tried: what 99 of 100 contacts need for this accuracy is less.
@@ -30,7 +28,7 @@ public:
 
 private:
   double accuracy_ = 0;
-  int least_ = fewest;
+  int least_ = fewest_elements;
   int usual_ = 0, most_ = 0, wanted_ = 0;
 };
 

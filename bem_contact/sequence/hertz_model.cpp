@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/hertz_model.hpp"
 
-#include "bem_contact/sequence/potential_contact.hpp"
+#include "bem_contact/geometry/undeformed_distance.hpp"
+#include "bem_contact/sequence/settings.hpp"
 
 #include <Eigen/QR>
 
@@ -12,16 +13,13 @@ namespace bem_contact {
 
 namespace {
 
-constexpr int fewest = 5;  // rows and columns of the smallest window
-constexpr int rounds = 10; // of window and fit
-
 /// Elements in the contact, or within two elements of `middle`.
 std::vector<int> window_of(const ContactProblem& problem, const HertzModel& model, int middle) {
   const int mx = problem.grid.mx;
   std::vector<int> window;
   for (int i = 0; i < problem.grid.size(); ++i) {
-    const bool near =
-        std::abs(i % mx - middle % mx) <= fewest / 2 && std::abs(i / mx - middle / mx) <= fewest / 2;
+    const bool near = std::abs(i % mx - middle % mx) <= smallest_window / 2 &&
+                      std::abs(i / mx - middle / mx) <= smallest_window / 2;
     const auto [u, v] = model.local(problem.grid.x(i % mx), problem.rows[i / mx].s);
     const bool inside = model.contact.force > 0 &&
                         std::hypot(u / model.contact.semi_axis_x, v / model.contact.semi_axis_s) < 1;
@@ -47,7 +45,7 @@ bool fit_quadratic(const ContactProblem& problem, const std::vector<int>& window
   const double a = c[3] / (grid.dx * grid.dx), b = c[4] / (grid.ds * grid.ds),
                mixed = c[5] / (grid.dx * grid.ds);
   const double determinant = 4 * a * b - mixed * mixed;
-  if (!(a > 0) || !(b > 0) || !(determinant > 1e-12 * (a + b) * (a + b)))
+  if (!(a > 0) || !(b > 0) || !(determinant > least_curvature_ratio * (a + b) * (a + b)))
     return false;
   const double slope_x = c[1] / grid.dx, slope_s = c[2] / grid.ds;
   const double x = (mixed * slope_s - 2 * b * slope_x) / determinant;
@@ -91,102 +89,57 @@ double mean_pressure(const HertzModel& model, const ContactGrid& grid, double x,
   return c.max_pressure * sum / 16;
 }
 
-} // namespace
-
-std::pair<double, double> HertzModel::local(double at_x, double at_s) const {
-  const double c = std::cos(angle), d = std::sin(angle);
-  return {c * (at_x - x) + d * (at_s - s), -d * (at_x - x) + c * (at_s - s)};
-}
-
-std::optional<HertzModel> fit_hertz(const ContactProblem& problem, const Material& lower,
-                                    const Material& upper) {
+/// The distance has to be known all over the contact: the ellipse's box lies on the grid.
+bool on_grid(const ContactProblem& problem, const HertzModel& model) {
   const ContactGrid& grid = problem.grid;
-  if (grid.mx < fewest || grid.ms < fewest)
-    return std::nullopt;
-  HertzModel model;
-  model.modulus = reference::contact_modulus(lower, upper);
-  const int middle = static_cast<int>(std::ranges::min_element(problem.gap) - problem.gap.begin());
-  std::vector<int> window = window_of(problem, model, middle);
-  for (int round = 0; round < rounds; ++round) {
-    if (std::ranges::any_of(window, [&](int i) { return problem.gap[i] >= excluded_gap; }) ||
-        !fit_quadratic(problem, window, model))
-      return std::nullopt;
-    press(problem, model);
-    std::vector<int> next = window_of(problem, model, middle);
-    if (next == window)
-      break;
-    window = std::move(next);
-  }
-  // the distance has to be known all over the contact: the ellipse's box lies on the grid
   const reference::HertzContact& c = model.contact;
   const double cosine = std::cos(model.angle), sine = std::sin(model.angle);
   const double reach_x = std::hypot(c.semi_axis_x * cosine, c.semi_axis_s * sine);
   const double reach_s = std::hypot(c.semi_axis_x * sine, c.semi_axis_s * cosine);
-  if (model.x - reach_x < grid.x(0) - 0.5 * grid.dx ||
-      model.x + reach_x > grid.x(grid.mx - 1) + 0.5 * grid.dx ||
-      model.s - reach_s < problem.rows.front().s - 0.5 * grid.ds ||
-      model.s + reach_s > problem.rows.back().s + 0.5 * grid.ds)
-    return std::nullopt;
+  return !(model.x - reach_x < grid.x(0) - 0.5 * grid.dx ||
+           model.x + reach_x > grid.x(grid.mx - 1) + 0.5 * grid.dx ||
+           model.s - reach_s < problem.rows.front().s - 0.5 * grid.ds ||
+           model.s + reach_s > problem.rows.back().s + 0.5 * grid.ds);
+}
+
+/// Sets deviation and turn, from the elements of the window in the contact.
+void look_inside(const ContactProblem& problem, const std::vector<int>& window, HertzModel& model) {
+  const ContactGrid& grid = problem.grid;
+  const reference::HertzContact& c = model.contact;
   double lowest = model.delta, highest = model.delta;
   for (const int i : window) {
-    const double x = grid.x(i % grid.mx), s = problem.rows[i / grid.mx].s;
-    const auto [u, v] = model.local(x, s);
+    const ContactRow& row = problem.rows[i / grid.mx];
+    const auto [u, v] = model.local(grid.x(i % grid.mx), row.s);
     if (!(c.force > 0) || std::hypot(u / c.semi_axis_x, v / c.semi_axis_s) >= 1)
       continue;
     const double fit = model.least + model.curvature_x * u * u + model.curvature_s * v * v;
     model.deviation = std::max(model.deviation, std::abs(problem.gap[i] - fit) / c.approach);
-    lowest = std::min(lowest, problem.rows[i / grid.mx].delta);
-    highest = std::max(highest, problem.rows[i / grid.mx].delta);
+    lowest = std::min(lowest, row.delta);
+    highest = std::max(highest, row.delta);
   }
   model.turn = highest - lowest;
-  return model;
 }
 
-ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model, Displacements& u) {
-  const ContactGrid& grid = problem.grid;
-  const reference::HertzContact& c = model.contact;
-  const std::size_t n = grid.size();
+ContactResult without_contact(const ContactProblem& problem) {
+  const std::size_t n = problem.grid.size();
   ContactResult result;
   for (auto* field : {&result.px, &result.ps, &result.pn, &result.slip_x, &result.slip_s})
     field->assign(n, 0.0);
   result.deformed_distance = problem.gap;
   result.state.assign(n, ElementState::exterior);
-  u = {{}, {}, std::vector<double>(n, 0.0)};
   result.normal_solver = "Hertz";
   result.tangential_solver = "none";
   result.certificate.discretisation = 0;
-  const double cosine = std::cos(model.delta), sine = std::sin(model.delta);
-  result.approach = problem.load == LoadKind::approach ? problem.approach
-                    : c.force > 0                      ? (c.approach + model.least) / cosine
-                                                       : 0.0;
-  int inside = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const ContactRow& row = problem.rows[i / grid.mx];
-    const auto [x, s] = model.local(grid.x(static_cast<int>(i) % grid.mx), row.s);
-    const double compression = c.force > 0 ? reference::hertz_compression(c, model.modulus, x, s) : 0.0;
-    result.deformed_distance[i] += compression - result.approach * std::cos(row.delta);
-    u.un[i] = -compression;
-    if (!(c.force > 0))
-      continue;
-    result.pn[i] = mean_pressure(model, grid, grid.x(static_cast<int>(i) % grid.mx), row.s);
-    if (!(result.pn[i] > 0))
-      continue;
-    ++inside;
-    result.state[i] = ElementState::slip;
-    if (std::hypot(x / c.semi_axis_x, s / c.semi_axis_s) > 1)
-      continue;
-    const double exact = c.approach - model.curvature_x * x * x - model.curvature_s * s * s;
-    result.certificate.penetration =
-        std::max(result.certificate.penetration, std::abs(compression - exact) / c.approach);
-  }
-  result.converged = result.certificate.holds();
-  if (!(c.force > 0))
-    return result;
+  return result;
+}
+
+/// Forces and the one patch of the closed form, with `inside` elements.
+void add_totals(const HertzModel& model, int inside, ContactResult& result) {
+  const reference::HertzContact& c = model.contact;
   const double area = std::numbers::pi * c.semi_axis_x * c.semi_axis_s;
   result.certificate.force_balance = std::abs(2.0 / 3 * area * c.max_pressure / c.force - 1);
-  result.converged = result.certificate.holds();
-  result.Fy = 0.0 - c.force * sine;
-  result.Fz = c.force * cosine;
+  result.Fy = 0.0 - c.force * std::sin(model.delta);
+  result.Fz = c.force * std::cos(model.delta);
   result.Mz = model.x * result.Fy;
   PatchSummary patch;
   patch.fn = c.force;
@@ -197,6 +150,78 @@ ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model
   patch.x = model.x;
   patch.s = model.s;
   result.patches = {patch};
+}
+
+} // namespace
+
+std::pair<double, double> HertzModel::local(double at_x, double at_s) const {
+  const double c = std::cos(angle), d = std::sin(angle);
+  return {c * (at_x - x) + d * (at_s - s), -d * (at_x - x) + c * (at_s - s)};
+}
+
+std::optional<HertzModel> fit_hertz(const ContactProblem& problem, const Material& lower,
+                                    const Material& upper) {
+  const ContactGrid& grid = problem.grid;
+  if (grid.mx < smallest_window || grid.ms < smallest_window)
+    return std::nullopt;
+  HertzModel model;
+  model.modulus = reference::contact_modulus(lower, upper);
+  const int middle = static_cast<int>(std::ranges::min_element(problem.gap) - problem.gap.begin());
+  std::vector<int> window = window_of(problem, model, middle);
+  for (int round = 0; round < fit_rounds; ++round) {
+    if (std::ranges::any_of(window, [&](int i) { return problem.gap[i] >= excluded_gap; }) ||
+        !fit_quadratic(problem, window, model))
+      return std::nullopt;
+    press(problem, model);
+    std::vector<int> next = window_of(problem, model, middle);
+    if (next == window)
+      break;
+    window = std::move(next);
+  }
+  if (!on_grid(problem, model))
+    return std::nullopt;
+  look_inside(problem, window, model);
+  return model;
+}
+
+std::optional<HertzModel> hertz_of(const ContactSetup& setup, const ContactProblem& problem) {
+  if (problem.tangential || problem.plane_strain())
+    return std::nullopt;
+  return fit_hertz(problem, setup.rail.material, setup.wheel.material);
+}
+
+ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model, Displacements& u) {
+  const ContactGrid& grid = problem.grid;
+  const reference::HertzContact& c = model.contact;
+  ContactResult result = without_contact(problem);
+  u = {{}, {}, std::vector<double>(grid.size(), 0.0)};
+  const double cosine = std::cos(model.delta);
+  result.approach = problem.load == LoadKind::approach ? problem.approach
+                    : c.force > 0                      ? (c.approach + model.least) / cosine
+                                                       : 0.0;
+  int inside = 0;
+  for (int i = 0; i < grid.size(); ++i) {
+    const ContactRow& row = problem.rows[i / grid.mx];
+    const auto [x, s] = model.local(grid.x(i % grid.mx), row.s);
+    const double compression = c.force > 0 ? reference::hertz_compression(c, model.modulus, x, s) : 0.0;
+    result.deformed_distance[i] += compression - result.approach * std::cos(row.delta);
+    u.un[i] = -compression;
+    if (!(c.force > 0))
+      continue;
+    result.pn[i] = mean_pressure(model, grid, grid.x(i % grid.mx), row.s);
+    if (!(result.pn[i] > 0))
+      continue;
+    ++inside;
+    result.state[i] = ElementState::slip;
+    if (std::hypot(x / c.semi_axis_x, s / c.semi_axis_s) > 1)
+      continue;
+    const double exact = c.approach - model.curvature_x * x * x - model.curvature_s * s * s;
+    result.certificate.penetration =
+        std::max(result.certificate.penetration, std::abs(compression - exact) / c.approach);
+  }
+  if (c.force > 0)
+    add_totals(model, inside, result);
+  result.converged = result.certificate.holds();
   return result;
 }
 

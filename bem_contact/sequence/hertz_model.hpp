@@ -2,6 +2,7 @@
 
 #include "bem_contact/contact/history.hpp"
 #include "bem_contact/reference/hertz.hpp"
+#include "bem_contact/scene/contact_setup.hpp"
 
 #include <optional>
 
@@ -31,6 +32,10 @@ struct HertzModel {
 /// or columns.
 std::optional<HertzModel> fit_hertz(const ContactProblem& problem, const Material& lower,
                                     const Material& upper);
+
+/// The same for a problem of this setup; nothing where the contact is none of Hertz's: with friction, or in
+/// plane strain.
+std::optional<HertzModel> hertz_of(const ContactSetup& setup, const ContactProblem& problem);
 
 /// Mean pressure of each element, totals of the closed form, displacements along n. Frictionless. The
 /// certificate holds the closed form against the quadrature of its own pressure.

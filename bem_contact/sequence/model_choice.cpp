@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/model_choice.hpp"
 
 #include "bem_contact/sequence/hertz_model.hpp"
+#include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ bool on_a_circle(const ContactProblem& problem) {
   const std::vector<ContactRow>& rows = problem.rows;
   const double turn = rows.size() > 1 ? rows[1].delta - rows[0].delta : 0;
   for (std::size_t i = 1; i < rows.size(); ++i)
-    if (std::abs(rows[i].delta - rows[i - 1].delta - turn) > 1e-9)
+    if (std::abs(rows[i].delta - rows[i - 1].delta - turn) > equal_turn)
       return false;
   return true;
 }
@@ -28,17 +29,17 @@ double degrees(double angle) {
 } // namespace
 
 double predicted_halfspace_error(double turn) {
-  return 0.66 * 0.25 * turn * turn;
+  return halfspace_error * 0.25 * turn * turn;
 }
 
 double predicted_tangent_plane_error(const ContactProblem& problem, double turn, bool equal_bodies) {
   if (problem.plane_strain() && equal_bodies && on_a_circle(problem))
     return 0;
-  return 0.24 * 0.25 * turn * turn;
+  return tangent_plane_error * 0.25 * turn * turn;
 }
 
 double predicted_error(const HertzModel& model) {
-  return 5 * model.deviation + predicted_halfspace_error(model.turn);
+  return hertz_deviation_error * model.deviation + predicted_halfspace_error(model.turn);
 }
 
 std::string halfspace_text(double turn) {

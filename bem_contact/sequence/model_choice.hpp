@@ -10,18 +10,15 @@ namespace bem_contact {
 struct HertzModel;
 
 /// Predicted relative error of half-space theory in pmax for a patch within which the normal turns by `turn`
-/// rad: 0.66 (turn/2)^2. Hertz against Persson (1964) is low by 0.39 (turn/2)^2, against the sphere in its
-/// seat by 0.66 to 0.61 (turn/2)^2 (THEORY.md 14): the larger of the two.
+/// rad: 0.66 (turn/2)^2 (halfspace_error).
 double predicted_halfspace_error(double turn);
 
-/// The same for the tangent-plane model: 0.24 (turn/2)^2. Against the influence functions of a 60E1 rail and
-/// an S1002 wheel, 11 to 42 degrees on the gauge corner, it is wrong by .04 to .22 (turn/2)^2 (half-space:
-/// .18 to .44), for what it does not know of is the rest of the body. In plane strain, equal bodies on one
-/// circle: it is exact, 0.
+/// The same for the tangent-plane model: 0.24 (turn/2)^2 (tangent_plane_error). In plane strain with equal
+/// bodies on one circle the model is exact: 0.
 double predicted_tangent_plane_error(const ContactProblem& problem, double turn, bool equal_bodies);
 
-/// Of Hertz's solution: 5 times what the undeformed distance departs from a quadratic, over the approach (a
-/// waviness as long as the contact does not do more to the pressure), and what the turn does.
+/// Of Hertz's solution: what the undeformed distance departs from a quadratic (hertz_deviation_error), and
+/// what the turn does.
 double predicted_error(const HertzModel& model);
 
 /// The first in words.

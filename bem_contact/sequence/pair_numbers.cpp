@@ -7,6 +7,7 @@
 #include "bem_contact/halfspace/tangent_plane.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +18,11 @@ namespace bem_contact {
 
 namespace {
 
-std::shared_ptr<const InfluenceFunction> read_side(const SceneFile& scene, const SceneFile::Side& side) {
-  if (side.influence.empty())
+std::shared_ptr<const InfluenceFunction> read_side(const Body& body) {
+  if (body.influence.empty())
     return nullptr;
-  auto function =
-      std::make_shared<const InfluenceFunction>(read_influence_file(scene.folder / side.influence));
-  require_material(*function, side.material);
+  auto function = std::make_shared<const InfluenceFunction>(read_influence_file(body.influence));
+  require_material(*function, body.material);
   return function;
 }
 
@@ -31,30 +31,29 @@ std::pair<double, double> strip_of(const InfluenceFunction& f) {
   return {f.stations.front().s - half, f.stations.back().s + half};
 }
 
-/// Rows of equal width on the rail are a hair shorter or longer on the wheel: allow 1 % of a row.
 bool inside(const std::shared_ptr<const InfluenceFunction>& f, double s, double ds) {
   if (!f)
     return true;
   const auto [from, to] = strip_of(*f);
-  return s - 0.49 * ds >= from && s + 0.49 * ds <= to;
+  return s - row_on_strip * ds >= from && s + row_on_strip * ds <= to;
 }
 
-InfluenceNumbers expand_side(const InfluenceFunction& function, const SceneFile::Side& side,
-                             const PreparedContact& contact, const std::vector<double>& row_s) {
+InfluenceNumbers expand_side(const InfluenceFunction& function, const Body& body,
+                             const ContactOnGrid& contact, const std::vector<double>& row_s) {
   const ContactGrid& grid = contact.problem.grid;
-  const bool plane_strain = contact.plane_strain;
+  const bool plane_strain = contact.problem.plane_strain();
   ExpandOptions options;
   options.dx = plane_strain ? 0.0 : grid.dx;
   options.offsets = plane_strain ? 1 : grid.mx + 2;
-  options.structural = side.structural;
+  options.structural = body.structural;
   options.contact_radius = function.invariance == Invariance::revolution ? contact.contact_radius : 0.0;
   return halfspace::resample(function, options, row_s, grid.ds);
 }
 
 /// A patch is given without profiles: what can be compared is how far the normal turns along the strip.
 /// Throws InputError where the file's surface turns otherwise than the rows do, by more than `tolerance`.
-void require_turn(const InfluenceFunction& f, const PreparedContact& contact,
-                  const std::vector<double>& row_s, double tolerance) {
+void require_turn(const InfluenceFunction& f, const ContactOnGrid& contact, const std::vector<double>& row_s,
+                  double tolerance) {
   const auto delta_at = [&](double s) {
     const double index = (s - f.stations.front().s) / f.station_width;
     const auto last = static_cast<double>(f.stations.size() - 1);
@@ -91,77 +90,84 @@ InfluenceNumbers reversed(const InfluenceNumbers& numbers) {
 
 } // namespace
 
-PairFiles read_pair_files(const SceneFile& scene) {
-  PairFiles files{read_side(scene, scene.rail), read_side(scene, scene.wheel)};
+PairFiles read_pair_files(const Body& rail, const Body& wheel) {
+  PairFiles files{read_side(rail), read_side(wheel)};
   if (files.complete())
     require_order(*files.rail, *files.wheel);
   return files;
 }
 
-InfluenceNumbers halfspace_pair(const SceneFile& scene, const PreparedContact& contact) {
+InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& contact) {
   const ContactGrid& grid = contact.problem.grid;
   const auto one = [&](const Material& material) {
-    // The approach of plane strain is relative to a point this far away. On a curved strip forces depend on
-    // it, since the approach turns with the normal; its radius is what the disc in a hole has (Michell).
-    const double reference_distance = scene.strip.radius != 0 ? std::abs(scene.strip.radius) : 100.0;
-    return contact.plane_strain
-               ? halfspace::plane_strain_numbers(material, grid.ds, grid.ms, reference_distance)
+    // On a curved strip forces depend on the reference distance of plane strain, since the approach turns
+    // with the normal; the strip's radius is what the disc in a hole has (Michell 1899).
+    return contact.problem.plane_strain()
+               ? halfspace::plane_strain_numbers(material, grid.ds, grid.ms, setup.reference_distance())
                : halfspace::numbers(material, grid.dx, grid.ds, grid.mx + 2, grid.ms);
   };
   // The wheel's own s runs against the rail's: with rows in the contact's order the couplings of equal bodies
   // cancel.
-  const InfluenceNumbers rail = one(scene.rail.material);
-  return halfspace::combine(
-      rail, reversed(scene.wheel.material == scene.rail.material ? rail : one(scene.wheel.material)));
+  const Material &below = setup.rail.material, &above = setup.wheel.material;
+  const InfluenceNumbers rail = one(below);
+  return halfspace::combine(rail, reversed(above == below ? rail : one(above)));
 }
 
-InfluenceNumbers tangent_plane_pair(const SceneFile& scene, const PreparedContact& contact) {
+InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGrid& contact) {
   const ContactGrid& grid = contact.problem.grid;
+  const bool plane_strain = contact.problem.plane_strain();
   std::vector<halfspace::StripRow> rail, wheel; // the wheel's own frame is turned by pi about x
   for (const ContactRow& row : contact.problem.rows) {
     rail.push_back({row.position, row.delta});
     wheel.push_back({-1.0 * row.position, row.delta});
   }
-  const halfspace::StripGrid strip{contact.plane_strain ? 0.0 : grid.dx, grid.ds,
-                                   contact.plane_strain ? 1 : grid.mx + 2,
-                                   scene.strip.radius != 0 ? std::abs(scene.strip.radius) : 100.0};
-  return halfspace::combine(halfspace::tangent_plane_numbers(scene.rail.material, strip, rail),
-                            halfspace::tangent_plane_numbers(scene.wheel.material, strip, wheel));
+  const halfspace::StripGrid strip{plane_strain ? 0.0 : grid.dx, grid.ds, plane_strain ? 1 : grid.mx + 2,
+                                   setup.reference_distance()};
+  return halfspace::combine(halfspace::tangent_plane_numbers(setup.rail.material, strip, rail),
+                            halfspace::tangent_plane_numbers(setup.wheel.material, strip, wheel));
 }
 
-InfluenceNumbers fem_pair(const SceneFile& scene, const PairFiles& files, const PreparedContact& contact) {
+InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact) {
   if (!files.complete())
     throw InputError("The finite-element model needs influence functions of both bodies",
                      !files.rail && !files.wheel ? "the scene names none"
                      : files.rail                ? "the scene names none for the wheel"
                                                  : "the scene names none for the rail",
                      "Give rail.influence and wheel.influence, or ask for the half-space model.");
-  require_strips(files, contact);
-  if (scene.kind == SceneKind::patch) {
-    require_turn(*files.rail, contact, contact.rail_s, 0.02);
-    require_turn(*files.wheel, contact, contact.wheel_s, 0.2); // its surface need not follow the rail's
+  require_strips(files, contact.problem.grid.ds, contact.rail_s, contact.wheel_s);
+  if (setup.patch()) {
+    require_turn(*files.rail, contact, contact.rail_s, rail_turn_tolerance);
+    require_turn(*files.wheel, contact, contact.wheel_s, wheel_turn_tolerance);
   }
-  return halfspace::combine(expand_side(*files.rail, scene.rail, contact, contact.rail_s),
-                            expand_side(*files.wheel, scene.wheel, contact, contact.wheel_s));
+  return halfspace::combine(expand_side(*files.rail, setup.rail, contact, contact.rail_s),
+                            expand_side(*files.wheel, setup.wheel, contact, contact.wheel_s));
 }
 
-void require_strips(const PairFiles& files, const PreparedContact& contact) {
-  const double half = 0.49 * contact.problem.grid.ds;
+InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const PairFiles& files,
+                              const ContactOnGrid& contact) {
+  return model == Model::fem             ? fem_pair(setup, files, contact)
+         : model == Model::tangent_plane ? tangent_plane_pair(setup, contact)
+                                         : halfspace_pair(setup, contact);
+}
+
+void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,
+                    const std::vector<double>& wheel_s) {
+  const double half = row_on_strip * ds;
   const auto side = [&](const std::shared_ptr<const InfluenceFunction>& f, const std::vector<double>& s) {
     if (!f || s.empty())
       return;
     const auto [lo, hi] = std::ranges::minmax(s);
     require_strip(*f, lo - half, hi + half);
   };
-  side(files.rail, contact.rail_s);
-  side(files.wheel, contact.wheel_s);
+  side(files.rail, rail_s);
+  side(files.wheel, wheel_s);
 }
 
-std::pair<int, int> covered_rows(const PairFiles& files, const PreparedContact& contact) {
-  const double ds = contact.problem.grid.ds;
-  int first = 0, last = static_cast<int>(contact.rail_s.size()) - 1;
+std::pair<int, int> covered_rows(const PairFiles& files, double ds, const std::vector<double>& rail_s,
+                                 const std::vector<double>& wheel_s) {
+  int first = 0, last = static_cast<int>(rail_s.size()) - 1;
   const auto good = [&](int i) {
-    return inside(files.rail, contact.rail_s[i], ds) && inside(files.wheel, contact.wheel_s[i], ds);
+    return inside(files.rail, rail_s[i], ds) && inside(files.wheel, wheel_s[i], ds);
   };
   while (first <= last && !good(first))
     ++first;

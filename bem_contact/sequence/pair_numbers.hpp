@@ -1,10 +1,10 @@
 #pragma once
 
-#include "bem_contact/influence/influence_function.hpp"
-#include "bem_contact/scene/patch_scene.hpp"
-#include "bem_contact/scene/scene_file.hpp"
+#include "bem_contact/scene/contact_setup.hpp"
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace bem_contact {
 
@@ -15,24 +15,30 @@ struct PairFiles {
   bool complete() const { return rail && wheel; }
 };
 
-/// Reads the influence files that the scene names and checks their materials.
+/// Reads the influence files that the bodies name and checks their materials.
 /// Throws InputError for a file that cannot be used (influence_file.hpp).
-PairFiles read_pair_files(const SceneFile& scene);
+PairFiles read_pair_files(const Body& rail, const Body& wheel);
+
+/// The pair's influence numbers by a model other than Hertz's. Throws what the functions below throw.
+InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const PairFiles& files,
+                              const ContactOnGrid& contact);
 
 /// Half-space numbers of the pair on the grid of `contact`; on a curved strip those of the strip unrolled
 /// (distances along the arc), so that both models share geometry, gap and frames.
-InfluenceNumbers halfspace_pair(const SceneFile& scene, const PreparedContact& contact);
+InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& contact);
 
 /// Tangent-plane numbers of the pair (halfspace/tangent_plane.hpp), both surfaces taken where the rows lie.
-InfluenceNumbers tangent_plane_pair(const SceneFile& scene, const PreparedContact& contact);
+InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGrid& contact);
 
 /// The pair's numbers from the influence files at the rows' own stations on either body.
 /// Throws InputError where a file is missing or a row lies outside its strip.
-InfluenceNumbers fem_pair(const SceneFile& scene, const PairFiles& files, const PreparedContact& contact);
+InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact);
 
-/// Throws InputError unless the strip of either file covers every row.
-void require_strips(const PairFiles& files, const PreparedContact& contact);
+/// Throws InputError unless the strip of either file covers every row of width ds at these stations, mm.
+void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,
+                    const std::vector<double>& wheel_s);
 /// First and last row that lie on both strips; first > last where none does.
-std::pair<int, int> covered_rows(const PairFiles& files, const PreparedContact& contact);
+std::pair<int, int> covered_rows(const PairFiles& files, double ds, const std::vector<double>& rail_s,
+                                 const std::vector<double>& wheel_s);
 
 } // namespace bem_contact

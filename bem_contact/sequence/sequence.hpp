@@ -1,13 +1,13 @@
 #pragma once
 
-#include "bem_contact/sequence/element_count.hpp"
-#include "bem_contact/sequence/scene_aids.hpp"
-#include "bem_contact/sequence/scene_files.hpp"
+#include "bem_contact/sequence/element_size.hpp"
+#include "bem_contact/sequence/scene_result.hpp"
+#include "bem_contact/sequence/solve_on_grid.hpp"
 
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
 namespace bem_contact {
 
@@ -26,44 +26,57 @@ struct SequenceOptions {
   bool potential_contact = true; ///< only where h < .9 of the approach; else three times as far
 };
 
-/// Solves `wheel_rail` scenes one after the other and uses what the former ones taught. Files must not
-/// change meanwhile. Results lie within the certificate of those that solve_scene() finds on the same grid.
-/// One object serves one thread.
+/// Answers scenes. This is the one way in: the program, sweeps and Python all use it, and one scene is a
+/// sequence of one.
+///
+/// Scenes of a wheel on a rail in steady rolling profit from the ones before: a case starts from the
+/// tractions of the former case, and grid.elements or grid.accuracy are met by what former cases taught.
+/// Results lie within the certificate of those that each scene has alone on the same grid. Files must not
+/// change meanwhile. One object serves one thread.
 class Sequence {
 public:
   /// `files`: shared with other sequences of this thread; null: its own.
-  explicit Sequence(SequenceOptions options = {}, std::shared_ptr<SceneFiles> files = nullptr)
-      : options_(options), files_(std::move(files)) {}
+  explicit Sequence(SequenceOptions options = {}, std::shared_ptr<SequenceFiles> files = nullptr);
 
-  /// As solve_scene(). Where the scene asks for grid.elements or grid.accuracy, dx and ds are chosen: the
-  /// case is solved again, at most `most_solves` times, until its estimated error is within the accuracy.
-  /// Other kinds of scene are solved by themselves.
+  /// Solves a scene with the model that it asks for (solve_case.hpp). Where it asks for grid.elements or
+  /// grid.accuracy, dx and ds are chosen: the case is solved again, at most most_solves times, until its
+  /// estimated error is within the accuracy. The grid of a wheel on a rail grows until the contact lies
+  /// inside. Throws InputError for wrong input, ConvergenceError where the work allowed is used up; other
+  /// lack of convergence is in the result.
   SceneResult solve(const SceneFile& scene);
 
-  /// As compare_scene(). Where the scene asks for grid.elements or grid.accuracy, dx and ds are those that
-  /// solve() chooses for the influence files; both models are solved on them.
+  /// Solves a scene with half-space and fem at equal force. Where it asks for grid.elements or grid.accuracy,
+  /// dx and ds are those that solve() chooses for fem; both models are solved on them. Throws like solve().
   Comparison compare(const SceneFile& scene);
+
+  /// What would be solved, line by line, after everything short of the solve has been checked.
+  /// Throws what solve() would throw before it solves.
+  std::vector<std::string> check(const SceneFile& scene);
 
   struct Counts {
     int cases = 0, solves = 0, numbers_kept = 0, starts = 0;
   };
   Counts counts() const;
 
-  static constexpr int most_solves = 4;
-
 private:
-  void learn(const SceneResult& result, const ContactEstimate& estimate);
+  /// All that outlives a case.
+  struct Memory {
+    std::shared_ptr<SequenceFiles> files;
+    NumbersStore numbers;
+    Workspace operators{operators_kept};
+    std::optional<FormerSolution> former;
+    std::vector<PotentialArea> areas; ///< of the last case
+    ElementSize element_size;
+  };
+
+  ContactCase prepare(const SceneFile& scene);
+  SolveResources resources(WorkBudget& work);
+  SceneResult solve_steady_rolling(const ContactCase& asked);
+  const FormerSolution* start_for(const std::vector<PotentialArea>& areas, const SceneFile::Grid& grid) const;
+  void remember(const SceneResult& result, const ContactEstimate& estimate);
 
   SequenceOptions options_;
-  std::shared_ptr<SceneFiles> files_;
-  NumbersStore numbers_;
-  Workspace workspace_{3};
-  std::optional<FormerTractions> former_;
-  std::vector<PotentialArea> former_areas_;
-  std::optional<ElementCount> count_;
-  std::optional<int> asked_elements_;
-  std::optional<double> asked_accuracy_;
-  double area_ratio_ = 1;
+  Memory memory_;
   Counts counts_;
 };
 

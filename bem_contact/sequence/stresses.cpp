@@ -1,29 +1,21 @@
 #include "bem_contact/sequence/stresses.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace bem_contact {
-namespace {
-
-constexpr std::size_t most_points = 1'000'000;
-constexpr double most_sums = 1e9; // some minutes
-constexpr double endless = 1e6;   // half length of a plane-strain element, in units of its width
-
-} // namespace
-
 StressesBelow stresses_below(const SceneFile::Stresses& asked, const ContactProblem& problem,
-                             const ContactResult& result, bool plane_strain, double poisson,
-                             double reference_s) {
+                             const ContactResult& result, double poisson, double reference_s) {
   const std::size_t points = asked.x.size() * asked.s.size() * asked.depths.size();
-  if (points > most_points)
+  if (double(points) > most_stress_points)
     throw InputError("Too many stresses below the surface are asked for",
                      fmt::format("{} x {} x {} points", asked.x.size(), asked.s.size(), asked.depths.size()),
                      "Ask for at most a million of them.");
   const auto loaded = std::count_if(result.pn.begin(), result.pn.end(), [](double p) { return p > 0; });
-  if (double(points) * double(loaded) > most_sums)
+  if (double(points) * double(loaded) > most_stress_sums)
     throw InputError("Too many stresses below the surface are asked for",
                      fmt::format("{} points under {} elements in contact", points, loaded),
                      "Ask for fewer points, or give larger elements.");
@@ -31,7 +23,7 @@ StressesBelow stresses_below(const SceneFile::Stresses& asked, const ContactProb
   for (double& s : out.s)
     s += reference_s;
   const ContactGrid& grid = problem.grid;
-  const double a = plane_strain ? endless * grid.ds : 0.5 * grid.dx, b = 0.5 * grid.ds;
+  const double a = problem.plane_strain() ? endless_element * grid.ds : 0.5 * grid.dx, b = 0.5 * grid.ds;
   out.stress.reserve(points);
   for (const double x : out.x)
     for (const double s : out.s)

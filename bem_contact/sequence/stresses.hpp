@@ -19,7 +19,6 @@ struct StressesBelow {
 /// strip is unrolled into its tangent plane, exact where it is flat. In plane strain elements are endless
 /// along x. asked.s is relative to `reference_s`. Throws InputError for more than a million points.
 StressesBelow stresses_below(const SceneFile::Stresses& asked, const ContactProblem& problem,
-                             const ContactResult& result, bool plane_strain, double poisson,
-                             double reference_s);
+                             const ContactResult& result, double poisson, double reference_s);
 
 } // namespace bem_contact

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bem_contact/base/material.hpp"
+#include "fem_influence/harmonic/section.hpp"
 #include "fem_influence/shared/elements.hpp"
-#include "fem_influence/shared/section.hpp"
 
 #include <array>
 #include <memory>
@@ -49,8 +49,8 @@ struct SectionOperator {
 /// Throws InputError when a node of a body of revolution lies on or beyond the axle (r <= 0).
 SectionOperator assemble(const Section& section, const Material& material, double reference_radius);
 
-/// assemble() in two steps: all but the blocks, and these: into `memory` of block_count() of them that lives
-/// as long as the operator, or into memory of its own.
+/// assemble() in two steps. lay_out() gives all but the blocks. fill() computes the blocks, in `memory` (for
+/// block_count() of them, which must live as long as the operator) or in the operator's own memory.
 SectionOperator lay_out(const Section& section, const Material& material, double reference_radius);
 void fill(SectionOperator& op, const Section& section, double reference_radius,
           std::span<SectionOperator::Block> memory = {});

@@ -24,8 +24,8 @@ public:
 
   double estimated_memory() const; ///< of the factorization, by the analysis, GiB
 
-  /// Element after element its lower triangle, column by column; the border's numbers are appended for the
-  /// while. Throws InputError where the matrix is not positive definite, Error where memory is short.
+  /// `value`: element after element its lower triangle, column by column; it is the same again afterwards.
+  /// Throws InputError if the matrix is not positive definite, Error if memory is short.
   void factorize(std::vector<double>& value);
 
   /// B^T K^-1 B of the last factorize(), row-major: a Schur complement, symmetric to the last bit. It comes

@@ -30,7 +30,7 @@ public:
 
   const ProfileCurve& curve() const { return curve_; }
   double reference_radius() const { return radius_; }
-  /// Of any point of the body: (x or R_ref theta, y, z) with z in the section through it, and back.
+  /// (x or R_ref theta, y, z) of any point of the body, with z in the section through it; and back.
   Vector3 swept_of(const Vector3& point) const;
   Vector3 from_swept(const Vector3& swept) const;
   SurfacePoint nearest(const Vector3& point) const;

@@ -32,7 +32,7 @@ public:
     double distance = infinite, s = 0, y = 0, x = 0, theta = 0;
   };
   /// Local minima, those within `band` of the lowest.
-  std::vector<Minimum> search(const SceneFile::Position& position, const WheelOnRail& pair, double band) {
+  std::vector<Minimum> search(const WheelsetPosition& position, const WheelOnRail& pair, double band) {
     stand(position, pair);
     const int n = static_cast<int>(profile_.size());
     std::vector<double> h(static_cast<std::size_t>(n) * angles, infinite);
@@ -95,7 +95,7 @@ private:
   int angles; ///< of the raster
   double angle(int j) const { return dangle * (j - angles / 2); }
 
-  void stand(const SceneFile::Position& position, const WheelOnRail& pair) {
+  void stand(const WheelsetPosition& position, const WheelOnRail& pair) {
     const double side = position.side == WheelSide::left ? -1 : 1;
     roll_ = side * position.roll, yaw_ = side * position.yaw, lateral_ = side * position.lateral;
     arm_ = position.back_to_back / 2 + 70, radius_ = position.wheel_radius;

@@ -30,7 +30,7 @@ void compare_with_brute_force(const TabulatedProfile& rail, const TabulatedProfi
   std::mt19937 random(seed);
   const auto uniform = [&](double a, double b) { return std::uniform_real_distribution(a, b)(random); };
   for (int i = 0; i < cases; ++i) {
-    SceneFile::Position position;
+    WheelsetPosition position;
     position.side = i % 2 ? WheelSide::left : WheelSide::right;
     position.lateral = uniform(-10, 10);
     position.yaw = uniform(-0.024, 0.024);
@@ -143,7 +143,7 @@ TEST(ContactSearch, AYawedFlangeTouchesInFront) {
   // Front to the right: the flange of the right wheel, which runs to the left of its rail, meets it in front
   // of the wheel's centre by r tan(yaw) tan(slope); the wheel itself has gone back by 750 mm sin(yaw).
   for (const double yaw : {0.01, -0.01}) {
-    SceneFile::Position position;
+    WheelsetPosition position;
     position.lateral = 9;
     position.yaw = yaw;
     WheelOnRail pair =

@@ -1,7 +1,8 @@
-#include "bem_contact/sequence/potential_contact.hpp"
+#include "bem_contact/geometry/undeformed_distance.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/geometry/contact_search.hpp"
+#include "bem_contact/geometry/rail_rows.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "tests/geometry/shapes.hpp"
 
@@ -65,7 +66,7 @@ TEST(UndeformedDistance, AlongXHasTheCurvatureOfTheWheel) {
 }
 
 TEST(UndeformedDistance, ConformalArcsAreTheirDifferenceOfRadii) {
-  // Wheel groove R 10.2 on a rail corner R 10 that touch at s = 0: everywhere the gap is
+  // Wheel groove R 10.2 on a rail corner R 10 that touch at s = 0: far from it the gap is
   // exactly the circle about (0, 10.2) seen from the circle about (0, 10).
   const WheelOnRail pair = shapes::arcs(10, -10.2, 460);
   const std::vector<ContactRow> rows = rows_of(pair, -8, 8, 1);
@@ -82,7 +83,7 @@ TEST(UndeformedDistance, OfAYawedAndRolledWheelEndsOnItsSurface) {
   // and no point before it does.
   for (const double lateral : {-3.0, 6.6, 8.0})
     for (const double yaw : {-0.024, 0.01}) {
-      SceneFile::Position position;
+      WheelsetPosition position;
       position.lateral = lateral, position.yaw = yaw, position.roll = 0.005;
       WheelOnRail pair = place(position, named_profile("60E1", ProfileKind::rail),
                                named_profile("S1002", ProfileKind::wheel));
@@ -144,38 +145,9 @@ TEST(WheelStations, RunAgainstTheRail) {
   }
 }
 
-TEST(Estimate, OfASphereIsNearHertz) {
-  // Ball R 50 on a rail that is all but flat: REFERENCES 2.1 for a sphere on a plane, E 210000, nu .3.
-  const Material steel{210000 / 2.6, 0.3};
-  const WheelOnRail pair{shapes::rail_arc(1e5, 1e-4), shapes::wheel_arc(50, 0.5), {}, {}, 50};
-  const ContactEstimate estimate = estimate_contact(pair, ContactLocus(pair), steel, steel, 1000, 0, false);
-  EXPECT_NEAR(estimate.approach, 0.0094540719, 0.1 * 0.0094540719);
-  EXPECT_NEAR(estimate.force, 1000, 1);
-}
-
-TEST(GridPlan, CoversTheContactSymmetrically) {
-  const Material steel{};
-  const WheelOnRail pair = shapes::arcs(80, -300, 460, 0.2);
-  const ContactEstimate estimate = estimate_contact(pair, ContactLocus(pair), steel, steel, 5e4, 0, false);
-  SceneFile::Grid grid;
-  grid.dx = 0.5;
-  grid.ds = 0.25;
-  const GridPlan plan = plan_grid(estimate, grid, 0.1);
-  EXPECT_LT(plan.s_from(), -1);
-  EXPECT_GT(plan.s_to(), 1);
-  EXPECT_NEAR(plan.s_from(), -plan.s_to(), 0.5);
-  EXPECT_EQ(plan.columns % 2, 0);
-  EXPECT_NEAR(std::remainder(plan.s(3) - 0.1, 0.25), 0, 1e-12);
-  grid.rows = {-2, 3};
-  const GridPlan wanted = plan_grid(estimate, grid, 0);
-  EXPECT_NEAR(wanted.s_from(), -2, 0.125);
-  EXPECT_NEAR(wanted.s_to(), 3, 0.125);
-}
-
-TEST(GridPlan, RefusesRowsBeyondTheProfile) {
+TEST(RailRows, BeyondTheProfileAreRefused) {
   const WheelOnRail pair = shapes::arcs(80, 20, 460, 0.1);
-  GridPlan plan{0, -50, 100, 10, 1, 1};
-  EXPECT_THROW(rail_rows(pair, plan), InputError);
+  EXPECT_THROW(rail_rows(pair, std::vector<double>{-50, 0, 49}, 0.5), InputError);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "bem_contact/geometry/contact_search.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/geometry/contact_locus.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "tests/base/message.hpp"
 #include "tests/geometry/shapes.hpp"
@@ -15,20 +16,20 @@ using ::testing::HasSubstr;
 
 constexpr double pi = std::numbers::pi;
 
-WheelOnRail s1002_on_60e1(SceneFile::Position position) {
+WheelOnRail s1002_on_60e1(WheelsetPosition position) {
   return place(position, named_profile("60E1", ProfileKind::rail),
                named_profile("S1002", ProfileKind::wheel));
 }
 
-SceneFile::Position at_lateral(double lateral) {
-  SceneFile::Position position;
+WheelsetPosition at_lateral(double lateral) {
+  WheelsetPosition position;
   position.lateral = lateral;
   return position;
 }
 
 TEST(Placement, TheGaugeFaceIsAtHalfTheGauge) {
   for (const double cant : {0.0, 0.025, 0.05}) {
-    SceneFile::Position position;
+    WheelsetPosition position;
     position.cant = cant;
     const WheelOnRail pair = s1002_on_60e1(position);
     double top = 1e9, face = 1e9;
@@ -50,7 +51,7 @@ TEST(Placement, TheRailWithoutCantStandsHalfItsHeadBeyondTheGaugeFace) {
 }
 
 TEST(Placement, CantLeansTheRailTowardsTheTrackCentre) {
-  SceneFile::Position position;
+  WheelsetPosition position;
   position.cant = 0.025;
   const WheelOnRail pair = s1002_on_60e1(position);
   const Point2 up = pair.rail_pose.to_track({0, -1}) - pair.rail_pose.to_track({0, 0});
@@ -65,7 +66,7 @@ TEST(Placement, TheFlangeBackIsAtHalfTheBackToBackDistance) {
 }
 
 TEST(Placement, RollAboutTheWheelsetsCentreLowersTheRightWheel) {
-  SceneFile::Position position;
+  WheelsetPosition position;
   position.roll = 0.01;
   const WheelOnRail pair = s1002_on_60e1(position);
   const Point2 tape = pair.wheel_pose.to_track({0, 0});
@@ -74,7 +75,7 @@ TEST(Placement, RollAboutTheWheelsetsCentreLowersTheRightWheel) {
 }
 
 TEST(Placement, TheLeftWheelIsTheMirrorImage) {
-  SceneFile::Position right, left;
+  WheelsetPosition right, left;
   right.lateral = 3, right.yaw = 0.01, right.roll = 0.02, right.cant = 0.025;
   right.rail_lateral = 0.4, right.rail_vertical = 0.3, right.rail_roll = 0.01;
   left = right;
@@ -95,7 +96,7 @@ TEST(Placement, TheLeftWheelIsTheMirrorImage) {
 }
 
 TEST(Placement, YawTurnsTheFrontToTheRightAndTakesTheRightWheelBack) {
-  SceneFile::Position position;
+  WheelsetPosition position;
   position.yaw = 0.02;
   position.lateral = 5;
   const WheelFrame frame = s1002_on_60e1(position).wheel_frame();
@@ -106,7 +107,7 @@ TEST(Placement, YawTurnsTheFrontToTheRightAndTakesTheRightWheelBack) {
 }
 
 TEST(Placement, DeviationsMoveTheRailAlone) {
-  SceneFile::Position position;
+  WheelsetPosition position;
   const WheelOnRail nominal = s1002_on_60e1(position);
   position.rail_lateral = 1.5, position.rail_vertical = 0.7, position.rail_roll = 0.02;
   const WheelOnRail moved = s1002_on_60e1(position);
@@ -148,7 +149,8 @@ TEST(ContactSearch, CirclesTouchOnTheLineOfTheirCentres) {
 }
 
 TEST(ContactSearch, TwoPointContactOfS1002On60E1IsNearSixPointSevenMillimetres) {
-  // y*: where the deepest point jumps from the gauge corner to the flange (data/scenes/README.md).
+  // y*: where the deepest point jumps from the gauge corner to the flange. Li and Kalker 1998
+  // found two-point contact around such a position.
   const auto deepest = [](double lateral) {
     WheelOnRail pair = s1002_on_60e1(at_lateral(lateral));
     return lower_to_touch(pair);

@@ -12,14 +12,16 @@ using namespace bem_contact;
 
 struct Rolling {
   WheelOnRail pair;
-  ContactProblem problem;
+  std::vector<ContactRow> rows;
+  std::vector<double> x; // 21 columns, the middle one at the deepest point
+  RigidSlip slip;
   ReferencePoint reference;
   double radius = 0;
 };
 
 /// S1002 on 60E1 with rows of ds about the deepest point; row 10 is the deepest point itself.
 Rolling rolling(double lateral, double roll, const Creepage& creepage, double ds = 0.05, double yaw = 0) {
-  SceneFile::Position position;
+  WheelsetPosition position;
   position.yaw = yaw;
   position.lateral = lateral;
   position.roll = roll;
@@ -27,24 +29,26 @@ Rolling rolling(double lateral, double roll, const Creepage& creepage, double ds
       place(position, named_profile("60E1", ProfileKind::rail), named_profile("S1002", ProfileKind::wheel)),
       {},
       {},
+      {},
+      {},
       0};
   const TouchPoint touch = lower_to_touch(r.pair).front();
   r.reference = {touch.position, touch.rail_s, touch.delta, touch.x};
   r.radius = dot(touch.position - r.pair.wheel_pose.to_track({0, -r.pair.wheel_radius}), normal_of(roll));
-  r.problem.grid = {21, 21, 0.1, ds, touch.x - 1.0};
   for (int i = -10; i <= 10; ++i) {
     const CurvePoint p = r.pair.rail_at(touch.rail_s + i * ds);
-    r.problem.rows.push_back({p.s, p.position, p.delta});
+    r.rows.push_back({p.s, p.position, p.delta});
+    r.x.push_back(touch.x + 0.1 * i);
   }
-  set_rigid_slip(r.problem, r.pair, r.reference, creepage);
+  r.slip = rigid_slip(r.pair, r.reference, creepage, r.rows, r.x);
   return r;
 }
 
 double slip_x(const Rolling& r, int ix, int is) {
-  return r.problem.slip_x[is * r.problem.grid.mx + ix];
+  return r.slip.x[is * r.x.size() + ix];
 }
 double slip_s(const Rolling& r, int ix, int is) {
-  return r.problem.slip_s[is * r.problem.grid.mx + ix];
+  return r.slip.s[is * r.x.size() + ix];
 }
 
 TEST(RigidSlip, AtTheReferencePointIsTheCreepage) {
@@ -69,7 +73,7 @@ TEST(RigidSlip, GeometricSpinIsSineOfInclinationOverRadius) {
   const Rolling r = rolling(7.2, 0, {});
   ASSERT_LT(r.reference.delta, -0.5);
   const double phi = std::sin(r.reference.delta) / r.radius;
-  const double across = (slip_x(r, 10, 11) - slip_x(r, 10, 9)) / (r.problem.rows[11].s - r.problem.rows[9].s);
+  const double across = (slip_x(r, 10, 11) - slip_x(r, 10, 9)) / (r.rows[11].s - r.rows[9].s);
   const double along = (slip_s(r, 11, 10) - slip_s(r, 9, 10)) / 0.2;
   EXPECT_NEAR(-across, phi, 1e-3 * std::abs(phi));
   EXPECT_NEAR(along, phi, 1e-9);
@@ -79,7 +83,7 @@ TEST(RigidSlip, GeometricSpinIsSineOfInclinationOverRadius) {
 TEST(RigidSlip, SpinOfTheSceneIsAddedToTheGeometry) {
   const Rolling r = rolling(7.2, 0, {0, 0, 2e-4}), zero = rolling(7.2, 0, {});
   EXPECT_NEAR(slip_s(r, 20, 10) - slip_s(zero, 20, 10), 2e-4, 1e-12); // x = 1 mm
-  const double s = r.problem.rows[12].s - r.problem.rows[10].s;
+  const double s = r.rows[12].s - r.rows[10].s;
   EXPECT_NEAR(slip_x(r, 10, 12) - slip_x(zero, 10, 12), -2e-4 * s, 1e-6 * s);
 }
 
@@ -113,7 +117,7 @@ TEST(RigidSlip, AYawedWheelSlidesToTheLeft) {
 TEST(RigidSlip, RatesMoveTheWheelAsItsPlacementDoes) {
   // A point fixed to the wheelset, that does not turn about its axle, at two instants; central differences.
   const auto at = [](double t, double lateral, double roll, double yaw) {
-    SceneFile::Position position;
+    WheelsetPosition position;
     position.lateral = 6.3 + lateral * t;
     position.roll = 0.01 + roll * t;
     position.yaw = 0.02 + yaw * t;
@@ -130,9 +134,8 @@ TEST(RigidSlip, RatesMoveTheWheelAsItsPlacementDoes) {
     const WheelFrame before = at(-step, rates.lateral, rates.roll, rates.yaw).wheel_frame(),
                      frame = now.wheel_frame(),
                      after = at(step, rates.lateral, rates.roll, rates.yaw).wheel_frame();
-    ContactProblem problem;
-    problem.grid = {1, 1, 1, 1, 4.0};
-    problem.rows = {{0, {720, 3}, -0.6}};
+    const std::vector<ContactRow> rows{{0, {720, 3}, -0.6}};
+    const std::vector<double> columns{4.0};
     const Vector3 point{4.0, 720, 3};
     const auto place_of = [](const WheelFrame& f, const Vector3& own, int k) {
       return f.centre[k] + own[0] * f.forward[k] + own[1] * f.axle[k] + own[2] * f.down[k];
@@ -149,32 +152,31 @@ TEST(RigidSlip, RatesMoveTheWheelAsItsPlacementDoes) {
 
     const ReferencePoint reference{{718, 2}, 0, -0.5, 1.0};
     Creepage creepage{0, 0, 0, 460};
-    set_rigid_slip(problem, now, reference, creepage);
-    const double x = problem.slip_x[0], s = problem.slip_s[0];
+    const RigidSlip still = rigid_slip(now, reference, creepage, rows, columns);
+    const double x = still.x[0], s = still.s[0];
     creepage.velocity = {0, rates.lateral, vertical};
     creepage.roll = rates.roll;
     creepage.yaw = rates.yaw;
-    set_rigid_slip(problem, now, reference, creepage);
-    EXPECT_NEAR(problem.slip_x[0] - x, velocity[0], 1e-9);
-    EXPECT_NEAR(problem.slip_s[0] - s, dot(Point2{velocity[1], velocity[2]}, tangent_of(-0.6)), 1e-9);
-    EXPECT_GT(std::hypot(problem.slip_x[0] - x, problem.slip_s[0] - s), 1e-5);
+    const RigidSlip moving = rigid_slip(now, reference, creepage, rows, columns);
+    EXPECT_NEAR(moving.x[0] - x, velocity[0], 1e-9);
+    EXPECT_NEAR(moving.s[0] - s, dot(Point2{velocity[1], velocity[2]}, tangent_of(-0.6)), 1e-9);
+    EXPECT_GT(std::hypot(moving.x[0] - x, moving.s[0] - s), 1e-5);
   }
 }
 
 TEST(RigidSlip, OfALeftWheelIsTheMirrorImage) {
   // The same motion seen in a mirror: the yaw that pushes the right wheel's flange pulls the left one's.
   const auto at = [](WheelSide side, double yaw) {
-    SceneFile::Position position;
+    WheelsetPosition position;
     position.side = side;
     position.yaw = yaw;
     WheelOnRail pair =
         place(position, named_profile("60E1", ProfileKind::rail), named_profile("S1002", ProfileKind::wheel));
     const TouchPoint touch = lower_to_touch(pair).front();
-    ContactProblem problem;
-    problem.grid = {1, 1, 1, 1, touch.x};
-    problem.rows = {{touch.rail_s, touch.position, touch.delta}};
-    set_rigid_slip(problem, pair, {touch.position, touch.rail_s, touch.delta, touch.x}, {0, 0, 0, 460});
-    return std::pair(problem.slip_x[0], problem.slip_s[0]);
+    const std::vector<ContactRow> rows{{touch.rail_s, touch.position, touch.delta}};
+    const RigidSlip slip = rigid_slip(pair, {touch.position, touch.rail_s, touch.delta, touch.x},
+                                      {0, 0, 0, 460}, rows, std::vector<double>{touch.x});
+    return std::pair(slip.x[0], slip.s[0]);
   };
   EXPECT_EQ(at(WheelSide::left, -0.01), at(WheelSide::right, 0.01));
   // Positive: towards its own side. Both wheels of one wheelset slide to the track's left.
@@ -183,14 +185,12 @@ TEST(RigidSlip, OfALeftWheelIsTheMirrorImage) {
 }
 
 TEST(RigidSlip, OfAPatchIsThatOfAPlane) {
-  ContactProblem problem;
-  problem.grid = {2, 2, 1, 1, 3};
-  problem.rows = {{-2, {}, 0}, {5, {}, 0}};
-  set_rigid_slip(problem, {0.1, 0.2, 0.01});
-  EXPECT_DOUBLE_EQ(problem.slip_x[0], 0.12);
-  EXPECT_DOUBLE_EQ(problem.slip_x[2], 0.05);
-  EXPECT_DOUBLE_EQ(problem.slip_s[0], 0.23);
-  EXPECT_DOUBLE_EQ(problem.slip_s[3], 0.24);
+  const std::vector<ContactRow> rows{{-2, {}, 0}, {5, {}, 0}};
+  const RigidSlip slip = planar_slip({0.1, 0.2, 0.01}, rows, std::vector<double>{3, 4});
+  EXPECT_DOUBLE_EQ(slip.x[0], 0.12);
+  EXPECT_DOUBLE_EQ(slip.x[2], 0.05);
+  EXPECT_DOUBLE_EQ(slip.s[0], 0.23);
+  EXPECT_DOUBLE_EQ(slip.s[3], 0.24);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/sequence/solve_scene.hpp"
+#include "bem_contact/sequence/sequence.hpp"
 #include "tests/hard_cases/hard_case.hpp"
 
 /// A patch that touches the edge of the potential contact: it grows and is solved again.
@@ -21,11 +21,11 @@ SceneFile wheel_on_rail() {
 }
 
 TEST(HardCases, EdgeOfTheGrid) {
-  const SceneResult free = solve_scene(wheel_on_rail());
+  const SceneResult free = Sequence().solve(wheel_on_rail());
   SceneFile tight = wheel_on_rail();
   tight.grid.mx = 6;
   tight.grid.rows = {free.reference.s - 1.5, free.reference.s + 1};
-  const SceneResult grown = solve_scene(tight);
+  const SceneResult grown = Sequence().solve(tight);
   hard::print_line("edge of the potential contact",
                    "6 x 4 elements asked for: the grid grows until the contact lies inside", grown.result);
   EXPECT_TRUE(grown.result.converged);
@@ -42,7 +42,7 @@ TEST(HardCases, NoGridIsLargeEnough) {
   scene.load.force = 1e8;
   scene.grid.dx = scene.grid.ds = 4;
   try {
-    const SceneResult result = solve_scene(scene);
+    const SceneResult result = Sequence().solve(scene);
     hard::print_line("1e8 N on a rail", "the patch leaves the head", result.result);
     EXPECT_TRUE(result.result.converged);
     EXPECT_FALSE(result.result.touches_border);

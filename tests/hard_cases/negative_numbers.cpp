@@ -1,7 +1,7 @@
 #include "bem_contact/reference/conformal.hpp"
 #include "tests/hard_cases/hard_case.hpp"
 
-#include "bem_contact/scene/patch_scene.hpp"
+#include "bem_contact/scene/patch_geometry.hpp"
 
 /// A pin in a hole over most of its half: influence numbers turn negative beyond 42 degrees (Michell 1899),
 /// and at radius 10 / 10.02 the patch is decided by hundredths of a millimetre.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/sequence/solve_scene.hpp"
+#include "bem_contact/sequence/sequence.hpp"
 
 #include <gmock/gmock.h>
 
@@ -18,7 +18,7 @@ inline std::string outcome(const std::string& text, const std::filesystem::path&
   try {
     SceneFile scene = parse_scene_file(text, "scene.toml");
     scene.folder = folder;
-    const SceneResult solved = solve_scene(scene);
+    const SceneResult solved = Sequence().solve(scene);
     const ContactResult& result = solved.result;
     EXPECT_EQ(result.converged, result.certificate.holds());
     if (!result.converged) {

@@ -50,6 +50,26 @@ class Module(unittest.TestCase):
         fz = (r.p_n * np.cos(r.delta)[:, None] + r.p_s * np.sin(r.delta)[:, None]).sum() * area
         self.assertAlmostEqual(fz, 8e4, delta=0.1)
 
+    def test_every_door_gives_the_same(self):
+        """The program, solve() and Sequence: with the scene's own elements, a number of elements, an accuracy."""
+        for grid in ({}, {"grid.elements": 300}, {"grid.accuracy": 0.02}):
+            lines = "".join(f"{key.removeprefix('grid.')} = {value}\n" for key, value in grid.items())
+            text = CORNER.read_text().replace("lateral = 6.6", "lateral = 6.4")
+            scene = CORNER.with_name("doors_of_test.toml")
+            scene.write_text(text + lines)  # its last table is [grid]
+            try:
+                expected = json.loads(subprocess.run(
+                    [os.environ["BEM_CONTACT"], "solve", scene, "--json", "--model", "halfspace"],
+                    check=True, stdout=subprocess.PIPE).stdout)
+            finally:
+                scene.unlink()
+            changes = {"position.lateral": 6.4, **grid}
+            for r in (bem_contact.solve(CORNER, changes, "halfspace"),
+                      bem_contact.Sequence(CORNER).solve(changes, "halfspace")):
+                self.assertEqual(r.pmax, expected["pmax"], grid)
+                self.assertEqual(r.Fx, expected["totals"]["Fx"], grid)
+                self.assertEqual(list(r.p_n.shape), [expected["grid"]["ms"], expected["grid"]["mx"]], grid)
+
     def test_a_sequence_finds_the_same(self):
         sequence = bem_contact.Sequence(CORNER)
         for lateral in (0.0, 3.0, 3.2, 6.7):

@@ -1,8 +1,9 @@
 #include "bem_contact/scene/motion.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/scene/patch_scene.hpp"
+#include "bem_contact/sequence/sequence.hpp"
 #include "tests/base/message.hpp"
+#include "tests/scene/patch_on_grid.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -15,7 +16,7 @@ using namespace bem_contact;
 using ::testing::HasSubstr;
 
 /// A rolling contact of steel cylinders or ellipsoids, with tables beside it.
-class Motion : public ::testing::Test {
+class MotionTables : public ::testing::Test {
 protected:
   void SetUp() override {
     folder_ = std::filesystem::path(::testing::TempDir()) /
@@ -33,14 +34,14 @@ protected:
     return scene;
   }
   std::string refusal(const SceneFile& scene) {
-    return message_of([&] { solve_scene(with_model(scene, Model::halfspace)); });
+    return message_of([&] { Sequence().solve(with_model(scene, Model::halfspace)); });
   }
   std::filesystem::path folder_;
 };
 
-TEST_F(Motion, ForcesPrescribedAreReached) {
+TEST_F(MotionTables, ForcesPrescribedAreReached) {
   const SceneFile scene = patch("force_x = 1200\nforce_s = -500", "phi = 1e-4");
-  const SceneResult r = solve_scene(with_model(scene, Model::halfspace));
+  const SceneResult r = Sequence().solve(with_model(scene, Model::halfspace));
   ASSERT_TRUE(r.result.converged) << r.result.remark;
   EXPECT_NEAR(r.result.Fx, 1200, 1e-2);
   EXPECT_NEAR(r.result.Fs, -500, 1e-2);
@@ -48,21 +49,21 @@ TEST_F(Motion, ForcesPrescribedAreReached) {
   SceneFile again = patch("", "phi = 1e-4");
   again.motion.xi = r.result.creepage_x;
   again.motion.eta = r.result.creepage_s;
-  const SceneResult s = solve_scene(with_model(again, Model::halfspace));
+  const SceneResult s = Sequence().solve(with_model(again, Model::halfspace));
   EXPECT_NEAR(s.result.Fx, 1200, 0.1);
   EXPECT_NEAR(s.result.Fy, -500, 0.1);
 }
 
 /// Approach or force, creepage or force along x, creepage or force along s: eight ways to say one problem,
 /// unlike bodies, with spin.
-TEST_F(Motion, EveryCombinationOfLoadsIsTheSameProblem) {
+TEST_F(MotionTables, EveryCombinationOfLoadsIsTheSameProblem) {
   const auto scene = [this](const std::string& load, const std::string& motion) {
     SceneFile s = patch(load, motion);
     s.wheel.material = {23000, 0.31};
     return s;
   };
   const SceneResult known =
-      solve_scene(with_model(scene("", "xi = 5e-4\neta = -3e-4\nphi = 2e-4"), Model::halfspace));
+      Sequence().solve(with_model(scene("", "xi = 5e-4\neta = -3e-4\nphi = 2e-4"), Model::halfspace));
   ASSERT_TRUE(known.result.converged);
   for (int k = 0; k < 8; ++k) {
     SceneFile s = scene("", "phi = 2e-4");
@@ -76,7 +77,7 @@ TEST_F(Motion, EveryCombinationOfLoadsIsTheSameProblem) {
       s.load.force_s = known.result.Fs;
     } else
       s.motion.eta = -3e-4;
-    const SceneResult r = solve_scene(with_model(s, Model::halfspace));
+    const SceneResult r = Sequence().solve(with_model(s, Model::halfspace));
     ASSERT_TRUE(r.result.converged) << k;
     EXPECT_NEAR(r.result.Fz, 1e4, 1) << k;
     EXPECT_NEAR(r.result.Fx, known.result.Fx, 1e-4 * known.result.Fx) << k;
@@ -86,8 +87,9 @@ TEST_F(Motion, EveryCombinationOfLoadsIsTheSameProblem) {
   }
 }
 
-TEST_F(Motion, RigidSlipByElement) {
-  const SceneResult known = solve_scene(with_model(patch("", "xi = 5e-4\nphi = 2e-4"), Model::halfspace));
+TEST_F(MotionTables, RigidSlipByElement) {
+  const SceneResult known =
+      Sequence().solve(with_model(patch("", "xi = 5e-4\nphi = 2e-4"), Model::halfspace));
   std::string table = "ix, is, wx, ws\n";
   for (int i = 0; i < 256; ++i) {
     const double x = (i % 16 - 7.5) * 0.5, s = (i / 16 - 7.5) * 0.5;
@@ -95,14 +97,15 @@ TEST_F(Motion, RigidSlipByElement) {
              "," + std::to_string(2e-4 * x) + "\n";
   }
   write("slip.csv", table);
-  const SceneResult r = solve_scene(with_model(patch("", "slip_table = 'slip.csv'"), Model::halfspace));
+  const SceneResult r = Sequence().solve(with_model(patch("", "slip_table = 'slip.csv'"), Model::halfspace));
   EXPECT_NEAR(r.result.Fx, known.result.Fx, 1e-2 * known.result.Fx) << "six digits in the table";
   EXPECT_NEAR(r.result.Fy, known.result.Fy, 1e-2 * known.result.Fx);
 }
 
-TEST_F(Motion, TransientRollingTendsToSteadyRolling) {
-  const SceneResult steady = solve_scene(with_model(patch("", "xi = 6e-4\neta = 2e-4"), Model::halfspace));
-  const SceneResult r = solve_scene(
+TEST_F(MotionTables, TransientRollingTendsToSteadyRolling) {
+  const SceneResult steady =
+      Sequence().solve(with_model(patch("", "xi = 6e-4\neta = 2e-4"), Model::halfspace));
+  const SceneResult r = Sequence().solve(
       with_model(patch("", "kind = 'transient'\nsteps = 60\nxi = 6e-4\neta = 2e-4"), Model::halfspace));
   ASSERT_EQ(r.history.size(), 60u);
   EXPECT_LT(r.history[0].Fx, 0.6 * steady.result.Fx);
@@ -112,13 +115,13 @@ TEST_F(Motion, TransientRollingTendsToSteadyRolling) {
 
 /// The same history by the table, on the moving grid and on one that lies still, along which the contact
 /// moves.
-TEST_F(Motion, MovingAndStillGridRollAlike) {
+TEST_F(MotionTables, MovingAndStillGridRollAlike) {
   write("moving.csv", "xi, load\n6e-4, 1e4\n6e-4, 1e4\n5e-4, 9e3\n");
-  const SceneResult moving =
-      solve_scene(with_model(patch("", "kind = 'transient'\nstep_table = 'moving.csv'"), Model::halfspace));
+  const SceneResult moving = Sequence().solve(
+      with_model(patch("", "kind = 'transient'\nstep_table = 'moving.csv'"), Model::halfspace));
   write("still.csv", "xi, load, x\n3e-4, 1e4, -0.5\n3e-4, 1e4, 0\n2.5e-4, 9e3, 0.5\n");
   const SceneResult still =
-      solve_scene(with_model(patch("", "kind = 'shift'\nstep_table = 'still.csv'"), Model::halfspace));
+      Sequence().solve(with_model(patch("", "kind = 'shift'\nstep_table = 'still.csv'"), Model::halfspace));
   ASSERT_EQ(moving.history.size(), 3u);
   ASSERT_EQ(still.history.size(), 3u);
   EXPECT_NEAR(still.history[0].Fx, moving.history[0].Fx, 1e-5 * moving.history[0].Fx);
@@ -128,48 +131,50 @@ TEST_F(Motion, MovingAndStillGridRollAlike) {
   EXPECT_NEAR(still.result.Fx, moving.result.Fx, 0.05 * moving.result.Fx);
 }
 
-TEST_F(Motion, StartsFromTractionsGiven) {
-  const SceneResult first = solve_scene(with_model(patch("", "kind = 'shift'\nxi = 1e-3"), Model::halfspace));
+TEST_F(MotionTables, StartsFromTractionsGiven) {
+  const SceneResult first =
+      Sequence().solve(with_model(patch("", "kind = 'shift'\nxi = 1e-3"), Model::halfspace));
   std::string table = "ix, is, px, ps, pn\n";
   for (int i = 0; i < 256; ++i)
     table += std::to_string(i % 16) + "," + std::to_string(i / 16) + "," +
              std::to_string(first.result.px[i]) + "," + std::to_string(first.result.ps[i]) + "," +
              std::to_string(first.result.pn[i]) + "\n";
   write("start.csv", table);
-  const SceneResult second = solve_scene(
+  const SceneResult second = Sequence().solve(
       with_model(patch("", "kind = 'shift'\nxi = 5e-4\nstart_table = 'start.csv'"), Model::halfspace));
-  const SceneResult both = solve_scene(with_model(patch("", "kind = 'shift'\nxi = 15e-4"), Model::halfspace));
+  const SceneResult both =
+      Sequence().solve(with_model(patch("", "kind = 'shift'\nxi = 15e-4"), Model::halfspace));
   ASSERT_TRUE(second.result.converged);
   // on a monotone path it does not matter how many steps lead along it
   EXPECT_NEAR(second.result.Fx, both.result.Fx, 1e-3 * both.result.Fx);
   EXPECT_GT(second.result.Fx, 1.1 * first.result.Fx);
 }
 
-TEST_F(Motion, FrictionByATable) {
+TEST_F(MotionTables, FrictionByATable) {
   write("mu.csv", "s, mu\n-1, 0.1\n1, 0.5\n");
   const SceneFile scene = patch("", "friction_table = 'mu.csv'\nxi = 0.05");
-  const PreparedContact contact = prepare_patch(scene);
+  const ContactOnGrid contact = patch_on_grid(scene);
   EXPECT_DOUBLE_EQ(contact.problem.friction_of(0), 0.1);
   EXPECT_DOUBLE_EQ(contact.problem.friction_of(15), 0.5);
   EXPECT_NEAR(contact.problem.friction_of(8), 0.35, 1e-12); // s = .25
-  const SceneResult r = solve_scene(with_model(scene, Model::halfspace));
+  const SceneResult r = Sequence().solve(with_model(scene, Model::halfspace));
   EXPECT_NEAR(r.result.Fx, 0.3 * 1e4, 1) << "symmetric about mu = .3";
 }
 
-TEST_F(Motion, KineticFrictionIsARatioOfTheLargest) {
+TEST_F(MotionTables, KineticFrictionIsARatioOfTheLargest) {
   write("mu.csv", "s, mu\n-1, 0.1\n1, 0.4\n");
-  EXPECT_DOUBLE_EQ(prepare_patch(patch("", "kinetic_friction = 0.2\nxi = 1")).problem.kinetic, 2.0 / 3);
+  EXPECT_DOUBLE_EQ(patch_on_grid(patch("", "kinetic_friction = 0.2\nxi = 1")).problem.kinetic, 2.0 / 3);
   EXPECT_DOUBLE_EQ(
-      prepare_patch(patch("", "friction_table = 'mu.csv'\nkinetic_friction = 0.2\nxi = 1")).problem.kinetic,
+      patch_on_grid(patch("", "friction_table = 'mu.csv'\nkinetic_friction = 0.2\nxi = 1")).problem.kinetic,
       0.5);
 }
 
-TEST_F(Motion, AShiftOfAWheelDoesNotRoll) {
+TEST_F(MotionTables, AShiftOfAWheelDoesNotRoll) {
   SceneFile scene = parse_scene_file("kind = 'wheel_rail'\nrail.profile = '60E1'\nwheel.profile = 'S1002'\n"
                                      "position.lateral = 6.4\nload.force = 2e4\n"
                                      "[motion]\nkind = 'shift'\nxi = 0.01\neta = 0.02\n"
                                      "[grid]\ndx = 1.0\nds = 0.5\n");
-  const SceneResult r = solve_scene(with_model(scene, Model::halfspace));
+  const SceneResult r = Sequence().solve(with_model(scene, Model::halfspace));
   ASSERT_TRUE(r.result.converged) << r.result.remark;
   for (int i = 0; i < r.problem.grid.size(); ++i) {
     EXPECT_DOUBLE_EQ(r.problem.slip_x[i], 0.01) << "no spin of the geometry";
@@ -180,20 +185,20 @@ TEST_F(Motion, AShiftOfAWheelDoesNotRoll) {
 }
 
 /// The contact of an early step may be the largest: the grid has to hold it too.
-TEST_F(Motion, TheGridGrowsForEveryStep) {
+TEST_F(MotionTables, TheGridGrowsForEveryStep) {
   write("steps.csv", "load\n1e5\n1e4\n");
   SceneFile scene =
       parse_scene_file("kind = 'wheel_rail'\nrail.profile = '60E1'\nwheel.profile = 'S1002'\n"
                        "load.force = 1e4\n[motion]\nkind = 'transient'\nstep_table = 'steps.csv'\n"
                        "[grid]\ndx = 1.0\nds = 1.0\n");
   scene.folder = folder_;
-  const SceneResult r = solve_scene(with_model(scene, Model::halfspace));
+  const SceneResult r = Sequence().solve(with_model(scene, Model::halfspace));
   ASSERT_EQ(r.history.size(), 2u);
   EXPECT_NEAR(r.history[0].Fz, 1e5, 1);
   EXPECT_FALSE(r.history[0].touches_border);
 }
 
-TEST_F(Motion, TablesThatDoNotFitAreRefused) {
+TEST_F(MotionTables, TablesThatDoNotFitAreRefused) {
   write("t.csv", "xi, spin\n0, 0\n");
   EXPECT_THAT(refusal(patch("", "kind = 'shift'\nstep_table = 't.csv'")), HasSubstr("'spin' is not known"));
   write("t.csv", "xi, xi\n0, 0\n");
@@ -220,11 +225,11 @@ TEST_F(Motion, TablesThatDoNotFitAreRefused) {
   EXPECT_THAT(refusal(patch("force_x = 4000", "")), HasSubstr("cannot be carried"));
 }
 
-TEST_F(Motion, ComparingStepsNeedsAForce) {
+TEST_F(MotionTables, ComparingStepsNeedsAForce) {
   SceneFile scene = patch("", "kind = 'shift'\nxi = 1e-3");
   scene.load = {};
   scene.load.approach = 0.02;
-  EXPECT_THROW(compare_scene(scene), InputError);
+  EXPECT_THROW(Sequence().compare(scene), InputError);
 }
 
 } // namespace

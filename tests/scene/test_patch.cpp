@@ -1,8 +1,9 @@
-#include "bem_contact/scene/patch_scene.hpp"
+#include "bem_contact/scene/patch_geometry.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/sequence/potential_contact.hpp"
+#include "bem_contact/geometry/undeformed_distance.hpp"
 #include "tests/base/message.hpp"
+#include "tests/scene/patch_on_grid.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -38,7 +39,7 @@ protected:
     return scene;
   }
   std::string refusal(const SceneFile& scene) {
-    return message_of([&] { prepare_patch(scene); });
+    return message_of([&] { patch_on_grid(scene); });
   }
   std::filesystem::path folder_;
 };
@@ -70,7 +71,7 @@ TEST(Patch, HasItsRowsAndColumnsAboutTheOrigin) {
   scene.gap.a = 1;
   scene.gap.b = 10;
   scene.gap.c = 100;
-  const PreparedContact contact = prepare_patch(scene);
+  const ContactOnGrid contact = patch_on_grid(scene);
   EXPECT_DOUBLE_EQ(contact.problem.grid.x0, -0.75);
   EXPECT_DOUBLE_EQ(contact.problem.rows[2].s, 2);
   EXPECT_DOUBLE_EQ(contact.problem.gap[8], 0.75 * 0.75 + 10 * 4 - 100 * 0.75 * 2);
@@ -80,7 +81,7 @@ TEST(Patch, OnACurvedStripTurnsItsRows) {
   SceneFile scene = patch(1, 3);
   scene.grid.ds = 1;
   scene.strip = {-10, 9.8, 4, 7, ""};
-  const PreparedContact contact = prepare_patch(scene);
+  const ContactOnGrid contact = patch_on_grid(scene);
   const ContactRow& row = contact.problem.rows[2];
   EXPECT_NEAR(row.delta, -0.1, 1e-15);
   EXPECT_NEAR(row.position.y, 10 * std::sin(0.1), 1e-14);
@@ -95,11 +96,11 @@ TEST(Patch, RefusesAStripBeyondAQuarterTurn) {
   SceneFile scene = patch(1, 100);
   scene.grid.ds = 1;
   scene.strip.radius = 10;
-  EXPECT_THROW(prepare_patch(scene), InputError);
+  EXPECT_THROW(patch_on_grid(scene), InputError);
 }
 
 TEST_F(Tables, GiveTheGap) {
-  EXPECT_THAT(prepare_patch(with_gap("# mm\nix, is, h\n1, 0, 0.25\n0, 0, 0.5\n")).problem.gap,
+  EXPECT_THAT(patch_on_grid(with_gap("# mm\nix, is, h\n1, 0, 0.25\n0, 0, 0.5\n")).problem.gap,
               ::testing::ElementsAre(0.5, 0.25));
 }
 
@@ -122,7 +123,7 @@ TEST_F(Tables, InclineTheRows) {
   scene.grid.ds = 2;
   scene.folder = folder_;
   scene.strip.inclination = "delta.csv";
-  const PreparedContact contact = prepare_patch(scene);
+  const ContactOnGrid contact = patch_on_grid(scene);
   EXPECT_DOUBLE_EQ(contact.problem.rows[0].delta, -0.2);
   EXPECT_NEAR(contact.problem.rows[2].position.y, 2 * std::cos(0.1), 1e-15);
   EXPECT_NEAR(contact.problem.rows[2].position.z, 2 * std::sin(0.1), 1e-15);

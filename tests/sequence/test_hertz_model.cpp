@@ -1,9 +1,9 @@
 #include "bem_contact/sequence/hertz_model.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/scene/patch_scene.hpp"
+#include "bem_contact/scene/patch_geometry.hpp"
 #include "bem_contact/sequence/pair_numbers.hpp"
-#include "bem_contact/sequence/solve_scene.hpp"
+#include "bem_contact/sequence/sequence.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 using namespace bem_contact;
 using ::testing::HasSubstr;
 
-/// Rx 460, Ry 300, E 210000, nu .3, 1e5 N (bem_contact/THEORY.md 14), c x s besides.
+/// Rx 460, Ry 300, E 210000, nu .3, 1e5 N (Hertz; Johnson 1985, section 4.2), c x s besides.
 SceneFile hertz(double mixed = 0, const std::string& load = "force = 1e5", const std::string& rest = "") {
   return parse_scene_file("kind = 'patch'\nmotion.frictionless = true\n[load]\n" + load +
                           "\n[rail.material]\nyoung = 210000\npoisson = 0.3\n"
@@ -24,7 +24,7 @@ SceneFile hertz(double mixed = 0, const std::string& load = "force = 1e5", const
 }
 
 TEST(HertzModel, IsTheClosedForm) {
-  const SceneResult r = solve_scene(with_model(hertz(), Model::hertz));
+  const SceneResult r = Sequence().solve(with_model(hertz(), Model::hertz));
   ASSERT_TRUE(r.result.converged);
   ASSERT_EQ(r.result.patches.size(), 1u);
   EXPECT_NEAR(r.result.patches[0].pmax, 1237.5588, 1e-4 * 1237);
@@ -36,15 +36,15 @@ TEST(HertzModel, IsTheClosedForm) {
   for (const double p : r.result.pn)
     sum += p * 0.5 * 0.4;
   EXPECT_NEAR(sum, 1e5, 1e-3 * 1e5) << "means of the elements";
-  const SceneResult back = solve_scene(with_model(hertz(0, "approach = 0.10411895"), Model::hertz));
+  const SceneResult back = Sequence().solve(with_model(hertz(0, "approach = 0.10411895"), Model::hertz));
   EXPECT_NEAR(back.result.Fz, 1e5, 1);
 }
 
 /// Element by element the same as the half-space on the same grid, principal axes turned or not.
 TEST(HertzModel, AgreesWithTheHalfSpace) {
   for (const double mixed : {0.0, 8e-4, -1.5e-3}) {
-    const SceneResult closed = solve_scene(with_model(hertz(mixed), Model::hertz)),
-                      solved = solve_scene(with_model(hertz(mixed), Model::halfspace));
+    const SceneResult closed = Sequence().solve(with_model(hertz(mixed), Model::hertz)),
+                      solved = Sequence().solve(with_model(hertz(mixed), Model::halfspace));
     EXPECT_NEAR(closed.result.approach, solved.result.approach, 2e-3 * solved.result.approach);
     double square = 0, norm = 0;
     for (std::size_t i = 0; i < solved.result.pn.size(); ++i) {
@@ -59,21 +59,22 @@ TEST(HertzModel, AgreesWithTheHalfSpace) {
 }
 
 TEST(HertzModel, IsWhatAutoTakesForAQuadratic) {
-  const SceneResult r = solve_scene(hertz());
+  const SceneResult r = Sequence().solve(hertz());
   EXPECT_EQ(r.model, Model::hertz);
   EXPECT_THAT(r.reason, HasSubstr("within the 1 % allowed"));
   SceneFile rolling = hertz();
   rolling.motion.frictionless = false;
   rolling.motion.xi = 1e-3;
-  EXPECT_EQ(solve_scene(rolling).model, Model::halfspace);
-  EXPECT_THROW(solve_scene(with_model(rolling, Model::hertz)), InputError);
+  EXPECT_EQ(Sequence().solve(rolling).model, Model::halfspace);
+  EXPECT_THROW(Sequence().solve(with_model(rolling, Model::hertz)), InputError);
 }
 
 /// A quartic of Steuermann's is no quadratic: auto sees it, and Hertz asked for is as wrong as predicted at
 /// most.
 TEST(HertzModel, IsNotTakenForAQuartic) {
   SceneFile scene = hertz();
-  PreparedContact contact = prepare_patch(scene);
+  const ContactSetup setup = set_up_patch(scene);
+  ContactOnGrid contact = setup.on(setup.patch()->plan());
   const ContactGrid& grid = contact.problem.grid;
   for (const double quartic : {0.0, 1e-7, 1e-6, 1e-5}) {
     for (int i = 0; i < grid.size(); ++i) {
@@ -84,7 +85,7 @@ TEST(HertzModel, IsNotTakenForAQuartic) {
     contact.problem.tangential = false;
     const auto model = fit_hertz(contact.problem, scene.rail.material, scene.wheel.material);
     ASSERT_TRUE(model);
-    contact.problem.numbers = halfspace_pair(scene, contact);
+    contact.problem.numbers = halfspace_pair(setup, contact);
     const ContactResult solved = solve(contact.problem, {.estimate_discretisation = false});
     const double error = std::abs(model->contact.max_pressure / solved.patches.at(0).pmax - 1);
     EXPECT_LT(error, predicted_error(*model) + 0.005) << quartic;
@@ -97,7 +98,8 @@ TEST(HertzModel, OfAWheelOnTheTreadAgreesWithTheHalfSpaceWhereItIsTaken) {
                                      "position.lateral = 6\nload.force = 3e3\nmotion.frictionless = true\n"
                                      "[grid]\ndx = 0.2\nds = 0.1\n");
   scene.solver.model_tolerance = 0.05;
-  const SceneResult r = solve_scene(scene), solved = solve_scene(with_model(scene, Model::halfspace));
+  const SceneResult r = Sequence().solve(scene),
+                    solved = Sequence().solve(with_model(scene, Model::halfspace));
   EXPECT_EQ(r.model, Model::hertz) << r.reason;
   const auto& [one, other] = std::pair{r.result.patches.at(0), solved.result.patches.at(0)};
   EXPECT_NEAR(one.pmax, other.pmax, 0.05 * other.pmax);
@@ -108,7 +110,7 @@ TEST(HertzModel, OfAWheelOnTheTreadAgreesWithTheHalfSpaceWhereItIsTaken) {
 }
 
 TEST(HertzModel, WithoutContactThereIsNoForce) {
-  const SceneResult r = solve_scene(with_model(hertz(0, "approach = -0.1"), Model::hertz));
+  const SceneResult r = Sequence().solve(with_model(hertz(0, "approach = -0.1"), Model::hertz));
   EXPECT_TRUE(r.result.converged);
   EXPECT_EQ(r.result.Fz, 0);
   EXPECT_TRUE(r.result.patches.empty());
@@ -117,7 +119,7 @@ TEST(HertzModel, WithoutContactThereIsNoForce) {
 TEST(HertzModel, WhatItCannotDoIsRefused) {
   const auto refused = [](SceneFile scene) {
     try {
-      solve_scene(with_model(scene, Model::hertz));
+      Sequence().solve(with_model(scene, Model::hertz));
     } catch (const InputError& error) {
       return std::string(error.what());
     }
@@ -167,9 +169,9 @@ TEST(ModelChoice, PredictionsHoldOnTheGaugeCorner) {
         "\nload.force = 1e5\nmotion.frictionless = true\n[rail]\nprofile = '60E1'\ninfluence = '" + folder +
         "small_rail.h5'\n[wheel]\nprofile = 'S1002'\ninfluence = '" + folder +
         "small_wheel.h5'\n[grid]\ndx = 0.5\nds = 0.5\n");
-    const SceneResult fem = solve_scene(with_model(scene, Model::fem));
+    const SceneResult fem = Sequence().solve(with_model(scene, Model::fem));
     const auto error_of = [&](Model model) {
-      const SceneResult r = solve_scene(with_model(scene, model));
+      const SceneResult r = Sequence().solve(with_model(scene, model));
       return std::abs(r.result.patches.at(0).pmax / fem.result.patches.at(0).pmax - 1);
     };
     const double turn = turn_of_contact(fem.problem, fem.result);

@@ -1,4 +1,4 @@
-#include "bem_contact/sequence/solve_scene.hpp"
+#include "bem_contact/sequence/sequence.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/sequence/pair_numbers.hpp"
@@ -27,13 +27,13 @@ SceneFile wheel_on_rail(double lateral, double force, const std::string& motion 
 }
 
 TEST(Scene, HertzPatch) {
-  // Hertz (bem_contact/THEORY.md 14): E 210000, nu .3, Rx 460, Ry 300, F 1e5.
+  // Hertz (Johnson 1985, section 4.2): E 210000, nu .3, Rx 460, Ry 300, F 1e5.
   SceneFile scene = scene_of("kind = \"patch\"\nload.force = 1e5\nmotion.frictionless = true\n"
                              "[rail.material]\nshear_modulus = 80769.230769\npoisson = 0.3\n"
                              "[wheel.material]\nshear_modulus = 80769.230769\npoisson = 0.3\n"
                              "[grid]\ndx = 0.6\nds = 0.45\nmx = 30\nms = 30\n"
                              "[gap]\na = 0.00108695652\nb = 0.00166666667\n");
-  const SceneResult r = solve_scene(with_model(scene, Model::halfspace));
+  const SceneResult r = Sequence().solve(with_model(scene, Model::halfspace));
   EXPECT_EQ(r.model, Model::halfspace);
   EXPECT_TRUE(r.result.certificate.holds());
   EXPECT_NEAR(largest_pressure(r.result), 1237.5588, 0.015 * 1237.5588);
@@ -49,7 +49,7 @@ TEST(Scene, PressuresBeyondElasticityAreRefused) {
                                "[grid]\ndx = 3.0\nds = 3.0\nmx = 30\nms = 30\n[gap]\na = 0.01\nb = 0.01\n");
     scene.load.approach = approach;
     scene.rail.material.shear_modulus = shear_modulus;
-    return solve_scene(with_model(scene, Model::halfspace));
+    return Sequence().solve(with_model(scene, Model::halfspace));
   };
   // Hertz: pmax = 2 E* a / (pi R), a^2 = R q, R = 50, and .2 E = .4 (1 - nu^2) E*: q = 16.8 mm.
   EXPECT_TRUE(solve_at(15.5, 82000).result.converged);
@@ -71,12 +71,12 @@ TEST(Scene, NoLengthIsItsOwnUnit) {
                                         "gap.a = {}\ngap.b = {}\n",
                                         force * k * k, 0.4 * k, 0.3 * k, 1e-2 / k, 2e-2 / k));
   };
-  const double pmax = largest_pressure(solve_scene(with_model(scaled(1, 2e4), Model::halfspace)).result);
+  const double pmax = largest_pressure(Sequence().solve(with_model(scaled(1, 2e4), Model::halfspace)).result);
   for (const double k : {1e-2, 30.0, 1e3}) {
-    EXPECT_NEAR(largest_pressure(solve_scene(with_model(scaled(k, 2e4), Model::halfspace)).result), pmax,
+    EXPECT_NEAR(largest_pressure(Sequence().solve(with_model(scaled(k, 2e4), Model::halfspace)).result), pmax,
                 1e-6 * pmax)
         << k;
-    EXPECT_THROW(solve_scene(with_model(scaled(k, 3e6), Model::halfspace)), InputError)
+    EXPECT_THROW(Sequence().solve(with_model(scaled(k, 3e6), Model::halfspace)), InputError)
         << k; // on all of the grid
   }
 }
@@ -86,8 +86,9 @@ TEST(Scene, PressureAndShearOfEqualHalfSpacesAreUncoupled) {
   // s.
   SceneFile scene = scene_of("kind = \"patch\"\nload.force = 1e5\n[motion]\nfriction = 0.3\nphi = 1e-3\n"
                              "[grid]\ndx = 0.6\nds = 0.45\nmx = 3\nms = 5\n[gap]\na = 0.001\nb = 0.001\n");
-  const PreparedContact contact = prepare_patch(scene);
-  const InfluenceNumbers pair = halfspace_pair(scene, contact);
+  ContactSetup setup = set_up_patch(scene);
+  const ContactOnGrid contact = setup.on(setup.patch()->plan());
+  const InfluenceNumbers pair = halfspace_pair(setup, contact);
   const double self = pair.at(0, 0, component_n, 0, component_n);
   for (int m = 0; m < pair.offsets; ++m)
     for (int row_i = 0; row_i < 5; ++row_i)
@@ -97,15 +98,15 @@ TEST(Scene, PressureAndShearOfEqualHalfSpacesAreUncoupled) {
           EXPECT_NEAR(pair.at(m, row_i, component_n, row_j, t), 0, 1e-12 * self);
         }
   // Unlike bodies are coupled (Bentall and Johnson).
-  scene.wheel.material.shear_modulus = 23000;
-  const InfluenceNumbers unlike = halfspace_pair(scene, contact);
+  setup.wheel.material.shear_modulus = 23000;
+  const InfluenceNumbers unlike = halfspace_pair(setup, contact);
   EXPECT_GT(std::abs(unlike.at(1, 2, component_x, 2, component_n)), 1e-3 * self);
 }
 
 TEST(Scene, APressedGaugeCornerPushesTheRailOutwards) {
   // n points into the rail; at the gauge corner (delta < 0) it points to the field side: Fy = -sum p_n
   // sin(delta) dS on the rail is positive, on the wheel negative, towards the track's centre.
-  const SceneResult r = solve_scene(with_model(wheel_on_rail(6.4, 2e4), Model::halfspace));
+  const SceneResult r = Sequence().solve(with_model(wheel_on_rail(6.4, 2e4), Model::halfspace));
   ASSERT_TRUE(r.result.certificate.holds());
   ASSERT_LT(r.reference.delta, -0.3);
   EXPECT_GT(r.result.Fy, 0);
@@ -123,7 +124,7 @@ TEST(Scene, APressedGaugeCornerPushesTheRailOutwards) {
 
 TEST(Scene, TheContactLiesInsideTheGrid) {
   for (const double lateral : {0.0, 6.6}) {
-    const SceneResult r = solve_scene(with_model(wheel_on_rail(lateral, 1e5), Model::halfspace));
+    const SceneResult r = Sequence().solve(with_model(wheel_on_rail(lateral, 1e5), Model::halfspace));
     const ContactGrid& grid = r.problem.grid;
     ASSERT_TRUE(r.result.certificate.holds());
     for (int i = 0; i < grid.size(); ++i) {
@@ -137,16 +138,16 @@ TEST(Scene, TheContactLiesInsideTheGrid) {
 
 TEST(Scene, AGridThatIsTooSmallGrows) {
   SceneFile scene = wheel_on_rail(0, 1e5);
-  const SceneResult whole = solve_scene(with_model(scene, Model::halfspace));
+  const SceneResult whole = Sequence().solve(with_model(scene, Model::halfspace));
   scene.grid.rows = {-14.5, -12.5};
   const auto said = [](const SceneResult& r) {
     ASSERT_EQ(r.warnings.size(), 1u);
     EXPECT_THAT(r.warnings[0], HasSubstr("did not fit on the grid asked for: it grew to"));
   };
-  said(solve_scene(with_model(scene, Model::halfspace)));
-  said(solve_scene(with_model(scene, std::nullopt))); // which looks at the normal problem first
+  said(Sequence().solve(with_model(scene, Model::halfspace)));
+  said(Sequence().solve(with_model(scene, std::nullopt))); // which looks at the normal problem first
   scene.grid.mx = 6;
-  const SceneResult grown = solve_scene(with_model(scene, Model::halfspace));
+  const SceneResult grown = Sequence().solve(with_model(scene, Model::halfspace));
   said(grown);
   EXPECT_GT(grown.problem.grid.ms, 4);
   EXPECT_GT(grown.problem.grid.mx, 6);
@@ -154,18 +155,18 @@ TEST(Scene, AGridThatIsTooSmallGrows) {
 }
 
 TEST(Scene, AutoAsksForFemWhereTheNormalTurns) {
-  const SceneResult corner = solve_scene(with_model(wheel_on_rail(6.65, 1e5), std::nullopt));
+  const SceneResult corner = Sequence().solve(with_model(wheel_on_rail(6.65, 1e5), std::nullopt));
   EXPECT_EQ(corner.model, Model::tangent_plane); // no influence files to go on with
   ASSERT_EQ(corner.warnings.size(), 1u);
   EXPECT_THAT(corner.warnings[0], HasSubstr("the finite-element model is needed here"));
   EXPECT_THAT(corner.reason, HasSubstr("names no influence files"));
-  const SceneResult tread = solve_scene(with_model(wheel_on_rail(0, 1e4), std::nullopt));
+  const SceneResult tread = Sequence().solve(with_model(wheel_on_rail(0, 1e4), std::nullopt));
   EXPECT_THAT(tread.reason, HasSubstr("within the 1 % allowed"));
   EXPECT_TRUE(tread.warnings.empty());
 }
 
 TEST(Scene, PredictedErrorAgreesWithPerssonAndTheSphericalSeat) {
-  // Persson and the sphere in its seat (bem_contact/THEORY.md 14), half-space pressure over the exact one:
+  // Persson 1964, and the sphere in its seat (reference/sphere.hpp): half-space pressure over the exact one,
   // half angle 30 degrees.
   const double persson = 1 - 644.83 / 722.77, seat = 1 - 1 / 1.202;
   const double predicted = predicted_halfspace_error(60 * pi / 180);
@@ -174,7 +175,8 @@ TEST(Scene, PredictedErrorAgreesWithPerssonAndTheSphericalSeat) {
 }
 
 TEST(Scene, SteadyRollingWithGeometricSpinHolds) {
-  const SceneResult r = solve_scene(with_model(wheel_on_rail(6.4, 5e4, "friction = 0.3"), Model::halfspace));
+  const SceneResult r =
+      Sequence().solve(with_model(wheel_on_rail(6.4, 5e4, "friction = 0.3"), Model::halfspace));
   EXPECT_TRUE(r.result.certificate.holds()) << r.result.remark;
   EXPECT_GT(r.result.patches.at(0).slip, 0);
   EXPECT_GT(std::abs(r.moment), 0);
@@ -182,11 +184,11 @@ TEST(Scene, SteadyRollingWithGeometricSpinHolds) {
 }
 
 TEST(Scene, HalfSpaceNumbersOnTheBoreAreNoWorseThanPredicted) {
-  // Persson at a half angle of 30 degrees (bem_contact/THEORY.md 14): exact pmax 722.77 MPa.
+  // Persson at a half angle of 30 degrees (Persson 1964): exact pmax 722.77 MPa.
   SceneFile scene = scene_of("kind = \"patch\"\nload.force = 5734.92\nmotion.frictionless = true\n"
                              "[grid]\nplane_strain = true\nmx = 1\nms = 128\nds = 0.11\n"
                              "[strip]\nradius = -10\nupper_radius = 9.8\n");
-  const SceneResult r = solve_scene(with_model(scene, Model::halfspace));
+  const SceneResult r = Sequence().solve(with_model(scene, Model::halfspace));
   ASSERT_TRUE(r.result.certificate.holds());
   const double error = std::abs(largest_pressure(r.result) / 722.77 - 1);
   EXPECT_GT(error, 0.02); // and it is wrong
@@ -195,7 +197,7 @@ TEST(Scene, HalfSpaceNumbersOnTheBoreAreNoWorseThanPredicted) {
   EXPECT_NEAR(r.result.Fy, 0, 1e-6);
   // Equal bodies on a circle in plane strain: auto knows what serves. (9.8 in 10 mm is not quite a perfect
   // fit.)
-  const SceneResult chosen = solve_scene(scene);
+  const SceneResult chosen = Sequence().solve(scene);
   EXPECT_EQ(chosen.model, Model::tangent_plane);
   EXPECT_NEAR(largest_pressure(chosen.result), 722.77, 0.01 * 722.77);
 }
@@ -203,36 +205,36 @@ TEST(Scene, HalfSpaceNumbersOnTheBoreAreNoWorseThanPredicted) {
 TEST(Scene, NoContactIsZeroForce) {
   SceneFile scene = scene_of("kind = \"patch\"\nload.approach = -0.1\n[motion]\nfriction = 0.3\n"
                              "[grid]\nmx = 4\nms = 4\n[gap]\na = 0.01\nb = 0.01\n");
-  const SceneResult r = solve_scene(scene);
+  const SceneResult r = Sequence().solve(scene);
   EXPECT_EQ(r.result.Fz, 0);
   EXPECT_TRUE(r.result.patches.empty());
   EXPECT_TRUE(r.result.certificate.holds());
   SceneFile wheel = scene_of("rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nload.approach = -0.01\n");
-  const SceneResult lifted = solve_scene(wheel);
+  const SceneResult lifted = Sequence().solve(wheel);
   EXPECT_EQ(lifted.result.Fz, 0);
   EXPECT_TRUE(lifted.result.certificate.holds());
 }
 
 TEST(Scene, ForceAndApproachAgree) {
   SceneFile scene = wheel_on_rail(6.4, 3e4);
-  const SceneResult by_force = solve_scene(with_model(scene, Model::halfspace));
+  const SceneResult by_force = Sequence().solve(with_model(scene, Model::halfspace));
   scene.load = {.approach = by_force.result.approach};
-  const SceneResult by_approach = solve_scene(with_model(scene, Model::halfspace));
+  const SceneResult by_approach = Sequence().solve(with_model(scene, Model::halfspace));
   EXPECT_NEAR(by_approach.result.Fz, 3e4, 1e-5 * 3e4);
 }
 
 TEST(Scene, AContactAtTheEdgeOfAPatchsGridIsSaid) {
   SceneFile scene = scene_of("kind = \"patch\"\nload.force = 1e4\nmotion.frictionless = true\n"
                              "[grid]\nmx = 5\nms = 5\n[gap]\na = 0.001\nb = 0.001\n");
-  const SceneResult r = solve_scene(scene);
+  const SceneResult r = Sequence().solve(scene);
   ASSERT_EQ(r.warnings.size(), 1u);
   EXPECT_THAT(r.warnings[0], HasSubstr("reaches the edge of the grid"));
 }
 
 TEST(Scene, FemWithoutInfluenceFilesIsRefused) {
   const SceneFile scene = wheel_on_rail(0, 1e5);
-  for (const auto run : {+[](const SceneFile& s) { solve_scene(with_model(s, Model::fem)); },
-                         +[](const SceneFile& s) { compare_scene(s); }})
+  for (const auto run : {+[](const SceneFile& s) { Sequence().solve(with_model(s, Model::fem)); },
+                         +[](const SceneFile& s) { Sequence().compare(s); }})
     try {
       run(scene);
       FAIL() << "there are no influence functions to solve with";
@@ -247,7 +249,7 @@ TEST(Scene, UnknownModelIsRefused) {
 }
 
 TEST(Scene, CheckSaysWhatWouldBeSolved) {
-  const std::vector<std::string> lines = check_scene(wheel_on_rail(6.4, 1e5));
+  const std::vector<std::string> lines = Sequence().check(wheel_on_rail(6.4, 1e5));
   EXPECT_THAT(lines, ::testing::Contains(HasSubstr("touch point: rail s = -28")));
   EXPECT_THAT(lines, ::testing::Contains(HasSubstr("vertical force 100000 N")));
   EXPECT_THAT(lines, ::testing::Contains(HasSubstr("rail: no influence file")));

@@ -41,7 +41,7 @@ TEST(Sequence, FindsWhatEachCaseAloneIs) {
   for (const double lateral : {0.0, 0.4, 0.8, 1.2, 4.0, 6.6})
     for (const double force : {4e4, 1e5}) {
       const SceneFile scene = rolling(lateral, force);
-      expect_same(solve_scene(scene), sequence.solve(scene));
+      expect_same(Sequence().solve(scene), sequence.solve(scene));
     }
   EXPECT_EQ(sequence.counts().cases, 12);
   EXPECT_EQ(sequence.counts().solves, 12);
@@ -65,7 +65,7 @@ TEST(Sequence, EachSwitchChangesTheWayAndNotTheResult) {
         SequenceOptions{.keep_start = false}, SequenceOptions{.learn = false}}) {
     Sequence sequence(off);
     sequence.solve(rolling(1.0));
-    expect_same(solve_scene(rolling(1.1)), sequence.solve(rolling(1.1)));
+    expect_same(Sequence().solve(rolling(1.1)), sequence.solve(rolling(1.1)));
     EXPECT_EQ(sequence.counts().starts, off.keep_start ? 1 : 0);
   }
 }
@@ -127,7 +127,7 @@ TEST(Sequence, OtherScenesAreSolvedByThemselves) {
                        "0.5\nmx = 16\nms = 16\n[gap]\na = 1e-3\nb = 1e-3\n");
   Sequence sequence;
   sequence.solve(rolling(1.0));
-  EXPECT_EQ(sequence.solve(patch).result.Fx, solve_scene(patch).result.Fx);
+  EXPECT_EQ(sequence.solve(patch).result.Fx, Sequence().solve(patch).result.Fx);
   EXPECT_EQ(sequence.counts().starts, 0);
 }
 
@@ -158,7 +158,7 @@ TEST(ElementCount, MoreWhereTheErrorIsTooLargeFewerWhereItIsNot) {
   EXPECT_LT(count.wanted(), 600);
   EXPECT_GE(count.wanted(), 0.35 * 600 - 1);
   EXPECT_FALSE(count.learn(250, 1e-6));
-  EXPECT_EQ(count.wanted(), ElementCount::fewest);
+  EXPECT_EQ(count.wanted(), fewest_elements);
 }
 
 TEST(ElementCount, WithoutAnEstimateTwiceAsMany) {
@@ -197,8 +197,8 @@ TEST(ElementCount, WithoutAnAccuracyItStays) {
 }
 
 /// A smooth field on a grid: an ellipsoid of semi-axes a, b about (0, s0).
-FormerTractions ellipsoid(double a, double b, double s0) {
-  FormerTractions f;
+FormerSolution ellipsoid(double a, double b, double s0) {
+  FormerSolution f;
   f.grid = {60, 60, 4 * a / 60, 4 * b / 60, -2 * a + 2 * a / 60};
   f.first_s = s0 - 2 * b + 2 * b / 60;
   f.areas = {{s0 - b, s0 + b, -a, a}};
@@ -214,7 +214,7 @@ FormerTractions ellipsoid(double a, double b, double s0) {
 }
 
 TEST(StartFrom, MovesWithTheAreaAndScalesWithTheForce) {
-  const FormerTractions former = ellipsoid(4, 3, -10);
+  const FormerSolution former = ellipsoid(4, 3, -10);
   ContactProblem problem;
   problem.grid = {50, 40, 0.3, 0.25, -7.2 + 1.5};
   for (int is = 0; is < 40; ++is)
@@ -234,7 +234,7 @@ TEST(StartFrom, MovesWithTheAreaAndScalesWithTheForce) {
 
 /// Two areas that move apart: each takes its own tractions along.
 TEST(StartFrom, EachAreaMovesByItself) {
-  FormerTractions former = ellipsoid(2, 2, 0);
+  FormerSolution former = ellipsoid(2, 2, 0);
   former.grid = {30, 100, 0.2, 0.2, -2.9};
   former.first_s = -9.9;
   former.areas = {{-8, -4, -2, 2}, {4, 8, -2, 2}};

@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/sequence/solve_scene.hpp"
+#include "bem_contact/sequence/sequence.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,9 +27,10 @@ std::size_t place_of_largest(const std::vector<double>& v) {
   return static_cast<std::size_t>(std::max_element(v.begin(), v.end()) - v.begin());
 }
 
-/// Sphere R 50, F 1000 (bem_contact/THEORY.md 14): a .68753, p0 1010.07; nu .3: tau_max .310 p0 at .48 a.
+/// Sphere R 50, F 1000 (Hertz; Johnson 1985, eq. 4.22 to 4.24): a .68753, p0 1010.07; nu .3: tau_max .310 p0
+/// at .48 a.
 TEST(StressesBelow, HertzOnACircle) {
-  const SceneResult r = solve_scene(
+  const SceneResult r = Sequence().solve(
       parse_scene_file("kind = \"patch\"\nload.force = 1000\nmotion.frictionless = true\n" + materials +
                        "[grid]\ndx = 0.04\nds = 0.04\nmx = 40\nms = 40\n[gap]\na = 0.01\nb = 0.01\n" +
                        depths(0.02, 0.8, 0.01)));
@@ -51,7 +52,7 @@ TEST(StressesBelow, LineContact) {
   const double radius = 500, semi = 1, modulus = 80769.230769 / 0.7;
   const double force = std::numbers::pi * semi * semi * modulus / (4 * radius),
                p0 = 2 * force / std::numbers::pi;
-  const SceneResult r = solve_scene(parse_scene_file(
+  const SceneResult r = Sequence().solve(parse_scene_file(
       "kind = \"patch\"\nload.force = " + std::to_string(force) + "\nmotion.frictionless = true\n" +
       materials + "[grid]\nplane_strain = true\nds = 0.025\nmx = 1\nms = 96\n[gap]\nb = 0.001\n" +
       depths(0.4, 1.2, 0.01)));
@@ -76,7 +77,7 @@ TEST(StressesBelow, CarryTheForcesDown) {
   for (double x = -60; x <= 60; x += 1)
     scene.stresses.x.push_back(x);
   scene.stresses.s = scene.stresses.x;
-  const SceneResult r = solve_scene(scene);
+  const SceneResult r = Sequence().solve(scene);
   ASSERT_TRUE(r.stresses);
   double fx = 0, fs = 0, fn = 0;
   for (const halfspace::Stress& t : r.stresses->stress) {
@@ -95,11 +96,11 @@ TEST(StressesBelow, SayWhereTheyAreAnApproximation) {
                                      "[grid]\ndx = 0.5\nds = 0.25\nmx = 20\nms = 40\n[gap]\na = 1e-3\n"
                                      "[strip]\nradius = -10\nupper_radius = 9.8\n[stresses]\ndepths = [1]\n");
   scene.solver.model = Model::halfspace;
-  const SceneResult r = solve_scene(scene);
+  const SceneResult r = Sequence().solve(scene);
   ASSERT_TRUE(r.stresses);
   EXPECT_THAT(r.warnings, ::testing::Contains(HasSubstr("those of a half-space under these tractions")));
   scene.stresses.depths.clear();
-  EXPECT_FALSE(solve_scene(scene).stresses) << "not asked for";
+  EXPECT_FALSE(Sequence().solve(scene).stresses) << "not asked for";
 }
 
 TEST(StressesBelow, AreRefusedAtTheSurfaceAndInMillions) {
@@ -110,7 +111,7 @@ TEST(StressesBelow, AreRefusedAtTheSurfaceAndInMillions) {
   asked.x.assign(2000, 0);
   asked.s.assign(2000, 0);
   asked.depths = {1};
-  EXPECT_THROW(stresses_below(asked, {}, {}, false, 0.3, 0), InputError);
+  EXPECT_THROW(stresses_below(asked, {}, {}, 0.3, 0), InputError);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "bem_contact/sequence/wheel_rail_scene.hpp"
+#include "bem_contact/sequence/sequence.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "tests/base/message.hpp"
@@ -22,9 +22,17 @@ SceneFile s1002_on_60e1(double lateral, const std::string& more = "") {
 
 const std::string loaded = "load.force = 1e5\n";
 
-const WheelRailProfiles& profiles() {
-  static const WheelRailProfiles both = read_profiles(s1002_on_60e1(0, loaded));
-  return both;
+ContactCase case_of(const SceneFile& scene) {
+  static SequenceFiles files;
+  return prepare_case(scene, files);
+}
+
+ContactOnGrid on_first_grid(const ContactCase& asked) {
+  return asked.setup.on(first_plan(asked, asked.scene.grid, false));
+}
+
+const WheelRailGeometry& placed_of(const ContactCase& asked) {
+  return *asked.setup.wheel_rail();
 }
 
 TEST(WheelRailScene, TheReferencePointMovesContinuouslyThroughTwoPointContact) {
@@ -32,22 +40,24 @@ TEST(WheelRailScene, TheReferencePointMovesContinuouslyThroughTwoPointContact) {
   // moves in proportion.
   double largest_leap = 0, s = 0, radius = 0, touched = 0;
   for (int i = 0; i <= 100; ++i) {
-    const WheelRailScene placed = place_wheel_rail(s1002_on_60e1(6.626 + 0.001 * i, loaded), profiles());
+    const ContactSetup setup = case_of(s1002_on_60e1(6.626 + 0.001 * i, loaded)).setup;
+    const WheelRailGeometry& placed = *setup.wheel_rail();
+    const double rolling_radius = setup.motion.creepage.rolling_radius;
     if (i > 0) {
       largest_leap = std::max(largest_leap, std::abs(placed.touch.front().rail_s - touched));
       EXPECT_LT(std::abs(placed.reference.s - s), 0.1) << i;
-      EXPECT_LT(std::abs(placed.rolling_radius - radius), 0.1) << i;
+      EXPECT_LT(std::abs(rolling_radius - radius), 0.1) << i;
     }
     touched = placed.touch.front().rail_s;
     s = placed.reference.s;
-    radius = placed.rolling_radius;
+    radius = rolling_radius;
   }
   EXPECT_GT(largest_leap, 5);
 }
 
 TEST(WheelRailScene, TheRollingRadiusIsThatOfTheMotion) {
   const auto radius = [](const std::string& motion) {
-    return place_wheel_rail(s1002_on_60e1(0, loaded + motion), profiles()).rolling_radius;
+    return case_of(s1002_on_60e1(0, loaded + motion)).setup.motion.creepage.rolling_radius;
   };
   EXPECT_EQ(radius("motion.rolling_radius = 459\n"), 459);
   EXPECT_EQ(radius("motion.speed = 46000\nmotion.pitch_rate = 100\n"), 460);
@@ -57,9 +67,7 @@ TEST(WheelRailScene, TheRollingRadiusIsThatOfTheMotion) {
 TEST(WheelRailScene, AYawRateIsASpinAndALateralVelocityACreepage) {
   const auto slip = [](const std::string& motion) {
     SceneFile scene = s1002_on_60e1(0, loaded + "motion.speed = 2e4\n" + motion);
-    WheelRailScene placed = place_wheel_rail(scene, profiles());
-    placed.plan = plan_wheel_rail(placed, scene, {});
-    return prepare_wheel_rail(placed, scene).problem;
+    return on_first_grid(case_of(scene)).problem;
   };
   const ContactProblem still = slip(""), yawing = slip("motion.yaw_rate = 0.02\n"),
                        moving = slip("motion.lateral_velocity = 40\n"),
@@ -78,21 +86,20 @@ TEST(WheelRailScene, AYawRateIsASpinAndALateralVelocityACreepage) {
 }
 
 TEST(WheelRailScene, AHeightOfTheWheelsetIsAnApproach) {
-  const WheelRailScene by_force = place_wheel_rail(s1002_on_60e1(3, loaded), profiles());
-  const double touching = by_force.pair.wheel_frame().centre[2] - 750 * std::sin(0.0) + 460;
+  const ContactCase by_force = case_of(s1002_on_60e1(3, loaded));
+  const double touching = placed_of(by_force).pair.wheel_frame().centre[2] - 750 * std::sin(0.0) + 460;
   const SceneFile low = s1002_on_60e1(3, "position.vertical = " + std::to_string(touching + 0.08) + "\n");
-  EXPECT_NEAR(place_wheel_rail(low, profiles()).approach, 0.08, 1e-6);
+  EXPECT_NEAR(case_of(low).setup.load.approach, 0.08, 1e-6);
   // A rail that lies lower is approached less.
   const SceneFile lower = s1002_on_60e1(
       3, "position.rail_vertical = 0.03\nposition.vertical = " + std::to_string(touching + 0.08) + "\n");
-  EXPECT_NEAR(place_wheel_rail(lower, profiles()).approach, 0.05, 1e-6);
+  EXPECT_NEAR(case_of(lower).setup.load.approach, 0.05, 1e-6);
 }
 
 TEST(WheelRailScene, ThePotentialContactHasAsManyAreasAsThereAre) {
   const auto areas = [](double lateral) {
     const SceneFile scene = s1002_on_60e1(lateral, "load.force = 2e4\nposition.cant = 0.05\n");
-    const ContactEstimate estimate = place_wheel_rail(scene, profiles()).estimate;
-    return potential_areas(estimate);
+    return potential_areas(*case_of(scene).estimate);
   };
   EXPECT_EQ(areas(0).size(), 1u);
   const auto several = areas(6.2);
@@ -103,9 +110,9 @@ TEST(WheelRailScene, ThePotentialContactHasAsManyAreasAsThereAre) {
 
 TEST(WheelRailScene, TheGridFollowsTheLocusOfAYawedWheel) {
   SceneFile scene = s1002_on_60e1(6.9, loaded + "position.yaw = 0.02\n");
-  WheelRailScene placed = place_wheel_rail(scene, profiles());
-  placed.plan = plan_wheel_rail(placed, scene, {});
-  const PreparedContact contact = prepare_wheel_rail(placed, scene);
+  const ContactCase asked = case_of(scene);
+  const WheelRailGeometry& placed = placed_of(asked);
+  const ContactOnGrid contact = on_first_grid(asked);
   const ContactGrid& grid = contact.problem.grid;
   for (const TouchPoint& p : placed.touch)
     if (p.distance < 0.05) {
@@ -118,16 +125,16 @@ TEST(WheelRailScene, TheGridFollowsTheLocusOfAYawedWheel) {
   for (int is = 0; is < grid.ms; ++is)
     for (const int ix : {0, grid.mx - 1})
       EXPECT_GT(contact.problem.gap[is * grid.mx + ix],
-                0.9 * placed.estimate.approach * std::cos(contact.problem.rows[is].delta));
+                0.9 * asked.estimate->approach * std::cos(contact.problem.rows[is].delta));
 }
 
 TEST(WheelRailScene, PlanarContactHasOneInclination) {
   SceneFile scene = s1002_on_60e1(-4, loaded);
-  WheelRailScene placed = place_wheel_rail(scene, profiles());
-  placed.plan = plan_wheel_rail(placed, scene, {});
-  const PreparedContact curved = prepare_wheel_rail(placed, scene);
+  const ContactOnGrid curved = on_first_grid(case_of(scene));
   scene.grid.planar = true;
-  const PreparedContact planar = prepare_wheel_rail(placed, scene);
+  const ContactCase asked = case_of(scene);
+  const WheelRailGeometry& placed = placed_of(asked);
+  const ContactOnGrid planar = on_first_grid(asked);
   for (std::size_t i = 0; i < planar.problem.rows.size(); ++i) {
     const ContactRow& row = planar.problem.rows[i];
     EXPECT_EQ(row.delta, placed.reference.delta);
@@ -142,9 +149,7 @@ TEST(WheelRailScene, PlanarContactHasOneInclination) {
     }
   // In the flange root it cannot be: the plane leaves the rail.
   scene = s1002_on_60e1(6.9, loaded + "grid.planar = true\ngrid.s_from = -60\ngrid.s_to = 10\n");
-  placed = place_wheel_rail(scene, profiles());
-  placed.plan = plan_wheel_rail(placed, scene, {});
-  EXPECT_THAT(message_of([&] { prepare_wheel_rail(placed, scene); }), HasSubstr("grid.planar"));
+  EXPECT_THAT(message_of([&] { on_first_grid(case_of(scene)); }), HasSubstr("grid.planar"));
 }
 
 /// How far a quantity leaps between cases i and i + 1: in the middle between them, what the cases on either
@@ -163,10 +168,9 @@ std::size_t follow(double from, int steps, double step, const std::string& more)
   std::set<std::size_t> patches;
   for (int i = 0; i <= steps; ++i) {
     const SceneFile scene = s1002_on_60e1(from + step * i, more);
-    cases.push_back(solve_scene(with_model(scene, Model::halfspace)));
+    cases.push_back(Sequence().solve(with_model(scene, Model::halfspace)));
     EXPECT_TRUE(cases.back().result.certificate.holds()) << i << ": " << cases.back().result.remark;
-    height.push_back(place_wheel_rail(scene, profiles()).pair.wheel_frame().centre[2] +
-                     cases.back().result.approach);
+    height.push_back(placed_of(case_of(scene)).pair.wheel_frame().centre[2] + cases.back().result.approach);
     patches.insert(cases.back().result.patches.size());
   }
   const double force = cases.front().result.Fz;
@@ -199,7 +203,7 @@ TEST(WheelRailScene, RowsAskedForOverASecondAreaLeadThereAlongXToo) {
         "[grid]\ndx = 0.2\nds = 0.12\n{}",
         force, rows));
     scene.folder = std::filesystem::path(CONFORMAL_SOURCE_DIR) / "data/bodies";
-    return solve_scene(scene);
+    return Sequence().solve(scene);
   };
   const SceneResult both = solved(5690.41, "");
   ASSERT_EQ(both.result.patches.size(), 2u);
@@ -221,7 +225,7 @@ TEST(WheelRailScene, AYawedWheelsetIsSolvedOnBothSides) {
     SceneFile scene =
         s1002_on_60e1(sign * 6.0, loaded + "position.yaw = " + std::to_string(sign * 0.012) + "\n");
     scene.position.side = side;
-    return solve_scene(with_model(scene, Model::halfspace));
+    return Sequence().solve(with_model(scene, Model::halfspace));
   };
   const SceneResult right = solved(WheelSide::right, 1), left = solved(WheelSide::left, -1);
   ASSERT_TRUE(right.result.certificate.holds());
@@ -245,7 +249,7 @@ std::string two_areas(const std::string& grid) {
 
 TEST(WheelRailScene, ASecondAreaOffTheStripIsRefused) {
   try {
-    solve_scene(with_model(parse_scene_file(two_areas("")), Model::fem));
+    Sequence().solve(with_model(parse_scene_file(two_areas("")), Model::fem));
     FAIL() << "solved";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("second area that the influence files do not cover"));
@@ -256,10 +260,10 @@ TEST(WheelRailScene, ASecondAreaOffTheStripIsRefused) {
 
 TEST(WheelRailScene, ASecondAreaLeftOutOnPurposeIsSaid) {
   const SceneResult r =
-      solve_scene(with_model(parse_scene_file(two_areas("s_from = -30.0\ns_to = -21.4\n")), Model::fem));
+      Sequence().solve(with_model(parse_scene_file(two_areas("s_from = -30.0\ns_to = -21.4\n")), Model::fem));
   EXPECT_TRUE(r.result.converged);
   EXPECT_THAT(r.warnings, Contains(HasSubstr("off the rows that the scene asks for")));
-  const SceneResult all = solve_scene(with_model(parse_scene_file(two_areas("")), Model::halfspace));
+  const SceneResult all = Sequence().solve(with_model(parse_scene_file(two_areas("")), Model::halfspace));
   EXPECT_TRUE(all.result.converged);
   EXPECT_THAT(all.warnings, Not(Contains(HasSubstr("left out"))));
 }

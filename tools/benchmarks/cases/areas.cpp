@@ -25,7 +25,7 @@ Cost cost_of(const SceneFile& scene) {
   Cost cost;
   for (int repeat = 0; repeat < 5; ++repeat) {
     const std::clock_t start = std::clock();
-    SceneResult r = solve_scene(scene);
+    SceneResult r = Sequence().solve(scene);
     cost.seconds = std::min(cost.seconds, double(std::clock() - start) / CLOCKS_PER_SEC);
     cost.result = std::move(r);
   }
@@ -69,10 +69,11 @@ void areas(const SweepFile& sweep) {
              "ratio");
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     SceneFile scene = sweep.scene(i);
-    scene.motion.rolling_radius =
-        place_wheel_rail(scene).rolling_radius; // one area alone would choose its own
+    SequenceFiles files; // one area alone would choose a rolling radius of its own
+    scene.motion.rolling_radius = prepare_case(scene, files).setup.motion.creepage.rolling_radius;
     const ContactGrid chosen = Sequence().solve(scene).problem.grid;
     scene.grid.accuracy.reset();
+    scene.grid.elements.reset();
     scene.grid.dx = chosen.dx;
     scene.grid.ds = chosen.ds;
     const Cost both = cost_of(scene);

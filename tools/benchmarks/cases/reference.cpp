@@ -19,12 +19,14 @@ namespace {
 /// those.
 Reference reference_of(SceneFile scene, const SceneFile::Grid& grid, int finer) {
   scene.grid = grid;
+  scene.grid.accuracy.reset();
+  scene.grid.elements.reset();
   std::string reason;
   for (int along_x = finer; along_x > 0; along_x /= 2)
     try {
       scene.grid.dx = grid.dx / along_x;
       scene.grid.ds = grid.ds / finer;
-      const ContactResult r = solve_scene(scene).result;
+      const ContactResult r = Sequence().solve(scene).result;
       if (r.converged)
         return {along_x, r.Fx, r.Fs, r.Fy, r.approach, r.Fz, scene.motion.friction};
       reason = r.remark;

@@ -1,0 +1,53 @@
+#include "bem_contact/geometry/rail_rows.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/geometry/line_search.hpp"
+#include "bem_contact/geometry/settings.hpp"
+
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+std::vector<ContactRow> rail_rows(const WheelOnRail& pair, std::span<const double> s, double half_width) {
+  const double from = s.front() - half_width, to = s.back() + half_width;
+  if (from < pair.rail.s_begin() || to > pair.rail.s_end())
+    throw InputError("The potential contact leaves the rail's profile",
+                     fmt::format("rows need s = {:.7g} .. {:.7g} mm and '{}' spans {:.7g} .. {:.7g} mm", from,
+                                 to, pair.rail.name(), pair.rail.s_begin(), pair.rail.s_end()),
+                     "Change position.lateral, grid.s_from and grid.s_to, or give a longer profile.");
+  std::vector<ContactRow> rows;
+  for (const double at : s) {
+    const CurvePoint p = pair.rail_at(at);
+    rows.push_back({p.s, p.position, p.delta});
+  }
+  return rows;
+}
+
+std::vector<ContactRow> planar_rows(const WheelOnRail& pair, std::span<const double> s,
+                                    const ReferencePoint& reference) {
+  const Point2 tangent = tangent_of(reference.delta);
+  std::vector<ContactRow> rows;
+  for (const double row : s) {
+    // Along the tangent the rail's points grow with s as long as it turns by less than a right angle.
+    const double wanted = row - reference.s;
+    const auto excess = [&](double at) {
+      return dot(pair.rail_at(at).position - reference.position, tangent) - wanted;
+    };
+    double lo = reference.s, hi = reference.s;
+    const double step = wanted < 0 ? -planar_step : planar_step;
+    for (double& at = wanted < 0 ? lo : hi; excess(at) * step < 0; at += step)
+      if (at + step < pair.rail.s_begin() || at + step > pair.rail.s_end() ||
+          std::cos(pair.rail_at(at + step).delta - reference.delta) <= 0)
+        throw InputError(
+            "The potential contact does not fit on a plane",
+            fmt::format("the rail turns away from the plane at s = {:.2f} mm before it gets {:.2f} mm "
+                        "along it",
+                        at, wanted),
+            "Leave out grid.planar.");
+    const double found = bisect(lo, hi, planar_halvings, [&](double at) { return excess(at) < 0; }).second;
+    rows.push_back({row, pair.rail_at(found).position, reference.delta});
+  }
+  return rows;
+}
+
+} // namespace bem_contact

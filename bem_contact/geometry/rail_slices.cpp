@@ -1,0 +1,28 @@
+#include "bem_contact/geometry/rail_slices.hpp"
+
+#include "bem_contact/geometry/settings.hpp"
+#include "bem_contact/geometry/undeformed_distance.hpp"
+
+#include <algorithm>
+
+namespace bem_contact {
+
+std::vector<RailSlice> slice_rail(const WheelOnRail& pair, const ContactLocus& locus) {
+  std::vector<ContactRow> rows;
+  int near = 0;
+  for (double s = pair.rail.s_begin() + slice_width; s < pair.rail.s_end(); s += slice_width) {
+    const CurvePoint p = pair.rail.quick(s, near);
+    rows.push_back({s, pair.rail_pose.to_track(p.position), p.delta + pair.rail_pose.angle});
+  }
+  const std::vector<RowOnLocus> nearest = rows_on_locus(locus, rows, farthest_slice);
+  std::vector<RailSlice> slices;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double half =
+        nearest[i].hit() ? std::max(nearest[i].half, least_slice_curvature / pair.wheel_radius) : 1.0;
+    slices.push_back({rows[i].s, rows[i].delta, std::cos(rows[i].delta), nearest[i].distance, nearest[i].x,
+                      half, rows[i].position});
+  }
+  return slices;
+}
+
+} // namespace bem_contact

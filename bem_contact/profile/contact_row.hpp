@@ -1,0 +1,15 @@
+#pragma once
+
+#include "bem_contact/base/conventions.hpp"
+
+namespace bem_contact {
+
+/// The middle of one row of elements on the rail's surface (track frame; a patch: its own frame, origin in
+/// the middle of the grid).
+struct ContactRow {
+  double s = 0;     ///< arc length along the rail's profile, mm
+  Point2 position;  ///< (y, z), mm
+  double delta = 0; ///< inclination, rad
+};
+
+} // namespace bem_contact

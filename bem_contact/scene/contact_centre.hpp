@@ -1,0 +1,27 @@
+#pragma once
+
+#include "bem_contact/base/material.hpp"
+#include "bem_contact/geometry/rail_slices.hpp"
+#include "bem_contact/scene/contact_load.hpp"
+
+#include <optional>
+#include <span>
+
+namespace bem_contact {
+
+/// The middle of a contact: what creepages of a wheel on a rail refer to.
+struct ContactCentre {
+  double s = 0, x = 0;       ///< arc length on the rail and along x, mm
+  double rolling_radius = 0; ///< V / omega at which the mean of w_x under the foundation's pressure is 0, mm
+};
+
+/// Centre of the pressure of an elastic foundation (Winkler) under the same load. Unlike the point of first
+/// touch it moves continuously when a second area takes over the load, and so does all that refers to it.
+/// Nothing where the bodies do not touch.
+std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, const WheelFrame& frame,
+                                            double compliance, const ContactLoad& load);
+
+/// 1 / E* of a pair: (1 - nu) / 2G of both together, 1/MPa.
+double contact_compliance(const Material& rail, const Material& wheel);
+
+} // namespace bem_contact

@@ -1,0 +1,143 @@
+#include "bem_contact/scene/contact_setup.hpp"
+
+#include "bem_contact/scene/contact_centre.hpp"
+#include "bem_contact/scene/elastic_limit.hpp"
+#include "bem_contact/scene/settings.hpp"
+
+#include <cmath>
+
+namespace bem_contact {
+
+namespace {
+
+Body body_of(const SceneFile::Side& side, const std::filesystem::path& folder) {
+  return {side.material, side.influence.empty() ? std::filesystem::path() : folder / side.influence,
+          side.structural};
+}
+
+ContactLoad load_of(const SceneFile& scene, double approach) {
+  if (scene.load.force)
+    return {LoadKind::force, *scene.load.force, 0.0};
+  return {LoadKind::approach, 0.0, approach};
+}
+
+/// V / omega where xi = 0, mm: what the scene gives, or what rolls freely at the centre of the contact.
+double rolling_radius_of(const SceneFile::Motion& motion, double free) {
+  return motion.rolling_radius ? *motion.rolling_radius
+         : motion.pitch_rate   ? motion.speed.value_or(0) / *motion.pitch_rate
+                               : free;
+}
+
+} // namespace
+
+double ContactSetup::reference_distance() const {
+  return patch() && patch()->radius != 0 ? std::abs(patch()->radius) : plane_strain_distance;
+}
+
+RowsOnBodies ContactSetup::rows_on(const GridPlan& plan) const {
+  if (const PatchGeometry* own = patch())
+    return {own->rows, own->rail_s, own->wheel_s};
+  const WheelRailGeometry& placed = *wheel_rail();
+  std::vector<ContactRow> rows = placed.rows(plan);
+  std::vector<double> rail_s = placed.rail_stations(rows), wheel_s = placed.wheel_stations(rows);
+  return {std::move(rows), std::move(rail_s), std::move(wheel_s)};
+}
+
+ContactOnGrid ContactSetup::on(const GridPlan& plan) const {
+  RowsOnBodies rows = rows_on(plan);
+  ContactOnGrid out;
+  out.plan = plan;
+  ContactProblem& problem = out.problem;
+  problem.rows = std::move(rows.rows);
+  out.rail_s = std::move(rows.rail_s);
+  out.wheel_s = std::move(rows.wheel_s);
+  problem.load = load.kind;
+  problem.force = load.force;
+  problem.approach = load.approach;
+  if (const PatchGeometry* own = patch()) {
+    problem.grid = own->grid;
+    problem.gap = own->gap;
+    problem.numbers.dx = own->plane_strain ? 0 : problem.grid.dx; // what ContactProblem::plane_strain() reads
+  } else {
+    problem.grid = plan.grid();
+    problem.gap = wheel_rail()->gap(plan, problem.rows);
+    problem.numbers.dx = problem.grid.dx;
+    out.contact_radius = wheel_rail()->contact_radius;
+  }
+  apply_motion(motion, reference().delta, problem);
+  if (!problem.tangential)
+    return out;
+  if (const PatchGeometry* own = patch())
+    problem.previous = own->start;
+  prescribe({}, problem);
+  return out;
+}
+
+void ContactSetup::prescribe(const MotionStep& step, ContactProblem& problem) const {
+  if (step.load)
+    (problem.load == LoadKind::force ? problem.force : problem.approach) = *step.load;
+  if (motion.force_x)
+    problem.force_x = step.force_x.value_or(*motion.force_x);
+  if (motion.force_s)
+    problem.force_s = step.force_s.value_or(*motion.force_s);
+  if (step.x && patch())
+    problem.gap = patch()->gap_at(*step.x);
+  RigidSlip slip = rigid_slip(step, problem.rows, problem.grid.columns());
+  problem.slip_x = std::move(slip.x);
+  problem.slip_s = std::move(slip.s);
+}
+
+RigidSlip ContactSetup::rigid_slip(const MotionStep& step, const std::vector<ContactRow>& rows,
+                                   const std::vector<double>& x) const {
+  const Creepage creepage = motion.creepage_of(step);
+  if (const PatchGeometry* own = patch())
+    return own->slip ? *own->slip : planar_slip(creepage, rows, x, step.x.value_or(0.0));
+  if (motion.kind == MotionKind::shift)
+    return rigid_shift(reference(), creepage, rows, x);
+  return bem_contact::rigid_slip(wheel_rail()->pair, reference(), creepage, rows, x);
+}
+
+ContactSetup ContactSetup::under(const ContactLoad& other) const {
+  ContactSetup out = *this;
+  out.load = other;
+  return out;
+}
+
+ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& profiles) {
+  if (scene.load.approach)
+    require_small_approach(*scene.load.approach);
+  WheelOnRail pair = place(scene.position, profiles.rail, profiles.wheel);
+  const double before = pair.wheel_pose.origin.z;
+  std::vector<TouchPoint> touch = lower_to_touch(pair);
+  const double lowered = pair.wheel_pose.origin.z - before;
+  ContactLocus locus(pair);
+  std::vector<RailSlice> slices = slice_rail(pair, locus);
+  const ContactLoad load = load_of(scene, scene.position.vertical ? *scene.position.vertical - lowered
+                                                                  : scene.load.approach.value_or(0));
+  const std::optional<ContactCentre> centre = contact_centre(
+      slices, locus.frame(), contact_compliance(scene.rail.material, scene.wheel.material), load);
+  const TouchPoint& deepest = touch.front();
+  ReferencePoint reference{deepest.position, deepest.rail_s, deepest.delta, deepest.x};
+  double free_radius = pair.wheel_radius + pair.wheel.at(deepest.wheel_s).position.z;
+  if (centre) {
+    const CurvePoint p = pair.rail_at(centre->s);
+    reference = {p.position, p.s, p.delta, centre->x};
+    free_radius = centre->rolling_radius;
+  }
+  Motion motion = read_motion(scene);
+  motion.creepage.rolling_radius = rolling_radius_of(scene.motion, free_radius);
+  // A smooth function of the position: not that of the deepest point.
+  const double contact_radius = centre ? centre->rolling_radius : pair.wheel_radius;
+  return {body_of(scene.rail, scene.folder), body_of(scene.wheel, scene.folder), load, std::move(motion),
+          WheelRailGeometry{std::move(pair), std::move(locus), std::move(touch), std::move(slices), lowered,
+                            scene.grid.planar, reference, contact_radius}};
+}
+
+ContactSetup set_up_patch(const SceneFile& scene) {
+  ContactSetup out{body_of(scene.rail, scene.folder), body_of(scene.wheel, scene.folder),
+                   load_of(scene, scene.load.approach.value_or(0)), read_motion(scene), read_patch(scene)};
+  require_bearable(out);
+  return out;
+}
+
+} // namespace bem_contact

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "bem_contact/influence/influence_function.hpp"
+#include "bem_contact/scene/contact_load.hpp"
+#include "bem_contact/scene/motion.hpp"
+#include "bem_contact/scene/patch_geometry.hpp"
+#include "bem_contact/scene/wheel_rail_geometry.hpp"
+
+#include <filesystem>
+#include <variant>
+#include <vector>
+
+namespace bem_contact {
+
+/// One of the two bodies.
+struct Body {
+  Material material;
+  std::filesystem::path influence; ///< file of its influence functions; empty: none
+  StructuralCompliance structural = StructuralCompliance::removed;
+
+  bool operator==(const Body&) const = default;
+};
+
+/// Rows of a grid, and where they lie on the two bodies (arc length, mm).
+struct RowsOnBodies {
+  std::vector<ContactRow> rows;
+  std::vector<double> rail_s, wheel_s;
+};
+
+/// The contact on the elements of one plan.
+struct ContactOnGrid {
+  GridPlan plan;
+  ContactProblem problem;              ///< complete but for the values of the influence numbers
+  std::vector<double> rail_s, wheel_s; ///< arc length of each row on the lower and the upper body, mm
+  double contact_radius = 0;           ///< of a wheel, at the contact, mm; 0: none
+};
+
+/// What a scene asks: who the bodies are, what presses them together, how they move, and how far apart they
+/// are. Both kinds of scene become one; it is complete when it is made.
+struct ContactSetup {
+  Body rail, wheel; ///< the lower and the upper body
+  ContactLoad load;
+  Motion motion;
+  std::variant<WheelRailGeometry, PatchGeometry> geometry;
+
+  const WheelRailGeometry* wheel_rail() const { return std::get_if<WheelRailGeometry>(&geometry); }
+  const PatchGeometry* patch() const { return std::get_if<PatchGeometry>(&geometry); }
+  /// Where creepages and moments refer to; of a patch: the middle of the grid.
+  ReferencePoint reference() const { return wheel_rail() ? wheel_rail()->reference : ReferencePoint{}; }
+  /// Plane strain: the approach is relative to a point this far away, mm.
+  double reference_distance() const;
+
+  RowsOnBodies rows_on(const GridPlan& plan) const;
+  /// The problem on these elements, with what the scene prescribes for its first step. Throws InputError
+  /// where rows leave the rail.
+  ContactOnGrid on(const GridPlan& plan) const;
+  /// Load, rigid slip and shear forces of one step of a history.
+  void prescribe(const MotionStep& step, ContactProblem& problem) const;
+  /// Rigid slip of elements of a wheel on a rail, or of a patch on its own grid.
+  RigidSlip rigid_slip(const MotionStep& step, const std::vector<ContactRow>& rows,
+                       const std::vector<double>& x) const;
+
+  /// The same contact under another load.
+  ContactSetup under(const ContactLoad& other) const;
+};
+
+/// A `wheel_rail` scene. With position.vertical the approach is what the wheelset stands lower than where it
+/// first touches. Throws InputError for a scene whose bodies do not meet, or tables that cannot be used.
+ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& profiles);
+/// A `patch` scene. Throws InputError for tables that cannot be used, and for a load that the grid cannot
+/// bear.
+ContactSetup set_up_patch(const SceneFile& scene);
+
+} // namespace bem_contact

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "bem_contact/base/tuned.hpp"
+
+/// The tuned numbers of this room (base/tuned.hpp).
+namespace bem_contact {
+
+// Where linear elasticity ends.
+
+/// 1. Share of the softer body's Young's modulus that no pressure may exceed: strains are tens of percent
+/// there, and the theory is one of small strains. (Steel yields at a hundredth of that.)
+BEM_CONTACT_TUNED(double, largest_pressure_share, 0.2);
+/// mm. No approach of a wheel and a rail may be larger: a hundred times that at which steel yields.
+BEM_CONTACT_TUNED(double, largest_approach, 1.0);
+
+// Where creepages refer to.
+
+/// 1. Share of the approach within which two bodies that overlap without deforming touch when they deform
+/// (Kik and Piotrowski 1996).
+BEM_CONTACT_TUNED(double, penetration_share, 0.55);
+/// mm. Depth of the elastic foundation whose pressure is depth E* / this. A Hertzian contact with a pressure
+/// of some 100 to 1000 MPa at an approach of 0.05 mm has about that.
+BEM_CONTACT_TUNED(double, foundation_depth, 10.0);
+/// mm. Where the search for an approach starts to double, and where it gives up.
+BEM_CONTACT_TUNED(double, first_approach, 1e-4);
+BEM_CONTACT_TUNED(double, last_approach, 10.0); ///< mm. As above: ten times the largest one allowed.
+/// mm, and 1 (share of the force). The search ends here, far below what such an estimate is off by.
+BEM_CONTACT_TUNED(double, approach_width, 1e-12);
+BEM_CONTACT_TUNED(double, approach_tolerance, 1e-10); ///< 1. As above.
+BEM_CONTACT_TUNED(int, approach_steps, 60);           ///< 1. Bound of the steps of that search.
+
+// Warnings.
+
+/// 1. A friction coefficient above this is probably a mistake: clean metals in air stay below.
+BEM_CONTACT_TUNED(double, highest_friction, 2.0);
+/// MPa. A Young's modulus above this is probably one in another unit: somewhat above diamond.
+BEM_CONTACT_TUNED(double, stiffest_modulus, 1.3e6);
+/// mm. A wheel radius above this is probably a diameter: the largest of railways in service is 625 mm.
+BEM_CONTACT_TUNED(double, largest_wheel_radius, 750.0);
+/// 1. A velocity above this share of the speed, or a rolling radius that differs from the wheel's by more, is
+/// probably in another unit.
+BEM_CONTACT_TUNED(double, largest_motion_share, 0.3);
+/// mm. A flange stands out of the tread by at least so much, and its tip is at most so deep.
+BEM_CONTACT_TUNED(double, flange_height, 10.0);
+BEM_CONTACT_TUNED(double, flange_tip_depth, 2.0); ///< mm. As above.
+/// 1. Points of the wheel's profile whose heights are looked at.
+BEM_CONTACT_TUNED(int, flange_samples, 400);
+
+// Pictures.
+
+/// mm. How much of both profiles a picture shows on either side of the rows.
+BEM_CONTACT_TUNED(double, outline_margin, 12.0);
+
+/// mm. The approach of a plane-strain contact is relative to a point this far away; on a curved strip to one
+/// at the distance of its radius.
+BEM_CONTACT_TUNED(double, plane_strain_distance, 100.0);
+
+} // namespace bem_contact

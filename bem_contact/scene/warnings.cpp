@@ -1,0 +1,75 @@
+#include "bem_contact/scene/warnings.hpp"
+
+#include "bem_contact/scene/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+void look_at_material(const Material& material, const char* key, std::vector<std::string>& out) {
+  if (material.young() > stiffest_modulus)
+    out.push_back(
+        fmt::format("{}: a Young's modulus of {:.3g} MPa is above that of diamond (the unit is MPa)", key,
+                    material.young()));
+}
+
+void look_at_motion(const SceneFile& scene, double rolling_radius, std::vector<std::string>& out) {
+  const SceneFile::Motion& m = scene.motion;
+  const double radius = scene.position.wheel_radius;
+  const auto unlike = [&](double r) { return std::abs(r - radius) > largest_motion_share * radius; };
+  if (m.pitch_rate && unlike(rolling_radius))
+    out.push_back(
+        fmt::format("motion.speed over motion.pitch_rate is a rolling radius of {:.4g} mm on a wheel of "
+                    "{:g} mm: it slides (the unit of the speed is mm/s)",
+                    rolling_radius, radius));
+  else if (m.rolling_radius && unlike(*m.rolling_radius))
+    out.push_back(fmt::format("motion.rolling_radius is {:g} mm on a wheel of {:g} mm: it slides",
+                              *m.rolling_radius, radius));
+  for (const auto& [key, velocity] : {std::pair{"lateral_velocity", m.lateral_velocity},
+                                      std::pair{"vertical_velocity", m.vertical_velocity}})
+    if (m.speed && std::abs(velocity) > largest_motion_share * *m.speed)
+      out.push_back(fmt::format("motion.{} is {:.3g} times motion.speed (the unit of both is mm/s)", key,
+                                std::abs(velocity) / *m.speed));
+}
+
+/// The tip of a flange is the lowest part of a wheel, far below the middle of its profile's heights.
+bool on_flange_tip(const WheelRailGeometry& placed) {
+  const TabulatedProfile& wheel = placed.pair.wheel;
+  std::vector<double> depths;
+  for (int i = 0; i <= flange_samples; ++i)
+    depths.push_back(
+        wheel.at(wheel.s_begin() + (wheel.s_end() - wheel.s_begin()) * i / flange_samples).position.z);
+  const double deepest = std::ranges::max(depths);
+  std::ranges::nth_element(depths, depths.begin() + flange_samples / 2);
+  const double here = wheel.at(placed.touch.front().wheel_s).position.z;
+  return deepest - depths[flange_samples / 2] > flange_height && here > deepest - flange_tip_depth;
+}
+
+} // namespace
+
+std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSetup& setup) {
+  std::vector<std::string> out = scene.unused;
+  look_at_material(scene.rail.material, "rail.material", out);
+  look_at_material(scene.wheel.material, "wheel.material", out);
+  if (!scene.motion.frictionless && scene.motion.friction_table.empty() &&
+      scene.motion.friction > highest_friction)
+    out.push_back(
+        fmt::format("motion.friction = {:g}: hardly any bodies have more than {:g} (it is no percentage)",
+                    scene.motion.friction, highest_friction));
+  if (const WheelRailGeometry* placed = setup.wheel_rail()) {
+    look_at_motion(scene, setup.motion.creepage.rolling_radius, out);
+    if (scene.position.wheel_radius > largest_wheel_radius)
+      out.push_back(fmt::format("position.wheel_radius = {:g} mm: the radius is asked for, not the diameter",
+                                scene.position.wheel_radius));
+    if (on_flange_tip(*placed))
+      out.push_back("the wheel stands on the tip of its flange: it has left the track (position.lateral, "
+                    "position.gauge, position.back_to_back)");
+  }
+  return out;
+}
+
+} // namespace bem_contact

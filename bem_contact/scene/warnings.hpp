@@ -1,0 +1,14 @@
+#pragma once
+
+#include "bem_contact/scene/contact_setup.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// Input that can be solved but is probably a mistake, in sentences: another unit, a diameter for a radius, a
+/// wheel that stands on its flange, keys that have no effect. `setup`: of the scene.
+std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSetup& setup);
+
+} // namespace bem_contact

@@ -1,0 +1,43 @@
+#include "bem_contact/scene/wheel_rail_geometry.hpp"
+
+#include "bem_contact/geometry/rail_rows.hpp"
+#include "bem_contact/geometry/undeformed_distance.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+
+namespace bem_contact {
+
+WheelRailProfiles read_profiles(const SceneFile& scene) {
+  return {named_profile(scene.rail.profile, ProfileKind::rail, scene.folder),
+          named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder)};
+}
+
+std::vector<ContactRow> WheelRailGeometry::rows(const GridPlan& plan) const {
+  return planar ? planar_rows(pair, plan.rows_s(), reference) : rail_rows(pair, plan.rows_s(), 0.5 * plan.ds);
+}
+
+std::vector<double> WheelRailGeometry::rail_stations(const std::vector<ContactRow>& rows) const {
+  std::vector<double> s;
+  for (const ContactRow& row : rows)
+    s.push_back(planar ? pair.rail.nearest(pair.rail_pose.to_section(row.position)).s : row.s);
+  return s;
+}
+
+std::vector<double> WheelRailGeometry::wheel_stations(const std::vector<ContactRow>& rows) const {
+  return bem_contact::wheel_stations(locus, rows);
+}
+
+std::vector<double> WheelRailGeometry::gap(const GridPlan& plan, const std::vector<ContactRow>& rows) const {
+  // Without yaw symmetric in x: half of the columns are computed.
+  const bool symmetric = pair.yaw == 0 && plan.x_centre == 0;
+  const int computed = symmetric ? (plan.columns + 1) / 2 : plan.columns;
+  std::vector<double> x = plan.grid().columns();
+  x.resize(computed);
+  const std::vector<double> half = undeformed_distance(pair, rows_on_locus(locus, rows), rows, x);
+  std::vector<double> gap(plan.grid().size());
+  for (int is = 0; is < plan.rows; ++is)
+    for (int ix = 0; ix < plan.columns; ++ix)
+      gap[is * plan.columns + ix] = half[is * computed + (ix < computed ? ix : plan.columns - 1 - ix)];
+  return gap;
+}
+
+} // namespace bem_contact

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "bem_contact/geometry/contact_locus.hpp"
+#include "bem_contact/geometry/contact_search.hpp"
+#include "bem_contact/geometry/rail_slices.hpp"
+#include "bem_contact/geometry/rigid_slip.hpp"
+#include "bem_contact/scene/grid_plan.hpp"
+#include "bem_contact/scene/scene_file.hpp"
+
+#include <vector>
+
+namespace bem_contact {
+
+/// Both profiles, tabulated: read once for a sequence of cases with the same bodies.
+struct WheelRailProfiles {
+  TabulatedProfile rail, wheel;
+};
+WheelRailProfiles read_profiles(const SceneFile& scene);
+
+/// The bodies of a `wheel_rail` scene, the wheel lowered until it just touches.
+struct WheelRailGeometry {
+  WheelOnRail pair;
+  ContactLocus locus;            ///< of the pair as it stands
+  std::vector<TouchPoint> touch; ///< the deepest first
+  std::vector<RailSlice> slices; ///< the whole head of the rail
+  double lowered = 0;            ///< by this much from where the height of its axle puts it, mm
+  bool planar = false;           ///< all rows lie in the tangent plane at the reference point
+  ReferencePoint reference;      ///< centre of the contact; the deepest point where nothing touches
+  double contact_radius = 0;     ///< of the wheel at that centre, mm
+
+  std::vector<ContactRow> rows(const GridPlan& plan) const;
+  /// Arc length of rows on the rail and on the wheel, mm.
+  std::vector<double> rail_stations(const std::vector<ContactRow>& rows) const;
+  std::vector<double> wheel_stations(const std::vector<ContactRow>& rows) const;
+  /// Undeformed distance along n, mm; field of the plan's grid.
+  std::vector<double> gap(const GridPlan& plan, const std::vector<ContactRow>& rows) const;
+};
+
+} // namespace bem_contact

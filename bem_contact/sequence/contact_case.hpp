@@ -1,0 +1,36 @@
+#pragma once
+
+#include "bem_contact/sequence/contact_estimate.hpp"
+#include "bem_contact/sequence/pair_numbers.hpp"
+#include "bem_contact/sequence/sequence_files.hpp"
+
+#include <optional>
+
+namespace bem_contact {
+
+/// A scene with all that has to be known before a grid is planned. Complete when it is made.
+struct ContactCase {
+  SceneFile scene;
+  ContactSetup setup;
+  PairFiles files;
+  std::optional<ContactEstimate> estimate; ///< of a wheel on a rail
+
+  /// The same case under another load, on the same estimate.
+  ContactCase under(const ContactLoad& load) const { return {scene, setup.under(load), files, estimate}; }
+};
+
+/// Throws InputError for a scene that cannot be asked, and for files that are not of its bodies.
+ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, bool foresee_shear = true);
+
+/// The first plan of a case on elements of the size asked for. Rows of a wheel on a rail are centred on the
+/// stations of the rail's influence file where there is one. `on_strips`: every row lies on the strips of the
+/// influence files; rows that the contact does not need are given up. Throws InputError where others leave
+/// the strips.
+GridPlan first_plan(const ContactCase& contact, const SceneFile::Grid& asked, bool on_strips);
+
+/// First and last row of a plan that lie on the strips of both influence files; first > last where none does.
+std::pair<int, int> rows_on_strips(const ContactCase& contact, const GridPlan& plan);
+/// Throws InputError unless all do.
+void require_strips(const ContactCase& contact, const GridPlan& plan);
+
+} // namespace bem_contact

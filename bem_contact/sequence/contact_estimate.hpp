@@ -1,0 +1,45 @@
+#pragma once
+
+#include "bem_contact/scene/contact_setup.hpp"
+#include "bem_contact/sequence/settings.hpp"
+
+#include <span>
+#include <vector>
+
+namespace bem_contact {
+
+/// A Hertz-like estimate of where and how far the bodies touch. Semi-Hertzian method of Kik and Piotrowski
+/// (1996): the contact is where they would overlap at 0.55 of the approach.
+struct ContactEstimate {
+  std::vector<RailSlice> slices;  ///< the whole head of the rail
+  std::vector<double> lift;       ///< of each: vertical force of pressure and shear over that of the pressure
+  double approach = 0;            ///< mm
+  double force = 0;               ///< vertical, N
+  double turn = 0;                ///< turn of the normal within the largest area of contact, rad
+  double reach = potential_share; ///< of the approach: where h is below, the bodies may touch
+};
+
+/// Without shear. `compliance`: contact_compliance() of the pair.
+ContactEstimate estimate_contact(std::vector<RailSlice> slices, double compliance, const ContactLoad& load);
+
+/// Of a `wheel_rail` scene. `foresee_shear`: shear bears its part of a prescribed force, as if all slipped,
+/// less where creepages are small. On a flange the pressure may be many times what it is without friction.
+/// Throws InputError where the bodies approach by more than elasticity allows.
+ContactEstimate estimate_contact(const ContactSetup& setup, bool foresee_shear);
+
+/// One area where the undeformed distance is below what the approach asks for.
+struct PotentialArea {
+  double s_from = 0, s_to = 0, x_from = 0, x_to = 0; ///< mm
+};
+/// All of them, h < q cos(delta), along s.
+std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, double q);
+/// Those within reach of the estimate's own approach.
+std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate);
+
+/// How large the estimate says that the contact is, mm, mm^2. In s the sum over all areas.
+struct ContactExtent {
+  double along_x = 0, along_s = 0, area = 0;
+};
+ContactExtent contact_extent(const ContactEstimate& estimate);
+
+} // namespace bem_contact

@@ -1,0 +1,82 @@
+#include "bem_contact/sequence/record.hpp"
+
+#include "bem_contact/scene/elastic_limit.hpp"
+#include "bem_contact/scene/outlines.hpp"
+#include "bem_contact/scene/warnings.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <iterator>
+
+namespace bem_contact {
+
+namespace {
+
+/// Of all steps, as far as they are solutions, MPa.
+double highest_pressure(const GridSolution& solved) {
+  double highest = 0;
+  const auto look = [&](const ContactResult& result) {
+    if (result.converged)
+      highest = std::max(highest, largest_pressure(result));
+  };
+  look(solved.result);
+  std::ranges::for_each(solved.history, look);
+  return highest;
+}
+
+void warn_of_large_elements(const ContactResult& result, std::vector<std::string>& warnings) {
+  const double error = result.certificate.discretisation;
+  const auto exterior = std::ranges::count(result.state, ElementState::exterior);
+  const auto contact = static_cast<std::ptrdiff_t>(result.state.size()) - exterior;
+  if (error > poor_discretisation)
+    warnings.push_back(fmt::format(
+        "the elements are too large for this contact: the estimated discretisation error is {:.0f} %",
+        100 * error));
+  else if (contact > 0 && contact < few_elements && error < 0 && !result.touches_border)
+    warnings.push_back(fmt::format(
+        "the elements are too large for this contact: {} of them touch, and no error can be estimated",
+        contact));
+}
+
+void add_stresses(const SceneFile& scene, SceneResult& out) {
+  if (scene.stresses.depths.empty() || !out.result.converged)
+    return;
+  out.stresses =
+      stresses_below(scene.stresses, out.problem, out.result, scene.rail.material.poisson, out.reference.s);
+  const double turn = turn_of_contact(out.problem, out.result);
+  if (predicted_halfspace_error(turn) > scene.solver.model_tolerance)
+    out.warnings.push_back(fmt::format("the stresses below the surface are those of a half-space under these "
+                                       "tractions: an approximation here, for {}",
+                                       halfspace_text(turn)));
+}
+
+} // namespace
+
+SceneResult record_of(const ContactCase& asked, GridSolution solved, const ModelChoice& choice) {
+  require_elastic(asked.setup, highest_pressure(solved));
+  SceneResult out;
+  out.model = solved.model;
+  out.reason = choice.reason;
+  out.problem = std::move(solved.contact.problem);
+  out.result = std::move(solved.result);
+  out.history = std::move(solved.history);
+  out.displacements = std::move(solved.displacements);
+  out.warnings = std::move(solved.warnings);
+  out.seconds = solved.seconds;
+  if (!choice.enough)
+    out.warnings.push_back("the finite-element model is needed here: " + out.reason);
+  std::ranges::move(input_warnings(asked.scene, asked.setup), std::back_inserter(out.warnings));
+  out.left = asked.scene.position.side == WheelSide::left;
+  out.reference = asked.setup.reference();
+  out.moment = out.result.Mz + out.reference.position.y * out.result.Fx - out.reference.x * out.result.Fy;
+  if (asked.setup.wheel_rail() || asked.files.complete())
+    out.wheel_s = std::move(solved.contact.wheel_s);
+  Outlines bodies = outlines(asked.setup, out.problem);
+  out.rail_profile = std::move(bodies.rail);
+  out.wheel_profile = std::move(bodies.wheel);
+  warn_of_large_elements(out.result, out.warnings);
+  add_stresses(asked.scene, out);
+  return out;
+}
+
+} // namespace bem_contact

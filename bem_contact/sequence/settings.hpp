@@ -1,0 +1,162 @@
+#pragma once
+
+#include "bem_contact/base/tuned.hpp"
+
+/// The tuned numbers of this room (base/tuned.hpp).
+namespace bem_contact {
+
+// Estimate of the contact.
+
+/// 1 (share of the approach). Where the undeformed distance is below this share the bodies may touch: the
+/// estimate's own contact needs 0.55, and the rest is for what the estimate is off by.
+BEM_CONTACT_TUNED(double, potential_share, 0.9);
+/// mm. Least approach for which a potential contact is planned: a grid is needed under no load too.
+BEM_CONTACT_TUNED(double, least_approach, 1e-4);
+/// 1. Creepage at which about half of a contact slips: so much of full friction bears load in the estimate.
+BEM_CONTACT_TUNED(double, half_slip_creepage, 0.002);
+/// 1. Bounds of the vertical force of pressure and shear over that of the pressure: where friction takes all
+/// of it away, the estimate would be without end.
+BEM_CONTACT_TUNED(double, least_lift, 0.05);
+BEM_CONTACT_TUNED(double, most_lift, 4.0); ///< 1. As above.
+/// 1. With shear the estimate may have so many times the largest approach allowed: an overestimate costs a
+/// grid that is too coarse.
+BEM_CONTACT_TUNED(double, most_approach_with_shear, 2.0);
+/// 1 (slices). Distance from the deepest slice at which its own part of an integral over 1/r is taken.
+BEM_CONTACT_TUNED(double, slice_self_distance, 0.25);
+/// 1. Where the arithmetic-geometric mean ends: its error is the square of this.
+BEM_CONTACT_TUNED(double, elliptic_tolerance, 1e-9);
+
+// Grid.
+
+/// 1. Most rows or columns of a grid, as grid.mx and grid.ms have it.
+BEM_CONTACT_TUNED(int, most_rows, 4096);
+/// 1. Rows and columns that a plan has beside the potential contact, on each side.
+BEM_CONTACT_TUNED(int, spare_elements, 2);
+/// 1. Fewest rows of a plan.
+BEM_CONTACT_TUNED(int, fewest_rows, 3);
+/// 1. How often a grid may grow. It grows by a quarter in s, an eighth on either side in x.
+BEM_CONTACT_TUNED(int, most_growths, 6);
+BEM_CONTACT_TUNED(int, row_growth_share, 4);    ///< 1. One over that quarter.
+BEM_CONTACT_TUNED(int, column_growth_share, 8); ///< 1. One over that eighth.
+BEM_CONTACT_TUNED(int, fewest_more_rows, 4);    ///< 1. Rows by which a grid grows at least.
+BEM_CONTACT_TUNED(int, fewest_more_columns, 2); ///< 1. Columns on either side, likewise.
+/// GB. Largest influence numbers, and largest history, that are kept in memory.
+BEM_CONTACT_TUNED(double, largest_memory, 8.0);
+
+// Number of elements.
+
+/// 1. Fewest elements in contact: the error is estimated by a companion with a quarter of them, which
+/// needs 40.
+BEM_CONTACT_TUNED(int, fewest_elements, 180);
+/// 1. Elements in contact that are tried first; the median contact has an error of usual_error with them.
+BEM_CONTACT_TUNED(int, usual_elements, 200);
+BEM_CONTACT_TUNED(double, usual_error, 0.003); ///< 1. As above.
+/// 1. One contact in a hundred has this error with the usual elements, and needs rare_factor times as many as
+/// the median contact.
+BEM_CONTACT_TUNED(double, rare_error, 0.02);
+BEM_CONTACT_TUNED(double, rare_factor, 7.0); ///< 1. As above.
+/// 1. Order of the estimated error in the number of elements: adhesion is of first order in their length
+/// (0.5), the normal problem of second (1).
+BEM_CONTACT_TUNED(double, error_order, 0.65);
+/// 1. Elements beyond what the accuracy is predicted to need.
+BEM_CONTACT_TUNED(double, element_reserve, 1.1);
+/// 1. Errors scatter: the number of elements comes down to no less than this share of the last one ...
+BEM_CONTACT_TUNED(double, least_change, 0.35);
+BEM_CONTACT_TUNED(double, least_retry,
+                  1.3); ///< 1. ... goes up by at least this if the case is solved again ...
+BEM_CONTACT_TUNED(double, most_change, 4.0); ///< 1. ... and at most by this.
+/// 1. Elements in contact that are tried at most for an accuracy: a second or a few.
+BEM_CONTACT_TUNED(int, most_elements, 12000);
+BEM_CONTACT_TUNED(int, most_elements_full, 4000); ///< 1. With numbers that depend on both rows.
+/// 1. With numbers that depend on both rows a second solution costs so much that some elements in reserve are
+/// cheaper.
+BEM_CONTACT_TUNED(int, fewest_elements_full, 250);
+/// 1. Length of elements over their width at the most.
+BEM_CONTACT_TUNED(double, longest_element, 1.1);
+/// 1. With numbers that depend on both rows a product grows as the square of the rows: short elements in few
+/// rows are cheaper.
+BEM_CONTACT_TUNED(double, longest_element_full, 0.8);
+/// 1. Length of elements over their width at the least, in a contact that is wider than long.
+BEM_CONTACT_TUNED(double, shortest_element_aspect, 0.4);
+/// 1. Where elements cannot get shorter, they get no narrower than this share of their length: ever narrower
+/// rows would cost much and say little.
+BEM_CONTACT_TUNED(double, narrowest_element_share, 0.25);
+/// 1. Sizes of elements are powers of 2^(1/this), so that influence numbers serve several cases.
+BEM_CONTACT_TUNED(int, sizes_per_octave, 4);
+/// mm. Size of elements where the estimate has no contact.
+BEM_CONTACT_TUNED(double, default_dx, 0.5);
+BEM_CONTACT_TUNED(double, default_ds, 0.25); ///< mm. As above.
+/// 1. What was learnt about the area in contact is kept within these bounds for a contact of another kind.
+BEM_CONTACT_TUNED(double, least_area_ratio, 0.7);
+BEM_CONTACT_TUNED(double, most_area_ratio, 1.4); ///< 1. As above.
+/// 1. How often one case may be solved for an accuracy.
+BEM_CONTACT_TUNED(int, most_solves, 4);
+/// 1. Elements need this much more than a tenth of the shortest wavelength of an influence file: a wheel's
+/// is that at its reference radius, and the contact lies elsewhere.
+BEM_CONTACT_TUNED(double, wavelength_reserve, 1.05);
+
+// Start from the case before.
+
+/// 1. From so many elements on, tractions of elements that were larger by coarse_former are farther from the
+/// solution than what the solver itself finds on elements twice as large.
+BEM_CONTACT_TUNED(int, many_elements, 2000);
+BEM_CONTACT_TUNED(double, coarse_former, 1.5); ///< 1. As above.
+/// 1. Two areas are the same contact if they overlap by this share of the smaller one.
+BEM_CONTACT_TUNED(double, alike_overlap, 0.3);
+/// mm. Least extent of an area: it may be one slice of the estimate.
+BEM_CONTACT_TUNED(double, least_extent, 0.2);
+/// 1. Influence numbers and prepared operators of so many grids are kept: numbers take up to 8 GB.
+BEM_CONTACT_TUNED(int, numbers_kept, 6);
+BEM_CONTACT_TUNED(int, operators_kept, 3); ///< 1. As above; operators take several times the numbers.
+
+// Choice of the model: predicted relative errors of the largest pressure.
+
+/// 1. Half-space: this times (turn of the normal / 2)^2. Hertz against Persson (1964) is low by 0.39, against
+/// the sphere in a spherical seat by 0.66 to 0.61: the largest of them.
+BEM_CONTACT_TUNED(double, halfspace_error, 0.66);
+/// 1. Tangent planes, likewise. Against the influence functions of a 60E1 rail and an S1002 wheel, with turns
+/// of 11 to 42 degrees on the gauge corner, it is 0.04 to 0.22 (half-space: 0.18 to 0.44): they know nothing
+/// of the rest of the body.
+BEM_CONTACT_TUNED(double, tangent_plane_error, 0.24);
+/// 1. Hertz: this times what the undeformed distance departs from a quadratic, over the approach. A waviness
+/// as long as the contact does not do more to the pressure.
+BEM_CONTACT_TUNED(double, hertz_deviation_error, 5.0);
+/// rad. Rows turn by the same angle, if it is to within this.
+BEM_CONTACT_TUNED(double, equal_turn, 1e-9);
+
+// Hertz's closed form.
+
+/// 1. Rows and columns of the smallest window in which a quadratic is fitted.
+BEM_CONTACT_TUNED(int, smallest_window, 5);
+/// 1. Rounds of window and fit; the window stops to change after a few.
+BEM_CONTACT_TUNED(int, fit_rounds, 10);
+/// 1. Determinant of a quadratic over its squared trace, below which it is curved one way only.
+BEM_CONTACT_TUNED(double, least_curvature_ratio, 1e-12);
+
+// Influence functions.
+
+/// 1 (rows). How much of a row must lie on the strip of an influence file, on either side of its middle: rows
+/// of equal width on the rail are a hair shorter or longer on the wheel.
+BEM_CONTACT_TUNED(double, row_on_strip, 0.49);
+/// 1. Share of the wheel radius by which that of an influence file may differ.
+BEM_CONTACT_TUNED(double, radius_tolerance, 0.01);
+/// rad. How far the surface of a rail's file may turn otherwise than a patch.
+BEM_CONTACT_TUNED(double, rail_turn_tolerance, 0.02);
+/// rad. The same for the wheel's, whose surface need not follow the rail's.
+BEM_CONTACT_TUNED(double, wheel_turn_tolerance, 0.2);
+
+// Warnings and stresses.
+
+/// 1. Discretisation error above which the elements are said to be too large.
+BEM_CONTACT_TUNED(double, poor_discretisation, 0.2);
+/// 1. Elements in contact below which that is said where no error can be estimated.
+BEM_CONTACT_TUNED(int, few_elements, 40);
+/// 1. From so many steps of a history on, progress is reported.
+BEM_CONTACT_TUNED(int, many_steps, 1000);
+/// 1. Most points at which stresses are computed, and most products of points and elements: some minutes.
+BEM_CONTACT_TUNED(double, most_stress_points, 1e6);
+BEM_CONTACT_TUNED(double, most_stress_sums, 1e9); ///< 1. As above.
+/// 1 (widths). Half length of a plane-strain element where stresses are summed.
+BEM_CONTACT_TUNED(double, endless_element, 1e6);
+
+} // namespace bem_contact

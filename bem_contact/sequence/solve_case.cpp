@@ -1,0 +1,106 @@
+#include "bem_contact/sequence/solve_case.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/grow_grid.hpp"
+#include "bem_contact/sequence/hertz_model.hpp"
+#include "bem_contact/sequence/record.hpp"
+#include "bem_contact/sequence/wall_clock.hpp"
+
+namespace bem_contact {
+
+namespace {
+
+/// The contact on its first grid, with the seconds that this took.
+struct FirstContact {
+  ContactOnGrid contact;
+  double seconds = 0;
+};
+FirstContact first_contact(const ContactCase& asked, const SceneFile::Grid& grid, bool on_strips) {
+  const WallClock clock;
+  ContactOnGrid contact = asked.setup.on(first_plan(asked, grid, on_strips));
+  return {std::move(contact), clock.seconds()};
+}
+
+/// The cheapest model that serves, and the contact on the grid that the look at it ended with.
+struct ChosenModel {
+  ModelChoice choice;
+  ContactOnGrid contact;
+  PhaseSeconds seconds;
+};
+ChosenModel choose(const ContactCase& asked, ContactOnGrid contact, const SolveResources& resources) {
+  const double tolerance = asked.scene.solver.model_tolerance;
+  if (const auto hertz = hertz_of(asked.setup, contact.problem)) {
+    ModelChoice choice = choose_hertz(*hertz, tolerance);
+    if (choice.enough)
+      return {std::move(choice), std::move(contact), {}};
+  }
+  GridSolution normal =
+      solve_on_growing_grid(asked, std::move(contact), {Model::halfspace, true}, resources, false);
+  const bool equal = asked.setup.rail.material == asked.setup.wheel.material;
+  ModelChoice choice =
+      choose_model(normal.contact.problem, normal.result, equal, asked.files.complete(), tolerance);
+  return {std::move(choice), std::move(normal.contact), normal.seconds};
+}
+
+SceneResult solved_with(const ContactCase& asked, ContactOnGrid contact, const ModelChoice& choice,
+                        const SolveResources& resources) {
+  const bool on_strips = choice.model == Model::fem;
+  return record_of(
+      asked, solve_on_growing_grid(asked, std::move(contact), {choice.model}, resources, on_strips), choice);
+}
+
+} // namespace
+
+SceneResult solve_case(const ContactCase& asked, const SceneFile::Grid& grid,
+                       const SolveResources& resources) {
+  const WallClock clock;
+  const std::optional<Model> model = asked.scene.solver.model;
+  FirstContact first = first_contact(asked, grid, model == Model::fem);
+  PhaseSeconds before{.geometry = first.seconds};
+  ModelChoice choice{model.value_or(Model::halfspace), "asked for"};
+  if (!model) {
+    ChosenModel chosen = choose(asked, std::move(first.contact), resources);
+    before += chosen.seconds;
+    choice = std::move(chosen.choice);
+    first.contact = std::move(chosen.contact);
+    if (choice.model == Model::fem) {
+      first = first_contact(asked, grid, true);
+      before.geometry += first.seconds;
+    }
+  }
+  SceneResult out = solved_with(asked, std::move(first.contact), choice, resources);
+  out.seconds += before;
+  out.seconds.total = clock.seconds();
+  return out;
+}
+
+Comparison compare_case(const ContactCase& asked, const SceneFile::Grid& grid, Workspace& operators) {
+  const WallClock clock;
+  if (asked.setup.load.kind != LoadKind::force && asked.scene.motion.kind != MotionKind::steady)
+    throw InputError("The models cannot be compared over these steps", "only the approach is given",
+                     "Give load.force, at which they are compared, or solve the scene with either model.");
+  GridPlan plan = first_plan(asked, grid, true);
+  for (int round = 0;; ++round) {
+    WorkBudget fem_work, halfspace_work;
+    GridSolution fem = solve_on_growing_grid(asked, asked.setup.on(plan), {Model::fem},
+                                             {.work = fem_work, .operators = &operators}, true);
+    const ContactCase at_force = asked.under(
+        {LoadKind::force, asked.setup.load.kind == LoadKind::force ? asked.setup.load.force : fem.result.Fz});
+    GridSolution halfspace =
+        solve_on_growing_grid(at_force, at_force.setup.on(fem.contact.plan), {Model::halfspace},
+                              {.work = halfspace_work, .operators = &operators}, true);
+    plan = halfspace.contact.plan;
+    if (plan.grid().size() == fem.contact.plan.grid().size()) {
+      const char* reason = "compared at equal vertical force";
+      Comparison out{record_of(at_force, std::move(halfspace), {Model::halfspace, reason}),
+                     record_of(asked, std::move(fem), {Model::fem, reason})};
+      out.fem.seconds.total = out.halfspace.seconds.total = clock.seconds();
+      return out;
+    }
+    if (round == most_growths)
+      throw ConvergenceError("The two models found no common grid", "each needs another potential contact",
+                             "Give grid.s_from and grid.s_to.");
+  }
+}
+
+} // namespace bem_contact

@@ -1,0 +1,156 @@
+#include "bem_contact/sequence/solve_on_grid.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/progress.hpp"
+#include "bem_contact/sequence/hertz_model.hpp"
+#include "bem_contact/sequence/wall_clock.hpp"
+
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+/// Numbers of both bodies, of the pair, and the operator's spectra: four times one table.
+void require_memory(const ContactGrid& grid) {
+  const double gigabytes = 4 * 8e-9 * 9 * double(grid.ms) * grid.ms * (grid.mx + 2);
+  if (gigabytes > largest_memory)
+    throw InputError(fmt::format("A grid of {} x {} elements is too large", grid.mx, grid.ms),
+                     fmt::format("its influence numbers need about {:.0f} GB, {:g} GB are allowed", gigabytes,
+                                 largest_memory),
+                     "Use larger elements or fewer of them, above all along s.");
+}
+
+/// The fields of every step are kept: tractions, slip, distance, states.
+void require_memory(const ContactGrid& grid, std::size_t steps) {
+  const double gigabytes = 1e-9 * (6 * sizeof(double) + 1) * double(grid.size()) * double(steps);
+  if (gigabytes > largest_memory)
+    throw InputError(
+        fmt::format("A history of {} steps on {} x {} elements is too large", steps, grid.mx, grid.ms),
+        fmt::format("the fields of all steps need about {:.0f} GB, {:g} GB are allowed", gigabytes,
+                    largest_memory),
+        "Take fewer steps (rolling is steady after about two lengths of contact), or elements.");
+}
+
+/// Half-space numbers depend on the size of the grid alone.
+NumbersSource source_of(Model model, const ContactSetup& setup, const ContactOnGrid& contact) {
+  const ContactGrid& grid = contact.problem.grid;
+  NumbersSource source{model,
+                       setup.rail,
+                       setup.wheel,
+                       grid.mx,
+                       grid.ms,
+                       contact.problem.plane_strain() ? 0.0 : grid.dx,
+                       grid.ds,
+                       setup.reference_distance(),
+                       {},
+                       {},
+                       0};
+  if (model == Model::fem) {
+    source.rail_s = contact.rail_s;
+    source.wheel_s = contact.wheel_s;
+    source.contact_radius = contact.contact_radius;
+  }
+  return source;
+}
+
+InfluenceNumbers numbers_of(const ContactCase& asked, Model model, const ContactOnGrid& contact,
+                            NumbersStore* store) {
+  const auto compute = [&] { return pair_numbers(model, asked.setup, asked.files, contact); };
+  // Tangent-plane numbers depend on where all rows lie: no other case has the same.
+  return store && model != Model::tangent_plane ? store->get(source_of(model, asked.setup, contact), compute)
+                                                : compute();
+}
+
+void solve_by_hertz(const ContactSetup& setup, GridSolution& out) {
+  const std::optional<HertzModel> model = hertz_of(setup, out.contact.problem);
+  if (!model)
+    throw InputError(
+        "Hertz's closed form does not fit this contact",
+        "it is for a frictionless contact in three dimensions whose undeformed distance is curved "
+        "both ways and known all over the contact (on at least 5 x 5 elements)",
+        "Set motion.frictionless = true, give a larger grid, or choose another model.");
+  out.result = solve_hertz(out.contact.problem, *model, out.displacements);
+}
+
+SolverOptions options_of(const ContactCase& asked, const SolveTask& task, const SolveResources& resources) {
+  return {.tolerance = asked.scene.solver.tolerance,
+          .max_outer = asked.scene.solver.max_outer,
+          .estimate_discretisation = !task.normal_only,
+          .coarse_start = resources.coarse_start,
+          .work = &resources.work,
+          .workspace = resources.operators};
+}
+
+/// Every step of a transient or of shifts. `problem` has its influence numbers; it leaves with what the last
+/// step prescribes.
+void solve_steps(const ContactSetup& setup, SolverOptions options, ContactProblem& problem,
+                 GridSolution& out) {
+  const std::vector<MotionStep>& steps = setup.motion.steps;
+  require_memory(problem.grid, steps.size());
+  options.work = nullptr; // each step has a budget of its own
+  std::optional<Progress> progress;
+  if (steps.size() >= static_cast<std::size_t>(many_steps))
+    progress.emplace("steps", steps.size());
+  const auto prescribe = [&](int k, ContactProblem& p) {
+    if (progress && k > 0)
+      progress->step();
+    setup.prescribe(steps[k], p);
+  };
+  const int last = static_cast<int>(steps.size()) - 1;
+  out.history = solve_history(problem, last + 1, prescribe, options);
+  if (progress) {
+    progress->step();
+    progress->finish();
+  }
+  out.result = out.history.back();
+  setup.prescribe(steps[last], problem);
+  for (int k = 0; k < last; ++k)
+    if (!out.history[k].converged)
+      out.warnings.push_back(
+          fmt::format("step {} of {} is not a solution ({})", k + 1, last + 1, out.history[k].remark));
+}
+
+void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const SolveResources& resources,
+                      GridSolution& out) {
+  ContactProblem problem = out.contact.problem;
+  require_memory(problem.grid);
+  const WallClock numbers;
+  problem.numbers = numbers_of(asked, task.model, out.contact, resources.numbers);
+  out.seconds.numbers = numbers.seconds();
+  const WallClock solving;
+  SolverOptions options = options_of(asked, task, resources);
+  std::optional<StartingPoint> start;
+  if (resources.start && asked.estimate) {
+    start = start_from(*resources.start, problem, potential_areas(*asked.estimate), problem.force);
+    options.start = &*start;
+  }
+  if (task.normal_only) {
+    problem.tangential = false;
+    out.result = solve(problem, options);
+  } else if (!problem.tangential || problem.motion == MotionKind::steady) {
+    out.result = solve(problem, options);
+  } else {
+    solve_steps(asked.setup, options, problem, out);
+    asked.setup.prescribe(asked.setup.motion.steps.back(), out.contact.problem);
+  }
+  if (!task.normal_only)
+    out.displacements = displacements(problem, out.result);
+  out.seconds.solve = solving.seconds();
+}
+
+} // namespace
+
+GridSolution solve_on_grid(const ContactCase& asked, ContactOnGrid contact, const SolveTask& task,
+                           const SolveResources& resources) {
+  GridSolution out;
+  out.model = task.model;
+  out.contact = std::move(contact);
+  if (task.model == Model::hertz)
+    solve_by_hertz(asked.setup, out);
+  else
+    solve_by_numbers(asked, task, resources, out);
+  return out;
+}
+
+} // namespace bem_contact

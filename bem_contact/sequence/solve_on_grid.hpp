@@ -1,0 +1,47 @@
+#pragma once
+
+#include "bem_contact/contact/history.hpp"
+#include "bem_contact/sequence/contact_case.hpp"
+#include "bem_contact/sequence/numbers_store.hpp"
+#include "bem_contact/sequence/scene_result.hpp"
+#include "bem_contact/sequence/warm_start.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// What solving a case may draw on. All of it belongs to the caller.
+struct SolveResources {
+  WorkBudget& work;                      ///< of the case
+  NumbersStore* numbers = nullptr;       ///< null: influence numbers are computed anew
+  Workspace* operators = nullptr;        ///< null: what solving makes of them, too
+  const FormerSolution* start = nullptr; ///< of an alike() case; null: none
+  bool coarse_start = true;              ///< without a start a case starts from larger elements
+};
+
+/// With which numbers, and how much of the problem is solved.
+struct SolveTask {
+  Model model = Model::halfspace;
+  bool normal_only = false; ///< a look at the normal problem, for the choice of the model: no steps, no error
+                            ///< of the elements, no displacements
+};
+
+/// A case solved on the elements of one plan.
+struct GridSolution {
+  Model model = Model::halfspace;
+  ContactOnGrid contact;              ///< with what the last step prescribes
+  ContactResult result;               ///< of the last step
+  std::vector<ContactResult> history; ///< transient and shift: of every step
+  Displacements displacements;
+  std::vector<std::string> warnings;
+  PhaseSeconds seconds;
+};
+
+/// Throws InputError where the model does not serve, where the grid needs too much memory, and what solve()
+/// throws.
+GridSolution solve_on_grid(const ContactCase& asked, ContactOnGrid contact, const SolveTask& task,
+                           const SolveResources& resources);
+
+} // namespace bem_contact

@@ -1,0 +1,52 @@
+#include "bem_contact/scene/warnings.hpp"
+
+#include <gmock/gmock.h>
+
+namespace bem_contact {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> warnings_of(const std::string& more) {
+  const SceneFile scene =
+      parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 1e5\n"
+                       "grid.dx = 1.0\ngrid.ds = 0.5\n" +
+                       more);
+  return input_warnings(scene, set_up_contact(scene, read_profiles(scene)));
+}
+
+TEST(Warnings, OrdinaryScenesRaiseNone) {
+  for (const char* more :
+       {"", "position.lateral = 6.7", "position.lateral = -9", "position.wheel_radius = 330",
+        "motion.rolling_radius = 455", "motion.friction = 0.6\nposition.yaw = 0.02",
+        "motion.speed = 3e4\nmotion.pitch_rate = 66\nmotion.lateral_velocity = 100"})
+    EXPECT_THAT(warnings_of(more), IsEmpty()) << more;
+}
+
+TEST(Warnings, OtherUnitsAndDiametersAreSaid) {
+  EXPECT_THAT(warnings_of("motion.friction = 30"), ElementsAre(HasSubstr("it is no percentage")));
+  EXPECT_THAT(warnings_of("rail.material.young = 2.1e11"),
+              ElementsAre(HasSubstr("rail.material: a Young's modulus of 2.1e+11 MPa")));
+  EXPECT_THAT(warnings_of("position.wheel_radius = 920"), ElementsAre(HasSubstr("not the diameter")));
+  EXPECT_THAT(warnings_of("motion.speed = 20\nmotion.pitch_rate = 43.5"),
+              ElementsAre(HasSubstr("a rolling radius of 0.4598 mm on a wheel of 460 mm")));
+  EXPECT_THAT(warnings_of("motion.rolling_radius = 0.46"), ElementsAre(HasSubstr("it slides")));
+  EXPECT_THAT(warnings_of("motion.speed = 20\nmotion.lateral_velocity = 30"),
+              ElementsAre(HasSubstr("lateral_velocity is 1.5 times motion.speed")));
+}
+
+TEST(Warnings, AWheelOnItsFlangeIsSaid) {
+  EXPECT_THAT(warnings_of("position.lateral = 60"), ElementsAre(HasSubstr("the tip of its flange")));
+}
+
+TEST(Warnings, APatchHasMaterialsAndFriction) {
+  const SceneFile scene = parse_scene_file("kind = 'patch'\nload.force = 1e3\ngrid.mx = 4\ngrid.ms = 4\n"
+                                           "motion.friction = 30\nwheel.material.young = 2.1e11\n");
+  EXPECT_THAT(input_warnings(scene, set_up_patch(scene)),
+              ElementsAre(HasSubstr("wheel.material"), HasSubstr("friction = 30")));
+}
+
+} // namespace
+} // namespace bem_contact
