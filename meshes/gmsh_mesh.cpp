@@ -2,24 +2,13 @@
 
 #include "bem_contact/base/error.hpp"
 #include "meshes/gmsh_session.hpp"
+#include "meshes/settings.hpp"
 
 #include <algorithm>
 #include <map>
 
 namespace bem_contact::meshes {
 namespace {
-
-// Gmsh makes triangles somewhat larger than it is asked to; measured so that size holds for sqrt(area).
-constexpr double coarse_factor = 2 * 0.7;
-
-double area(const VertexLoop& loop) {
-  double twice = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Point2 a = loop[i].position, b = loop[(i + 1) % loop.size()].position;
-    twice += a.y * b.z - b.y * a.z;
-  }
-  return twice / 2;
-}
 
 /// The outer boundary comes first, as gmsh wants it; points are numbered in the outline's order.
 int surface_of(const Outline& outline) {

@@ -1,6 +1,7 @@
 #include "meshes/graft.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "meshes/settings.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +11,6 @@
 
 namespace bem_contact::meshes {
 namespace {
-
-constexpr double sample_step = 0.25; // mm
-constexpr int least_samples = 32, most_samples = 4000;
 
 /// A place on a closed loop.
 struct Place {
@@ -29,7 +27,8 @@ public:
     for (std::size_t p = 0; p < loop.size(); ++p) {
       const Piece& piece = loop[p];
       const double chord = norm(piece.at((piece.from + piece.to) / 2) - piece.begin());
-      const int count = std::clamp(static_cast<int>(2 * chord / sample_step), least_samples, most_samples);
+      const int count =
+          std::clamp(static_cast<int>(2 * chord / joint_step), least_joint_samples, most_joint_samples);
       for (int i = 0; i <= count; ++i) {
         const double t = piece.from + (piece.to - piece.from) * i / count;
         if (i > 0)
@@ -44,7 +43,7 @@ public:
 
   Point2 tangent(Place place) const {
     const Piece& piece = loop_[place.piece];
-    const double step = 1e-5 * (piece.to - piece.from);
+    const double step = tangent_step * (piece.to - piece.from);
     const auto inside = [&](double t) {
       return std::clamp(t, std::min(piece.from, piece.to), std::max(piece.from, piece.to));
     };
@@ -66,7 +65,7 @@ public:
     double high = samples_[best + 1 < samples_.size() && of_piece(best + 1) ? best + 1 : best].t;
     Place place = samples_[best];
     const auto distance = [&](double t) { return norm(loop_[place.piece].at(t) - p); };
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < nearest_place_steps; ++i) {
       const double a = low + (high - low) / 3, b = high - (high - low) / 3;
       (distance(a) < distance(b) ? high : low) = distance(a) < distance(b) ? b : a;
     }
@@ -97,7 +96,7 @@ public:
       Piece piece = loop_[p];
       piece.from = t_from;
       piece.to = t_to;
-      if (norm(piece.end() - piece.begin()) > 1e-9)
+      if (norm(piece.end() - piece.begin()) > coinciding)
         pieces.push_back(std::move(piece));
     };
     const bool around = to.piece == from.piece && to.along < from.along;
@@ -130,8 +129,7 @@ Joint joint_at(const WalkedLoop& base, const CurvePoint& end) {
   Joint joint{end.position, tangent_of(end.delta), base.nearest(end.position)};
   const Point2 tangent = base.tangent(joint.place);
   joint.distance = norm(end.position - base.at(joint.place));
-  joint.slope = std::abs(
-      std::atan2(tangent.y * joint.tangent.z - tangent.z * joint.tangent.y, dot(tangent, joint.tangent)));
+  joint.slope = std::abs(std::atan2(cross(tangent, joint.tangent), dot(tangent, joint.tangent)));
   return joint;
 }
 
@@ -142,13 +140,12 @@ Piece blend(Point2 from, Point2 from_tangent, Point2 to, Point2 to_tangent) {
 
 } // namespace
 
-std::vector<Piece> graft(const ProfileCurve& measured, const Loop& base, const std::string& base_name,
-                         const GraftLimits& limits) {
+std::vector<Piece> graft(const ProfileCurve& measured, const Loop& base, const std::string& base_name) {
   const WalkedLoop loop(base);
   const Joint first = joint_at(loop, measured.at(measured.s_begin())),
               last = joint_at(loop, measured.at(measured.s_end()));
   const auto fits = [&](const Joint& joint) {
-    return joint.distance <= limits.distance && joint.slope <= limits.slope;
+    return joint.distance <= largest_joint_distance && joint.slope <= largest_joint_slope;
   };
   const auto figures = [](const Joint& joint) {
     return fmt::format("its end at ({:.3f}, {:.3f}) mm lies {:.3f} mm off it, inclined by {:.3f} rad",
@@ -158,12 +155,12 @@ std::vector<Piece> graft(const ProfileCurve& measured, const Loop& base, const s
     throw InputError(
         fmt::format("the profile {} does not fit the body of {}", measured.name(), base_name),
         fmt::format("{}; {}; up to {} mm and {} rad are blended", figures(first), figures(last),
-                    limits.distance, limits.slope),
+                    largest_joint_distance, largest_joint_slope),
         "Move the body with [body] graft_at and graft_angle (a measured rail is often inclined), "
         "take another body with graft_onto, or cut the profile where it is not worn.");
 
   const auto reach = [&](const Joint& joint) {
-    return std::max(limits.shortest_blend, limits.blend_ratio * joint.distance);
+    return std::max(shortest_blend, blend_ratio * joint.distance);
   };
   const Place from = loop.moved(last.place, reach(last)), to = loop.moved(first.place, -reach(first));
   std::vector<Piece> pieces{blend(last.end, last.tangent, loop.at(from), loop.tangent(from))};
@@ -175,7 +172,7 @@ std::vector<Piece> graft(const ProfileCurve& measured, const Loop& base, const s
   whole.insert(whole.end(), pieces.begin(), pieces.end());
   const double before = area(Section{"", std::vector<Loop>{base}}),
                after = area(Section{"", std::vector<Loop>{whole}});
-  if (!(std::abs(after / before - 1) <= limits.area))
+  if (!(std::abs(after / before - 1) <= largest_area_change))
     throw InputError(fmt::format("the profile {} does not fit the body of {}", measured.name(), base_name),
                      fmt::format("the section would have {:.0f} mm^2 instead of {:.0f}", after, before),
                      "Check the profile's frame, unit and walking order.");

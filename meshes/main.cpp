@@ -1,8 +1,10 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/profile/body_file.hpp"
-#include "meshes/mesh_body.hpp"
+#include "meshes/section_mesh.hpp"
+#include "meshes/settings.hpp"
 #include "meshes/solid_mesh.hpp"
+#include "meshes/write_msh.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -20,17 +22,24 @@ namespace {
 using namespace bem_contact;
 
 constexpr const char* description =
-    "Meshes the cross-section of a rail, wheel, block, disc or bore in quadrilaterals, graded to its "
-    "contact\n"
-    "strip. The .msh opens in gmsh; its x and y are y (to the right) and z (down) of the section, mm.\n"
-    "Physical groups: curves contact = 1, held = 2, free = 3; surface body = 10.\n"
-    "With --solid it meshes half of the 3-D body (x >= 0) in hexahedra, coarsely: fem_influence --solid "
-    "refines\n"
-    "them towards the load. Surfaces contact = 1, held = 2, free = 3, symmetry = 4; volume body = 10.";
+    "Meshes the cross-section of a body in quadrilaterals. The body is described by a body file: a rail,\n"
+    "wheel, block, disc, bore, or an outline of your own. Elements are small on the contact strip and grow\n"
+    "away from it. The mesh is what fem_influence computes influence functions on.";
 
-constexpr const char* example = "Example:\n"
-                                "  mesh_body data/bodies/rail_60E1_gauge_corner.toml -o rail.msh --quality\n"
-                                "  mesh_body --print-default > body.toml";
+constexpr const char* example =
+    "Example:\n"
+    "  mesh_body data/bodies/rail_60E1_gauge_corner.toml -o rail.msh --quality\n"
+    "You should see the number of quadrilaterals, their total area next to that of the section (equal to\n"
+    "some 0.01 %), and the smallest scaled Jacobian: 1 is a rectangle, and below 0.2 you get a warning.\n"
+    "Then open rail.msh in gmsh. Its x and y are y (to the right) and z (down) of the section, in mm.\n"
+    "\n"
+    "A body file of your own:\n"
+    "  mesh_body --print-default > body.toml\n"
+    "writes every key with its default, unit and meaning. Keep the keys that you change.\n"
+    "\n"
+    "Physical groups of the mesh: curves contact = 1, held = 2, free = 3; surface body = 10.\n"
+    "With --solid: half of the 3-D body (x >= 0) in coarse hexahedra, which fem_influence --solid refines\n"
+    "towards the load; surfaces contact = 1, held = 2, free = 3, symmetry = 4; volume body = 10.";
 
 void print_quality(const meshes::QuadMesh& mesh, const meshes::Quality& quality) {
   fmt::print("quadrilaterals           {}\n", quality.quads);

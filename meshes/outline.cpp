@@ -12,13 +12,6 @@
 namespace bem_contact::meshes {
 namespace {
 
-constexpr double level_ratio = 1.05;
-constexpr double ray_step = 0.5; // mm between the places where the body's thickness is measured
-
-double cross(Point2 a, Point2 b) {
-  return a.y * b.z - b.y * a.z;
-}
-
 struct Candidate {
   double size;
   Point2 place;
@@ -41,10 +34,8 @@ std::vector<Segment> polygon(const std::vector<Span>& spans) {
   return segments;
 }
 
-/// Half of the thickness of the body behind each place of the outline. Only an opposite side counts: the
-/// neighbour at a corner is no reason for small elements.
+/// Half of the thickness of the body behind each place of the outline.
 std::vector<Candidate> thickness_candidates(const std::vector<Segment>& outline) {
-  constexpr double opposite = -0.8;
   std::vector<Candidate> candidates;
   for (const auto& a : outline) {
     const Point2 along = a.to - a.from;
@@ -57,13 +48,13 @@ std::vector<Candidate> thickness_candidates(const std::vector<Segment>& outline)
     for (const auto& b : outline) {
       const Point2 side = b.to - b.from;
       const double determinant = cross(inward, side);
-      if (std::abs(determinant) < 1e-12 * norm(side))
+      if (std::abs(determinant) < parallel_side * norm(side))
         continue;
       const double distance = cross(b.from - origin, side) / determinant;
       const double position = cross(b.from - origin, inward) / determinant;
-      if (distance > 1e-9 && distance < nearest && position >= 0 && position <= 1) {
+      if (distance > coinciding && distance < nearest && position >= 0 && position <= 1) {
         nearest = distance;
-        is_opposite = dot(tangent, side) < opposite * norm(side);
+        is_opposite = dot(tangent, side) < opposite_side * norm(side);
       }
     }
     if (is_opposite)
@@ -81,7 +72,7 @@ void add_geometry(SizeField& size, const std::vector<Span>& spans, double edge_a
           candidates.push_back({edge_angle / curvature, span.samples[i].position});
   std::sort(candidates.begin(), candidates.end(), [](auto& a, auto& b) { return a.size < b.size; });
   for (const auto& c : candidates)
-    if (size(c.place) > 1.15 * c.size) // else its neighbours have said it already
+    if (size(c.place) > size_excess * c.size)
       size.add(c.size, {c.place});
 }
 
@@ -129,71 +120,13 @@ void refuse_odd_strip_at_corner(const Section& section, int strip_edges) {
         "Make [mesh] elements_per_station even, or end the strip before the corner.");
 }
 
-bool cross_or_touch(const Segment& a, const Segment& b) {
-  const auto apart = [](double p, double q, double r, double s) {
-    return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
-  };
-  if (apart(a.from.y, a.to.y, b.from.y, b.to.y) || apart(a.from.z, a.to.z, b.from.z, b.to.z))
-    return false;
-  const Point2 u = a.to - a.from, v = b.to - b.from;
-  return cross(u, b.from - a.from) * cross(u, b.to - a.from) <= 0 &&
-         cross(v, a.from - b.from) * cross(v, a.to - b.from) <= 0;
-}
-
-/// Whether p lies within a loop: how often the loop winds around it.
-bool within(const VertexLoop& loop, Point2 p) {
-  double turn = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Point2 a = loop[i].position - p, b = loop[(i + 1) % loop.size()].position - p;
-    turn += std::atan2(cross(a, b), dot(a, b));
-  }
-  return std::abs(turn) > std::numbers::pi;
-}
+} // namespace
 
 double area(const VertexLoop& loop) {
   double twice = 0;
   for (std::size_t i = 0; i < loop.size(); ++i)
     twice += cross(loop[i].position, loop[(i + 1) % loop.size()].position);
   return twice / 2;
-}
-
-/// Loops that do not cross: holes lie within the outer loop and outside each other.
-void refuse_misplaced_holes(const std::vector<VertexLoop>& loops, const std::string& name) {
-  for (std::size_t hole = 0; hole < loops.size(); ++hole)
-    for (std::size_t other = 0; other < loops.size(); ++other) {
-      const bool other_is_outer = area(loops[other]) > 0;
-      const Point2 p = loops[hole].front().position;
-      if (hole != other && area(loops[hole]) < 0 && within(loops[other], p) != other_is_outer)
-        throw InputError(fmt::format("a hole of {} lies {}", name,
-                                     other_is_outer ? "outside the body" : "in another hole"),
-                         fmt::format("near y = {:.3f}, z = {:.3f} mm", p.y, p.z), "Move or remove it.");
-    }
-}
-
-} // namespace
-
-void SizeField::add(double size, std::vector<Point2> sources) {
-  // Levels keep the number of square roots small: one a level and place.
-  const double level = std::pow(level_ratio, std::floor(std::log(size) / std::log(level_ratio)));
-  const auto at = std::lower_bound(levels_.begin(), levels_.end(), level * (1 - 1e-9),
-                                   [](const Level& l, double s) { return l.size < s; });
-  if (at != levels_.end() && at->size < level * (1 + 1e-9))
-    at->sources.insert(at->sources.end(), sources.begin(), sources.end());
-  else
-    levels_.insert(at, {level, std::move(sources)});
-}
-
-double SizeField::operator()(Point2 p) const {
-  double size = largest_;
-  for (const auto& level : levels_) {
-    if (level.size >= size)
-      break;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& source : level.sources)
-      nearest = std::min(nearest, dot(p - source, p - source));
-    size = std::min(size, level.size + grading_ * std::sqrt(nearest));
-  }
-  return size;
 }
 
 Outline divide(const Section& section, int strip_edges, const BodyFile::Mesh& mesh, double edge_angle) {
@@ -225,27 +158,6 @@ Outline divide(const Section& section, int strip_edges, const BodyFile::Mesh& me
     outline.loops.push_back(std::move(loop));
   }
   return outline;
-}
-
-void refuse_crossings(const Outline& outline, const std::string& name) {
-  struct Edge : Segment {
-    std::size_t loop, index, loop_size;
-  };
-  std::vector<Edge> edges;
-  for (std::size_t l = 0; l < outline.loops.size(); ++l)
-    for (std::size_t i = 0, n = outline.loops[l].size(); i < n; ++i)
-      edges.push_back({{outline.loops[l][i].position, outline.loops[l][(i + 1) % n].position}, l, i, n});
-  for (std::size_t a = 0; a < edges.size(); ++a)
-    for (std::size_t b = a + 1; b < edges.size(); ++b) {
-      const std::size_t apart = edges[b].index - edges[a].index;
-      if (edges[a].loop == edges[b].loop && (apart == 1 || apart + 1 == edges[a].loop_size))
-        continue;
-      if (cross_or_touch(edges[a], edges[b]))
-        throw InputError(fmt::format("the outline of {} crosses itself", name),
-                         fmt::format("near y = {:.3f}, z = {:.3f} mm", edges[a].from.y, edges[a].from.z),
-                         "Check the profile and the body's dimensions.");
-    }
-  refuse_misplaced_holes(outline.loops, name);
 }
 
 } // namespace bem_contact::meshes

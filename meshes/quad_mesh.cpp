@@ -1,5 +1,7 @@
 #include "meshes/quad_mesh.hpp"
 
+#include "meshes/settings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,10 +9,6 @@
 
 namespace bem_contact::meshes {
 namespace {
-
-double cross(Point2 a, Point2 b) {
-  return a.y * b.z - b.y * a.z;
-}
 
 double area(const std::array<Point2, 4>& q) {
   return cross(q[2] - q[0], q[3] - q[1]) / 2;
@@ -79,15 +77,14 @@ void improve(QuadMesh& mesh, std::size_t vertex, const Neighbours& n) {
   const auto attempt = [&](Point2 place) {
     mesh.points[vertex] = place;
     const double quality = worst_around(mesh, n.quads[vertex]);
-    if (quality > best + 1e-6) {
+    if (quality > best + least_gain) {
       best = quality;
       kept = place;
     }
   };
   for (const double part : {1.0, 0.5, 0.25})
     attempt(start + part * (mean - start));
-  constexpr double poor = 0.6;
-  if (best < poor)
+  if (best < mediocre_quality)
     for (int direction = 0; direction < 8; ++direction)
       for (const double step : {0.2, 0.05})
         attempt(kept + step * reach * tangent_of(direction * std::atan(1.0)));

@@ -1,18 +1,15 @@
 #include "meshes/sampled_span.hpp"
 
+#include "meshes/settings.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace bem_contact::meshes {
 namespace {
 
-constexpr double corner = 15 * std::numbers::pi / 180;
-constexpr double sample_step = 0.1; // mm
-constexpr int least_samples = 64, most_samples = 4000;
-
 double angle_between(Point2 a, Point2 b) {
-  return std::abs(std::atan2(a.y * b.z - b.y * a.z, dot(a, b)));
+  return std::abs(std::atan2(cross(a, b), dot(a, b)));
 }
 
 Point2 direction(const Piece& piece, double at_part, double to_part) {
@@ -26,10 +23,10 @@ bool break_between(const Piece& a, const Piece& b) {
 
 int sample_count(const Piece& piece) {
   double length = 0;
-  for (int i = 0; i < least_samples; ++i)
-    length += norm(
-        direction(piece, static_cast<double>(i) / least_samples, static_cast<double>(i + 1) / least_samples));
-  return std::clamp(static_cast<int>(length / sample_step), least_samples, most_samples);
+  for (int i = 0; i < least_outline_samples; ++i)
+    length += norm(direction(piece, static_cast<double>(i) / least_outline_samples,
+                             static_cast<double>(i + 1) / least_outline_samples));
+  return std::clamp(static_cast<int>(length / outline_step), least_outline_samples, most_outline_samples);
 }
 
 void sample(Span& span) {
@@ -47,7 +44,7 @@ void sample(Span& span) {
     const Point2 step = s[i].position - s[i - 1].position;
     s[i].length = s[i - 1].length + norm(step);
     s[i].turn = s[i - 1].turn;
-    if (norm(step) < 1e-9) // a joint of two pieces is sampled twice
+    if (norm(step) < coinciding) // a joint of two pieces is sampled twice
       continue;
     if (norm(last) > 0)
       s[i].turn += angle_between(last, step);
@@ -58,8 +55,7 @@ void sample(Span& span) {
 } // namespace
 
 bool corner_between(const Piece& a, const Piece& b) {
-  constexpr double small = 1e-5;
-  return angle_between(direction(a, 1 - small, 1), direction(b, 0, small)) > corner;
+  return angle_between(direction(a, 1 - tangent_step, 1), direction(b, 0, tangent_step)) > corner;
 }
 
 std::vector<Span> sample_spans(const Loop& loop) {
@@ -85,12 +81,11 @@ std::vector<Span> sample_spans(const Loop& loop) {
 }
 
 double curvature_at(const Span& span, std::size_t sample) {
-  constexpr double reach = 0.25;
   const auto& s = span.samples;
   std::size_t before = sample, after = sample;
-  while (before > 0 && s[sample].length - s[before].length < reach)
+  while (before > 0 && s[sample].length - s[before].length < curvature_reach)
     --before;
-  while (after + 1 < s.size() && s[after].length - s[sample].length < reach)
+  while (after + 1 < s.size() && s[after].length - s[sample].length < curvature_reach)
     ++after;
   const double length = s[after].length - s[before].length;
   return length > 0 ? (s[after].turn - s[before].turn) / length : 0;

@@ -6,6 +6,7 @@
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "meshes/graft.hpp"
 #include "meshes/graft_fit.hpp"
+#include "meshes/settings.hpp"
 #include "meshes/wheel_section.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +20,6 @@ namespace bem_contact::meshes {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double hole_of_disc = 0.05; // of its radius; a disc must be held somewhere
 
 /// The profile in walking order, the strip marked; the strip comes first, what lies before it last.
 struct Running {
@@ -28,21 +28,20 @@ struct Running {
 };
 
 Running cut_at_strip(const ProfileCurve& curve, const BodyFile::Strip& strip) {
-  const double slack = 1e-9;
   if (!(strip.from < strip.to) || !(strip.station_width > 0))
     throw InputError(fmt::format("the strip from {} to {} mm with stations of {} mm is empty", strip.from,
                                  strip.to, strip.station_width),
                      "[strip] from must be less than to and station_width positive", "Correct the strip.");
-  if (strip.from < curve.s_begin() - slack || strip.to > curve.s_end() + slack)
+  if (strip.from < curve.s_begin() - profile_slack || strip.to > curve.s_end() + profile_slack)
     throw InputError(
         fmt::format("the strip from {} to {} mm is not on profile {}", strip.from, strip.to, curve.name()),
         fmt::format("the profile runs from {:.3f} to {:.3f} mm", curve.s_begin(), curve.s_end()),
         "Change [strip] from and to.");
   const double from = std::max(strip.from, curve.s_begin()), to = std::min(strip.to, curve.s_end());
   Running running{along(curve, from, to, Group::contact), {}, {}};
-  if (curve.s_end() - to > slack)
+  if (curve.s_end() - to > profile_slack)
     running.after.push_back(along(curve, to, curve.s_end()));
-  if (from - curve.s_begin() > slack)
+  if (from - curve.s_begin() > profile_slack)
     running.before.push_back(along(curve, curve.s_begin(), from));
   return running;
 }
@@ -58,18 +57,17 @@ Loop close(const Running& running, const std::vector<Piece>& rest) {
 Piece piece_of(const SectionPiece& piece, bool mirrored, Group group) {
   const double side = mirrored ? -1 : 1;
   const Point2 a{side * piece.from.y, piece.from.z}, b{side * piece.to.y, piece.to.z};
-  const CurvePiece curve =
-      arc_piece(mirrored ? b : a, mirrored ? a : b, piece.radius == 0 ? 0 : 1 / piece.radius);
+  const CurvePiece curve = curve_of({mirrored ? b : a, mirrored ? a : b, piece.radius});
   return {[curve](double t) { return point_on(curve, t).position; }, 0, curve.length, group};
 }
 
 /// Steeper than 45 degrees, and not the edge of the foot.
 bool is_web(const SectionPiece& piece, double foot_half_width) {
-  const CurvePiece curve = arc_piece(piece.from, piece.to, piece.radius == 0 ? 0 : 1 / piece.radius);
+  const CurvePiece curve = curve_of(piece);
   const auto steep = [&](double along) {
     return std::abs(std::cos(point_on(curve, along).delta)) < std::sqrt(0.5);
   };
-  return steep(0) && steep(curve.length) && piece.from.y < 0.5 * foot_half_width;
+  return steep(0) && steep(curve.length) && piece.from.y < widest_web * foot_half_width;
 }
 
 /// A standard rail's whole outline from its top centre round; `held` is "foot" (its underside) or "web".
@@ -210,7 +208,7 @@ double area(const Section& section, int samples) {
       Point2 a = piece.begin();
       for (int i = 1; i <= samples; ++i) {
         const Point2 b = piece.at(piece.from + (piece.to - piece.from) * i / samples);
-        twice += a.y * b.z - b.y * a.z;
+        twice += cross(a, b);
         a = b;
       }
     }

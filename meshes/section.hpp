@@ -3,6 +3,7 @@
 #include "bem_contact/base/conventions.hpp"
 #include "bem_contact/profile/body_file.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
+#include "meshes/settings.hpp"
 
 #include <functional>
 #include <vector>
@@ -49,6 +50,6 @@ struct Section {
 Section make_section(const BodyFile& body);
 
 /// Area enclosed, mm^2, by the trapezoidal rule on `samples` points a piece.
-double area(const Section& section, int samples = 4000);
+double area(const Section& section, int samples = area_samples);
 
 } // namespace bem_contact::meshes

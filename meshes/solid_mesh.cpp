@@ -2,7 +2,8 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
-#include "meshes/mesh_body.hpp"
+#include "meshes/section_mesh.hpp"
+#include "meshes/settings.hpp"
 #include "meshes/wheel_section.hpp"
 
 #include <fmt/format.h>
@@ -16,11 +17,6 @@
 
 namespace bem_contact::meshes {
 namespace {
-
-// Coarse away from the load: the program that refines the mesh knows where accuracy is wanted.
-constexpr double layer_growth = 0.6;
-constexpr double coarse_gradings[] = {0.8, 0.65, 0.5}, good_quality = 0.3;
-constexpr double widest_sector = 20 * std::numbers::pi / 180; // of one layer of a wheel
 
 double reference_radius(const BodyFile& body) {
   if (body.body.kind == BodyKind::outline)
@@ -37,11 +33,11 @@ std::optional<BodyFile> bundled(const BodyFile& body, const ProfileCurve& curve,
   BodyFile coarse = body;
   coarse.strip.station_width = bundle * ds;
   coarse.mesh.elements_per_station = 1;
-  constexpr double slack = 1e-9;
   for (const int before : {more / 2, more, 0}) {
     coarse.strip.from = body.strip.from - before * ds;
     coarse.strip.to = body.strip.to + (more - before) * ds;
-    if (coarse.strip.from >= curve.s_begin() - slack && coarse.strip.to <= curve.s_end() + slack)
+    if (coarse.strip.from >= curve.s_begin() - profile_slack &&
+        coarse.strip.to <= curve.s_end() + profile_slack)
       return coarse;
   }
   return std::nullopt;
@@ -97,7 +93,7 @@ std::vector<double> layers_of(const BodyFile& body) {
   std::vector<double> x{0, first};
   while (x.back() < length) {
     const double step = std::min(longest, std::max(first, layer_growth * x.back()));
-    x.push_back(length - x.back() < 1.5 * step ? length : x.back() + step);
+    x.push_back(length - x.back() < last_layer * step ? length : x.back() + step);
   }
   return x;
 }

@@ -3,7 +3,6 @@
 #include "meshes/quad_mesh.hpp"
 
 #include <array>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -43,10 +42,5 @@ struct SolidMesh {
 /// reach a few stations beyond the strip. Away from the strip and along x elements grow by mesh.grading.
 /// Throws InputError as mesh_section does.
 SolidMesh mesh_solid(const BodyFile& body);
-
-/// Writes the mesh as MSH 4.1 (ASCII), first order, with the physical surfaces contact 1, held 2, free 3,
-/// symmetry 4 and the physical volume body 10; in its comments the section's curved edges. Written under a
-/// temporary name and renamed. Throws InputError when the file cannot be written.
-void write_msh(const SolidMesh& mesh, const std::filesystem::path& file);
 
 } // namespace bem_contact::meshes

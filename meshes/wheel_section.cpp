@@ -1,6 +1,7 @@
 #include "meshes/wheel_section.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "meshes/settings.hpp"
 
 #include <fmt/format.h>
 
@@ -47,7 +48,7 @@ std::vector<Piece> wheel_body(Point2 profile_end, Point2 profile_begin, std::str
                front_hub = wheel.web_at_hub + wheel.thickness_at_hub / 2;
 
   std::vector<Piece> pieces;
-  if (profile_end.y - back > 1e-9)
+  if (profile_end.y - back > coinciding)
     pieces.push_back(line(profile_end, {back, chamfer_back}));
   pieces.push_back(line({back, chamfer_back}, {back, rim}));
   pieces.push_back(line({back, rim}, {back_rim - r, rim}, group("rim")));
@@ -64,7 +65,7 @@ std::vector<Piece> wheel_body(Point2 profile_end, Point2 profile_begin, std::str
   pieces.push_back(arc({front_rim + r, upper}, r, pi, pi / 2));
   pieces.push_back(line({front_rim + r, rim}, {front, rim}, group("rim")));
   pieces.push_back(line({front, rim}, {front, chamfer_front}));
-  if (front - profile_begin.y > 1e-9)
+  if (front - profile_begin.y > coinciding)
     pieces.push_back(line({front, chamfer_front}, profile_begin));
   return pieces;
 }

@@ -1,8 +1,8 @@
-#include "meshes/mesh_body.hpp"
+#include "meshes/write_msh.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "meshes/gmsh_session.hpp"
-#include "meshes/solid_mesh.hpp"
+#include "meshes/settings.hpp"
 
 #include <fmt/format.h>
 
@@ -130,8 +130,7 @@ bool add_curved_edges(const QuadMesh& mesh, const std::filesystem::path& file) {
     const Point2 a = mesh.points[static_cast<std::size_t>(edge.vertices[0])],
                  b = mesh.points[static_cast<std::size_t>(edge.vertices[1])], h = edge.halfway;
     const Point2 chord = b - a;
-    if (std::abs(chord.y * (h - a).z - chord.z * (h - a).y) > 1e-7 * dot(chord, chord) &&
-        edge.group != Group::contact)
+    if (std::abs(cross(chord, h - a)) > straight_edge * dot(chord, chord) && edge.group != Group::contact)
       lines += fmt::format("{:.16g} {:.16g} {:.16g} {:.16g} {:.16g} {:.16g}\n", a.y, a.z, h.y, h.z, b.y, b.z);
   }
   std::ofstream out(file, std::ios::app);

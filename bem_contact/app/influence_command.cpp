@@ -1,21 +1,56 @@
 #include "bem_contact/app/influence_command.hpp"
 
 #include "bem_contact/app/numbers_file.hpp"
+#include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/halfspace/combine.hpp"
 #include "bem_contact/halfspace/resample.hpp"
 #include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/requirements.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <memory>
 
 namespace bem_contact::app {
 
 namespace {
 
-constexpr double largest_table = 4.0; // GB
+constexpr const char* influence_help =
+    R"(An influence file holds a function: it serves elements of any length and any patch on its strip.
+`expand` turns it into plain influence numbers for one grid: how far element (m, I) moves under 1 MPa on
+element (0, J). m counts elements along x; I and J count rows along the profile.
+
+1 Look at the file first. It says the shortest --dx that it serves and the strip on which the rows must lie:
+    bem_contact info rail.h5
+
+2 One body: 20 offsets of 0.5 mm and 30 rows of 0.4 mm around the arc length s = -32 mm:
+    bem_contact influence expand rail.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 --centre -32 -o numbers.h5
+    bem_contact influence expand rail.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 --centre -32 -o numbers.csv
+  You should see one line with the size of the table and the number of the middle element, in mm/MPa.
+  The HDF5 file has one dataset [m][I][i][J][j]; i and j are 0 for x, 1 for s, 2 for n (into the body).
+  Numbers of negative m follow by symmetry: times -1 if exactly one of i and j is x. Without --centre the
+  rows lie around the middle of the strip.
+
+3 A pair, the rail first. --centre on the rail lies opposite --wheel-centre on the wheel, and from there the
+  wheel's arc length runs backwards. `bem_contact check SCENE.toml` prints both for each touch point.
+    bem_contact influence expand rail.h5 wheel.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 \
+        --centre -32 --wheel-centre 35 -o pair.h5
+  These numbers belong to the contact: traction on the rail, displacement of the rail less that of the wheel.
+
+4 For the program CONTACT (numerical influence coefficients, C3 = 9): one matrix for each loaded row, or one
+  matrix for all rows if the curvature is constant:
+    bem_contact influence expand rail.h5 wheel.h5 ... --format contact --matrices each -o pair.txt
+  Use the same dx, dy and my in CONTACT's case, an mx that is not larger, and the G of both bodies. The rail
+  is CONTACT's upper body, z points into the rail. Our numbers are means over the displaced element; CONTACT's
+  own numbers are displacements of its centre.
+
+--structural-compliance removed (default) takes out the motion of the body as a whole; `included` lets the body
+bend on its support. data/INFLUENCE_FORMAT.md has every layout, unit and sign.)";
 
 struct Body {
   InfluenceFunction function;
@@ -36,11 +71,11 @@ double radius_at(const InfluenceFunction& f, double s) {
   return f.reference_radius + f.stations[static_cast<std::size_t>(std::lround(index))].position.z;
 }
 
-/// `direction`: +1 where the rows ascend with the body's own s, -1 where they run against it.
-Body expand_body(const ExpandRequest& r, const std::string& file, double direction, bool has_centre,
-                 double centre) {
+/// `direction`: +1 if the rows ascend with the body's own s, -1 if they run against it.
+Body expand_body(const ExpandRequest& r, const std::string& file, double direction,
+                 std::optional<double> centre) {
   Body body{read_influence_file(file), {}, {}};
-  const double middle = has_centre ? centre : middle_of(body.function);
+  const double middle = centre.value_or(middle_of(body.function));
   for (int i = 0; i < r.my; ++i)
     body.row_s.push_back(middle + direction * (i - 0.5 * (r.my - 1)) * r.ds);
   ExpandOptions options;
@@ -70,7 +105,7 @@ void describe(PlainNumbers& out, const ExpandRequest& r, const Body& body, const
   out.rows.emplace_back("s" + suffix, body.row_s);
 }
 
-/// Refuses before anything is read what cannot be done, whatever the files hold.
+/// Refuses what cannot be done with any file, before any file is read.
 void check(const ExpandRequest& r, const std::string& format) {
   const std::vector<std::filesystem::path> inputs(r.files.begin(), r.files.end());
   refuse_overwriting(r.output, inputs);
@@ -86,7 +121,7 @@ void check(const ExpandRequest& r, const std::string& format) {
   if (format == "contact" && r.files.size() != 2)
     throw InputError("The format 'contact' is of a pair of bodies", "one influence file was given",
                      "Give two files, the rail's and then the wheel's.");
-  if (r.has_wheel_centre && r.files.size() != 2)
+  if (r.wheel_centre && r.files.size() != 2)
     throw InputError("There is no wheel for --wheel-centre", "one influence file was given",
                      "Give two files, the rail's and then the wheel's, or --centre.");
   if (r.matrices != "each" && format != "contact")
@@ -113,15 +148,15 @@ std::string expand_command(const ExpandRequest& r) {
   check(r, format);
   PlainNumbers out;
   if (r.files.size() == 1) {
-    Body body = expand_body(r, r.files[0], 1, r.has_centre, r.centre);
+    Body body = expand_body(r, r.files[0], 1, r.centre);
     out.remarks.emplace_back("frame", "the body's own: x along it, s its profile's arc length, n into it; "
                                       "traction and displacement are the body's own");
     describe(out, r, body, r.files[0], "");
     out.numbers = std::move(body.numbers);
   } else {
     // The wheel's own s runs against the rail's: its rows are those that lie opposite.
-    Body rail = expand_body(r, r.files[0], 1, r.has_centre, r.centre);
-    Body wheel = expand_body(r, r.files[1], -1, r.has_wheel_centre, r.wheel_centre);
+    Body rail = expand_body(r, r.files[0], 1, r.centre);
+    Body wheel = expand_body(r, r.files[1], -1, r.wheel_centre);
     require_order(rail.function, wheel.function);
     out.remarks.emplace_back("frame",
                              "contact: x rolling direction, s the rail's arc length, n into the rail; "
@@ -147,34 +182,40 @@ std::string expand_command(const ExpandRequest& r) {
       100 * variation_along_the_strip(out.numbers));
 }
 
-std::string influence_help() {
-  return R"(An influence file holds a function: it serves elements of any length and any patch on its strip.
-`expand` turns it into plain numbers: how far element (m, I) moves under 1 MPa on element (0, J).
-m counts elements along x, I and J rows along the profile.
-
-1 Look at the file first; --dx may not be shorter than it says, and the rows must lie on its strip:
-    bem_contact info rail.h5
-
-2 One body, 20 offsets of 0.5 mm and 30 rows of 0.4 mm about the arc length s = -32 mm:
-    bem_contact influence expand rail.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 --centre -32 -o numbers.h5
-    bem_contact influence expand rail.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 --centre -32 -o numbers.csv
-  The HDF5 file has one dataset [m][I][i][J][j] with i, j = 0 x, 1 s, 2 n (n into the body); negative m
-  follow by symmetry: times -1 where exactly one of i and j is x. Without --centre: middle of the strip.
-
-3 A pair, rail first. Opposite each other lie --centre on the rail and --wheel-centre on the wheel, and from
-  there the wheel's arc length runs backwards. `bem_contact check SCENE.toml` names both for a touch point.
-    bem_contact influence expand rail.h5 wheel.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 \
-        --centre -32 --wheel-centre 35 -o pair.h5
-  These are numbers of the contact: traction on the rail, displacement of the rail less that of the wheel.
-
-4 For the program CONTACT (numerical influence coefficients, C3 = 9): one matrix for each loaded row, or one
-  for all where the curvature is constant:
-    bem_contact influence expand rail.h5 wheel.h5 ... --format contact --matrices each -o pair.txt
-  In its case use the same dx, dy and my, an mx not larger, and both bodies' G; the rail is its upper body,
-  z points into the rail. Our numbers are means over the displaced element, its own are those at the centre.
-
-Structural compliance `removed` (default) holds the section about the contact at rest in the mean;
-`included` lets the body bend as a whole. Every layout, unit and sign: data/INFLUENCE_FORMAT.md.)";
+Command add_influence(CLI::App& program) {
+  CLI::App* influence = program.add_subcommand("influence", "Plain influence numbers from influence files");
+  influence->require_subcommand(1);
+  influence->footer(influence_help);
+  const auto request = std::make_shared<ExpandRequest>();
+  ExpandRequest& r = *request;
+  CLI::App* expand =
+      influence->add_subcommand("expand", "Write the numbers of one body, or of rail and wheel, for a grid");
+  expand->add_option("files", r.files, "Influence file of a body, or those of the rail and the wheel")
+      ->required()
+      ->expected(1, 2);
+  expand->add_option("--dx", r.dx, "Length of an element along x, mm")->required();
+  expand->add_option("--ds", r.ds, "Width of an element along s, mm")->required();
+  expand->add_option("--mx", r.mx, "Offsets along x: 0 .. MX-1 elements")->required();
+  expand->add_option("--my", r.my, "Rows along s")->required();
+  expand->add_option("--centre", r.centre,
+                     "Arc length of the middle of the rows, mm; else the middle of the strip");
+  expand->add_option("--wheel-centre", r.wheel_centre, "The same on the wheel of a pair");
+  expand->add_option("--structural-compliance", r.structural, "The body's motion as a whole")
+      ->check(CLI::IsMember({"included", "removed"}))
+      ->capture_default_str();
+  expand->add_option("--format", r.format, "Without it, the ending of the output decides: .h5 or .csv")
+      ->check(CLI::IsMember({"hdf5", "csv", "contact"}));
+  expand->add_option("--matrices", r.matrices, "Format contact: one matrix, or one for each loaded row")
+      ->check(CLI::IsMember({"each", "one"}))
+      ->capture_default_str();
+  expand->add_option("-o,--output", r.output, "File to write")->required();
+  expand->footer(R"(Example:
+    bem_contact influence expand data/influence/small_rail.h5 --dx 0.5 --ds 0.5 --mx 20 --my 30 -o numbers.h5
+`bem_contact influence --help` explains it and has more.)");
+  return {influence, [request] {
+            fmt::print("{}", expand_command(*request));
+            return success;
+          }};
 }
 
 } // namespace bem_contact::app

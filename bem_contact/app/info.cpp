@@ -1,13 +1,15 @@
 #include "bem_contact/app/info.hpp"
 
 #include "bem_contact/app/result_file.hpp"
-#include "bem_contact/app/sweep_file.hpp"
+#include "bem_contact/app/sweep_output.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <memory>
 #include <numbers>
 
 namespace bem_contact::app {
@@ -89,6 +91,21 @@ std::string describe_file(const std::filesystem::path& file) {
   throw InputError(fmt::format("'{}' is not a file of this project", file.string()),
                    "it is HDF5 and neither influence functions, nor plain numbers, nor a result, nor a sweep",
                    "Name a file that fem_influence or bem_contact wrote.");
+}
+
+Command add_info(CLI::App& program) {
+  CLI::App* line = program.add_subcommand("info", "Describe an influence file, a result file or a sweep");
+  const auto file = std::make_shared<std::string>();
+  line->add_option("file", *file, "HDF5 file")->required();
+  line->footer(R"(Example:
+    bem_contact info data/influence/small_rail.h5
+You should see which body the file is for (rail 60E1), its material, where it is held, the strip of its
+profile that the file covers (s = -44 .. -20 mm), the shortest element it serves (0.5 mm along x) and the
+estimated error. For a result or a sweep you see every dataset with its shape and unit.)");
+  return {line, [file] {
+            fmt::print("{}", describe_file(*file));
+            return success;
+          }};
 }
 
 } // namespace bem_contact::app

@@ -1,5 +1,6 @@
 #include "bem_contact/app/numbers_file.hpp"
 
+#include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/h5_table.hpp"

@@ -30,7 +30,6 @@ enum class Matrices { one, each };
 /// `one`: the mean over all pairs of rows equally far apart. Throws InputError where these differ by more
 /// than `largest_variation` of the self number (the curvature is not constant).
 void write_numbers_contact(const std::filesystem::path& file, const PlainNumbers& plain, Matrices matrices);
-inline constexpr double largest_variation = 0.01;
 
 /// How much the numbers of equal distance differ along the strip, largest, as a part of A_nn of the middle.
 double variation_along_the_strip(const InfluenceNumbers& numbers);

@@ -142,11 +142,9 @@ std::string fixed(double value, double largest) {
   return fmt::format("{:.{}f}", std::abs(value) < 0.5 * unit ? 0.0 : value, decimals);
 }
 
-} // namespace
-
-json to_json(const SceneResult& r) {
+json patches_json(const ContactResult& result) {
   json patches = json::array();
-  for (const PatchSummary& p : r.result.patches)
+  for (const PatchSummary& p : result.patches)
     patches.push_back({{"Fn", p.fn},
                        {"Fx", p.fx},
                        {"Fs", p.fs},
@@ -158,12 +156,39 @@ json to_json(const SceneResult& r) {
                        {"slip", p.slip},
                        {"x", p.x},
                        {"s", p.s}});
-  const ContactGrid& grid = r.problem.grid;
+  return patches;
+}
+
+json grid_json(const ContactProblem& problem) {
+  const ContactGrid& grid = problem.grid;
+  return {{"mx", grid.mx},
+          {"ms", grid.ms},
+          {"dx", grid.dx},
+          {"ds", grid.ds},
+          {"s_from", problem.rows.front().s},
+          {"s_to", problem.rows.back().s}};
+}
+
+json solvers_json(const ContactResult& result) {
+  return {{"normal", result.normal_solver},
+          {"tangential", result.tangential_solver},
+          {"outer_iterations", result.outer_iterations},
+          {"work", result.work},
+          {"outer_rate", result.outer_rate},
+          {"creepage_iterations", result.creepage_iterations},
+          {"normal_iterations", result.normal_iterations},
+          {"tangential_iterations", result.tangential_iterations},
+          {"remark", result.remark}};
+}
+
+} // namespace
+
+json to_json(const SceneResult& r) {
   return {{"model", name_of(r.model)},
           {"reason", r.reason},
           {"frame", {{"y", r.left ? "to the left" : "to the right"}, {"units", units_json(r)}}},
           {"converged", r.result.converged},
-          {"patches", patches},
+          {"patches", patches_json(r.result)},
           {"totals",
            {{"Fx", r.result.Fx},
             {"Fy", r.result.Fy},
@@ -182,24 +207,9 @@ json to_json(const SceneResult& r) {
             {"y", r.reference.position.y},
             {"z", r.reference.position.z},
             {"delta", r.reference.delta}}},
-          {"grid",
-           {{"mx", grid.mx},
-            {"ms", grid.ms},
-            {"dx", grid.dx},
-            {"ds", grid.ds},
-            {"s_from", r.problem.rows.front().s},
-            {"s_to", r.problem.rows.back().s}}},
+          {"grid", grid_json(r.problem)},
           {"certificate", certificate_json(r.result.certificate)},
-          {"solvers",
-           {{"normal", r.result.normal_solver},
-            {"tangential", r.result.tangential_solver},
-            {"outer_iterations", r.result.outer_iterations},
-            {"work", r.result.work},
-            {"outer_rate", r.result.outer_rate},
-            {"creepage_iterations", r.result.creepage_iterations},
-            {"normal_iterations", r.result.normal_iterations},
-            {"tangential_iterations", r.result.tangential_iterations},
-            {"remark", r.result.remark}}},
+          {"solvers", solvers_json(r.result)},
           {"stresses", stresses_json(r.stresses)},
           {"warnings", r.warnings},
           {"seconds",

@@ -1,92 +1,71 @@
 #include "bem_contact/app/sweep_command.hpp"
 
-#include "bem_contact/app/sweep_file.hpp"
+#include "bem_contact/app/scene_commands.hpp"
+#include "bem_contact/app/sweep_inputs.hpp"
 #include "bem_contact/app/sweep_journal.hpp"
+#include "bem_contact/app/sweep_output.hpp"
 #include "bem_contact/app/sweep_share.hpp"
+#include "bem_contact/app/sweep_summary.hpp"
 #include "bem_contact/app/sweep_workers.hpp"
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
-#include "bem_contact/base/provenance.hpp"
-#include "bem_contact/influence/file_seal.hpp"
+#include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
+#include <CLI/CLI.hpp>
 #include <ctime>
+#include <filesystem>
 #include <fmt/format.h>
-#include <map>
 #include <memory>
 #include <optional>
-#include <set>
-#include <span>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace bem_contact::app {
 
 namespace {
 
-std::string digest_of(const std::string& text) {
-  return sha256({std::as_bytes(std::span(text))});
-}
+constexpr const char* sweep_help =
+    R"(Add a table [sweep] to a scene; it gives lists or ranges for any keys of the scene:
+    [sweep]
+    position.lateral = { from = 6.2, to = 7.1, step = 0.05 }   # or count = 19
+    load.force = [ 5e4, 1e5 ]
+    mode = "product"        # or "zip": the first of each list, the second of each ...
+    fields = true           # false: keep only the totals of each case
+Example, 64 contacts from tread to flange:
+    bem_contact sweep data/scenes/cases_halfspace.toml -o sweep.h5 --csv sweep.csv
+You should see the progress, then `64 certified, of 64 cases`, and one line for each case in sweep.csv. If the
+program is stopped, call it again: sweep.h5.part holds the finished cases, and only the others are solved.
 
-/// Every value of every list, and all of a zip: wrong input is found before anything is computed.
-void check_values(const SweepFile& sweep) {
-  std::set<std::size_t> cases{0};
-  if (sweep.zip)
-    for (std::size_t i = 0; i < sweep.size(); ++i)
-      cases.insert(i);
-  std::size_t stride = sweep.size();
-  for (const SweepFile::Axis& axis : sweep.axes) {
-    stride /= axis.values.size();
-    for (std::size_t k = 0; k < axis.values.size() && !sweep.zip; ++k)
-      cases.insert(k * stride);
-  }
-  for (const std::size_t index : cases)
-    sweep.scene(index);
-}
+On a cluster, share the cases among machines (tools/cluster/slurm_sweep does it), then join the shares:
+    bem_contact sweep SCENE.toml -o SWEEP.h5 --part 1/8        # ... --part 8/8
+    bem_contact sweep SCENE.toml -o SWEEP.h5 --merge
 
-/// The files that the cases read, each once.
-std::set<std::string> inputs_of(const SweepFile& sweep) {
-  std::set<std::string> names;
-  for (const std::filesystem::path& file : input_files(sweep.scene(0)))
-    if (std::filesystem::is_regular_file(file))
-      names.insert(file.string());
-  for (const SweepFile::Axis& axis : sweep.axes)
-    for (const SchemaValue& value : axis.values)
-      if (const auto* text = std::get_if<std::string>(&value))
-        if (!text->empty() && std::filesystem::is_regular_file(sweep.folder / *text))
-          names.insert((sweep.folder / *text).string());
-  return names;
-}
+Exit code 0: every case is certified; 2: the input is wrong; 3: a case is missing or not certified.)";
 
-/// Of all that the results depend on.
-std::string digest_of(const SweepFile& sweep, const std::string& model) {
-  std::string all = provenance("bem_contact") + "\n" + model + "\n" + digest_of(sweep.text) + "\n";
-  for (const std::string& name : inputs_of(sweep))
-    all += digest_of(read_text_file(name, "input")) + "\n";
-  return digest_of(all);
-}
+constexpr int most_jobs = 4096; // a typing error, not a machine
 
-/// What is at the output already: nothing, or a file of this sweep.
-struct Former {
-  bool complete = false;
-  H5Table table;
+struct SweepRequest {
+  std::string scene, output, csv, model;
+  int jobs = 0;       ///< processes; 0: one for each core
+  std::string part;   ///< "2/8": the second of eight shares; "": all
+  bool merge = false; ///< solve nothing: write what the shares have solved
 };
 
-std::optional<Former> former_output(const std::filesystem::path& output, const std::string& digest) {
+/// Whether the output is there with all cases. Throws InputError if it is not a file of this sweep.
+bool is_complete(const std::filesystem::path& output, const std::string& digest) {
   if (!std::filesystem::exists(output))
-    return std::nullopt;
-  Former former;
+    return false;
+  H5Table top;
   try {
-    former.table = read_h5_top(output);
+    top = read_h5_top(output);
   } catch (const InputError&) {
   }
   const auto is = [&](const char* name, const std::string& value) {
-    const auto at = former.table.attributes.find(name);
-    return at != former.table.attributes.end() && at->second == H5Attribute(value);
+    const auto at = top.attributes.find(name);
+    return at != top.attributes.end() && at->second == H5Attribute(value);
   };
   if (!is("format", sweep_format) || !is("digest", digest))
     throw InputError(
@@ -95,13 +74,12 @@ std::optional<Former> former_output(const std::filesystem::path& output, const s
             ? "the scene, a file that it names, --model or this program's version has changed since"
             : "it was not made by bem_contact sweep",
         "Give another output, or remove the file.");
-  former.complete = former.table.attributes["missing"] == H5Attribute(0.0);
-  return former;
+  return top.attributes["missing"] == H5Attribute(0.0);
 }
 
 CaseRecord solve_case(Sequence& sequence, const SweepFile& sweep, std::size_t index,
                       const std::string& model) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const std::clock_t cpu = std::clock();
   CaseRecord record;
   const auto failed = [&](CaseStatus status, const char* reason) {
@@ -121,7 +99,7 @@ CaseRecord solve_case(Sequence& sequence, const SweepFile& sweep, std::size_t in
   } catch (const std::exception& error) {
     failed(CaseStatus::not_certified, error.what());
   }
-  record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  record.seconds = watch.seconds();
   record.cpu_seconds = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
   return record;
 }
@@ -187,101 +165,94 @@ void write_csv_of(const std::filesystem::path& csv, const std::filesystem::path&
   write_csv(csv, sweep, table, reasons);
 }
 
-/// Of the cases of a share.
-SweepSummary summary_of(const H5Table& top, const Share& share, const std::string& head) {
-  const std::vector<double>& status = top.datasets.at("status").values;
-  const std::vector<double>& cpu = top.datasets.at("cpu_seconds").values;
-  SweepSummary out;
-  out.text = head;
-  std::map<std::string, int> counts;
-  std::size_t cases = 0;
-  std::vector<double> times;
-  out.certified = true;
-  for (std::size_t i = 0; i < status.size(); ++i) {
-    if (!belongs(i, status.size(), share))
-      continue;
-    const auto s = static_cast<CaseStatus>(status[i]);
-    ++cases;
-    ++counts[status_text(s)];
-    if (!std::isnan(cpu[i]) && s != CaseStatus::died)
-      times.push_back(cpu[i]);
-    out.certified = out.certified && (s == CaseStatus::certified);
-  }
-  for (const auto& [name, number] : counts)
-    out.text += fmt::format("{} {}, ", number, name);
-  out.text += fmt::format("of {} cases\n", cases);
-  if (!times.empty()) {
-    std::ranges::sort(times);
-    const auto at = [&](double quantile) {
-      return times[static_cast<std::size_t>(quantile * double(times.size() - 1))];
-    };
-    out.text += fmt::format("CPU seconds a case: median {:.3g}, 99 % below {:.3g}, largest {:.3g}\n", at(0.5),
-                            at(0.99), times.back());
-  }
-  return out;
-}
-
-} // namespace
-
-SweepSummary sweep_command(const SweepRequest& request) {
-  const SweepFile sweep = read_sweep_file(request.scene);
-  const Share share = share_of(request.part);
-  check_values(sweep);
-  const std::filesystem::path output = request.output, csv = request.csv;
+/// Refuses outputs that would overwrite an input or each other.
+void check_outputs(const SweepFile& sweep, const SweepRequest& request,
+                   const std::filesystem::path& own_journal) {
   std::vector<std::filesystem::path> taken{request.scene};
   for (const std::string& name : inputs_of(sweep))
     taken.push_back(name);
-  const std::filesystem::path own_journal = journal_name(output, share.part, share.parts);
-  for (const std::filesystem::path& file : {output, own_journal, csv}) {
+  for (const std::filesystem::path& file :
+       {std::filesystem::path(request.output), own_journal, std::filesystem::path(request.csv)}) {
     refuse_overwriting(file, taken);
     taken.push_back(file);
   }
+}
+
+/// What is known from all journals, after this process has solved its part of the rest.
+SweepOutput results_of(const SweepFile& sweep, const SweepRequest& request, const Share& share,
+                       const std::filesystem::path& own_journal, const std::string& digest) {
+  SweepOutput results(sweep, digest);
+  const auto add = [&](const CaseRecord& record) { results.add(record); };
+  for (const std::filesystem::path& journal : journals_of(request.output))
+    if (request.merge || journal != own_journal)
+      read_journal(journal, digest, add);
+  if (!request.merge) {
+    SweepJournal journal(own_journal, digest, add);
+    solve_missing(sweep, request, share, journal, results);
+  }
+  return results;
+}
+
+void remove_journals(const std::filesystem::path& output) {
+  for (const std::filesystem::path& journal : journals_of(output))
+    std::filesystem::remove(journal);
+}
+
+/// Solves the cases that are not solved yet and writes them into one file (sweep_output.hpp). A share writes
+/// only its journal (sweep_journal.hpp); --merge makes the file of all journals. Throws InputError for wrong
+/// input, an output of another sweep, or files that cannot be written. What is wrong with one case is in its
+/// record.
+SweepSummary run_sweep(const SweepRequest& request) {
+  const SweepFile sweep = read_sweep_file(request.scene);
+  const Share share = share_of(request.part);
+  check_values(sweep);
+  const std::filesystem::path output = request.output;
+  const std::filesystem::path own_journal = journal_name(output, share.part, share.parts);
+  check_outputs(sweep, request, own_journal);
   const std::string digest = digest_of(sweep, request.model);
-  const std::optional<Former> former = former_output(output, digest);
   std::string head;
-  if (former && former->complete) {
+  if (is_complete(output, digest)) {
     head = fmt::format("'{}' is complete: nothing was solved\n", output.string());
-    for (const std::filesystem::path& journal : journals_of(output)) // left by a kill after the file was done
+    for (const std::filesystem::path& journal : journals_of(output)) // a kill left it after the file was done
       if (read_journal(journal, digest, [](const CaseRecord&) {}) > 0)
         std::filesystem::remove(journal);
   } else {
-    SweepOutput results(sweep, digest);
-    const auto add = [&](const CaseRecord& record) { results.add(record); };
-    const auto others = [&] {
-      for (const std::filesystem::path& journal : journals_of(output))
-        if (request.merge || journal != own_journal)
-          read_journal(journal, digest, add);
-    };
-    others();
-    if (!request.merge) {
-      SweepJournal journal(own_journal, digest, add);
-      solve_missing(sweep, request, share, journal, results);
-    }
+    const SweepOutput results = results_of(sweep, request, share, own_journal, digest);
     if (share.parts > 1)
       return summary_of(
           results.top(), share,
           fmt::format("share {} of {} is solved: --merge makes the file of all\n", share.part, share.parts));
     write_file(output, journals_of(output), digest, results, sweep.size());
     if (results.count(CaseStatus::missing) == 0)
-      for (const std::filesystem::path& journal : journals_of(output))
-        std::filesystem::remove(journal);
+      remove_journals(output);
   }
-  if (!csv.empty())
-    write_csv_of(csv, output, sweep);
+  if (!request.csv.empty())
+    write_csv_of(request.csv, output, sweep);
   return summary_of(read_h5_top(output), share, head);
 }
 
-std::string sweep_help() {
-  return "The scene has a table [sweep] with lists or ranges for any of its keys:\n"
-         "    [sweep]\n"
-         "    position.lateral = { from = 6.2, to = 7.1, step = 0.05 }   # or count = 19\n"
-         "    load.force = [ 5e4, 1e5 ]\n"
-         "    mode = \"product\"        # or \"zip\"\n"
-         "    fields = true           # false: keep the totals of each case only\n"
-         "Called again after a kill, it goes on: SWEEP.h5.part holds what was finished.\n"
-         "On a cluster (tools/cluster/slurm_sweep): sweep SCENE.toml -o SWEEP.h5 --part 1/8 ... --part 8/8,\n"
-         "then sweep SCENE.toml -o SWEEP.h5 --merge.\n"
-         "Exit code 0: all certified; 2: wrong input; 3: a case is missing or not certified.";
+} // namespace
+
+Command add_sweep(CLI::App& program) {
+  const auto request = std::make_shared<SweepRequest>();
+  SweepRequest& r = *request;
+  CLI::App* line = program.add_subcommand("sweep", "Solve a scene for lists or ranges of any of its keys");
+  line->add_option("scene", r.scene, "Scene file (TOML) with a table [sweep]")->required();
+  line->add_option("-o,--output", r.output, "File of all cases (HDF5)")->required();
+  line->add_option("--csv", r.csv, "Summary with one line for each case");
+  line->add_option("--model", r.model, "Model of the bodies, instead of the scene's own choice")
+      ->check(CLI::IsMember(model_choices()));
+  line->add_option("--jobs", r.jobs, "Number of processes; 0: one for each core")
+      ->check(CLI::Range(0, most_jobs))
+      ->capture_default_str();
+  CLI::Option* part = line->add_option("--part", r.part, "I/N: solve the I-th of N shares");
+  line->add_flag("--merge", r.merge, "Solve nothing; write what the shares have solved")->excludes(part);
+  line->footer(sweep_help);
+  return {line, [request] {
+            const SweepSummary summary = run_sweep(*request);
+            fmt::print("{}", summary.text);
+            return summary.certified ? success : no_convergence;
+          }};
 }
 
 } // namespace bem_contact::app

@@ -9,14 +9,16 @@
 
 namespace bem_contact::app {
 
-/// The file that the cases of a running sweep are appended to, one sealed record each, so that a kill at any
-/// moment loses nothing that was finished: a record it left half written is cut off. One process writes it.
+/// A running sweep appends each finished case to this file, as one sealed record.
+///
+/// A kill at any moment loses no finished case: the next run cuts off a record that is only half written.
+/// Only one process writes a journal.
 ///     bem_contact sweep 1\n<digest>\n
 ///     then [u64 bytes][record][SHA-256 of the record, 64 characters], in the machine's own byte order
 class SweepJournal {
 public:
-  /// Makes the file or goes on with it; `seen` is called with each record that is whole.
-  /// Throws InputError where it belongs to a sweep of another digest, is in use, or cannot be written.
+  /// Makes the file, or continues it and calls `seen` with each complete record.
+  /// Throws InputError if it belongs to a sweep of another digest, is in use, or cannot be written.
   SweepJournal(std::filesystem::path file, const std::string& digest,
                const std::function<void(const CaseRecord&)>& seen);
   ~SweepJournal();
@@ -31,8 +33,8 @@ private:
   int handle_ = -1;
 };
 
-/// Calls `seen` with each whole record of a journal; returns the number of bytes that are whole (0: none, or
-/// no journal). Throws InputError for a journal of another digest.
+/// Calls `seen` with each complete record of a journal. Returns how many bytes belong to complete records (0:
+/// none, or no journal). Throws InputError for a journal of another digest.
 std::size_t read_journal(const std::filesystem::path& file, const std::string& digest,
                          const std::function<void(const CaseRecord&)>& seen);
 

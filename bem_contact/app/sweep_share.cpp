@@ -1,5 +1,6 @@
 #include "bem_contact/app/sweep_share.hpp"
 
+#include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace bem_contact::app {
 namespace {
 
 std::size_t chunk_size(std::size_t cases) {
-  return std::clamp<std::size_t>(cases / 8, 4, 32);
+  return std::clamp(cases / chunks_of_a_sweep, smallest_chunk, largest_chunk);
 }
 
 } // namespace

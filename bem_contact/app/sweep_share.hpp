@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/app/sweep_file.hpp"
+#include "bem_contact/app/sweep_output.hpp"
 #include "bem_contact/app/sweep_workers.hpp"
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace bem_contact::app {
 
-/// The part-th of so many parts of a sweep, each for one machine of a cluster.
+/// One of `parts` shares of a sweep, each for one machine of a cluster; `part` counts from 1.
 struct Share {
   int part = 1, parts = 1;
 };
@@ -19,8 +19,8 @@ Share share_of(const std::string& text);
 
 bool belongs(std::size_t index, std::size_t cases, const Share& share);
 
-/// What is missing of a share, cut into chunks that one process solves: the same whatever --jobs, so that
-/// results are too.
+/// The missing cases of a share, cut into chunks. The chunks do not depend on --jobs, so the results do not
+/// either.
 std::vector<Chunk> chunks_of(const SweepOutput& output, std::size_t cases, const Share& share);
 
 } // namespace bem_contact::app

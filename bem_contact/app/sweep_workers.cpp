@@ -128,22 +128,23 @@ private:
   void (*before_)(int);
 };
 
-} // namespace
+/// The workers, and the chunks that no worker has yet.
+class Pool {
+public:
+  Pool(std::vector<Chunk> chunks, int jobs, const WorkerCalls& calls)
+      : calls_(calls), open_(std::make_move_iterator(chunks.begin()), std::make_move_iterator(chunks.end())),
+        workers_(std::min<std::size_t>(std::max(jobs, 1), open_.size())) {}
 
-void solve_in_processes(std::vector<Chunk> chunks, int jobs, const WorkerCalls& calls) {
-  const NoPipeSignal no_signal;
-  std::deque<Chunk> open(std::make_move_iterator(chunks.begin()), std::make_move_iterator(chunks.end()));
-  std::vector<Worker> workers(std::min<std::size_t>(std::max(jobs, 1), open.size()));
-  try {
-    for (Worker& w : workers)
-      w.start(calls);
+  void solve_all() {
+    for (Worker& w : workers_)
+      w.start(calls_);
     for (;;) {
       std::vector<pollfd> waiting;
       std::vector<Worker*> who;
-      for (Worker& w : workers) {
-        if (!w.busy() && !open.empty()) {
-          w.give(std::move(open.front()));
-          open.pop_front();
+      for (Worker& w : workers_) {
+        if (!w.busy() && !open_.empty()) {
+          w.give(std::move(open_.front()));
+          open_.pop_front();
         }
         if (w.busy()) {
           waiting.push_back({w.answers, POLLIN, 0});
@@ -151,44 +152,68 @@ void solve_in_processes(std::vector<Chunk> chunks, int jobs, const WorkerCalls& 
         }
       }
       if (waiting.empty())
-        break;
+        return;
       if (poll(waiting.data(), waiting.size(), -1) < 0)
         continue;
-      for (std::size_t i = 0; i < waiting.size(); ++i) {
-        if (waiting[i].revents == 0)
-          continue;
-        Worker& w = *who[i];
-        std::uint64_t bytes = 0;
-        std::string result;
-        bool whole = read_bytes(w.answers, &bytes, sizeof bytes);
-        if (whole) {
-          result.resize(bytes);
-          whole = read_bytes(w.answers, result.data(), bytes);
-        }
-        if (whole) {
-          calls.done(w.chunk[w.solved++], std::move(result));
-          continue;
-        }
-        // What it was at is lost; the rest of its chunk is not.
-        const std::size_t lost = w.chunk[w.solved];
-        Chunk rest(w.chunk.begin() + static_cast<std::ptrdiff_t>(w.solved) + 1, w.chunk.end());
-        calls.died(lost, w.end());
-        if (!rest.empty())
-          open.push_front(std::move(rest));
-        w.start(calls);
-      }
+      for (std::size_t i = 0; i < waiting.size(); ++i)
+        if (waiting[i].revents != 0)
+          take_answer(*who[i]);
     }
-  } catch (...) {
-    for (Worker& w : workers)
+  }
+
+  void end() {
+    for (Worker& w : workers_)
+      if (w.process != 0)
+        w.end();
+  }
+
+  void kill_all() {
+    for (Worker& w : workers_)
       if (w.process != 0) {
         kill(w.process, SIGKILL);
         w.end();
       }
+  }
+
+private:
+  /// Of one case; if the worker has died, the case is lost, the rest of its chunk is not.
+  void take_answer(Worker& w) {
+    std::uint64_t bytes = 0;
+    std::string result;
+    bool whole = read_bytes(w.answers, &bytes, sizeof bytes);
+    if (whole) {
+      result.resize(bytes);
+      whole = read_bytes(w.answers, result.data(), bytes);
+    }
+    if (whole) {
+      calls_.done(w.chunk[w.solved++], std::move(result));
+      return;
+    }
+    const std::size_t lost = w.chunk[w.solved];
+    Chunk rest(w.chunk.begin() + static_cast<std::ptrdiff_t>(w.solved) + 1, w.chunk.end());
+    calls_.died(lost, w.end());
+    if (!rest.empty())
+      open_.push_front(std::move(rest));
+    w.start(calls_);
+  }
+
+  const WorkerCalls& calls_;
+  std::deque<Chunk> open_;
+  std::vector<Worker> workers_;
+};
+
+} // namespace
+
+void solve_in_processes(std::vector<Chunk> chunks, int jobs, const WorkerCalls& calls) {
+  const NoPipeSignal no_signal;
+  Pool pool(std::move(chunks), jobs, calls);
+  try {
+    pool.solve_all();
+  } catch (...) {
+    pool.kill_all();
     throw;
   }
-  for (Worker& w : workers)
-    if (w.process != 0)
-      w.end();
+  pool.end();
 }
 
 } // namespace bem_contact::app

@@ -7,10 +7,10 @@
 
 namespace bem_contact::app {
 
-/// Cases that one process solves one after the other, so that it can use what the former ones taught.
+/// Cases that one process solves one after the other, each from what it learnt of those before.
 using Chunk = std::vector<std::size_t>;
 
-/// Solves one case after the other; made anew in its process for each chunk. Returns what to keep of a case.
+/// Solves one case and returns what to keep of it. Each chunk gets a new solver, in its own process.
 using CaseSolver = std::function<std::string(std::size_t index)>;
 
 struct WorkerCalls {
@@ -19,9 +19,9 @@ struct WorkerCalls {
   std::function<void(std::size_t index, const std::string& reason)> died; ///< here
 };
 
-/// Solves chunks in `jobs` processes side by side. Processes, not threads: neither FFTW's planner nor HDF5
-/// is made for threads, and a case that kills its process costs that case alone. Workers end with this one.
-/// Throws Error where no process can be started.
+/// Solves chunks in `jobs` processes side by side. We use processes, not threads, because FFTW's planner and
+/// HDF5 are not safe with threads, and because a case that kills its process then costs only itself. Workers
+/// end when this process ends. Throws Error if no process can be started.
 void solve_in_processes(std::vector<Chunk> chunks, int jobs, const WorkerCalls& calls);
 
 } // namespace bem_contact::app

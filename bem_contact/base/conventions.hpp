@@ -22,7 +22,7 @@
 /// Rigid slip w: velocity of the wheel's surface over the rail's, over the rolling speed:
 ///     w_x = xi - phi s,  w_s = eta + phi x    on a plane (xi, eta, phi: creepage as Kalker defines it).
 /// Slip S over one step of rolled distance dx, steady rolling: S = w dx - dx du/dx, for the particle now at x
-/// was at x + dx (Kalker 1990, eq. 1.65 ff.; contact/rolling_step.hpp says how du/dx is taken).
+/// was at x + dx (Kalker 1990, eq. 1.65 ff.; contact/slip_step.hpp says how du/dx is taken).
 /// Friction drags the rail along with the wheel: p_t = +mu p_n S / |S|. Hence for small creepage
 ///     Fx = c^2 G C11 xi, Fy = c^2 G (C22 eta + c C23 phi), Mz = c^3 G (-C23 eta + c C33 phi):
 /// the forces on the rail, opposite to Kalker's forces on the wheel.
@@ -60,6 +60,10 @@ constexpr Point2 operator*(double c, Point2 a) {
 }
 constexpr double dot(Point2 a, Point2 b) {
   return a.y * b.y + a.z * b.z;
+}
+/// The third component of a x b: above 0 where b is turned from a towards +z.
+constexpr double cross(Point2 a, Point2 b) {
+  return a.y * b.z - a.z * b.y;
 }
 inline double norm(Point2 a) {
   return std::hypot(a.y, a.z);

@@ -16,7 +16,7 @@
 
 namespace bem_contact {
 
-/// What is said of one key of a case file besides its name, type and default.
+/// Everything about one key of a file besides its name, type and default.
 struct KeyRule {
   std::string doc;       ///< one line
   std::string unit = {}; ///< "" for none
@@ -52,12 +52,13 @@ using SchemaTarget =
     std::variant<double*, int*, bool*, std::string*, Point2*, std::optional<double>*, std::optional<int>*,
                  std::optional<Point2>*, std::vector<double>*, NamedChoice, TableList>;
 
-/// A value that stands for the one in the file.
+/// A value that takes the place of the one in the file.
 using SchemaValue = std::variant<double, std::int64_t, bool, std::string>;
 
-/// The schema of a TOML case file, bound to the members of one struct: one add() a key declares its name,
-/// type, default (the member's value), unit, range and documentation, and is all that parsing, checking and
-/// printing know of it.
+/// The schema of a TOML file, bound to the members of one struct.
+///
+/// One add() for each key declares its name, type, default (the member's value), unit, range and
+/// documentation. Reading, checking and printing follow from that alone.
 class Schema {
 public:
   /// `title`: what the file is, as in "a body file".
@@ -89,7 +90,7 @@ public:
   void add(std::string path, TableList list, KeyRule rule) {
     add_key(std::move(path), std::move(list), std::move(rule));
   }
-  /// A table that read() passes over: somebody else reads it.
+  /// read() ignores this table, because other code reads it.
   void skip(std::string table) { skipped_ = std::move(table); }
   /// The key that says which kind of file it is (KeyRule::kinds); it is bound to an enum.
   void kind_is(std::string path) { kind_path_ = std::move(path); }

@@ -1,20 +1,25 @@
 #include "bem_contact/contact/solve.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/check/direct_sums.hpp"
 #include "bem_contact/contact/check/discretisation.hpp"
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
+#include "bem_contact/contact/grid/larger_elements.hpp"
 #include "bem_contact/contact/grid/patches.hpp"
+#include "bem_contact/contact/settings.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
+#include <utility>
 
 namespace bem_contact {
 namespace {
 
 using Eigen::VectorXd;
 
-/// Adhesion or slip by the law itself: the state whose equation the element fulfils better.
+/// Adhesion or slip: the state whose equation the element fulfils better.
 ElementState friction_state(double slip, double slip_scale, double deviation, double traction_scale) {
   return slip / slip_scale <= deviation / traction_scale ? ElementState::adhesion : ElementState::slip;
 }
@@ -84,8 +89,8 @@ void require_balance(const ContactProblem& problem, const contact::Solution& sol
 }
 
 ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOptions& options,
-                                 contact::Prepared& kept) {
-  const contact::Solution solution = contact::solve_coupled(problem, options, kept);
+                                 contact::ContactOperators& operators, WorkBudget& work) {
+  const contact::Solution solution = contact::solve_coupled(problem, options, operators, work);
   require_balance(problem, solution);
   ContactResult result;
   fill_fields(problem, solution, result);
@@ -110,35 +115,26 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
   return result;
 }
 
-/// What is prepared for the coarse companion; where it lasts only if it is for the same numbers.
-contact::Prepared& companion_of(contact::Prepared& kept, const ContactProblem& coarse, bool lasts) {
-  const contact::NumbersKey key = lasts ? contact::key_of(coarse) : contact::NumbersKey{};
-  if (!kept.companion || kept.companion->key != key) {
-    kept.companion = std::make_unique<contact::Prepared>(kept.pool);
-    kept.companion->key = key;
-  }
-  return *kept.companion;
-}
-
-/// Sets what the size of the elements costs, where that can be told.
-void estimate(const ContactProblem& problem, const SolverOptions& options, contact::Prepared& kept,
-              ContactResult& result) {
+/// Estimates the error of the discretisation. Nothing where it cannot be told.
+std::optional<Discretisation> estimate(const ContactProblem& problem, const SolverOptions& options,
+                                       contact::ContactOperators& operators, WorkBudget& work,
+                                       const ContactResult& result) {
   if (!options.estimate_discretisation || !result.converged)
-    return;
-  const auto coarse = contact::coarse_companion(problem, result);
+    return std::nullopt;
+  const auto coarse = contact::companion_of(problem, result);
   if (!coarse)
-    return;
+    return std::nullopt;
+  // A key costs a pass over the numbers, and is needed only where the operators outlive this call.
+  contact::ContactOperators& companion =
+      operators.companion(options.workspace ? contact::key_of(coarse->problem) : contact::NumbersKey{});
+  SolverOptions loose = options;
+  loose.tolerance = std::max(options.tolerance, contact::companion_tolerance);
+  loose.start = &coarse->start;
   try {
-    contact::Prepared& companion = companion_of(kept, coarse->problem, options.workspace != nullptr);
-    companion.work = kept.work;
-    SolverOptions loose = options;
-    loose.tolerance = std::max(options.tolerance, contact::companion_tolerance);
-    loose.start = &coarse->start;
-    result.discretisation = contact::compare(problem, result, coarse->problem,
-                                             solve_on_this_grid(coarse->problem, loose, companion));
-    if (result.discretisation)
-      result.certificate.discretisation = result.discretisation->worst();
-  } catch (const Error&) { // forces that larger elements cannot carry, or no work left: there is no estimate
+    return contact::compare(problem, result, coarse->problem,
+                            solve_on_this_grid(coarse->problem, loose, companion, work));
+  } catch (const Error&) { // larger elements cannot carry the forces, or no work is left
+    return std::nullopt;
   }
 }
 
@@ -146,16 +142,32 @@ void estimate(const ContactProblem& problem, const SolverOptions& options, conta
 
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options) {
   validate(problem);
-  contact::Prepared only_now;
-  contact::Prepared& kept = options.workspace ? options.workspace->of(problem) : only_now;
+  contact::ContactOperators only_now;
+  contact::ContactOperators& operators = options.workspace ? options.workspace->of(problem) : only_now;
   WorkBudget of_this;
   WorkBudget& work = options.work ? *options.work : of_this;
-  kept.work = &work;
-  ContactResult result = solve_on_this_grid(problem, options, kept);
-  estimate(problem, options, kept, result);
+  ContactResult result = solve_on_this_grid(problem, options, operators, work);
+  result.discretisation = estimate(problem, options, operators, work, result);
+  if (result.discretisation)
+    result.certificate.discretisation = result.discretisation->worst();
   result.work = work.used();
-  kept.work = nullptr;
   return result;
+}
+
+Displacements displacements(const ContactProblem& problem, const ContactResult& result) {
+  const auto& [mx, ms, dx, ds, x0] = problem.grid;
+  const auto u =
+      contact::direct_displacements(problem, std::vector<char>(ms, 1), {result.px, result.ps, result.pn});
+  const std::size_t columns = u[component_n].size() / ms;
+  Displacements out;
+  for (const auto& [of, to] :
+       {std::pair(component_x, &out.ux), {component_s, &out.us}, {component_n, &out.un}}) {
+    to->resize(problem.grid.size());
+    for (int is = 0; is < ms; ++is)
+      for (int ix = 0; ix < mx; ++ix)
+        (*to)[is * mx + ix] = -u[of][is * columns + ix];
+  }
+  return out;
 }
 
 } // namespace bem_contact

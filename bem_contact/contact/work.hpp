@@ -2,34 +2,31 @@
 
 namespace bem_contact {
 
-/// One total for all that a case may cost, whatever loop it is spent in: elements times products with
-/// translational influence numbers, 30 ns each (50 with all that goes with them); what else is done counts as
-/// that many of them. No clock: the same case is refused on every machine. The usual case takes 1e6, one of
-/// 20,000 elements in contact 4e7, with numbers full in s 7e8.
+/// The work that one case may cost in all its loops together. One unit is one element in one product with
+/// translational influence numbers, about 30 ns (50 ns with everything around it); every other operation
+/// counts as the units that it costs. No clock is used, so that every machine accepts or refuses the same
+/// cases. A usual case takes 1e6 units, one with 20,000 elements in contact 4e7, and with influence numbers
+/// that depend on both rows 7e8.
 class WorkBudget {
 public:
-  explicit WorkBudget(double most = 1e10) : most_(most) {} // some minutes
+  WorkBudget(); ///< settings.hpp: most_work
+  explicit WorkBudget(double most) : most_(most) {}
 
-  /// Throws ConvergenceError where that is more than is left.
-  void spend(double elements);
+  /// Throws ConvergenceError if less than `units` are left.
+  void spend(double units);
   double used() const { return used_; }
 
 private:
   double most_, used_ = 0;
 };
 
-/// Of a product on so many rows, an element: numbers full in s are multiplied row by row.
-constexpr double product_work(bool translational, int rows) {
-  return translational ? 1.0 : 1.0 + rows / 20.0;
-}
-/// Of the spectra of numbers full in s, before the first product: `pairs` of components on that many rows and
-/// columns. Those of translational numbers cost no more than some products.
-constexpr double spectra_work(bool translational, int pairs, double rows, double columns) {
-  return translational ? 0.0 : pairs * rows * rows * columns * columns / 75;
-}
-/// Of a Gauss-Seidel sweep over so many elements.
-constexpr double sweep_work(double elements) {
-  return 0.08 * elements * elements;
-}
+/// Units for one element in a product with influence numbers of `rows` rows. Numbers that depend on both rows
+/// are multiplied row by row.
+double product_work(bool translational, int rows);
+/// Units for the spectra of influence numbers that depend on both rows, before the first product: `pairs` of
+/// components, on that many rows and columns. Those of translational numbers cost no more than some products.
+double spectra_work(bool translational, int pairs, double rows, double columns);
+/// Units for a Gauss-Seidel sweep over so many elements.
+double sweep_work(double elements);
 
 } // namespace bem_contact

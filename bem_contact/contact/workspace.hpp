@@ -8,33 +8,44 @@
 namespace bem_contact {
 
 namespace contact {
-struct Prepared;
+class ContactOperators;
 class TransformPool;
-struct DeletePrepared {
-  void operator()(Prepared* prepared) const;
-};
 } // namespace contact
 
-/// What solving makes of influence numbers: spectra, transforms and their plans, preconditioners, the vectors
-/// of the iterations, and all of that on coarser elements. Give it to every solve() of a sequence
-/// (SolverOptions::workspace): what the former cases made is used again where the numbers and the grid are
-/// the same, which is told from all bits of the numbers. Results are those without it. One workspace serves
-/// one thread at a time.
+/// Keeps what solving prepares from influence numbers, for a sequence of problems: give it to every solve()
+/// (SolverOptions::workspace). It reuses what it prepared only if the influence numbers are identical, bit by
+/// bit, and the grid has as many elements. The results are those without it. One workspace serves one thread
+/// at a time.
+///
+/// This is all that lives longer than one call of solve() in this room:
+///   the workspace       sets of operators, the one used last in front; the one not used longest goes first
+///   a set               (contact::ContactOperators) for one set of influence numbers on one grid:
+///     normal            A_nn on the grid and on boxes around the contact; the last Cholesky factor
+///     tangential        A_tt on the grid, B on boxes around the contact; the last dense B
+///     coupling          how shear and pressure act on each other, if they do
+///     start             numbers of larger elements to start from, and a set of their own
+///     companion         a set for the larger elements of the estimate of the discretisation
+///     scratch           vectors of conjugate gradients and GMRES, allocated once
+///   the transform pool  Fourier transforms and their scratch, shared by all sets (plane_transforms.hpp)
+/// Besides, FFTW remembers how it planned a length, for the whole program.
 class Workspace {
 public:
-  /// `most`: how many different sets of numbers are kept; the one longest not used goes first.
+  /// `most`: how many sets are kept.
   explicit Workspace(int most = 2);
+  ~Workspace();
+  Workspace(Workspace&&) noexcept;
+  Workspace& operator=(Workspace&&) noexcept;
 
-  /// For the solvers: what is prepared for the numbers and the grid of this problem.
-  contact::Prepared& of(const ContactProblem& problem);
+  /// For the solvers: what is prepared from the influence numbers of this problem.
+  contact::ContactOperators& of(const ContactProblem& problem);
 
   int prepared() const { return prepared_; } ///< sets of numbers met for the first time
   int kept() const { return kept_; }         ///< how often a set was met again
 
 private:
   int most_, prepared_ = 0, kept_ = 0;
-  std::shared_ptr<contact::TransformPool> pool_; ///< plans are the same for many sets
-  std::list<std::unique_ptr<contact::Prepared, contact::DeletePrepared>> sets_; ///< used last: in front
+  std::shared_ptr<contact::TransformPool> pool_;
+  std::list<std::unique_ptr<contact::ContactOperators>> sets_; ///< used last: in front
 };
 
 } // namespace bem_contact

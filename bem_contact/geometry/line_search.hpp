@@ -8,7 +8,8 @@
 /// cost little and their rounding is far below those widths.
 namespace bem_contact {
 
-/// Where `test` changes: true at `holds`, false at `fails` (on either side of it). Both ends after `halvings`.
+/// Where `test` changes: true at `holds`, false at `fails` (on either side of it). Both ends after
+/// `halvings`.
 template <class Test>
 std::pair<double, double> bisect(double holds, double fails, int halvings, const Test& test) {
   for (int i = 0; i < halvings; ++i) {

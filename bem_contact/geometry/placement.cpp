@@ -49,10 +49,10 @@ public:
     while (below >= 0 && nodes_[below].z < gauge_z)
       --below;
     if (below < 0)
-      throw InputError(fmt::format("The rail '{}' has no gauge face", rail_.name()),
-                       fmt::format("its profile ends less than {} mm below its top on the gauge side (-y)",
-                                   height),
-                       "Give a profile that reaches further down, or a smaller position.gauge_height.");
+      throw InputError(
+          fmt::format("The rail '{}' has no gauge face", rail_.name()),
+          fmt::format("its profile ends less than {} mm below its top on the gauge side (-y)", height),
+          "Give a profile that reaches further down, or a smaller position.gauge_height.");
     const double t = where_it_vanishes([&](double u) { return at(below, u).z - gauge_z; });
     const int innermost = static_cast<int>(
         std::ranges::min_element(nodes_.begin() + below + 1, nodes_.begin() + top_ + 1, {}, &Point2::y) -

@@ -12,8 +12,8 @@ RailHeight::RailHeight(const WheelOnRail& pair) : rail_(pair.rail), pose_(pair.r
   p.reserve(table.size());
   const double c = std::cos(pose_.angle), s = std::sin(pose_.angle);
   for (const TabulatedProfile::Node& node : table)
-    p.push_back(pose_.origin + Point2{c * node.position.y - s * node.position.z,
-                                      s * node.position.y + c * node.position.z});
+    p.push_back(pose_.origin +
+                Point2{c * node.position.y - s * node.position.z, s * node.position.y + c * node.position.z});
   const auto top = std::ranges::min_element(p, {}, &Point2::z) - p.begin();
   auto from = top, to = top;
   while (from > 0 && p[from - 1].y < p[from].y)

@@ -44,8 +44,7 @@ std::vector<ContactRow> planar_rows(const WheelOnRail& pair, std::span<const dou
                         "along it",
                         at, wanted),
             "Leave out grid.planar.");
-    const double found =
-        bisect(lo, hi, planar_halvings, [&](double at) { return excess(at) < 0; }).second;
+    const double found = bisect(lo, hi, planar_halvings, [&](double at) { return excess(at) < 0; }).second;
     rows.push_back({row, pair.rail_at(found).position, reference.delta});
   }
   return rows;

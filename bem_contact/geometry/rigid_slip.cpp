@@ -13,7 +13,8 @@ Vector3 from(const Vector3& centre, double x, Point2 p) {
 }
 
 /// `of(row, x)`: w_x and w_s of one element.
-template <class Of> RigidSlip fields(std::span<const ContactRow> rows, std::span<const double> x, const Of& of) {
+template <class Of>
+RigidSlip fields(std::span<const ContactRow> rows, std::span<const double> x, const Of& of) {
   RigidSlip slip;
   slip.x.reserve(rows.size() * x.size());
   slip.s.reserve(rows.size() * x.size());
@@ -47,7 +48,8 @@ RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, c
     const Point2 added = (creepage.eta + creepage.phi * (at - reference.x)) * tangent;
     const Vector3 rotated = cross(rotation, from(centre, at, row.position));
     const auto own = [&](int k) { return creepage.velocity[k] + rotated[k] - turning * turned[k]; };
-    return std::pair(1 + own(0) - creepage.phi * s, dot(added + Point2{own(1), own(2)}, tangent_of(row.delta)));
+    return std::pair(1 + own(0) - creepage.phi * s,
+                     dot(added + Point2{own(1), own(2)}, tangent_of(row.delta)));
   });
 }
 
@@ -55,8 +57,8 @@ RigidSlip rigid_shift(const ReferencePoint& reference, const Creepage& creepage,
                       std::span<const ContactRow> rows, std::span<const double> x) {
   return fields(rows, x, [&](const ContactRow& row, double at) {
     const double s = dot(row.position - reference.position, tangent_of(reference.delta));
-    return std::pair(creepage.xi - creepage.phi * s,
-                     (creepage.eta + creepage.phi * (at - reference.x)) * std::cos(row.delta - reference.delta));
+    return std::pair(creepage.xi - creepage.phi * s, (creepage.eta + creepage.phi * (at - reference.x)) *
+                                                         std::cos(row.delta - reference.delta));
   });
 }
 

@@ -26,15 +26,15 @@ struct Creepage {
   double roll = 0, yaw = 0;  ///< rates over V: about the wheelset's forward axis and the vertical, rad/mm
 };
 
-/// Rigid slip w of elements: velocity of the wheel's surface over the rail's, over the rolling speed V, in the
-/// local frames (x, s) of the rows; fields [rows][x]. Of a shift: its displacement, mm.
+/// Rigid slip w of elements: velocity of the wheel's surface over the rail's, over the rolling speed V, in
+/// the local frames (x, s) of the rows; fields [rows][x]. Of a shift: its displacement, mm.
 struct RigidSlip {
   std::vector<double> x, s;
 };
 
-/// Of a rolling wheel. It moves along x with V and turns about its axle a (WheelFrame; it points to the right)
-/// with omega = -V / R_roll, R_roll = rolling_radius / (1 - xi). Its surface at X, seen from a point C of the
-/// axle, moves by
+/// Of a rolling wheel. It moves along x with V and turns about its axle a (WheelFrame; it points to the
+/// right) with omega = -V / R_roll, R_roll = rolling_radius / (1 - xi). Its surface at X, seen from a point C
+/// of the axle, moves by
 ///   v/V = e_x - a x (X - C) / R_roll,
 /// plus velocity + (roll e_forward + yaw e_z) x (X - centre of the wheelset), plus eta along the rail's
 /// tangent and phi about the rail's normal at the reference point. What moves along the normal is left to the

@@ -50,7 +50,8 @@ BEM_CONTACT_TUNED(double, section_margin, 6.0);
 /// 1. The nearest node is looked for among every so many (1.2 mm), then downhill: no rail or wheel has two
 /// minima of the distance so near to each other.
 BEM_CONTACT_TUNED(int, node_stride, 12);
-/// 1. Steps of the search for a crossing: a bound. One in eight halves the bracket, so that it always shrinks.
+/// 1. Steps of the search for a crossing: a bound. One in eight halves the bracket, so that it always
+/// shrinks.
 BEM_CONTACT_TUNED(int, crossing_steps, 60);
 BEM_CONTACT_TUNED(int, crossing_halving_period, 8); ///< 1. As above.
 /// 1 (share of an interval of 0.1 mm) and mm. Where that search ends: a digit above rounding.

@@ -2,9 +2,7 @@
 
 #include "bem_contact/halfspace/rectangle.hpp"
 
-#include <array>
-
-/// Private to this room: what the closed forms of a single element and of a line of elements share.
+/// Private to this room: what a single element and a line of elements share.
 namespace bem_contact::halfspace {
 
 // The closed forms are differences of large numbers; extended precision keeps elements of a large aspect
@@ -34,21 +32,5 @@ Matrix3 assemble(const Material& material, const Kernels& k);
 
 /// Throws InputError unless `value` is a positive length.
 void require_size(double value, const char* name);
-
-/// Gauss-Legendre points and weights on [-1, 1].
-template <std::size_t N> struct Gauss { std::array<double, N> point, weight; };
-template <std::size_t N> inline constexpr Gauss<N> gauss{};
-template <>
-inline constexpr Gauss<3> gauss<3>{{-0.7745966692414834, 0, 0.7745966692414834},
-                                   {0.5555555555555556, 0.8888888888888888, 0.5555555555555556}};
-template <>
-inline constexpr Gauss<4> gauss<4>{
-    {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526},
-    {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538}};
-template <>
-inline constexpr Gauss<6> gauss<6>{{-0.9324695142031521, -0.6612093864662645, -0.2386191860831969,
-                                    0.2386191860831969, 0.6612093864662645, 0.9324695142031521},
-                                   {0.1713244923791704, 0.3607615730481386, 0.4679139345726910,
-                                    0.4679139345726910, 0.3607615730481386, 0.1713244923791704}};
 
 } // namespace bem_contact::halfspace

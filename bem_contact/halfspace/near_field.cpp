@@ -1,6 +1,8 @@
 #include "bem_contact/halfspace/near_field.hpp"
 
-#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/halfspace/element_line.hpp"
+#include "bem_contact/halfspace/plane_strain.hpp"
+#include "bem_contact/halfspace/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,22 +11,18 @@
 namespace bem_contact::halfspace {
 namespace {
 
-/// Any will do: resample() takes it away again.
-constexpr double reference_distance = 100;
-constexpr double enough = 1e-6; ///< of a number
-
 /// How many lines serve the distances from .. to (absolute values) of rows ds wide; more than `most`: no
 /// polynomial does.
 int lines_for(double from, double to, double ds, int most) {
   const double half = 0.5 * (to - from);
-  if (half <= 1e-12 * ds)
+  if (half <= same_distance * ds)
     return 1;
   const double apart = from - ds + half;
   if (!(from > ds))
     return most + 1;
   const double ratio = half / (2 * apart);
   int count = 1;
-  for (double error = 4 * ratio; count <= most && error > enough; error *= ratio)
+  for (double error = 4 * ratio; count <= most && error > near_field_accuracy; error *= ratio)
     ++count;
   return std::max(count, 2);
 }
@@ -38,47 +36,54 @@ NearField::NearField(const Material& material, const ExpandOptions& options, std
   mixes_.reserve(rows * (rows + 1) / 2);
   for (std::size_t d = 0; d < rows; ++d) {
     first_of_.push_back(mixes_.size());
-    double low = row_s[d] - row_s[0], high = low;
-    for (std::size_t j = 1; j + d < rows; ++j) {
-      low = std::min(low, row_s[j + d] - row_s[j]);
-      high = std::max(high, row_s[j + d] - row_s[j]);
-    }
-    const int count =
-        lines_for(std::min(std::abs(low), std::abs(high)), std::max(std::abs(low), std::abs(high)), ds, most);
-    if (count > most || count >= static_cast<int>(rows - d)) { // one line each, but for those equally far
-      for (std::size_t j = 0; j + d < rows; ++j) {
-        const double s = row_s[j + d] - row_s[j];
-        if (j == 0 || std::abs(s - at.back()) > 1e-12 * ds)
-          at.push_back(s);
-        mixes_.push_back({at.size() - 1, 1, {1}});
-      }
-      continue;
-    }
-    const std::size_t first = at.size();
-    for (int p = 0; p < count; ++p)
-      at.push_back(0.5 * (low + high) - 0.5 * (high - low) * std::cos((p + 0.5) * std::numbers::pi / count));
-    for (std::size_t j = 0; j + d < rows; ++j) {
-      Mix mix{first, count, {}};
-      const double s = row_s[j + d] - row_s[j];
-      for (int p = 0; p < count; ++p) {
-        double weight = 1;
-        for (int q = 0; q < count; ++q)
-          if (q != p)
-            weight *= (s - at[first + static_cast<std::size_t>(q)]) /
-                      (at[first + static_cast<std::size_t>(p)] - at[first + static_cast<std::size_t>(q)]);
-        mix.weight[static_cast<std::size_t>(p)] = weight;
-      }
-      mixes_.push_back(mix);
-    }
+    std::vector<double> distances;
+    for (std::size_t j = 0; j + d < rows; ++j)
+      distances.push_back(row_s[j + d] - row_s[j]);
+    add_mixes(distances, ds, at);
   }
+  fill(material, options, at, ds);
+}
 
+void NearField::add_mixes(std::span<const double> distances, double ds, std::vector<double>& at) {
+  const auto [least, greatest] = std::minmax_element(distances.begin(), distances.end());
+  const double low = *least, high = *greatest;
+  const int count =
+      lines_for(std::min(std::abs(low), std::abs(high)), std::max(std::abs(low), std::abs(high)), ds, most);
+  if (count > most || count >= static_cast<int>(distances.size())) { // one line each, but for equal distances
+    for (std::size_t j = 0; j < distances.size(); ++j) {
+      if (j == 0 || std::abs(distances[j] - at.back()) > same_distance * ds)
+        at.push_back(distances[j]);
+      mixes_.push_back({at.size() - 1, 1, {1}});
+    }
+    return;
+  }
+  const std::size_t first = at.size();
+  for (int p = 0; p < count; ++p)
+    at.push_back(0.5 * (low + high) - 0.5 * (high - low) * std::cos((p + 0.5) * std::numbers::pi / count));
+  const std::span<const double> nodes = std::span(at).subspan(first);
+  for (const double s : distances) {
+    Mix mix{first, count, {}};
+    for (std::size_t p = 0; p < nodes.size(); ++p) {
+      double weight = 1;
+      for (std::size_t q = 0; q < nodes.size(); ++q)
+        if (q != p)
+          weight *= (s - nodes[q]) / (nodes[p] - nodes[q]);
+      mix.weight[p] = weight;
+    }
+    mixes_.push_back(mix);
+  }
+}
+
+void NearField::fill(const Material& material, const ExpandOptions& options, std::span<const double> at,
+                     double ds) {
   lines_ = at.size();
   const auto offsets = static_cast<std::size_t>(options.dx == 0 ? 1 : options.offsets);
   values_.resize(offsets * lines_ * 9);
   std::vector<Matrix3> line(offsets);
   for (std::size_t l = 0; l < lines_; ++l) {
     if (options.dx == 0)
-      line[0] = averaged_plane_strain(material, at[l], ds, reference_distance);
+      // Any reference distance will do: resample() takes away what it adds.
+      line[0] = averaged_plane_strain(material, at[l], ds, plane_strain_reference);
     else
       averaged_line(material, at[l], options.dx, ds, line);
     for (std::size_t m = 0; m < offsets; ++m)

@@ -8,13 +8,14 @@
 
 namespace bem_contact::halfspace {
 
-/// Half-space numbers of the pairs of rows of one strip whose distances need not be equal, at every offset.
+/// Half-space numbers of all pairs of rows of one strip, at every offset. Rows need not be equally far apart.
 ///
-/// Rows equally far apart share one line of numbers. Where distances of d-th neighbours scatter a little, as
-/// they do on a wheel opposite equal rows of the rail, lines at a few distances between the smallest and the
-/// largest (Chebyshev's) serve all: numbers are analytic in the distance as long as elements do not touch,
-/// and the polynomial through p lines is off by 4 (h / 2 g)^p at most, h half of the range and g its distance
-/// from touching. p is chosen for 1e-6 of the number; where 4 are not enough each pair has its own line.
+/// A line is the numbers of two rows at all offsets. Pairs at the same distance share a line. On a wheel,
+/// opposite equal rows of the rail, the distances of d-th neighbours scatter a little. Then lines at a few
+/// distances (Chebyshev's points) between the smallest and the largest serve all of them by interpolation.
+/// The numbers are analytic in the distance as long as elements do not touch, so the polynomial through p
+/// lines is off by at most 4 (h / 2 g)^p, where h is half of the range and g its distance from touching. p is
+/// chosen for near_field_accuracy (settings.hpp); if 4 lines are not enough, each pair has its own.
 class NearField {
 public:
   /// `row_s` monotone, mm; offsets and dx of the options (0: plane strain) count. `ds`: width of the rows.
@@ -39,6 +40,11 @@ private:
     int count = 0;
     std::array<double, most> weight{};
   };
+
+  /// Adds the mixes of rows equally many rows apart, whose distances are given, and the lines they need.
+  void add_mixes(std::span<const double> distances, double ds, std::vector<double>& at);
+  /// Fills values_ with the lines at the distances `at`.
+  void fill(const Material& material, const ExpandOptions& options, std::span<const double> at, double ds);
 
   std::size_t lines_ = 0;
   std::vector<double> values_;        ///< [offset][line][i][j]

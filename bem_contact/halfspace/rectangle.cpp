@@ -1,13 +1,11 @@
 #include "bem_contact/halfspace/rectangle.hpp"
 
-#include "bem_contact/base/error.hpp"
+#include "bem_contact/halfspace/gauss.hpp"
 #include "bem_contact/halfspace/kernels.hpp"
+#include "bem_contact/halfspace/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
 
 namespace bem_contact::halfspace {
 namespace {
@@ -81,17 +79,19 @@ Kernels point_kernels(double x, double y) {
 /// (-2a, 2a): Gauss on each half, total weight 2a (length of the load, mean over the receiver).
 template <std::size_t N> struct Hat {
   std::array<double, 2 * N> point, weight;
-  Hat(double a, const std::array<double, N>& gauss_point, const std::array<double, N>& gauss_weight) {
+  explicit Hat(double a) {
+    const Gauss<N>& rule = gauss<N>();
     for (std::size_t g = 0; g < N; ++g) {
-      const double t = (1 + gauss_point[g]) / 2;
+      const double t = (1 + rule.point[g]) / 2;
       point[g] = 2 * a * t;
       point[g + N] = -2 * a * t;
-      weight[g] = weight[g + N] = a * gauss_weight[g] * (1 - t);
+      weight[g] = weight[g + N] = a * rule.weight[g] * (1 - t);
     }
   }
 };
 
-template <std::size_t N> Kernels quadrature(double x, double y, const Hat<N>& hat_x, const Hat<N>& hat_y) {
+template <std::size_t N> Kernels quadrature(double x, double y, double a, double b) {
+  const Hat<N> hat_x(a), hat_y(b);
   Kernels sum;
   for (std::size_t p = 0; p < 2 * N; ++p)
     for (std::size_t q = 0; q < 2 * N; ++q)
@@ -99,19 +99,16 @@ template <std::size_t N> Kernels quadrature(double x, double y, const Hat<N>& ha
   return sum;
 }
 
-/// Closed form near the load, where the kernel is singular; quadrature far from it, where second
-/// differences of terms growing like r^3 would cancel. Gauss with N points on a half of the density is exact
-/// to (2 r / a)^(-2N): 1e-14 at each switch.
+/// Closed form near the load, where the kernel is singular. Quadrature far from it, where second differences
+/// of terms that grow like r^3 would cancel (settings.hpp has the distances).
 Kernels average_kernels(double x, double y, double a, double b) {
   const double distance = std::hypot(x, y) / std::max(a, b);
-  if (distance < 12) {
+  if (distance < closed_form_radius) {
     const Real ra = 2 * Real(a), rb = 2 * Real(b);
     const Kernels sum = difference<Fourth, 3>(x, y, {-ra, 0, ra}, {-rb, 0, rb}, {1, -2, 1});
     return Kernels{}.add(1 / (4 * a * b), sum);
   }
-  if (distance < 120)
-    return quadrature<6>(x, y, {a, gauss<6>.point, gauss<6>.weight}, {b, gauss<6>.point, gauss<6>.weight});
-  return quadrature<3>(x, y, {a, gauss<3>.point, gauss<3>.weight}, {b, gauss<3>.point, gauss<3>.weight});
+  return distance < four_point_radius ? quadrature<6>(x, y, a, b) : quadrature<3>(x, y, a, b);
 }
 
 /// Kernels at (|x|, |s|) with the signs put back, so that parity is exact.
@@ -124,31 +121,6 @@ template <class Function> Kernels by_parity(double x, double s, Function&& funct
 }
 
 } // namespace
-
-Matrix3 assemble(const Material& material, const Kernels& k) {
-  const double nu = material.poisson;
-  const double c = 1 / (2 * std::numbers::pi * material.shear_modulus);
-  const double inverse_r = k.xx_r3 + k.ss_r3;
-  const double coupling = (1 - 2 * nu) / 2;
-  Matrix3 m{};
-  m[component_x][component_x] = c * ((1 - nu) * inverse_r + nu * k.xx_r3);
-  m[component_s][component_s] = c * ((1 - nu) * inverse_r + nu * k.ss_r3);
-  m[component_n][component_n] = c * (1 - nu) * inverse_r;
-  m[component_x][component_s] = m[component_s][component_x] = c * nu * k.xs_r3;
-  m[component_x][component_n] = -c * coupling * k.x_r2;
-  m[component_n][component_x] = c * coupling * k.x_r2;
-  m[component_s][component_n] = -c * coupling * k.s_r2;
-  m[component_n][component_s] = c * coupling * k.s_r2;
-  return m;
-}
-
-void require_size(double value, const char* name) {
-  constexpr double least = 1e-30, most = 1e30; // their cubes and ratios stay numbers
-  if (!(value >= least && value <= most))
-    throw InputError(std::string("the element's ") + name + " is not a positive number",
-                     value > 0 ? "it lies outside 1e-30 .. 1e30 mm" : std::to_string(value) + " mm",
-                     "give a positive length in mm");
-}
 
 Matrix3 at_point(const Material& material, double x, double s, double a, double b) {
   require_size(2 * a, "length 2a");
@@ -165,71 +137,6 @@ Matrix3 averaged(const Material& material, double x, double s, double a, double 
   require_size(2 * b, "width 2b");
   return assemble(material,
                   by_parity(x, s, [&](double px, double ps) { return average_kernels(px, ps, a, b); }));
-}
-
-InfluenceNumbers numbers(const Material& material, double dx, double ds, int offsets, int rows) {
-  require_size(dx, "length dx");
-  require_size(ds, "width ds");
-  if (offsets < 1 || rows < 1)
-    throw InputError("an influence table without elements was asked for",
-                     std::to_string(offsets) + " offsets, " + std::to_string(rows) + " rows",
-                     "ask for at least one of each");
-  InfluenceNumbers result{offsets, rows, dx, ds, {}, true};
-  result.values.resize(result.expected_values());
-  std::vector<Matrix3> line(static_cast<std::size_t>(offsets));
-  for (int d = 0; d < rows; ++d) {
-    averaged_line(material, d * ds, dx, ds, line);
-    for (int m = 0; m < offsets; ++m)
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-          const double value = line[static_cast<std::size_t>(m)][i][j];
-          result.at(m, d, i, 0, j) = value;
-          result.at(m, 0, j, d, i) = parity(i, j) * value;
-        }
-  }
-  return result;
-}
-
-Matrix3 averaged_plane_strain(const Material& material, double s, double ds, double reference_distance) {
-  require_size(ds, "width ds");
-  require_size(reference_distance, "reference distance");
-  // Double integrals over load and receiver, divided by the receiver's width. Of ln|s| the second
-  // antiderivative is s^2/2 ln|s| - 3/4 s^2; of sign(s) it is s|s|/2.
-  const auto second_difference = [&](auto&& f) {
-    const Real at = std::abs(s), h = ds;
-    return static_cast<double>((f(at - h) - 2 * f(at) + f(at + h)) / h);
-  };
-  const double log_mean = second_difference([&](Real t) {
-    return t == 0 ? Real(0) : t * t / 2 * std::log(std::abs(t) / Real(reference_distance)) - t * t * 3 / 4;
-  });
-  const double sign_mean =
-      s == 0 ? 0 : std::copysign(second_difference([](Real t) { return t * std::abs(t) / 2; }), s);
-  const double nu = material.poisson;
-  const double c = 1 / (std::numbers::pi * material.shear_modulus);
-  const double coupling = (1 - 2 * nu) / (4 * material.shear_modulus) * sign_mean;
-  Matrix3 m{};
-  m[component_x][component_x] = -c * log_mean;
-  m[component_s][component_s] = m[component_n][component_n] = -c * (1 - nu) * log_mean;
-  m[component_s][component_n] = -coupling;
-  m[component_n][component_s] = coupling;
-  return m;
-}
-
-InfluenceNumbers plane_strain_numbers(const Material& material, double ds, int rows,
-                                      double reference_distance) {
-  if (rows < 1)
-    throw InputError("an influence table without elements was asked for", std::to_string(rows) + " rows",
-                     "ask for at least one row");
-  InfluenceNumbers result{1, rows, 0, ds, {}};
-  result.values.resize(9 * static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows));
-  for (int d = 1 - rows; d < rows; ++d) {
-    const Matrix3 m = averaged_plane_strain(material, d * ds, ds, reference_distance);
-    for (int row = std::max(0, -d); row < rows && row + d < rows; ++row)
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          result.at(0, row + d, i, row, j) = m[i][j];
-  }
-  return result;
 }
 
 } // namespace bem_contact::halfspace

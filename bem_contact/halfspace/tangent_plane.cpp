@@ -1,7 +1,9 @@
 #include "bem_contact/halfspace/tangent_plane.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/halfspace/element_line.hpp"
+#include "bem_contact/halfspace/plane_strain.hpp"
+#include "bem_contact/halfspace/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,18 +19,18 @@ double chord(const StripRow& from, const StripRow& to) {
   return std::copysign(norm(d), dot(d, tangent_of(0.5 * (from.delta + to.delta))));
 }
 
-/// Every row lies to the next as the first to the second.
+/// Whether each row lies to the next as the first does to the second.
 bool turns_evenly(std::span<const StripRow> rows) {
   if (rows.size() < 3)
     return true;
   const double turn = rows[1].delta - rows[0].delta, step = chord(rows[0], rows[1]);
   for (std::size_t i = 0; i + 1 < rows.size(); ++i)
-    if (std::abs(rows[i + 1].delta - rows[i].delta - turn) > 1e-10 ||
-        std::abs(chord(rows[i], rows[i + 1]) - step) > 1e-9 * std::abs(step))
+    if (std::abs(rows[i + 1].delta - rows[i].delta - turn) > equal_turn ||
+        std::abs(chord(rows[i], rows[i + 1]) - step) > equal_step * std::abs(step))
       return false;
-  // equal steps and turns are a circle where the steps lie along the mean direction
+  // Equal steps and turns are a circle if the steps lie along the mean direction.
   const Point2 d = rows[1].position - rows[0].position;
-  return std::abs(dot(d, normal_of(0.5 * (rows[0].delta + rows[1].delta)))) <= 1e-9 * std::abs(step);
+  return std::abs(dot(d, normal_of(0.5 * (rows[0].delta + rows[1].delta)))) <= equal_step * std::abs(step);
 }
 
 /// (Q H + H Q) / 2, Q the turn of (s, n) by delta_I - delta_J.
@@ -41,6 +43,16 @@ Matrix3 turned(const Matrix3& h, double turn) {
       for (int k = 0; k < 3; ++k)
         out[i][j] += 0.5 * (q[i][k] * h[k][j] + h[i][k] * q[k][j]);
   return out;
+}
+
+/// -u_n under a unit pressure from the uniform tension of Flamant's stress on a circle (tangent_plane.hpp).
+double uniform_tension(const Material& material, const StripGrid& grid, std::span<const StripRow> rows) {
+  const double turn = rows.back().delta - rows.front().delta;
+  if (!(std::abs(turn) > flat_turn))
+    return 0;
+  const bool convex = turn * chord(rows.front(), rows.back()) > 0;
+  return (convex ? 1 - 2 * material.poisson : 1.0) * grid.ds /
+         (4 * std::numbers::pi * material.shear_modulus);
 }
 
 } // namespace
@@ -60,13 +72,7 @@ InfluenceNumbers tangent_plane_numbers(const Material& material, const StripGrid
   out.translational = turns_evenly(rows);
   out.values.resize(out.expected_values());
 
-  const double turn = rows.back().delta - rows.front().delta;
-  double tension = 0;
-  if (plane_strain && std::abs(turn) > 1e-9) {
-    const bool convex = turn * chord(rows.front(), rows.back()) > 0;
-    tension =
-        (convex ? 1 - 2 * material.poisson : 1.0) * grid.ds / (4 * std::numbers::pi * material.shear_modulus);
-  }
+  const double tension = plane_strain ? uniform_tension(material, grid, rows) : 0.0;
   std::vector<Matrix3> line(out.offsets);
   for (const auto& [row_i, row_j] : out.stored_rows()) {
     if (row_i < row_j)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/base/material.hpp"
+#include "bem_contact/halfspace/settings.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
 
 #include <span>
@@ -17,21 +18,25 @@ struct StripRow {
 struct StripGrid {
   double dx = 0, ds = 0; ///< mm
   int offsets = 1;
-  double reference_distance = 100; ///< plane strain, mm: averaged_plane_strain()
+  double reference_distance = plane_strain_reference; ///< plane strain, mm: averaged_plane_strain()
 };
 
-/// Numbers of one body on a curved strip without finite elements: the surface field of a half-space, as far
-/// away as the rows are (chord |P_I - P_J|, not arc), turned into the frames at both ends. With H the
-/// half-space's number and Q the turn from the frame of J to that of I, Q H is the field of the loaded
-/// element in its own tangent plane, H Q that in the plane of the displaced one. The mean of both keeps
-/// Maxwell-Betti, which neither does alone (in plane strain they are the same).
+/// Influence numbers of one body on a curved strip, without finite elements.
 ///
-/// In plane strain on a circle the half-space's field leaves tractions on the true surface: a uniform tension
-/// P/(2 pi R) beside rigid parts (Flamant's stress on a circle; Michell 1899). Taking it off is
-/// u_n = -(1 - 2 nu)/(4 pi G) P on a convex, -1/(4 pi G) P on a concave body, for a load P per length,
-/// whatever R: with this term a pair of equal bodies is exact (Michell's pair, Persson's contact), without it
-/// pmax is 1.6 % high at a half angle of 30 and 5 % at 60 degrees. In three dimensions it is left out. Rows
-/// that turn equally from each to the next give a table translational in s.
+/// Each number is that of a half-space at the distance of the two rows along their chord |P_I - P_J| (not
+/// along the arc), turned into the frames at both ends. Let H be the half-space's number and Q the turn from
+/// the frame of J to that of I. Q H is the field of the loaded element in its own tangent plane; H Q is the
+/// field in the plane of the displaced element. Neither is symmetric as Maxwell and Betti demand, but their
+/// mean is. In plane strain the two are the same.
+///
+/// In plane strain on a circle, the half-space's field leaves tractions on the true surface: a uniform
+/// tension P/(2 pi R) beside rigid parts (Flamant's stress on a circle; Michell 1899). Taking it off adds u_n
+/// = -(1 - 2 nu)/(4 pi G) P on a convex and -1/(4 pi G) P on a concave body for a load P per length, whatever
+/// R. With this term a pair of equal bodies is exact (Michell's pair, Persson's contact). Without it pmax
+/// is 1.6 % too high at a half angle of 30 degrees and 5 % at 60. In three dimensions it is left out.
+///
+/// If each row lies to the next as the first to the second, the result is translational in s.
+/// Source: THEORY.md, section 5. Throws InputError for an empty strip.
 InfluenceNumbers tangent_plane_numbers(const Material& material, const StripGrid& grid,
                                        std::span<const StripRow> rows);
 

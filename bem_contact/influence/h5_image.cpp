@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/h5_handle.hpp"
+#include "bem_contact/influence/settings.hpp"
 
 #include <cstdint>
 #include <cstdlib>
@@ -52,13 +53,12 @@ herr_t keep(void*) {
 } // namespace
 
 H5Image::H5Image(std::size_t user_block, const std::function<void(hid_t root)>& fill) {
-  constexpr std::size_t increment = 1 << 20;
   H5FD_file_image_callbacks_t callbacks{allocate, copy, reallocate, take, share, keep, &memory_};
   const H5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose), access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   check(creation >= 0 && access >= 0 && H5Pset_userblock(creation, user_block) >= 0 &&
             H5Pset_obj_track_times(creation, false) >= 0 &&
             H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18) >= 0 &&
-            H5Pset_fapl_core(access, increment, false) >= 0 &&
+            H5Pset_fapl_core(access, image_increment, false) >= 0 &&
             H5Pset_file_image_callbacks(access, &callbacks) >= 0,
         "its property lists");
   {

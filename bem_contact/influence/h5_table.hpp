@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -26,25 +25,7 @@ struct H5Table {
   std::map<std::string, H5Attribute> attributes;
 };
 
-/// A file written table by table, for more than memory holds. Under a temporary name beside `file`, renamed
-/// by finish(): `file` is whole or absent. Throws InputError where it cannot be written.
-class H5Writer {
-public:
-  explicit H5Writer(std::filesystem::path file);
-  ~H5Writer(); ///< removes what was not finished
-  H5Writer(const H5Writer&) = delete;
-  H5Writer& operator=(const H5Writer&) = delete;
-
-  /// Names must be new to the file, but for groups.
-  void add(const H5Table& table);
-  void finish();
-
-private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
-};
-
-/// The whole file at once.
+/// Writes the whole file at once. Throws InputError where it cannot be written.
 void write_h5(const std::filesystem::path& file, const H5Table& table);
 
 /// Reads every dataset of numbers and every attribute (of the file and its groups) that is text or a number.

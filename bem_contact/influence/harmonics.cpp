@@ -6,10 +6,10 @@
 
 namespace bem_contact {
 
-BEM_CONTACT_WIDE void add_harmonics(const double* weight, std::size_t counts, std::size_t width,
-                                    std::size_t harmonics, const double* first_cos, const double* first_sin,
-                                    const double* turn_cos, const double* turn_sin, std::size_t angles,
+BEM_CONTACT_WIDE void add_harmonics(const HarmonicWeights& weights, const Harmonics& harmonics,
                                     double* cosine, double* sine) {
+  const auto [weight, counts, width] = weights;
+  const auto [first_cos, first_sin, turn_cos, turn_sin, angles, count] = harmonics;
   constexpr std::size_t block = 4, most = 6;
   for (std::size_t m = 0; m < angles; m += block) {
     const std::size_t some = std::min(block, angles - m);
@@ -21,7 +21,7 @@ BEM_CONTACT_WIDE void add_harmonics(const double* weight, std::size_t counts, st
       ts[l] = turn_sin[m + l];
     }
     double even[most][block] = {}, odd[most][block] = {};
-    for (std::size_t h = 0; h < harmonics; ++h) {
+    for (std::size_t h = 0; h < count; ++h) {
       for (std::size_t b = 0; b < most; ++b) {
         const double factor = b < counts ? weight[b * width + h] : 0.0;
         for (std::size_t l = 0; l < block; ++l) {

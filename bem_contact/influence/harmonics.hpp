@@ -4,11 +4,21 @@
 
 namespace bem_contact {
 
-/// cosine(b, m) += sum over h of weight(b, h) cos((first + h) angle_m), sine likewise; weight: counts x
-/// `width`, `harmonics` of each row count. Cosines and sines of first angle_m are given, and those of
-/// angle_m, by which they are turned.
-void add_harmonics(const double* weight, std::size_t counts, std::size_t width, std::size_t harmonics,
-                   const double* first_cos, const double* first_sin, const double* turn_cos,
-                   const double* turn_sin, std::size_t angles, double* cosine, double* sine);
+/// Consecutive harmonics first, first + 1, ... of a Fourier series at several angles. Each array has `angles`
+/// entries: cosine and sine of first times the angle, and of the angle itself, by which they are turned.
+struct Harmonics {
+  const double *first_cos, *first_sin, *turn_cos, *turn_sin;
+  std::size_t angles, count;
+};
+
+/// What each harmonic counts for in each of at most 6 sums: value[b * width + h], b the sum, h the harmonic.
+struct HarmonicWeights {
+  const double* value;
+  std::size_t sums, width;
+};
+
+/// cosine[b][m] += sum over h of weight[b][h] cos((first + h) angle_m), and sine likewise; row-major, one row
+/// a sum.
+void add_harmonics(const HarmonicWeights& weights, const Harmonics& harmonics, double* cosine, double* sine);
 
 } // namespace bem_contact

@@ -1,6 +1,7 @@
 #include "bem_contact/influence/influence_function.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ void validate_metadata(const InfluenceFunction& f) {
     require(std::isfinite(f.reference_radius) && f.reference_radius > 0,
             "its reference radius is not positive", std::to_string(f.reference_radius) + " mm");
     const double half_turn = std::numbers::pi * f.reference_radius;
-    require(std::abs(f.half_period - half_turn) <= 1e-9 * half_turn,
+    require(std::abs(f.half_period - half_turn) <= half_turn_slack * half_turn,
             "the half period of a body of revolution is not half a turn",
             std::to_string(f.half_period) + " mm, pi times its reference radius is " +
                 std::to_string(half_turn));
@@ -61,7 +62,8 @@ void validate_stations(const InfluenceFunction& f) {
     const std::array<double, 4> values = {station.s, station.position.y, station.position.z, station.delta};
     require_finite(values, name);
     const double expected = f.stations.front().s + static_cast<double>(i) * f.station_width;
-    require(std::abs(station.s - expected) <= 1e-6 * f.station_width, "its stations are not equally spaced",
+    require(std::abs(station.s - expected) <= station_spacing_slack * f.station_width,
+            "its stations are not equally spaced",
             name + " is at s = " + std::to_string(station.s) + " mm, not " + std::to_string(expected));
   }
 }

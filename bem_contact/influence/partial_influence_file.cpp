@@ -1,6 +1,8 @@
+#include "bem_contact/influence/partial_influence_file.hpp"
+
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/file_seal.hpp"
-#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/settings.hpp"
 
 #include <cstring>
 #include <fstream>
@@ -10,8 +12,7 @@ namespace bem_contact {
 namespace {
 
 constexpr std::string_view magic = "conformal-contact partial influence 2\n";
-constexpr std::size_t digest_size = 64;   // bytes
-constexpr std::size_t most_errors = 1000; // of a wavenumber
+constexpr std::size_t digest_size = 64; // bytes
 
 template <class T> void append(std::string& bytes, const T* data, std::size_t count) {
   bytes.append(reinterpret_cast<const char*>(data), count * sizeof(T));
@@ -50,6 +51,34 @@ struct PartialInfluenceFile::Impl {
       take(errors, static_cast<std::size_t>(next->second.end() - from));
     }
   }
+  /// Keeps the records of an existing file that begins with `header`. Returns how many of its bytes are
+  /// whole.
+  std::size_t read_records(const std::string& header) {
+    std::string found;
+    if (std::ifstream in(path, std::ios::binary); in)
+      found.assign(std::istreambuf_iterator<char>(in), {});
+    if (!found.starts_with(header))
+      return 0;
+    std::size_t good = header.size();
+    while (found.size() - good >= 2 * sizeof(std::uint64_t)) {
+      std::uint64_t head[2];
+      std::memcpy(head, found.data() + good, sizeof head);
+      if (head[0] >= wavenumber.size() || head[1] > most_errors)
+        break;
+      const std::size_t count = numbers() + head[1], body = sizeof head + count * sizeof(double);
+      if (found.size() - good < body + digest_size)
+        break;
+      const std::string_view record = std::string_view(found).substr(good, body);
+      if (sha256({std::as_bytes(std::span(record))}) !=
+          std::string_view(found).substr(good + body, digest_size))
+        break;
+      std::vector<double> values(count);
+      std::memcpy(values.data(), record.data() + sizeof head, count * sizeof(double));
+      keep(head[0], std::move(values));
+      good += body + digest_size;
+    }
+    return good;
+  }
   [[noreturn]] void fail(const char* why) const {
     throw InputError("the file of finished wavenumbers '" + path.string() + "' cannot be written", why,
                      "check that its folder exists and has room");
@@ -71,30 +100,7 @@ PartialInfluenceFile::PartialInfluenceFile(std::filesystem::path file, std::stri
   header += fingerprint;
   append(header, wavenumber.data(), wavenumber.size());
 
-  std::string found;
-  if (std::ifstream in(impl_->path, std::ios::binary); in)
-    found.assign(std::istreambuf_iterator<char>(in), {});
-  std::size_t good = 0; // bytes of the file that are whole
-  if (found.starts_with(header)) {
-    good = header.size();
-    while (found.size() - good >= 2 * sizeof(std::uint64_t)) {
-      std::uint64_t head[2];
-      std::memcpy(head, found.data() + good, sizeof head);
-      if (head[0] >= wavenumber.size() || head[1] > most_errors)
-        break;
-      const std::size_t count = impl_->numbers() + head[1], body = sizeof head + count * sizeof(double);
-      if (found.size() - good < body + digest_size)
-        break;
-      const std::string_view record = std::string_view(found).substr(good, body);
-      if (sha256({std::as_bytes(std::span(record))}) !=
-          std::string_view(found).substr(good + body, digest_size))
-        break;
-      std::vector<double> values(count);
-      std::memcpy(values.data(), record.data() + sizeof head, count * sizeof(double));
-      impl_->keep(head[0], std::move(values));
-      good += body + digest_size;
-    }
-  }
+  const std::size_t good = impl_->read_records(header);
   if (good > 0) {
     std::error_code error;
     std::filesystem::resize_file(impl_->path, good, error);

@@ -1,5 +1,7 @@
 #include "bem_contact/influence/series_tail.hpp"
 
+#include "bem_contact/influence/settings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,7 +29,7 @@ Complex infinite_sum(int power, double start, double angle) {
   double factor = 1;                    // C(-power, l) start^-l
   Complex sum = 0;
   double smallest = std::numeric_limits<double>::infinity(), before = smallest;
-  for (int l = 0; l < 40; ++l) {
+  for (int l = 0; l < expansion_terms; ++l) {
     Complex value = 0;
     for (std::size_t d = polynomial.size(); d-- > 0;)
       value = value * u + polynomial[d];
@@ -38,7 +40,7 @@ Complex infinite_sum(int power, double start, double angle) {
     smallest = size;
     before = std::abs(term);
     sum += term;
-    if (size < 1e-17 * std::abs(sum))
+    if (size < expansion_tolerance * std::abs(sum))
       break;
     std::vector<double> next(polynomial.size() + 1, 0.0);
     for (std::size_t d = 1; d < polynomial.size(); ++d) {
@@ -54,14 +56,13 @@ Complex infinite_sum(int power, double start, double angle) {
 } // namespace
 
 std::complex<double> tail_sum(int power, long first, long last, double step, double angle) {
-  constexpr double far = 36; // n angle from which the expansion's smallest term is below 1e-10 of its first
-  const double from = angle > 0 ? std::ceil(far / angle) : 64;
+  const double from = angle > 0 ? std::ceil(expansion_phase / angle) : expansion_start;
   const long middle = std::clamp(from < 1e15 ? static_cast<long>(from) : last + 1, first, last + 1);
   Complex sum = 0, phase = 0;
   const Complex turn = std::polar(1.0, angle);
   for (long n = first; n < middle; ++n) {
     const auto x = static_cast<double>(n);
-    phase = (n - first) % 64 == 0 ? std::polar(1.0, x * angle) : phase * turn;
+    phase = (n - first) % rotated_harmonics == 0 ? std::polar(1.0, x * angle) : phase * turn;
     double inverse = 1;
     for (int p = 0; p < power; ++p)
       inverse /= x;

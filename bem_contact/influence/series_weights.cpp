@@ -2,12 +2,14 @@
 
 #include "bem_contact/influence/harmonics.hpp"
 #include "bem_contact/influence/series_tail.hpp"
+#include "bem_contact/influence/settings.hpp"
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace bem_contact {
@@ -16,12 +18,7 @@ namespace {
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Array = Eigen::Array<double, 1, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// How far the series is summed beyond the last sample, as a multiple of its wavenumber. What is left is
-/// 1/16^2 of a tail that is itself about 1 % of self at k_max a = 5; its mean is added in closed form.
-constexpr double tail_reach = 16;
-
-constexpr long block = 64; ///< harmonics whose cosines are found by rotation from one exact angle
-constexpr std::size_t points = 6;
+constexpr std::size_t points = 6; ///< of the interpolation between samples
 
 struct Interpolation {
   std::size_t first = 0, count = 0;
@@ -44,7 +41,7 @@ public:
     const std::size_t positive = wavenumber_.size() - 1;
     Interpolation result;
     for (const std::size_t near : {above - 1, std::min(above, positive)})
-      if (std::abs(wavenumber_[near] - k) <= 1e-10 * k) {
+      if (std::abs(wavenumber_[near] - k) <= sample_snap * k) {
         result.first = near;
         result.count = 1;
         result.weight[0] = 1;
@@ -72,92 +69,126 @@ private:
   std::vector<double> logarithm_;
 };
 
-/// even(b, m) += sum over n of weight(b, n) cos(n m angle), odd with sin, for consecutive n.
-void add_block(const RowMajor& weight, std::size_t first, std::size_t count, long n0, long harmonics,
-               const Array& angle, const Array& turn_cos, const Array& turn_sin, RowMajor& even,
-               RowMajor& odd) {
-  const Array first_angle = static_cast<double>(n0) * angle;
+/// What the samples count for, as it is added up: even[k][m] and odd[k][m], m the offset.
+class Sums {
+public:
+  Sums(std::span<const double> wavenumber, double half_period, double dx, int offsets)
+      : wavenumber_(wavenumber), half_period_(half_period), dx_(dx), offsets_(offsets),
+        even_(RowMajor::Zero(static_cast<Eigen::Index>(wavenumber.size()), offsets)), odd_(even_),
+        angle_(step() * dx * Array::LinSpaced(offsets, 0, offsets - 1)), turn_cos_(angle_.cos()),
+        turn_sin_(angle_.sin()) {
+    even_.row(0).setConstant(dx / 2 / half_period);
+  }
+
+  void add_up_to_last_sample();
+  void add_tail();
+  SeriesWeights result() const;
+
+private:
+  double step() const { return std::numbers::pi / half_period_; }
+  /// The last harmonic that is not beyond the last sample.
+  long inside() const {
+    return static_cast<long>(std::floor(wavenumber_.back() / step() * (1 + last_sample_slack)));
+  }
+  void add_block(const RowMajor& weight, const Interpolation& samples, long first_harmonic, long count);
+
+  std::span<const double> wavenumber_;
+  double half_period_, dx_;
+  int offsets_;
+  RowMajor even_, odd_;
+  Array angle_, turn_cos_, turn_sin_;
+};
+
+void Sums::add_block(const RowMajor& weight, const Interpolation& samples, long first_harmonic, long count) {
+  const Array first_angle = static_cast<double>(first_harmonic) * angle_;
   const Array first_cos = first_angle.cos(), first_sin = first_angle.sin();
-  const auto from = static_cast<Eigen::Index>(first);
-  add_harmonics(weight.data(), count, static_cast<std::size_t>(weight.cols()),
-                static_cast<std::size_t>(harmonics), first_cos.data(), first_sin.data(), turn_cos.data(),
-                turn_sin.data(), static_cast<std::size_t>(angle.size()), even.row(from).data(),
-                odd.row(from).data());
+  const auto from = static_cast<Eigen::Index>(samples.first);
+  add_harmonics({weight.data(), samples.count, static_cast<std::size_t>(weight.cols())},
+                {first_cos.data(), first_sin.data(), turn_cos_.data(), turn_sin_.data(),
+                 static_cast<std::size_t>(angle_.size()), static_cast<std::size_t>(count)},
+                even_.row(from).data(), odd_.row(from).data());
 }
 
-} // namespace
-
-SeriesWeights series_weights(std::span<const double> wavenumber, double half_period, double dx, int offsets) {
-  const auto nk = static_cast<Eigen::Index>(wavenumber.size());
-  const double a = dx / 2, step = std::numbers::pi / half_period;
-  RowMajor even = RowMajor::Zero(nk, offsets), odd = RowMajor::Zero(nk, offsets);
-  even.row(0).setConstant(a / half_period);
-
-  const Array angle = step * dx * Array::LinSpaced(offsets, 0, offsets - 1);
-  const Array turn_cos = angle.cos(), turn_sin = angle.sin();
-  const Interpolator interpolator(wavenumber);
-  const double last = wavenumber.back(), before = wavenumber[wavenumber.size() - 2];
-  const auto inside = static_cast<long>(std::floor(last / step * (1 + 1e-12)));
-  RowMajor weight(static_cast<Eigen::Index>(points), block);
+/// Harmonics between the samples, in blocks that the same samples serve.
+void Sums::add_up_to_last_sample() {
+  const double a = dx_ / 2;
+  const Interpolator interpolator(wavenumber_);
+  RowMajor weight(static_cast<Eigen::Index>(points), rotated_harmonics);
   Interpolation current;
   long start = 1, held = 0; // harmonics start .. start + held - 1 wait for the product
   std::size_t above = 1;
-  for (long n = 1; n <= inside; ++n) {
-    const double k = static_cast<double>(n) * step, s = std::sin(k * a);
-    while (above < wavenumber.size() && wavenumber[above] <= k)
+  for (long n = 1, last = inside(); n <= last; ++n) {
+    const double k = static_cast<double>(n) * step(), s = std::sin(k * a);
+    while (above < wavenumber_.size() && wavenumber_[above] <= k)
       ++above;
     const Interpolation g = interpolator.at(k, above);
-    if (held == block || (held > 0 && !(g == current))) {
-      add_block(weight, current.first, current.count, start, held, angle, turn_cos, turn_sin, even, odd);
+    if (held == rotated_harmonics || (held > 0 && !(g == current))) {
+      add_block(weight, current, start, held);
       held = 0;
     }
     if (held == 0)
       start = n;
     current = g;
-    const double coefficient = 2 * s * s / (half_period * k * k * a);
+    const double coefficient = 2 * s * s / (half_period_ * k * k * a);
     for (std::size_t b = 0; b < g.count; ++b)
       weight(static_cast<Eigen::Index>(b), held) = coefficient * g.weight[b];
     ++held;
   }
   if (held > 0)
-    add_block(weight, current.first, current.count, start, held, angle, turn_cos, turn_sin, even, odd);
+    add_block(weight, current, start, held);
+}
 
-  // Tail: g = (c0 + c1/k)/k with c0 = (k2 f2 - k1 f1)/(k2 - k1), c1 = k1 k2 (f1 - f2)/(k2 - k1), f = k g.
+/// Harmonics beyond the last sample, where g = (c0 + c1/k)/k with c0 = (k2 f2 - k1 f1)/(k2 - k1),
+/// c1 = k1 k2 (f1 - f2)/(k2 - k1) and f = k g at the last two samples k1 and k2.
+void Sums::add_tail() {
+  const double a = dx_ / 2, last = wavenumber_.back(), before = wavenumber_[wavenumber_.size() - 2];
+  const Eigen::Index nk = even_.rows();
   // 2 sin^2(ka) cos(kx) = cos(kx) - cos(k(x + 2a))/2 - cos(k(x - 2a))/2, and x is a multiple of 2a.
-  const auto reach = std::max(inside + 1, static_cast<long>(tail_reach * last / step));
+  const auto reach = std::max(inside() + 1, static_cast<long>(tail_reach * last / step()));
   std::vector<std::array<std::complex<double>, 2>> sums; // of e^(i k x) / k^3 and / k^4
-  for (int m = 0; m <= offsets; ++m)
-    sums.push_back({tail_sum(3, inside + 1, reach, step, step * dx * m),
-                    tail_sum(4, inside + 1, reach, step, step * dx * m)});
-  const double end = (static_cast<double>(reach) + 0.5) * step, gap = last - before;
-  for (int m = 0; m < offsets; ++m) {
+  for (int m = 0; m <= offsets_; ++m)
+    sums.push_back({tail_sum(3, inside() + 1, reach, step(), step() * dx_ * m),
+                    tail_sum(4, inside() + 1, reach, step(), step() * dx_ * m)});
+  const double end = (static_cast<double>(reach) + 0.5) * step(), gap = last - before;
+  for (int m = 0; m < offsets_; ++m) {
     std::array<std::complex<double>, 2> sum;
     for (std::size_t p = 0; p < 2; ++p) {
       const std::complex<double> left =
           m > 0 ? sums[static_cast<std::size_t>(m - 1)][p] : std::conj(sums[1][p]);
       sum[p] =
           (sums[static_cast<std::size_t>(m)][p] - 0.5 * (left + sums[static_cast<std::size_t>(m + 1)][p])) /
-          (half_period * a);
+          (half_period_ * a);
     }
     // The mean of sin^2(ka) cos(2kam) is 1/2, -1/4 and 0 at m = 0, 1 and more; sines have none.
     if (m < 2) {
-      const double mean = (m == 0 ? 0.5 : -0.25) * 2 / (half_period * a) / step;
+      const double mean = (m == 0 ? 0.5 : -0.25) * 2 / (half_period_ * a) / step();
       sum[0] += mean / (2 * end * end);
       sum[1] += mean / (3 * end * end * end);
     }
     const std::complex<double> c0 = sum[0] / gap, c1 = before * last * sum[1] / gap;
     const std::complex<double> on_last = last * (last * c0 - c1), on_before = before * (c1 - before * c0);
-    even(nk - 1, m) += on_last.real();
-    even(nk - 2, m) += on_before.real();
-    odd(nk - 1, m) += on_last.imag();
-    odd(nk - 2, m) += on_before.imag();
+    even_(nk - 1, m) += on_last.real();
+    even_(nk - 2, m) += on_before.real();
+    odd_(nk - 1, m) += on_last.imag();
+    odd_(nk - 2, m) += on_before.imag();
   }
+}
 
-  SeriesWeights w{std::vector<double>(static_cast<std::size_t>(nk * offsets)),
-                  std::vector<double>(static_cast<std::size_t>(nk * offsets))};
-  Eigen::Map<RowMajor>(w.even.data(), offsets, nk) = even.transpose();
-  Eigen::Map<RowMajor>(w.odd.data(), offsets, nk) = odd.transpose();
+SeriesWeights Sums::result() const {
+  SeriesWeights w{std::vector<double>(static_cast<std::size_t>(even_.size())),
+                  std::vector<double>(static_cast<std::size_t>(odd_.size()))};
+  Eigen::Map<RowMajor>(w.even.data(), even_.cols(), even_.rows()) = even_.transpose();
+  Eigen::Map<RowMajor>(w.odd.data(), odd_.cols(), odd_.rows()) = odd_.transpose();
   return w;
+}
+
+} // namespace
+
+SeriesWeights series_weights(std::span<const double> wavenumber, double half_period, double dx, int offsets) {
+  Sums sums(wavenumber, half_period, dx, offsets);
+  sums.add_up_to_last_sample();
+  sums.add_tail();
+  return sums.result();
 }
 
 } // namespace bem_contact

@@ -4,8 +4,8 @@
 
 namespace bem_contact {
 
-/// The middle of one row of elements on the rail's surface (track frame; a patch: its own frame, origin in the
-/// middle of the grid).
+/// The middle of one row of elements on the rail's surface (track frame; a patch: its own frame, origin in
+/// the middle of the grid).
 struct ContactRow {
   double s = 0;     ///< arc length along the rail's profile, mm
   Point2 position;  ///< (y, z), mm

@@ -1,5 +1,7 @@
 #include "bem_contact/profile/curve_piece.hpp"
 
+#include "bem_contact/profile/settings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -47,10 +49,10 @@ double arc_length(const CurvePiece& c, double t) {
 
 double parameter_at(const CurvePiece& c, double along) {
   double t = c.t_end * along / c.length;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < arc_length_steps; ++i) {
     const double step = (arc_length(c, t) - along) / speed(c, t);
     t = std::clamp(t - step, 0.0, c.t_end);
-    if (std::abs(step) <= 1e-15 * c.t_end)
+    if (std::abs(step) <= parameter_tolerance * c.t_end)
       break;
   }
   return t;
@@ -61,7 +63,7 @@ PiecePoint polynomial_point(const CurvePiece& c, double t) {
   const double v = norm(d.first);
   double delta = std::atan2(d.first.z, d.first.y);
   delta += 2 * pi * std::round((c.delta0 - delta) / (2 * pi));
-  return {d.value, delta, (d.first.y * d.second.z - d.first.z * d.second.y) / (v * v * v)};
+  return {d.value, delta, cross(d.first, d.second) / (v * v * v)};
 }
 
 double nearest_on_arc(const CurvePiece& c, Point2 p) {
@@ -81,20 +83,19 @@ double nearest_on_arc(const CurvePiece& c, Point2 p) {
 
 /// Least |c(t) - p| over the piece: the best of a few samples, then Newton held inside its neighbours.
 double nearest_on_polynomial(const CurvePiece& c, Point2 p) {
-  constexpr int samples = 6;
   int best = 0;
   double least = 0;
-  for (int i = 0; i <= samples; ++i) {
-    const double distance = norm(evaluate(c, c.t_end * i / samples).value - p);
+  for (int i = 0; i <= nearest_samples; ++i) {
+    const double distance = norm(evaluate(c, c.t_end * i / nearest_samples).value - p);
     if (i == 0 || distance < least) {
       least = distance;
       best = i;
     }
   }
-  double low = c.t_end * std::max(best - 1, 0) / samples;
-  double high = c.t_end * std::min(best + 1, samples) / samples;
-  double t = c.t_end * best / samples;
-  for (int i = 0; i < 60; ++i) {
+  double low = c.t_end * std::max(best - 1, 0) / nearest_samples;
+  double high = c.t_end * std::min(best + 1, nearest_samples) / nearest_samples;
+  double t = c.t_end * best / nearest_samples;
+  for (int i = 0; i < nearest_steps; ++i) {
     const Derivatives d = evaluate(c, t);
     const double slope = dot(d.value - p, d.first);
     (slope > 0 ? high : low) = t;
@@ -102,7 +103,7 @@ double nearest_on_polynomial(const CurvePiece& c, Point2 p) {
     double next = bend > 0 ? t - slope / bend : low - 1;
     if (!(next >= low && next <= high))
       next = (low + high) / 2;
-    const bool done = std::abs(next - t) <= 1e-15 * c.t_end;
+    const bool done = std::abs(next - t) <= parameter_tolerance * c.t_end;
     t = next;
     if (done)
       break;

@@ -1,6 +1,7 @@
 #include "bem_contact/profile/own_outline.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/settings.hpp"
 
 #include <fmt/format.h>
 
@@ -12,14 +13,8 @@ namespace bem_contact {
 
 namespace {
 
-constexpr double tangent_slack = 0.01; // rad; a drawing's coordinates are rounded
-
 std::string text(Point2 p) {
   return fmt::format("({:.6g}, {:.6g})", p.y, p.z);
-}
-
-CurvePiece curve_of(const SectionPiece& piece) {
-  return arc_piece(piece.from, piece.to, piece.radius == 0 ? 0 : 1 / piece.radius);
 }
 
 std::vector<OwnOutline::Piece> joined(const BodyFile::Body& body) {
@@ -36,10 +31,10 @@ std::vector<OwnOutline::Piece> joined(const BodyFile::Body& body) {
     const std::string name = fmt::format("piece {} of the outline of {} from {} to {} mm", i + 1, body.name,
                                          text(from), text(piece.to));
     const double chord = norm(piece.to - from);
-    if (chord < 1e-6)
+    if (chord < shortest_outline_piece)
       throw InputError(name + " has no length", "it ends where it begins",
                        "Remove it; the first piece begins where the last one ends, so the loop is closed.");
-    if (is_arc(piece) && chord > 2 * std::abs(piece.radius) * (1 + 1e-9))
+    if (is_arc(piece) && chord > 2 * std::abs(piece.radius) * (1 + half_circle_rounding))
       throw InputError(name + " is no arc",
                        fmt::format("its ends are {:.6g} mm apart, more than twice its radius of {} mm", chord,
                                    std::abs(piece.radius)),
@@ -90,7 +85,7 @@ void require_smooth(const std::vector<OwnOutline::Piece>& contact, const std::st
 double area_within(const std::vector<OwnOutline::Piece>& pieces) {
   double twice = 0;
   for (const auto& [shape, group] : pieces) {
-    twice += shape.from.y * shape.to.z - shape.to.y * shape.from.z;
+    twice += cross(shape.from, shape.to);
     if (shape.radius != 0) { // and the segment between chord and arc
       const double turn = curve_of(shape).length / shape.radius;
       twice += shape.radius * shape.radius * (turn - std::sin(turn));
@@ -103,9 +98,8 @@ double area_within(const std::vector<OwnOutline::Piece>& pieces) {
 double least_z(const SectionPiece& shape) {
   double least = std::min(shape.from.z, shape.to.z);
   const CurvePiece curve = curve_of(shape);
-  constexpr int steps = 64;
-  for (int i = 1; i < steps; ++i)
-    least = std::min(least, point_on(curve, curve.length * i / steps).position.z);
+  for (int i = 1; i < lowest_point_samples; ++i)
+    least = std::min(least, point_on(curve, curve.length * i / lowest_point_samples).position.z);
   return least;
 }
 

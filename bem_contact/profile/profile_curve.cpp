@@ -2,7 +2,11 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/fnv1a.hpp"
+#include "bem_contact/profile/settings.hpp"
+#include "bem_contact/profile/spline.hpp"
+#include "bem_contact/profile/turn_at.hpp"
 
+#include <boost/math/tools/roots.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,19 +35,15 @@ void translate(CurvePiece& piece, Point2 by) {
 /// Arc length from the curve's start to its first crossing of y = 0; 0 where there is none.
 double length_to_axis(const std::vector<CurvePiece>& pieces) {
   for (const CurvePiece& piece : pieces) {
-    double low = 0, high = piece.length;
-    const double at_low = point_on(piece, low).position.y;
-    const double at_high = point_on(piece, high).position.y;
-    if (std::abs(at_low) < 1e-12)
+    const auto y_at = [&](double along) { return point_on(piece, along).position.y; };
+    if (std::abs(y_at(0)) < on_axis)
       return piece.s0;
-    if (std::abs(at_high) < 1e-12)
+    if (std::abs(y_at(piece.length)) < on_axis)
       return piece.s0 + piece.length;
-    if (at_low * at_high > 0)
+    if (y_at(0) * y_at(piece.length) > 0)
       continue;
-    for (int i = 0; i < 100 && high - low > 1e-14 * piece.length; ++i) {
-      const double middle = (low + high) / 2;
-      (point_on(piece, middle).position.y * at_low > 0 ? low : high) = middle;
-    }
+    const auto [low, high] = boost::math::tools::bisect(
+        y_at, 0.0, piece.length, [&](double a, double b) { return b - a <= axis_tolerance * piece.length; });
     return piece.s0 + (low + high) / 2;
   }
   return 0;
@@ -84,6 +84,33 @@ ProfileCurve ProfileCurve::from_pieces(std::string name, std::vector<CurvePiece>
   return curve;
 }
 
+ProfileCurve ProfileCurve::through_points(std::string name, std::span<const Point2> points,
+                                          double corner_turn) {
+  if (points.size() < 3)
+    throw InputError(fmt::format("profile '{}' has {} points", name, points.size()),
+                     "a curve needs at least 3", "Give more points.");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!(std::isfinite(points[i].y) && std::isfinite(points[i].z)))
+      throw InputError(fmt::format("point {} of profile '{}' is not a number", i + 1, name),
+                       "coordinates must be finite", "Remove or mend the point.");
+    if (i > 0 && norm(points[i] - points[i - 1]) < coinciding_points)
+      throw InputError(fmt::format("points {} and {} of profile '{}' coincide", i, i + 1, name),
+                       "a curve has no direction there", "Remove one of them.");
+  }
+  std::vector<CurvePiece> pieces;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double turn = turn_at(points, i);
+    const bool corner = turn > corner_turn && turn > corner_contrast * turn_at(points, i - 1) &&
+                        turn > corner_contrast * turn_at(points, i + 1);
+    if (corner || i + 1 == points.size()) {
+      append_spline(pieces, points.subspan(begin, i + 1 - begin));
+      begin = i;
+    }
+  }
+  return from_pieces(std::move(name), std::move(pieces));
+}
+
 std::vector<double> ProfileCurve::joints() const {
   std::vector<double> s;
   for (const CurvePiece& piece : pieces_)
@@ -99,8 +126,7 @@ const CurvePiece& ProfileCurve::piece_at(double s) const {
 }
 
 CurvePoint ProfileCurve::at(double s) const {
-  constexpr double slack = 1e-9;
-  if (!(s >= s_begin_ - slack && s <= s_end_ + slack))
+  if (!(s >= s_begin_ - end_slack && s <= s_end_ + end_slack))
     throw InputError(fmt::format("arc length s = {} mm is off the profile '{}'", s, name_),
                      fmt::format("the profile runs from {:.6g} to {:.6g} mm", s_begin_, s_end_),
                      "Ask for a point on the profile.");
@@ -125,7 +151,7 @@ CurvePoint ProfileCurve::nearest(Point2 p) const {
   double least = std::numeric_limits<double>::infinity();
   for (const CurvePiece& piece : pieces_) {
     const double farthest = std::min(bound, least) + piece.length / 2;
-    if (squared(piece) > farthest * farthest * (1 + 1e-12)) // its own bound, rounded, is not beyond
+    if (squared(piece) > farthest * farthest * (1 + bound_rounding))
       continue;
     const double along = nearest_on(piece, p);
     const double distance = norm(p - point_on(piece, along).position);

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/conventions.hpp"
 #include "bem_contact/profile/curve_piece.hpp"
+#include "bem_contact/profile/settings.hpp"
 
 #include <cstdint>
 #include <span>
@@ -31,12 +32,12 @@ public:
   /// the curve is continuous in position while tangent and curvature stay what the pieces say.
   static ProfileCurve from_pieces(std::string name, std::vector<CurvePiece> pieces);
 
-  /// A curve through points: an interpolating cubic spline (not-a-knot) in chord length; where the chords
-  /// turn by more than `kink_angle` (rad) and by more than twice as much as at both neighbours (so that a
-  /// coarsely sampled arc is no kink) a corner stays. Points are in the walking order given above.
-  /// Throws InputError for fewer than 3 points, NaN, or doubled points.
+  /// A curve through points: an interpolating cubic spline (spline.hpp). A corner stays where the chords turn
+  /// by more than `corner_turn` (rad) and by more than twice as much as at both neighbours, so that a
+  /// coarsely sampled arc gets no corners. Points are in the walking order given above. Throws InputError for
+  /// fewer than 3 points, NaN, or doubled points.
   static ProfileCurve through_points(std::string name, std::span<const Point2> points,
-                                     double kink_angle = 0.3);
+                                     double corner_turn = corner_angle);
 
   const std::string& name() const { return name_; }
   double s_begin() const { return s_begin_; }

@@ -1,7 +1,6 @@
 #include "bem_contact/profile/rail_section.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/curve_piece.hpp"
 
 #include <fmt/format.h>
 
@@ -152,31 +151,8 @@ bool is_exact_rail_section(std::string_view name) {
   return rail_data(name).exact;
 }
 
-SectionProperties section_properties(const std::vector<SectionPiece>& right_half) {
-  // Green's theorem along the outline: integral of f dA = integral of F dz with F = integral of f dy. The
-  // part of the boundary on the axis y = 0 adds nothing. 5-point Gauss on sixteenths of each piece.
-  constexpr double x[] = {-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
-                          0.9061798459386640};
-  constexpr double w[] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665,
-                          0.2369268850561891};
-  constexpr int parts = 16;
-  double area = 0, first = 0, second_z = 0, second_y = 0, lowest = 0;
-  for (const SectionPiece& piece : right_half) {
-    const CurvePiece curve = arc_piece(piece.from, piece.to, piece.radius == 0 ? 0 : 1 / piece.radius);
-    for (int part = 0; part < parts; ++part)
-      for (int g = 0; g < 5; ++g) {
-        const PiecePoint p = point_on(curve, curve.length * (part + (1 + x[g]) / 2) / parts);
-        const double dz = std::sin(p.delta) * w[g] * curve.length / (2 * parts);
-        const double y = p.position.y, z = p.position.z;
-        area += y * dz;
-        first += y * z * dz;
-        second_z += y * z * z * dz;
-        second_y += y * y * y / 3 * dz;
-      }
-    lowest = std::max(lowest, piece.to.z);
-  }
-  const double z_mean = first / area;
-  return {2 * area, lowest - z_mean, 2 * (second_z - area * z_mean * z_mean), 2 * second_y};
+CurvePiece curve_of(const SectionPiece& piece) {
+  return arc_piece(piece.from, piece.to, piece.radius == 0 ? 0 : 1 / piece.radius);
 }
 
 } // namespace bem_contact

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/base/conventions.hpp"
+#include "bem_contact/profile/curve_piece.hpp"
 
 #include <string_view>
 #include <vector>
@@ -27,13 +27,7 @@ bool is_exact_rail_section(std::string_view name);
 /// are tangent.
 std::vector<SectionPiece> rail_head(std::string_view name);
 
-/// Of a section symmetric about z, from its right half.
-struct SectionProperties {
-  double area = 0;     ///< mm^2
-  double centroid = 0; ///< height of the centroid above the lowest point of the outline, mm
-  double Ix = 0;       ///< second moment about the horizontal axis through the centroid, mm^4
-  double Iy = 0;       ///< second moment about the vertical axis of symmetry, mm^4
-};
-SectionProperties section_properties(const std::vector<SectionPiece>& right_half);
+/// The piece as a curve in the section's frame.
+CurvePiece curve_of(const SectionPiece& piece);
 
 } // namespace bem_contact

@@ -2,7 +2,10 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
-#include "bem_contact/profile/profile_formats.hpp"
+#include "bem_contact/profile/miniprof_format.hpp"
+#include "bem_contact/profile/plain_columns.hpp"
+#include "bem_contact/profile/profile_repair.hpp"
+#include "bem_contact/profile/simpack_format.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +29,7 @@ ProfileCurve profile_of_body(const std::filesystem::path& file, ProfileKind kind
   if ((std::cos(delta) > 0) != (kind == ProfileKind::rail))
     throw InputError(fmt::format("the body in {} is {} body", file.string(),
                                  kind == ProfileKind::rail ? "an upper" : "a lower"),
-                     fmt::format("a {} is asked for", kind == ProfileKind::rail ? "rail" : "wheel"),
+                     fmt::format("a {} is asked for", name_of(kind)),
                      "Walk its contact surface the other way round, the material on the other side.");
   if (kind == ProfileKind::rail && body.body.kind == BodyKind::outline && body.body.reference_radius > 0)
     throw InputError(
@@ -58,10 +61,9 @@ ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::f
   if (is_standard_profile(name)) {
     const ProfileKind its_kind = name == "S1002" ? ProfileKind::wheel : ProfileKind::rail;
     if (its_kind != kind)
-      throw InputError(
-          fmt::format("{} is the profile of a {}", name, kind == ProfileKind::rail ? "wheel" : "rail"),
-          fmt::format("a {} is asked for", kind == ProfileKind::rail ? "rail" : "wheel"),
-          kind == ProfileKind::rail ? "Use for instance 60E1." : "Use for instance S1002.");
+      throw InputError(fmt::format("{} is the profile of a {}", name, name_of(its_kind)),
+                       fmt::format("a {} is asked for", name_of(kind)),
+                       kind == ProfileKind::rail ? "Use for instance 60E1." : "Use for instance S1002.");
     return standard_profile(name);
   }
   const std::filesystem::path file = folder / std::filesystem::path(name); // an absolute path stays itself

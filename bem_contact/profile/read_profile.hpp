@@ -1,14 +1,13 @@
 #pragma once
 
 #include "bem_contact/profile/profile_curve.hpp"
+#include "bem_contact/profile/profile_kind.hpp"
 
 #include <filesystem>
 #include <string_view>
 #include <vector>
 
 namespace bem_contact {
-
-enum class ProfileKind { rail, wheel };
 
 /// Reads a profile file: Simpack .prr/.prw, MiniProf .ban/.whl (told by their contents), else plain columns
 /// "y z". The curve's frame is that of ProfileCurve: mm, y to the right (rail: 0 where the file has it,

@@ -1,12 +1,14 @@
 #include "bem_contact/profile/s1002.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/settings.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace bem_contact {
 
@@ -53,9 +55,9 @@ double height(const ArcZone& zone, double y) {
   return zone.centre.z + std::copysign(root, zone.radius);
 }
 
-/// Pieces of about 1 mm, each about its own start: (y, z) = (y0 - t, zone(y0 - t)).
+/// Pieces of at most s1002_piece, each about its own start: (y, z) = (y0 - t, zone(y0 - t)).
 void add(std::vector<CurvePiece>& pieces, const PolynomialZone& zone) {
-  const int count = static_cast<int>(std::ceil(zone.from - zone.to));
+  const int count = static_cast<int>(std::ceil((zone.from - zone.to) / s1002_piece));
   for (int i = 0; i < count; ++i) {
     const double y0 = zone.from + (zone.to - zone.from) * i / count;
     const double y1 = zone.from + (zone.to - zone.from) * (i + 1) / count;
@@ -77,7 +79,7 @@ void add(std::vector<CurvePiece>& pieces, const ArcZone& zone) {
   const auto inclination = [&](double y) {
     const Point2 outward = Point2{y, height(zone, y)} - zone.centre;
     const double delta = std::atan2(sign * outward.y, -sign * outward.z);
-    return delta < 0 ? delta + 2 * std::acos(-1.0) : delta;
+    return delta < 0 ? delta + 2 * std::numbers::pi : delta;
   };
   const double start = inclination(zone.from), end = inclination(zone.to);
   pieces.push_back(arc_piece({zone.from, height(zone, zone.from)}, start, 1 / zone.radius,

@@ -22,14 +22,11 @@ constexpr double pi = std::numbers::pi;
 ProfileCurve rail_head_profile(std::string_view name) {
   const std::vector<SectionPiece> right = rail_head(name);
   std::vector<CurvePiece> pieces;
-  const auto add = [&pieces](Point2 from, Point2 to, double radius) {
-    pieces.push_back(arc_piece(from, to, radius == 0 ? 0 : 1 / radius));
-  };
   const auto mirrored = [](Point2 p) { return Point2{-p.y, p.z}; };
   for (auto piece = right.rbegin(); piece != right.rend(); ++piece)
-    add(mirrored(piece->to), mirrored(piece->from), piece->radius);
+    pieces.push_back(curve_of({mirrored(piece->to), mirrored(piece->from), piece->radius}));
   for (const SectionPiece& piece : right)
-    add(piece.from, piece.to, piece.radius);
+    pieces.push_back(curve_of(piece));
   return ProfileCurve::from_pieces(std::string(name), std::move(pieces));
 }
 

@@ -2,6 +2,9 @@
 
 #include "bem_contact/reference/positive.hpp"
 
+#include <boost/math/tools/roots.hpp>
+
+#include <cstdint>
 #include <numbers>
 
 namespace bem_contact::reference {
@@ -39,13 +42,11 @@ double persson_half_angle(double clearance) {
   if (!(std::isfinite(clearance) && clearance >= 0))
     throw InputError("Persson's half angle has no solution", "E1* dR/Q is " + std::to_string(clearance),
                      "give a clearance of 0 or more");
-  double from = 0, to = pi / 2; // the clearance falls with the angle and is negative at pi/2
-  while (to - from > 1e-15 * to) {
-    const double middle = (from + to) / 2;
-    if (middle <= from || middle >= to)
-      break;
-    (persson_clearance(middle) > clearance ? from : to) = middle;
-  }
+  // The clearance falls with the angle and is negative at pi/2.
+  std::uintmax_t steps = 1000;
+  const auto [from, to] = boost::math::tools::bracket_and_solve_root(
+      [&](double angle) { return persson_clearance(angle) - clearance; }, pi / 4, 2.0, false,
+      boost::math::tools::eps_tolerance<double>(), steps);
   return (from + to) / 2;
 }
 

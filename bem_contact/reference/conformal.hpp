@@ -34,8 +34,8 @@ struct RadialDisplacement {
 RadialDisplacement michell_disc(const Material& material, double radius, int n);
 RadialDisplacement michell_hole(const Material& material, double radius, int n);
 
-/// The pair under a normal line load P (N/mm) at th = 0: difference at th (not 0), modulo rigid motions. It
-/// is negative beyond 41.9 degrees.
+/// The pair under a normal line load P (N/mm) at th = 0: difference at th (not 0), modulo rigid motions.
+/// Without any, the radial one is negative from 41.88 to 117.7 degrees.
 RadialDisplacement michell_line_load(const Material& material, double load, double theta);
 
 /// Sphere of radius R in a spherical seat R + dR, identical materials, nu = 0.3, frictionless (recomputed

@@ -1,9 +1,14 @@
-#include "bem_contact/reference/positive.hpp"
-#include "bem_contact/reference/rolling.hpp"
+#include "bem_contact/reference/creep_coefficients.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/reference/settings.hpp"
 
 #include <Eigen/QR>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <string>
 
 // The linear theory of Kalker 1967 ("On the Rolling Contact of Two Elastic Bodies in the Presence of Dry
 // Friction", Delft, chapter 4): no slip anywhere, so that the displacement differs from the rigid one by a
@@ -77,7 +82,7 @@ MatrixXd displacements(const MatrixXd& points, const Monomials& basis, double a,
   const Eigen::Index count = points.rows(), n = basis.size();
   const int on_chord = basis.degree / 2 + 1; // exact to degree 2 on_chord - 1
   // The integrand's nearest pole lies atanh(min/max of the semi-axes) off the real axis of the angle.
-  const int directions = 2 * basis.degree + static_cast<int>(20 * std::max(a / b, b / a));
+  const int directions = 2 * basis.degree + static_cast<int>(directions_per_aspect * std::max(a / b, b / a));
   MatrixXd u = MatrixXd::Zero(2 * count, 2 * n);
   VectorXd sum(n);
   for (Eigen::Index point = 0; point < count; ++point) {
@@ -100,6 +105,19 @@ MatrixXd displacements(const MatrixXd& points, const Monomials& basis, double a,
     u.row(count + point).head(n) = u.row(point).tail(n);
   }
   return u;
+}
+
+/// The tractions' numerators at points of the leading edge: [p_x of all, p_s of all] under each polynomial.
+MatrixXd leading_edge(const Monomials& basis) {
+  const Eigen::Index n = basis.size(), count = edge_points_per_degree * (basis.degree + 1);
+  MatrixXd numerators = MatrixXd::Zero(2 * count, 2 * n);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double angle = pi * ((static_cast<double>(i) + 0.5) / static_cast<double>(count) - 0.5);
+    VectorXd values = VectorXd::Zero(n);
+    basis.add(std::cos(angle), std::sin(angle), values);
+    numerators.row(i).head(n) = numerators.row(count + i).tail(n) = values;
+  }
+  return numerators;
 }
 
 } // namespace
@@ -129,15 +147,7 @@ CreepCoefficients creep_coefficients(double a_over_b, double poisson, int degree
   const MatrixXd responses =
       displacements(points, basis, a, b, poisson).colPivHouseholderQr().solve(-known); // [2 n][3 + 2 free]
 
-  const int at_edge = 8 * (degree + 1);
-  MatrixXd numerators = MatrixXd::Zero(2 * at_edge, 2 * n);
-  for (int i = 0; i < at_edge; ++i) {
-    const double angle = pi * ((i + 0.5) / at_edge - 0.5);
-    VectorXd values = VectorXd::Zero(n);
-    basis.add(std::cos(angle), std::sin(angle), values);
-    numerators.row(i).head(n) = numerators.row(at_edge + i).tail(n) = values;
-  }
-  const MatrixXd edge = numerators * responses;
+  const MatrixXd edge = leading_edge(basis) * responses;
   const MatrixXd chosen = edge.rightCols(2 * free).colPivHouseholderQr().solve(-edge.leftCols(3));
   const MatrixXd p = responses.leftCols(3) + responses.rightCols(2 * free) * chosen;
 

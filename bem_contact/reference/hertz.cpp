@@ -1,8 +1,14 @@
 #include "bem_contact/reference/hertz.hpp"
 
 #include "bem_contact/reference/positive.hpp"
+#include "bem_contact/reference/settings.hpp"
+
+#include <boost/math/special_functions/ellint_rd.hpp>
+#include <boost/math/special_functions/ellint_rf.hpp>
+#include <boost/math/tools/roots.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <numbers>
 
 namespace bem_contact::reference {
@@ -10,40 +16,36 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// K, D = (K - E)/m and B = K - D of the parameter m = 1 - k^2, by the arithmetic-geometric mean
-/// (Abramowitz and Stegun 17.6); D and B keep all digits where the ellipse is nearly a circle.
+/// Complete elliptic integrals of the parameter m = 1 - k^2: K, D = (K - E)/m and B = K - D.
 struct Elliptic {
   double k_integral = 0, d = 0, b = 0;
   double e_integral(double k) const { return b + k * k * d; } // E = B + (1 - m) D
 };
 
+/// By Carlson's symmetric integrals (DLMF 19.25.1). They take k^2 itself, so that no digit is lost where the
+/// ellipse is nearly a circle or nearly a line.
 Elliptic elliptic(double k) {
-  // D = K sum 2^(n-1) c_n^2 / m with c_0^2 = m.
-  double a = 1, g = k, c2_over_m = 1, sum = 0.5, power = 0.5;
-  while (a - g > 4e-16 * a) {
-    const double next_a = (a + g) / 2, next_c = (a - g) / 2;
-    c2_over_m *= next_c / (4 * next_a); // from c_n^2 = 4 a_{n+1} c_{n+1}
-    g = std::sqrt(a * g);
-    a = next_a;
-    power *= 2;
-    sum += power * c2_over_m;
-  }
-  Elliptic result;
-  result.k_integral = pi / (2 * a);
-  result.d = result.k_integral * sum;
-  result.b = result.k_integral - result.d;
-  return result;
+  const double k_integral = boost::math::ellint_rf(0.0, k * k, 1.0);
+  const double d = boost::math::ellint_rd(0.0, k * k, 1.0) / 3;
+  return {k_integral, d, k_integral - d};
 }
 
-/// Axis ratio k = b/a <= 1 of the ellipse for lo/hi = k^2 D/B (Johnson 1985, eq. 4.28).
+/// Axis ratio k = b/a <= 1 of the ellipse for lo/hi = k^2 D/B (Johnson 1985, eq. 4.28). In the logarithm of k
+/// the equation is nearly linear.
 double axis_ratio(double lo, double hi) {
-  double from = 1e-12, to = 1;
-  for (int i = 0; i < 120; ++i) {
-    const double k = i < 40 ? std::sqrt(from * to) : (from + to) / 2;
-    const Elliptic e = elliptic(k);
-    (k * k * e.d * hi < lo * e.b ? from : to) = k;
-  }
-  return (from + to) / 2;
+  const auto excess = [&](double log_k) {
+    const Elliptic e = elliptic(std::exp(log_k));
+    return 2 * log_k + std::log(e.d / e.b) - std::log(lo / hi);
+  };
+  const double least = std::log(least_axis_ratio);
+  if (excess(0) <= 0) // a circle, but for rounding
+    return 1;
+  if (excess(least) >= 0)
+    return least_axis_ratio;
+  std::uintmax_t steps = 100;
+  const auto [from, to] = boost::math::tools::toms748_solve(
+      excess, least, 0.0, boost::math::tools::eps_tolerance<double>(), steps);
+  return std::exp((from + to) / 2);
 }
 
 struct Ellipse {
@@ -98,15 +100,11 @@ double hertz_compression(const HertzContact& contact, double modulus, double x, 
     const double half = (x2 + s2 - a2 - b2) / 2;
     from = half + std::sqrt(half * half + x2 * b2 + s2 * a2 - a2 * b2);
   }
-  // w = t^2, t = sqrt(from) + c e^v: the trapezoidal rule converges exponentially
-  const double scale = std::sqrt(contact.semi_axis_x * contact.semi_axis_s), start = std::sqrt(from);
-  constexpr double step = 0.35;
-  double sum = 0;
-  for (int i = -90; i <= 90; ++i) {
-    const double grown = scale * std::exp(step * i), t = start + grown, w = t * t;
-    sum += grown * (1 - x2 / (a2 + w) - s2 / (b2 + w)) / std::sqrt((a2 + w) * (b2 + w));
-  }
-  return contact.max_pressure * contact.semi_axis_x * contact.semi_axis_s / modulus * step * sum;
+  // The integrals over w from there on are Carlson's R_F and R_D (DLMF 19.16.1 and 19.16.5).
+  const double a = a2 + from, b = b2 + from;
+  const double sum = boost::math::ellint_rf(a, b, from) - x2 / 3 * boost::math::ellint_rd(b, from, a) -
+                     s2 / 3 * boost::math::ellint_rd(a, from, b);
+  return contact.max_pressure * contact.semi_axis_x * contact.semi_axis_s / modulus * sum;
 }
 
 HertzLine hertz_line_by_force(double radius, double modulus, double force) {

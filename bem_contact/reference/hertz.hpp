@@ -22,9 +22,9 @@ struct HertzContact {
 HertzContact hertz_by_force(double curvature_x, double curvature_s, double modulus, double force);
 HertzContact hertz_by_approach(double curvature_x, double curvature_s, double modulus, double approach);
 
-/// What the pressure of `contact` lowers both surfaces by together, at (x, s) from its middle, mm: the
-/// integral of Johnson 1985, eqs 3.36 and 3.41, by quadrature (1e-10), inside the ellipse and outside. Inside
-/// it is approach - A x^2 - B s^2.
+/// By how much the pressure of `contact` lowers both surfaces together at (x, s) from its middle, mm, inside
+/// the ellipse and outside: the integral of Johnson 1985, eqs 3.36 and 3.41, in elliptic integrals. Inside it
+/// is approach - A x^2 - B s^2.
 double hertz_compression(const HertzContact& contact, double modulus, double x, double s);
 
 /// Two cylinders, plane strain (Johnson 1985, eqs 4.43 to 4.45). Force per length, N/mm.

@@ -48,19 +48,6 @@ CombinedMaterial combined(const Material& one, const Material& other);
 /// more compliant).
 double bentall_johnson_creepage(const Material& one, const Material& other, double radius, double half_width);
 
-/// Kalker's creep coefficients.
-struct CreepCoefficients {
-  double a_over_b = 1; ///< semi-axis along x over semi-axis along s
-  double poisson = 0;
-  double c11 = 0, c22 = 0, c23 = 0, c33 = 0;
-};
-
-/// Of the linear theory (no slip anywhere; Kalker 1967, his table E3 of 1990), equal materials, by
-/// polynomials of the tractions of that degree over the square root of the ellipse; a/b of .1 to 10. At
-/// degree 12 within 1e-4 for a/b of .3 to 3, 3e-3 at .1 and 10. On a circle at nu = 0 they come out as 32/(3
-/// pi), 32/(3 pi), 4/3 and 512/(135 pi) to 1e-7.
-CreepCoefficients creep_coefficients(double a_over_b, double poisson, int degree = 12);
-
 /// |Mz| of a circular Hertzian contact of radius a that slips everywhere in pure spin: (3 pi/16) mu N a.
 double full_spin_moment(double friction, double normal_force, double radius);
 

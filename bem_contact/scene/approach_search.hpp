@@ -6,8 +6,8 @@
 
 namespace bem_contact {
 
-/// The approach q at which a growing force(q), nearly q^1.5, is `wanted`: regula falsi (Illinois) in the power
-/// 2/3 of the force, which is nearly linear.
+/// The approach q at which a growing force(q), nearly q^1.5, is `wanted`: regula falsi (Illinois) in the
+/// power 2/3 of the force, which is nearly linear.
 template <class Force> double approach_for(double wanted, const Force& force) {
   const auto excess = [&](double q) { return std::cbrt(std::pow(force(q) / wanted, 2)) - 1; };
   double lo = 0, hi = first_approach, at_lo = -1, at_hi = excess(hi);

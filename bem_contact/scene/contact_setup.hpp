@@ -51,8 +51,8 @@ struct ContactSetup {
   double reference_distance() const;
 
   RowsOnBodies rows_on(const GridPlan& plan) const;
-  /// The problem on these elements, with what the scene prescribes for its first step. Throws InputError where
-  /// rows leave the rail.
+  /// The problem on these elements, with what the scene prescribes for its first step. Throws InputError
+  /// where rows leave the rail.
   ContactOnGrid on(const GridPlan& plan) const;
   /// Load, rigid slip and shear forces of one step of a history.
   void prescribe(const MotionStep& step, ContactProblem& problem) const;
@@ -67,7 +67,8 @@ struct ContactSetup {
 /// A `wheel_rail` scene. With position.vertical the approach is what the wheelset stands lower than where it
 /// first touches. Throws InputError for a scene whose bodies do not meet, or tables that cannot be used.
 ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& profiles);
-/// A `patch` scene. Throws InputError for tables that cannot be used, and for a load that the grid cannot bear.
+/// A `patch` scene. Throws InputError for tables that cannot be used, and for a load that the grid cannot
+/// bear.
 ContactSetup set_up_patch(const SceneFile& scene);
 
 } // namespace bem_contact

@@ -14,10 +14,9 @@ std::vector<Motion::Friction> read_friction(const std::filesystem::path& file) {
   std::vector<Motion::Friction> table;
   for (const std::vector<double>& row : read_csv(file, {"s", "mu"})) {
     if (row[1] < 0 || (!table.empty() && row[0] <= table.back().s))
-      throw InputError(
-          fmt::format("The table '{}' is no friction coefficient", file.string()),
-          fmt::format("its row {} has s = {:g}, mu = {:g}", table.size() + 1, row[0], row[1]),
-          "Give rows of ascending s and mu >= 0.");
+      throw InputError(fmt::format("The table '{}' is no friction coefficient", file.string()),
+                       fmt::format("its row {} has s = {:g}, mu = {:g}", table.size() + 1, row[0], row[1]),
+                       "Give rows of ascending s and mu >= 0.");
     table.push_back({row[0], row[1]});
   }
   return table;
@@ -35,7 +34,8 @@ double friction_at(const std::vector<Motion::Friction>& table, double s) {
 
 using Member = std::optional<double> MotionStep::*;
 
-/// The member that a column of the step table sets. Throws InputError for a column that does not belong there.
+/// The member that a column of the step table sets. Throws InputError for a column that does not belong
+/// there.
 Member member_of(const std::string& name, const std::vector<std::string>& columns, const SceneFile& scene) {
   const std::pair<const char*, Member> known[] = {
       {"load", &MotionStep::load}, {"xi", &MotionStep::xi},           {"eta", &MotionStep::eta},
@@ -58,8 +58,8 @@ Member member_of(const std::string& name, const std::vector<std::string>& column
       (name == "phi" && motion.phi != 0))
     throw InputError(fmt::format("The table '{}' has the creepage {}", file, name),
                      fmt::format("motion.{} is given too", name), "Leave out one of the two.");
-  if (name == "x" && (motion.kind != MotionKind::shift || scene.kind != SceneKind::patch ||
-                      !scene.gap.table.empty()))
+  if (name == "x" &&
+      (motion.kind != MotionKind::shift || scene.kind != SceneKind::patch || !scene.gap.table.empty()))
     throw InputError(fmt::format("The table '{}' moves a contact that cannot be moved", file),
                      "column x is for shifts of a patch whose gap is given by coefficients", "Leave it out.");
   return found->second;

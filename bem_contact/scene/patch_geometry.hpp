@@ -9,13 +9,13 @@
 
 namespace bem_contact {
 
-/// The geometry of a `patch` scene, all tables read. It has its own grid, rows centred about s = 0 and columns
-/// about x = 0.
+/// The geometry of a `patch` scene, all tables read. It has its own grid, rows centred about s = 0 and
+/// columns about x = 0.
 struct PatchGeometry {
   ContactGrid grid;          ///< plane strain: one element of dx = 1, forces are per mm
   bool plane_strain = false; ///< infinitely long along x
   std::vector<ContactRow> rows;
-  std::vector<double> gap;             ///< undeformed distance along n where the contact lies at x = 0, mm; field
+  std::vector<double> gap; ///< undeformed distance along n where the contact lies at x = 0, mm; field
   std::vector<double> rail_s, wheel_s; ///< arc length of each row on the lower and the upper body, mm
   SceneFile::Gap quadratic;            ///< of which `gap` is made, unless it comes from a table
   double radius = 0, upper_radius = 0; ///< of a curved strip and of the upper body, mm; 0: flat

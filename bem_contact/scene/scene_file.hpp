@@ -101,7 +101,7 @@ struct SceneFile {
   } solver;
 };
 
-/// A key of a scene with another value than its file says (base/sweep_file.hpp).
+/// A key of a scene with another value than its file says (sweep_file.hpp).
 struct SceneChange {
   std::string key; ///< dotted: "position.lateral"
   SchemaValue value;

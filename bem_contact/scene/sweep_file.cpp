@@ -12,6 +12,7 @@ namespace bem_contact {
 
 namespace {
 
+/// More is a typing error: the records of the cases alone would need gigabytes.
 constexpr std::size_t most_cases = 10'000'000;
 
 /// 6.3, not 6.300000000000001.
@@ -97,7 +98,7 @@ struct Reader {
       refuse(line, fmt::format("the range of sweep.{} cannot have {} values", key, *count),
              fmt::format("at least 2 and at most {} lie between two ends", most_cases), "Correct the count.");
     const bool whole = t["from"].is_integer() && t["step"].is_integer();
-    // `to` belongs to the range where a step hits it but for rounding.
+    // `to` belongs to the range if a step hits it up to rounding.
     const std::int64_t n =
         count ? *count : static_cast<std::int64_t>(std::floor((*to - *from) / *step + 1e-9)) + 1;
     std::vector<SchemaValue> out;

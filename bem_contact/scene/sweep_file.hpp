@@ -18,8 +18,9 @@ namespace bem_contact {
 ///     load.force = [ 5e4, 1e5 ]
 ///     rail.profile = [ "60E1", "worn.prr" ]
 ///
-/// A product runs through the last list fastest, in the order of the file: what lies next to each other
-/// should be alike. Each case is the scene with its values, checked as the scene is.
+/// A product runs through the last list fastest, in the order of the file. Cases that follow each other
+/// should be alike, because each starts from the one before. Each case is the scene with its values, and is
+/// checked like any scene.
 struct SweepFile {
   struct Axis {
     std::string key;
@@ -37,14 +38,14 @@ struct SweepFile {
   /// Which value of each axis a case has.
   std::vector<std::size_t> indices(std::size_t index) const;
   std::vector<SceneChange> changes(std::size_t index) const;
-  /// Throws InputError naming the line of the value that cannot be.
+  /// Throws InputError naming the line of the value that is wrong.
   SceneFile scene(std::size_t index) const;
   /// "position.lateral = 6.2, load.force = 50000"
   std::string describe(std::size_t index) const;
 };
 
-/// Throws InputError for a file without [sweep], an empty or endless range, lists of unequal lengths to be
-/// zipped, or a key that no scene has.
+/// Throws InputError for a file without [sweep], an empty or endless range, a zip of lists of unequal
+/// lengths, or a key that no scene has.
 SweepFile read_sweep_file(const std::filesystem::path& file);
 SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name = "text");
 

@@ -7,7 +7,7 @@ namespace bem_contact {
 
 namespace {
 
-/// While `holds`, nothing looks at `keys`.
+/// If `holds`, the keys have no effect, for the reason `why`.
 struct Cause {
   std::vector<const char*> keys;
   bool holds;

@@ -7,8 +7,8 @@
 
 namespace bem_contact {
 
-/// One sentence for each cause why keys that the file gives another value than their default have no effect
-/// in this combination.
+/// Keys that the file sets to another value than their default, and that have no effect in this combination:
+/// one sentence for each reason.
 std::vector<std::string> unused_keys(const SceneFile& scene, const Schema& schema);
 
 } // namespace bem_contact

@@ -24,8 +24,8 @@ ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, bool fore
 
 /// The first plan of a case on elements of the size asked for. Rows of a wheel on a rail are centred on the
 /// stations of the rail's influence file where there is one. `on_strips`: every row lies on the strips of the
-/// influence files; rows that the contact does not need are given up. Throws InputError where others leave the
-/// strips.
+/// influence files; rows that the contact does not need are given up. Throws InputError where others leave
+/// the strips.
 GridPlan first_plan(const ContactCase& contact, const SceneFile::Grid& asked, bool on_strips);
 
 /// First and last row of a plan that lie on the strips of both influence files; first > last where none does.

@@ -27,9 +27,9 @@ double k_minus_e(double m) {
   return std::numbers::pi / (2 * a) * 0.5 * sum;
 }
 
-/// Normal force of the slices first .. end - 1, which touch at the approach q. Kik and Piotrowski: N = pi E* q
-/// I1/I2, I1 and I2 the integrals of sqrt(x_l^2 - x^2) and of the same over r; along x, I2 is 2 S (K - E) with
-/// S^2 = x_l^2 + t^2, m = x_l^2 / S^2 at the distance t in s.
+/// Normal force of the slices first .. end - 1, which touch at the approach q. Kik and Piotrowski: N = pi E*
+/// q I1/I2, I1 and I2 the integrals of sqrt(x_l^2 - x^2) and of the same over r; along x, I2 is 2 S (K - E)
+/// with S^2 = x_l^2 + t^2, m = x_l^2 / S^2 at the distance t in s.
 double normal_force(std::span<const RailSlice> area, const RailSlice& deepest, double q, double compliance) {
   double i1 = 0, i2 = 0;
   for (const RailSlice& c : area) {

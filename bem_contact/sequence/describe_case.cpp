@@ -59,9 +59,10 @@ std::string friction_text(const Motion& motion, const ContactProblem& problem) {
     return "friction: none";
   const std::size_t steps = motion.steps.size();
   return fmt::format("friction: {:g}, {}", problem.largest_friction(),
-                     motion.kind == MotionKind::steady  ? std::string("steady rolling")
-                     : motion.kind == MotionKind::shift ? fmt::format("shift in {} steps", steps)
-                                                        : fmt::format("transient rolling, {} steps of dx", steps));
+                     motion.kind == MotionKind::steady ? std::string("steady rolling")
+                     : motion.kind == MotionKind::shift
+                         ? fmt::format("shift in {} steps", steps)
+                         : fmt::format("transient rolling, {} steps of dx", steps));
 }
 
 /// One body's influence file, and whether its strip covers the rows at the stations s.
@@ -85,7 +86,8 @@ std::string influence_text(const char* body, const std::shared_ptr<const Influen
 
 std::vector<std::string> describe_case(const ContactCase& asked) {
   const SceneFile& scene = asked.scene;
-  const ContactOnGrid contact = asked.setup.on(first_plan(asked, scene.grid, scene.solver.model == Model::fem));
+  const ContactOnGrid contact =
+      asked.setup.on(first_plan(asked, scene.grid, scene.solver.model == Model::fem));
   const ContactProblem& problem = contact.problem;
   std::vector<std::string> lines;
   lines.push_back(fmt::format("kind: {}", name_of(scene.kind)));
@@ -96,8 +98,9 @@ std::vector<std::string> describe_case(const ContactCase& asked) {
   lines.push_back(friction_text(asked.setup.motion, problem));
   lines.push_back(influence_text("rail", asked.files.rail, contact.rail_s, problem.grid.ds));
   lines.push_back(influence_text("wheel", asked.files.wheel, contact.wheel_s, problem.grid.ds));
-  lines.push_back(fmt::format("model: {}{}", name_of(scene.solver.model),
-                              asked.estimate ? "; by the estimate " + halfspace_text(asked.estimate->turn) : ""));
+  lines.push_back(
+      fmt::format("model: {}{}", name_of(scene.solver.model),
+                  asked.estimate ? "; by the estimate " + halfspace_text(asked.estimate->turn) : ""));
   for (const std::string& warning : input_warnings(scene, asked.setup))
     lines.push_back("warning: " + warning);
   return lines;

@@ -18,12 +18,14 @@ double on_ladder(double length, bool down) {
 } // namespace
 
 ElementCount::ElementCount(int elements, double accuracy, int limit, int least)
-    : accuracy_(accuracy), least_(least), usual_(elements > 0 ? elements : int(usual_elements)), wanted_(usual_) {
+    : accuracy_(accuracy), least_(least), usual_(elements > 0 ? elements : int(usual_elements)),
+      wanted_(usual_) {
   const auto elements_for = [&](double error) {
     return usual_elements * (accuracy > 0 ? std::pow(error / accuracy, 1 / error_order) : 1.0);
   };
   const double needed = elements_for(usual_error);
-  most_ = static_cast<int>(std::clamp(rare_factor * elements_for(rare_error), rare_factor * usual_elements, double(limit)));
+  most_ = static_cast<int>(
+      std::clamp(rare_factor * elements_for(rare_error), rare_factor * usual_elements, double(limit)));
   if (elements == 0)
     usual_ = wanted_ =
         static_cast<int>(std::clamp(needed, double(std::max(int(usual_elements), least)), double(limit)));

@@ -15,8 +15,7 @@ class ElementCount {
 public:
   /// `accuracy`: discretisation error wanted; 0: `elements` whatever the error. `limit`: never more; `least`:
   /// for an accuracy no fewer.
-  ElementCount(int elements, double accuracy, int limit = most_elements,
-                        int least = fewest_elements);
+  ElementCount(int elements, double accuracy, int limit = most_elements, int least = fewest_elements);
 
   int wanted() const { return wanted_; }
   /// No more than this is tried: what 99 of 100 contacts need for this accuracy is less.

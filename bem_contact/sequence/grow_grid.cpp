@@ -70,8 +70,8 @@ GridPlan grown(const ContactCase& contact, GridPlan plan, const Touched& touched
       "out with grid.s_from and grid.s_to.");
 }
 
-/// A place outside the grid where the rigid bodies would overlap at the approach that was found: a second area
-/// that the estimate took for free. With a plan that covers all of them.
+/// A place outside the grid where the rigid bodies would overlap at the approach that was found: a second
+/// area that the estimate took for free. With a plan that covers all of them.
 struct SecondArea {
   const TouchPoint* touch = nullptr; ///< the nearest; null: there is none
   GridPlan wider;
@@ -83,7 +83,8 @@ SecondArea second_area(const ContactCase& contact, const GridSolution& solved) {
   const double q = solved.result.approach;
   for (const PotentialArea& area : potential_areas(*contact.estimate, q))
     for (const TouchPoint& touch : contact.setup.wheel_rail()->touch) {
-      const bool outside = touch.rail_s < solved.contact.plan.s_from() || touch.rail_s > solved.contact.plan.s_to();
+      const bool outside =
+          touch.rail_s < solved.contact.plan.s_from() || touch.rail_s > solved.contact.plan.s_to();
       if (outside && touch.distance < q && area.s_from <= touch.rail_s && touch.rail_s <= area.s_to) {
         cover(out.wider, area);
         out.touch = out.touch && out.touch->distance < touch.distance ? out.touch : &touch;
@@ -93,11 +94,11 @@ SecondArea second_area(const ContactCase& contact, const GridSolution& solved) {
 }
 
 std::string left_out_warning(const TouchPoint& touch, double approach, bool rows_given) {
-  return fmt::format("the bodies come nearer than the approach at s = {:.2f} mm too, by {:.4f} mm, {}: what may "
-                     "touch there is left out",
-                     touch.rail_s, approach - touch.distance,
-                     rows_given ? "off the rows that the scene asks for"
-                                : "and Hertz's closed form is of one area");
+  return fmt::format(
+      "the bodies come nearer than the approach at s = {:.2f} mm too, by {:.4f} mm, {}: what may "
+      "touch there is left out",
+      touch.rail_s, approach - touch.distance,
+      rows_given ? "off the rows that the scene asks for" : "and Hertz's closed form is of one area");
 }
 
 std::string edge_warning(const Touched& touched) {
@@ -165,10 +166,11 @@ GridSolution solve_on_growing_grid(const ContactCase& asked, ContactOnGrid first
         return out;
       }
       if (round == most_growths)
-        throw InputError("The contact does not fit on a potential contact of any reasonable size",
-                         fmt::format("it still reaches the edge of {} x {} elements", plan.columns, plan.rows),
-                         "Give a smaller force, larger elements (grid.dx, grid.ds), or rows around the contact "
-                         "(grid.s_from, grid.s_to).");
+        throw InputError(
+            "The contact does not fit on a potential contact of any reasonable size",
+            fmt::format("it still reaches the edge of {} x {} elements", plan.columns, plan.rows),
+            "Give a smaller force, larger elements (grid.dx, grid.ds), or rows around the contact "
+            "(grid.s_from, grid.s_to).");
       next = grown(asked, plan, touched, on_strips);
     } else if (round < most_growths) {
       next = plan_with_second_area(asked, on_strips, out);

@@ -18,8 +18,8 @@ std::vector<int> window_of(const ContactProblem& problem, const HertzModel& mode
   const int mx = problem.grid.mx;
   std::vector<int> window;
   for (int i = 0; i < problem.grid.size(); ++i) {
-    const bool near =
-        std::abs(i % mx - middle % mx) <= smallest_window / 2 && std::abs(i / mx - middle / mx) <= smallest_window / 2;
+    const bool near = std::abs(i % mx - middle % mx) <= smallest_window / 2 &&
+                      std::abs(i / mx - middle / mx) <= smallest_window / 2;
     const auto [u, v] = model.local(problem.grid.x(i % mx), problem.rows[i / mx].s);
     const bool inside = model.contact.force > 0 &&
                         std::hypot(u / model.contact.semi_axis_x, v / model.contact.semi_axis_s) < 1;

@@ -17,8 +17,8 @@ double predicted_halfspace_error(double turn);
 /// bodies on one circle the model is exact: 0.
 double predicted_tangent_plane_error(const ContactProblem& problem, double turn, bool equal_bodies);
 
-/// Of Hertz's solution: what the undeformed distance departs from a quadratic (hertz_deviation_error), and what
-/// the turn does.
+/// Of Hertz's solution: what the undeformed distance departs from a quadratic (hertz_deviation_error), and
+/// what the turn does.
 double predicted_error(const HertzModel& model);
 
 /// The first in words.

@@ -14,8 +14,8 @@ struct NumbersSource {
   Model model = Model::halfspace;
   Body rail, wheel;
   int columns = 0, rows = 0;
-  double dx = 0, ds = 0;             ///< mm; dx 0: plane strain
-  double reference_distance = 0;     ///< of plane strain, mm
+  double dx = 0, ds = 0;               ///< mm; dx 0: plane strain
+  double reference_distance = 0;       ///< of plane strain, mm
   std::vector<double> rail_s, wheel_s; ///< stations of the rows where influence functions are taken, mm
   double contact_radius = 0;           ///< mm
 

@@ -1,10 +1,12 @@
 #include "bem_contact/sequence/pair_numbers.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/halfspace/combine.hpp"
+#include "bem_contact/halfspace/flat_strip.hpp"
 #include "bem_contact/halfspace/resample.hpp"
 #include "bem_contact/halfspace/tangent_plane.hpp"
 #include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
@@ -36,7 +38,8 @@ bool inside(const std::shared_ptr<const InfluenceFunction>& f, double s, double 
   return s - row_on_strip * ds >= from && s + row_on_strip * ds <= to;
 }
 
-InfluenceNumbers expand_side(const InfluenceFunction& function, const Body& body, const ContactOnGrid& contact, const std::vector<double>& row_s) {
+InfluenceNumbers expand_side(const InfluenceFunction& function, const Body& body,
+                             const ContactOnGrid& contact, const std::vector<double>& row_s) {
   const ContactGrid& grid = contact.problem.grid;
   const bool plane_strain = contact.problem.plane_strain();
   ExpandOptions options;
@@ -49,8 +52,8 @@ InfluenceNumbers expand_side(const InfluenceFunction& function, const Body& body
 
 /// A patch is given without profiles: what can be compared is how far the normal turns along the strip.
 /// Throws InputError where the file's surface turns otherwise than the rows do, by more than `tolerance`.
-void require_turn(const InfluenceFunction& f, const ContactOnGrid& contact,
-                  const std::vector<double>& row_s, double tolerance) {
+void require_turn(const InfluenceFunction& f, const ContactOnGrid& contact, const std::vector<double>& row_s,
+                  double tolerance) {
   const auto delta_at = [&](double s) {
     const double index = (s - f.stations.front().s) / f.station_width;
     const auto last = static_cast<double>(f.stations.size() - 1);
@@ -97,8 +100,8 @@ PairFiles read_pair_files(const Body& rail, const Body& wheel) {
 InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& contact) {
   const ContactGrid& grid = contact.problem.grid;
   const auto one = [&](const Material& material) {
-    // On a curved strip forces depend on the reference distance of plane strain, since the approach turns with
-    // the normal; the strip's radius is what the disc in a hole has (Michell 1899).
+    // On a curved strip forces depend on the reference distance of plane strain, since the approach turns
+    // with the normal; the strip's radius is what the disc in a hole has (Michell 1899).
     return contact.problem.plane_strain()
                ? halfspace::plane_strain_numbers(material, grid.ds, grid.ms, setup.reference_distance())
                : halfspace::numbers(material, grid.dx, grid.ds, grid.mx + 2, grid.ms);

@@ -15,9 +15,8 @@ namespace {
 const RailSlice* nearest_if_elsewhere(const ContactEstimate& estimate,
                                       const std::vector<PotentialArea>& areas,
                                       const SceneFile::RowRange& rows) {
-  if (std::ranges::any_of(areas, [&](const PotentialArea& area) {
-        return area.s_from <= rows.to && rows.from <= area.s_to;
-      }))
+  if (std::ranges::any_of(
+          areas, [&](const PotentialArea& area) { return area.s_from <= rows.to && rows.from <= area.s_to; }))
     return nullptr;
   const RailSlice* nearest = nullptr;
   for (const RailSlice& slice : estimate.slices)

@@ -105,8 +105,14 @@ void Sequence::remember(const SceneResult& result, const ContactEstimate& estima
   const ContactResult& r = result.result;
   memory_.former.reset();
   if (options_.keep_start && r.converged && !r.patches.empty() && estimate.approach > 0)
-    memory_.former = FormerSolution{result.problem.grid, result.problem.rows.front().s, r.Fz, r.approach,
-                                    potential_areas(estimate), r.px, r.ps, r.pn};
+    memory_.former = FormerSolution{result.problem.grid,
+                                    result.problem.rows.front().s,
+                                    r.Fz,
+                                    r.approach,
+                                    potential_areas(estimate),
+                                    r.px,
+                                    r.ps,
+                                    r.pn};
 }
 
 Comparison Sequence::compare(const SceneFile& scene) {

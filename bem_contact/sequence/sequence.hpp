@@ -29,10 +29,10 @@ struct SequenceOptions {
 /// Answers scenes. This is the one way in: the program, sweeps and Python all use it, and one scene is a
 /// sequence of one.
 ///
-/// Scenes of a wheel on a rail in steady rolling profit from the ones before: a case starts from the tractions
-/// of the former case, and grid.elements or grid.accuracy are met by what former cases taught. Results lie
-/// within the certificate of those that each scene has alone on the same grid. Files must not change meanwhile.
-/// One object serves one thread.
+/// Scenes of a wheel on a rail in steady rolling profit from the ones before: a case starts from the
+/// tractions of the former case, and grid.elements or grid.accuracy are met by what former cases taught.
+/// Results lie within the certificate of those that each scene has alone on the same grid. Files must not
+/// change meanwhile. One object serves one thread.
 class Sequence {
 public:
   /// `files`: shared with other sequences of this thread; null: its own.
@@ -40,9 +40,9 @@ public:
 
   /// Solves a scene with the model that it asks for (solve_case.hpp). Where it asks for grid.elements or
   /// grid.accuracy, dx and ds are chosen: the case is solved again, at most most_solves times, until its
-  /// estimated error is within the accuracy. The grid of a wheel on a rail grows until the contact lies inside.
-  /// Throws InputError for wrong input, ConvergenceError where the work allowed is used up; other lack of
-  /// convergence is in the result.
+  /// estimated error is within the accuracy. The grid of a wheel on a rail grows until the contact lies
+  /// inside. Throws InputError for wrong input, ConvergenceError where the work allowed is used up; other
+  /// lack of convergence is in the result.
   SceneResult solve(const SceneFile& scene);
 
   /// Solves a scene with half-space and fem at equal force. Where it asks for grid.elements or grid.accuracy,

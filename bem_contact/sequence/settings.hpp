@@ -36,16 +36,17 @@ BEM_CONTACT_TUNED(int, spare_elements, 2);
 BEM_CONTACT_TUNED(int, fewest_rows, 3);
 /// 1. How often a grid may grow. It grows by a quarter in s, an eighth on either side in x.
 BEM_CONTACT_TUNED(int, most_growths, 6);
-BEM_CONTACT_TUNED(int, row_growth_share, 4);     ///< 1. One over that quarter.
-BEM_CONTACT_TUNED(int, column_growth_share, 8);  ///< 1. One over that eighth.
-BEM_CONTACT_TUNED(int, fewest_more_rows, 4);     ///< 1. Rows by which a grid grows at least.
-BEM_CONTACT_TUNED(int, fewest_more_columns, 2);  ///< 1. Columns on either side, likewise.
+BEM_CONTACT_TUNED(int, row_growth_share, 4);    ///< 1. One over that quarter.
+BEM_CONTACT_TUNED(int, column_growth_share, 8); ///< 1. One over that eighth.
+BEM_CONTACT_TUNED(int, fewest_more_rows, 4);    ///< 1. Rows by which a grid grows at least.
+BEM_CONTACT_TUNED(int, fewest_more_columns, 2); ///< 1. Columns on either side, likewise.
 /// GB. Largest influence numbers, and largest history, that are kept in memory.
 BEM_CONTACT_TUNED(double, largest_memory, 8.0);
 
 // Number of elements.
 
-/// 1. Fewest elements in contact: the error is estimated by a companion with a quarter of them, which needs 40.
+/// 1. Fewest elements in contact: the error is estimated by a companion with a quarter of them, which
+/// needs 40.
 BEM_CONTACT_TUNED(int, fewest_elements, 180);
 /// 1. Elements in contact that are tried first; the median contact has an error of usual_error with them.
 BEM_CONTACT_TUNED(int, usual_elements, 200);
@@ -54,14 +55,15 @@ BEM_CONTACT_TUNED(double, usual_error, 0.003); ///< 1. As above.
 /// the median contact.
 BEM_CONTACT_TUNED(double, rare_error, 0.02);
 BEM_CONTACT_TUNED(double, rare_factor, 7.0); ///< 1. As above.
-/// 1. Order of the estimated error in the number of elements: adhesion is of first order in their length (0.5),
-/// the normal problem of second (1).
+/// 1. Order of the estimated error in the number of elements: adhesion is of first order in their length
+/// (0.5), the normal problem of second (1).
 BEM_CONTACT_TUNED(double, error_order, 0.65);
 /// 1. Elements beyond what the accuracy is predicted to need.
 BEM_CONTACT_TUNED(double, element_reserve, 1.1);
 /// 1. Errors scatter: the number of elements comes down to no less than this share of the last one ...
 BEM_CONTACT_TUNED(double, least_change, 0.35);
-BEM_CONTACT_TUNED(double, least_retry, 1.3); ///< 1. ... goes up by at least this if the case is solved again ...
+BEM_CONTACT_TUNED(double, least_retry,
+                  1.3); ///< 1. ... goes up by at least this if the case is solved again ...
 BEM_CONTACT_TUNED(double, most_change, 4.0); ///< 1. ... and at most by this.
 /// 1. Elements in contact that are tried at most for an accuracy: a second or a few.
 BEM_CONTACT_TUNED(int, most_elements, 12000);
@@ -133,8 +135,8 @@ BEM_CONTACT_TUNED(double, least_curvature_ratio, 1e-12);
 
 // Influence functions.
 
-/// 1 (rows). How much of a row must lie on the strip of an influence file, on either side of its middle: rows of
-/// equal width on the rail are a hair shorter or longer on the wheel.
+/// 1 (rows). How much of a row must lie on the strip of an influence file, on either side of its middle: rows
+/// of equal width on the rail are a hair shorter or longer on the wheel.
 BEM_CONTACT_TUNED(double, row_on_strip, 0.49);
 /// 1. Share of the wheel radius by which that of an influence file may differ.
 BEM_CONTACT_TUNED(double, radius_tolerance, 0.01);

@@ -84,9 +84,8 @@ Comparison compare_case(const ContactCase& asked, const SceneFile::Grid& grid, W
     WorkBudget fem_work, halfspace_work;
     GridSolution fem = solve_on_growing_grid(asked, asked.setup.on(plan), {Model::fem},
                                              {.work = fem_work, .operators = &operators}, true);
-    const ContactCase at_force = asked.under({LoadKind::force, asked.setup.load.kind == LoadKind::force
-                                                                   ? asked.setup.load.force
-                                                                   : fem.result.Fz});
+    const ContactCase at_force = asked.under(
+        {LoadKind::force, asked.setup.load.kind == LoadKind::force ? asked.setup.load.force : fem.result.Fz});
     GridSolution halfspace =
         solve_on_growing_grid(at_force, at_force.setup.on(fem.contact.plan), {Model::halfspace},
                               {.work = halfspace_work, .operators = &operators}, true);

@@ -4,11 +4,12 @@
 
 namespace bem_contact {
 
-/// Answers a case on elements of the size that `grid` says: with the scene's model, or with the cheapest whose
-/// predicted error of pmax is within solver.model_tolerance (model_choice.hpp): hertz by a fit of the
+/// Answers a case on elements of the size that `grid` says: with the scene's model, or with the cheapest
+/// whose predicted error of pmax is within solver.model_tolerance (model_choice.hpp): hertz by a fit of the
 /// undeformed distance, the others by the turn of the normal within the contact that the normal problem has
 /// with half-space numbers; fem only where there are influence files.
-SceneResult solve_case(const ContactCase& asked, const SceneFile::Grid& grid, const SolveResources& resources);
+SceneResult solve_case(const ContactCase& asked, const SceneFile::Grid& grid,
+                       const SolveResources& resources);
 
 /// Both models on one grid: where either grows, both are solved again. Throws InputError where they cannot be
 /// compared, ConvergenceError where they find no common grid.

@@ -2,7 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/expand.hpp"
-#include "fem_influence/harmonic/wavenumbers.hpp"
+#include "fem_influence/shared/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,16 +12,10 @@ namespace bem_contact::fem {
 
 namespace {
 
-constexpr double reach = 16; // mm, the farthest numbers that are compared
-/// The true error was .9 to 1.2 of what the ratio says (block, disc, rail, wheel), on meshes far too
-/// coarse 1.8.
-constexpr double caution = 1.8;
-
-/// By how much every second of so many samples a decade is less accurate: 2^6 in the limit. Measured at 7
-/// (and fewer) 24 or more where the numbers are large, 12 at 16 mm on a disc of radius 10; at 10, 31 to 57 on
-/// block, corner, groove, disc, bore, rail and wheel (ERRORS.md: far and mid numbers of 5 and 10 samples).
+/// How much less accurate every second one of so many samples a decade is than all of them.
 double sampling_ratio(int samples_per_decade) {
-  return std::clamp(10 * std::pow(samples_per_decade / 7.0, 3), 10.0, 30.0);
+  return std::clamp(settings::sampling_ratio * std::pow(samples_per_decade / settings::sampling_ratio_at, 3),
+                    settings::sampling_ratio, settings::sampling_ratio_most);
 }
 
 } // namespace
@@ -29,8 +23,9 @@ double sampling_ratio(int samples_per_decade) {
 std::vector<std::size_t> compared_stations(std::size_t count) {
   std::set<std::size_t> chosen;
   const std::size_t last = count - 1;
-  for (std::size_t i = 0; i <= 24; ++i)
-    chosen.insert(last * i / 24);
+  const auto steps = static_cast<std::size_t>(settings::compared_steps);
+  for (std::size_t i = 0; i <= steps; ++i)
+    chosen.insert(last * i / steps);
   for (const std::size_t source : {std::size_t{0}, last / 2, last})
     for (std::size_t far = 1; far < count; far *= 2)
       for (const std::size_t at : {source + far, source - far})
@@ -87,15 +82,14 @@ std::vector<std::size_t> all_of(std::size_t count) {
 } // namespace
 
 double error_ratio(int degree, int borders) {
-  // Degree 1 is far from the limit, where its error would be 2^4 times that of degree 2.
-  const double of_degree = degree == 2 ? 5 : std::pow(degree / (degree - 1.0), 4);
+  const double of_degree = degree == 2 ? settings::degree_1_over_2 : std::pow(degree / (degree - 1.0), 4);
   return of_degree * (borders > 0 ? 4 : 1) - 1;
 }
 
 std::vector<std::size_t> companion_samples(std::size_t count) {
   std::vector<std::size_t> samples;
   for (std::size_t k = 0; k < count; ++k)
-    if (k <= exact_harmonics || (count - 1 - k) % 2 == 0)
+    if (k <= static_cast<std::size_t>(settings::exact_harmonics) || (count - 1 - k) % 2 == 0)
       samples.push_back(k);
   return samples;
 }
@@ -104,8 +98,8 @@ ErrorEstimate estimate_error(const InfluenceFunction& function, const InfluenceF
                              double shortest_dx, double ratio, int samples_per_decade) {
   const auto stations = compared_stations(function.station_count());
   const auto half = companion_samples(function.wavenumber_count());
-  const int offsets =
-      1 + static_cast<int>(std::min(reach, 0.5 * function.half_period) / shortest_dx * (1 + 1e-9));
+  const int offsets = 1 + static_cast<int>(std::min(settings::compared_distance, 0.5 * function.half_period) /
+                                           shortest_dx * (1 + 1e-9));
   const auto fine =
       numbers_of(part_of(function, stations, all_of(function.wavenumber_count())), shortest_dx, offsets);
   const auto fewer = numbers_of(part_of(function, stations, half), shortest_dx, offsets);
@@ -119,7 +113,7 @@ ErrorEstimate estimate_error(const InfluenceFunction& function, const InfluenceF
       for (int J = 0; J < rows; ++J) {
         const double along = function.stations[stations[static_cast<std::size_t>(I)]].s -
                              function.stations[stations[static_cast<std::size_t>(J)]].s;
-        if (std::hypot(along, m * shortest_dx) > reach)
+        if (std::hypot(along, m * shortest_dx) > settings::compared_distance)
           continue;
         double local = 0, mesh = 0, samples = 0, total = 0;
         for (int i = 0; i < 3; ++i)
@@ -132,9 +126,9 @@ ErrorEstimate estimate_error(const InfluenceFunction& function, const InfluenceF
                                      : local;
             const double a = std::abs(coarse.at(m, I, i, J, j) - fewer.at(m, I, i, J, j)) / ratio / scale;
             const double b = std::abs(fewer.at(m, I, i, J, j) - fine.at(m, I, i, J, j)) / half_ratio / scale;
-            mesh = std::max(mesh, caution * a);
+            mesh = std::max(mesh, settings::mesh_error_margin * a);
             samples = std::max(samples, b);
-            total = std::max(total, caution * a + b);
+            total = std::max(total, settings::mesh_error_margin * a + b);
           }
         estimate.mesh = std::max(estimate.mesh, mesh);
         estimate.samples = std::max(estimate.samples, samples);

@@ -7,7 +7,8 @@ namespace bem_contact::fem {
 /// A companion run is coarser in everything: one degree less, one level less at the stations' borders
 /// (where there is one), every second logarithmic sample. This is how much larger its error is than that of
 /// the run, less 1, so that (companion - run) / error_ratio is the error of the run. Errors of averaged
-/// displacements go as (h / p^2)^2, h the cells at the borders (FEM_NOTES).
+/// displacements go as (h / (p^2 ds))^2, h the size of the cells at the borders, p their degree, ds the width
+/// of a station (THEORY.md 3).
 double error_ratio(int degree, int borders);
 
 /// Of the samples of wavenumber_samples() those of the companion: the harmonics, then every second one up to

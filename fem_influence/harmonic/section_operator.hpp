@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bem_contact/base/material.hpp"
+#include "fem_influence/harmonic/section.hpp"
 #include "fem_influence/shared/elements.hpp"
-#include "fem_influence/shared/section.hpp"
 
 #include <array>
 #include <memory>

@@ -1,6 +1,7 @@
 #include "fem_influence/harmonic/wavenumbers.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "fem_influence/shared/settings.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -12,9 +13,10 @@ std::vector<double> wavenumber_samples(double half_period, double shortest_dx, i
     throw InputError("The wavenumbers cannot be chosen",
                      "half_period, shortest_dx and samples_per_decade must be positive",
                      "correct [harmonic] of the body file");
-  const double unit = std::numbers::pi / half_period, largest = 10 / shortest_dx;
+  const double unit = std::numbers::pi / half_period,
+               largest = settings::largest_wavenumber_times_dx / shortest_dx;
   std::vector<double> k{0};
-  for (int n = 1; n <= exact_harmonics; ++n)
+  for (int n = 1; n <= settings::exact_harmonics; ++n)
     k.push_back(n * unit);
   if (largest <= k.back())
     throw InputError("The largest wavenumber 10 / shortest_dx does not exceed that of harmonic 8",

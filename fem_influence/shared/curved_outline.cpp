@@ -1,5 +1,7 @@
 #include "fem_influence/shared/curved_outline.hpp"
 
+#include "fem_influence/shared/settings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -36,21 +38,36 @@ CurvedOutline::CurvedOutline(ProfileCurve curve, const std::filesystem::path& me
     : curve_(std::move(curve)), arcs_(arcs_named_in(mesh)) {}
 
 bool CurvedOutline::along_profile(Point2 a, Point2 b) const {
-  constexpr double on_it = 1e-6; // mm
   const Point2 middle = 0.5 * (a + b);
   const auto off = [&](Point2 p) { return norm(curve_.nearest(p).position - p); };
-  return off(a) < on_it && off(b) < on_it && off(middle) < 0.1 * norm(b - a);
+  return off(a) < settings::on_profile && off(b) < settings::on_profile &&
+         off(middle) < settings::edge_off_profile * norm(b - a);
 }
 
 CurvedOutline::Edge CurvedOutline::edge(Point2 a, Point2 b) const {
   if (along_profile(a, b))
     return Edge::profile;
-  const double near = 1e-6 * norm(b - a);
+  const double near = settings::same_vertex * norm(b - a);
   const bool arc = std::any_of(arcs_.begin(), arcs_.end(), [&](const Arc& e) {
     return (norm(e.from - a) < near && norm(e.to - b) < near) ||
            (norm(e.from - b) < near && norm(e.to - a) < near);
   });
   return arc ? Edge::arc : Edge::straight;
+}
+
+Point2 CurvedOutline::mean(Edge edge, std::span<const Point2> points, std::span<const double> weights) const {
+  switch (edge) {
+  case Edge::profile:
+    return mean_on_profile(points, weights);
+  case Edge::arc:
+    return mean_on_arc(points, weights);
+  case Edge::straight:
+    break;
+  }
+  Point2 sum;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sum = sum + weights[i] * points[i];
+  return sum;
 }
 
 Point2 CurvedOutline::mean_on_profile(std::span<const Point2> points, std::span<const double> weights) const {

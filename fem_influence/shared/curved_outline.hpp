@@ -26,12 +26,14 @@ public:
   const ProfileCurve& curve() const { return curve_; }
   /// What the chord from a to b stands for.
   Edge edge(Point2 a, Point2 b) const;
-  /// Mean in arc length of points on the profile; weights add up to 1.
-  Point2 mean_on_profile(std::span<const Point2> points, std::span<const double> weights) const;
-  /// Mean in angle and radius of points on one arc, the one nearest to the middle of first and last.
-  Point2 mean_on_arc(std::span<const Point2> points, std::span<const double> weights) const;
+  /// Mean of points on such an edge, and on it; weights add up to 1. On the profile: mean in arc length. On
+  /// an arc: mean in angle and radius, on the arc nearest to the middle of first and last. Else: as they
+  /// come.
+  Point2 mean(Edge edge, std::span<const Point2> points, std::span<const double> weights) const;
 
 private:
+  Point2 mean_on_profile(std::span<const Point2> points, std::span<const double> weights) const;
+  Point2 mean_on_arc(std::span<const Point2> points, std::span<const double> weights) const;
   bool along_profile(Point2 a, Point2 b) const;
 
   ProfileCurve curve_;

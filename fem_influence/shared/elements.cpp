@@ -40,17 +40,6 @@ std::vector<int> nested_dissection(std::size_t nodes, const Elements& elements) 
   return place;
 }
 
-void append_unknowns(SparseColumns& to, const SparseColumns& from, std::span<const int> unknown) {
-  for (std::size_t c = 0; c < from.columns(); ++c) {
-    for (std::size_t e = from.column_begin[c]; e < from.column_begin[c + 1]; ++e)
-      if (const int row = unknown[static_cast<std::size_t>(from.row[e])]; row >= 0) {
-        to.row.push_back(row);
-        to.value.push_back(from.value[e]);
-      }
-    to.column_begin.push_back(to.row.size());
-  }
-}
-
 std::vector<double> add_border(Elements& elements, int size, const SparseColumns& border) {
   std::vector<std::size_t> home(static_cast<std::size_t>(size), elements.count()); // an element of each row
   for (std::size_t e = elements.count(); e-- > 0;)
@@ -62,9 +51,9 @@ std::vector<double> add_border(Elements& elements, int size, const SparseColumns
   };
   std::map<std::size_t, std::vector<Entry>> of_home;
   for (std::size_t c = 0; c < border.columns(); ++c)
-    for (std::size_t i = border.column_begin[c]; i < border.column_begin[c + 1]; ++i)
-      of_home[home[static_cast<std::size_t>(border.row[i])]].push_back(
-          {border.row[i], size + static_cast<int>(c), border.value[i]});
+    border.for_each_entry(c, [&](int row, double value) {
+      of_home[home[static_cast<std::size_t>(row)]].push_back({row, size + static_cast<int>(c), value});
+    });
   std::vector<double> values;
   for (const auto& [e, entries] : of_home) {
     std::vector<int> members;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fem_influence/shared/sparse_columns.hpp"
+
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -26,21 +28,9 @@ struct Elements {
 /// an element are neighbours of each other; nodes of no element come last. Deterministic.
 std::vector<int> nested_dissection(std::size_t nodes, const Elements& elements);
 
-/// Columns of a sparse matrix: entries column_begin[c] .. column_begin[c+1]-1, rows from 0.
-struct SparseColumns {
-  std::vector<std::size_t> column_begin{0};
-  std::vector<int> row;
-  std::vector<double> value;
-
-  std::size_t columns() const { return column_begin.size() - 1; }
-};
-
-/// Appends the columns of `from`, rows renumbered by `unknown`; rows that are none (-1) have a displacement
-/// of zero and are left out.
-void append_unknowns(SparseColumns& to, const SparseColumns& from, std::span<const int> unknown);
-
-/// Adds to `elements` such as hold the entries of `border` and no pair of its rows that was in no element:
-/// the unknown of column c is `size` + c. Their values, lower triangles column by column.
+/// Appends elements that hold the entries of `border`; the unknown of column c is `size` + c. Two unknowns
+/// share a new element only if they shared one before. Returns the new elements' values, each a lower
+/// triangle column by column.
 std::vector<double> add_border(Elements& elements, int size, const SparseColumns& border);
 
 } // namespace bem_contact::fem

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/lower_triangle.hpp"
+#include "fem_influence/shared/settings.hpp"
 
 #include <dmumps_c.h>
 #include <mpi.h>
@@ -11,10 +12,6 @@
 #include <string>
 
 namespace bem_contact::fem {
-
-namespace {
-constexpr int block = 128; // right-hand sides solved at once: more costs memory and gains nothing
-} // namespace
 
 struct MumpsSolver::Impl {
   DMUMPS_STRUC_C id{};
@@ -56,7 +53,7 @@ MumpsSolver::MumpsSolver(int size, Elements elements, const SparseColumns& borde
   impl_->check("start");
   for (const int stream : {1, 2, 3, 4})
     impl_->control(stream) = 0; // silent
-  impl_->control(14) = 30;
+  impl_->control(14) = settings::work_space_margin;
   border_value = add_border(elements, size, border);
   for (const std::size_t e : elements.begin)
     begin.push_back(static_cast<MUMPS_INT>(e + 1));
@@ -99,11 +96,11 @@ void MumpsSolver::factorize(std::vector<double>& value) {
   const std::size_t own = value.size();
   value.insert(value.end(), impl_->border_value.begin(), impl_->border_value.end());
   impl_->id.a_elt = value.data();
-  for (int attempt = 0; attempt < 3; ++attempt) {
+  for (int attempt = 0; attempt < settings::work_space_attempts; ++attempt) {
     impl_->call(2);
     if (impl_->id.infog[0] != -9 && impl_->id.infog[0] != -8)
       break;
-    impl_->control(14) *= 3; // the estimate of the work space was too small
+    impl_->control(14) *= settings::work_space_growth; // the estimate of the work space was too small
   }
   value.resize(own);
   impl_->check("factorization");
@@ -123,7 +120,7 @@ const std::vector<double>& MumpsSolver::schur() const {
 void MumpsSolver::solve(const SparseColumns& rhs,
                         const std::function<void(std::size_t, std::span<const double>)>& use) {
   auto& id = impl_->id;
-  const auto n = static_cast<std::size_t>(id.n);
+  const auto n = static_cast<std::size_t>(id.n), block = static_cast<std::size_t>(settings::solve_block);
   std::vector<double> solution;
   std::vector<MUMPS_INT> begin, row;
   std::vector<double> value;
@@ -139,8 +136,8 @@ void MumpsSolver::solve(const SparseColumns& rhs,
     value.assign(rhs.value.begin() + static_cast<std::ptrdiff_t>(from),
                  rhs.value.begin() + static_cast<std::ptrdiff_t>(to));
     solution.assign(n * (last - first), 0.0);
-    impl_->control(20) = 3;      // sparse right-hand sides, exploited
-    impl_->control(27) = -block; // all of this block at once
+    impl_->control(20) = 3;                      // sparse right-hand sides, exploited
+    impl_->control(27) = -settings::solve_block; // all of this block at once
     id.nrhs = static_cast<MUMPS_INT>(last - first);
     id.lrhs = id.n;
     id.nz_rhs = static_cast<MUMPS_INT>(row.size());

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "fem_influence/solid/solid_surface.hpp"
+#include "fem_influence/solid/solid_mesh.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -36,23 +37,13 @@ struct NodeFlags {
 };
 
 /// Half of a 3-D body in hexahedra with scalar Lagrange elements; each node carries three displacements, so
-/// that degree of freedom 3 node + component. Its contact faces follow the profile, a wheel's cells the turn
-/// about the axle. Only solid_body.cpp sees deal.II.
+/// that degree of freedom 3 node + component. No header includes deal.II.
 class SolidBody {
 public:
-  /// Reads a gmsh mesh of hexahedra with the physical surfaces contact = 1, held = 2, symmetry = 4 (planes
-  /// across x, one of them x = 0). Throws InputError for anything else, and where `contact` lies off the
-  /// profile.
-  SolidBody(const std::filesystem::path& mesh, const ContactSurface& surface, int degree);
+  SolidBody(const SolidMesh& mesh, int degree, const SolidRefinement& refinement);
   ~SolidBody();
   SolidBody(const SolidBody&) = delete;
   SolidBody& operator=(const SolidBody&) = delete;
-
-  /// Halves cells of the mesh as it was read until their longest edge is at most
-  ///     smallest + grading d  (+ d - reach where d > reach),
-  /// d the distance from the nearest load's centre, less `load_radius`.
-  void refine(std::span<const SurfacePoint> loads, double load_radius, double smallest, double grading,
-              double reach);
 
   std::size_t cell_count() const;
   std::size_t node_count() const;

@@ -1,6 +1,7 @@
 #include "fem_influence/solid/solid_check.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "fem_influence/shared/settings.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -13,8 +14,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-constexpr double motion_from = 4.5; // mm: nearer elements do not count for the rigid motion
 
 /// Place and frame (columns e_x, e_s, e_n) of element (m, I).
 struct Element {
@@ -33,7 +32,7 @@ Element element_at(const Station& station, double x, double radius) {
 }
 
 /// The three rigid motions that the mirror plane x = 0 lets pass, in the element's frame, as columns.
-Matrix3d rigid_motions(const Element& e, bool odd, const Vector3d& centre) {
+Matrix3d mirrored_motions(const Element& e, bool odd, const Vector3d& centre) {
   const Vector3d r = e.position - centre;
   Matrix3d motions;
   if (odd) // along x, about y, about z
@@ -42,6 +41,71 @@ Matrix3d rigid_motions(const Element& e, bool odd, const Vector3d& centre) {
     motions << 0, 0, 0, 1, 0, -r.z(), 0, 1, r.y();
   return e.frame.transpose() * motions;
 }
+
+/// The elements under one load that are compared, and their differences.
+class LoadedStation {
+public:
+  LoadedStation(const SolidNumbers& numbers, const InfluenceNumbers& reference, double reference_radius,
+                std::size_t load)
+      : a_(numbers), reference_(reference), radius_(reference_radius), load_(load), J_(numbers.loads[load]),
+        position_(element_at(numbers.stations[static_cast<std::size_t>(J_)], 0, radius_).position) {}
+
+  /// visit(m, I, element, distance)
+  template <class Visit> void for_each_element(Visit&& visit) const {
+    for (int m = 0; m < a_.offsets; ++m)
+      for (int I = 0; I < reference_.rows; ++I) {
+        const Element e = element_at(a_.stations[static_cast<std::size_t>(I)], m * a_.dx, radius_);
+        if (const double distance = (e.position - position_).norm();
+            distance <= settings::far_band * (1 + 1e-9))
+          visit(m, I, e, distance);
+      }
+  }
+
+  Vector3d difference(int m, int I, int j) const {
+    Vector3d d;
+    for (int i = 0; i < 3; ++i)
+      d[i] = a_.at(load_, j, m, I, i) - reference_.at(m, I, i, J_, j);
+    return d;
+  }
+
+  Matrix3d motions(const Element& e, int j) const { return mirrored_motions(e, j == component_x, position_); }
+
+  /// The rigid motion that fits the differences under component j beyond the middle band best.
+  Vector3d fitted_motion(int j) const {
+    Matrix3d normal = Matrix3d::Zero();
+    Vector3d right = Vector3d::Zero();
+    for_each_element([&](int m, int I, const Element& e, double distance) {
+      if (distance <= settings::middle_band)
+        return;
+      const Matrix3d r = motions(e, j);
+      normal += r.transpose() * r;
+      right += r.transpose() * difference(m, I, j);
+    });
+    return normal.ldlt().solve(right);
+  }
+
+  /// Raises a band's largest differences to what is `left` at one element.
+  void record(SolidDifference& band, int m, int I, int j, const Vector3d& left) const {
+    double local = 0;
+    for (int i = 0; i < 3; ++i)
+      local = std::max(local, std::abs(reference_.at(m, I, i, J_, i)));
+    for (int i = 0; i < 3; ++i) {
+      if (m == 0 && parity(i, j) < 0)
+        continue; // the mean of an odd one, zero on both sides
+      const double self = std::sqrt(reference_.at(0, J_, i, J_, i) * reference_.at(0, J_, j, J_, j));
+      band.of_self[i][j] = std::max(band.of_self[i][j], std::abs(left[i]) / self);
+      band.of_local[i][j] = std::max(band.of_local[i][j], std::abs(left[i]) / local);
+    }
+  }
+
+private:
+  const SolidNumbers& a_;
+  const InfluenceNumbers& reference_;
+  double radius_;
+  std::size_t load_;
+  int J_;
+  Vector3d position_;
+};
 
 } // namespace
 
@@ -52,56 +116,18 @@ std::vector<SolidDifference> compare(const SolidNumbers& a, const InfluenceNumbe
     throw InputError("The influence numbers cannot be compared", "they belong to other stations or elements",
                      "compute both from one body file");
   std::vector<SolidDifference> bands(4);
-  bands[1].up_to = 1.6;
-  bands[2].up_to = 4.5;
-  bands[3].up_to = 16;
+  bands[1].up_to = settings::near_band;
+  bands[2].up_to = settings::middle_band;
+  bands[3].up_to = settings::far_band;
   for (std::size_t load = 0; load < a.loads.size(); ++load) {
-    const int J = a.loads[load];
-    const Element loaded = element_at(a.stations[static_cast<std::size_t>(J)], 0, reference_radius);
-    const auto each = [&](auto&& visit) {
-      for (int m = 0; m < a.offsets; ++m)
-        for (int I = 0; I < reference.rows; ++I) {
-          const Element e = element_at(a.stations[static_cast<std::size_t>(I)], m * a.dx, reference_radius);
-          if (const double distance = (e.position - loaded.position).norm(); distance <= 16 * (1 + 1e-9))
-            visit(m, I, e, distance);
-        }
-    };
-    const auto difference = [&](int m, int I, int j) {
-      Vector3d d;
-      for (int i = 0; i < 3; ++i)
-        d[i] = a.at(load, j, m, I, i) - reference.at(m, I, i, J, j);
-      return d;
-    };
+    const LoadedStation loaded(a, reference, reference_radius, load);
     for (int j = 0; j < 3; ++j) {
-      Vector3d motion = Vector3d::Zero();
-      if (rigid_motion_removed) {
-        Matrix3d normal = Matrix3d::Zero();
-        Vector3d right = Vector3d::Zero();
-        each([&](int m, int I, const Element& e, double distance) {
-          if (distance <= motion_from)
-            return;
-          const Matrix3d r = rigid_motions(e, j == component_x, loaded.position);
-          normal += r.transpose() * r;
-          right += r.transpose() * difference(m, I, j);
-        });
-        motion = normal.ldlt().solve(right);
-      }
-      each([&](int m, int I, const Element& e, double distance) {
+      const Vector3d motion = rigid_motion_removed ? loaded.fitted_motion(j) : Vector3d(Vector3d::Zero());
+      loaded.for_each_element([&](int m, int I, const Element& e, double distance) {
         auto& band = *std::find_if(bands.begin(), bands.end(),
                                    [&](const auto& b) { return distance <= b.up_to * (1 + 1e-9); });
-        Vector3d left = difference(m, I, j);
-        left -= rigid_motions(e, j == component_x, loaded.position) * motion;
         band.elements += j == 0;
-        double local = 0;
-        for (int i = 0; i < 3; ++i)
-          local = std::max(local, std::abs(reference.at(m, I, i, J, i)));
-        for (int i = 0; i < 3; ++i) {
-          if (m == 0 && parity(i, j) < 0)
-            continue; // the mean of an odd one, zero on both sides
-          const double self = std::sqrt(reference.at(0, J, i, J, i) * reference.at(0, J, j, J, j));
-          band.of_self[i][j] = std::max(band.of_self[i][j], std::abs(left[i]) / self);
-          band.of_local[i][j] = std::max(band.of_local[i][j], std::abs(left[i]) / local);
-        }
+        loaded.record(band, m, I, j, loaded.difference(m, I, j) - loaded.motions(e, j) * motion);
       });
     }
   }

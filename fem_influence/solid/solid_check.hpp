@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem_contact/influence/influence_numbers.hpp"
-#include "fem_influence/solid/solid_run.hpp"
+#include "fem_influence/solid/solid_numbers.hpp"
 
 namespace bem_contact::fem {
 

@@ -1,15 +1,14 @@
 #include "fem_influence/solid/solid_solver.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "fem_influence/shared/memory.hpp"
+#include "fem_influence/shared/mumps_solver.hpp"
 
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
 #include <iterator>
-#include <limits>
-#include <map>
+#include <string>
 
 namespace bem_contact::fem {
 
@@ -17,72 +16,46 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-std::string place(const SurfacePatch& p) {
-  return "s = " + std::to_string(p.s_from) + " .. " + std::to_string(p.s_to) +
-         ", x = " + std::to_string(p.x_from) + " .. " + std::to_string(p.x_to) + " mm";
+/// Of a cell, masters for those that hang, ascending.
+std::vector<int> nodes_of(const SolidCellView& cell, const SolidBody& body) {
+  std::vector<int> nodes;
+  for (const int node : cell.nodes)
+    for (const auto& master : body.masters(node))
+      nodes.push_back(master.node);
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+void require_memory(const MumpsSolver& solver, int unknowns) {
+  const double needed = solver.estimated_memory(), there = available_memory();
+  if (needed > there)
+    throw Error(
+        "The 3-D mesh is too large for this machine",
+        std::to_string(unknowns) + " unknowns need about " + std::to_string(needed) + " GiB, and " +
+            std::to_string(there) + " GiB are free",
+        "raise solid.grading, or lower solid.loads_at_once, solid.elements_per_load or the mesh's own size");
+}
+
+/// Products of each column with a solution.
+std::vector<double> products(const SparseColumns& columns, std::span<const double> solution) {
+  std::vector<double> all;
+  for (std::size_t c = 0; c < columns.columns(); ++c) {
+    double sum = 0;
+    columns.for_each_entry(
+        c, [&](int row, double value) { sum += value * solution[static_cast<std::size_t>(row)]; });
+    all.push_back(sum);
+  }
+  return all;
 }
 
 } // namespace
 
-double available_memory() {
-  std::ifstream in("/proc/meminfo");
-  for (std::string word; in >> word;)
-    if (double kib = 0; word == "MemAvailable:" && in >> kib)
-      return kib / (1024.0 * 1024.0);
-  return std::numeric_limits<double>::infinity();
-}
-
-SparseColumns patch_functionals(const SolidBody& body, const ContactSurface& surface,
-                                std::span<const SurfacePatch> patches) {
-  std::vector<std::map<int, Vector3>> of_node(3 * patches.size()); // [column][node]
-  std::vector<double> covered(patches.size(), 0.0), value;
-  body.for_each_contact_face([&](const SolidFaceView& face) {
-    value.resize(face.nodes.size());
-    for (std::size_t p = 0; p < patches.size(); ++p)
-      for_each_common_point(face.corner, patches[p], [&](const FacePoint& at) {
-        covered[p] += at.weight;
-        const auto frame = surface.frame(at.place);
-        face.shapes(at.xi, at.eta, value);
-        for (std::size_t a = 0; a < value.size(); ++a) {
-          if (std::abs(value[a]) < 1e-12) // shapes of nodes off the face vanish up to round-off
-            continue;
-          for (const auto [node, weight] : body.masters(face.nodes[a]))
-            for (std::size_t j = 0; j < 3; ++j)
-              for (std::size_t c = 0; c < 3; ++c)
-                of_node[3 * p + j][node][c] += at.weight * weight * value[a] * frame[j][c];
-        }
-      });
-  });
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    if (std::abs(covered[p] - patches[p].area()) > 1e-4 * patches[p].area())
-      throw InputError("The mesh's group 'contact' does not cover the strip",
-                       "of the element at " + place(patches[p]) + " it has " + std::to_string(covered[p]) +
-                           " of " + std::to_string(patches[p].area()) + " mm^2",
-                       "widen the group, or change [strip] or solid.offsets");
-  SparseColumns columns;
-  for (const auto& column : of_node) {
-    for (const auto& [node, vector] : column)
-      for (std::size_t c = 0; c < 3; ++c)
-        if (vector[c] != 0) {
-          columns.row.push_back(3 * node + static_cast<int>(c));
-          columns.value.push_back(vector[c]);
-        }
-    columns.column_begin.push_back(columns.row.size());
-  }
-  return columns;
-}
-
 SolidSolver::SolidSolver(const SolidBody& body, const Material& material) : body_(body) {
   const double mu = material.shear_modulus, lambda = 2 * mu * material.poisson / (1 - 2 * material.poisson);
-  std::vector<int> nodes;
   Eigen::MatrixXd of_cell;
   body.for_each_cell([&](const SolidCellView& cell) {
-    nodes.clear();
-    for (const int node : cell.nodes)
-      for (const auto& master : body.masters(node))
-        nodes.push_back(master.node);
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const std::vector<int> nodes = nodes_of(cell, body);
     cells_.add(nodes);
     const auto local = [&](int node) {
       return std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin();
@@ -129,12 +102,7 @@ std::size_t SolidSolver::unknowns(MirrorSymmetry symmetry) const {
   return static_cast<std::size_t>(*std::max_element(numbers.begin(), numbers.end()) + 1);
 }
 
-void SolidSolver::solve(
-    MirrorSymmetry symmetry, const SparseColumns& loads, const SparseColumns& samples,
-    const std::function<void(std::size_t, std::span<const double>, std::span<const double>)>& use) const {
-  const std::vector<int> unknown = unknown_numbers(symmetry);
-  const int size = *std::max_element(unknown.begin(), unknown.end()) + 1;
-  Elements elements;
+std::vector<double> SolidSolver::unknown_part(std::span<const int> unknown, Elements& elements) const {
   std::vector<double> values;
   std::vector<int> all, members; // of a cell: -1 where there is no unknown
   auto value = value_.begin();
@@ -152,33 +120,35 @@ void SolidSolver::solve(
     if (!members.empty())
       elements.add(members);
   }
+  return values;
+}
+
+std::vector<double> SolidSolver::displacement(std::span<const int> unknown,
+                                              std::span<const double> solution) const {
+  std::vector<double> all(unknown.size(), 0.0);
+  for (std::size_t node = 0; node < place_.size(); ++node)
+    for (const auto [master, weight] : body_.masters(static_cast<int>(node)))
+      for (std::size_t i = 0; i < 3; ++i)
+        if (const int u = unknown[3 * static_cast<std::size_t>(master) + i]; u >= 0)
+          all[3 * node + i] += weight * solution[static_cast<std::size_t>(u)];
+  return all;
+}
+
+void SolidSolver::solve(
+    MirrorSymmetry symmetry, const SparseColumns& loads, const SparseColumns& samples,
+    const std::function<void(std::size_t, std::span<const double>, std::span<const double>)>& use) const {
+  const std::vector<int> unknown = unknown_numbers(symmetry);
+  const int size = *std::max_element(unknown.begin(), unknown.end()) + 1;
+  Elements elements;
+  std::vector<double> values = unknown_part(unknown, elements);
   MumpsSolver solver(size, std::move(elements));
-  const double needed = solver.estimated_memory(), there = available_memory();
-  if (needed > there)
-    throw Error(
-        "The 3-D mesh is too large for this machine",
-        std::to_string(size) + " unknowns need about " + std::to_string(needed) + " GiB, and " +
-            std::to_string(there) + " GiB are free",
-        "raise solid.grading, or lower solid.loads_at_once, solid.elements_per_load or the mesh's own size");
+  require_memory(solver, size);
   solver.factorize(values);
   SparseColumns loaded_rows, sampled_rows;
   append_unknowns(loaded_rows, loads, unknown);
   append_unknowns(sampled_rows, samples, unknown);
-  std::vector<double> sampled(samples.columns()), displacement;
   solver.solve(loaded_rows, [&](std::size_t c, std::span<const double> solution) {
-    for (std::size_t s = 0; s < sampled.size(); ++s) {
-      double sum = 0;
-      for (std::size_t e = sampled_rows.column_begin[s]; e < sampled_rows.column_begin[s + 1]; ++e)
-        sum += sampled_rows.value[e] * solution[static_cast<std::size_t>(sampled_rows.row[e])];
-      sampled[s] = sum;
-    }
-    displacement.assign(unknown.size(), 0.0);
-    for (std::size_t node = 0; node < place_.size(); ++node)
-      for (const auto [master, weight] : body_.masters(static_cast<int>(node)))
-        for (std::size_t i = 0; i < 3; ++i)
-          if (const int u = unknown[3 * static_cast<std::size_t>(master) + i]; u >= 0)
-            displacement[3 * node + i] += weight * solution[static_cast<std::size_t>(u)];
-    use(c, sampled, displacement);
+    use(c, products(sampled_rows, solution), displacement(unknown, solution));
   });
 }
 

@@ -1,17 +1,15 @@
 #pragma once
 
 #include "bem_contact/base/material.hpp"
-#include "fem_influence/shared/mumps_solver.hpp"
+#include "fem_influence/shared/elements.hpp"
+#include "fem_influence/shared/sparse_columns.hpp"
 #include "fem_influence/solid/solid_body.hpp"
 
-namespace bem_contact::fem {
+#include <functional>
+#include <span>
+#include <vector>
 
-/// Functionals f(v) = integral over the patch of v . e_j ds dx with the surface's own frame: column 3 P + j,
-/// rows 3 node + component with hanging nodes replaced by their masters. Load vector of a unit traction and,
-/// over the area, the sampling of a mean displacement: one array for both keeps Maxwell-Betti exact.
-/// Throws InputError where the group `contact` does not cover a patch.
-SparseColumns patch_functionals(const SolidBody& body, const ContactSurface& surface,
-                                std::span<const SurfacePatch> patches);
+namespace bem_contact::fem {
 
 /// A load along x is antisymmetric about the plane x = 0 in u_y and u_z, any other one in u_x.
 enum class MirrorSymmetry { even, odd };
@@ -30,15 +28,17 @@ public:
                                       std::span<const double> displacement)>& use) const;
 
 private:
+  /// Of degree of freedom 3 node + component, in the order of elimination; -1: it is none.
   std::vector<int> unknown_numbers(MirrorSymmetry symmetry) const;
+  /// The values of the unknowns' matrix, and whose they are, cell by cell as MumpsSolver takes them.
+  std::vector<double> unknown_part(std::span<const int> unknown, Elements& elements) const;
+  /// Of all nodes, [3 node + component], from the unknowns' solution.
+  std::vector<double> displacement(std::span<const int> unknown, std::span<const double> solution) const;
 
   const SolidBody& body_;
   Elements cells_;            ///< nodes, masters for those that hang
   std::vector<double> value_; ///< of each cell's degrees of freedom the lower triangle, column by column
   std::vector<int> place_;    ///< of each node in the elimination
 };
-
-/// Memory that processes may still take, GiB; infinite where the system does not say.
-double available_memory();
 
 } // namespace bem_contact::fem

@@ -1,5 +1,7 @@
 #include "fem_influence/solid/solid_surface.hpp"
 
+#include "fem_influence/shared/settings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -36,7 +38,7 @@ double twice_area(SurfacePoint a, SurfacePoint b, SurfacePoint c) {
 /// The unit square's point whose bilinear image is `place`: Newton, exact at once on a rectangle.
 FacePoint inverse(const std::array<SurfacePoint, 4>& c, SurfacePoint place, double weight) {
   FacePoint p{0.5, 0.5, place, weight};
-  for (int step = 0; step < 20; ++step) {
+  for (int step = 0; step < settings::face_steps; ++step) {
     const SurfacePoint low = between(c[0], c[1], p.xi), high = between(c[2], c[3], p.xi);
     const SurfacePoint at = between(low, high, p.eta);
     const SurfacePoint left = between(c[0], c[2], p.eta), right = between(c[1], c[3], p.eta);
@@ -48,13 +50,14 @@ FacePoint inverse(const std::array<SurfacePoint, 4>& c, SurfacePoint place, doub
                  d_eta = (s_xi * dx - ds * x_xi) / determinant;
     p.xi += d_xi;
     p.eta += d_eta;
-    if (std::abs(d_xi) + std::abs(d_eta) < 1e-13)
+    if (std::abs(d_xi) + std::abs(d_eta) < settings::face_change)
       break;
   }
   return p;
 }
 
-// Gauss, 5 points on 0 .. 1: exact for degree 4 shapes on a side times the rotating frame's first terms.
+// Gauss-Legendre, 5 points on 0 .. 1 (Abramowitz & Stegun, table 25.4): exact for shapes of degree 4 on a
+// side times the rotating frame's first terms.
 constexpr std::array<double, 5> gauss_point = {0.046910077030668, 0.230765344947158, 0.5, 0.769234655052842,
                                                0.953089922969332};
 constexpr std::array<double, 5> gauss_weight = {0.118463442528095, 0.239314335249683, 0.284444444444444,
@@ -109,7 +112,7 @@ void for_each_common_point(const std::array<SurfacePoint, 4>& corner, const Surf
   common = clip(common, [&](SurfacePoint p) { return patch.x_to - p.x; });
   for (std::size_t i = 2; i < common.size(); ++i) {
     const double area = std::abs(twice_area(common[0], common[i - 1], common[i]));
-    if (area < 1e-14 * patch.area())
+    if (area < settings::smallest_part * patch.area())
       continue;
     for (std::size_t u = 0; u < 5; ++u) // a square collapsed onto the triangle
       for (std::size_t v = 0; v < 5; ++v) {

@@ -1,5 +1,5 @@
 #include "bem_contact/influence/h5_table.hpp"
-#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/influence_function.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 #include "tests/app/run_program.hpp"
 

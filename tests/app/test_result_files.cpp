@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/halfspace/flat_strip.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/profile/read_profile.hpp"

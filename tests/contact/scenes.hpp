@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/solve.hpp"
-#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/halfspace/flat_strip.hpp"
 
 #include <cmath>
 #include <numbers>

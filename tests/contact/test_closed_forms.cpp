@@ -1,5 +1,5 @@
+#include "bem_contact/reference/creep_coefficients.hpp"
 #include "bem_contact/reference/hertz.hpp"
-#include "bem_contact/reference/rolling.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <gmock/gmock.h>

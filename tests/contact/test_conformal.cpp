@@ -1,4 +1,4 @@
-#include "bem_contact/halfspace/resample.hpp"
+#include "bem_contact/halfspace/combine.hpp"
 #include "bem_contact/halfspace/tangent_plane.hpp"
 #include "bem_contact/reference/conformal.hpp"
 #include "bem_contact/reference/sphere.hpp"

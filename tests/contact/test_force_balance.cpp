@@ -1,6 +1,7 @@
 #include "bem_contact/contact/coupled/force_balance.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/settings.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <cmath>
@@ -58,7 +59,7 @@ TEST(ForceBalance, LooksNoFurtherThanTheMost) {
   double pressed = 1000;
   for (int k = 0; k < 10; ++k)
     pressed = balance.next(pressed, -0.2 * pressed);
-  EXPECT_EQ(pressed, contact::ForceBalance::most * 1000);
+  EXPECT_EQ(pressed, contact::largest_force_ratio * 1000);
 }
 
 /// Elements on a plane inclined by `delta` that all slip along s: p_s = mu p_n, up or down the plane.

@@ -7,7 +7,7 @@
 namespace bem_contact {
 namespace {
 
-/// REFERENCES of the issue: Cattaneo's spheres with a = 1 mm.
+/// Cattaneo's spheres with a = 1 mm (bem_contact/THEORY.md 14).
 const Material soft{200, 0.42};
 constexpr double cattaneo_force = 9.1954, cattaneo_friction = 0.4;
 

@@ -1,5 +1,5 @@
-#include "bem_contact/contact/normal/normal.hpp"
-#include "bem_contact/contact/tangential/friction.hpp"
+#include "bem_contact/contact/normal/solve_normal.hpp"
+#include "bem_contact/contact/tangential/solve_tangential.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <gmock/gmock.h>
@@ -95,10 +95,12 @@ TEST(Metamorphic, ShiftByFractionsOfAnElement) {
 TEST(Metamorphic, InitialGuessOfTheNormalProblem) {
   const ContactProblem problem = rolling(scenes::steel, scenes::steel, 24, 24, 0.1, 0.2);
   const int n = problem.grid.size();
-  const contact::NormalSystem system(problem.grid, problem.numbers, problem.rows, problem.element_area());
+  contact::NormalOperators operators;
+  const contact::NormalSystem system(problem, operators);
+  WorkBudget work;
   const Eigen::VectorXd gap = Eigen::Map<const Eigen::VectorXd>(problem.gap.data(), n);
   contact::NormalState from_nothing;
-  solve_normal(system, gap, {LoadKind::force, 0, problem.force}, {}, from_nothing);
+  solve_normal(system, gap, {LoadKind::force, 0, problem.force}, {}, work, from_nothing);
   ASSERT_TRUE(from_nothing.converged);
   std::mt19937 random(5);
   for (int guess = 0; guess < 4; ++guess) {
@@ -106,7 +108,7 @@ TEST(Metamorphic, InitialGuessOfTheNormalProblem) {
     state.active.assign(n, 0);
     for (int i = 0; i < n; ++i) // everything, a corner, a chequerboard, anything
       state.active[i] = guess == 0 ? 1 : guess == 1 ? i == 0 : guess == 2 ? (i + i / 24) % 2 : random() % 2;
-    solve_normal(system, gap, {LoadKind::force, 0, problem.force}, {}, state);
+    solve_normal(system, gap, {LoadKind::force, 0, problem.force}, {}, work, state);
     ASSERT_TRUE(state.converged) << guess << state.remark;
     EXPECT_NEAR(state.approach, from_nothing.approach, 1e-9 * state.approach) << guess;
     EXPECT_LT((state.p - from_nothing.p).cwiseAbs().maxCoeff(), 1e-7 * state.p.maxCoeff()) << guess;
@@ -119,7 +121,9 @@ TEST(Metamorphic, InitialGuessOfTheTangentialProblem) {
   const ContactResult expected = solve(problem);
   ASSERT_TRUE(expected.converged);
   const int n = problem.grid.size();
-  const contact::TangentialSystem system(problem);
+  contact::TangentialOperators operators;
+  const contact::TangentialSystem system(problem, operators);
+  WorkBudget work;
   contact::TangentialTask task;
   task.bound = 0.3 * Eigen::Map<const Eigen::VectorXd>(expected.pn.data(), n);
   task.rigid.resize(2 * n);
@@ -137,7 +141,7 @@ TEST(Metamorphic, InitialGuessOfTheTangentialProblem) {
     state.p.resize(2 * n);
     for (double& p : state.p)
       p = any(random);
-    solve_tangential(system, task, {}, state);
+    solve_tangential(system, task, {}, work, state);
     ASSERT_TRUE(state.converged) << state.remark;
     const double pmax = 0.3 * expected.patches[0].pmax;
     for (int i = 0; i < n; ++i) {

@@ -227,17 +227,17 @@ TEST(Oracle, BoxesActOnEachOtherAsTheirElementsDo) {
   const InfluenceNumbers table = spelled_out(problem.numbers);
   for (const InfluenceNumbers* numbers :
        std::initializer_list<const InfluenceNumbers*>{&problem.numbers, &table}) {
-    const contact::Parts parts = contact::parts_around(elements, problem.grid, 1, !numbers->translational);
-    ASSERT_EQ(parts.count(), 2);
-    EXPECT_TRUE(parts.cover(elements, mx));
-    EXPECT_LT(parts.size(), 0.6 * n);
+    const contact::Boxes boxes = contact::boxes_around(elements, problem.grid, 1, !numbers->translational);
+    ASSERT_EQ(boxes.count(), 2);
+    EXPECT_TRUE(boxes.cover(elements, mx));
+    EXPECT_LT(boxes.size(), 0.6 * n);
     const contact::StripOperator whole(*numbers, mx, {0, 1, 2}, {0, 1, 2}),
-        some(*numbers, parts, {0, 1, 2}, {0, 1, 2});
+        some(*numbers, boxes, {0, 1, 2}, {0, 1, 2});
     std::vector<double> p(3 * n, 0.0), u(3 * n), step(3 * n);
-    std::vector<double> p_some(3 * parts.size(), 0.0), u_some(p_some), step_some(p_some);
+    std::vector<double> p_some(3 * boxes.size(), 0.0), u_some(p_some), step_some(p_some);
     for (const int i : elements)
       for (int c = 0; c < 3; ++c)
-        p_some[c * parts.size() + parts.local(i, mx)] = p[c * n + i] =
+        p_some[c * boxes.size() + boxes.local(i, mx)] = p[c * n + i] =
             std::uniform_real_distribution<>(-1, 1)(random);
     whole.apply(p, u);
     some.apply(p_some, u_some);
@@ -245,10 +245,10 @@ TEST(Oracle, BoxesActOnEachOtherAsTheirElementsDo) {
     some.apply_step(p_some, step_some);
     const double scale = numbers->at(0, 0, 2, 0, 2);
     for (int i = 0; i < n; ++i)
-      if (const int l = parts.local(i, mx); l >= 0)
+      if (const int l = boxes.local(i, mx); l >= 0)
         for (int c = 0; c < 3; ++c) {
-          EXPECT_NEAR(u_some[c * parts.size() + l], u[c * n + i], 1e-12 * scale) << i;
-          EXPECT_NEAR(step_some[c * parts.size() + l], step[c * n + i], 1e-12 * scale) << i;
+          EXPECT_NEAR(u_some[c * boxes.size() + l], u[c * n + i], 1e-12 * scale) << i;
+          EXPECT_NEAR(step_some[c * boxes.size() + l], step[c * n + i], 1e-12 * scale) << i;
         }
   }
 }

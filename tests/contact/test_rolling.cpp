@@ -1,3 +1,4 @@
+#include "bem_contact/reference/creep_coefficients.hpp"
 #include "bem_contact/reference/rolling.hpp"
 #include "tests/contact/scenes.hpp"
 

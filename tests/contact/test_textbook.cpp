@@ -1,5 +1,6 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/contact/coupled/force_balance.hpp"
+#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/halfspace/combine.hpp"
 #include "bem_contact/halfspace/resample.hpp"
 #include "bem_contact/halfspace/tangent_plane.hpp"
 #include "bem_contact/influence/influence_file.hpp"
@@ -207,7 +208,7 @@ void have_the_same_tractions(Numbers kind) {
 }
 
 /// Bodies that friction wedges under a vertical force have no solution, one, or several: certified, or
-/// refused because there is none, or only one whose pressure bears more than ForceBalance::most times the
+/// refused because there is none, or only one whose pressure bears more than largest_force_ratio times the
 /// force.
 struct Wedged {
   int certified = 0, balanced_apart = 0, refused = 0;
@@ -237,7 +238,7 @@ void solve_wedged(ContactProblem problem, Wedged& seen) {
     double pressed = 0;
     for (int i = 0; i < problem.grid.size(); ++i)
       pressed += expected.pn[i] * std::cos(problem.rows[i / problem.grid.mx].delta) * problem.element_area();
-    RC_ASSERT(!expected.found || pressed > contact::ForceBalance::most * problem.force);
+    RC_ASSERT(!expected.found || pressed > contact::largest_force_ratio * problem.force);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/contact/prepared.hpp"
+#include "bem_contact/contact/normal/conjugate_gradients.hpp"
+#include "bem_contact/contact/tangential/step_box.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -105,7 +106,7 @@ TEST(Workspace, WarmStartNeedsFewerSteps) {
   Workspace workspace;
   const ContactResult first = solve(rolling(true, 40000, 1e-3), {.workspace = &workspace});
   const ContactProblem next = rolling(true, 40400, 1.01e-3);
-  const StartingPoint start{first.px, first.ps, first.pn, first.approach};
+  const StartingPoint start{{first.px, first.ps, first.pn}, first.approach};
   const ContactResult cold = solve(next, {.workspace = &workspace});
   const ContactResult bare = solve(next, {.coarse_start = false, .workspace = &workspace});
   const ContactResult warm = solve(next, {.start = &start, .workspace = &workspace});
@@ -130,17 +131,18 @@ TEST(Workspace, TheCounterCounts) {
 TEST(Workspace, ProductsAllocateNothing) {
   for (const bool bent : {false, true}) {
     const ContactProblem problem = rolling(bent, 40000, 1e-3);
-    contact::StepBox box(problem.numbers, {{{2, 3, 30, 24}}}, slip_step(problem));
-    std::ranges::fill(box.in, 1.0);
-    std::ranges::fill(box.fast_in, 1.0f);
-    std::ranges::fill(box.sticks, 1);
+    const contact::StepBox box(problem.numbers, {{{2, 3, 30, 24}}}, slip_step(problem).present);
+    contact::StepBoxScratch scratch(box);
+    std::ranges::fill(scratch.in, 1.0);
+    std::ranges::fill(scratch.fast_in, 1.0f);
+    std::ranges::fill(scratch.sticks, 1);
     EXPECT_EQ(allocations_of([&] {
                 for (int k = 0; k < 3; ++k) {
-                  box.step();
-                  box.fast_step();
-                  box.invert();
-                  box.set_damping(1 + k, 1e5);
-                  box.invert_damped();
+                  box.step(scratch.in, scratch.out);
+                  box.step(scratch.fast_in, scratch.fast_out);
+                  box.invert(scratch.sticks, scratch.fast_in, scratch.fast_out);
+                  scratch.damped.set(box, 1 + k, 1e5);
+                  scratch.damped.apply(box, scratch.fast_in, scratch.fast_out);
                 }
               }),
               0);
@@ -151,30 +153,33 @@ TEST(Workspace, MoreIterationsAllocateNoMore) {
   const ContactProblem problem = rolling(true, 40000, 1e-3);
   const int n = problem.grid.size();
   // conjugate gradients
-  const contact::NormalSystem normal(problem.grid, problem.numbers, problem.rows, problem.element_area());
+  contact::NormalOperators operators;
+  const contact::NormalSystem normal(problem, operators);
+  WorkBudget work;
   std::vector<int> list;
   for (int i = 0; i < n; ++i)
     if (std::abs(i % problem.grid.mx - 17.5) < 12 && std::abs(i / problem.grid.mx - 15.5) < 11)
       list.push_back(i);
   const Eigen::VectorXd rhs = Eigen::VectorXd::Ones(n);
-  Eigen::VectorXd y(n), u(n);
-  int products = 0;
+  contact::Response response{Eigen::VectorXd(n), Eigen::VectorXd(n), {}};
   const auto solve_to = [&](double target) {
-    y.setZero();
-    products = 0;
-    EXPECT_TRUE(conjugate_gradients(normal, list, rhs, target, y, u, products));
-    return products;
+    response.p.setZero();
+    response.products = 0;
+    EXPECT_TRUE(conjugate_gradients(normal, list, rhs, target, work, response));
+    return response.products;
   };
   const int many = solve_to(1e-12), few = solve_to(1e-2);
   EXPECT_GT(many, few + 5);
   EXPECT_EQ(allocations_of([&] { solve_to(1e-2); }), allocations_of([&] { solve_to(1e-12); }));
   // GMRES
   contact::Gmres gmres;
-  contact::StepBox box(problem.numbers, {{{0, 0, problem.grid.mx, problem.grid.ms}}}, slip_step(problem));
+  const contact::StepBox box(problem.numbers, {{{0, 0, problem.grid.mx, problem.grid.ms}}},
+                             slip_step(problem).present);
+  contact::StepBoxScratch scratch(box);
   const auto apply = [&](const Eigen::VectorXf& v, Eigen::VectorXf& out) {
-    std::copy_n(v.data(), 2 * n, box.fast_in.data());
-    box.fast_step();
-    out = v + 1e5f * Eigen::Map<const Eigen::VectorXf>(box.fast_out.data(), 2 * n);
+    std::copy_n(v.data(), 2 * n, scratch.fast_in.data());
+    box.step(scratch.fast_in, scratch.fast_out);
+    out = v + 1e5f * Eigen::Map<const Eigen::VectorXf>(scratch.fast_out.data(), 2 * n);
   };
   const auto identity = [](const Eigen::VectorXf& v, Eigen::VectorXf& out) { out = v; };
   const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(2 * n, -1, 2);

@@ -1,5 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "fem_influence/harmonic/harmonic_solver.hpp"
+#include "fem_influence/shared/body_description.hpp"
+#include "fem_influence/shared/stations.hpp"
 #include "section_meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -104,7 +106,8 @@ TEST(Kernel, each_further_level_at_the_borders_takes_the_error_to_about_a_quarte
   EXPECT_LT(last, 4e-6);
 }
 
-/// Michell's modes of a disc or a bore under pressure p cos(n phi) (REFERENCES 3.2), with k = 0.
+/// Michell's modes of a disc or a bore under pressure p cos(n phi) (bem_contact/THEORY.md 14), with
+/// k = 0.
 void check_michell(bool hole) {
   const Folder folder;
   const double radius = 10;

@@ -2,9 +2,8 @@
 #include "bem_contact/halfspace/rectangle.hpp"
 #include "bem_contact/influence/expand.hpp"
 #include "bem_contact/influence/influence_file.hpp"
-#include "fem_influence/harmonic/run.hpp"
+#include "fem_influence/harmonic/harmonic_run.hpp"
 #include "fem_influence/harmonic/wavenumbers.hpp"
-#include "fem_influence/shared/parallel.hpp"
 #include "section_meshes.hpp"
 
 #include <gmock/gmock.h>
@@ -191,16 +190,6 @@ TEST_F(Run, the_program_gives_the_same_file_on_one_two_and_four_processes) {
   EXPECT_GT(one.size(), 10000u);
   for (const int processes : {2, 4})
     EXPECT_TRUE(one == run(processes)) << processes << " processes";
-}
-
-TEST(Fellows, have_memory_of_the_machine_only_where_there_is_room) {
-  Fellows fellows; // alone here; four of them in the test above
-  EXPECT_TRUE(fellows.memory(std::size_t{1} << 60).empty());
-  const auto memory = fellows.memory(1000);
-  ASSERT_GE(memory.size(), 1000u);
-  memory.front() = memory[999] = std::byte{7};
-  fellows.announce(true);
-  EXPECT_TRUE(fellows.wait());
 }
 
 TEST_F(Run, says_what_is_wrong_with_a_mesh) {

@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/halfspace/flat_strip.hpp"
 #include "fem_influence/solid/solid_body.hpp"
 #include "fem_influence/solid/solid_check.hpp"
 #include "fem_influence/solid/solid_surface.hpp"
@@ -23,6 +23,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 constexpr double half = 48; // of the block along x and y, and its depth
+const SolidRefinement as_it_was_read{.loads = {}, .smallest = 1e3, .reach = 1e3};
 
 /// x from 0 to half, y from -half to half, z from 0 to half in a few hexahedra; MSH 2.2. `contact`: the
 /// number of the top's group; `tetrahedron`: adds one.
@@ -138,9 +139,8 @@ BodyFile block() {
 class Solid : public ::testing::Test {
 protected:
   std::string error_of(const BodyFile& body = block(), const std::vector<int>& loads = {4}) {
-    SolidReport report;
     try {
-      solid_numbers(body, straight_line(half), folder_ / "box.msh", loads, report);
+      solid_numbers(body, straight_line(half), folder_ / "box.msh", {.loads = loads});
     } catch (const InputError& error) {
       return error.what();
     }
@@ -156,8 +156,8 @@ TEST_F(Solid, flat_block_converges_to_the_halfspace) {
   double before = 0;
   for (const int elements : {2, 4}) {
     body.solid.elements_per_load = elements;
-    SolidReport report;
-    const SolidNumbers numbers = solid_numbers(body, straight_line(half), folder_ / "box.msh", {4}, report);
+    const SolidNumbers numbers =
+        solid_numbers(body, straight_line(half), folder_ / "box.msh", {.loads = {4}});
     double self = 0;
     for (int i = 0; i < 3; ++i) {
       // The block's own motion reaches some percent of the self number: the differences to the elements
@@ -179,10 +179,10 @@ TEST_F(Solid, loads_of_one_mesh_are_reciprocal_and_the_field_is_written) {
   BodyFile body = block();
   body.solid.elements_per_load = 1;
   body.solid.loads_at_once = 2;
-  SolidReport report;
-  const SolidNumbers numbers = solid_numbers(body, straight_line(half), folder_ / "box.msh", {2, 5}, report,
-                                             {folder_ / "field.vtu", 5, component_n});
-  EXPECT_LT(report.betti_error, 1e-10);
+  const SolidNumbers numbers =
+      solid_numbers(body, straight_line(half), folder_ / "box.msh",
+                    {.loads = {2, 5}, .field = {folder_ / "field.vtu", 5, component_n}});
+  EXPECT_LT(numbers.report.betti_error, 1e-10);
   EXPECT_GT(numbers.at(0, component_n, 0, 2, component_n), 0);
   EXPECT_LT(numbers.at(0, component_n, 1, 2, component_x),
             0); // a pressure pulls what lies ahead towards itself
@@ -198,8 +198,8 @@ TEST_F(Solid, curved_sides_off_the_profile_are_curved) {
     const ContactSurface surface(full_circle(outer, false), reference_radius);
     const auto error = [&](bool curved) {
       write_tube(folder_ / "tube.msh", outer, inner, length, reference_radius, curved);
-      SolidBody body(folder_ / "tube.msh", surface, 3);
-      body.refine({}, 0, 1e3, 0, 1e3);
+      const SolidMesh mesh(folder_ / "tube.msh", surface);
+      const SolidBody body(mesh, 3, as_it_was_read);
       double volume = 0;
       body.for_each_cell([&](const SolidCellView& cell) {
         for (const double weight : cell.weight)
@@ -215,8 +215,8 @@ TEST_F(Solid, curved_sides_off_the_profile_are_curved) {
 TEST_F(Solid, a_field_that_cannot_be_written_is_refused_on_one_line) {
   write_box(folder_ / "box.msh");
   const ContactSurface surface(straight_line(half), 0);
-  SolidBody body(folder_ / "box.msh", surface, 1);
-  body.refine({}, 0, 1e3, 0, 1e3);
+  const SolidMesh mesh(folder_ / "box.msh", surface);
+  const SolidBody body(mesh, 1, as_it_was_read);
   const std::vector<double> none(3 * body.node_count(), 0.0);
   body.write_vtu(folder_ / "field.vtu", none);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "field.vtu"));
@@ -240,11 +240,10 @@ TEST_F(Solid, refuses_what_does_not_fit) {
   far.solid.offsets = 80;
   far.solid.elements_per_load = 1;
   EXPECT_THAT(error_of(far), HasSubstr("The mesh's group 'contact' does not cover the strip"));
-  SolidReport report;
   BodyFile bore = block();
   bore.strip = {4, 12, 1};
   try {
-    solid_numbers(bore, full_circle(40, true), folder_ / "box.msh", {4}, report);
+    solid_numbers(bore, full_circle(40, true), folder_ / "box.msh", {.loads = {4}});
     ADD_FAILURE();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("does not fit the profile"));

@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/halfspace/flat_strip.hpp"
 #include "bem_contact/influence/expand.hpp"
 
 #include "strip_kernel.hpp"

@@ -1,4 +1,6 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/halfspace/element_line.hpp"
+#include "bem_contact/halfspace/flat_strip.hpp"
 #include "bem_contact/halfspace/rectangle.hpp"
 
 #include "quadrature.hpp"
@@ -88,8 +90,8 @@ TEST(Rectangle, CentreOfASquareUnderPressure) {
 }
 
 TEST(Rectangle, PairOfEqualBodiesHasTheElementFormulas) {
-  // REFERENCES 2.2: u_x/p_x = (J1 + (1-nu) J2)/(pi G), u_n/p_n = (1-nu)(J1+J2)/(pi G), u_x/p_s = -nu R/(pi
-  // G).
+  // bem_contact/THEORY.md 4: u_x/p_x = (J1 + (1-nu) J2)/(pi G), u_n/p_n = (1-nu)(J1+J2)/(pi G),
+  // u_x/p_s = -nu R/(pi G).
   const double a = 0.25, b = 0.1, x = 0.13, s = 0.42, nu = steel.poisson;
   double j1 = 0, j2 = 0, radius = 0;
   for (const int p : {-1, 1})

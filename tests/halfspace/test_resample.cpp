@@ -1,5 +1,8 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/halfspace/combine.hpp"
+#include "bem_contact/halfspace/flat_strip.hpp"
 #include "bem_contact/halfspace/near_field.hpp"
+#include "bem_contact/halfspace/plane_strain.hpp"
 #include "bem_contact/halfspace/rectangle.hpp"
 #include "bem_contact/halfspace/resample.hpp"
 

@@ -1,7 +1,7 @@
 #include "bem_contact/halfspace/tangent_plane.hpp"
 
-#include "bem_contact/halfspace/rectangle.hpp"
-#include "bem_contact/halfspace/resample.hpp"
+#include "bem_contact/halfspace/combine.hpp"
+#include "bem_contact/halfspace/flat_strip.hpp"
 #include "bem_contact/reference/conformal.hpp"
 
 #include <gtest/gtest.h>

@@ -27,7 +27,7 @@ TEST(HardCases, EdgeOfTheGrid) {
   tight.grid.rows = {free.reference.s - 1.5, free.reference.s + 1};
   const SceneResult grown = Sequence().solve(tight);
   hard::print_line("edge of the potential contact",
-                   "asked for 6 x 4 elements: grows until exterior all around", grown.result);
+                   "6 x 4 elements asked for: the grid grows until the contact lies inside", grown.result);
   EXPECT_TRUE(grown.result.converged);
   EXPECT_FALSE(grown.result.touches_border);
   EXPECT_THAT(grown.warnings, testing::Contains(testing::HasSubstr("it grew to")));

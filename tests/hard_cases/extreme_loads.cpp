@@ -11,7 +11,7 @@ TEST(HardCases, ExtremeLoads) {
   const ContactResult least = hard::certified("load 1e-6 N", "an approach of 1e-12 mm", problem);
   EXPECT_LE(hard::contact_count(least), 4);
   problem.force = 1;
-  hard::certified("load 1 N", "fewer than one element of Hertz's area, full slip", problem);
+  hard::certified("load 1 N", "Hertz's area is smaller than one element; full slip", problem);
   problem.force = 1e9;
   const ContactResult most = hard::certified(
       "load 1e9 N", "the whole grid in contact: the result says that it is too small", problem);
@@ -28,7 +28,7 @@ TEST(HardCases, ExtremeLoads) {
     scenes::set_creepage(fitting, 0.3, 3e-4 * size, 2e-4 * size, 1e-4);
     const ContactResult result =
         hard::certified(force > 1 ? "load 1e9 N, fitting grid" : "load 1 N, fitting grid",
-                        "lengths of .2 or 100 mm with one tolerance", fitting);
+                        "contacts of .2 and 100 mm with the same tolerance", fitting);
     if (force > 1) {
       EXPECT_NEAR(result.Fx / force, first, 1e-6 * first) << "the same problem in other units";
     } else

@@ -14,7 +14,7 @@ TEST(HardCases, LongElements) {
     scenes::set_creepage(problem, 0.3, 5e-4, 3e-4, 1e-4);
     const ContactResult result =
         hard::certified(std::string("elements 10:1 along ") + (along_x ? "x" : "s"),
-                        "neighbours across act as strongly as the element on itself", problem);
+                        "the neighbour at the long side acts as strongly as the element on itself", problem);
     fx[along_x] = result.Fx;
   }
   EXPECT_NEAR(fx[0], fx[1], 0.08 * fx[0]) << "5 elements across the long way";

@@ -35,7 +35,7 @@ TEST(HardCases, MergingPatches) {
     scenes::set_creepage(problem, 0.3, 4e-4, 3e-4, 2e-4);
     (q == apart ? before : after) = hard::certified(
         q == apart ? "merging patches, before" : "merging patches, after",
-        "two patches one element apart, at the approach (13 digits) at which they join", problem);
+        "two patches one element apart, at the approach (to 13 digits) at which they join", problem);
   }
   EXPECT_EQ(before.patches.size(), 2u);
   EXPECT_EQ(after.patches.size(), 1u);

@@ -26,11 +26,13 @@ TEST(HardCases, NearlyFullSlip) {
     const double xi = std::sqrt(partial * full);
     (adhering(xi) > 0 ? partial : full) = xi;
   }
-  const ContactResult below = hard::certified(
-      "nearly full slip, from below",
-      "the last element in adhesion, at the creepage (10 digits) at which it slips", creeping(partial));
-  const ContactResult above = hard::certified(
-      "nearly full slip, from above", "no element in adhesion at a creepage 1e-10 larger", creeping(full));
+  const ContactResult below =
+      hard::certified("nearly full slip, from below",
+                      "one element in adhesion, at the creepage (to 10 digits) at which it starts to slip",
+                      creeping(partial));
+  const ContactResult above =
+      hard::certified("nearly full slip, from above", "no element in adhesion, at a creepage larger by 1e-10",
+                      creeping(full));
   EXPECT_GT(below.patches[0].adhesion, 0);
   EXPECT_LE(below.patches[0].adhesion, 4);
   EXPECT_EQ(above.patches[0].adhesion, 0);

@@ -52,7 +52,8 @@ TEST(HardCases, NegativeInfluenceNumbers) {
     char name[60];
     std::snprintf(name, sizeof name, "radius 10/10.02, half angle %.0f degrees", half_angle);
     const ContactResult result = hard::certified(
-        name, half_angle < 42 ? "gap of hundredths over millimetres" : "influence numbers of both signs",
+        name,
+        half_angle < 42 ? "a gap of hundredths of a mm over several mm" : "influence numbers of both signs",
         problem);
     ASSERT_EQ(result.patches.size(), 1u);
     const double pmax = reference::persson_pressure(eps, 0) * problem.force / 10;
@@ -80,8 +81,9 @@ TEST(HardCases, RadiusRatioRolling) {
       scenes::set_creepage(problem, mu, creepage, 0.5 * creepage, 0.2 * creepage);
       char name[60];
       std::snprintf(name, sizeof name, "radius 10/10.02 rolling, friction %.1f, creepage %.0e", mu, creepage);
-      const ContactResult result =
-          hard::certified(name, "a patch over tens of degrees, coupled by its curvature", problem);
+      const ContactResult result = hard::certified(
+          name, "a patch that turns by tens of degrees, so that pressure and shear act on each other",
+          problem);
       EXPECT_FALSE(result.touches_border);
     }
 }

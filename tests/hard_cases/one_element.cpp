@@ -13,19 +13,20 @@ TEST(HardCases, OneElement) {
   const double step =
       1.5 * number(0, component_x) - 2 * number(1, component_x) + 0.5 * number(2, component_x);
   scenes::set_creepage(problem, 0.3, 1e-7, 0, 0);
-  const ContactResult held = hard::certified("one element, adhesion", "nothing around it", problem);
+  const ContactResult held = hard::certified("one element, adhesion", "a patch of one element", problem);
   ASSERT_EQ(hard::contact_count(held), 1);
   EXPECT_NEAR(held.Fz, pn, 1e-9 * pn);
   EXPECT_NEAR(held.Fx, 1e-7 / step, 1e-7 * held.Fx) << "S = w dx - B p = 0";
   scenes::set_creepage(problem, 0.3, 3e-2, 4e-2, 0);
-  const ContactResult slipping = hard::certified("one element, slip", "nothing around it", problem);
+  const ContactResult slipping = hard::certified("one element, slip", "a patch of one element", problem);
   EXPECT_NEAR(std::hypot(slipping.Fx, slipping.Fy), 0.3 * pn, 1e-9 * pn);
 
   ContactProblem unlike = scenes::flat({820, 0.3}, scenes::steel, 5, 5, 1, 1, 1, 1);
   unlike.force = 0.5;
   scenes::set_creepage(unlike, 0.5, 1e-3, 0, 0);
   EXPECT_EQ(hard::contact_count(
-                hard::certified("one element, unlike bodies", "coupled, nothing around it", unlike)),
+                hard::certified("one element, unlike bodies",
+                                "a patch of one element, pressure and shear act on each other", unlike)),
             1);
 }
 

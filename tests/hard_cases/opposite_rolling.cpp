@@ -24,14 +24,16 @@ TEST(HardCases, OppositeRolling) {
     for (int ix = 0; ix < mx; ++ix)
       mirrored.gap[is * mx + ix] = forwards.gap[is * mx + mx - 1 - ix];
   scenes::set_creepage(mirrored, 0.3, -xi, eta, -phi);
-  const ContactResult a = hard::certified("rolling backwards, mirrored in x", "chi = 180 degrees", mirrored);
+  const ContactResult a =
+      hard::certified("rolling backwards, mirrored in x", "rolling against x (chi = 180 degrees)", mirrored);
 
   // b) turned by 180 degrees about n: x' = -x, s' = -s. Both creepages change sign, spin does not.
   ContactProblem turned = forwards;
   for (int i = 0; i < forwards.grid.size(); ++i)
     turned.gap[i] = forwards.gap[forwards.grid.size() - 1 - i];
   scenes::set_creepage(turned, 0.3, -xi, -eta, phi);
-  const ContactResult b = hard::certified("rolling backwards, turned about n", "chi = 180 degrees", turned);
+  const ContactResult b =
+      hard::certified("rolling backwards, turned about n", "rolling against x (chi = 180 degrees)", turned);
 
   // back in the axes of the rail: a) (Fx, Fy, Mz) = (-, +, -), b) (-, -, +)
   const double scale = 2e-6 * 0.3 * forwards.force;

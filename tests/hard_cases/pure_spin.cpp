@@ -17,7 +17,7 @@ TEST(HardCases, PureSpin) {
     char name[40];
     std::snprintf(name, sizeof name, "pure spin %.0e per mm", phi);
     const ContactResult result =
-        hard::certified(name, "slip turns about a point; in its element (odd grid) it vanishes", problem);
+        hard::certified(name, "the slip turns about a point and vanishes in the element there", problem);
     EXPECT_GT(result.Mz, before) << "more spin, more moment";
     before = result.Mz;
     if (phi == 1e2) {

@@ -25,14 +25,16 @@ ContactProblem kinked(double friction, double creepage) {
 }
 
 TEST(HardCases, TrueKink) {
-  const char* what = "contact on both flanks; vertical force and friction change places at the corner";
+  const char* what =
+      "contact on both flanks of a corner: pressure on one has the direction of friction on the other";
   const ContactResult smooth = hard::certified("kink of 85 degrees, frictionless", what, kinked(0, 0));
   EXPECT_GT(smooth.Fy, 0) << "the steep flank is in contact";
   for (const double friction : {0.1, 0.3, 0.6})
     for (const double creepage : {1e-4, 1e-2})
-      hard::certified_or_refused("kink of 85 degrees, friction " + std::to_string(friction).substr(0, 3) +
-                                     (creepage < 1e-3 ? ", adhesion" : ", slip"),
-                                 what, kinked(friction, creepage));
+      hard::certified_or_not_converged("kink of 85 degrees, friction " +
+                                           std::to_string(friction).substr(0, 3) +
+                                           (creepage < 1e-3 ? ", adhesion" : ", slip"),
+                                       what, kinked(friction, creepage));
 }
 
 /// A groove of 10 degrees: both flanks turned by 85, friction far above tan 5 degrees. Driven inwards
@@ -57,8 +59,8 @@ TEST(HardCases, SelfLockingGroove) {
   };
   problem.force = 2000;
   slide(1e-2);
-  hard::certified_or_refused("groove of 10 degrees, driven in, force", "friction carries more than the load",
-                             problem);
+  hard::certified_or_not_converged("groove of 10 degrees, driven in, force",
+                                   "friction carries more than the load", problem);
   slide(-1e-2);
   try {
     solve(problem);

@@ -7,7 +7,8 @@ namespace {
 TEST(HardCases, ZeroCreepage) {
   ContactProblem equal = hard::rolling_contact(28);
   scenes::set_creepage(equal, 0.3, 0, 0, 0);
-  const ContactResult rest = hard::certified("zero creepage", "no slip to be measured against", equal);
+  const ContactResult rest =
+      hard::certified("zero creepage", "no slip that could scale the tolerance", equal);
   EXPECT_LT(std::hypot(rest.Fx, rest.Fy), 1e-9 * equal.force);
   EXPECT_EQ(rest.patches[0].slip, 0);
   scenes::set_creepage(equal, 0.3, 1e-12, 0, 0);
@@ -21,7 +22,7 @@ TEST(HardCases, ZeroCreepage) {
   unlike.force = 20000;
   scenes::set_creepage(unlike, 0.3, 0, 0, 0);
   const ContactResult own =
-      hard::certified("zero creepage, unlike bodies", "only the coupling drives slip", unlike);
+      hard::certified("zero creepage, unlike bodies", "only the pressure drives slip", unlike);
   EXPECT_GT(std::abs(own.Fx), 1e-3 * unlike.force);
 }
 

@@ -1,5 +1,6 @@
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/requirements.hpp"
 #include "sample_function.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
-#include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/lower_triangle.hpp"
+#include "bem_contact/influence/partial_influence_file.hpp"
 #include "sample_function.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/requirements.hpp"
 #include "sample_function.hpp"
 
 #include <gmock/gmock.h>

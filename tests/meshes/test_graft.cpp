@@ -3,7 +3,7 @@
 #include "mesh_checks.hpp"
 #include "meshes/graft.hpp"
 #include "meshes/graft_fit.hpp"
-#include "meshes/mesh_body.hpp"
+#include "meshes/section_mesh.hpp"
 #include "tests/base/message.hpp"
 #include "worn_profiles.hpp"
 

@@ -1,4 +1,5 @@
 #include "bem_contact/base/error.hpp"
+#include "meshes/crossings.hpp"
 #include "meshes/outline.hpp"
 #include "meshes/sampled_span.hpp"
 #include "meshes/wheel_section.hpp"

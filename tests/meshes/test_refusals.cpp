@@ -1,6 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/body_file.hpp"
-#include "meshes/mesh_body.hpp"
+#include "meshes/section_mesh.hpp"
 #include "tests/base/message.hpp"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,8 @@
 #include "bem_contact/profile/body_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "mesh_checks.hpp"
-#include "meshes/mesh_body.hpp"
+#include "meshes/section_mesh.hpp"
+#include "meshes/write_msh.hpp"
 
 #include <gtest/gtest.h>
 

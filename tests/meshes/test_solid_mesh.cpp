@@ -1,7 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/body_file.hpp"
-#include "meshes/mesh_body.hpp"
 #include "meshes/solid_mesh.hpp"
+#include "meshes/write_msh.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 #include "bem_contact/profile/curve_piece.hpp"
 #include "bem_contact/profile/rail_section.hpp"
 #include "tests/base/message.hpp"
+#include "tests/profile/section_properties.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,5 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/reference/creep_coefficients.hpp"
 #include "bem_contact/reference/hertz.hpp"
 #include "bem_contact/reference/rolling.hpp"
 

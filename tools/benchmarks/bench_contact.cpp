@@ -6,8 +6,9 @@
 // size can be had without an influence file). "file" are those of data/influence, both bodies' numbers on
 // rows as narrow as the case wants.
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
-#include "bem_contact/contact/prepared.hpp"
-#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/contact/solve.hpp"
+#include "bem_contact/halfspace/combine.hpp"
+#include "bem_contact/halfspace/flat_strip.hpp"
 #include "bem_contact/halfspace/resample.hpp"
 #include "bem_contact/halfspace/tangent_plane.hpp"
 #include "bem_contact/influence/influence_file.hpp"
@@ -143,7 +144,7 @@ enum class Kept { nothing, workspace, solution };
 
 SolverOptions options_for(const ContactProblem& problem) {
   SolverOptions options;
-  options.tolerance = problem.numbers.translational ? 1e-5 : 1e-6; // turns settle at ten times the tolerance
+  options.tolerance = problem.numbers.translational ? 1e-5 : 1e-6; // outer iterations settle at ten times it
   options.estimate_discretisation = false;
   return options;
 }
@@ -152,6 +153,7 @@ SolverOptions options_for(const ContactProblem& problem) {
 void solve_scene(benchmark::State& state, const ContactProblem& problem, Kept kept, bool estimate) {
   SolverOptions options = options_for(problem);
   Workspace workspace;
+  WorkBudget work;
   StartingPoint start;
   if (kept == Kept::solution) {
     ContactProblem before = problem;
@@ -161,16 +163,17 @@ void solve_scene(benchmark::State& state, const ContactProblem& problem, Kept ke
       for (double& w : *slip)
         w *= 0.99;
     const ContactResult known = solve(before, options);
-    start = {known.px, known.ps, known.pn, known.approach};
+    start = {{known.px, known.ps, known.pn}, known.approach};
     options.start = &start;
   }
   if (kept != Kept::nothing)
-    contact::solve_coupled(problem, options, workspace.of(problem));
+    contact::solve_coupled(problem, options, workspace.of(problem), work);
   contact::Solution solution;
   for (auto _ : state) {
-    contact::Prepared only_now;
-    solution =
-        contact::solve_coupled(problem, options, kept == Kept::nothing ? only_now : workspace.of(problem));
+    contact::ContactOperators only_now;
+    WorkBudget of_this;
+    solution = contact::solve_coupled(
+        problem, options, kept == Kept::nothing ? only_now : workspace.of(problem), of_this);
     benchmark::DoNotOptimize(solution.normal.p.data());
   }
   const auto contact = (solution.normal.p.array() > 0).count();

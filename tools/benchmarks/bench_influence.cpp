@@ -1,7 +1,8 @@
 // What it costs to turn influence files into the numbers of a patch:
 //   ninja -C build bench_influence && build/bin/bench_influence [RAIL.h5 WHEEL.h5]
 // Without files the rail and the wheel of data/influence are used, and made-up kernels of more stations.
-#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/halfspace/combine.hpp"
+#include "bem_contact/halfspace/flat_strip.hpp"
 #include "bem_contact/halfspace/resample.hpp"
 #include "bem_contact/influence/expand.hpp"
 #include "bem_contact/influence/influence_file.hpp"

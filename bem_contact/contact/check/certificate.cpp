@@ -1,7 +1,9 @@
+#include "bem_contact/contact/check/certificate.hpp"
+
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/check/direct_sums.hpp"
+#include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/slip_step.hpp"
-#include "bem_contact/contact/solve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +12,11 @@
 namespace bem_contact {
 namespace {
 
-using contact::Fields;
+using Fields = contact::ComponentFields;
+
+double relative(double value, double to) {
+  return value > 0 ? value / to : 0.0;
+}
 
 /// Rows on which something is in contact; none without friction.
 std::vector<char> rows_in_contact(const ContactProblem& problem, const ContactResult& result) {
@@ -29,7 +35,7 @@ Fields former_displacements(const ContactProblem& problem, const SlipStep& step,
   sum.fill(std::vector<double>(static_cast<std::size_t>(columns) * problem.grid.ms, 0.0));
   for (std::size_t k = 1; k <= std::min<std::size_t>(problem.previous.size(), 2); ++k) {
     const Tractions& former = problem.previous[k - 1];
-    const auto u = contact::direct_displacements(problem, slip_rows, {&former.px, &former.ps, &former.pn});
+    const auto u = contact::direct_displacements(problem, slip_rows, {former.px, former.ps, former.pn});
     const int ahead = static_cast<int>(k) * step.columns;
     for (const int c : {component_x, component_s})
       for (int is = 0; is < problem.grid.ms; ++is)
@@ -86,48 +92,48 @@ void check_normal(const ContactProblem& problem, const ContactResult& result, co
     }
   if (scale == 0)
     scale = remote_scale;
-  const auto relative = [](double value, double to) { return value > 0 ? value / to : 0.0; };
   certificate.pressure = relative(lowest_p, pmax);
   certificate.penetration = relative(lowest_e, scale);
   certificate.complementarity = relative(product, pmax * scale);
 }
 
-void check_friction(const ContactProblem& problem, const ContactResult& result, const Fields& u,
-                    const std::vector<char>& slip_rows, int columns, Certificate& certificate) {
-  const auto& [mx, ms, dx, ds, x0] = problem.grid;
-  const bool friction = problem.has_friction();
-  const auto mu = [&](int i) { return friction ? problem.friction_of(i / mx) : 0.0; };
-  const double pmax = *std::max_element(result.pn.begin(), result.pn.end());
-  double traction_scale = friction ? 0.0 : pmax;
-  for (int i = 0; friction && i < mx * ms; ++i)
-    traction_scale = std::max(traction_scale, mu(i) * result.pn[i]);
-  const auto relative = [](double value, double to) { return value > 0 ? value / to : 0.0; };
+/// The largest violation of the cone |p_t| <= mu p_n, MPa.
+double cone_violation(const ContactProblem& problem, const ContactResult& result) {
   double cone = 0;
-  for (int i = 0; i < mx * ms; ++i) {
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    const double mu = problem.has_friction() ? problem.friction_of(i / problem.grid.mx) : 0.0;
     const double shear = std::hypot(result.px[i], result.ps[i]);
-    cone = std::max(cone, shear - mu(i) * result.pn[i]);
+    cone = std::max(cone, shear - mu * result.pn[i]);
     if (!std::isfinite(shear))
       cone = std::numeric_limits<double>::infinity();
   }
-  certificate.friction_cone = relative(cone, traction_scale);
-  if (!friction)
-    return;
-  const SlipStep step = slip_step(problem);
-  const auto before = former_displacements(problem, step, slip_rows, columns);
-  const bool steady = problem.motion == MotionKind::steady;
-  const std::vector<double> none(result.pn.size(), 0.0);
-  const auto from_normal =
-      steady ? u : contact::direct_displacements(problem, slip_rows, {&none, &none, &result.pn});
+  return cone;
+}
+
+/// Slip of the elements in contact, mm, from the tractions alone.
+struct Slips {
   struct Slip {
-    double x, s, bound;
+    double x, s, bound; ///< bound: kinetic mu p_n, MPa
     int element;
   };
   std::vector<Slip> slips;
+  double scale; ///< mm
+};
+
+Slips slips_of(const ContactProblem& problem, const ContactResult& result, const Fields& u,
+               const std::vector<char>& slip_rows, int columns) {
+  const auto& [mx, ms, dx, ds, x0] = problem.grid;
+  const bool steady = problem.motion == MotionKind::steady;
+  const SlipStep step = slip_step(problem);
+  const auto before = former_displacements(problem, step, slip_rows, columns);
+  const std::vector<double> none(result.pn.size(), 0.0);
+  const auto from_normal =
+      steady ? u : contact::direct_displacements(problem, slip_rows, {none, none, result.pn});
   double self = 0;
   for (int row = 0; row < ms; ++row)
     self = std::max(self, problem.numbers.at(0, row, component_n, row, component_n));
-  // rounding of the displacements, which steady slip (their difference over one element) shares
-  double scale = (problem.motion == MotionKind::steady ? 1e-12 : 1e-9) * pmax * self;
+  const double pmax = *std::max_element(result.pn.begin(), result.pn.end());
+  Slips out{{}, (steady ? contact::steady_slip_rounding : contact::shift_slip_rounding) * pmax * self};
   for (int is = 0; is < ms; ++is)
     for (int ix = 0; ix < mx; ++ix) {
       const int i = is * mx + ix;
@@ -142,22 +148,28 @@ void check_friction(const ContactProblem& problem, const ContactResult& result, 
         elastic_x -= step.present[k] * u[component_x][at + k];
         elastic_s -= step.present[k] * u[component_s][at + k];
       }
-      slips.push_back({rigid_x + elastic_x, rigid_s + elastic_s, problem.kinetic * mu(i) * result.pn[i], i});
-      scale = std::max({scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s),
-                        // rounding, where the creepage found takes back the one given
-                        1e-9 * std::hypot(result.creepage_x, result.creepage_s) * step.length});
-      if (!steady) // where all sticks without rigid slip: what the shear tractions hold back
-        scale = std::max(
-            scale,
+      out.slips.push_back({rigid_x + elastic_x, rigid_s + elastic_s,
+                           problem.kinetic * problem.friction_of(is) * result.pn[i], i});
+      out.scale = std::max(
+          {out.scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s),
+           contact::creepage_rounding * std::hypot(result.creepage_x, result.creepage_s) * step.length});
+      if (!steady) // if everything sticks without rigid slip: the slip that the shear tractions prevent
+        out.scale = std::max(
+            out.scale,
             std::hypot(rigid_x - before[component_x][at] - step.present[0] * from_normal[component_x][at],
                        rigid_s - before[component_s][at] - step.present[0] * from_normal[component_s][at]));
     }
-  // Coulomb's law leaves two states; each element counts in the one it is nearer to
-  for (const Slip& slip : slips) {
+  return out;
+}
+
+/// Coulomb's law leaves two states; each element counts for the one that it is nearer to.
+void check_states(const ContactResult& result, const Slips& slips, double traction_scale,
+                  Certificate& certificate) {
+  for (const Slips::Slip& slip : slips.slips) {
     const double length = std::hypot(slip.x, slip.s);
     if (length == 0)
       continue;
-    const double adhesion = length / scale;
+    const double adhesion = length / slips.scale;
     const double direction = std::hypot(result.px[slip.element] - slip.bound * slip.x / length,
                                         result.ps[slip.element] - slip.bound * slip.s / length) /
                              traction_scale;
@@ -166,37 +178,42 @@ void check_friction(const ContactProblem& problem, const ContactResult& result, 
   }
 }
 
-} // namespace
-
-double Certificate::worst() const {
-  double worst = 0;
-  for (const double v :
-       {pressure, penetration, complementarity, friction_cone, adhesion, slip_direction, force_balance}) {
-    if (std::isnan(v))
-      return std::numeric_limits<double>::infinity();
-    worst = std::max(worst, v);
-  }
-  return worst;
+void check_friction(const ContactProblem& problem, const ContactResult& result, const Fields& u,
+                    const std::vector<char>& slip_rows, int columns, Certificate& certificate) {
+  double traction_scale = 0;
+  for (int i = 0; i < problem.grid.size(); ++i)
+    traction_scale = std::max(
+        traction_scale,
+        problem.has_friction() ? problem.friction_of(i / problem.grid.mx) * result.pn[i] : result.pn[i]);
+  certificate.friction_cone = relative(cone_violation(problem, result), traction_scale);
+  if (problem.has_friction())
+    check_states(result, slips_of(problem, result, u, slip_rows, columns), traction_scale, certificate);
 }
+
+double vertical_imbalance(const ContactProblem& problem, const ContactResult& result) {
+  if (problem.load != LoadKind::force)
+    return 0;
+  double force = 0;
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    const double delta = problem.rows[i / problem.grid.mx].delta;
+    force += (result.pn[i] * std::cos(delta) + result.ps[i] * std::sin(delta)) * problem.element_area();
+  }
+  const double missing = std::abs(force - problem.force);
+  return problem.force > 0 ? missing / problem.force : missing;
+}
+
+} // namespace
 
 Certificate certify(const ContactProblem& problem, const ContactResult& result) {
   require_fields(problem, result);
   const std::vector<char> slip_rows = rows_in_contact(problem, result);
   Certificate certificate;
-  const auto u = contact::direct_displacements(problem, slip_rows, {&result.px, &result.ps, &result.pn});
+  const auto u = contact::direct_displacements(problem, slip_rows, {result.px, result.ps, result.pn});
   const int columns = static_cast<int>(u[0].size()) / problem.grid.ms;
   check_normal(problem, result, u[component_n], columns, certificate);
   check_friction(problem, result, u, slip_rows, columns, certificate);
-  if (problem.load == LoadKind::force) {
-    double force = 0;
-    for (int i = 0; i < problem.grid.size(); ++i) {
-      const double delta = problem.rows[i / problem.grid.mx].delta;
-      force += (result.pn[i] * std::cos(delta) + result.ps[i] * std::sin(delta)) * problem.element_area();
-    }
-    const double missing = std::abs(force - problem.force);
-    certificate.force_balance = problem.force > 0 ? missing / problem.force : missing;
-  }
-  certificate.force_balance = std::max(certificate.force_balance, shear_imbalance(problem, result));
+  certificate.force_balance =
+      std::max(vertical_imbalance(problem, result), shear_imbalance(problem, result));
   return certificate;
 }
 

@@ -2,7 +2,8 @@
 
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/operator/strip_operator.hpp"
-#include "bem_contact/contact/rolling_step.hpp"
+#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/slip_step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,42 +12,36 @@
 namespace bem_contact::contact {
 namespace {
 
-/// Direct sums of more terms than this would take longer than the solution.
-constexpr double many_terms = 3e8;
-/// Elements at which direct sums check the FFT there, and how closely they agree.
-constexpr int samples = 100;
-constexpr double agreement = 1e-9;
-
 double number(const InfluenceNumbers& a, int m, int row_i, int i, int row_j, int j) {
   return (m < 0 ? parity(i, j) : 1) * a.at(std::abs(m), row_i, i, row_j, j);
 }
 
 /// (A p)_i of one element; the column may lie ahead of the grid.
-double displacement_of(const ContactProblem& problem, const Loads& p, int row_i, int column, int i) {
+double displacement_of(const ContactProblem& problem, const ComponentSpans& p, int row_i, int column, int i) {
   const int mx = problem.grid.mx;
   double sum = 0;
   for (int j = 0; j < 3; ++j)
     for (int load = 0; load < problem.grid.size(); ++load)
-      if ((*p[j])[load] != 0)
-        sum += number(problem.numbers, column - load % mx, row_i, i, load / mx, j) * (*p[j])[load];
+      if (p[j][load] != 0)
+        sum += number(problem.numbers, column - load % mx, row_i, i, load / mx, j) * p[j][load];
   return sum;
 }
 
 /// By FFT, columns 0 .. mx + 1; nothing where direct sums disagree.
-std::optional<Fields> transformed_displacements(const ContactProblem& problem, bool shear, const Loads& p) {
+std::optional<ComponentFields> transformed_displacements(const ContactProblem& problem, bool shear, const ComponentSpans& p) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   std::vector<int> loaded;
   std::vector<double> tractions;
   for (int j = 0; j < 3; ++j)
-    if (std::any_of(p[j]->begin(), p[j]->end(), [](double v) { return v != 0; })) {
+    if (std::any_of(p[j].begin(), p[j].end(), [](double v) { return v != 0; })) {
       loaded.push_back(j);
-      tractions.insert(tractions.end(), p[j]->begin(), p[j]->end());
+      tractions.insert(tractions.end(), p[j].begin(), p[j].end());
     }
   const std::vector<int> wanted =
       shear ? std::vector<int>{component_x, component_s, component_n} : std::vector<int>{component_n};
   const std::size_t n = problem.grid.size(), columns = mx + rolling_columns;
   const StripOperator numbers(problem.numbers, mx, wanted, loaded);
-  Fields u;
+  ComponentFields u;
   u.fill(std::vector<double>(columns * ms, 0.0));
   std::vector<double> out(wanted.size() * n);
   for (int ahead = 0; ahead <= (shear ? rolling_columns : 0); ++ahead) {
@@ -59,10 +54,10 @@ std::optional<Fields> transformed_displacements(const ContactProblem& problem, b
     double largest = 0;
     for (const double v : u[i])
       largest = std::max(largest, std::abs(v));
-    for (int k = 0; k < samples; ++k) {
-      const int element = static_cast<int>(n * (k + 0.5) / samples);
+    for (int k = 0; k < checked_elements; ++k) {
+      const int element = static_cast<int>(n * (k + 0.5) / checked_elements);
       const double sum = displacement_of(problem, p, element / mx, element % mx, i);
-      if (!(std::abs(sum - u[i][element / mx * columns + element % mx]) <= agreement * largest))
+      if (!(std::abs(sum - u[i][element / mx * columns + element % mx]) <= agreement_of_sums * largest))
         return std::nullopt;
     }
   }
@@ -155,23 +150,23 @@ void add_full(const InfluenceNumbers& a, int mx, const LoadedRows& loads, int i,
 
 } // namespace
 
-Fields direct_displacements(const ContactProblem& problem, const std::vector<char>& slips, const Loads& p) {
+ComponentFields direct_displacements(const ContactProblem& problem, const std::vector<char>& slips, const ComponentSpans& p) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   const InfluenceNumbers& a = problem.numbers;
   const int columns = std::min(mx + rolling_columns, a.offsets);
   double terms = 0;
   for (int j = 0; j < 3; ++j)
     terms += (slips.empty() ? 1.0 : 3.0) * problem.grid.size() *
-             std::count_if(p[j]->begin(), p[j]->end(), [](double v) { return v != 0; });
+             std::count_if(p[j].begin(), p[j].end(), [](double v) { return v != 0; });
   if (terms > many_terms && columns == mx + rolling_columns)
     if (auto u = transformed_displacements(problem, !slips.empty(), p))
       return std::move(*u);
-  Fields u;
+  ComponentFields u;
   u.fill(std::vector<double>(static_cast<std::size_t>(columns) * ms, 0.0));
   LoadedRows loads;
   for (int j = 0; j < 3; ++j)
     for (int row = 0; row < ms; ++row)
-      loads[j].push_back(loaded_row(p[j]->data() + static_cast<std::size_t>(row) * mx, mx));
+      loads[j].push_back(loaded_row(p[j].data() + static_cast<std::size_t>(row) * mx, mx));
   const std::vector<char> all(ms, 1);
   for (int i = slips.empty() ? component_n : component_x; i < 3; ++i)
     (a.translational ? add_translational : add_full)(a, mx, loads, i, i == component_n ? all : slips, columns,

@@ -2,25 +2,27 @@
 
 namespace bem_contact::contact {
 
-/// Finds which part N of a vertical force the pressure bears where inclined shear tractions bear the rest:
-/// N + S(N) = force. The sum need not be monotone in N. Where all slips S is proportional to N, so that one
-/// look tells the answer. Secants, kept inside a bracket once there is one (after Dekker 1969).
+/// Splits a vertical force between pressure and inclined shear tractions.
+///
+/// On a steep flange friction carries part of the load. If the pressure carries N, the shear tractions carry
+/// S(N), and we look for N + S(N) = force. S depends on N through a whole tangential problem, and N + S(N)
+/// need not increase with N. Secant steps find it; they stay inside a bracket as soon as one is known (after
+/// Dekker 1969). If all elements slip, S is proportional to N and one evaluation is enough.
 class ForceBalance {
 public:
   /// `force` > 0, N.
   explicit ForceBalance(double force) : force_(force) {}
 
-  /// Where to look next after `pressed` (> 0) was seen to bear `borne` = N + S in all.
+  /// The pressure force to try after `pressed` (> 0) was seen to carry `borne` = N + S, N.
   double next(double pressed, double borne);
 
-  /// Where so many times the force do not bear it nothing does: friction pulls the bodies together as hard as
-  /// they press each other apart.
-  static constexpr double most = 30;
-  bool at_the_most(double pressed, double borne) const { return pressed >= most * force_ && borne < force_; }
+  /// Whether the largest pressure force that is tried (settings.hpp: largest_force_ratio) does not carry the
+  /// force. Then nothing does: friction pulls the bodies together as hard as they press each other apart.
+  bool at_the_most(double pressed, double borne) const;
 
 private:
   double force_, last_ = 0, last_borne_ = 0, slope_ = 1;
-  double low_ = 0, high_ = 0; ///< too little is borne, and enough; high_ 0: not known
+  double low_ = 0, high_ = 0; ///< carries too little, and enough; high_ 0: not known
   double step_ = 0, step_before_ = 0;
 };
 

@@ -1,14 +1,15 @@
 #include "bem_contact/contact/coupled/outer_iteration.hpp"
 
-#include <Eigen/QR>
+#include "bem_contact/contact/normal/solve_normal.hpp"
+#include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace bem_contact::contact {
 namespace {
 
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 std::span<const double> view(const VectorXd& v) {
@@ -26,31 +27,31 @@ TangentialTask make_task(const ContactProblem& problem, const Shear& shear, cons
     if (pn[i] > 0)
       task.contact.push_back(i);
   }
-  if (shear.shear_from_normal) {
+  if (shear.coupling) {
     VectorXd step(2 * pn.size());
     if (problem.motion == MotionKind::steady)
-      shear.shear_from_normal->apply_step(view(pn), view(step));
+      shear.coupling->shear_from_normal.apply_step(view(pn), view(step));
     else {
-      shear.shear_from_normal->apply(view(pn), view(step));
+      shear.coupling->shear_from_normal.apply(view(pn), view(step));
       step *= shear.system.rule.present[0];
     }
     task.drive -= step;
   }
-  // where all sticks without rigid slip there is no slip to compare with but what tractions would cause
+  // If everything sticks without rigid slip, slip is compared with what there would be without tractions.
   if (problem.motion != MotionKind::steady) {
-    task.slip_floor *= 1e3;
+    task.slip_floor *= shift_slip_floor;
     for (const int i : task.contact)
       task.slip_floor = std::max(task.slip_floor, std::hypot(task.drive[i], task.drive[pn.size() + i]));
   }
   return task;
 }
 
-/// Shear keeps its share of the pressure, which has changed: where to start from.
+/// Shear tractions to start from: they keep their ratio to the pressure, which has changed.
 void follow(const VectorXd& before, const VectorXd& now, VectorXd& shear) {
   const Eigen::Index n = now.size();
   for (Eigen::Index i = 0; i < n; ++i)
     if (before[i] > 0) {
-      const double factor = std::min(now[i] / before[i], 10.0);
+      const double factor = std::min(now[i] / before[i], largest_shear_growth);
       shear[i] *= factor;
       shear[n + i] *= factor;
     }
@@ -58,7 +59,36 @@ void follow(const VectorXd& before, const VectorXd& now, VectorXd& shear) {
 
 } // namespace
 
-VectorXd former_slip(const ContactProblem& problem, const Shear& shear) {
+Shear::Shear(const ContactProblem& problem, ContactOperators& operators, WorkBudget& work)
+    : system(problem, operators.tangential), rigid(2 * problem.grid.size()),
+      coupling(operators.coupling(problem, work)) {
+  const int n = problem.grid.size();
+  for (int i = 0; i < n; ++i) {
+    rigid[i] = problem.slip_x[i] * system.rule.length;
+    rigid[n + i] = problem.slip_s[i] * system.rule.length;
+  }
+  former = former_slip(problem, *this, work);
+}
+
+CoupledSystem::CoupledSystem(const ContactProblem& the_problem, ContactOperators& operators, WorkBudget& work)
+    : problem(the_problem), normal(the_problem, operators.normal),
+      gap(Eigen::Map<const VectorXd>(the_problem.gap.data(), the_problem.grid.size())),
+      sine(the_problem.grid.size()) {
+  for (int i = 0; i < problem.grid.size(); ++i)
+    sine[i] = std::sin(problem.rows[i / problem.grid.mx].delta);
+  if (!problem.has_friction())
+    return;
+  shear.emplace(problem, operators, work);
+  coupled = shear->coupling ||
+            (problem.load == LoadKind::force && sine.cwiseAbs().maxCoeff() > coupling_rounding);
+  by_force = coupled && problem.load == LoadKind::force && problem.force > 0;
+}
+
+double CoupledSystem::shear_force(const VectorXd& shear_tractions) const {
+  return sine.dot(shear_tractions.tail(sine.size())) * problem.element_area();
+}
+
+VectorXd former_slip(const ContactProblem& problem, const Shear& shear, WorkBudget& work) {
   const int n = problem.grid.size();
   const SlipStep& rule = shear.system.rule;
   VectorXd sum = VectorXd::Zero(2 * n), pt(2 * n), u(2 * n);
@@ -66,58 +96,35 @@ VectorXd former_slip(const ContactProblem& problem, const Shear& shear) {
     const Tractions& former = problem.previous[k - 1];
     const int columns = static_cast<int>(k) * rule.columns;
     pt << Eigen::Map<const VectorXd>(former.px.data(), n), Eigen::Map<const VectorXd>(former.ps.data(), n);
-    sum -= rule.former[k] * shear.system.displacement(pt, columns);
-    if (shear.shear_from_normal) {
-      shear.shear_from_normal->apply(former.pn, view(u), columns);
+    sum -= rule.former[k] * shear.system.displacement(pt, work, columns);
+    if (shear.coupling) {
+      shear.coupling->shear_from_normal.apply(former.pn, view(u), columns);
       sum -= rule.former[k] * u;
     }
   }
   return sum;
 }
 
-void turn_once(const ContactProblem& problem, const SolverOptions& options, const NormalSystem& system,
-               const Shear* shear, const VectorXd& gap, const VectorXd& v, const NormalLoad& load,
-               Solution& solution) {
+void iterate_once(const CoupledSystem& system, const SolverOptions& options, const VectorXd& v,
+                  const NormalLoad& load, WorkBudget& work, Solution& solution) {
   ++solution.outer_iterations;
   solution.normal.remark.clear();
   const VectorXd before = solution.normal.p;
-  solve_normal(system, gap + v, load, options, solution.normal);
-  if (!shear)
+  solve_normal(system.normal, system.gap + v, load, options, work, solution.normal);
+  if (!system.shear)
     return;
   if (before.size() == solution.normal.p.size())
     follow(before, solution.normal.p, solution.shear.p);
-  solution.task =
-      make_task(problem, *shear, solution.normal.p, 1e-12 * solution.normal.p.maxCoeff() * system.self);
-  solve_friction(shear->system, options, solution.task, solution.shear, solution.creepage);
+  const double floor = slip_rounding * solution.normal.p.maxCoeff() * system.normal.self;
+  solution.task = make_task(system.problem, *system.shear, solution.normal.p, floor);
+  solve_friction(system.shear->system, options, work, solution.task, solution.shear, solution.creepage);
 }
 
 VectorXd normal_displacement(const Shear& shear, const Solution& solution) {
   VectorXd u = VectorXd::Zero(solution.shear.p.size() / 2);
-  if (shear.normal_from_shear)
-    shear.normal_from_shear->apply(view(solution.shear.p), view(u));
+  if (shear.coupling)
+    shear.coupling->normal_from_shear.apply(view(solution.shear.p), view(u));
   return u;
-}
-
-VectorXd Anderson::next(const VectorXd& v, const VectorXd& residual) {
-  if (!best_ || residual.norm() < *best_)
-    best_ = residual.norm();
-  else if (residual.norm() > 5 * *best_) { // leave the memory behind, and walk slowly
-    history_.clear();
-    return v + 0.3 * residual;
-  }
-  history_.push_back({v, residual});
-  if (history_.size() > 5)
-    history_.pop_front();
-  const Eigen::Index columns = static_cast<Eigen::Index>(history_.size()) - 1;
-  if (columns == 0)
-    return v + residual;
-  MatrixXd dv(v.size(), columns), dr(v.size(), columns);
-  for (Eigen::Index k = 0; k < columns; ++k) {
-    dv.col(k) = history_[k + 1].v - history_[k].v;
-    dr.col(k) = history_[k + 1].residual - history_[k].residual;
-  }
-  const VectorXd weights = dr.colPivHouseholderQr().solve(residual);
-  return v + residual - (dv + dr) * weights;
 }
 
 } // namespace bem_contact::contact

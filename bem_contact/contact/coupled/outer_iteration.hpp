@@ -1,43 +1,54 @@
 #pragma once
 
-#include "bem_contact/contact/coupled/solve_coupled.hpp"
+#include "bem_contact/contact/coupled/contact_operators.hpp"
+#include "bem_contact/contact/coupled/solution.hpp"
+#include "bem_contact/contact/solver_options.hpp"
 
-#include <deque>
+#include <Eigen/Core>
+
 #include <optional>
 
 namespace bem_contact::contact {
 
 /// The tangential half of a coupled problem.
 struct Shear {
+  Shear(const ContactProblem& problem, ContactOperators& operators, WorkBudget& work);
+
   TangentialSystem system;
-  Eigen::VectorXd rigid;  ///< w of the step, mm
-  Eigen::VectorXd former; ///< what the tractions of former steps add to the slip, mm
-  const StripOperator *normal_from_shear = nullptr, *shear_from_normal = nullptr; ///< null: no coupling
+  Eigen::VectorXd rigid;    ///< w of the step, mm
+  const Coupling* coupling; ///< null: the influence numbers do not couple
+  Eigen::VectorXd former;   ///< what the tractions of former steps add to the slip, mm
+};
+
+/// One contact problem with its operators: what stays the same over the outer iterations. `problem` and
+/// `operators` outlive it.
+struct CoupledSystem {
+  CoupledSystem(const ContactProblem& problem, ContactOperators& operators, WorkBudget& work);
+
+  /// Whether shear acts on the normal displacements by the influence numbers.
+  bool coupled_by_numbers() const { return shear && shear->coupling; }
+  /// Vertical force of the shear tractions, N.
+  double shear_force(const Eigen::VectorXd& shear_tractions) const;
+
+  const ContactProblem& problem;
+  NormalSystem normal;
+  Eigen::VectorXd gap;        ///< mm; field
+  Eigen::VectorXd sine;       ///< of the inclination; field
+  std::optional<Shear> shear; ///< nothing without friction
+  bool coupled = false;       ///< shear acts on the normal problem: by the numbers or by its vertical force
+  bool by_force = false;      ///< coupled, and a vertical force above 0 is prescribed
 };
 
 /// What the tractions of former steps add to the slip: sum_k former[k] u_k(x + k columns dx), u = -A p. mm.
-Eigen::VectorXd former_slip(const ContactProblem& problem, const Shear& shear);
+Eigen::VectorXd former_slip(const ContactProblem& problem, const Shear& shear, WorkBudget& work);
 
-/// One turn: the normal problem under the displacements (A p_t)_n = v, then friction under its pressure. Sets
-/// normal, shear, task and creepage of the solution, from which it starts. Without `shear` the first alone.
-void turn_once(const ContactProblem& problem, const SolverOptions& options, const NormalSystem& system,
-               const Shear* shear, const Eigen::VectorXd& gap, const Eigen::VectorXd& v,
-               const NormalLoad& load, Solution& solution);
+/// One outer iteration: the normal problem under the displacements (A p_t)_n = v, then (with friction) the
+/// tangential problem under its pressure. Starts from the normal and shear state of `solution` and sets them,
+/// the task and the creepage.
+void iterate_once(const CoupledSystem& system, const SolverOptions& options, const Eigen::VectorXd& v,
+                  const NormalLoad& load, WorkBudget& work, Solution& solution);
 
 /// (A p_t)_n of the solution, mm; zero where the numbers do not couple.
 Eigen::VectorXd normal_displacement(const Shear& shear, const Solution& solution);
-
-/// Fixed-point iteration v = G(v) by Anderson's method, with a short memory.
-class Anderson {
-public:
-  Eigen::VectorXd next(const Eigen::VectorXd& v, const Eigen::VectorXd& residual);
-
-private:
-  struct Turn {
-    Eigen::VectorXd v, residual;
-  };
-  std::deque<Turn> history_;
-  std::optional<double> best_;
-};
 
 } // namespace bem_contact::contact

@@ -1,36 +1,185 @@
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/coupled/anderson.hpp"
 #include "bem_contact/contact/coupled/force_balance.hpp"
 #include "bem_contact/contact/coupled/outer_iteration.hpp"
+#include "bem_contact/contact/coupled/start.hpp"
+#include "bem_contact/contact/coupled/tolerance_schedule.hpp"
+#include "bem_contact/contact/settings.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace bem_contact::contact {
 namespace {
 
 using Eigen::VectorXd;
 
-/// Numbers below this fraction of the self number are rounding.
-constexpr double rounding = 1e-13;
+/// The outer iterations of one problem. The unknown v holds the normal displacement (A p_t)_n of each element
+/// and, as its last entry, the vertical force of the pressure in units of length, so that both can be
+/// accelerated together. One outer iteration gives G(v); the solution has v = G(v).
+class OuterLoop {
+public:
+  OuterLoop(const CoupledSystem& system, const SolverOptions& options, WorkBudget& work, Solution& solution);
 
-bool numbers_couple(const InfluenceNumbers& a, double self) {
-  const auto rows = a.stored_rows();
-  for (int m = 0; m < a.offsets; ++m)
-    for (const auto& [row_i, row_j] : rows)
-      for (const int c : {component_x, component_s})
-        if (std::max(std::abs(a.at(m, row_i, c, row_j, component_n)),
-                     std::abs(a.at(m, row_i, component_n, row_j, c))) > rounding * self)
-          return true;
+  /// True if the iterations settled, or if one is enough. Sets rate and unbalanced of the solution.
+  bool run();
+
+private:
+  VectorXd image(); ///< G(v) after an outer iteration; sets the last entry of v
+  double relative_change(const VectorXd& residual) const;
+  void advance(const VectorXd& residual);
+
+  const CoupledSystem& system_;
+  const SolverOptions& options_;
+  WorkBudget& work_;
+  Solution& solution_;
+  const Eigen::Index n_; ///< elements
+  ToleranceSchedule tolerance_;
+  ForceBalance balance_;
+  Anderson anderson_;
+  VectorXd v_;
+  double force_to_length_ = 0; ///< mm/N; 0: not known before the first outer iteration
+};
+
+OuterLoop::OuterLoop(const CoupledSystem& system, const SolverOptions& options, WorkBudget& work,
+                     Solution& solution)
+    : system_(system), options_(options), work_(work), solution_(solution), n_(system.gap.size()),
+      tolerance_(options.tolerance, system.coupled), balance_(system.problem.force),
+      v_(VectorXd::Zero(n_ + 1)) {
+  if (system.by_force && solution.normal.p.size() == n_) { // guess the share that shear carries from the start
+    const double pressure_force =
+        system.normal.cosine.dot(solution.normal.p) * system.problem.element_area();
+    solution.pressed /= std::clamp(1 + system.shear_force(solution.shear.p) / pressure_force,
+                                   2 / largest_force_ratio, largest_start_share);
+  }
+  if (system.coupled_by_numbers() && solution.shear.p.any())
+    v_.head(n_) = normal_displacement(*system.shear, solution);
+}
+
+VectorXd OuterLoop::image() {
+  VectorXd next = VectorXd::Zero(n_ + 1);
+  solution_.from_shear = next.head(n_) = normal_displacement(*system_.shear, solution_);
+  if (!system_.by_force)
+    return next;
+  const double force = system_.problem.force;
+  if (force_to_length_ == 0)
+    force_to_length_ = solution_.normal.u.cwiseAbs().maxCoeff() / force;
+  solution_.borne = solution_.pressed + system_.shear_force(solution_.shear.p);
+  // the guess: shear keeps its share
+  const double ratio = std::clamp(force / solution_.borne, 1 / largest_force_step, largest_force_step);
+  v_[n_] = solution_.pressed * force_to_length_;
+  next[n_] = solution_.borne > 0 ? v_[n_] * ratio : largest_force_step * v_[n_];
+  return next;
+}
+
+double OuterLoop::relative_change(const VectorXd& residual) const {
+  const double change =
+      residual.head(n_).cwiseAbs().maxCoeff() / solution_.normal.u.cwiseAbs().maxCoeff();
+  if (!system_.by_force)
+    return change;
+  return std::max(change, std::abs(solution_.borne - system_.problem.force) / system_.problem.force);
+}
+
+/// Sets what the next outer iteration solves for.
+void OuterLoop::advance(const VectorXd& residual) {
+  if (system_.by_force && !system_.coupled_by_numbers()) {
+    solution_.pressed = balance_.next(solution_.pressed, solution_.borne);
+    return;
+  }
+  v_ = anderson_.next(v_, residual);
+  if (system_.by_force) {
+    solution_.pressed =
+        std::clamp(v_[n_] / force_to_length_, solution_.pressed / largest_force_step,
+                   std::min(largest_force_step * solution_.pressed, largest_force_ratio * system_.problem.force));
+    v_[n_] = solution_.pressed * force_to_length_;
+  }
+}
+
+bool OuterLoop::run() {
+  const ContactProblem& problem = system_.problem;
+  double first_residual = 0;
+  SolverOptions options = options_;
+  for (int outer = 0; outer < options_.max_outer; ++outer) {
+    options.tolerance = tolerance_.now();
+    iterate_once(system_, options, v_.head(n_), {problem.load, problem.approach, solution_.pressed}, work_,
+                 solution_);
+    if (!system_.coupled)
+      return true;
+    const VectorXd next = image(), residual = next - v_;
+    if (outer == 0)
+      first_residual = residual.norm();
+    else if (first_residual > 0)
+      solution_.rate = std::pow(residual.norm() / first_residual, 1.0 / outer);
+    const double change = relative_change(residual);
+    if (tolerance_.is_settled(change))
+      return true;
+    tolerance_.tighten(change, system_.by_force ? problem.force / solution_.pressed : 1.0);
+    if (tolerance_.is_close(change)) // the same again, precisely
+      continue;
+    solution_.unbalanced = system_.by_force && balance_.at_the_most(solution_.pressed, solution_.borne);
+    if (solution_.unbalanced)
+      return false;
+    advance(residual);
+  }
+  return !system_.coupled;
+}
+
+/// For one pressure force, iterates until the normal displacements no longer change.
+bool settle_displacements(const CoupledSystem& system, const SolverOptions& options, WorkBudget& work,
+                          Solution& solution) {
+  Anderson anderson;
+  VectorXd v = solution.from_shear;
+  for (int outer = 0; outer < options.max_outer; ++outer) {
+    iterate_once(system, options, v, {LoadKind::force, 0, solution.pressed}, work, solution);
+    solution.from_shear = normal_displacement(*system.shear, solution);
+    const VectorXd residual = solution.from_shear - v;
+    if (residual.cwiseAbs().maxCoeff() <=
+        settling_factor * options.tolerance * solution.normal.u.cwiseAbs().maxCoeff())
+      return true;
+    v = anderson.next(v, residual);
+  }
   return false;
 }
 
-/// Throws where the shear forces prescribed cannot be carried.
-void require_capacity(const ContactProblem& problem, const Creepage& creepage) {
+/// Where shear carries much of a vertical force and also redistributes the pressure: for each pressure force
+/// that ForceBalance tries, the displacements settle first. Slow and sure.
+bool balance_apart(const CoupledSystem& system, const SolverOptions& options, WorkBudget& work,
+                   Solution& solution) {
+  const double force = system.problem.force;
+  ForceBalance balance(force);
+  solution.pressed = force;
+  for (int trial = 0; trial < most_force_trials; ++trial) {
+    if (!settle_displacements(system, options, work, solution))
+      return false;
+    solution.borne = solution.pressed + system.shear_force(solution.shear.p);
+    if (std::abs(solution.borne - force) <= settling_factor * options.tolerance * force)
+      return true;
+    solution.unbalanced = balance.at_the_most(solution.pressed, solution.borne);
+    if (solution.unbalanced)
+      return false;
+    solution.pressed = balance.next(solution.pressed, solution.borne);
+  }
+  return false;
+}
+
+std::string remark_of(const Solution& solution, bool settled) {
+  std::string remark = solution.normal.remark;
+  if (!remark.empty())
+    remark += "; ";
+  remark += solution.shear.remark;
+  if (!settled)
+    remark += fmt::format("normal and tangential problem did not settle in {} turns; ",
+                          solution.outer_iterations);
+  return remark;
+}
+
+} // namespace
+
+void require_capacity(const ContactProblem& problem, const FoundCreepage& creepage) {
   const double wanted = std::hypot(problem.force_x.value_or(0), problem.force_s.value_or(0));
   if (creepage.beyond)
     throw InputError("the shear force prescribed cannot be carried",
@@ -47,181 +196,17 @@ void require_capacity(const ContactProblem& problem, const Creepage& creepage) {
         "prescribe less, or give a creepage");
 }
 
-/// False, and nothing is set, where the guess is of another grid or has no pressure.
-bool set_start(const StartingPoint& start, const ContactProblem& problem, Solution& solution) {
-  const Eigen::Index n = problem.grid.size();
-  if (start.pn.size() != static_cast<std::size_t>(n) ||
-      std::ranges::none_of(start.pn, [](double p) { return p > 0; }))
-    return false;
-  solution.normal.p = Eigen::Map<const VectorXd>(start.pn.data(), n).cwiseMax(0.0);
-  solution.normal.approach = start.approach;
-  solution.normal.active.resize(start.pn.size());
-  for (Eigen::Index i = 0; i < n; ++i)
-    solution.normal.active[i] = solution.normal.p[i] > 0;
-  if (problem.has_friction())
-    solution.shear.p << Eigen::Map<const VectorXd>(start.px.data(), n),
-        Eigen::Map<const VectorXd>(start.ps.data(), n);
-  return true;
-}
-
-/// Where shear bears much of a vertical force and also shifts the pressure about, one thing after the other:
-/// for each pressure that ForceBalance looks at the displacements settle first. Slow and sure.
-bool balance_apart(const ContactProblem& problem, const SolverOptions& options, const NormalSystem& system,
-                   const Shear& shear, const VectorXd& gap, const VectorXd& sine, Solution& solution) {
-  constexpr int most_looks = 60;
-  ForceBalance balance(problem.force);
-  solution.pressed = problem.force;
-  for (int look = 0; look < most_looks; ++look) {
-    Anderson anderson;
-    VectorXd v = solution.from_shear;
-    bool settled = false;
-    for (int turn = 0; turn < options.max_outer && !settled; ++turn) {
-      turn_once(problem, options, system, &shear, gap, v, {LoadKind::force, 0, solution.pressed}, solution);
-      solution.from_shear = normal_displacement(shear, solution);
-      const VectorXd residual = solution.from_shear - v;
-      settled =
-          residual.cwiseAbs().maxCoeff() <= 10 * options.tolerance * solution.normal.u.cwiseAbs().maxCoeff();
-      v = anderson.next(v, residual);
-    }
-    if (!settled)
-      return false;
-    solution.borne = solution.pressed + sine.dot(solution.shear.p.tail(sine.size())) * problem.element_area();
-    if (std::abs(solution.borne - problem.force) <= 10 * options.tolerance * problem.force)
-      return true;
-    solution.unbalanced = balance.at_the_most(solution.pressed, solution.borne);
-    if (solution.unbalanced)
-      return false;
-    solution.pressed = balance.next(solution.pressed, solution.borne);
-  }
-  return false;
-}
-
-} // namespace
-
-Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options, Prepared& kept) {
-  const int n = problem.grid.size();
-  const NormalSystem system(problem.grid, problem.numbers, problem.rows, problem.element_area(), &kept);
-  const VectorXd gap = Eigen::Map<const VectorXd>(problem.gap.data(), n);
-  Solution solution;
-  solution.from_shear = VectorXd::Zero(n);
-  solution.shear.p = VectorXd::Zero(2 * n);
-  solution.shear.slip = VectorXd::Zero(2 * n);
-  solution.shear.solver = "none";
-  solution.shear.converged = true;
-  if (!options.start || !set_start(*options.start, problem, solution))
-    if (options.coarse_start)
-      start_from_coarse(problem, options, kept, solution);
-
-  VectorXd sine(n);
-  for (int i = 0; i < n; ++i)
-    sine[i] = std::sin(problem.rows[i / problem.grid.mx].delta);
-  std::optional<Shear> shear;
-  bool coupled = false, numbers_do = false;
-  if (problem.has_friction()) {
-    shear.emplace(Shear{TangentialSystem(problem, &kept), VectorXd(2 * n), {}});
-    for (int i = 0; i < n; ++i) {
-      shear->rigid[i] = problem.slip_x[i] * shear->system.rule.length;
-      shear->rigid[n + i] = problem.slip_s[i] * shear->system.rule.length;
-    }
-    if (!kept.coupled)
-      kept.coupled = numbers_couple(problem.numbers, system.self);
-    numbers_do = *kept.coupled;
-    if (numbers_do) {
-      const std::vector<int> tangential{component_x, component_s}, normal{component_n};
-      if (!kept.normal_from_shear) {
-        kept.normal_from_shear.emplace(problem.numbers, problem.grid.mx, normal, tangential, RowRange{},
-                                       kept.pool.get());
-        kept.spend(spectra_work(problem.numbers.translational, 4, problem.grid.ms, problem.grid.mx));
-        kept.shear_from_normal.emplace(problem.numbers, problem.grid.mx, tangential, normal, RowRange{},
-                                       kept.pool.get());
-      }
-      shear->normal_from_shear = &*kept.normal_from_shear;
-      shear->shear_from_normal = &*kept.shear_from_normal;
-    }
-    shear->former = former_slip(problem, *shear);
-    coupled = numbers_do || (problem.load == LoadKind::force && sine.cwiseAbs().maxCoeff() > rounding);
-  }
-
-  // v: the displacement (A p_t)_n of each element, and the vertical force of the pressure as a displacement
-  const bool by_force = coupled && problem.load == LoadKind::force && problem.force > 0;
-  VectorXd v = VectorXd::Zero(n + 1);
-  const auto shear_force = [&] { return sine.dot(solution.shear.p.tail(n)) * problem.element_area(); };
-  solution.pressed = problem.force;
-  if (by_force && solution.normal.p.size() == n) { // what shear bears of the start
-    const double borne = system.cosine.dot(solution.normal.p) * problem.element_area();
-    solution.pressed /= std::clamp(1 + shear_force() / borne, 2 / ForceBalance::most, 4.0);
-  }
-  if (numbers_do && solution.shear.p.any())
-    v.head(n) = normal_displacement(*shear, solution);
-  ForceBalance balance(problem.force);
-  Anderson anderson;
-  bool settled = false;
-  double first_residual = 0, last_residual = 0, force_to_length = 0;
-  // no turn is solved more precisely than what it is solved for is known
-  constexpr double loose = 1e-4;
-  SolverOptions turn_options = options;
-  if (coupled)
-    turn_options.tolerance = std::max(options.tolerance, loose);
-  for (int turn = 0; turn < options.max_outer && !settled; ++turn) {
-    turn_once(problem, turn_options, system, shear ? &*shear : nullptr, gap, v.head(n),
-              {problem.load, problem.approach, solution.pressed}, solution);
-    if (!coupled)
-      break;
-    VectorXd next = VectorXd::Zero(n + 1);
-    solution.from_shear = next.head(n) = normal_displacement(*shear, solution);
-    const double scale = solution.normal.u.cwiseAbs().maxCoeff();
-    if (by_force) {
-      if (turn == 0)
-        force_to_length = scale / problem.force;
-      solution.borne = solution.pressed + shear_force();
-      // where shear keeps its share
-      const double ratio = std::clamp(problem.force / solution.borne, 0.25, 4.0);
-      v[n] = solution.pressed * force_to_length;
-      next[n] = solution.borne > 0 ? v[n] * ratio : 4 * v[n];
-    }
-    const VectorXd residual = next - v;
-    first_residual = turn == 0 ? residual.norm() : first_residual;
-    last_residual = residual.norm();
-    double off = residual.head(n).cwiseAbs().maxCoeff() / scale;
-    if (by_force)
-      off = std::max(off, std::abs(solution.borne - problem.force) / problem.force);
-    // what hardly bears is a small difference of large forces
-    const double precise = by_force
-                               ? options.tolerance * std::clamp(problem.force / solution.pressed, 0.03, 1.0)
-                               : options.tolerance;
-    settled = off <= 10 * options.tolerance && turn_options.tolerance <= options.tolerance;
-    turn_options.tolerance = std::max(precise, std::min(loose, 0.01 * off));
-    if (settled)
-      break;
-    if (off <= 10 * options.tolerance) // the same again, precisely
-      continue;
-    const double most = ForceBalance::most * problem.force;
-    solution.unbalanced = by_force && balance.at_the_most(solution.pressed, solution.borne);
-    if (solution.unbalanced)
-      break;
-    if (by_force && !numbers_do) {
-      solution.pressed = balance.next(solution.pressed, solution.borne);
-      continue;
-    }
-    v = anderson.next(v, residual);
-    if (by_force) {
-      solution.pressed =
-          std::clamp(v[n] / force_to_length, 0.25 * solution.pressed, std::min(4 * solution.pressed, most));
-      v[n] = solution.pressed * force_to_length;
-    }
-  }
-  if (by_force && numbers_do && !settled && !solution.unbalanced)
-    settled = balance_apart(problem, options, system, *shear, gap, sine, solution);
+Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options,
+                       ContactOperators& operators, WorkBudget& work) {
+  Solution solution = start(problem, options, operators, work);
+  const CoupledSystem system(problem, operators, work);
+  bool settled = OuterLoop(system, options, work, solution).run();
+  if (!settled && system.by_force && system.coupled_by_numbers() && !solution.unbalanced)
+    settled = balance_apart(system, options, work, solution);
   require_capacity(problem, solution.creepage);
-  if (solution.outer_iterations > 1 && first_residual > 0)
-    solution.rate = std::pow(last_residual / first_residual, 1.0 / (solution.outer_iterations - 1));
-  solution.distance =
-      gap + solution.from_shear - solution.normal.approach * system.cosine + solution.normal.u;
-  solution.remark =
-      solution.normal.remark + (solution.normal.remark.empty() ? "" : "; ") + solution.shear.remark;
-  if (coupled && !settled)
-    solution.remark +=
-        fmt::format("normal and tangential problem did not settle in {} turns; ", solution.outer_iterations);
+  solution.distance = system.gap + solution.from_shear -
+                      solution.normal.approach * system.normal.cosine + solution.normal.u;
+  solution.remark = remark_of(solution, settled);
   return solution;
 }
 

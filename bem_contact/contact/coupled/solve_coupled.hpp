@@ -1,37 +1,21 @@
 #pragma once
 
-#include "bem_contact/contact/normal/normal.hpp"
-#include "bem_contact/contact/prepared.hpp"
-#include "bem_contact/contact/tangential/creepage.hpp"
+#include "bem_contact/contact/coupled/contact_operators.hpp"
+#include "bem_contact/contact/coupled/solution.hpp"
+#include "bem_contact/contact/solver_options.hpp"
 
 namespace bem_contact::contact {
 
-struct Solution {
-  NormalState normal;
-  TangentialState shear;
-  Eigen::VectorXd from_shear; ///< (A p_t)_n, mm; field
-  Eigen::VectorXd distance;   ///< e, mm; field
-  TangentialTask task;        ///< as solved: bounds, rigid slip
-  Creepage creepage;
-  double rate = 0; ///< of the outer iteration: mean factor by which a turn reduces the residual; 0: one turn
-  int outer_iterations = 0;
-  double pressed = 0, borne = 0; ///< vertical force of the pressure; of pressure and shear; N (load == force)
-  bool unbalanced = false;       ///< no pressure bears the force prescribed, friction being what it is
-  std::string remark;
-};
+/// Solves the normal and the tangential problem in turn (Panagiotopoulos 1975) until the normal displacement
+/// and the vertical force that the shear tractions cause no longer change. One outer iteration is enough where
+/// shear does not act on the normal problem. Where it acts by its vertical force alone, ForceBalance looks for
+/// the pressure that balances the load; else Anderson acceleration finds both.
+/// `operators` belong to the influence numbers and the grid of the problem.
+/// Throws InputError if friction cannot carry the prescribed shear forces.
+Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options,
+                       ContactOperators& operators, WorkBudget& work);
 
-/// Normal and tangential problem in turn (Panagiotopoulos 1975) until the displacement along n and the force
-/// that the shear tractions contribute stand still. Once through where shear does not act on the normal
-/// problem. Where it acts by its vertical force alone, the turns look for the pressure that balances the load
-/// (force_balance.hpp); else they are accelerated after Anderson 1965, and the pressure is guessed from the
-/// share that shear bears.
-/// `kept` is of these numbers and this grid.
-Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options, Prepared& kept);
-
-/// Pressures, states and (steady rolling) tractions of the same problem on elements twice as large, and of
-/// that on larger ones: where to start from. Rows equally far apart have there the numbers of those in the
-/// middle of the contact. Leaves a small problem as it is.
-void start_from_coarse(const ContactProblem& problem, const SolverOptions& options, Prepared& kept,
-                       Solution& start);
+/// Throws InputError if friction cannot carry the prescribed shear forces.
+void require_capacity(const ContactProblem& problem, const FoundCreepage& creepage);
 
 } // namespace bem_contact::contact

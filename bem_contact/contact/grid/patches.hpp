@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/problem.hpp"
+#include "bem_contact/contact/result.hpp"
 
 #include <vector>
 

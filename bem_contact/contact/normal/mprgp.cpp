@@ -1,4 +1,6 @@
-#include "bem_contact/contact/normal/normal.hpp"
+#include "bem_contact/contact/normal/mprgp.hpp"
+
+#include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,132 +12,112 @@ namespace {
 using Eigen::VectorXd;
 
 /// Upper bound of A's largest eigenvalue (power iteration with a margin; the start has no zero component).
-double norm_of(const NormalSystem& system) {
+double norm_of(const NormalSystem& system, WorkBudget& work) {
   VectorXd v = VectorXd::LinSpaced(system.cosine.size(), 1.0, 1.5);
   double norm = 0;
-  for (int k = 0; k < 20; ++k) {
+  for (int k = 0; k < power_iterations; ++k) {
     v.normalize();
-    v = system.apply(v);
+    v = system.apply(v, work);
     norm = v.norm();
   }
-  return 1.2 * norm;
+  return norm_margin * norm;
 }
+
+/// The iterate and its gradient A p - b, split into the free part (where p > 0) and the chopped part (where
+/// p = 0 and the gradient asks for pressure).
+class Iterate {
+public:
+  Iterate(const NormalSystem& system, const VectorXd& b, WorkBudget& work, VectorXd& p)
+      : system_(system), b_(b), work_(work), p_(p), free(b.size()), chopped(b.size()) {
+    p_ = p_.cwiseMax(0.0);
+    evaluate();
+  }
+  /// g = A p - b anew.
+  void evaluate() {
+    g = system_.apply(p_, work_) - b_;
+    split();
+  }
+  /// p -= step d, where A d = a.
+  void move(double step, const VectorXd& d, const VectorXd& a) {
+    p_ -= step * d;
+    g -= step * a;
+    split();
+  }
+  double largest() const { return std::max(free.cwiseAbs().maxCoeff(), chopped.cwiseAbs().maxCoeff()); }
+  /// Whether the free gradient, reduced to what a step of fixed length can use, outweighs the chopped one.
+  bool proportional(double fixed_step) const {
+    double reduced = 0;
+    for (Eigen::Index i = 0; i < p_.size(); ++i)
+      if (p_[i] > 0)
+        reduced += free[i] * std::min(p_[i] / fixed_step, free[i]);
+    return chopped.squaredNorm() <= reduced;
+  }
+  /// The longest step along -d that keeps p >= 0.
+  double feasible_step(const VectorXd& d) const {
+    double feasible = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < p_.size(); ++i)
+      if (d[i] > 0)
+        feasible = std::min(feasible, p_[i] / d[i]);
+    return feasible;
+  }
+  void project_step(double fixed_step) { p_ = (p_ - fixed_step * free).cwiseMax(0.0); }
+
+private:
+  void split() {
+    for (Eigen::Index i = 0; i < p_.size(); ++i) {
+      free[i] = p_[i] > 0 ? g[i] : 0.0;
+      chopped[i] = p_[i] > 0 ? 0.0 : std::min(g[i], 0.0);
+    }
+  }
+  const NormalSystem& system_;
+  const VectorXd& b_;
+  WorkBudget& work_;
+  VectorXd& p_;
+
+public:
+  VectorXd g, free, chopped;
+};
 
 } // namespace
 
-int solve_mprgp(const NormalSystem& system, const VectorXd& b, double tolerance, int most, VectorXd& p,
-                bool& converged) {
-  const Eigen::Index n = b.size();
-  const double fixed_step = 1.9 / norm_of(system);
+MprgpOutcome solve_mprgp(const NormalSystem& system, const VectorXd& b, double tolerance, int most,
+                         WorkBudget& work, VectorXd& p) {
+  const double fixed_step = mprgp_step / norm_of(system, work);
   const double scale = std::max(b.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
-  p = p.cwiseMax(0.0);
-  VectorXd g = system.apply(p) - b, free(n), chopped(n);
-  int products = 21;
-  const auto split = [&] {
-    for (Eigen::Index i = 0; i < n; ++i) {
-      free[i] = p[i] > 0 ? g[i] : 0.0;
-      chopped[i] = p[i] > 0 ? 0.0 : std::min(g[i], 0.0);
-    }
-  };
-  split();
-  VectorXd d = free;
-  converged = false;
-  while (products < most) {
-    if (std::max(free.cwiseAbs().maxCoeff(), chopped.cwiseAbs().maxCoeff()) <= tolerance * scale) {
-      converged = true;
+  Iterate at(system, b, work, p);
+  MprgpOutcome outcome{power_iterations + 1};
+  VectorXd d = at.free;
+  while (outcome.products < most) {
+    if (at.largest() <= tolerance * scale) {
+      outcome.converged = true;
       break;
     }
-    // the free gradient reduced to what a step of fixed length can use
-    double reduced = 0;
-    for (Eigen::Index i = 0; i < n; ++i)
-      if (p[i] > 0)
-        reduced += free[i] * std::min(p[i] / fixed_step, free[i]);
-    const bool proportional = chopped.squaredNorm() <= reduced;
-    const VectorXd direction = proportional ? d : chopped;
-    const VectorXd a = system.apply(direction);
-    ++products;
+    const bool proportional = at.proportional(fixed_step);
+    const VectorXd direction = proportional ? d : at.chopped;
+    const VectorXd a = system.apply(direction, work);
+    ++outcome.products;
     const double curvature = direction.dot(a);
     if (!(curvature > 0))
       break;
-    const double step = g.dot(direction) / curvature;
+    const double step = at.g.dot(direction) / curvature;
     if (!proportional) {
-      p -= step * direction;
-      g -= step * a;
-      split();
-      d = free;
+      at.move(step, direction, a);
+      d = at.free;
       continue;
     }
-    double feasible = std::numeric_limits<double>::infinity();
-    for (Eigen::Index i = 0; i < n; ++i)
-      if (direction[i] > 0)
-        feasible = std::min(feasible, p[i] / direction[i]);
+    const double feasible = at.feasible_step(direction);
     if (step <= feasible) {
-      p -= step * direction;
-      g -= step * a;
-      split();
-      d = free - (free.dot(a) / curvature) * d;
-    } else {
-      p -= feasible * direction;
-      g -= feasible * a;
-      split();
-      p = (p - fixed_step * free).cwiseMax(0.0);
-      g = system.apply(p) - b;
-      ++products;
-      split();
-      d = free;
+      at.move(step, direction, a);
+      d = at.free - (at.free.dot(a) / curvature) * d;
+      continue;
     }
+    at.move(feasible, direction, a);
+    at.project_step(fixed_step);
+    at.evaluate();
+    ++outcome.products;
+    d = at.free;
   }
-  return products;
-}
-
-void solve_normal_safely(const NormalSystem& system, const VectorXd& gap, const NormalLoad& load,
-                         const SolverOptions& options, NormalState& state) {
-  const int most = 2000 + 20 * static_cast<int>(gap.size());
-  const double tolerance = std::max(1e-3 * options.tolerance, 1e-12);
-  state.solver = "MPRGP";
-  state.p = VectorXd::Zero(gap.size());
-  const auto force_at = [&](double q) {
-    state.iterations +=
-        solve_mprgp(system, q * system.cosine - gap, tolerance, most, state.p, state.converged);
-    state.approach = q;
-    return system.cosine.dot(state.p) * system.element_area;
-  };
-  if (load.kind == LoadKind::approach) {
-    force_at(load.approach);
-    return;
-  }
-  // The force grows with the approach. Bracket it, then the Illinois variant of regula falsi.
-  double low = std::numeric_limits<double>::infinity();
-  for (Eigen::Index i = 0; i < gap.size(); ++i)
-    if (system.cosine[i] > 1e-6)
-      low = std::min(low, gap[i] / system.cosine[i]);
-  double step = load.force / system.element_area * system.self, high = low + 0.01 * step;
-  double at_low = -load.force, at_high = force_at(high) - load.force;
-  for (int k = 0; k < 60 && at_high < 0; ++k) {
-    low = high;
-    at_low = at_high;
-    high += step *= 2;
-    at_high = force_at(high) - load.force;
-  }
-  bool close = false;
-  int last_side = 0; // the end kept twice running counts half
-  for (int k = 0; k < 100 && !close; ++k) {
-    const double q = high - at_high * (high - low) / (at_high - at_low);
-    const double at_q = force_at(q) - load.force;
-    close = std::abs(at_q) <= 0.1 * options.tolerance * load.force;
-    if (at_q < 0) {
-      low = q;
-      at_low = at_q;
-      at_high *= last_side < 0 ? 0.5 : 1.0;
-      last_side = -1;
-    } else {
-      high = q;
-      at_high = at_q;
-      at_low *= last_side > 0 ? 0.5 : 1.0;
-      last_side = 1;
-    }
-  }
-  state.converged = state.converged && close;
+  return outcome;
 }
 
 } // namespace bem_contact::contact

@@ -2,7 +2,8 @@
 
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/operator/plane_transforms.hpp"
-#include "bem_contact/contact/rolling_step.hpp"
+#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/slip_step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,6 @@ namespace bem_contact::contact {
 namespace {
 
 template <class Real> using Complex = std::complex<Real>;
-
-/// The periodic form is longer than the grid by 1/periodic_margin of it.
-constexpr int periodic_margin = 3;
 
 template <class Real> Complex<Real>* complex(const FftBuffer<Real>& buffer) {
   return reinterpret_cast<Complex<Real>*>(buffer.get());
@@ -117,8 +115,8 @@ void BasicPlaneOperator<Real>::prepare(int mx, int ms, int outputs, int inputs, 
   o.ms = ms;
   const bool exact = form == Form::exact;
   std::tie(o.length_x, o.length_s) =
-      good_lengths(exact ? 2 * mx + rolling_columns - 1 : mx + 4 + mx / periodic_margin,
-                   std::max(lines_of(ms), exact ? 2 * ms - 1 : ms + 4 + ms / periodic_margin), lines_of(ms));
+      good_lengths(exact ? 2 * mx + rolling_columns - 1 : mx + periodic_elements + mx / periodic_margin,
+                   std::max(lines_of(ms), exact ? 2 * ms - 1 : ms + periodic_elements + ms / periodic_margin), lines_of(ms));
   o.frequencies = o.length_x / 2 + 1;
   o.inputs = inputs;
   o.outputs = outputs;
@@ -138,17 +136,17 @@ BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, in
 }
 
 template <class Real>
-BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, const Parts& parts,
+BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, const Boxes& boxes,
                                              const std::vector<int>& outputs, const std::vector<int>& inputs,
                                              TransformPool* pool)
     : impl_(std::make_unique<Impl>()) {
   // each box of a component is a component of its own
-  const int count = parts.count();
-  prepare(parts.mx(), parts.ms(), count * static_cast<int>(outputs.size()),
+  const int count = boxes.count();
+  prepare(boxes.mx(), boxes.ms(), count * static_cast<int>(outputs.size()),
           count * static_cast<int>(inputs.size()), Form::exact, pool);
   for (int a = 0; a < impl_->outputs; ++a)
     for (int b = 0; b < impl_->inputs; ++b) {
-      const Box &to = parts.boxes[a % count], &from = parts.boxes[b % count];
+      const Box &to = boxes.boxes[a % count], &from = boxes.boxes[b % count];
       impl_->transform_numbers(numbers, outputs[a / count], inputs[b / count], to.first_x - from.first_x,
                                to.first_s - from.first_s, 0, a, b);
     }
@@ -238,7 +236,6 @@ void BasicPlaneOperator<Real>::apply_step(std::span<const Real> p, std::span<Rea
 
 template <class Real> void BasicPlaneOperator<Real>::invert() {
   const Impl& o = *impl_;
-  constexpr Real least_share = 1e-4f;
   // the truncated kernel's ripples must not turn an eigenvalue's sign: positive and real
   Real largest = 0;
   const std::size_t count = static_cast<std::size_t>(o.frequencies) * o.length_s;
@@ -246,7 +243,7 @@ template <class Real> void BasicPlaneOperator<Real>::invert() {
     largest = std::max(largest, complex(o.symbol)[k].real());
   for (std::size_t k = 0; k < count; ++k) {
     Complex<Real>& z = complex(o.symbol)[k];
-    z = 1 / std::max(std::abs(z.real()), least_share * largest);
+    z = 1 / std::max(std::abs(z.real()), Real(least_eigenvalue) * largest);
   }
 }
 
@@ -256,11 +253,10 @@ template <class Real> void BasicPlaneOperator<Real>::invert_factor(Factor factor
   const std::size_t count = static_cast<std::size_t>(o.frequencies) * o.length_s;
   for (std::size_t k = 0; k < count; ++k)
     largest = std::max(largest, complex(o.symbol)[k].real());
-  constexpr Real least_share = 1e-4f;
   // the part of the logarithm whose kernel lies behind (or ahead) only, one frequency of s at a time
   std::vector<Real> logarithm(count);
   for (std::size_t k = 0; k < count; ++k)
-    logarithm[k] = std::log(std::max(std::abs(complex(o.symbol)[k].real()), least_share * largest));
+    logarithm[k] = std::log(std::max(std::abs(complex(o.symbol)[k].real()), Real(least_eigenvalue) * largest));
   const Complex<Real>* half = o.transforms->half_behind(logarithm);
   for (std::size_t k = 0; k < count; ++k) {
     const Complex<Real> behind = std::exp(-half[k]);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/contact/grid/box.hpp"
+#include "bem_contact/contact/grid/boxes.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
 
 #include <array>
@@ -27,7 +27,7 @@ public:
                      std::vector<int> inputs, Form form = Form::exact, int middle = 0,
                      TransformPool* pool = nullptr);
   /// On several boxes at once, which act on each other (exact); fields [component][box][ms][mx].
-  BasicPlaneOperator(const InfluenceNumbers& numbers, const Parts& parts, const std::vector<int>& outputs,
+  BasicPlaneOperator(const InfluenceNumbers& numbers, const Boxes& boxes, const std::vector<int>& outputs,
                      const std::vector<int>& inputs, TransformPool* pool = nullptr);
   /// The same in another precision.
   template <class Other>

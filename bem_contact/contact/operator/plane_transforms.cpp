@@ -1,6 +1,7 @@
 #include "bem_contact/contact/operator/plane_transforms.hpp"
 
 #include "bem_contact/base/simd.hpp"
+#include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -12,8 +13,6 @@ template <class Real> typename Fftw<Real>::Complex* raw(std::complex<Real>* p) {
   return reinterpret_cast<typename Fftw<Real>::Complex*>(p);
 }
 
-/// Bytes of the spectra on both sides of a product that stay near the processor.
-constexpr std::size_t in_cache = 1 << 19;
 /// Frequencies along x that are looked at together at least, where rows become columns.
 constexpr int least_together = 8;
 
@@ -76,7 +75,7 @@ BEM_CONTACT_WIDE void join(const float* in, int stride, int n, int pairs, int fr
 /// than it saves: single precision on AVX2, ns.
 double cost_of_line(int n) {
   const bool quick = n <= 16 || n == 20 || n % 16 == 0;
-  return (quick ? 0.8 : 2.0) * n;
+  return (quick ? quick_transform : slow_transform) * n;
 }
 
 } // namespace
@@ -104,7 +103,7 @@ std::pair<int, int> good_lengths(int least_x, int least_s, int lines) {
 template <class Real> PlaneTransforms<Real>::PlaneTransforms(const PlaneShape& the_shape) : shape(the_shape) {
   const std::size_t bytes =
       2 * static_cast<std::size_t>(shape.inputs + shape.outputs) * shape.length_s * sizeof(Real);
-  const int fit = static_cast<int>(std::min<std::size_t>(in_cache / bytes, shape.frequencies()));
+  const int fit = static_cast<int>(std::min<std::size_t>(bytes_in_cache / bytes, shape.frequencies()));
   together_ = std::clamp(fit, std::min(least_together, shape.frequencies()), shape.frequencies());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/operator/fft.hpp"
+#include "bem_contact/contact/settings.hpp"
 
 #include <complex>
 #include <list>
@@ -89,13 +90,12 @@ public:
         return list.front();
       }
     list.push_front(std::make_shared<PlaneTransforms<Real>>(shape));
-    if (list.size() > most)
+    if (list.size() > std::size_t(most_transforms))
       list.pop_back(); // those who use it keep it
     return list.front();
   }
 
 private:
-  static constexpr std::size_t most = 32;
   template <class Real> using List = std::list<std::shared_ptr<PlaneTransforms<Real>>>;
   template <class Real> List<Real>& lists() {
     if constexpr (std::is_same_v<Real, float>)

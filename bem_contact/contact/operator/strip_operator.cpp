@@ -3,7 +3,7 @@
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/operator/fft.hpp"
 #include "bem_contact/contact/operator/plane_operator.hpp"
-#include "bem_contact/contact/rolling_step.hpp"
+#include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/influence/dense.hpp"
 
 #include <Eigen/Dense>
@@ -85,19 +85,19 @@ BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, in
 }
 
 template <class Real>
-BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, const Parts& parts,
+BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, const Boxes& boxes,
                                              std::vector<int> outputs, std::vector<int> inputs,
                                              TransformPool* pool)
     : impl_(std::make_unique<Impl>()) {
   Impl& o = *impl_;
-  o.mx = parts.mx();
-  o.ms = parts.rows();
+  o.mx = boxes.mx();
+  o.ms = boxes.rows();
   if (numbers.translational) {
-    o.plane.emplace(numbers, parts, outputs, inputs, pool);
+    o.plane.emplace(numbers, boxes, outputs, inputs, pool);
     return;
   }
   std::vector<int> rows;
-  for (const Box& box : parts.boxes)
+  for (const Box& box : boxes.boxes)
     for (int is = 0; is < box.ms; ++is)
       rows.push_back(box.first_s + is);
   transform(numbers, o.mx, rows, std::move(outputs), std::move(inputs));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/contact/grid/box.hpp"
+#include "bem_contact/contact/grid/boxes.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
 
 #include <memory>
@@ -30,7 +30,7 @@ public:
                      std::vector<int> inputs, RowRange rows = {}, TransformPool* pool = nullptr);
   /// On boxes of the grid; fields [component][box][ms][mx]. Where the numbers are not translational the boxes
   /// have the same columns.
-  BasicStripOperator(const InfluenceNumbers& numbers, const Parts& parts, std::vector<int> outputs,
+  BasicStripOperator(const InfluenceNumbers& numbers, const Boxes& boxes, std::vector<int> outputs,
                      std::vector<int> inputs, TransformPool* pool = nullptr);
   /// The same in another precision.
   template <class Other>
@@ -43,7 +43,7 @@ public:
   /// offsets, columns <= 2.
   void apply(std::span<const Real> p, std::span<Real> u, int columns = 0) const;
 
-  /// sum_k rolling_step[k] u(x + k dx) (rolling_step.hpp). Needs numbers of mx + 2 offsets.
+  /// sum_k rolling_step[k] u(x + k dx) (slip_step.hpp). Needs numbers of mx + 2 offsets.
   void apply_step(std::span<const Real> p, std::span<Real> u) const;
 
 private:

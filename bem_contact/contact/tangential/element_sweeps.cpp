@@ -1,10 +1,11 @@
-#include "bem_contact/contact/tangential/linearise.hpp"
+#include "bem_contact/contact/tangential/element_sweeps.hpp"
+
+#include "bem_contact/contact/settings.hpp"
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace bem_contact::contact {
 
@@ -13,7 +14,7 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-/// Where it slips (B + lambda) p = c, lambda > 0 by the iteration of More and Sorensen 1983.
+/// If it slips: (B + lambda) p = c, lambda > 0 by the iteration of More and Sorensen 1983.
 Vector2d solve_element(const Matrix2d& b, const Vector2d& c, double bound) {
   Vector2d p = b.inverse() * c;
   if (!(bound > 0))
@@ -21,11 +22,11 @@ Vector2d solve_element(const Matrix2d& b, const Vector2d& c, double bound) {
   if (p.norm() <= bound)
     return p;
   double lambda = 0, low = 0, high = c.norm() / bound;
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < most_element_steps; ++k) {
     const Matrix2d inverse = (b + lambda * Matrix2d::Identity()).inverse();
     p = inverse * c;
     const double length = p.norm();
-    if (std::abs(length - bound) <= 1e-13 * bound)
+    if (std::abs(length - bound) <= element_precision * bound)
       break;
     (length > bound ? low : high) = lambda;
     lambda += (length - bound) / bound * length * length / p.dot(inverse * p);
@@ -35,58 +36,87 @@ Vector2d solve_element(const Matrix2d& b, const Vector2d& c, double bound) {
   return bound / p.norm() * p;
 }
 
-void sweeps(const TangentialSystem& system, const TangentialTask& task, double tolerance, int most,
-            TangentialState& state) {
-  const int mx = system.problem->grid.mx, ms = system.problem->grid.ms, n = system.size();
-  const StepNumbers& numbers = system.step_numbers();
-  // what has rolled in first: the leading edge is at +x
-  std::vector<int> order = task.contact;
-  std::stable_sort(order.begin(), order.end(), [mx](int a, int b) { return a % mx > b % mx; });
-  std::vector<int> first(ms, mx), last(ms, -1);
-  VectorXd p = VectorXd::Zero(2 * n);
-  for (const int i : task.contact) {
-    first[i / mx] = std::min(first[i / mx], i % mx);
-    last[i / mx] = std::max(last[i / mx], i % mx);
-    p[i] = state.p[i];
-    p[n + i] = state.p[n + i];
+namespace {
+
+/// The tractions during the sweeps; only the elements in contact carry.
+class Sweeps {
+public:
+  Sweeps(const TangentialSystem& system, const TangentialTask& task, const VectorXd& start)
+      : system_(system), task_(task), numbers_(system.step_numbers()), order_(task.contact),
+        first_(system.problem->grid.ms, system.columns()), last_(first_.size(), -1),
+        p_(VectorXd::Zero(2 * system.size())) {
+    const int mx = system.columns(), n = system.size();
+    // From the leading edge, at +x: what has rolled in first is solved first.
+    std::stable_sort(order_.begin(), order_.end(), [mx](int a, int b) { return a % mx > b % mx; });
+    for (const int i : task.contact) {
+      first_[i / mx] = std::min(first_[i / mx], i % mx);
+      last_[i / mx] = std::max(last_[i / mx], i % mx);
+      p_[i] = start[i];
+      p_[n + i] = start[n + i];
+    }
   }
-  state.converged = false;
-  state.solver = "sweeps";
-  // The elements of a column drive each other; undamped sweeps diverge. What is enough grows with the grid.
-  constexpr int patience = 40;
-  double damping = 3, before = 1;
-  for (int sweep = 0; sweep < most && !state.converged && damping < 200; ++sweep) {
-    ++state.iterations;
-    system.spend(sweep_work(static_cast<double>(order.size())));
-    for (const int i : order) {
+
+  /// One sweep over all elements; `damping` is added to the self number, in units of 1 / stiffness.
+  void sweep(double damping) {
+    const int mx = system_.columns(), n = system_.size();
+    for (const int i : order_) {
       const int ix = i % mx, is = i / mx;
-      Vector2d slip(task.drive[i], task.drive[n + i]);
-      for (int js = 0; js < ms; ++js) {
-        const int from = first[js], count = last[js] - from + 1;
-        if (count <= 0)
-          continue;
-        for (int c = 0; c < 2; ++c)
-          for (int d = 0; d < 2; ++d)
-            slip[c] -= Map<const VectorXd>(numbers.line(ix, is, c, js, d) + from, count)
-                           .dot(p.segment(d * n + js * mx + from, count));
-      }
       Matrix2d self;
       for (int c = 0; c < 2; ++c)
         for (int d = 0; d < 2; ++d)
-          self(c, d) = numbers.line(ix, is, c, is, d)[ix];
-      self += damping / system.stiffness[i] * Matrix2d::Identity();
-      const Vector2d next = solve_element(self, slip + self * Vector2d(p[i], p[n + i]), task.bound[i]);
-      p[i] = next[0];
-      p[n + i] = next[1];
+          self(c, d) = numbers_.line(ix, is, c, is, d)[ix];
+      self += damping / system_.stiffness[i] * Matrix2d::Identity();
+      const Vector2d next =
+          solve_element(self, slip_of(i) + self * Vector2d(p_[i], p_[n + i]), task_.bound[i]);
+      p_[i] = next[0];
+      p_[n + i] = next[1];
     }
-    if (!p.allFinite())
+  }
+  const VectorXd& tractions() const { return p_; }
+
+private:
+  Vector2d slip_of(int i) const {
+    const int mx = system_.columns(), n = system_.size(), ix = i % mx, is = i / mx;
+    Vector2d slip(task_.drive[i], task_.drive[n + i]);
+    for (int js = 0; js < static_cast<int>(first_.size()); ++js) {
+      const int from = first_[js], count = last_[js] - from + 1;
+      if (count <= 0)
+        continue;
+      for (int c = 0; c < 2; ++c)
+        for (int d = 0; d < 2; ++d)
+          slip[c] -= Map<const VectorXd>(numbers_.line(ix, is, c, js, d) + from, count)
+                         .dot(p_.segment(d * n + js * mx + from, count));
+    }
+    return slip;
+  }
+
+  const TangentialSystem& system_;
+  const TangentialTask& task_;
+  const StepNumbers& numbers_;
+  std::vector<int> order_, first_, last_; ///< first and last column in contact of each row
+  VectorXd p_;
+};
+
+} // namespace
+
+void sweep_elements(const TangentialSystem& system, const TangentialTask& task, double tolerance, int most,
+                    WorkBudget& work, TangentialState& state) {
+  Sweeps sweeps(system, task, state.p);
+  state.converged = false;
+  state.solver = "sweeps";
+  // The elements of a column drive each other, so that undamped sweeps diverge. How much damping is enough
+  // grows with the grid.
+  double damping = first_element_damping, before = 1;
+  for (int sweep = 0; sweep < most && !state.converged && damping < largest_element_damping; ++sweep) {
+    ++state.iterations;
+    work.spend(sweep_work(static_cast<double>(task.contact.size())));
+    sweeps.sweep(damping);
+    if (!sweeps.tractions().allFinite())
       break;
-    state.p = p;
-    state.slip = task.drive - system.step(p);
-    state.violation = coulomb_violation(system, task, state.p, state.slip);
-    state.converged = state.violation <= tolerance;
-    if (sweep % patience == patience - 1) {
-      if (!(state.violation < 0.3 * before))
+    state.p = sweeps.tractions();
+    judge(system, task, tolerance, work, state);
+    if (sweep % sweeps_per_damping == sweeps_per_damping - 1) {
+      if (!(state.violation < sweeps_enough * before))
         damping *= 2;
       before = state.violation;
     }

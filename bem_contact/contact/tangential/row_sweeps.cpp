@@ -1,6 +1,7 @@
-#include "bem_contact/contact/tangential/linearise.hpp"
+#include "bem_contact/contact/tangential/row_sweeps.hpp"
 
-#include <Eigen/Dense>
+#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/tangential/element_sweeps.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -13,15 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-/// The rows hold this share of the sum of squares, with this many elements at most and this share of all.
-constexpr double most_of_it = 0.7, most_of_all = 0.25;
-constexpr std::size_t most_elements = 1000;
-/// Sweeps until so much of the residual is left. Undamped ones overshoot: rolling elements have self numbers
-/// hardly larger than their neighbours'.
-constexpr int most_sweeps = 50;
-constexpr double enough = 0.01, first_damping = 1;
-
-/// Numbers in the contact list of the elements of the rows with the largest residuals; none: too many.
+/// Places in the contact list of the elements of the rows with the largest residuals; none: too many.
 std::vector<int> worst_rows(const TangentialSystem& system, const std::vector<int>& contact,
                             const Linearisation& at) {
   const int mx = system.problem->grid.mx;
@@ -37,13 +30,13 @@ std::vector<int> worst_rows(const TangentialSystem& system, const std::vector<in
   std::vector<char> taken(square.size(), 0);
   double held = 0;
   std::size_t elements = 0;
-  for (std::size_t k = 0; k < order.size() && held < most_of_it * at.residual.squaredNorm(); ++k) {
+  for (std::size_t k = 0; k < order.size() && held < swept_share * at.residual.squaredNorm(); ++k) {
     held += square[order[k]];
     elements += count[order[k]];
     taken[order[k]] = 1;
   }
   std::vector<int> list;
-  if (elements > most_elements || double(elements) > most_of_all * double(contact.size()))
+  if (elements > std::size_t(most_swept_elements) || double(elements) > most_swept_share * double(contact.size()))
     return list;
   for (std::size_t a = 0; a < contact.size(); ++a)
     if (taken[contact[a] / mx])
@@ -58,110 +51,61 @@ VectorXd gather(const VectorXd& v, const std::vector<int>& list) {
   return out;
 }
 
-} // namespace
+/// The elements of the worst rows, in the order of the sweeps.
+struct Rows {
+  std::vector<int> list, elements; ///< places in the contact list; numbers on the grid
+  VectorXd stiffness, bound, p, slip;
+};
 
-Matrix2d step_number(const TangentialSystem& system, int target, int load) {
-  const int mx = system.problem->grid.mx;
-  Matrix2d block = Matrix2d::Zero();
-  for (int k = 0; k <= rolling_columns; ++k) {
-    if (system.rule.present[k] == 0)
-      continue;
-    const int m = target % mx + k - load % mx;
-    for (int c = 0; c < 2; ++c)
-      for (int d = 0; d < 2; ++d)
-        block(c, d) += system.rule.present[k] * (m < 0 ? parity(c, d) : 1) *
-                       system.problem->numbers.at(std::abs(m), target / mx, c, load / mx, d);
-  }
-  return block;
-}
-
-MatrixXd step_matrix(const TangentialSystem& system, const std::vector<int>& elements) {
-  const int mx = system.problem->grid.mx;
-  std::vector<int> rank(system.problem->grid.ms, -1), rows;
-  int low = mx, high = 0;
-  for (const int i : elements) {
-    low = std::min(low, i % mx);
-    high = std::max(high, i % mx);
-    if (int& known = rank[i / mx]; known < 0) {
-      known = static_cast<int>(rows.size());
-      rows.push_back(i / mx);
-    }
-  }
-  // two rows' depend on the offset along x alone: all of those, once
-  const int most = high - low, each = 2 * most + 1;
-  std::vector<Matrix2d> lines;
-  lines.reserve(rows.size() * rows.size() * each);
-  for (const int to : rows)
-    for (const int from : rows)
-      for (int m = -most; m <= most; ++m)
-        lines.push_back(step_number(system, to * mx + std::max(m, 0), from * mx + std::max(-m, 0)));
-  const auto n = static_cast<Eigen::Index>(elements.size());
-  MatrixXd matrix(2 * n, 2 * n);
-  for (Eigen::Index b = 0; b < n; ++b)
+/// Sweeps until little of the residual is left; returns how much is. Undamped sweeps overshoot: in rolling the
+/// self numbers are hardly larger than those of the neighbours.
+double sweep(const MatrixXd& b, double before, WorkBudget& work, Rows& rows) {
+  const auto n = static_cast<Eigen::Index>(rows.list.size());
+  double left = before, damping = first_row_damping;
+  for (int k = 0; k < most_row_sweeps && !(left <= row_sweeps_enough * before); ++k) {
+    work.spend(sweep_work(static_cast<double>(n)));
     for (Eigen::Index a = 0; a < n; ++a) {
-      const int target = elements[a], load = elements[b];
-      const std::size_t pair = rank[target / mx] * rows.size() + rank[load / mx];
-      matrix.block<2, 2>(2 * a, 2 * b) = lines[pair * each + target % mx - load % mx + most];
+      const Vector2d old = rows.p.segment<2>(2 * a);
+      const Matrix2d self = b.block<2, 2>(2 * a, 2 * a) + damping / rows.stiffness[a] * Matrix2d::Identity();
+      const Vector2d next = solve_element(self, rows.slip.segment<2>(2 * a) + self * old, rows.bound[a]);
+      rows.slip -= b.middleCols<2>(2 * a) * (next - old);
+      rows.p.segment<2>(2 * a) = next;
     }
-  return matrix;
-}
-
-Linearisation linearise(const VectorXd& stiffness, const VectorXd& bound, const VectorXd& p,
-                        const VectorXd& slip) {
-  const auto n = bound.size();
-  Linearisation result{VectorXd(2 * n), std::vector<Matrix2d>(n)};
-  for (Eigen::Index a = 0; a < n; ++a) {
-    const Vector2d z = p.segment<2>(2 * a) + stiffness[a] * slip.segment<2>(2 * a);
-    const double length = z.norm();
-    if (length <= bound[a]) {
-      result.residual.segment<2>(2 * a) = p.segment<2>(2 * a) - z;
-      result.projection[a] = Matrix2d::Identity();
-    } else {
-      const Vector2d direction = z / length;
-      result.residual.segment<2>(2 * a) = p.segment<2>(2 * a) - bound[a] * direction;
-      result.projection[a] = bound[a] / length * (Matrix2d::Identity() - direction * direction.transpose());
-    }
-  }
-  return result;
-}
-
-bool sweep_rows(const TangentialSystem& system, const std::vector<int>& contact, const VectorXd& stiffness,
-                const VectorXd& bound, const VectorXd& slip, const Linearisation& at, VectorXd& p) {
-  std::vector<int> list = worst_rows(system, contact, at);
-  const auto n = static_cast<Eigen::Index>(list.size());
-  if (n == 0)
-    return false;
-  const int mx = system.problem->grid.mx;
-  std::ranges::stable_sort(list, [&](int a, int b) { return contact[a] % mx > contact[b] % mx; });
-  VectorXd here_stiffness(n), here_bound(n);
-  std::vector<int> elements(n);
-  for (Eigen::Index a = 0; a < n; ++a) {
-    elements[a] = contact[list[a]];
-    here_stiffness[a] = stiffness[list[a]];
-    here_bound[a] = bound[list[a]];
-  }
-  const MatrixXd b = step_matrix(system, elements);
-  VectorXd here = gather(p, list), here_slip = gather(slip, list);
-  const double before = gather(at.residual, list).norm();
-  double left = before, damping = first_damping;
-  for (int k = 0; k < most_sweeps && !(left <= enough * before); ++k) {
-    system.spend(sweep_work(static_cast<double>(n)));
-    for (Eigen::Index a = 0; a < n; ++a) {
-      const Vector2d old = here.segment<2>(2 * a);
-      const Matrix2d self = b.block<2, 2>(2 * a, 2 * a) + damping / here_stiffness[a] * Matrix2d::Identity();
-      const Vector2d next = solve_element(self, here_slip.segment<2>(2 * a) + self * old, here_bound[a]);
-      here_slip -= b.middleCols<2>(2 * a) * (next - old);
-      here.segment<2>(2 * a) = next;
-    }
-    const double now = linearise(here_stiffness, here_bound, here, here_slip).residual.norm();
+    const double now = linearise(rows.stiffness, rows.bound, rows.p, rows.slip).residual.norm();
     if (now > left)
       damping *= 2;
     left = now;
   }
-  if (!(left < before))
+  return left;
+}
+
+} // namespace
+
+bool sweep_rows(const TangentialSystem& system, const ContactElements& all, const VectorXd& slip,
+                const Linearisation& at, WorkBudget& work, VectorXd& p) {
+  Rows rows{worst_rows(system, all.contact, at), {}, {}, {}, {}, {}};
+  const auto n = static_cast<Eigen::Index>(rows.list.size());
+  if (n == 0)
+    return false;
+  const int mx = system.columns();
+  std::ranges::stable_sort(rows.list,
+                           [&](int a, int b) { return all.contact[a] % mx > all.contact[b] % mx; });
+  rows.elements.resize(n);
+  rows.stiffness.resize(n);
+  rows.bound.resize(n);
+  for (Eigen::Index a = 0; a < n; ++a) {
+    rows.elements[a] = all.contact[rows.list[a]];
+    rows.stiffness[a] = all.stiffness[rows.list[a]];
+    rows.bound[a] = all.bound[rows.list[a]];
+  }
+  rows.p = gather(p, rows.list);
+  rows.slip = gather(slip, rows.list);
+  const double before = gather(at.residual, rows.list).norm();
+  const MatrixXd b = step_matrix(*system.problem, system.rule.present, rows.elements);
+  if (!(sweep(b, before, work, rows) < before))
     return false;
   for (Eigen::Index a = 0; a < n; ++a)
-    p.segment<2>(2 * list[a]) = here.segment<2>(2 * a);
+    p.segment<2>(2 * rows.list[a]) = rows.p.segment<2>(2 * a);
   return true;
 }
 

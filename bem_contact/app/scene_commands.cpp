@@ -1,0 +1,168 @@
+#include "bem_contact/app/scene_commands.hpp"
+
+#include "bem_contact/app/report.hpp"
+#include "bem_contact/app/result_file.hpp"
+#include "bem_contact/app/vtk_file.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/sequence/sequence.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fmt/format.h>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+namespace bem_contact::app {
+
+namespace {
+
+constexpr const char* solve_help =
+    R"(Example: a wheel-like body rolls steadily with creepage and spin.
+    bem_contact solve data/scenes/steady_rolling.toml
+You should see one patch of 13.8 mm2 with a largest pressure of 437.0 MPa, nearly all of it in slip, and the
+forces on the rail: Fx 671.5 N, Fy 919.8 N, Fz 4000.0 N. The line `certificate` checks the result apart from
+the solver: it `holds` if every violation of the contact conditions is below the allowed one. Its
+`discretisation error` says how far the size of the elements puts the result off.
+
+To plot the fields, write them to a file:
+    bem_contact solve data/scenes/steady_rolling.toml -o result.h5 --vtk surface.vts
+`bem_contact info result.h5` lists what is in it. ParaView opens surface.vts; turn its view by 180 degrees
+about x, because z points down.
+
+Exit code 0: the certificate holds; 2: the input is wrong; 3: no certified result.)";
+
+constexpr const char* compare_help =
+    R"(The scene must name influence files of both bodies. Example, with the small files of this project:
+    bem_contact compare data/scenes/conformal_small.toml
+You should see a table with a column for each model. On this gauge corner finite elements give a largest
+pressure of 1863 MPa, half-space theory 1976 MPa: the difference is -5.8 %. Both carry the same vertical
+force on the same elements. If the scene gives the approach, finite elements find the force first.
+
+Exit code 0: both certificates hold; 2: the input is wrong; 3: no certified result.)";
+
+constexpr const char* check_help =
+    R"(Example:
+    bem_contact check data/scenes/conformal_small.toml
+You should see where wheel and rail touch first (rail s = -29.957 mm), the estimated approach, the grid that
+would be solved (46 x 28 elements), whether the rows lie on the strips of the influence files, and a warning
+for input that can be solved but is probably a mistake. Nothing is solved.)";
+
+struct SceneArguments {
+  std::string file, model, output, vtk;
+  bool json = false;
+};
+
+/// Refuses, before anything is computed, an output that is an input or another output.
+void check_outputs(const SceneArguments& arguments, const SceneFile& scene,
+                   std::vector<std::filesystem::path> outputs) {
+  std::vector<std::filesystem::path> taken{arguments.file};
+  std::ranges::move(input_files(scene), std::back_inserter(taken));
+  for (std::filesystem::path& output : outputs) {
+    refuse_overwriting(output, taken);
+    taken.push_back(std::move(output));
+  }
+}
+
+/// Prints the warnings; success only if the certificate holds.
+ExitCode verdict(const SceneResult& r) {
+  for (const std::string& warning : r.warnings)
+    spdlog::warn("{}", warning);
+  if (r.result.certificate.holds())
+    return std::ranges::all_of(r.history, &ContactResult::converged) ? success : no_convergence;
+  spdlog::error(
+      "The {} result is not a solution (its worst violation is {:.1e}, {:.0e} is allowed; {}) Coarsen the "
+      "grid, lower solver.tolerance, or raise solver.max_outer.",
+      name_of(r.model), r.result.certificate.worst(), r.result.certificate.tolerance, r.result.remark);
+  return no_convergence;
+}
+
+ExitCode run_solve(const SceneArguments& arguments) {
+  SceneFile scene = read_scene_file(arguments.file);
+  check_outputs(arguments, scene, {arguments.output, arguments.vtk});
+  if (!arguments.model.empty())
+    scene.solver.model = model_named(arguments.model);
+  const SceneResult result = Sequence().solve(scene);
+  if (!arguments.output.empty())
+    write_h5(arguments.output, to_table(std::array{&result}, arguments.file));
+  if (!arguments.vtk.empty())
+    write_vts(arguments.vtk, result);
+  fmt::print("{}", arguments.json ? to_json(result).dump(2) + "\n" : to_text(result));
+  return verdict(result);
+}
+
+ExitCode run_compare(const SceneArguments& arguments) {
+  const SceneFile scene = read_scene_file(arguments.file);
+  const std::string halfspace_vts = arguments.vtk + "_halfspace.vts", fem_vts = arguments.vtk + "_fem.vts";
+  check_outputs(arguments, scene, {arguments.output, halfspace_vts, fem_vts});
+  const Comparison comparison = Sequence().compare(scene);
+  if (!arguments.output.empty())
+    write_h5(arguments.output, to_table(std::array{&comparison.halfspace, &comparison.fem}, arguments.file));
+  if (!arguments.vtk.empty()) {
+    write_vts(halfspace_vts, comparison.halfspace);
+    write_vts(fem_vts, comparison.fem);
+  }
+  fmt::print("{}", arguments.json ? to_json(comparison).dump(2) + "\n" : to_text(comparison));
+  return std::max(verdict(comparison.halfspace), verdict(comparison.fem));
+}
+
+ExitCode run_check(const SceneArguments& arguments) {
+  for (const std::string& line : Sequence().check(read_scene_file(arguments.file)))
+    fmt::print("{}\n", line);
+  return success;
+}
+
+/// The subcommand with what all three have: the scene file and a tutorial.
+CLI::App* add_scene_command(CLI::App& program, const char* name, const char* what, const char* help,
+                            SceneArguments& arguments) {
+  CLI::App* line = program.add_subcommand(name, what);
+  line->add_option("scene", arguments.file, "Scene file (TOML)")->required();
+  line->footer(help);
+  return line;
+}
+
+void add_outputs(CLI::App& line, SceneArguments& arguments) {
+  line.add_flag("--json", arguments.json, "Print one JSON object on standard output");
+  line.add_option("-o,--output", arguments.output, "Result file (HDF5)");
+}
+
+} // namespace
+
+std::vector<std::string> model_choices() {
+  std::vector<std::string> names{std::string(automatic_model)};
+  names.insert(names.end(), EnumNames<Model>::names.begin(), EnumNames<Model>::names.end());
+  return names;
+}
+
+Command add_solve(CLI::App& program) {
+  const auto arguments = std::make_shared<SceneArguments>();
+  CLI::App* line = add_scene_command(program, "solve", "Solve a scene", solve_help, *arguments);
+  line->add_option("--model", arguments->model, "Model of the bodies, instead of the scene's own choice")
+      ->check(CLI::IsMember(model_choices()));
+  add_outputs(*line, *arguments);
+  line->add_option("--vtk", arguments->vtk, "Surface with the result for ParaView (.vts)");
+  return {line, [arguments] { return run_solve(*arguments); }};
+}
+
+Command add_compare(CLI::App& program) {
+  const auto arguments = std::make_shared<SceneArguments>();
+  CLI::App* line =
+      add_scene_command(program, "compare", "Solve a scene with half-space and with finite-element numbers",
+                        compare_help, *arguments);
+  add_outputs(*line, *arguments);
+  line->add_option("--vtk-prefix", arguments->vtk,
+                   "Write PREFIX_halfspace.vts and PREFIX_fem.vts for ParaView");
+  return {line, [arguments] { return run_compare(*arguments); }};
+}
+
+Command add_check(CLI::App& program) {
+  const auto arguments = std::make_shared<SceneArguments>();
+  CLI::App* line = add_scene_command(program, "check", "Check a scene and its files; solve nothing",
+                                     check_help, *arguments);
+  return {line, [arguments] { return run_check(*arguments); }};
+}
+
+} // namespace bem_contact::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "bem_contact/base/tuned.hpp"
+
+#include <cstddef>
+
+/// The tuned numbers of this room (base/tuned.hpp).
+namespace bem_contact::app {
+
+// Plain influence numbers.
+
+/// GB. Largest table that `influence expand` writes. The table is held in memory three times (rail, wheel and
+/// pair). Chosen, not measured: it allows 20 offsets of 950 rows.
+BEM_CONTACT_TUNED(double, largest_table, 4.0);
+
+/// 1, part of the self number. One matrix serves all rows if numbers of equal distance differ by less than
+/// this along the strip. Chosen, not measured.
+BEM_CONTACT_TUNED(double, largest_variation, 0.01);
+
+// Sweeps.
+
+/// 1. One process solves a chunk of cases one after the other and starts each case from the one before. More
+/// chunks share the work better; longer chunks have fewer cold starts. Chosen, not measured.
+BEM_CONTACT_TUNED(std::size_t, chunks_of_a_sweep, 8);
+/// Cases. Smallest and largest chunk. Chosen, not measured.
+BEM_CONTACT_TUNED(std::size_t, smallest_chunk, 4);
+BEM_CONTACT_TUNED(std::size_t, largest_chunk, 32);
+
+/// Bytes. A longer scene is not copied into the sweep's file: HDF5 keeps attributes of up to 64 kB.
+BEM_CONTACT_TUNED(std::size_t, largest_attribute, 60000);
+
+} // namespace bem_contact::app

@@ -1,0 +1,55 @@
+#include "bem_contact/app/sweep_inputs.hpp"
+
+#include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/provenance.hpp"
+#include "bem_contact/influence/file_seal.hpp"
+
+#include <filesystem>
+#include <span>
+
+namespace bem_contact::app {
+
+namespace {
+
+std::string digest_of(const std::string& text) {
+  return sha256({std::as_bytes(std::span(text))});
+}
+
+} // namespace
+
+void check_values(const SweepFile& sweep) {
+  std::set<std::size_t> cases{0};
+  if (sweep.zip)
+    for (std::size_t i = 0; i < sweep.size(); ++i)
+      cases.insert(i);
+  std::size_t stride = sweep.size();
+  for (const SweepFile::Axis& axis : sweep.axes) {
+    stride /= axis.values.size();
+    for (std::size_t k = 0; k < axis.values.size() && !sweep.zip; ++k)
+      cases.insert(k * stride);
+  }
+  for (const std::size_t index : cases)
+    sweep.scene(index);
+}
+
+std::set<std::string> inputs_of(const SweepFile& sweep) {
+  std::set<std::string> names;
+  for (const std::filesystem::path& file : input_files(sweep.scene(0)))
+    if (std::filesystem::is_regular_file(file))
+      names.insert(file.string());
+  for (const SweepFile::Axis& axis : sweep.axes)
+    for (const SchemaValue& value : axis.values)
+      if (const auto* text = std::get_if<std::string>(&value))
+        if (!text->empty() && std::filesystem::is_regular_file(sweep.folder / *text))
+          names.insert((sweep.folder / *text).string());
+  return names;
+}
+
+std::string digest_of(const SweepFile& sweep, const std::string& model) {
+  std::string all = provenance("bem_contact") + "\n" + model + "\n" + digest_of(sweep.text) + "\n";
+  for (const std::string& name : inputs_of(sweep))
+    all += digest_of(read_text_file(name, "input")) + "\n";
+  return digest_of(all);
+}
+
+} // namespace bem_contact::app

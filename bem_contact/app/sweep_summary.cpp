@@ -1,0 +1,44 @@
+#include "bem_contact/app/sweep_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <vector>
+
+namespace bem_contact::app {
+
+SweepSummary summary_of(const H5Table& top, const Share& share, const std::string& head) {
+  const std::vector<double>& status = top.datasets.at("status").values;
+  const std::vector<double>& cpu = top.datasets.at("cpu_seconds").values;
+  SweepSummary out;
+  out.text = head;
+  std::map<std::string, int> counts;
+  std::size_t cases = 0;
+  std::vector<double> times;
+  out.certified = true;
+  for (std::size_t i = 0; i < status.size(); ++i) {
+    if (!belongs(i, status.size(), share))
+      continue;
+    const auto s = static_cast<CaseStatus>(status[i]);
+    ++cases;
+    ++counts[status_text(s)];
+    if (!std::isnan(cpu[i]) && s != CaseStatus::died)
+      times.push_back(cpu[i]);
+    out.certified = out.certified && (s == CaseStatus::certified);
+  }
+  for (const auto& [name, number] : counts)
+    out.text += fmt::format("{} {}, ", number, name);
+  out.text += fmt::format("of {} cases\n", cases);
+  if (!times.empty()) {
+    std::ranges::sort(times);
+    const auto at = [&](double quantile) {
+      return times[static_cast<std::size_t>(quantile * double(times.size() - 1))];
+    };
+    out.text += fmt::format("CPU seconds a case: median {:.3g}, 99 % below {:.3g}, largest {:.3g}\n", at(0.5),
+                            at(0.99), times.back());
+  }
+  return out;
+}
+
+} // namespace bem_contact::app

@@ -1,0 +1,61 @@
+#include "bem_contact/contact/coupled/contact_operators.hpp"
+
+#include "bem_contact/contact/grid/larger_elements.hpp"
+#include "bem_contact/contact/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace bem_contact::contact {
+
+bool numbers_couple(const InfluenceNumbers& a) {
+  double self = 0;
+  for (int row = 0; row < a.rows; ++row)
+    self = std::max(self, a.at(0, row, component_n, row, component_n));
+  const auto rows = a.stored_rows();
+  for (int m = 0; m < a.offsets; ++m)
+    for (const auto& [row_i, row_j] : rows)
+      for (const int c : {component_x, component_s})
+        if (std::max(std::abs(a.at(m, row_i, c, row_j, component_n)),
+                     std::abs(a.at(m, row_i, component_n, row_j, c))) > coupling_rounding * self)
+          return true;
+  return false;
+}
+
+Coupling::Coupling(const ContactProblem& problem, TransformPool* pool)
+    : normal_from_shear(problem.numbers, problem.grid.mx, {component_n}, {component_x, component_s}, {}, pool),
+      shear_from_normal(problem.numbers, problem.grid.mx, {component_x, component_s}, {component_n}, {},
+                        pool) {}
+
+ContactOperators::ContactOperators(std::shared_ptr<TransformPool> pool, const NumbersKey& key)
+    : pool_(std::move(pool)), key_(key), normal(pool_), tangential(pool_) {}
+
+ContactOperators::~ContactOperators() = default;
+
+const Coupling* ContactOperators::coupling(const ContactProblem& problem, WorkBudget& work) {
+  if (!couples_)
+    couples_ = numbers_couple(problem.numbers);
+  if (*couples_ && !coupling_) {
+    work.spend(spectra_work(problem.numbers.translational, 4, problem.grid.ms, problem.grid.mx));
+    coupling_.emplace(problem, pool_.get());
+  }
+  return coupling_ ? &*coupling_ : nullptr;
+}
+
+StartingOperators& ContactOperators::start(const InfluenceNumbers& fine, const ContactGrid& coarse,
+                                           int middle, bool only_normal) {
+  if (!start_ || start_->middle != middle || start_->only_normal != only_normal)
+    start_.reset(new StartingOperators{middle, only_normal,
+                                       starting_numbers(fine, coarse, middle, only_normal),
+                                       ContactOperators(pool_)});
+  return *start_;
+}
+
+ContactOperators& ContactOperators::companion(const NumbersKey& key) {
+  if (!companion_ || companion_->key_ != key)
+    companion_ = std::make_unique<ContactOperators>(pool_, key);
+  return *companion_;
+}
+
+} // namespace bem_contact::contact

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "bem_contact/contact/normal/normal_operators.hpp"
+#include "bem_contact/contact/operator/numbers_key.hpp"
+#include "bem_contact/contact/tangential/tangential_operators.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace bem_contact::contact {
+
+/// How shear acts on the normal displacement, and pressure on the tangential ones; on the whole grid.
+struct Coupling {
+  Coupling(const ContactProblem& problem, TransformPool* pool);
+
+  StripOperator normal_from_shear, shear_from_normal;
+};
+
+struct StartingOperators;
+
+/// Everything that solving prepares from one set of influence numbers on one grid. Each operator is made when
+/// it is first asked for; it is complete then and stays as it is. Every call gives a problem with these
+/// numbers and this grid. Serves one thread at a time.
+class ContactOperators {
+public:
+  /// `key` names the numbers where this outlives a problem.
+  explicit ContactOperators(std::shared_ptr<TransformPool> pool = std::make_shared<TransformPool>(),
+                            const NumbersKey& key = {});
+  ~ContactOperators();
+
+  const NumbersKey& key() const { return key_; }
+  /// Null if the influence numbers do not couple the normal and the tangential problem.
+  const Coupling* coupling(const ContactProblem& problem, WorkBudget& work);
+  /// For starting_problem() (grid/larger_elements.hpp), made about the fine row `middle`.
+  StartingOperators& start(const InfluenceNumbers& fine, const ContactGrid& coarse, int middle,
+                           bool only_normal);
+  /// For the companion of the estimate of the discretisation, whose numbers have this key.
+  ContactOperators& companion(const NumbersKey& key);
+
+private:
+  std::shared_ptr<TransformPool> pool_;
+  NumbersKey key_;
+  std::optional<bool> couples_;
+  std::optional<Coupling> coupling_;
+  std::unique_ptr<StartingOperators> start_;
+  std::unique_ptr<ContactOperators> companion_;
+
+public:
+  NormalOperators normal;
+  TangentialOperators tangential;
+};
+
+/// Influence numbers of starting_problem() and what is prepared from them.
+struct StartingOperators {
+  int middle;
+  bool only_normal;
+  InfluenceNumbers numbers;
+  ContactOperators operators;
+};
+
+/// Whether a tangential traction causes normal displacements, or the other way round, beyond rounding.
+bool numbers_couple(const InfluenceNumbers& numbers);
+
+} // namespace bem_contact::contact

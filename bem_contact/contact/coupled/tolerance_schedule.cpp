@@ -1,0 +1,21 @@
+#include "bem_contact/contact/coupled/tolerance_schedule.hpp"
+
+#include "bem_contact/contact/settings.hpp"
+
+#include <algorithm>
+
+namespace bem_contact::contact {
+
+ToleranceSchedule::ToleranceSchedule(double asked, bool coupled)
+    : asked_(asked), now_(coupled ? std::max(asked, loose_tolerance) : asked) {}
+
+bool ToleranceSchedule::is_close(double change) const {
+  return change <= settling_factor * asked_;
+}
+
+void ToleranceSchedule::tighten(double change, double share) {
+  now_ = std::max(asked_ * std::clamp(share, least_force_share, 1.0),
+                  std::min(loose_tolerance, tolerance_of_change * change));
+}
+
+} // namespace bem_contact::contact

@@ -1,0 +1,27 @@
+#pragma once
+
+namespace bem_contact::contact {
+
+/// How precisely the normal and the tangential problem of each outer iteration are solved. Each is only as
+/// precise as the other one is known so far: more would be wasted work.
+class ToleranceSchedule {
+public:
+  /// `asked`: SolverOptions::tolerance. Problems that are not coupled are solved once, with it.
+  ToleranceSchedule(double asked, bool coupled);
+
+  /// Tolerance of the next outer iteration.
+  double now() const { return now_; }
+  /// Whether an outer iteration that changes so little (relative) may be the last.
+  bool is_close(double change) const;
+  /// And whether it is the last: it was solved precisely too.
+  bool is_settled(double change) const { return is_close(change) && now_ <= asked_; }
+  /// Sets the tolerance after an outer iteration with this change. `share` is prescribed force over force of
+  /// the pressure: if it is small, the force is a small difference of large ones and needs a tighter
+  /// tolerance.
+  void tighten(double change, double share);
+
+private:
+  double asked_, now_;
+};
+
+} // namespace bem_contact::contact

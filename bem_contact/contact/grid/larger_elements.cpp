@@ -1,0 +1,262 @@
+#include "bem_contact/contact/grid/larger_elements.hpp"
+
+#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/slip_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+namespace bem_contact::contact {
+namespace {
+
+/// What is asked stays the same on larger elements: load, forces, friction, motion.
+ContactProblem same_question(const ContactProblem& problem) {
+  ContactProblem coarse;
+  coarse.load = problem.load;
+  coarse.approach = problem.approach;
+  coarse.force = problem.force;
+  coarse.tangential = problem.tangential;
+  coarse.friction = problem.friction;
+  coarse.kinetic = problem.kinetic;
+  coarse.force_x = problem.force_x;
+  coarse.force_s = problem.force_s;
+  coarse.reference_delta = problem.reference_delta;
+  coarse.motion = problem.motion;
+  return coarse;
+}
+
+/// A number of any offset; beyond those known the line through the last two.
+double extrapolated_number(const InfluenceNumbers& a, int offset, int row_i, int i, int row_j, int j) {
+  const int m = std::abs(offset), known = a.offsets - 1;
+  double value = a.at(std::min(m, known), row_i, i, row_j, j);
+  if (m > known)
+    value += (m - known) * (value - a.at(known - 1, row_i, i, row_j, j));
+  return (offset < 0 ? parity(i, j) : 1) * value;
+}
+
+} // namespace
+
+LargerElements::Joined LargerElements::join(int fine_count, int lowest, int highest) {
+  if (fine_count == 1)
+    return {1, 0, 1};
+  const bool leave_first = fine_count % 2 == 1 && lowest > fine_count - 1 - highest;
+  return {2, leave_first ? 1 : 0, fine_count / 2};
+}
+
+LargerElements::LargerElements(const ContactGrid& fine)
+    : fine_(fine), x_(join(fine.mx, 0, 0)), s_(join(fine.ms, 0, 0)) {}
+
+LargerElements::LargerElements(const ContactGrid& fine, const std::vector<double>& pn) : fine_(fine) {
+  int first_x = fine.mx, last_x = 0, first_s = fine.ms, last_s = 0;
+  for (int i = 0; i < fine.size(); ++i)
+    if (pn[i] > 0) {
+      first_x = std::min(first_x, i % fine.mx);
+      last_x = std::max(last_x, i % fine.mx);
+      first_s = std::min(first_s, i / fine.mx);
+      last_s = std::max(last_s, i / fine.mx);
+    }
+  x_ = join(fine.mx, first_x, last_x);
+  s_ = join(fine.ms, first_s, last_s);
+}
+
+ContactGrid LargerElements::grid() const {
+  return {x_.count, s_.count, x_.factor * fine_.dx, s_.factor * fine_.ds,
+          fine_.x(x_.first) + 0.5 * (x_.factor - 1) * fine_.dx};
+}
+
+std::vector<LargerElements::Weight> LargerElements::centre_weights(const Joined& joined, int k,
+                                                                   int fine_count) {
+  const int at = joined.first + joined.factor * k;
+  if (joined.factor == 1)
+    return {{at, 1.0}};
+  if (at == 0 || at + 2 >= fine_count)
+    return {{at, 0.5}, {at + 1, 0.5}};
+  return {{at - 1, -0.0625}, {at, 0.5625}, {at + 1, 0.5625}, {at + 2, -0.0625}};
+}
+
+double LargerElements::mean_at(const std::vector<double>& field, int ix, int is) const {
+  double sum = 0;
+  for (int c = 0; c < s_.factor; ++c)
+    for (int d = 0; d < x_.factor; ++d)
+      sum += field[(s_.first + s_.factor * is + c) * fine_.mx + x_.first + x_.factor * ix + d];
+  return sum / (s_.factor * x_.factor);
+}
+
+std::vector<double> LargerElements::mean(const std::vector<double>& field) const {
+  std::vector<double> out;
+  out.reserve(static_cast<std::size_t>(x_.count) * s_.count);
+  for (int is = 0; is < s_.count; ++is)
+    for (int ix = 0; ix < x_.count; ++ix)
+      out.push_back(mean_at(field, ix, is));
+  return out;
+}
+
+std::vector<double> LargerElements::at_centres(const std::vector<double>& field) const {
+  std::vector<double> out;
+  out.reserve(static_cast<std::size_t>(x_.count) * s_.count);
+  for (int is = 0; is < s_.count; ++is)
+    for (int ix = 0; ix < x_.count; ++ix) {
+      double sum = 0;
+      for (const Weight& row : centre_weights(s_, is, fine_.ms))
+        for (const Weight& column : centre_weights(x_, ix, fine_.mx))
+          sum += row.value * column.value * field[row.index * fine_.mx + column.index];
+      out.push_back(sum);
+    }
+  return out;
+}
+
+std::vector<ContactRow> LargerElements::rows_at_centres(const std::vector<ContactRow>& rows) const {
+  std::vector<ContactRow> out(s_.count);
+  for (int is = 0; is < s_.count; ++is)
+    for (const Weight& w : centre_weights(s_, is, fine_.ms)) {
+      const ContactRow& row = rows[w.index];
+      out[is].s += w.value * row.s;
+      out[is].position = out[is].position + w.value * row.position;
+      out[is].delta += w.value * row.delta;
+    }
+  return out;
+}
+
+std::vector<ContactRow> LargerElements::mean_rows(const std::vector<ContactRow>& rows) const {
+  std::vector<ContactRow> out;
+  for (int is = 0; is < s_.count; ++is) {
+    const ContactRow &a = rows[s_.first + s_.factor * is], &b = rows[s_.first + s_.factor * (is + 1) - 1];
+    out.push_back({0.5 * (a.s + b.s), 0.5 * (a.position + b.position), 0.5 * (a.delta + b.delta)});
+  }
+  return out;
+}
+
+std::vector<double> LargerElements::mean_of_rows(const std::vector<double>& values) const {
+  std::vector<double> out;
+  for (int is = 0; !values.empty() && is < s_.count; ++is) {
+    double sum = 0;
+    for (int c = 0; c < s_.factor; ++c)
+      sum += values[s_.first + s_.factor * is + c] / s_.factor;
+    out.push_back(sum);
+  }
+  return out;
+}
+
+std::vector<double> LargerElements::gap_at_centres(const std::vector<double>& gap, double far) const {
+  std::vector<double> out = at_centres(gap);
+  for (int is = 0; is < s_.count; ++is)
+    for (int ix = 0; ix < x_.count; ++ix) {
+      double largest = 0;
+      for (const Weight& row : centre_weights(s_, is, fine_.ms))
+        for (const Weight& column : centre_weights(x_, ix, fine_.mx))
+          largest = std::max(largest, gap[row.index * fine_.mx + column.index]);
+      if (largest > far)
+        out[is * x_.count + ix] = mean_at(gap, ix, is);
+    }
+  return out;
+}
+
+InfluenceNumbers LargerElements::numbers(const InfluenceNumbers& fine, bool only_normal) const {
+  InfluenceNumbers coarse;
+  coarse.offsets = only_normal ? x_.count : x_.count + rolling_columns;
+  coarse.rows = s_.count;
+  coarse.dx = x_.factor * fine.dx;
+  coarse.ds = s_.factor * fine.ds;
+  coarse.translational = fine.translational;
+  coarse.values.assign(coarse.expected_values(), 0.0);
+  // x - x' of two pairs of elements: 2 m - 1, 2 m twice, 2 m + 1
+  const auto along_x = [&](int m, int row_i, int i, int row_j, int j) {
+    const auto number = [&](int offset) { return extrapolated_number(fine, offset, row_i, i, row_j, j); };
+    return x_.factor == 1 ? number(m) : number(2 * m - 1) + 2 * number(2 * m) + number(2 * m + 1);
+  };
+  const double weight = 1.0 / (x_.factor * s_.factor);
+  const int from = only_normal ? component_n : component_x;
+  for (int m = 0; m < coarse.offsets; ++m)
+    for (const auto& [row_i, row_j] : coarse.stored_rows())
+      for (int i = from; i <= component_n; ++i)
+        for (int j = from; j <= component_n; ++j) {
+          double sum = 0;
+          for (int c = 0; c < s_.factor; ++c)
+            for (int d = 0; d < s_.factor; ++d)
+              sum += along_x(m, s_.first + s_.factor * row_i + c, i, s_.first + s_.factor * row_j + d, j);
+          coarse.at(m, row_i, i, row_j, j) = weight * sum;
+        }
+  return coarse;
+}
+
+std::optional<Companion> companion_of(const ContactProblem& problem, const ContactResult& result) {
+  if (result.patches.empty() || result.touches_border || problem.grid.size() == 1 ||
+      problem.motion == MotionKind::transient)
+    return std::nullopt;
+  const LargerElements larger(problem.grid, result.pn);
+  double far = std::abs(result.approach);
+  for (int i = 0; i < problem.grid.size(); ++i)
+    if (result.pn[i] > 0)
+      far = std::max(far, std::abs(problem.gap[i]));
+  ContactProblem coarse = same_question(problem);
+  coarse.grid = larger.grid();
+  coarse.numbers = larger.numbers(problem.numbers, !problem.has_friction());
+  coarse.rows = larger.rows_at_centres(problem.rows);
+  coarse.friction_rows = larger.mean_of_rows(problem.friction_rows);
+  coarse.gap = larger.gap_at_centres(problem.gap, distance_without_surface * far);
+  if (problem.has_friction()) {
+    coarse.slip_x = larger.at_centres(problem.slip_x);
+    coarse.slip_s = larger.at_centres(problem.slip_s);
+    for (const Tractions& former : problem.previous)
+      coarse.previous.push_back(
+          {larger.at_centres(former.px), larger.at_centres(former.ps), larger.at_centres(former.pn)});
+  }
+  StartingPoint start{{larger.mean(result.px), larger.mean(result.ps), larger.mean(result.pn)},
+                      result.approach};
+  return Companion{std::move(coarse), std::move(start)};
+}
+
+ContactProblem starting_problem(const ContactProblem& problem) {
+  const LargerElements larger(problem.grid);
+  ContactProblem coarse = same_question(problem);
+  coarse.tangential =
+      problem.tangential && problem.motion == MotionKind::steady && !problem.force_x && !problem.force_s;
+  coarse.force_x = coarse.force_s = std::nullopt;
+  coarse.motion = MotionKind::steady;
+  coarse.grid = larger.grid();
+  coarse.rows = larger.mean_rows(problem.rows);
+  coarse.friction_rows = larger.mean_of_rows(problem.friction_rows);
+  coarse.gap = larger.mean(problem.gap);
+  if (coarse.tangential) {
+    coarse.slip_x = larger.mean(problem.slip_x);
+    coarse.slip_s = larger.mean(problem.slip_s);
+  }
+  return coarse;
+}
+
+int starting_row(const ContactProblem& problem) {
+  if (problem.numbers.translational)
+    return 0;
+  return static_cast<int>(std::ranges::min_element(problem.gap) - problem.gap.begin()) / problem.grid.mx;
+}
+
+InfluenceNumbers starting_numbers(const InfluenceNumbers& fine, const ContactGrid& grid, int middle,
+                                  bool only_normal) {
+  const int offsets = grid.mx + rolling_columns, rows = grid.ms;
+  InfluenceNumbers coarse{offsets, rows, 2 * fine.dx, 2 * fine.ds, {}, true};
+  coarse.values.assign(coarse.expected_values(), 0.0);
+  const int from = only_normal ? component_n : component_x;
+  for (int i = from; i < 3; ++i)
+    for (int j = from; j < 3; ++j) {
+      const auto number = [&](int m, int d) { // offsets beyond those known repeat the last
+        int row_i = std::max(d, 0);
+        if (!fine.translational)
+          row_i = std::clamp(middle + d / 2, row_i, fine.rows - 1 + std::min(d, 0));
+        return (m < 0 ? parity(i, j) : 1) *
+               fine.at(std::min(std::abs(m), fine.offsets - 1), row_i, i, row_i - d, j);
+      };
+      for (int m = 0; m < offsets; ++m)
+        for (int d = 1 - rows; d < rows; ++d) {
+          double sum = 0;
+          for (const int p : {-1, 0, 1})
+            for (const int q : {-1, 0, 1})
+              sum += (p == 0 ? 2 : 1) * (q == 0 ? 2 : 1) * number(2 * m + p, 2 * d + q);
+          coarse.at(m, std::max(d, 0), i, std::max(-d, 0), j) = 0.25 * sum;
+        }
+    }
+  return coarse;
+}
+
+} // namespace bem_contact::contact

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "bem_contact/contact/problem.hpp"
+#include "bem_contact/contact/result.hpp"
+#include "bem_contact/contact/solver_options.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace bem_contact::contact {
+
+/// Joins pairs of elements in x and in s to elements twice as large; a direction of one element stays. It
+/// carries grids and fields over from the fine elements to the large ones.
+class LargerElements {
+public:
+  /// Of the whole grid. The last row or column of an odd number is left out.
+  explicit LargerElements(const ContactGrid& fine);
+  /// The same, but an odd row or column is left out at the end that is farther from the contact (pn > 0).
+  LargerElements(const ContactGrid& fine, const std::vector<double>& pn);
+
+  ContactGrid grid() const;
+  /// Mean over the joined elements; fields.
+  std::vector<double> mean(const std::vector<double>& field) const;
+  /// Value at the new centres by cubic interpolation, linear at the ends of the grid; fields.
+  std::vector<double> at_centres(const std::vector<double>& field) const;
+  /// Rows at the new centres, likewise.
+  std::vector<ContactRow> rows_at_centres(const std::vector<ContactRow>& rows) const;
+  /// Rows with the mean position, arc length and inclination of the joined ones.
+  std::vector<ContactRow> mean_rows(const std::vector<ContactRow>& rows) const;
+  /// Mean over the joined rows, one value a row; empty stays empty.
+  std::vector<double> mean_of_rows(const std::vector<double>& values) const;
+  /// The undeformed distance at the new centres. Elements without an opposite surface have a distance far
+  /// beyond `far`, next to which a cubic would dig a hole: there it is the mean.
+  std::vector<double> gap_at_centres(const std::vector<double>& gap, double far) const;
+  /// Exact influence numbers: means over the joined target elements of sums over the joined loaded ones,
+  /// because those of the fine elements are averages over elements. Offsets beyond the known ones are
+  /// extrapolated linearly: only the first columns act over them, ahead of the grid.
+  InfluenceNumbers numbers(const InfluenceNumbers& fine, bool only_normal) const;
+
+private:
+  /// Fine elements of one direction: large element k joins first + factor k and the next.
+  struct Joined {
+    int factor = 1, first = 0, count = 0;
+  };
+  struct Weight {
+    int index;
+    double value;
+  };
+  static Joined join(int fine_count, int lowest, int highest);
+  static std::vector<Weight> centre_weights(const Joined& joined, int k, int fine_count);
+  double mean_at(const std::vector<double>& field, int ix, int is) const;
+
+  ContactGrid fine_;
+  Joined x_, s_;
+};
+
+/// The same problem on larger elements and a guess at its solution.
+struct Companion {
+  ContactProblem problem;
+  StartingPoint start; ///< means of the result's tractions over the joined elements
+};
+
+/// For the estimate of the discretisation: the influence numbers are exact; undeformed distance, rigid slip
+/// and rows are taken at the new centres. Nothing where the contact touches the border of the grid, where
+/// there is no contact, where the grid is one element, and for a transient rolling step, which is another step
+/// on larger elements.
+std::optional<Companion> companion_of(const ContactProblem& problem, const ContactResult& result);
+
+/// For a start: everything is a mean, and all pairs of rows at the same distance have the influence numbers
+/// of the pair about the row `middle`. Only steady rolling without prescribed shear forces keeps its
+/// friction. Without influence numbers, which starting_numbers() makes.
+ContactProblem starting_problem(const ContactProblem& problem);
+/// The fine row about which starting_numbers() takes them: that of the smallest undeformed distance, 0 for
+/// translational numbers.
+int starting_row(const ContactProblem& problem);
+InfluenceNumbers starting_numbers(const InfluenceNumbers& fine, const ContactGrid& coarse, int middle,
+                                  bool only_normal);
+
+} // namespace bem_contact::contact

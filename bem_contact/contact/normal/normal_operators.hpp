@@ -1,0 +1,48 @@
+#pragma once
+
+#include "bem_contact/contact/normal/normal_box.hpp"
+#include "bem_contact/contact/normal/normal_lines.hpp"
+#include "bem_contact/contact/operator/plane_transforms.hpp"
+#include "bem_contact/contact/work.hpp"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace bem_contact::contact {
+
+/// What is prepared of A_nn, for one set of influence numbers on one grid: every call gives the same numbers
+/// and the same grid. Each operator is made when it is first asked for; it is complete then and stays as it
+/// is. Serves one thread at a time.
+class NormalOperators {
+public:
+  explicit NormalOperators(std::shared_ptr<TransformPool> pool = std::make_shared<TransformPool>());
+
+  /// On the whole grid.
+  const StripOperator& whole(const InfluenceNumbers& numbers, int mx, WorkBudget& work);
+  const NormalLines& lines(const InfluenceNumbers& numbers, int mx);
+  /// On boxes around these elements. The former boxes are used again while they serve.
+  const NormalBox& box_around(const std::vector<int>& elements, const InfluenceNumbers& numbers,
+                              const ContactGrid& grid, WorkBudget& work);
+  NormalBoxVectors& vectors() { return vectors_; }
+  /// right := A_CC^-1 right on these elements; false where A_CC is not positive definite. The factor is used
+  /// again for the same elements: the contact area settles long before the forces do.
+  bool solve_dense(const std::vector<int>& elements, const InfluenceNumbers& numbers, int mx,
+                   Eigen::MatrixXd& right);
+
+private:
+  struct CholeskyFactor {
+    std::vector<int> elements;
+    Eigen::MatrixXd factor;
+  };
+  std::shared_ptr<TransformPool> pool_;
+  std::optional<StripOperator> whole_;
+  std::optional<NormalLines> lines_;
+  std::optional<NormalBox> box_;
+  std::optional<CholeskyFactor> factor_;
+  NormalBoxVectors vectors_;
+};
+
+} // namespace bem_contact::contact

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "bem_contact/contact/normal/normal_operators.hpp"
+#include "bem_contact/contact/problem.hpp"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace bem_contact::contact {
+
+/// The linear part of one normal problem: what stays the same over its outer iterations. Fields are
+/// [ms][mx]. `problem` and `operators` outlive it; the operators belong to the problem's influence numbers.
+class NormalSystem {
+public:
+  NormalSystem(const ContactProblem& problem, NormalOperators& operators);
+
+  /// (A p)_n, mm
+  Eigen::VectorXd apply(const Eigen::VectorXd& p, WorkBudget& work) const;
+  /// The same by direct sums: for a few hundred elements in contact.
+  Eigen::VectorXd apply_directly(const Eigen::VectorXd& p, WorkBudget& work) const;
+  /// right := A_CC^-1 right on the elements of the list; false where A_CC is not positive definite.
+  bool solve_dense(const std::vector<int>& list, Eigen::MatrixXd& right) const;
+  /// Boxes around these elements.
+  const NormalBox& box_around(const std::vector<int>& elements, WorkBudget& work) const;
+  NormalBoxVectors& vectors() const { return operators_->vectors(); } ///< of these boxes
+
+  ContactGrid grid;
+  const InfluenceNumbers* numbers;
+  Eigen::VectorXd cosine;  ///< cos(delta) of each element
+  double element_area = 0; ///< mm^2
+  double self = 0;         ///< largest self influence number, mm/MPa
+
+private:
+  NormalOperators* operators_;
+};
+
+struct NormalLoad {
+  LoadKind kind = LoadKind::force;
+  double approach = 0; ///< q, mm
+  double force = 0;    ///< sum p_n cos(delta) dS, N
+};
+
+struct NormalState {
+  Eigen::VectorXd p; ///< MPa; zero outside the contact
+  Eigen::VectorXd u; ///< (A p)_n, mm
+  double approach = 0;
+  std::vector<char> active;
+  int iterations = 0;
+  int products = 0; ///< of conjugate gradients
+  bool converged = false;
+  std::string solver, remark;
+};
+
+} // namespace bem_contact::contact

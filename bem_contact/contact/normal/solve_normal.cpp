@@ -1,0 +1,114 @@
+#include "bem_contact/contact/normal/solve_normal.hpp"
+
+#include "bem_contact/contact/normal/active_set.hpp"
+#include "bem_contact/contact/normal/mprgp.hpp"
+#include "bem_contact/contact/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace bem_contact::contact {
+namespace {
+
+using Eigen::VectorXd;
+
+/// The result where the pressure has nothing to carry.
+void carry_nothing(const NormalLoad& load, Eigen::Index n, NormalState& state) {
+  state.active.assign(n, 0);
+  state.p.setZero(n);
+  state.u.setZero(n);
+  state.solver = "none";
+  state.converged = load.force == 0;
+  state.approach = 0;
+  if (load.force < 0)
+    state.remark = "the shear tractions alone carry more than the force prescribed";
+}
+
+/// The lowest approach at which an element touches.
+double first_touch(const NormalSystem& system, const VectorXd& gap) {
+  double low = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < gap.size(); ++i)
+    if (system.cosine[i] > least_cosine)
+      low = std::min(low, gap[i] / system.cosine[i]);
+  return low;
+}
+
+/// Finds the approach q at which missing_at(q), which grows with q, is 0 up to `close`: a bracket that starts
+/// at `low`, where `at_low` < 0 is missing, then the Illinois variant of regula falsi. The last call of
+/// missing_at is the one at the result. False if it is not found.
+bool bracket_approach(const std::function<double(double)>& missing_at, double low, double at_low, double step,
+                      double close) {
+  double high = low + approach_bracket_start * step, at_high = missing_at(high);
+  for (int k = 0; k < most_bracket_doublings && at_high < 0; ++k) {
+    low = high;
+    at_low = at_high;
+    high += step *= 2;
+    at_high = missing_at(high);
+  }
+  int last_side = 0; // the end that is kept twice running counts half
+  for (int k = 0; k < most_illinois_steps; ++k) {
+    const double q = high - at_high * (high - low) / (at_high - at_low);
+    const double at_q = missing_at(q);
+    if (std::abs(at_q) <= close)
+      return true;
+    if (at_q < 0) {
+      low = q;
+      at_low = at_q;
+      at_high *= last_side < 0 ? 0.5 : 1.0;
+      last_side = -1;
+    } else {
+      high = q;
+      at_high = at_q;
+      at_low *= last_side > 0 ? 0.5 : 1.0;
+      last_side = 1;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+void solve_normal_safely(const NormalSystem& system, const VectorXd& gap, const NormalLoad& load,
+                         const SolverOptions& options, WorkBudget& work, NormalState& state) {
+  const int most = mprgp_products + mprgp_products_per_element * static_cast<int>(gap.size());
+  const double tolerance = std::max(mprgp_precision * options.tolerance, finest_mprgp_precision);
+  state.solver = "MPRGP";
+  state.p = VectorXd::Zero(gap.size());
+  const auto force_at = [&](double q) {
+    const MprgpOutcome outcome =
+        solve_mprgp(system, q * system.cosine - gap, tolerance, most, work, state.p);
+    state.iterations += outcome.products;
+    state.converged = outcome.converged;
+    state.approach = q;
+    return system.cosine.dot(state.p) * system.element_area;
+  };
+  if (load.kind == LoadKind::approach) {
+    force_at(load.approach);
+    return;
+  }
+  const bool found = bracket_approach(
+      [&](double q) { return force_at(q) - load.force; }, first_touch(system, gap), -load.force,
+      load.force / system.element_area * system.self, force_precision * options.tolerance * load.force);
+  state.converged = state.converged && found;
+}
+
+void solve_normal(const NormalSystem& system, const VectorXd& gap, const NormalLoad& load,
+                  const SolverOptions& options, WorkBudget& work, NormalState& state) {
+  if (load.kind == LoadKind::force && load.force <= 0)
+    return carry_nothing(load, gap.size(), state);
+  state.solver = "active set";
+  ActiveSet active_set(system, gap, load, options, work, state);
+  state.converged = active_set.run();
+  state.u = active_set.displacement();
+  if (!state.converged) {
+    solve_normal_safely(system, gap, load, options, work, state);
+    state.u = system.apply(state.p, work);
+  }
+  state.p = state.p.cwiseMax(0.0);
+  for (Eigen::Index i = 0; i < gap.size(); ++i)
+    state.active[i] = state.p[i] > 0;
+}
+
+} // namespace bem_contact::contact

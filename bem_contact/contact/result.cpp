@@ -1,0 +1,62 @@
+#include "bem_contact/contact/result.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bem_contact {
+
+double Certificate::worst() const {
+  double worst = 0;
+  for (const double v :
+       {pressure, penetration, complementarity, friction_cone, adhesion, slip_direction, force_balance}) {
+    if (std::isnan(v))
+      return std::numeric_limits<double>::infinity();
+    worst = std::max(worst, v);
+  }
+  return worst;
+}
+
+Tractions tractions_of(const ContactResult& result) {
+  return {result.px, result.ps, result.pn};
+}
+
+std::vector<double> friction_power(const ContactResult& result) {
+  std::vector<double> power(result.px.size());
+  for (std::size_t i = 0; i < power.size(); ++i)
+    power[i] = result.px[i] * result.slip_x[i] + result.ps[i] * result.slip_s[i];
+  return power;
+}
+
+double friction_power(const ContactResult& result, double element_area) {
+  double sum = 0;
+  for (const double power : friction_power(result))
+    sum += power * element_area;
+  return sum;
+}
+
+double largest_pressure(const ContactResult& result) {
+  double largest = 0;
+  for (const PatchSummary& p : result.patches)
+    largest = std::max(largest, p.pmax);
+  return largest;
+}
+
+double contact_area(const ContactResult& result) {
+  double area = 0;
+  for (const PatchSummary& p : result.patches)
+    area += p.area;
+  return area;
+}
+
+ElementCounts count_elements(const ContactResult& result) {
+  ElementCounts counts;
+  for (const PatchSummary& p : result.patches) {
+    counts.contact += p.contact;
+    counts.adhesion += p.adhesion;
+    counts.slip += p.slip;
+  }
+  return counts;
+}
+
+} // namespace bem_contact

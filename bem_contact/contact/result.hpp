@@ -1,0 +1,121 @@
+#pragma once
+
+#include "bem_contact/contact/problem.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+enum class ElementState : unsigned char { exterior, adhesion, slip };
+
+/// How far a result violates the equations. It is computed from the tractions alone, by code that shares
+/// nothing with the solvers. Each entry is relative; the result holds if worst() <= 1e-6.
+///
+/// Coulomb's law leaves an element in contact two states, adhesion and slip. The element counts for the one
+/// that it is nearer to (`adhesion` or `slip_direction`). Scales: pressure over pmax; the approach scale is
+/// the largest elastic displacement |(A p)_n| in contact; the slip scale is the largest of the rigid slip
+/// w dx and of the elastic slip of one step in contact (transient and shift: also of the slip that there
+/// would be without shear tractions). Without friction the cone is |p_t| over pmax.
+///
+/// mu is that of the element's row. If kinetic < 1, the cone is that of adhesion, mu p_n, and a slipping
+/// element carries kinetic mu p_n S/|S|; an element that sticks may carry more. Such a solution is not
+/// unique. In ours an element sticks if it would not have begun to slip while all others stick too.
+struct Certificate {
+  double pressure = 0;        ///< largest -p_n, over pmax
+  double penetration = 0;     ///< largest -e, over the approach scale
+  double complementarity = 0; ///< largest p_n e, over pmax times the approach scale
+  double friction_cone = 0;   ///< largest |p_t| - mu p_n, over the largest mu p_n
+  double adhesion = 0;        ///< largest |S| where |p_t| < mu p_n, over the slip scale
+  double slip_direction = 0;  ///< largest deviation of p_t from mu p_n S/|S| where it slips, over mu pmax
+  double force_balance = 0;   ///< |Fz - prescribed| over prescribed; of Fx, Fs over sum mu p_n dS
+  double tolerance = 1e-6;    ///< the result holds if no violation is above it
+  double discretisation = -1; ///< Discretisation::worst(), no violation but a share; < 0: not estimated
+
+  double worst() const; ///< largest violation; infinite if one is not a number
+  bool holds() const { return worst() <= tolerance; }
+};
+
+struct ContactTotals {
+  double Fx = 0, Fy = 0, Fz = 0, Mz = 0, approach = 0; ///< as in ContactResult
+  double creepage_x = 0, creepage_s = 0;
+};
+
+/// Estimate of the error that the size of the elements causes, from the same problem on elements twice as
+/// large in x and s (the companion; same load). There is no estimate where the contact touches the border of
+/// the grid, without contact, for a transient rolling step, where the companion has fewer than 40 elements in
+/// contact (7 in a single row or column), and where one of the two did not converge. If the grid has an odd
+/// number of rows or columns, the companion leaves out an exterior one.
+///
+/// `extrapolated` is fine + (fine - coarse) / 3, for errors of second order; prescribed values stay. The
+/// estimates are this third for the sums of p_n and the approach (0.4 to 2 times the true error on Hertz
+/// contacts), and the whole difference for the sums of p_t: the area that whole elements cover beyond the
+/// patch, up to 1.2 % of its area with 40 elements across, does not shrink in step with their size, and the
+/// area of adhesion behaves likewise. The fields (tractions, pmax) are not extrapolated.
+struct Discretisation {
+  int contact = 0; ///< elements of the companion in contact
+  ContactTotals coarse, extrapolated;
+  double approach = 0;   ///< (force prescribed) of the approach, over the largest approach of a patch
+  double normal = 0;     ///< of the vector sum of p_n dS, over its magnitude's sum
+  double tangential = 0; ///< of the vector (sum p_x dS, sum p_s dS), over mu sum p_n dS
+  double moment = 0; ///< of p_t about the centre of pressure, over sum mu p_n r dS, r the distance from it
+
+  double worst() const { return std::max({approach, normal, tangential, moment}); }
+};
+
+struct PatchSummary {
+  double fn = 0, fx = 0, fs = 0;           ///< N, sums over the patch of p dS in the local frames
+  double approach = 0;                     ///< largest q cos(delta) - h in the patch, mm
+  double pmax = 0;                         ///< MPa
+  double area = 0;                         ///< mm^2
+  int contact = 0, adhesion = 0, slip = 0; ///< element counts
+  double x = 0, s = 0;                     ///< centre of pressure, mm
+};
+
+struct ContactResult {
+  std::vector<double> px, ps, pn;        ///< tractions on the rail, MPa; fields
+  std::vector<double> slip_x, slip_s;    ///< slip per unit of rolled distance (shift: mm); fields
+  std::vector<double> deformed_distance; ///< e, mm; field
+  std::vector<ElementState> state;       ///< field
+  double approach = 0;                   ///< q, mm
+  double Fx = 0, Fy = 0, Fz = 0;         ///< on the rail, frame of the rows, N
+  double Mz = 0;                         ///< about the origin of (x, y), N mm
+  double Fs = 0;                         ///< sum p_s cos(delta - reference_delta) dS, N
+  double creepage_x = 0, creepage_s = 0; ///< found for force_x, force_s: added to the rigid slip
+  std::vector<PatchSummary> patches;     ///< connected areas of contact, largest force first
+  Certificate certificate;
+  std::optional<Discretisation> discretisation; ///< nothing: not estimated
+
+  bool touches_border = false; ///< contact at an edge of the grid: the potential contact is too small
+  bool converged = false;      ///< certificate.holds()
+  std::string normal_solver;   ///< the one that finished
+  std::string tangential_solver;
+  int outer_iterations = 0, normal_iterations = 0, tangential_iterations = 0;
+  int creepage_iterations = 0; ///< tangential problems solved to find the creepages of prescribed forces
+  double work = 0;             ///< of the case so far, companion included: work.hpp
+  double outer_rate = 0; ///< mean factor by which an outer iteration reduced its residual; 0: there was one
+  std::string remark;    ///< why a solver of the chain gave up, or ""
+};
+
+/// The tractions of a result, as those of a former rolling step or load step.
+Tractions tractions_of(const ContactResult& result);
+
+/// p_t S, the power that friction dissipates on each element per unit of rolled distance (shift: the work of
+/// the load step), MPa (shift: MPa mm); field.
+std::vector<double> friction_power(const ContactResult& result);
+/// sum p_t S dS, N (shift: N mm).
+double friction_power(const ContactResult& result, double element_area);
+
+/// Largest pressure of all patches, MPa.
+double largest_pressure(const ContactResult& result);
+/// Area of all patches, mm^2.
+double contact_area(const ContactResult& result);
+
+/// Elements of all patches. Each one in contact either adheres or slips.
+struct ElementCounts {
+  int contact = 0, adhesion = 0, slip = 0;
+};
+ElementCounts count_elements(const ContactResult& result);
+
+} // namespace bem_contact

@@ -1,0 +1,277 @@
+#pragma once
+
+#include "bem_contact/base/tuned.hpp"
+
+/// Tuned numbers of the room (bem_contact/base/tuned.hpp explains the form).
+/// "chosen" means that no measurement is on record; tools/benchmarks/sensitivity shows what each changes.
+namespace bem_contact::contact {
+
+// --- work.cpp: the budget of one case ---
+
+/// Units of work (work.hpp). Some minutes: about 10 times what the dearest accepted case takes (7e8).
+BEM_CONTACT_TUNED(double, most_work, 1e10);
+/// Rows. A product with numbers that depend on both rows costs 1 + rows / this units an element (measured).
+BEM_CONTACT_TUNED(double, rows_per_unit, 20.0);
+/// 1. Rows^2 columns^2 of one pair of components that are transformed in the time of one unit (measured).
+BEM_CONTACT_TUNED(double, spectra_terms_per_unit, 75);
+/// Units. A Gauss-Seidel sweep costs this times the square of its elements (measured).
+BEM_CONTACT_TUNED(double, sweep_units, 0.08);
+
+// --- grid/boxes.cpp: operators on boxes around the contact ---
+
+/// Rows without contact between two boxes, at least. Chosen: nearer boxes save nothing once they are widened.
+BEM_CONTACT_TUNED(int, rows_between_boxes, 8);
+/// Boxes. Chosen: the work of several boxes grows with their square.
+BEM_CONTACT_TUNED(int, most_boxes, 3);
+/// 1. Several boxes are used if they have fewer elements than this share of the one box around all.
+BEM_CONTACT_TUNED(double, several_boxes_share, 0.6);
+/// 1. Boxes of former elements are used again up to this many times the size that is needed. Chosen.
+BEM_CONTACT_TUNED(double, box_reuse_factor, 2.5);
+/// Elements. And so many more: small boxes are hardly dearer than the smallest. Chosen.
+BEM_CONTACT_TUNED(int, box_reuse_elements, 64);
+
+// --- grid/larger_elements.cpp ---
+
+/// 1. An undeformed distance beyond this times the largest in contact means that there is no opposite
+/// surface. Chosen: real distances next to a contact are below it, missing surfaces are far above it.
+BEM_CONTACT_TUNED(double, distance_without_surface, 10);
+
+// --- operator: Fourier transforms ---
+
+/// 1. The periodic preconditioner is longer than the grid by one part in this many. Chosen.
+BEM_CONTACT_TUNED(int, periodic_margin, 3);
+/// Elements. And by so many more, for small grids. Chosen.
+BEM_CONTACT_TUNED(int, periodic_elements, 4);
+/// 1. Eigenvalues of the preconditioner are at least this share of the largest: the ripples of the truncated
+/// kernel must not change a sign. Chosen.
+BEM_CONTACT_TUNED(float, least_eigenvalue, 1e-4f);
+/// Bytes of spectra that are transformed along s at once: they stay in a second-level cache.
+BEM_CONTACT_TUNED(int, bytes_in_cache, 1 << 19);
+/// Transforms of different shapes that are kept. Chosen: a sequence meets fewer.
+BEM_CONTACT_TUNED(int, most_transforms, 32);
+/// ns. Time of a complex transform for each value, if FFTW is quick for the length (multiples of 16), and if
+/// not: measured in single precision on AVX2.
+BEM_CONTACT_TUNED(double, quick_transform, 0.8);
+BEM_CONTACT_TUNED(double, slow_transform, 2.0);
+
+// --- normal: active set, conjugate gradients, MPRGP ---
+
+/// Elements in contact. Up to here a Cholesky factorisation is faster than two runs of conjugate gradients.
+BEM_CONTACT_TUNED(int, dense_normal_elements, 250);
+/// 1. A box around the contact is wider by 1 + grid / this elements on each side, so that it serves longer.
+/// Chosen.
+BEM_CONTACT_TUNED(int, normal_margin_divisor, 60);
+/// 1. Precision of the linear systems in the end, relative to the tolerance asked for, and its limits: double
+/// precision does not give more than the first, and the certificate needs the second.
+BEM_CONTACT_TUNED(double, normal_precision, 1e-2);
+BEM_CONTACT_TUNED(double, finest_normal_precision, 1e-13);
+BEM_CONTACT_TUNED(double, coarsest_normal_precision, 1e-6);
+/// 1. Precision of the first linear system from nothing, and from a guess. Chosen: the sets still change.
+BEM_CONTACT_TUNED(double, cold_normal_precision, 1e-3);
+BEM_CONTACT_TUNED(double, warm_normal_precision, 1e-4);
+/// 1. Precision when all elements change sides; it tightens in proportion to how many do. Chosen.
+BEM_CONTACT_TUNED(double, precision_of_changes, 1e-2);
+/// 1. Tension below this share of the largest pressure, and penetration likewise, is rounding.
+BEM_CONTACT_TUNED(double, rounding_of_sets, 1e-11);
+/// Steps without fewer changes than before; then the sets cycle. Chosen.
+BEM_CONTACT_TUNED(int, most_steps_without_progress, 12);
+/// Bisections of the first approach: 2^-30 of the bracket is far below what the first guess needs.
+BEM_CONTACT_TUNED(int, first_guess_bisections, 30);
+/// 1. Rows with a smaller cos(delta) carry no vertical force (validate() uses the same).
+BEM_CONTACT_TUNED(double, least_cosine, 1e-6);
+/// Runs in single precision. Chosen: each gains up to four digits, so that a few reach double precision.
+BEM_CONTACT_TUNED(int, most_cg_runs, 12);
+/// 1. How far one run in single precision brings the residual down for certain.
+BEM_CONTACT_TUNED(double, cg_single_run, 1e-4);
+/// 1. A run has to reduce the residual at least to this share. Chosen.
+BEM_CONTACT_TUNED(double, cg_least_reduction, 0.5);
+/// Products that a run may take beyond the number of elements, after which exact arithmetic would be done.
+BEM_CONTACT_TUNED(int, extra_cg_products, 50);
+/// Units of work of the preconditioner, an element (measured).
+BEM_CONTACT_TUNED(double, cg_preconditioner_work, 0.3);
+/// Steps of the power iteration for the norm of an operator, and the margin on its result: its largest
+/// eigenvalue stands clear of the others, so that 20 steps are within 20 %. Chosen.
+BEM_CONTACT_TUNED(int, power_iterations, 20);
+BEM_CONTACT_TUNED(double, norm_margin, 1.2);
+/// 1. Fixed step of MPRGP times the norm; it must be below 2 (Dostal, Schoeberl 2005, give 1.9 and more).
+BEM_CONTACT_TUNED(double, mprgp_step, 1.9);
+/// Products that MPRGP may take: this and so many an element. Chosen.
+BEM_CONTACT_TUNED(int, mprgp_products, 2000);
+BEM_CONTACT_TUNED(int, mprgp_products_per_element, 20);
+/// 1. Precision of MPRGP relative to the tolerance asked for, and its limit by rounding. Chosen.
+BEM_CONTACT_TUNED(double, mprgp_precision, 1e-3);
+BEM_CONTACT_TUNED(double, finest_mprgp_precision, 1e-12);
+/// 1. Precision of the force relative to the tolerance asked for, where the approach is bracketed. Chosen.
+BEM_CONTACT_TUNED(double, force_precision, 0.1);
+/// 1. The first step of the bracket, as a share of the approach of one element under the whole force. Chosen.
+BEM_CONTACT_TUNED(double, approach_bracket_start, 0.01);
+/// Doublings of that step, and steps inside the bracket. Chosen: far more than are ever needed.
+BEM_CONTACT_TUNED(int, most_bracket_doublings, 60);
+BEM_CONTACT_TUNED(int, most_illinois_steps, 100);
+
+// --- tangential: Newton ---
+
+/// Elements in contact. Up to here LU factors are faster than GMRES (measured).
+BEM_CONTACT_TUNED(int, dense_tangential_elements, 120);
+/// Elements in contact. Above this the dense matrix (288 MB here) is not even a fall-back.
+BEM_CONTACT_TUNED(int, most_dense_elements, 3000);
+/// Products of GMRES. Chosen: where it needs more, LU factors are as fast.
+BEM_CONTACT_TUNED(int, most_gmres_products, 250);
+/// 1. Eigenvalue of the projection along the bound above which a slipping element counts as sticking along
+/// it. Chosen.
+BEM_CONTACT_TUNED(double, counts_as_sticking, 0.7);
+/// 1. The mean eigenvalue of the slipping elements is at least this in the preconditioner. Chosen: below,
+/// slip is so fast that the matrix is the identity.
+BEM_CONTACT_TUNED(double, least_mean_slope, 1e-3);
+/// 1. Precision of the linear systems: this times the square of the last reduction, within the two limits.
+/// Quadratic convergence shows when the states are known. Chosen.
+BEM_CONTACT_TUNED(double, newton_forcing, 0.3);
+BEM_CONTACT_TUNED(double, finest_newton_forcing, 1e-4);
+BEM_CONTACT_TUNED(double, coarsest_newton_forcing, 0.1);
+/// 1. A linear system need not reach more than this share of the tolerance asked for. Chosen.
+BEM_CONTACT_TUNED(double, newton_end_forcing, 0.2);
+/// Lengths that the line search tries, and by how much the residual has to decrease (Armijo's condition).
+BEM_CONTACT_TUNED(int, newton_halvings, 6);
+BEM_CONTACT_TUNED(double, newton_decrease, 1e-4);
+/// Line searches without decrease; then Newton's method has failed. Chosen.
+BEM_CONTACT_TUNED(int, most_failed_searches, 6);
+/// 1. After a Newton step that leaves more of the residual, the worst rows are swept. Chosen.
+BEM_CONTACT_TUNED(double, slow_newton_step, 0.3);
+
+// --- tangential: sweeps and rolling on ---
+
+/// 1. The rows to sweep hold this share of the sum of squares of the residual. Chosen.
+BEM_CONTACT_TUNED(double, swept_share, 0.7);
+/// 1, elements. They are not swept if they have more than this share of all elements, or more elements:
+/// the cost of a sweep grows with their square. Chosen.
+BEM_CONTACT_TUNED(double, most_swept_share, 0.25);
+BEM_CONTACT_TUNED(int, most_swept_elements, 1000);
+/// Sweeps, and 1: they end when so much of the residual is left. Chosen.
+BEM_CONTACT_TUNED(int, most_row_sweeps, 50);
+BEM_CONTACT_TUNED(double, row_sweeps_enough, 0.01);
+/// 1 / stiffness. Damping of the first sweep over rows. Undamped ones overshoot. Chosen.
+BEM_CONTACT_TUNED(double, first_row_damping, 1);
+/// 1 / stiffness. Damping of the first sweep over all elements, and where it has become too slow to go on.
+/// Undamped sweeps diverge; more is needed on finer grids. Chosen.
+BEM_CONTACT_TUNED(double, first_element_damping, 3);
+BEM_CONTACT_TUNED(double, largest_element_damping, 200);
+/// Sweeps after which the damping is doubled unless this share or less of the violation is left. Chosen.
+BEM_CONTACT_TUNED(int, sweeps_per_damping, 40);
+BEM_CONTACT_TUNED(double, sweeps_enough, 0.3);
+/// Steps and relative precision of the iteration of More and Sorensen for one element: rounding.
+BEM_CONTACT_TUNED(int, most_element_steps, 60);
+BEM_CONTACT_TUNED(double, element_precision, 1e-13);
+/// Steps of the projected gradients for one rolling step or shift. Chosen.
+BEM_CONTACT_TUNED(int, most_gradient_steps, 1000);
+/// 1. Their precision relative to the largest bound, for a shift and for each of many rolling steps. Chosen.
+BEM_CONTACT_TUNED(double, shift_precision, 1e-12);
+BEM_CONTACT_TUNED(double, rolling_precision, 1e-10);
+/// Lengths of the grid to roll on. Chosen: transients decay within a few lengths of the contact.
+BEM_CONTACT_TUNED(int, rolling_on_lengths, 6);
+
+// --- tangential: kinetic friction and creepages ---
+
+/// 1. An element slips if its traction is this close to the bound and its slip above this share of the
+/// largest: well above the tolerance of the solvers, 1e-8.
+BEM_CONTACT_TUNED(double, at_the_bound, 1e-7);
+/// Directions in which the capacity of friction is compared with the force: 0.5 degrees apart. Chosen.
+BEM_CONTACT_TUNED(int, capacity_directions, 720);
+/// 1. A force this close to the capacity is full slip: rounding.
+BEM_CONTACT_TUNED(double, rounding_of_capacity, 1e-9);
+/// Tangential problems that the search for one creepage may solve. Chosen.
+BEM_CONTACT_TUNED(int, most_creepage_calls, 120);
+/// 1 (shift: mm). Where everything slips no force depends on the creepage. Chosen: the search ends here.
+BEM_CONTACT_TUNED(double, farthest_creepage, 1e12);
+/// 1. A bracket narrower than this share of the creepage holds a jump of the force: far below what tells
+/// adhesion from slip.
+BEM_CONTACT_TUNED(double, creepage_jump, 1e-11);
+/// 1. A secant step outside the bracket is lengthened by this, to bracket the force, and a step grows at
+/// most by the second. Chosen.
+BEM_CONTACT_TUNED(double, creepage_overshoot, 1.2);
+BEM_CONTACT_TUNED(double, creepage_growth, 10);
+/// Steps that do not halve the bracket; then it is bisected. Chosen.
+BEM_CONTACT_TUNED(int, most_slow_steps, 3);
+/// 1. First step of the search, in units of the creepage that brings one element to its bound, and (second)
+/// relative to the creepage of the outer iteration before, if there was one. Chosen.
+BEM_CONTACT_TUNED(double, first_creepage_step, 10);
+BEM_CONTACT_TUNED(double, near_creepage_step, 1e-3);
+/// Newton steps for two creepages, and how many of them may fail. Chosen.
+BEM_CONTACT_TUNED(int, most_creepage_newton, 40);
+BEM_CONTACT_TUNED(int, most_creepage_stops, 4);
+/// 1. Difference of the finite differences, relative to the creepage. Chosen.
+BEM_CONTACT_TUNED(double, creepage_difference, 1e-3);
+/// 1. The longest of these steps, relative to the creepage. Chosen.
+BEM_CONTACT_TUNED(double, longest_creepage_step, 2);
+/// Lengths that the line search tries, and by how much the missing force has to decrease. Chosen.
+BEM_CONTACT_TUNED(int, creepage_halvings, 10);
+BEM_CONTACT_TUNED(double, creepage_decrease, 1e-3);
+
+// --- coupled: outer iterations ---
+
+/// 1. Influence numbers below this share of the largest self number are rounding.
+BEM_CONTACT_TUNED(double, coupling_rounding, 1e-13);
+/// 1. Forces and displacements settle at this times the tolerance asked for, which the solvers reach.
+BEM_CONTACT_TUNED(double, settling_factor, 10);
+/// 1. Tolerance of the first outer iterations: shear is only known so well, and tighter would be wasted work.
+BEM_CONTACT_TUNED(double, loose_tolerance, 1e-4);
+/// 1. The tolerance follows the change of the last outer iteration, times this. Chosen.
+BEM_CONTACT_TUNED(double, tolerance_of_change, 0.01);
+/// 1. The tolerance is tightened by prescribed force over pressure force, but not beyond this: about
+/// 1 / largest_force_ratio.
+BEM_CONTACT_TUNED(double, least_force_share, 0.03);
+/// 1. From one outer iteration to the next the pressure force changes at most by this factor. Chosen.
+BEM_CONTACT_TUNED(double, largest_force_step, 4);
+/// 1. The largest pressure force that is tried, over the prescribed force. If it does not carry the force
+/// nothing does: friction pulls the bodies together as hard as they press each other apart. Chosen.
+BEM_CONTACT_TUNED(double, largest_force_ratio, 30);
+/// 1. The share of the force that a start gives to pressure and shear together, over the pressure's, is at
+/// most this. Chosen.
+BEM_CONTACT_TUNED(double, largest_start_share, 4);
+/// 1. Relative error of the sums of forces of loosely solved problems: loose_tolerance.
+BEM_CONTACT_TUNED(double, noise_of_sums, 1e-4);
+/// Pressure forces that are tried one by one where the accelerated iteration did not settle. Chosen.
+BEM_CONTACT_TUNED(int, most_force_trials, 60);
+/// Former iterations that Anderson acceleration uses. Chosen.
+BEM_CONTACT_TUNED(int, anderson_memory, 5);
+/// 1. It starts anew if the residual exceeds this times the best one, with this share of a plain step.
+/// Chosen.
+BEM_CONTACT_TUNED(double, anderson_restart, 5);
+BEM_CONTACT_TUNED(double, anderson_short_step, 0.3);
+/// 1. Shear tractions that follow the pressure grow at most by this factor. Chosen.
+BEM_CONTACT_TUNED(double, largest_shear_growth, 10);
+/// 1. Slip below this share of largest pressure times largest self number is rounding; in a shift or a
+/// transient step this times the second number, as displacements are not differences over one element there.
+BEM_CONTACT_TUNED(double, slip_rounding, 1e-12);
+BEM_CONTACT_TUNED(double, shift_slip_floor, 1e3);
+/// Elements of the grid, and across it. Smaller problems are as quickly solved from nothing as from larger
+/// elements.
+BEM_CONTACT_TUNED(int, few_elements, 800);
+BEM_CONTACT_TUNED(int, few_across, 16);
+/// 1. Tolerance on the larger elements of a start: their own error is larger.
+BEM_CONTACT_TUNED(double, start_tolerance, 1e-3);
+/// Newton steps on the larger elements of a start. Chosen: a start that takes more saves nothing.
+BEM_CONTACT_TUNED(int, start_newton_steps, 30);
+
+// --- check ---
+
+/// Terms. Direct sums of more would take longer than the solution (about 10,000 elements in contact).
+BEM_CONTACT_TUNED(double, many_terms, 3e8);
+/// Elements at which direct sums check the FFT that replaces them, and how closely (relative) they agree.
+BEM_CONTACT_TUNED(int, checked_elements, 100);
+BEM_CONTACT_TUNED(double, agreement_of_sums, 1e-9);
+/// 1. The slip scale is at least these times pmax and the largest self number, the rounding of displacements.
+/// Steady slip is their difference over one element, so that it has less.
+BEM_CONTACT_TUNED(double, steady_slip_rounding, 1e-12);
+BEM_CONTACT_TUNED(double, shift_slip_rounding, 1e-9);
+/// 1. And at least this times the creepage found: rounding, where it takes back the one given.
+BEM_CONTACT_TUNED(double, creepage_rounding, 1e-9);
+/// 1. The companion is solved with this tolerance, and accepted with this violation: an estimate is known to
+/// some per cent at best.
+BEM_CONTACT_TUNED(double, companion_tolerance, 1e-5);
+BEM_CONTACT_TUNED(double, companion_violation, 1e-4);
+/// Elements of the companion in contact, at least; in a single row or column. Fewer say nothing: on Hertz
+/// contacts with 12 elements across (28 in the companion) the two agree by chance.
+BEM_CONTACT_TUNED(int, least_companion, 40);
+BEM_CONTACT_TUNED(int, least_companion_line, 7);
+
+} // namespace bem_contact::contact

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "bem_contact/contact/problem.hpp"
+
+namespace bem_contact {
+
+class WorkBudget;
+class Workspace;
+
+/// A guess at the solution, on the problem's grid.
+struct StartingPoint : Tractions {
+  double approach = 0; ///< mm
+};
+
+struct SolverOptions {
+  double tolerance = 1e-8;  ///< of the solvers, relative; the certificate asks for 1e-6
+  int max_outer = 50;       ///< outer (Panagiotopoulos) iterations between the normal and tangential problem
+  int max_normal = 200;     ///< changes of the active set
+  int max_tangential = 250; ///< Newton steps for given p_n
+  int max_sweeps = 1000;    ///< Gauss-Seidel sweeps if Newton fails
+  bool only_newton = false; ///< no other method if Newton fails
+  bool estimate_discretisation = true;
+  bool coarse_start = true; ///< without `start`, solve a large problem on larger elements first
+  /// Starts from here instead of larger elements. A guess without pressure, or on another grid, is ignored.
+  const StartingPoint* start = nullptr;
+  WorkBudget* work = nullptr;     ///< of a case with several problems; null: each has its own
+  Workspace* workspace = nullptr; ///< prepared for earlier problems (workspace.hpp); null: for this one only
+};
+
+} // namespace bem_contact

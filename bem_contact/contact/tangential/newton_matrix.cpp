@@ -1,0 +1,197 @@
+#include "bem_contact/contact/tangential/newton_matrix.hpp"
+
+#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/influence/dense.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bem_contact::contact {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::MatrixXd;
+using Eigen::Vector2f;
+using Eigen::VectorXd;
+using Eigen::VectorXf;
+
+/// The Newton matrix of one linearisation and an approximate inverse of it, in single precision, for GMRES.
+/// The projection M of an element is the identity if it sticks, and m t t' if it slips, t along its bound. An
+/// element that nearly sticks (m above counts_as_sticking) counts as sticking along t.
+class FastJacobian {
+  using Element = StepBoxScratch::Element;
+
+public:
+  FastJacobian(const StepBox& box, const std::vector<int>& local, const VectorXd& all_stiffness,
+               const Linearisation& at, StepBoxScratch& scratch)
+      : box_(box), local_(local), scratch_(scratch), n_(box.size()) {
+    double slipping = 0, sum = 0, stiffness = 0;
+    scratch.elements.clear();
+    for (std::size_t a = 0; a < local.size(); ++a) {
+      const double m = std::min(at.projection[a].trace(), 2.0);
+      const auto r = static_cast<float>(all_stiffness[a]);
+      scratch.sticks[local[a]] = m > counts_as_sticking;
+      sticking_ = sticking_ || m > counts_as_sticking;
+      scratch.elements.push_back({at.projection[a].cast<float>(), r, static_cast<float>(m), 0});
+      stiffness += r;
+      if (m <= counts_as_sticking) {
+        slipping += 1;
+        sum += m;
+      }
+    }
+    if (!(sum > 0))
+      return;
+    // (1 - m)/m + r B, scaled from both sides to the mean of the first
+    const double mean = std::max(sum / slipping, least_mean_slope), shift = (1 - mean) / mean;
+    for (Element& e : scratch.elements)
+      if (e.m <= counts_as_sticking)
+        e.scale = static_cast<float>(std::sqrt(shift * e.m / (1 - e.m)));
+    damped_ = true;
+    scratch.damped.set(box, shift, stiffness / local.size());
+  }
+
+  /// J v = v - M (v - r B v)
+  void apply(const VectorXf& v, VectorXf& result) const {
+    clear();
+    for (std::size_t a = 0; a < local_.size(); ++a)
+      put(a, v.segment<2>(2 * a));
+    box_.step(scratch_.fast_in, scratch_.fast_out);
+    for (std::size_t a = 0; a < local_.size(); ++a) {
+      const Vector2f here = v.segment<2>(2 * a);
+      const Element& e = scratch_.elements[a];
+      result.segment<2>(2 * a) = here - e.projection * (here - e.stiffness * get(a));
+    }
+  }
+
+  /// About J^-1 v: r B inverted where it sticks, the damped matrix where it slips; across the bound J is the
+  /// identity.
+  void precondition(const VectorXf& v, VectorXf& result) const {
+    result = v;
+    for (std::size_t a = 0; a < local_.size(); ++a)
+      if (const Element& e = scratch_.elements[a]; e.m >= 2)
+        result.segment<2>(2 * a).setZero();
+      else if (e.m > 0)
+        result.segment<2>(2 * a) -= e.projection * v.segment<2>(2 * a) / e.m;
+    if (sticking_) {
+      clear();
+      for (std::size_t a = 0; a < local_.size(); ++a)
+        if (const Element& e = scratch_.elements[a]; e.m > counts_as_sticking)
+          put(a, e.m >= 2 ? Vector2f(v.segment<2>(2 * a) / e.stiffness)
+                          : Vector2f(e.projection * v.segment<2>(2 * a) / (e.m * e.m * e.stiffness)));
+      box_.invert(scratch_.sticks, scratch_.fast_in, scratch_.fast_out);
+      for (std::size_t a = 0; a < local_.size(); ++a)
+        if (const Element& e = scratch_.elements[a]; e.m >= 2)
+          result.segment<2>(2 * a) = get(a);
+        else if (e.m > counts_as_sticking)
+          result.segment<2>(2 * a) += e.projection * get(a) / e.m;
+    }
+    if (!damped_)
+      return;
+    clear();
+    for (std::size_t a = 0; a < local_.size(); ++a)
+      if (const Element& e = scratch_.elements[a]; e.scale > 0)
+        put(a, e.scale / (e.m * e.m) * (e.projection * v.segment<2>(2 * a)));
+    scratch_.damped.apply(box_, scratch_.fast_in, scratch_.fast_out);
+    for (std::size_t a = 0; a < local_.size(); ++a)
+      if (const Element& e = scratch_.elements[a]; e.scale > 0)
+        result.segment<2>(2 * a) += e.scale / e.m * (e.projection * get(a));
+  }
+
+private:
+  void clear() const { std::fill(scratch_.fast_in.begin(), scratch_.fast_in.end(), 0.0f); }
+  void put(std::size_t a, const Vector2f& v) const {
+    scratch_.fast_in[local_[a]] = v[0];
+    scratch_.fast_in[n_ + local_[a]] = v[1];
+  }
+  Vector2f get(std::size_t a) const { return {scratch_.fast_out[local_[a]], scratch_.fast_out[n_ + local_[a]]}; }
+
+  const StepBox& box_;
+  const std::vector<int>& local_;
+  StepBoxScratch& scratch_;
+  std::size_t n_;
+  bool sticking_ = false, damped_ = false;
+};
+
+} // namespace
+
+NewtonMatrix::NewtonMatrix(const TangentialSystem& system, const ContactElements& elements, WorkBudget& work)
+    : system_(system), elements_(elements) {
+  if (static_cast<int>(elements.contact.size()) <= dense_tangential_elements) {
+    matrix_ = &system.matrix_of(elements.contact);
+    return;
+  }
+  const auto [box, scratch] = system.box_around(elements.contact, work);
+  box_ = &box;
+  scratch_ = &scratch;
+  local_ = box.boxes().local(elements.contact, system.columns());
+  std::fill(scratch.sticks.begin(), scratch.sticks.end(), 0);
+}
+
+void NewtonMatrix::step(const VectorXd& v, VectorXd& result) const {
+  if (matrix_) {
+    result.noalias() = *matrix_ * v;
+    return;
+  }
+  const int n = box_->size();
+  std::fill(scratch_->in.begin(), scratch_->in.end(), 0.0);
+  for (std::size_t a = 0; a < local_.size(); ++a) {
+    scratch_->in[local_[a]] = v[2 * a];
+    scratch_->in[n + local_[a]] = v[2 * a + 1];
+  }
+  box_->step(scratch_->in, scratch_->out);
+  result.resize(elements_.unknowns());
+  for (std::size_t a = 0; a < local_.size(); ++a) {
+    result[2 * a] = scratch_->out[local_[a]];
+    result[2 * a + 1] = scratch_->out[n + local_[a]];
+  }
+}
+
+double NewtonMatrix::product_work() const {
+  return matrix_ ? elements_.contact.size() : system_.product_work(box_->boxes().rows()) * box_->size();
+}
+
+MatrixXd NewtonMatrix::dense_jacobian(const Linearisation& at) const {
+  MatrixXd jacobian =
+      matrix_ ? *matrix_ : step_matrix(*system_.problem, system_.rule.present, elements_.contact);
+  for (int a = 0; a < elements_.unknowns() / 2; ++a) {
+    auto rows = jacobian.middleRows<2>(2 * a);
+    rows = (elements_.stiffness[a] * at.projection[a] * rows).eval();
+    jacobian.block<2, 2>(2 * a, 2 * a) += Matrix2d::Identity() - at.projection[a];
+  }
+  return jacobian;
+}
+
+/// True if GMRES converged, or if there are so many elements that its result has to do.
+bool NewtonMatrix::solve_by_gmres(const Linearisation& at, double tolerance, TangentialState& state,
+                                  VectorXd& step) const {
+  const FastJacobian jacobian(*box_, local_, elements_.stiffness, at, *scratch_);
+  const auto apply = [&](const VectorXf& v, VectorXf& result) { jacobian.apply(v, result); };
+  const auto inverse = [&](const VectorXf& v, VectorXf& result) { jacobian.precondition(v, result); };
+  const bool enough =
+      scratch_->gmres.solve(apply, inverse, -at.residual, tolerance, most_gmres_products, step);
+  state.products += scratch_->gmres.products();
+  return enough || elements_.unknowns() / 2 > most_dense_elements;
+}
+
+VectorXd NewtonMatrix::newton_step(const Linearisation& at, double tolerance, WorkBudget& work,
+                                   TangentialState& state) const {
+  const int before = state.products;
+  VectorXd step;
+  if (box_ && solve_by_gmres(at, tolerance, state, step))
+    state.solver = "Newton, GMRES";
+  else {
+    state.solver = "Newton, LU";
+    MatrixXd jacobian = dense_jacobian(at), right = -at.residual;
+    if (!solve_lu(jacobian, right))
+      right.setConstant(std::nan(""));
+    step = right.col(0);
+  }
+  // An iteration of GMRES is a product and the preconditioner, which is translational.
+  const double gmres_work = box_ ? product_work() + 2.0 * box_->size() : 0;
+  work.spend(2.0 * product_work() + (state.products - before) * gmres_work);
+  return step;
+}
+
+} // namespace bem_contact::contact

@@ -1,0 +1,88 @@
+#include "bem_contact/contact/tangential/step_box.hpp"
+
+#include <algorithm>
+
+namespace bem_contact::contact {
+
+StepBox::StepBox(const InfluenceNumbers& numbers, const Boxes& boxes, const std::array<double, 3>& present,
+                 TransformPool* pool)
+    : boxes_(boxes), present_(present),
+      tt_(numbers, boxes, {component_x, component_s}, {component_x, component_s}, pool), fast_(tt_, pool) {
+  using Inverse = BasicPlaneOperator<float>;
+  for (const int c : {component_x, component_s}) {
+    const Inverse a(numbers, boxes.mx(), boxes.ms(), {c}, {c}, Inverse::Form::periodic,
+                    boxes.boxes.front().first_s + boxes.ms() / 2, pool);
+    for (auto* list : {&behind_, &ahead_, &periodic_})
+      list->emplace_back(a);
+    behind_.back().invert_factor(Inverse::Factor::behind);
+    ahead_.back().invert_factor(Inverse::Factor::ahead);
+  }
+}
+
+void StepBox::apply_each(const std::vector<BasicPlaneOperator<float>>& of, std::span<const float> from,
+                         std::span<float> to) const {
+  const std::size_t n = boxes_.boxes.front().size();
+  for (std::size_t field = 0; field < from.size() / n; ++field)
+    of[field / boxes_.boxes.size()].apply(from.subspan(field * n, n), to.subspan(field * n, n), 0);
+}
+
+template <class Real>
+void StepBox::step_by(const BasicStripOperator<Real>& a, std::span<const Real> in, std::span<Real> out) const {
+  if (present_[1] != 0)
+    return a.apply_step(in, out);
+  a.apply(in, out);
+  for (Real& v : out)
+    v *= static_cast<Real>(present_[0]);
+}
+
+void StepBox::step(std::span<const double> in, std::span<double> out) const {
+  step_by(tt_, in, out);
+}
+
+void StepBox::step(std::span<const float> in, std::span<float> out) const {
+  step_by(fast_, in, out);
+}
+
+void StepBox::invert(const std::vector<char>& sticks, std::span<const float> in, std::span<float> out) const {
+  const int mx = boxes_.mx();
+  const std::size_t n = boxes_.size();
+  const auto d0 = static_cast<float>(present_[0]), d1 = static_cast<float>(present_[1]),
+             d2 = static_cast<float>(present_[2]);
+  apply_each(behind_, in, out);
+  for (const std::size_t c : {0, 1})
+    for (int is = 0; is < boxes_.rows(); ++is) {
+      float* to = &out[c * n];
+      float u1 = 0, u2 = 0; // of the elements ahead, where they stick
+      for (int i = (is + 1) * mx - 1; i >= is * mx; --i) {
+        to[i] = sticks[i] ? (to[i] - d1 * u1 - d2 * u2) / d0 : 0.0f;
+        u2 = u1;
+        u1 = to[i];
+      }
+    }
+  apply_each(ahead_, out, out);
+  for (std::size_t i = 0; i < 2 * n; ++i)
+    if (!sticks[i % n])
+      out[i] = 0;
+}
+
+StepBox::DampedInverse::DampedInverse(const StepBox& box) {
+  for (const auto& a : box.periodic_)
+    inverse_.emplace_back(a);
+}
+
+void StepBox::DampedInverse::set(const StepBox& box, double shift, double stiffness) {
+  for (const std::size_t c : {0, 1})
+    inverse_[c].invert_shifted(box.periodic_[c], static_cast<float>(shift), static_cast<float>(stiffness),
+                               box.present_);
+}
+
+void StepBox::DampedInverse::apply(const StepBox& box, std::span<const float> in,
+                                   std::span<float> out) const {
+  box.apply_each(inverse_, in, out);
+}
+
+StepBoxScratch::StepBoxScratch(const StepBox& box)
+    : sticks(box.size()), in(2 * box.size()), out(2 * box.size()), fast_in(2 * box.size()),
+      fast_out(2 * box.size()), damped(box) {}
+
+} // namespace bem_contact::contact

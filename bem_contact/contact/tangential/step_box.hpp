@@ -1,0 +1,84 @@
+#pragma once
+
+#include "bem_contact/contact/grid/boxes.hpp"
+#include "bem_contact/contact/operator/plane_operator.hpp"
+#include "bem_contact/contact/operator/strip_operator.hpp"
+#include "bem_contact/contact/slip_step.hpp"
+#include "bem_contact/contact/tangential/gmres.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace bem_contact::contact {
+
+/// B (step_numbers.hpp) on boxes around the contact, and approximate inverses of it in single precision.
+/// Fields are [2][boxes.rows()][boxes.mx()], x before s.
+class StepBox {
+public:
+  /// `present`: the weights of the step (SlipStep::present).
+  StepBox(const InfluenceNumbers& numbers, const Boxes& boxes, const std::array<double, 3>& present,
+          TransformPool* pool = nullptr);
+
+  const Boxes& boxes() const { return boxes_; }
+  const std::array<double, 3>& present() const { return present_; }
+  int size() const { return boxes_.size(); } ///< of one component
+
+  /// out = B in
+  void step(std::span<const double> in, std::span<double> out) const;
+  void step(std::span<const float> in, std::span<float> out) const;
+
+  /// out = about B_SS^-1 in, S the elements whose `sticks` is set; zero elsewhere, in `in` as well.
+  ///
+  /// B = D A with D = sum_k present[k] (x + k dx), x and s apart. Where S ends ahead, at the leading edge, the
+  /// inverse is nearly exact: A_behind^-1, then D^-1 from that edge on, then A_ahead^-1, each on S alone.
+  void invert(const std::vector<char>& sticks, std::span<const float> in, std::span<float> out) const;
+
+  /// Approximates (shift + stiffness B)^-1, x and s apart: what slips obeys such a matrix along its own bound,
+  /// where the shift damps so well that borders need no respect.
+  class DampedInverse {
+  public:
+    explicit DampedInverse(const StepBox& box);
+    /// Takes new values, without allocating.
+    void set(const StepBox& box, double shift, double stiffness);
+    void apply(const StepBox& box, std::span<const float> in, std::span<float> out) const;
+
+  private:
+    std::vector<BasicPlaneOperator<float>> inverse_; ///< of x and of s
+  };
+
+private:
+  /// Of x and of s, each box by itself. `from` and `to` may be the same.
+  void apply_each(const std::vector<BasicPlaneOperator<float>>& of, std::span<const float> from,
+                  std::span<float> to) const;
+  template <class Real>
+  void step_by(const BasicStripOperator<Real>& a, std::span<const Real> in, std::span<Real> out) const;
+
+  Boxes boxes_;
+  std::array<double, 3> present_;
+  StripOperator tt_;
+  BasicStripOperator<float> fast_;
+  std::vector<BasicPlaneOperator<float>> behind_, ahead_, periodic_; ///< of A_xx, A_ss
+};
+
+/// Scratch of Newton's linear systems on a StepBox, allocated once for all iterations.
+struct StepBoxScratch {
+  explicit StepBoxScratch(const StepBox& box);
+
+  /// One element in contact of the linearisation at hand (newton_matrix.cpp).
+  struct Element {
+    Eigen::Matrix2f projection; ///< M
+    float stiffness, m, scale;  ///< r; trace of M; of a slipping element, between it and the mean of all
+  };
+
+  std::vector<char> sticks;
+  std::vector<Element> elements;
+  std::vector<double> in, out;
+  std::vector<float> fast_in, fast_out;
+  StepBox::DampedInverse damped;
+  Gmres gmres;
+};
+
+} // namespace bem_contact::contact

@@ -1,0 +1,47 @@
+#include "bem_contact/contact/tangential/tangential_operators.hpp"
+
+#include <utility>
+
+namespace bem_contact::contact {
+
+TangentialOperators::TangentialOperators(std::shared_ptr<TransformPool> pool) : pool_(std::move(pool)) {}
+
+const StripOperator& TangentialOperators::whole(const ContactProblem& problem, WorkBudget& work) {
+  if (!whole_) {
+    const std::vector<int> tangential{component_x, component_s};
+    work.spend(spectra_work(problem.numbers.translational, 4, problem.grid.ms, problem.grid.mx));
+    whole_.emplace(problem.numbers, problem.grid.mx, tangential, tangential, RowRange{}, pool_.get());
+  }
+  return *whole_;
+}
+
+const StepNumbers& TangentialOperators::step_numbers(const ContactProblem& problem,
+                                                     const std::array<double, 3>& present) {
+  if (!step_numbers_ || step_numbers_->present != present)
+    step_numbers_.emplace(
+        NumbersOfStep{present, StepNumbers(problem.numbers, problem.grid.mx, present)});
+  return step_numbers_->numbers;
+}
+
+TangentialOperators::BoxWithScratch
+TangentialOperators::box_around(const std::vector<int>& contact, const ContactProblem& problem,
+                                const std::array<double, 3>& present, WorkBudget& work) {
+  const Boxes needed = boxes_around(contact, problem.grid, 0, !problem.numbers.translational);
+  if (!box_ || !serve(box_->boxes(), needed, contact, problem.grid.mx) || box_->present() != present) {
+    work.spend(spectra_work(problem.numbers.translational, 4, needed.rows(), needed.mx()));
+    scratch_.reset();
+    box_.emplace(problem.numbers, needed, present, pool_.get());
+    scratch_.emplace(*box_);
+  }
+  return {*box_, *scratch_};
+}
+
+const Eigen::MatrixXd& TangentialOperators::matrix_of(const std::vector<int>& contact,
+                                                      const ContactProblem& problem,
+                                                      const std::array<double, 3>& present) {
+  if (!matrix_ || matrix_->contact != contact || matrix_->present != present)
+    matrix_.emplace(MatrixOfContact{contact, present, step_matrix(problem, present, contact)});
+  return matrix_->matrix;
+}
+
+} // namespace bem_contact::contact

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "bem_contact/contact/operator/plane_transforms.hpp"
+#include "bem_contact/contact/tangential/step_box.hpp"
+#include "bem_contact/contact/tangential/step_numbers.hpp"
+#include "bem_contact/contact/work.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace bem_contact::contact {
+
+/// What is prepared of the tangential influence numbers of one grid. Every call gives a problem with the same
+/// numbers and grid; the weights of its step (SlipStep::present) may differ. Each operator is made when it is
+/// first asked for; it is complete then and stays as it is. Serves one thread at a time.
+class TangentialOperators {
+public:
+  explicit TangentialOperators(std::shared_ptr<TransformPool> pool = std::make_shared<TransformPool>());
+
+  /// A_tt on the whole grid.
+  const StripOperator& whole(const ContactProblem& problem, WorkBudget& work);
+  const StepNumbers& step_numbers(const ContactProblem& problem, const std::array<double, 3>& present);
+
+  /// B on boxes around the contact and scratch for it. The former boxes are used again while they serve.
+  struct BoxWithScratch {
+    const StepBox& box;
+    StepBoxScratch& scratch;
+  };
+  BoxWithScratch box_around(const std::vector<int>& contact, const ContactProblem& problem,
+                            const std::array<double, 3>& present, WorkBudget& work);
+  /// B of a few elements; the former matrix is used again for the same ones.
+  const Eigen::MatrixXd& matrix_of(const std::vector<int>& contact, const ContactProblem& problem,
+                                   const std::array<double, 3>& present);
+
+private:
+  struct NumbersOfStep {
+    std::array<double, 3> present;
+    StepNumbers numbers;
+  };
+  struct MatrixOfContact {
+    std::vector<int> contact;
+    std::array<double, 3> present;
+    Eigen::MatrixXd matrix;
+  };
+  std::shared_ptr<TransformPool> pool_;
+  std::optional<StripOperator> whole_;
+  std::optional<NumbersOfStep> step_numbers_;
+  std::optional<StepBox> box_;
+  std::optional<StepBoxScratch> scratch_;
+  std::optional<MatrixOfContact> matrix_;
+};
+
+} // namespace bem_contact::contact

@@ -1,0 +1,96 @@
+#include "bem_contact/contact/tangential/tangential_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bem_contact::contact {
+
+using Eigen::VectorXd;
+
+TangentialSystem::TangentialSystem(const ContactProblem& the_problem, TangentialOperators& operators)
+    : problem(&the_problem), rule(slip_step(the_problem)), stiffness(the_problem.grid.size()),
+      operators_(&operators) {
+  const int mx = problem->grid.mx;
+  const InfluenceNumbers& a = problem->numbers;
+  for (int is = 0; is < problem->grid.ms; ++is) {
+    double mean = 0;
+    for (const int c : {component_x, component_s})
+      for (int k = 0; k <= rolling_columns; ++k)
+        mean += 0.5 * rule.present[k] * a.at(k, is, c, is, c);
+    stiffness.segment(is * mx, mx).setConstant(1 / mean);
+  }
+}
+
+VectorXd TangentialSystem::displacement(const VectorXd& p, WorkBudget& work, int columns) const {
+  work.spend(product_work(problem->grid.ms) * size());
+  VectorXd u(p.size());
+  operators_->whole(*problem, work)
+      .apply({p.data(), static_cast<std::size_t>(p.size())}, {u.data(), static_cast<std::size_t>(u.size())},
+             columns);
+  return u;
+}
+
+VectorXd TangentialSystem::step(const VectorXd& p, WorkBudget& work) const {
+  if (problem->motion != MotionKind::steady)
+    return rule.present[0] * displacement(p, work);
+  work.spend(product_work(problem->grid.ms) * size());
+  VectorXd u(p.size());
+  operators_->whole(*problem, work)
+      .apply_step({p.data(), static_cast<std::size_t>(p.size())},
+                  {u.data(), static_cast<std::size_t>(u.size())});
+  return u;
+}
+
+const StepNumbers& TangentialSystem::step_numbers() const {
+  return operators_->step_numbers(*problem, rule.present);
+}
+
+double TangentialSystem::product_work(int rows) const {
+  return bem_contact::product_work(problem->numbers.translational, rows);
+}
+
+TangentialOperators::BoxWithScratch TangentialSystem::box_around(const std::vector<int>& contact,
+                                                                 WorkBudget& work) const {
+  return operators_->box_around(contact, *problem, rule.present, work);
+}
+
+const Eigen::MatrixXd& TangentialSystem::matrix_of(const std::vector<int>& contact) const {
+  return operators_->matrix_of(contact, *problem, rule.present);
+}
+
+double largest_slip(const VectorXd& rigid, const std::vector<int>& contact, const VectorXd& slip,
+                    double floor) {
+  const Eigen::Index n = rigid.size() / 2;
+  double largest = floor;
+  for (const int i : contact)
+    largest = std::max({largest, std::hypot(rigid[i], rigid[n + i]),
+                        std::hypot(slip[i] - rigid[i], slip[n + i] - rigid[n + i])});
+  return largest;
+}
+
+double coulomb_violation(const TangentialTask& task, const VectorXd& p, const VectorXd& slip) {
+  const Eigen::Index n = task.bound.size();
+  const double slip_scale = largest_slip(task.rigid, task.contact, slip, task.slip_floor);
+  const double largest_bound = task.bound.maxCoeff();
+  double worst = 0;
+  for (const int i : task.contact) {
+    const double s = std::hypot(slip[i], slip[n + i]);
+    const double cone = std::hypot(p[i], p[n + i]) - task.bound[i];
+    worst = std::max(worst, cone / largest_bound);
+    if (s <= 0)
+      continue;
+    const double direction =
+        std::hypot(p[i] - task.bound[i] * slip[i] / s, p[n + i] - task.bound[i] * slip[n + i] / s);
+    worst = std::max(worst, std::min(s / slip_scale, direction / largest_bound));
+  }
+  return worst;
+}
+
+void judge(const TangentialSystem& system, const TangentialTask& task, double tolerance, WorkBudget& work,
+           TangentialState& state) {
+  state.slip = task.drive - system.step(state.p, work);
+  state.violation = coulomb_violation(task, state.p, state.slip);
+  state.converged = state.violation <= tolerance;
+}
+
+} // namespace bem_contact::contact

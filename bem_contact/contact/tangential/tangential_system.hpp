@@ -1,0 +1,67 @@
+#pragma once
+
+#include "bem_contact/contact/slip_step.hpp"
+#include "bem_contact/contact/tangential/tangential_operators.hpp"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace bem_contact::contact {
+
+/// The linear part of one rolling step or load step on a grid; vectors are fields of two components,
+/// [2][ms][mx]. `problem` and `operators` outlive it; the operators belong to the problem's influence numbers.
+class TangentialSystem {
+public:
+  TangentialSystem(const ContactProblem& problem, TangentialOperators& operators);
+
+  int size() const { return problem->grid.size(); }
+  int columns() const { return problem->grid.mx; }
+  /// A_tt p at x + columns dx, mm
+  Eigen::VectorXd displacement(const Eigen::VectorXd& p, WorkBudget& work, int columns = 0) const;
+  Eigen::VectorXd step(const Eigen::VectorXd& p, WorkBudget& work) const; ///< B_tt p, mm
+  const StepNumbers& step_numbers() const;
+  double product_work(int rows) const; ///< work.hpp
+  TangentialOperators::BoxWithScratch box_around(const std::vector<int>& contact, WorkBudget& work) const;
+  const Eigen::MatrixXd& matrix_of(const std::vector<int>& contact) const;
+
+  const ContactProblem* problem;
+  SlipStep rule;
+  Eigen::VectorXd stiffness; ///< 1 / mean of B_xx, B_ss of the element itself, MPa/mm; field of one component
+
+private:
+  TangentialOperators* operators_;
+};
+
+/// Friction for given p_n: |p_t| <= bound; S = drive - B_tt p; an element sticks, or slips along S.
+struct TangentialTask {
+  Eigen::VectorXd bound;    ///< mu p_n, MPa; field
+  Eigen::VectorXd rigid;    ///< w of the step, mm
+  Eigen::VectorXd drive;    ///< rigid - (B p_n)_t + what former tractions left, mm
+  std::vector<int> contact; ///< elements with p_n > 0
+  double slip_floor = 0;    ///< mm: slip below this is rounding
+};
+
+struct TangentialState {
+  Eigen::VectorXd p, slip; ///< p_t, MPa; S = drive - B p in contact, mm
+  int iterations = 0;
+  int products = 0; ///< of GMRES
+  bool converged = false;
+  double violation = 0;
+  std::string solver, remark;
+};
+
+/// The largest rigid slip w or elastic slip S - w of the elements in contact, and at least `floor`; mm.
+double largest_slip(const Eigen::VectorXd& rigid, const std::vector<int>& contact,
+                    const Eigen::VectorXd& slip, double floor);
+
+/// The largest violation of Coulomb's law: of the cone, and of the nearer of adhesion (|S| over the largest
+/// slip) and slip (p_t against mu p_n S/|S|, over mu pmax).
+double coulomb_violation(const TangentialTask& task, const Eigen::VectorXd& p, const Eigen::VectorXd& slip);
+
+/// Sets state.slip of state.p on the whole grid, state.violation and state.converged.
+void judge(const TangentialSystem& system, const TangentialTask& task, double tolerance, WorkBudget& work,
+           TangentialState& state);
+
+} // namespace bem_contact::contact

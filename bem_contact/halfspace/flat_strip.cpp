@@ -1,0 +1,54 @@
+#include "bem_contact/halfspace/flat_strip.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/halfspace/element_line.hpp"
+#include "bem_contact/halfspace/kernels.hpp"
+#include "bem_contact/halfspace/plane_strain.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace bem_contact::halfspace {
+
+InfluenceNumbers numbers(const Material& material, double dx, double ds, int offsets, int rows) {
+  require_size(dx, "length dx");
+  require_size(ds, "width ds");
+  if (offsets < 1 || rows < 1)
+    throw InputError("an influence table without elements was asked for",
+                     std::to_string(offsets) + " offsets, " + std::to_string(rows) + " rows",
+                     "ask for at least one of each");
+  InfluenceNumbers result{offsets, rows, dx, ds, {}, true};
+  result.values.resize(result.expected_values());
+  std::vector<Matrix3> line(static_cast<std::size_t>(offsets));
+  for (int d = 0; d < rows; ++d) {
+    averaged_line(material, d * ds, dx, ds, line);
+    for (int m = 0; m < offsets; ++m)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const double value = line[static_cast<std::size_t>(m)][i][j];
+          result.at(m, d, i, 0, j) = value;
+          result.at(m, 0, j, d, i) = parity(i, j) * value;
+        }
+  }
+  return result;
+}
+
+InfluenceNumbers plane_strain_numbers(const Material& material, double ds, int rows,
+                                      double reference_distance) {
+  if (rows < 1)
+    throw InputError("an influence table without elements was asked for", std::to_string(rows) + " rows",
+                     "ask for at least one row");
+  InfluenceNumbers result{1, rows, 0, ds, {}};
+  result.values.resize(9 * static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows));
+  for (int d = 1 - rows; d < rows; ++d) {
+    const Matrix3 m = averaged_plane_strain(material, d * ds, ds, reference_distance);
+    for (int row = std::max(0, -d); row < rows && row + d < rows; ++row)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          result.at(0, row + d, i, row, j) = m[i][j];
+  }
+  return result;
+}
+
+} // namespace bem_contact::halfspace

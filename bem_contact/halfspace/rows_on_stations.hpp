@@ -1,0 +1,26 @@
+#pragma once
+
+#include "bem_contact/influence/influence_function.hpp"
+
+#include <array>
+#include <span>
+
+/// Private to this room: rows that lie between the stations of an influence file, by interpolation.
+namespace bem_contact::halfspace {
+
+/// Lagrange weights of `count` (at most 4) neighbouring stations for one row.
+struct RowWeights {
+  int first = 0, count = 0;
+  std::array<double, 4> weight{};
+};
+
+/// Weights of the row at `position`, in station widths from the centre of the first of `stations`.
+RowWeights interpolate(double position, int stations);
+
+/// The function with the rows in place of its stations. Interpolating the kernel is the same as interpolating
+/// the influence numbers, because expand() is linear in the kernel, and it is cheaper: there are fewer
+/// wavenumbers than offsets, and fewer rows than stations.
+InfluenceFunction with_rows(const InfluenceFunction& function, std::span<const RowWeights> rows,
+                            bool plane_strain);
+
+} // namespace bem_contact::halfspace

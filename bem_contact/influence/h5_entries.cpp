@@ -1,0 +1,128 @@
+#include "bem_contact/influence/h5_entries.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/h5_attributes.hpp"
+
+#include <functional>
+#include <numeric>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace bem_contact {
+
+namespace {
+
+/// Text (fixed or variable length) or number; nothing for any other attribute.
+void read_attribute(hid_t object, const std::string& name, const std::string& key, H5Table& table) {
+  const H5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
+  const H5Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
+  if (attribute < 0 || H5Sget_simple_extent_npoints(space) != 1)
+    return;
+  const H5T_class_t kind = H5Tget_class(type);
+  if (kind == H5T_STRING) {
+    if (auto text = read_text(attribute))
+      table.attributes[key] = std::move(*text);
+  } else if (kind == H5T_FLOAT || kind == H5T_INTEGER) {
+    double value = 0;
+    if (H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) >= 0)
+      table.attributes[key] = value;
+  }
+}
+
+std::vector<std::string> attribute_names(hid_t object) {
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5A_info_t*, void* data) -> herr_t {
+    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+    return 0;
+  };
+  H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names);
+  return names;
+}
+
+std::string text_of(hid_t object, const std::string& name) {
+  H5Table one;
+  if (H5Aexists(object, name.c_str()) > 0)
+    read_attribute(object, name, name, one);
+  const auto at = one.attributes.find(name);
+  const auto* text = at == one.attributes.end() ? nullptr : std::get_if<std::string>(&at->second);
+  return text ? *text : std::string();
+}
+
+bool read_dataset(hid_t set, H5Dataset& data) {
+  const H5Handle space(H5Dget_space(set), H5Sclose), type(H5Dget_type(set), H5Tclose);
+  const H5T_class_t kind = H5Tget_class(type);
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER)
+    return true;
+  const int rank = H5Sget_simple_extent_ndims(space);
+  std::vector<hsize_t> shape(rank > 0 ? rank : 0);
+  if (rank > 0)
+    H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  data.shape.assign(shape.begin(), shape.end());
+  data.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  data.unit = text_of(set, "unit");
+  data.description = text_of(set, "description");
+  return data.values.empty() ||
+         H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) >= 0;
+}
+
+} // namespace
+
+void check_writing(bool good, const std::filesystem::path& file, const std::string& what) {
+  if (!good)
+    throw InputError(
+        "The file '" + file.string() + "' cannot be written", what,
+        "Check that its folder exists, that you may write there, and that the disk is not full.");
+}
+
+void write_entries(hid_t root, const H5Table& table, const std::filesystem::path& file) {
+  const H5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links, 1);
+  for (const auto& [name, data] : table.datasets) {
+    std::vector<hsize_t> shape(data.shape.begin(), data.shape.end());
+    const auto size =
+        std::accumulate(data.shape.begin(), data.shape.end(), std::size_t{1}, std::multiplies<>());
+    check_writing(size == data.values.size(), file, "the shape of " + name + " does not fit its values");
+    const H5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
+    const H5Handle set(H5Dcreate2(root, name.c_str(), H5T_IEEE_F64LE, space, links, H5P_DEFAULT, H5P_DEFAULT),
+                       H5Dclose);
+    check_writing(set >= 0, file, "dataset " + name);
+    check_writing(data.values.empty() || H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                                                  data.values.data()) >= 0,
+                  file, "dataset " + name);
+    check_writing(write_attribute(set, "unit", data.unit), file, "attribute unit");
+    check_writing(write_attribute(set, "description", data.description), file, "attribute description");
+  }
+  for (const auto& [path, value] : table.attributes) {
+    const auto slash = path.rfind('/');
+    const std::string group = slash == std::string::npos ? "/" : path.substr(0, slash);
+    const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+    if (group != "/" && H5Lexists(root, group.c_str(), H5P_DEFAULT) <= 0)
+      H5Handle(H5Gcreate2(root, group.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+    const H5Handle object(H5Oopen(root, group.c_str(), H5P_DEFAULT), H5Oclose);
+    check_writing(object >= 0, file, "group " + group);
+    const auto write = [&](const auto& text_or_number) {
+      return write_attribute(object, name.c_str(), text_or_number);
+    };
+    check_writing(std::visit(write, value), file, "attribute " + name);
+  }
+}
+
+bool read_entry(hid_t root, const std::string& path, bool deep, H5Table& table) {
+  const H5Handle object(H5Oopen(root, path.c_str(), H5P_DEFAULT), H5Oclose);
+  if (object < 0)
+    return false;
+  const H5I_type_t kind = H5Iget_type(object);
+  if (kind == H5I_DATASET && (deep || path.find('/') == std::string::npos)) {
+    H5Dataset data;
+    if (!read_dataset(object, data))
+      return false;
+    table.datasets[path] = std::move(data);
+  } else if (kind == H5I_GROUP) {
+    for (const std::string& name : attribute_names(object))
+      read_attribute(object, name, path == "." ? name : path + "/" + name, table);
+  }
+  return true;
+}
+
+} // namespace bem_contact

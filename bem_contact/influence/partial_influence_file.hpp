@@ -1,0 +1,36 @@
+#pragma once
+
+#include "bem_contact/influence/influence_function.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// The wavenumbers that a run has finished so far, in `file` + ".part". A run that was killed goes on from
+/// it.
+class PartialInfluenceFile {
+public:
+  /// Opens or creates; an existing file whose `fingerprint` differs is discarded.
+  PartialInfluenceFile(std::filesystem::path file, std::string fingerprint, std::size_t stations,
+                       std::span<const double> wavenumber);
+  ~PartialInfluenceFile();
+  bool has(std::size_t k) const;
+  /// numbers: the kernel's lower triangle by rows, remote, remote_self, and errors of any meaning.
+  void write(std::size_t k, std::vector<double> numbers);
+  /// Moves wavenumbers, kernel, remote and remote_self of all parts into `function`, and their errors one
+  /// after the other into `errors`. Throws InputError if a part is missing. Only the file has them
+  /// afterwards.
+  void take_into(InfluenceFunction& function, std::vector<double>& errors);
+  void remove(); ///< after the final file is complete
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+} // namespace bem_contact

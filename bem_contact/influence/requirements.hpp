@@ -1,0 +1,22 @@
+#pragma once
+
+#include "bem_contact/influence/influence_function.hpp"
+
+#include <cstdint>
+#include <string>
+
+/// Whether an influence function serves what it is wanted for. Each function throws InputError if it does
+/// not.
+namespace bem_contact {
+
+/// It was computed for this profile: the digest of ProfileCurve counts, the name is for the message.
+void require_profile(const InfluenceFunction& function, const std::string& profile, std::uint64_t digest);
+/// It was computed for this material.
+void require_material(const InfluenceFunction& function, const Material& material);
+/// The two files are not exchanged: the lower body (rail) has its material below, the upper one (wheel)
+/// above.
+void require_order(const InfluenceFunction& lower, const InfluenceFunction& upper);
+/// [s_from, s_to], mm, lies on its contact strip.
+void require_strip(const InfluenceFunction& function, double s_from, double s_to);
+
+} // namespace bem_contact

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "bem_contact/base/tuned.hpp"
+
+#include <cstddef>
+
+/// The tuned numbers of this room (base/tuned.hpp).
+namespace bem_contact {
+
+// The Fourier series.
+
+/// 1. Half an element's length times the largest wavenumber must be at least this. What is left beyond is
+/// then about 1 % of self, and its extrapolation is good to a hundredth of that (tests/influence).
+BEM_CONTACT_TUNED(double, least_half_element_phase, 5.0);
+/// 1 (largest wavenumbers). How far the series is summed beyond the last sample. What is left is 1/16^2 of a
+/// tail that is itself about 1 % of self; its mean is added in closed form.
+BEM_CONTACT_TUNED(double, tail_reach, 16.0);
+/// rad. From this phase on a sum over harmonics is replaced by its expansion, whose smallest term is then
+/// below 1e-10 of its first;
+BEM_CONTACT_TUNED(double, expansion_phase, 36.0);
+/// 1 (harmonics). and without a phase from this harmonic on (Euler-Maclaurin: next term below 1e-16).
+BEM_CONTACT_TUNED(double, expansion_start, 64.0);
+/// 1. Terms of that expansion: a bound, it ends at its smallest term.
+BEM_CONTACT_TUNED(int, expansion_terms, 40);
+/// 1 (share of the sum). Smaller terms of it no longer count.
+BEM_CONTACT_TUNED(double, expansion_tolerance, 1e-17);
+/// 1 (harmonics). Cosines follow from each other by rotation, and anew from the angle after so many: rounding
+/// grows with their number.
+BEM_CONTACT_TUNED(long, rotated_harmonics, 64);
+/// 1. How far the phase of least_half_element_phase may fall short: rounding.
+BEM_CONTACT_TUNED(double, phase_slack, 1e-9);
+/// 1 (share of a wavenumber). A harmonic that is beyond the last sample by less is not beyond it: rounding.
+BEM_CONTACT_TUNED(double, last_sample_slack, 1e-12);
+/// 1 (share of a wavenumber). A harmonic this near to a sample is that sample: rounding.
+BEM_CONTACT_TUNED(double, sample_snap, 1e-10);
+
+// Numbers on the file's stations.
+
+/// 1. Reciprocal condition of the remote section's compliance, scaled to a unit diagonal, below which the
+/// structure is not removed: its inverse would have no correct digits.
+BEM_CONTACT_TUNED(double, least_remote_condition, 1e-13);
+/// 1. How far the ratio of an element's length to a table's may be from a whole number: rounding.
+BEM_CONTACT_TUNED(double, whole_ratio_slack, 1e-9);
+/// 1 (station widths). How unequally stations may be spaced: the rounding of s in a file.
+BEM_CONTACT_TUNED(double, station_spacing_slack, 1e-6);
+/// 1 (share of half a turn). How far the half period of a body of revolution may be off: rounding.
+BEM_CONTACT_TUNED(double, half_turn_slack, 1e-9);
+
+/// 1 (share of the arc lengths). How far a patch may reach beyond the strip: rounding.
+BEM_CONTACT_TUNED(double, strip_rounding, 1e-9);
+
+// Files.
+
+/// 1. Largest extent of a table that is read: a damaged file asks for no more memory than this.
+BEM_CONTACT_TUNED(std::size_t, most_extent, 1000000);
+/// bytes. A file in memory grows in such steps: few of them for a file of some 100 MB.
+BEM_CONTACT_TUNED(std::size_t, image_increment, 1 << 20);
+/// bytes. Disk space that an HDF5 object may take besides its values, and all tables of a file: more than its
+/// headers and indices do take.
+BEM_CONTACT_TUNED(std::size_t, object_bytes, 4096);
+BEM_CONTACT_TUNED(std::size_t, table_bytes, 1 << 18); ///< bytes. As above.
+/// 1. Error figures that a wavenumber may have in the file of finished ones: more mean a damaged file.
+BEM_CONTACT_TUNED(std::size_t, most_errors, 1000);
+
+} // namespace bem_contact

@@ -1,0 +1,95 @@
+#include "bem_contact/influence/strict_h5.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/settings.hpp"
+
+#include <functional>
+#include <numeric>
+#include <utility>
+
+namespace bem_contact::strict_h5 {
+namespace {
+
+struct OpenTable {
+  Handle set;
+  Shape shape;
+};
+
+/// `shape`: the extents wanted, 0 where any will do.
+OpenTable open_table(hid_t at, const char* name, Shape shape) {
+  Handle set(H5Dopen2(at, name, H5P_DEFAULT), H5Dclose, std::string("the table ") + name);
+  const Handle space(H5Dget_space(set), H5Sclose, name);
+  const Handle type(H5Dget_type(set), H5Tclose, name);
+  Shape found(shape.size());
+  const bool fits = H5Tget_class(type) == H5T_FLOAT &&
+                    H5Sget_simple_extent_ndims(space) == static_cast<int>(shape.size()) &&
+                    H5Sget_simple_extent_dims(space, found.data(), nullptr) >= 0;
+  for (std::size_t i = 0; fits && i < shape.size(); ++i)
+    if (shape[i] == 0 && found[i] > 0 && found[i] < most_extent)
+      shape[i] = found[i];
+  if (!fits || found != shape)
+    throw InputError("the influence file's table '" + std::string(name) + "' has the wrong shape or type",
+                     "it does not fit the file's stations and wavenumbers",
+                     "compute the influence file again");
+  return {std::move(set), std::move(shape)};
+}
+
+} // namespace
+
+Handle::Handle(hid_t id, herr_t (*close)(hid_t), std::string_view what) : H5Handle(id, close) {
+  if (id < 0)
+    throw InputError("HDF5 failed at " + std::string(what),
+                     "see data/INFLUENCE_FORMAT.md for what is expected", "compute the influence file again");
+}
+
+void check(bool success, std::string_view what) {
+  if (!success)
+    throw InputError("HDF5 failed at " + std::string(what), "the disk may be full or the file damaged",
+                     "make room, or compute the influence file again");
+}
+
+Handle open_scalar(hid_t at, const char* name, H5T_class_t wanted) {
+  Handle attribute(H5Aopen(at, name, H5P_DEFAULT), H5Aclose, std::string("the attribute ") + name);
+  const Handle space(H5Aget_space(attribute), H5Sclose, name);
+  const Handle type(H5Aget_type(attribute), H5Tclose, name);
+  if (H5Sget_simple_extent_npoints(space) != 1 || H5Tget_class(type) != wanted)
+    throw InputError("the influence file's attribute '" + std::string(name) +
+                         "' is not one value of the right type",
+                     "see data/INFLUENCE_FORMAT.md", "compute the influence file again");
+  return attribute;
+}
+
+void read(hid_t at, const char* name, std::string& value) {
+  const Handle attribute = open_scalar(at, name, H5T_STRING);
+  const auto text = read_text(attribute);
+  check(text.has_value(), name);
+  value = *text;
+}
+
+void write(hid_t at, const Table& table) {
+  const char* name = table.name;
+  const Handle space(H5Screate_simple(static_cast<int>(table.shape.size()), table.shape.data(), nullptr),
+                     H5Sclose, name);
+  const Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
+  check(H5Pset_obj_track_times(list, false) >= 0, name); // the same numbers give the same bytes
+  if (table.checked) {
+    Shape chunk = table.shape;
+    chunk.front() = 1;
+    check(H5Pset_chunk(list, static_cast<int>(chunk.size()), chunk.data()) >= 0, name);
+    check(H5Pset_fletcher32(list) >= 0, name);
+  }
+  const Handle set(H5Dcreate2(at, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose,
+                   name);
+  check(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()) >= 0, name);
+  write(set, "unit", std::string(table.unit));
+}
+
+std::vector<double> read_table(hid_t at, const char* name, Shape wanted) {
+  const auto [set, shape] = open_table(at, name, std::move(wanted));
+  std::vector<double> values(
+      std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<hsize_t>()));
+  check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, name);
+  return values;
+}
+
+} // namespace bem_contact::strict_h5

@@ -1,0 +1,212 @@
+#include "bem_contact/profile/profile_repair.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/profile_orientation.hpp"
+#include "bem_contact/profile/settings.hpp"
+#include "bem_contact/profile/turn_at.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace bem_contact {
+
+namespace {
+
+double path_length(const std::vector<Point2>& p) {
+  double sum = 0;
+  for (std::size_t i = 1; i < p.size(); ++i)
+    sum += norm(p[i] - p[i - 1]);
+  return sum;
+}
+
+/// The first point where the walk turns back, if any.
+std::optional<std::size_t> first_zig_zag(const std::vector<Point2>& p) {
+  for (std::size_t i = 1; i + 1 < p.size(); ++i)
+    if (turn_at(p, i) > zig_zag)
+      return i;
+  return std::nullopt;
+}
+
+void mend_units(std::vector<Point2>& points, const std::string& source) {
+  const auto [low, high] =
+      std::minmax_element(points.begin(), points.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
+  double width = high->y - low->y;
+  if (width >= narrowest_in_metres && width <= widest_in_metres) {
+    spdlog::warn("{}: {:.4g} wide: taken as metres", source, width);
+    for (Point2& p : points)
+      p = 1000 * p;
+    width *= 1000;
+  }
+  if (!(width >= narrowest_profile && width <= widest_profile))
+    throw InputError(fmt::format("{}: the profile is {:.4g} mm wide", source, width),
+                     "no rail or wheel is; the unit is neither mm nor m, or the columns are not y and z",
+                     "Convert it to mm.");
+}
+
+/// Whether the walk goes over the same ground twice. A profile does not, even with under-head or flange back.
+bool runs_back(const std::vector<Point2>& p) {
+  double travelled = 0, low = p.front().y, high = low;
+  for (std::size_t i = 1; i < p.size(); ++i) {
+    travelled += std::abs(p[i].y - p[i - 1].y);
+    low = std::min(low, p[i].y);
+    high = std::max(high, p[i].y);
+  }
+  return travelled > doubled_walk * (high - low);
+}
+
+/// Drops points nearer than `crowded` to the one before; the last point stays.
+void drop_crowded(std::vector<Point2>& points, const std::string& source) {
+  std::vector<Point2> kept;
+  for (const Point2 p : points)
+    if (kept.empty() || norm(p - kept.back()) >= crowded)
+      kept.push_back(p);
+  if (norm(points.back() - kept.back()) > 0 && kept.size() > 1)
+    kept.back() = points.back();
+  if (kept.size() < points.size())
+    spdlog::warn("{}: {} doubled or crowded points dropped (nearer than {} mm)", source,
+                 points.size() - kept.size(), crowded);
+  points = std::move(kept);
+}
+
+/// Drops single stray points, each the one whose absence shortens the walk most.
+bool drop_stray(std::vector<Point2>& points, const std::string& source) {
+  std::vector<Point2> mended = points;
+  const auto most =
+      static_cast<std::size_t>(std::max(1.0, repairable_share * static_cast<double>(points.size())));
+  while (const auto at = first_zig_zag(mended)) {
+    if (points.size() - mended.size() >= most || mended.size() <= 4)
+      return false;
+    std::size_t drop = *at;
+    double shortest = path_length(mended);
+    for (std::size_t i = *at - 1; i <= *at + 1; ++i) {
+      std::vector<Point2> without = mended;
+      without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+      // An end point always shortens the walk: it is dropped only where nothing else helps.
+      const bool end = i == 0 || i + 1 == mended.size();
+      if (const double length = path_length(without) + (end ? end_point_penalty * shortest : 0);
+          length < shortest) {
+        shortest = length;
+        drop = i;
+      }
+    }
+    mended.erase(mended.begin() + static_cast<std::ptrdiff_t>(drop));
+  }
+  spdlog::warn("{}: {} points dropped where the profile zig-zags", source, points.size() - mended.size());
+  points = std::move(mended);
+  return true;
+}
+
+void mend_order(std::vector<Point2>& points, const std::string& source) {
+  const auto at = first_zig_zag(points);
+  if (!at && !runs_back(points))
+    return;
+  std::vector<Point2> sorted = points;
+  std::stable_sort(sorted.begin(), sorted.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
+  if (!first_zig_zag(sorted) && path_length(points) > shuffled_walk * path_length(sorted)) {
+    spdlog::warn("{}: the points are out of order: sorted by y", source);
+    points = std::move(sorted);
+    return;
+  }
+  if (runs_back(points) || !drop_stray(points, source)) {
+    const Point2 where = at ? points[*at] : points[points.size() / 2];
+    throw InputError(fmt::format("{}: the profile runs back and forth near y = {:.4g}, z = {:.4g}", source,
+                                 where.y, where.z),
+                     "its points are neither in walking order nor sortable by y",
+                     "Order the points along the profile; of overlapping scans give one.");
+  }
+}
+
+/// Where segments i and j > i + 1 cross, if they do.
+std::optional<Point2> crossing(const std::vector<Point2>& p, std::size_t i, std::size_t j) {
+  const Point2 a = p[i + 1] - p[i], b = p[j + 1] - p[j], c = p[j] - p[i];
+  const double det = cross(a, b);
+  if (det == 0)
+    return std::nullopt;
+  const double u = cross(c, b) / det, v = cross(c, a) / det;
+  if (u < 0 || u > 1 || v < 0 || v > 1)
+    return std::nullopt;
+  return p[i] + u * a;
+}
+
+void mend_loops(std::vector<Point2>& points, const std::string& source) {
+  for (std::size_t i = 0; i + 3 < points.size(); ++i)
+    for (std::size_t j = i + 2; j + 1 < points.size(); ++j) {
+      // Cheap test first: every pair of segments is looked at.
+      if (std::min(points[j].y, points[j + 1].y) > std::max(points[i].y, points[i + 1].y) ||
+          std::max(points[j].y, points[j + 1].y) < std::min(points[i].y, points[i + 1].y))
+        continue;
+      const auto where = crossing(points, i, j);
+      if (!where)
+        continue;
+      const std::vector<Point2> loop(points.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                                     points.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+      const double length = path_length(loop) + norm(loop.front() - *where) + norm(loop.back() - *where);
+      if (length > repairable_loop)
+        throw InputError(fmt::format("{}: the profile crosses itself at y = {:.4g}, z = {:.4g}", source,
+                                     where->y, where->z),
+                         fmt::format("the loop is {:.3g} mm long", length), "Remove the points of the loop.");
+      spdlog::warn("{}: a loop of {:.3g} mm cut off at y = {:.4g}, z = {:.4g}", source, length, where->y,
+                   where->z);
+      points.erase(points.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                   points.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+      points.insert(points.begin() + static_cast<std::ptrdiff_t>(i) + 1, *where);
+    }
+}
+
+/// Missing points and jumps are reported, not mended: the curve goes through the points that there are.
+void report_holes(const std::vector<Point2>& p, const std::string& source) {
+  std::vector<double> length;
+  for (std::size_t i = 1; i < p.size(); ++i)
+    length.push_back(norm(p[i] - p[i - 1]));
+  std::vector<double> sorted = length;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                   sorted.end());
+  const double median = sorted[sorted.size() / 2];
+  const auto direction = [&](std::size_t i) { return std::atan2(p[i + 1].z - p[i].z, p[i + 1].y - p[i].y); };
+  const auto degrees = [&](std::size_t from, std::size_t to) {
+    return std::remainder(direction(to) - direction(from), 2 * std::numbers::pi) * 180 / std::numbers::pi;
+  };
+  std::size_t jumps = 0, first = 0;
+  for (std::size_t i = 1; i + 2 < p.size(); ++i) {
+    const double turned = std::abs(degrees(i - 1, i + 1));
+    if (length[i] > std::max(hole_length * median, least_hole) && turned > hole_turn)
+      spdlog::warn(
+          "{}: no points for {:.3g} mm from y = {:.4g} to y = {:.4g}, over which the profile turns by "
+          "{:.2g} degrees: its shape there is a guess",
+          source, length[i], p[i].y, p[i + 1].y, turned);
+    const double into = degrees(i - 1, i), out = degrees(i, i + 1);
+    if (into * out < 0 && std::min(std::abs(into), std::abs(out)) > jump_turn && ++jumps == 1)
+      first = i;
+  }
+  if (jumps > 0)
+    spdlog::warn("{}: the profile jumps {} times, first by {:.2g} mm at y = {:.4g}", source, jumps,
+                 length[first], p[first].y);
+}
+
+} // namespace
+
+std::vector<Point2> repaired(std::vector<Point2> points, const std::string& source, ProfileKind kind) {
+  const auto require_some = [&] {
+    if (points.size() < 3)
+      throw InputError(fmt::format("{} has {} points", source, points.size()), "a profile needs at least 3",
+                       points.empty() ? "The file is empty or holds no numbers." : "Give more points.");
+  };
+  require_some();
+  mend_units(points, source);
+  drop_crowded(points, source);
+  require_some();
+  mend_order(points, source);
+  drop_crowded(points, source); // sorting brings doubled points together
+  require_some();
+  orient(points, source, kind);
+  mend_loops(points, source);
+  report_holes(points, source);
+  return points;
+}
+
+} // namespace bem_contact

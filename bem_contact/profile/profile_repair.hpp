@@ -1,0 +1,16 @@
+#pragma once
+
+#include "bem_contact/base/conventions.hpp"
+#include "bem_contact/profile/profile_kind.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// Brings measured points into the unit, order, frame and shape that ProfileCurve::through_points() needs.
+/// What it mends is listed at read_profile(); each repair is a warning that names `source`.
+/// Throws InputError where a repair would be a guess.
+std::vector<Point2> repaired(std::vector<Point2> points, const std::string& source, ProfileKind kind);
+
+} // namespace bem_contact

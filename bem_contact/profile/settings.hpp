@@ -1,0 +1,101 @@
+#pragma once
+
+#include "bem_contact/base/tuned.hpp"
+
+#include <numbers>
+
+/// The tuned numbers of this room (base/tuned.hpp).
+namespace bem_contact {
+
+// Curves.
+
+/// rad. Chords of measured points that turn by more make a corner; less is taken as curvature. Chosen: a
+/// profile sampled every millimetre turns by .08 per chord on the sharpest arc of a new rail (R 13).
+BEM_CONTACT_TUNED(double, corner_angle, 0.3);
+/// 1. A corner also turns by more than this many times the turns beside it. On a coarsely sampled arc all
+/// turns are alike, so that it gets no corners.
+BEM_CONTACT_TUNED(double, corner_contrast, 2.0);
+/// mm. Nearer points of a curve coincide: a chord between them has no direction.
+BEM_CONTACT_TUNED(double, coinciding_points, 1e-9);
+/// mm. A point this near to y = 0 lies on it: the rounding of a joint's coordinates.
+BEM_CONTACT_TUNED(double, on_axis, 1e-12);
+/// 1 (share of a piece). How closely the crossing of y = 0 is found: a few roundings.
+BEM_CONTACT_TUNED(double, axis_tolerance, 1e-14);
+/// mm. How far beyond its ends a curve may be asked for: the rounding of an arc length.
+BEM_CONTACT_TUNED(double, end_slack, 1e-9);
+/// 1. Samples of a polynomial piece from which the search for its nearest point starts. Pieces are about 1 mm
+/// long, so that the distance has no second minimum between two samples. Chosen.
+BEM_CONTACT_TUNED(int, nearest_samples, 6);
+/// 1. Newton steps inside a polynomial piece: bounds. Newton converges in about four.
+BEM_CONTACT_TUNED(int, arc_length_steps, 20);
+BEM_CONTACT_TUNED(int, nearest_steps, 60); ///< 1. As above; each step may be a halving instead.
+/// 1 (share of a piece's parameter). Where these Newton steps end: a few roundings.
+BEM_CONTACT_TUNED(double, parameter_tolerance, 1e-15);
+/// mm. Pieces of the polynomial zones of S1002 are at most this long, so that ten Gauss points give the arc
+/// length to the last digit.
+BEM_CONTACT_TUNED(double, s1002_piece, 1.0);
+
+/// 1. Bounds of a search for the nearest piece are widened by so much, so that no piece's own bound, rounded,
+/// excludes it.
+BEM_CONTACT_TUNED(double, bound_rounding, 1e-12);
+
+// Outlines of a body file.
+
+/// rad. Pieces of a contact surface that meet at less are smooth: the coordinates of a drawing are rounded.
+BEM_CONTACT_TUNED(double, tangent_slack, 0.01);
+/// mm. A shorter piece of an outline is a mistake. Chosen: a thousandth of the last digit of a drawing.
+BEM_CONTACT_TUNED(double, shortest_outline_piece, 1e-6);
+/// 1. An arc's chord may exceed its diameter by so much: a half circle with rounded ends.
+BEM_CONTACT_TUNED(double, half_circle_rounding, 1e-9);
+/// 1. Points of an arc among which its lowest z is looked for. Chosen.
+BEM_CONTACT_TUNED(int, lowest_point_samples, 64);
+
+// Repair of measured points.
+
+/// mm. Nearer points carry the rounding of the file (.01 mm), not shape.
+BEM_CONTACT_TUNED(double, crowded, 0.01);
+/// rad. No profile turns so sharply between two chords: there the points zig-zag. Chosen: beyond a right
+/// angle, which the edge of a wheel's rim may have.
+BEM_CONTACT_TUNED(double, zig_zag, 100 * std::numbers::pi / 180);
+/// 1 (share of the points). More may not be dropped as stray: then the file is another kind of wrong. Chosen.
+BEM_CONTACT_TUNED(double, repairable_share, 0.05);
+/// 1 (share of the length of the walk). An end point always shortens the walk when it is dropped; it is
+/// dropped only if nothing else shortens the walk by nearly as much.
+BEM_CONTACT_TUNED(double, end_point_penalty, 1e-3);
+/// mm. A longer loop is shape, not noise. Chosen: about the distance of measured points.
+BEM_CONTACT_TUNED(double, repairable_loop, 1.0);
+/// mm. Widths that a rail's or wheel's profile can have. A wheel's rim is 140 mm wide.
+BEM_CONTACT_TUNED(double, narrowest_profile, 10.0);
+BEM_CONTACT_TUNED(double, widest_profile, 300.0); ///< mm. As above.
+/// The file's unit. A profile this wide is in metres: no profile in mm is as narrow.
+BEM_CONTACT_TUNED(double, narrowest_in_metres, 0.02);
+BEM_CONTACT_TUNED(double, widest_in_metres, 0.3); ///< As above.
+/// 1. A walk that travels this many times its width along y goes over the same ground twice. Below 2, because
+/// overlapping scans rarely cover all of each other; a profile with under-head stays below 1.5.
+BEM_CONTACT_TUNED(double, doubled_walk, 1.9);
+/// 1. Points are out of order if sorting by y shortens the walk by this factor. Chosen: two shuffled points
+/// of a short file already do.
+BEM_CONTACT_TUNED(double, shuffled_walk, 1.5);
+
+// Holes in measured points. They are reported, not mended. All chosen.
+
+BEM_CONTACT_TUNED(double, hole_length, 10.0); ///< 1. A hole is so many times as long as the median chord,
+BEM_CONTACT_TUNED(double, least_hole, 2.0);   ///< mm. and at least so long;
+BEM_CONTACT_TUNED(double, hole_turn, 2.0);    ///< deg. and the profile turns by more over it.
+/// deg. Two chords that turn by more, there and back, are a jump between two scans.
+BEM_CONTACT_TUNED(double, jump_turn, 45.0);
+
+// Orientation of measured points.
+
+/// 1 (share of the chord between the ends). A rail's head that bulges down by more has its z upside down.
+/// Chosen: a rail's head bulges by more than a tenth of its width.
+BEM_CONTACT_TUNED(double, least_bulge, 0.005);
+/// mm. Less is no flange: the sign of z is left as it is. A flange is 28 mm high, a tread falls by 3 mm.
+BEM_CONTACT_TUNED(double, least_flange, 8.0);
+/// mm. Something wider than a rail's head whose top is narrower than this, so far below its highest point, is
+/// a wheel with its flange up. The head of 60E1 is 72 mm wide, and 56 mm at this depth.
+BEM_CONTACT_TUNED(double, top_depth, 3.0);
+BEM_CONTACT_TUNED(double, narrowest_top, 25.0);    ///< mm. As above.
+BEM_CONTACT_TUNED(double, widest_rail_head, 90.0); ///< mm. As above.
+
+} // namespace bem_contact

@@ -1,0 +1,59 @@
+#include "bem_contact/profile/text_lines.hpp"
+
+#include "bem_contact/base/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace bem_contact {
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const auto end = text.find_first_of("\r\n");
+    lines.push_back(text.substr(0, end));
+    if (end == std::string_view::npos)
+      break;
+    const bool two = text[end] == '\r' && end + 1 < text.size() && text[end + 1] == '\n';
+    text.remove_prefix(end + (two ? 2 : 1));
+  }
+  return lines;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t\r");
+  if (begin == std::string_view::npos)
+    return {};
+  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+}
+
+std::vector<double> numbers_of(std::string_view line) {
+  constexpr std::string_view separators = " \t,;";
+  std::vector<double> values;
+  for (;;) {
+    const auto begin = line.find_first_not_of(separators);
+    if (begin == std::string_view::npos)
+      return values;
+    line.remove_prefix(begin);
+    std::string token(line.substr(0, line.find_first_of(separators)));
+    line.remove_prefix(token.size());
+    std::replace(token.begin(), token.end(), 'D', 'E'); // Fortran's exponent
+    const char* first = token.c_str() + (token.front() == '+' ? 1 : 0);
+    double value = 0;
+    const auto [stop, problem] = std::from_chars(first, token.c_str() + token.size(), value);
+    if (problem != std::errc{} || stop != token.c_str() + token.size())
+      return {};
+    values.push_back(value);
+  }
+}
+
+void require_finite(const std::vector<double>& values, const std::string& source, std::size_t line) {
+  if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
+    throw InputError(fmt::format("{}:{}: a coordinate is not a number", source, line),
+                     "NaN and infinity are no places", "Remove or mend the point.");
+}
+
+} // namespace bem_contact

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Lines and numbers of a text file, for the readers of the profile formats.
+namespace bem_contact {
+
+std::vector<std::string_view> lines_of(std::string_view text);
+std::string_view trimmed(std::string_view text);
+
+/// The numbers of a line, separated by blanks, commas or semicolons; empty if any word is not a number.
+/// "nan" and "inf" are numbers here, so that require_finite() can refuse them by name.
+std::vector<double> numbers_of(std::string_view line);
+
+/// Throws InputError that names the line.
+void require_finite(const std::vector<double>& values, const std::string& source, std::size_t line);
+
+} // namespace bem_contact

@@ -1,0 +1,61 @@
+#include "fem_influence/harmonic/run_plan.hpp"
+
+#include "bem_contact/profile/standard_profiles.hpp"
+#include "fem_influence/harmonic/error_estimate.hpp"
+#include "fem_influence/harmonic/wavenumbers.hpp"
+#include "fem_influence/shared/body_description.hpp"
+#include "fem_influence/shared/stations.hpp"
+
+#include <algorithm>
+
+namespace bem_contact::fem {
+
+namespace {
+
+CompanionPlan plan_companion(const BodyFile& body, const InfluenceFunction& function) {
+  CompanionPlan companion{body, compared_stations(function.station_count()), function};
+  --companion.body.harmonic.degree;
+  companion.body.harmonic.border_levels = std::max(0, body.harmonic.border_levels - 1);
+  companion.function.stations.clear();
+  for (const std::size_t J : companion.stations)
+    companion.function.stations.push_back(function.stations[J]);
+  companion.function.wavenumber.clear();
+  for (const std::size_t k : companion_samples(function.wavenumber_count()))
+    companion.function.wavenumber.push_back(function.wavenumber[k]);
+  return companion;
+}
+
+} // namespace
+
+double RunPlan::wavenumber(const WavenumberTask& task) const {
+  return (task.companion ? companion->function : function).wavenumber[task.k];
+}
+
+RunPlan plan_run(const BodyFile& body, const ProfileCurve& curve) {
+  RunPlan plan;
+  plan.function = describe(body, curve, make_stations(body.strip, curve));
+  plan.function.held = held_part(body.body) +
+                       ": all three displacements are zero on the mesh's group 'held' (physical curve 2)";
+  plan.function.wavenumber =
+      wavenumber_samples(half_period_of(body), shortest_reference_dx(body, plan.function.stations),
+                         body.harmonic.samples_per_decade);
+  for (std::size_t k = 0; k < plan.function.wavenumber_count(); ++k)
+    plan.tasks.push_back({false, k});
+  if (body.harmonic.degree > 1) {
+    plan.companion = plan_companion(body, plan.function);
+    for (std::size_t k = 0; k < plan.companion->function.wavenumber_count(); ++k)
+      plan.tasks.push_back({true, k});
+  }
+  return plan;
+}
+
+double shortest_reference_dx(const BodyFile& body, std::span<const Station> stations) {
+  const double reference = reference_radius_of(body);
+  double longest = 1;
+  if (reference > 0)
+    for (const Station& station : stations)
+      longest = std::max(longest, (reference + station.position.z) / reference);
+  return body.harmonic.shortest_dx / longest;
+}
+
+} // namespace bem_contact::fem

@@ -1,0 +1,59 @@
+#include "fem_influence/harmonic_command.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/profile/body_file.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
+#include "fem_influence/harmonic/harmonic_run.hpp"
+#include "fem_influence/progress_bar.hpp"
+#include "fem_influence/shared/parallel.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace bem_contact::fem {
+
+namespace {
+
+void print(const RunReport& report, const std::string& output) {
+  fmt::print(
+      stderr,
+      "{}: {} stations, {} wavenumbers and {} of the companion ({} from an earlier run), {} cells, {} "
+      "unknowns\n"
+      "  {:.1f} s on {} process(es), at most {:.2f} GiB each; all processes together: assembly {:.1f} s, "
+      "analysis {:.1f} s, factors and kernel {:.1f} s\n"
+      "  Maxwell-Betti {:.1e}, reaction {:.1e}, smallest eigenvalue {:.1e} of the largest self number\n",
+      output, report.stations, report.wavenumbers, report.companion_wavenumbers, report.resumed, report.cells,
+      report.unknowns, report.seconds, process_count(), report.peak_memory, report.timing.assembly,
+      report.timing.analysis, report.timing.factorization, report.betti_error, report.reaction_error,
+      report.smallest_eigenvalue);
+  if (report.companion_wavenumbers > 0)
+    fmt::print(stderr, "  estimated error {:.1e} of the number itself (mesh {:.1e}, wavenumbers {:.1e})\n",
+               report.error.total, report.error.mesh, report.error.samples);
+  else
+    fmt::print(stderr, "  the error was not estimated (degree 1 has no companion)\n");
+}
+
+} // namespace
+
+void harmonic_command(const std::string& body_file, const std::string& mesh, const std::string& output) {
+  std::optional<BodyFile> body;
+  std::optional<ProfileCurve> curve;
+  together([&] {
+    body = read_body_file(body_file);
+    refuse_overwriting(output, std::array<std::filesystem::path, 2>{body_file, mesh});
+    curve = body_profile(*body);
+  });
+  const auto stations = std::lround((body->strip.to - body->strip.from) / body->strip.station_width);
+  ProgressBar bar(fmt::format("{} stations, wavenumbers", stations));
+  const RunReport report = run_harmonic(*body, *curve, mesh, output,
+                                        [&](std::size_t done, std::size_t all) { bar.show(done, all); });
+  if (process_rank() == 0)
+    print(report, output);
+}
+
+} // namespace bem_contact::fem

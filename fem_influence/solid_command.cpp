@@ -1,0 +1,135 @@
+#include "fem_influence/solid_command.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/influence/expand.hpp"
+#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/profile/body_file.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
+#include "fem_influence/progress_bar.hpp"
+#include "fem_influence/shared/file_checks.hpp"
+#include "fem_influence/shared/stations.hpp"
+#include "fem_influence/solid/solid_check.hpp"
+#include "fem_influence/solid/solid_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <numeric>
+#include <sstream>
+#include <vector>
+
+namespace bem_contact::fem {
+
+namespace {
+
+std::vector<int> station_numbers(const std::string& text, std::size_t stations) {
+  std::vector<int> numbers;
+  if (text.empty())
+    return {static_cast<int>(stations / 2)};
+  std::istringstream in(text);
+  for (std::string word; std::getline(in, word, ',');)
+    try {
+      std::size_t end = 0;
+      numbers.push_back(std::stoi(word, &end));
+      if (end != word.size())
+        throw std::invalid_argument(word);
+    } catch (const std::logic_error&) {
+      throw InputError("'" + text + "' is no list of stations", "'" + word + "' is no whole number",
+                       "give --load-station as in 12 or 12,40,66");
+    }
+  return numbers;
+}
+
+void print_check(const std::vector<SolidDifference>& bands) {
+  constexpr const char* name = "xsn";
+  fmt::print("{:<16}{:>9}  largest of self and of local, %; then each component of local, %\n", "distance",
+             "elements");
+  for (const auto& band : bands) {
+    if (band.elements == 0)
+      continue;
+    double self = 0, local = 0;
+    std::string each;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        self = std::max(self, band.of_self[i][j]);
+        local = std::max(local, band.of_local[i][j]);
+        each += fmt::format(" {}{} {:.3f}", name[i], name[j], 100 * band.of_local[i][j]);
+      }
+    fmt::print("{:<16}{:>9}  {:.3f} {:.3f} {}\n",
+               band.up_to == 0 ? "loaded element" : fmt::format("to {} mm", band.up_to), band.elements,
+               100 * self, 100 * local, each);
+  }
+}
+
+void check_files(const std::string& body_file, const std::string& mesh, const SolidOptions& options) {
+  for (const std::string& file : {options.output, options.vtu})
+    refuse_overwriting(file, std::array<std::filesystem::path, 3>{body_file, mesh, options.check});
+  if (options.output.empty() && options.check.empty() && options.vtu.empty())
+    throw InputError("There is nothing to do with the 3-D numbers", "they would be computed and forgotten",
+                     "give -o OUT.h5, --check INFLUENCE.h5 or --vtu FIELD.vtu");
+  for (const std::string& file : {options.output, options.vtu})
+    if (!file.empty())
+      require_writable(file);
+}
+
+void write_table(const BodyFile& body, const ProfileCurve& curve, const std::string& mesh,
+                 const SolidNumbers& numbers, const std::string& output) {
+  InfluenceFunction function = as_table(body, curve, numbers);
+  function.estimated_error = mesh_error(body, curve, mesh, numbers);
+  write_influence_file(output, function);
+  fmt::print(stderr, "{}: table of {} offsets, Maxwell-Betti between meshes {:.1e}, estimated error {}\n",
+             output, numbers.offsets, function.betti_error,
+             function.estimated_error < 0 ? "none" : fmt::format("{:.1e}", function.estimated_error));
+}
+
+void compare_with(const std::string& file, const BodyFile& body, const ProfileCurve& curve,
+                  const SolidNumbers& numbers) {
+  const InfluenceFunction function = read_influence_file(file);
+  require_profile(function, curve.name(), curve.digest());
+  require_material(function, body.material);
+  const InfluenceNumbers reference = expand(
+      function, {.dx = numbers.dx, .offsets = numbers.offsets, .structural = StructuralCompliance::included});
+  for (const bool removed : {false, true}) {
+    fmt::print("{}\n", removed ? "rigid motion of the differences removed:" : "as computed:");
+    print_check(compare(numbers, reference, function.reference_radius, removed));
+  }
+}
+
+} // namespace
+
+void solid_command(const std::string& body_file, const std::string& mesh, const SolidOptions& options) {
+  const BodyFile body = read_body_file(body_file);
+  check_files(body_file, mesh, options);
+  const ProfileCurve curve = body_profile(body);
+  require_mesh_of(body, curve, mesh);
+  const std::size_t stations = make_stations(body.strip, curve).size();
+  const std::vector<int> chosen = station_numbers(options.load_stations, stations);
+  std::vector<int> loads = chosen;
+  if (!options.output.empty()) { // a file needs them all
+    loads.resize(stations);
+    std::iota(loads.begin(), loads.end(), 0);
+  }
+  ProgressBar bar("loaded stations");
+  const SolidNumbers numbers =
+      solid_numbers(body, curve, mesh,
+                    {.loads = loads,
+                     .field = {options.vtu, chosen.front(), options.component},
+                     .progress = [&](std::size_t done, std::size_t all) { bar.show(done, all); }});
+  const SolidReport& report = numbers.report;
+  fmt::print(stderr, "{}: {} cells, {} unknowns, {:.1f} s, {:.2f} GiB, Maxwell-Betti {:.1e}\n", mesh,
+             report.cells, report.unknowns, report.seconds, report.peak_memory, report.betti_error);
+  if (!options.vtu.empty())
+    fmt::print(stderr, "{}: field displacement_mm under 1 MPa along {} on station {}, half of the body\n",
+               options.vtu, "xsn"[options.component], chosen.front());
+  if (!options.output.empty())
+    write_table(body, curve, mesh, numbers, options.output);
+  if (!options.check.empty())
+    compare_with(options.check, body, curve, numbers);
+}
+
+} // namespace bem_contact::fem

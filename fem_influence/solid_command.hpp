@@ -1,0 +1,22 @@
+#pragma once
+
+#include "bem_contact/base/conventions.hpp"
+
+#include <string>
+
+namespace bem_contact::fem {
+
+/// Options of the solid method. Texts are empty where an option is not given.
+struct SolidOptions {
+  std::string output;          ///< influence file to write (.h5)
+  std::string check;           ///< influence file of the same body to compare with (.h5)
+  std::string vtu;             ///< displacement field to write (.vtu)
+  std::string load_stations;   ///< as in "12,40"
+  int component = component_n; ///< of the load whose field is written
+};
+
+/// `fem_influence BODY.toml MESH.msh --solid ...`: the solid method. Throws InputError for files or settings
+/// that do not fit, and where nothing is asked for.
+void solid_command(const std::string& body_file, const std::string& mesh, const SolidOptions& options);
+
+} // namespace bem_contact::fem

@@ -1,0 +1,73 @@
+#include "bem_contact/base/schema.hpp"
+
+#include "tests/base/message.hpp"
+
+#include <gmock/gmock.h>
+
+namespace bem_contact {
+
+enum class Colour { red, green };
+template <> struct EnumNames<Colour> {
+  static constexpr std::array<std::string_view, 2> names{"red", "green"};
+};
+
+namespace {
+
+using testing::HasSubstr;
+
+struct Paint {
+  Colour colour = Colour::red;
+  std::optional<Colour> frame;
+  std::optional<double> thickness; ///< empty if the file says nothing; 0 is a value
+  std::optional<int> coats;        ///< empty if the file says nothing or 0
+};
+
+Schema schema_of(Paint& paint) {
+  Schema s("paint file");
+  s.add("colour", paint.colour, {.doc = "Of the wall"});
+  s.add("frame", paint.frame, "same", {.doc = "Of the frame"});
+  s.add("thickness", paint.thickness, {.doc = "Of a coat", .unit = "mm", .at_least = 0});
+  s.add("coats", paint.coats, {.doc = "How many; 0: as needed", .at_least = 0, .zero_is_none = true});
+  return s;
+}
+
+Paint read(const std::string& toml) {
+  Paint paint;
+  schema_of(paint).read(toml, "paint.toml");
+  return paint;
+}
+
+TEST(Schema, AnEnumIsReadByItsNames) {
+  EXPECT_EQ(read("colour = 'green'").colour, Colour::green);
+  EXPECT_EQ(read("").colour, Colour::red);
+  EXPECT_THAT(message_of([] { read("colour = 'gren'"); }),
+              HasSubstr("paint.toml:1: colour = \"gren\" (known are red, green) Did you mean \"green\"?"));
+}
+
+TEST(Schema, AnEmptyChoiceHasANameOfItsOwn) {
+  EXPECT_EQ(read("frame = 'same'").frame, std::nullopt);
+  EXPECT_EQ(read("frame = 'red'").frame, Colour::red);
+  EXPECT_THAT(message_of([] { read("frame = 'blue'"); }), HasSubstr("known are same, red, green"));
+}
+
+TEST(Schema, AnOptionalIsEmptyIfTheFileDoesNotHaveItsKey) {
+  EXPECT_EQ(read("").thickness, std::nullopt);
+  EXPECT_EQ(read("thickness = 0.0").thickness, 0.0);
+  EXPECT_EQ(read("coats = 0").coats, std::nullopt);
+  EXPECT_EQ(read("coats = 2").coats, 2);
+  EXPECT_THAT(message_of([] { read("thickness = -1"); }), HasSubstr("Give a value >= 0 mm."));
+}
+
+TEST(Schema, PrintsWhatIsNotGivenAsAComment) {
+  Paint paint;
+  EXPECT_EQ(schema_of(paint).print(),
+            "# The whole schema of a paint file. A key left out has its default.\n\n"
+            "# Of the wall (text; red | green; default \"red\")\ncolour = \"red\"\n"
+            "# Of the frame (text; same | red | green; default \"same\")\n"
+            "frame = \"same\"\n"
+            "# Of a coat (number; mm; >= 0; default 0.0)\n# thickness = 0.0\n"
+            "# How many; 0: as needed (whole number; >= 0; default 0)\ncoats = 0\n");
+}
+
+} // namespace
+} // namespace bem_contact

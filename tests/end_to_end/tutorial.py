@@ -1,0 +1,85 @@
+"""data/TUTORIAL.md: its files, taken from the page, give the numbers that the page prints."""
+
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import programs
+
+PAGE = programs.ROOT / "data" / "TUTORIAL.md"
+
+
+class Tutorial(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.temporary.name)
+        cls.page = PAGE.read_text()
+        profile = str(programs.ROOT / "data" / "bodies" / "hollow_wheel.txt")
+        blocks = re.findall(r"```toml\n(.*?)```", cls.page.replace("../../data/bodies/hollow_wheel.txt", profile), re.S)
+        cls.plain, rail, wheel, cls.grid, cls.sweep = blocks
+        for name, text in (("rail", rail), ("wheel", wheel)):
+            (cls.folder / f"{name}.toml").write_text(text)
+            programs.influence(cls.folder / f"{name}.toml", cls.folder / f"{name}.h5")
+        cls.scene = cls.plain
+        for name in ("rail", "wheel"):
+            cls.scene = cls.scene.replace(f"[{name}]\n", f'[{name}]\ninfluence = "{name}.h5"\n')
+        (cls.folder / "scene.toml").write_text(cls.scene)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def printed(self, pattern):
+        """The numbers of the page where the pattern has groups."""
+        found = re.search(pattern, self.page)
+        self.assertIsNotNone(found, f"the page has no line like {pattern}")
+        return [float(number) for number in found.groups()]
+
+    def near(self, value, printed, share=1e-3):
+        self.assertAlmostEqual(value, printed, delta=share * abs(printed))
+
+    def solved(self, text, *options):
+        file = self.folder / "one.toml"
+        file.write_text(text)
+        return programs.solve(file, *options)
+
+    def test_half_space(self):
+        result = self.solved(self.plain, "--model", "halfspace")
+        fx, fy = self.printed(r"on the rail: Fx (\S+) N, Fy (\S+) N, Fz 80000.0 N")
+        self.near(result["totals"]["Fx"], fx)
+        self.near(result["totals"]["Fy"], fy)
+
+    def test_finite_elements(self):
+        result = self.solved(self.scene, "--model", "fem")
+        for name, value in (("pmax", result["pmax"]), ("Fx", result["totals"]["Fx"]), ("Fy", result["totals"]["Fy"])):
+            self.near(value, self.printed(rf"    {name}  .*?\d\s+(\S+)\s+[+-]\d+\.\d+ %")[0])
+
+    def test_accuracy(self):
+        result = self.solved(self.scene + self.grid, "--model", "fem")
+        contact, pmax, fy = self.printed(r"\| 0\.01 \|.*?\| (\d+) \| (\S+) \| (\d+) \|")
+        self.near(result["pmax"], pmax)
+        self.near(result["totals"]["Fy"], fy)
+        self.near(sum(patch["contact"] for patch in result["patches"]), contact, 0.02)
+
+    def test_sweep(self):
+        text = re.sub(r"\[position\]\n.*?\n\n", "", self.scene + self.grid, flags=re.S) + self.sweep
+        (self.folder / "sweep.toml").write_text(text)
+        done = subprocess.run([programs.BIN / "bem_contact", "sweep", "sweep.toml", "--model", "halfspace", "-o", "S.h5"],
+                              cwd=self.folder, check=True, stdout=subprocess.PIPE, text=True)
+        self.assertIn("9 certified, of 9 cases", done.stdout)
+
+    def test_equal_forces_in_python(self):
+        code = re.search(r"```python\n(.*?)```", self.page, re.S)[1]
+        done = subprocess.run(["/usr/bin/python3", "-c", code], cwd=self.folder, check=True, stdout=subprocess.PIPE, text=True,
+                              env=os.environ | {"PYTHONPATH": str(programs.BIN.parent / "python")})
+        pattern = r"pmax: (\d+) MPa \(FEM\), (\d+) MPa \(half-space\)"
+        for value, printed in zip(re.search(pattern, done.stdout).groups(), self.printed(pattern)):
+            self.near(float(value), printed)
+
+
+if __name__ == "__main__":
+    unittest.main()
