@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/contact/problem.hpp"
+#include "bem_contact/contact/result.hpp"
 #include "bem_contact/scene/choices.hpp"
 
 #include <string>
