@@ -1,7 +1,7 @@
 #include "bem_contact/sequence/contact_case.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/sequence/plan_grid.hpp"
 
 #include <cmath>

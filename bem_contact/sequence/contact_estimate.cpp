@@ -17,7 +17,7 @@ namespace {
 /// difference itself, because K and E cancel for the small m of slices far from the deepest one.
 double k_minus_e(double m) {
   double a = 1, b = std::sqrt(1 - m), sum = m, power = 1;
-  for (int i = 0; i < 12 && a - b > elliptic_tolerance; ++i) {
+  for (int i = 0; i < elliptic_steps && a - b > elliptic_tolerance; ++i) {
     const double c = 0.5 * (a - b), mean = 0.5 * (a + b);
     b = std::sqrt(a * b);
     a = mean;

@@ -19,7 +19,7 @@ double degrees(double angle) {
 void add_touch_points(const ContactSetup& setup, const ContactEstimate& estimate,
                       std::vector<std::string>& lines) {
   for (const TouchPoint& p : setup.wheel_rail()->touch)
-    if (p.distance < 1.0)
+    if (p.distance < described_distance)
       lines.push_back(fmt::format("touch point: rail s = {:.3f} mm, wheel s = {:.3f} mm, x = {:.3f} mm, y = "
                                   "{:.3f} mm, z = {:.3f} mm, "
                                   "inclination {:.2f} degrees, vertical distance {:.4f} mm",

@@ -48,7 +48,8 @@ PotentialArea wanted(const ContactEstimate& estimate, const SceneFile::Grid& ask
 }
 
 void require_not_too_many(const GridPlan& plan, const PotentialArea& all) {
-  const double columns = (all.x_to - all.x_from) / plan.dx + 6, rows = (all.s_to - all.s_from) / plan.ds + 5;
+  const double columns = (all.x_to - all.x_from) / plan.dx + most_spare_columns,
+               rows = (all.s_to - all.s_from) / plan.ds + most_spare_rows;
   if ((plan.columns == 0 && columns > most_rows) || (plan.rows == 0 && rows > most_rows))
     throw InputError("The elements are too small for this contact",
                      fmt::format("it would need about {:.3g} columns and {:.3g} rows, {} are allowed",

@@ -40,7 +40,7 @@ ContactCase Sequence::prepare(const SceneFile& scene) {
     memory_.files = std::make_shared<SequenceFiles>();
   ContactCase out = prepare_case(scene, *memory_.files, options_.foresee_shear);
   if (out.estimate && !options_.potential_contact)
-    out.estimate->reach *= 3;
+    out.estimate->reach *= generous_reach;
   return out;
 }
 

@@ -23,7 +23,7 @@ struct SequenceOptions {
   bool learn = true;             ///< how large the area in contact is beside the estimate's
   bool coarse_start = true;      ///< a case without a former one starts from larger elements
   bool foresee_shear = true;     ///< the estimate knows what shear bears of the load
-  bool potential_contact = true; ///< only where h < .9 of the approach; else three times as far
+  bool potential_contact = true; ///< only where h < 0.9 of the approach; else three times as far
 };
 
 /// Answers scenes. This is the one way in: the program, sweeps and Python all use it, and one scene is a

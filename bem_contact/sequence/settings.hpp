@@ -25,6 +25,13 @@ BEM_CONTACT_TUNED(double, most_approach_with_shear, 2.0);
 BEM_CONTACT_TUNED(double, slice_self_distance, 0.25);
 /// 1. Where the arithmetic-geometric mean ends: its error is the square of this.
 BEM_CONTACT_TUNED(double, elliptic_tolerance, 1e-9);
+/// 1. Bound of its steps, each of which doubles the digits.
+BEM_CONTACT_TUNED(int, elliptic_steps, 12);
+/// 1. SequenceOptions::potential_contact = false: the potential contact is planned for so many times the
+/// approach.
+BEM_CONTACT_TUNED(double, generous_reach, 3.0);
+/// mm. Touch points that are nearer than this are described by bem_contact check.
+BEM_CONTACT_TUNED(double, described_distance, 1.0);
 
 // Grid.
 
@@ -32,6 +39,10 @@ BEM_CONTACT_TUNED(double, elliptic_tolerance, 1e-9);
 BEM_CONTACT_TUNED(int, most_rows, 4096);
 /// 1. Rows and columns that a plan has beside the potential contact, on each side.
 BEM_CONTACT_TUNED(int, spare_elements, 2);
+/// 1. Columns and rows that a plan has at most beside its potential contact, with rounding: for the check of
+/// the largest grid.
+BEM_CONTACT_TUNED(int, most_spare_columns, 6);
+BEM_CONTACT_TUNED(int, most_spare_rows, 5); ///< 1. As above.
 /// 1. Fewest rows of a plan.
 BEM_CONTACT_TUNED(int, fewest_rows, 3);
 /// 1. How often a grid may grow. It grows by a quarter in s, an eighth on either side in x.

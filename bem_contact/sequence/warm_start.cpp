@@ -19,7 +19,8 @@ struct Stretch {
 
   Stretch(double a_from, double a_to, double b_from, double b_to)
       : from(0.5 * (a_from + a_to)), to_from(0.5 * (b_from + b_to)),
-        factor(std::max(b_to - b_from, double(least_extent)) / std::max(a_to - a_from, double(least_extent))) {}
+        factor(std::max(b_to - b_from, double(least_extent)) /
+               std::max(a_to - a_from, double(least_extent))) {}
   double operator()(double v) const { return to_from + (v - from) * factor; }
 };
 

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/patch_geometry.hpp"
+#include "bem_contact/sequence/model_choice.hpp"
 #include "bem_contact/sequence/pair_numbers.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 

@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/sequence.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/model_choice.hpp"
 #include "bem_contact/sequence/pair_numbers.hpp"
 
 #include <fmt/format.h>
