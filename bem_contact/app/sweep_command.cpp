@@ -11,6 +11,7 @@
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/influence/h5_writer.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <CLI/CLI.hpp>
