@@ -1,8 +1,8 @@
 #include "bem_contact/sequence/grow_grid.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/plan_grid.hpp"
-#include "bem_contact/sequence/wall_clock.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -180,7 +180,7 @@ GridSolution solve_on_growing_grid(const ContactCase& asked, ContactOnGrid first
         out.warnings.push_back(grown_warning(plan));
       return out;
     }
-    const WallClock geometry;
+    const Stopwatch geometry;
     first = asked.setup.on(*next);
     spent.geometry += geometry.seconds();
   }

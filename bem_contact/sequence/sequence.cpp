@@ -1,8 +1,8 @@
 #include "bem_contact/sequence/sequence.hpp"
 
+#include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/describe_case.hpp"
 #include "bem_contact/sequence/solve_case.hpp"
-#include "bem_contact/sequence/wall_clock.hpp"
 
 #include <fmt/format.h>
 
@@ -52,7 +52,7 @@ SolveResources Sequence::resources(WorkBudget& work) {
 }
 
 SceneResult Sequence::solve(const SceneFile& scene) {
-  const WallClock clock;
+  const Stopwatch clock;
   ++counts_.cases;
   const ContactCase asked = prepare(scene);
   const double preparing = clock.seconds();

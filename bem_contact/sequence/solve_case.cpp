@@ -1,10 +1,10 @@
 #include "bem_contact/sequence/solve_case.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/grow_grid.hpp"
 #include "bem_contact/sequence/hertz_model.hpp"
 #include "bem_contact/sequence/record.hpp"
-#include "bem_contact/sequence/wall_clock.hpp"
 
 namespace bem_contact {
 
@@ -16,7 +16,7 @@ struct FirstContact {
   double seconds = 0;
 };
 FirstContact first_contact(const ContactCase& asked, const SceneFile::Grid& grid, bool on_strips) {
-  const WallClock clock;
+  const Stopwatch clock;
   ContactOnGrid contact = asked.setup.on(first_plan(asked, grid, on_strips));
   return {std::move(contact), clock.seconds()};
 }
@@ -53,7 +53,7 @@ SceneResult solved_with(const ContactCase& asked, ContactOnGrid contact, const M
 
 SceneResult solve_case(const ContactCase& asked, const SceneFile::Grid& grid,
                        const SolveResources& resources) {
-  const WallClock clock;
+  const Stopwatch clock;
   const std::optional<Model> model = asked.scene.solver.model;
   FirstContact first = first_contact(asked, grid, model == Model::fem);
   PhaseSeconds before{.geometry = first.seconds};
@@ -75,7 +75,7 @@ SceneResult solve_case(const ContactCase& asked, const SceneFile::Grid& grid,
 }
 
 Comparison compare_case(const ContactCase& asked, const SceneFile::Grid& grid, Workspace& operators) {
-  const WallClock clock;
+  const Stopwatch clock;
   if (asked.setup.load.kind != LoadKind::force && asked.scene.motion.kind != MotionKind::steady)
     throw InputError("The models cannot be compared over these steps", "only the approach is given",
                      "Give load.force, at which they are compared, or solve the scene with either model.");

@@ -2,8 +2,8 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/progress.hpp"
+#include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/hertz_model.hpp"
-#include "bem_contact/sequence/wall_clock.hpp"
 
 #include <fmt/format.h>
 
@@ -115,10 +115,10 @@ void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const Sol
                       GridSolution& out) {
   ContactProblem problem = out.contact.problem;
   require_memory(problem.grid);
-  const WallClock numbers;
+  const Stopwatch numbers;
   problem.numbers = numbers_of(asked, task.model, out.contact, resources.numbers);
   out.seconds.numbers = numbers.seconds();
-  const WallClock solving;
+  const Stopwatch solving;
   SolverOptions options = options_of(asked, task, resources);
   std::optional<StartingPoint> start;
   if (resources.start && asked.estimate) {

@@ -1,5 +1,6 @@
 #include "fem_influence/harmonic/harmonic_run.hpp"
 
+#include "bem_contact/base/stopwatch.hpp"
 #include "fem_influence/harmonic/machine_system.hpp"
 #include "fem_influence/harmonic/run_files.hpp"
 #include "fem_influence/harmonic/run_plan.hpp"
@@ -9,7 +10,6 @@
 #include "fem_influence/shared/memory.hpp"
 #include "fem_influence/shared/parallel.hpp"
 #include "fem_influence/shared/settings.hpp"
-#include "fem_influence/shared/timer.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -176,7 +176,7 @@ RunReport run_harmonic(const BodyFile& body, const ProfileCurve& curve, const st
                        const std::filesystem::path& output, const RunProgress& progress) {
   RunReport report;
   {
-    const Timer timer(report.seconds);
+    const TimedScope timer(report.seconds);
     const Input in{body, curve, mesh, output};
     const bool first = process_rank() == 0;
     Processes processes(body.harmonic.degree > 1);

@@ -1,6 +1,6 @@
 #include "fem_influence/harmonic/solver_on_demand.hpp"
 
-#include "fem_influence/shared/timer.hpp"
+#include "bem_contact/base/stopwatch.hpp"
 
 namespace bem_contact::fem {
 
@@ -10,10 +10,10 @@ SolverOnDemand::SolverOnDemand(std::function<AssembledSystem()> assemble, Timing
 WavenumberResult SolverOnDemand::at(double wavenumber) {
   if (!solver_) {
     AssembledSystem assembled = assemble_();
-    const Timer timer(timing_.analysis);
+    const TimedScope timer(timing_.analysis);
     solver_.emplace(std::move(assembled.system), assembled.order);
   }
-  const Timer timer(timing_.factorization);
+  const TimedScope timer(timing_.factorization);
   return solver_->at(wavenumber);
 }
 

@@ -1,11 +1,11 @@
 #include "fem_influence/solid/solid_numbers.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopwatch.hpp"
 #include "fem_influence/shared/body_description.hpp"
 #include "fem_influence/shared/memory.hpp"
 #include "fem_influence/shared/settings.hpp"
 #include "fem_influence/shared/stations.hpp"
-#include "fem_influence/shared/timer.hpp"
 #include "fem_influence/solid/patch_functionals.hpp"
 #include "fem_influence/solid/solid_solver.hpp"
 
@@ -123,7 +123,7 @@ SolidNumbers solid_numbers(const BodyFile& body, const ProfileCurve& curve, cons
   double seconds = 0;
   SolidNumbers numbers = empty_numbers(body, curve, std::move(request.loads));
   {
-    const Timer timer(seconds);
+    const TimedScope timer(seconds);
     const SolidMesh solid_mesh(mesh, ContactSurface(curve, reference_radius_of(body)));
     const std::size_t loads = numbers.loads.size();
     if (request.progress)
