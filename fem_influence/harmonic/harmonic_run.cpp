@@ -1,6 +1,7 @@
 #include "fem_influence/harmonic/harmonic_run.hpp"
 
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/influence/influence_file.hpp"
 #include "fem_influence/harmonic/machine_system.hpp"
 #include "fem_influence/harmonic/run_files.hpp"
 #include "fem_influence/harmonic/run_plan.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/partial_influence_file.hpp"
 #include "fem_influence/harmonic/harmonic_solver.hpp"
 #include "fem_influence/harmonic/run_plan.hpp"
 

@@ -16,7 +16,7 @@ namespace {
 
 BodyFile small_block(int degree = 2) {
   BodyFile body;
-  body.body.kind = "block";
+  body.body.kind = BodyKind::block;
   body.body.size = 40;
   body.strip = {-2, 2, 0.5};
   body.harmonic.degree = degree;
