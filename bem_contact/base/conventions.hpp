@@ -21,12 +21,14 @@
 ///     e = h - q cos(delta) - u_n = h - q cos(delta) + (A p)_n >= 0.
 /// Rigid slip w: velocity of the wheel's surface over the rail's, over the rolling speed:
 ///     w_x = xi - phi s,  w_s = eta + phi x    on a plane (xi, eta, phi: creepage as Kalker defines it).
-/// Slip S over one step of rolled distance dx, steady rolling: S = w dx - dx du/dx, for the particle now at x
-/// was at x + dx (Kalker 1990, eq. 1.65 ff.; contact/slip_step.hpp says how du/dx is taken).
+/// Slip S over one rolling step (rolled distance dx), mm. In steady rolling S = w dx - dx du/dx, because the
+/// particle that is now at x was at x + dx one step ago (Kalker 1990, eq. 1.65 ff.; contact/slip_step.hpp
+/// says how du/dx is taken). Results give S / dx, the slip per unit of rolled distance.
 /// Friction drags the rail along with the wheel: p_t = +mu p_n S / |S|. Hence for small creepage
 ///     Fx = c^2 G C11 xi, Fy = c^2 G (C22 eta + c C23 phi), Mz = c^3 G (-C23 eta + c C33 phi):
 /// the forces on the rail, opposite to Kalker's forces on the wheel.
-/// Force balance (track frame, on the rail, dS the element's area):
+/// Forces on the rail, dS the element's area, in the track frame (a patch given directly: in the frame of its
+/// rows, profile/contact_row.hpp):
 ///     Fx = sum p_x dS, Fy = sum (p_s cos delta - p_n sin delta) dS,
 ///     Fz = sum (p_n cos delta + p_s sin delta) dS.
 ///

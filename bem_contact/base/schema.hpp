@@ -26,9 +26,10 @@ struct KeyRule {
   double below = std::numeric_limits<double>::infinity();
   std::vector<std::string> kinds = {}; ///< kinds of file the key belongs to; empty: all
   bool needed = false;                 ///< the file must have it
-  bool example = false;                ///< no default: the printed value is an example
+  bool example = false;                ///< no default: print() shows the member's value as an example
   bool zero_is_none = false;           ///< of an optional number: 0 in the file means the same as no key
-  bool commented_out = false;          ///< printed as a comment: without the key other keys say the value
+  /// print() writes the key as a comment. If a file does not have the key, other keys determine its value.
+  bool commented_out = false;
 };
 
 class Schema;
@@ -40,7 +41,7 @@ struct TableList {
   std::string example; ///< a list as TOML, for messages and print()
 };
 
-/// A key with a fixed set of names, bound to an enum: `get` and `set` count in `names`.
+/// A key with a fixed set of names, bound to an enum: `get` returns and `set` takes an index into `names`.
 struct NamedChoice {
   std::vector<std::string> names;
   std::function<std::size_t()> get;
@@ -86,7 +87,8 @@ public:
     choice.names.insert(choice.names.end(), EnumNames<E>::names.begin(), EnumNames<E>::names.end());
     add_key(std::move(path), std::move(choice), std::move(rule));
   }
-  /// Keys of an element's schema have the path of the list before their names.
+  /// A list of tables. The schema of one table in the list declares each key with the list's path in front:
+  /// for the list "body.holes" that is "body.holes.radius".
   void add(std::string path, TableList list, KeyRule rule) {
     add_key(std::move(path), std::move(list), std::move(rule));
   }

@@ -2,14 +2,15 @@
 
 /// Tuned numbers: limits, tolerances and sizes that somebody chose, and that could be chosen otherwise.
 ///
-/// All of a room stand in its settings.hpp, one entry each:
+/// A room is a folder of bem_contact, such as contact or geometry. All tuned numbers of a room stand in its
+/// settings.hpp, one entry each:
 ///
-///     /// mm. Two minima of the distance that differ by less are elastically one.
+///     /// mm. Two minima with a lower barrier between them are one: a load closes a thousand times as much.
 ///     BEM_CONTACT_TUNED(double, flat_distance, 2e-5);
 ///
 /// The comment gives the unit first ("1" for a pure number) and then the reason: the source, or the
-/// measurement that set the number. In a normal build an entry is a constexpr. In a build with
-/// CONFORMAL_TUNABLE its value can be replaced when the program starts:
+/// measurement that set the number. In a normal build an entry is a constexpr. In a build with the CMake
+/// option CONFORMAL_TUNABLE an environment variable replaces the value of one entry when the program starts:
 ///
 ///     CONFORMAL_TUNED="contact/settings.hpp:flat_distance=1e-5" bem_contact solve ...
 ///
@@ -18,7 +19,9 @@
 
 namespace bem_contact {
 
-/// `value`, or what the environment says instead. `file` is the path of the settings, as __FILE__ has it.
+/// `value`, unless CONFORMAL_TUNED replaces it: what stands before its "=" must be the end of "file:name".
+/// `file` is the path of the settings as __FILE__ has it. If no entry fits, the variable has no effect.
+/// Throws std::invalid_argument, which ends the program before main(), if no number follows the "=".
 double tuned(const char* file, const char* name, double value);
 
 } // namespace bem_contact

@@ -8,10 +8,10 @@
 namespace bem_contact {
 
 /// Solves `steps` load steps of a shift, or rolling steps of transient rolling, one after the other.
-/// `prescribe(k, problem)` sets what step k prescribes (load, rigid slip, forces, undeformed distance); then
-/// the step is solved from the tractions of the steps before. The first starts from `problem.previous`
-/// (empty: from rest). Returns one result a step. If a step did not converge, its result says so and the
-/// next steps go on from it.
+/// `prescribe(k, problem)` sets what step k = 0 .. steps - 1 prescribes (load, rigid slip, forces, undeformed
+/// distance). Then the step is solved, with the tractions of the steps before it as `problem.previous`. Step
+/// 0 has the `previous` of the problem given (empty: the bodies start from rest). Returns one result a step.
+/// If a step did not converge, its result says so and the next steps go on from it.
 /// Throws InputError for steady rolling, and whatever solve() throws.
 std::vector<ContactResult> solve_history(ContactProblem problem, int steps,
                                          const std::function<void(int, ContactProblem&)>& prescribe,

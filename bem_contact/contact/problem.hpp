@@ -10,8 +10,9 @@
 
 namespace bem_contact {
 
-/// Regular grid of the potential contact: element (ix, is) has its centre at (x0 + ix dx, row is), is
-/// element is * mx + ix of every field below ("field": [ms][mx], row-major, x fastest).
+/// Regular grid of the potential contact: mx columns along x and ms rows along s. Element (ix, is) has its
+/// centre at x = x0 + ix dx on row number `is`. Its place in every field below is `is * mx + ix` ("field":
+/// [ms][mx], row-major, x fastest).
 struct ContactGrid {
   int mx = 0, ms = 0;
   double dx = 0, ds = 0; ///< mm
@@ -31,7 +32,8 @@ enum class LoadKind { approach, force };
 
 /// How the surfaces move over each other. slip_step.hpp has the slip of each kind.
 ///   steady     rolling that no longer changes; the grid moves with the contact
-///   transient  one rolling step by dx from `previous`; the grid moves with the contact, by dx
+///   transient  one rolling step by dx from `previous`; the grid moves with the contact, one column a step;
+///              each field of `previous` is on the grid where it stood then
 ///   shift      one load step from `previous` on a grid that lies still: Cattaneo's shift, or rolling over a
 ///              fixed grid with an undeformed distance that moves. The rigid slip is given in mm
 enum class MotionKind { steady, transient, shift };
@@ -45,27 +47,28 @@ struct Tractions {
 struct ContactProblem {
   ContactGrid grid;
   std::vector<ContactRow> rows; ///< ms of them
-  InfluenceNumbers numbers;     ///< of the pair, grid.mx + 2 offsets, grid.ms rows
+  InfluenceNumbers numbers;     ///< of the pair, at least grid.mx + 2 offsets (plane strain: 1), grid.ms rows
   std::vector<double> gap;      ///< undeformed distance along n at approach 0, mm; field
   LoadKind load = LoadKind::force;
   double approach = 0;                ///< q along z, mm (load == approach)
   double force = 0;                   ///< Fz, N (load == force); per mm of length in plane strain
   bool tangential = true;             ///< false: frictionless
-  double friction = 0.3;              ///< Coulomb's mu, of adhesion
+  double friction = 0.3;              ///< Coulomb's mu of adhesion (static friction)
   std::vector<double> friction_rows;  ///< mu of each row instead; empty: the same everywhere
   double kinetic = 1;                 ///< mu of slip over mu of adhesion, in (0, 1]
   std::vector<double> slip_x, slip_s; ///< rigid slip w, per unit of rolled distance (shift: mm); fields
-  /// Prescribed forces, N on the rail: sum p_x dS and sum p_s cos(delta - reference_delta) dS. For each of
-  /// them a creepage is unknown: (1, 0) or (0, cos(delta - reference_delta)) times it is added to w.
+  /// Prescribed shear forces on the rail, N: sum p_x dS and sum p_s cos(delta - reference_delta) dS. For each
+  /// of them solve() finds a creepage (shift: mm) and adds it to the rigid slip: ContactResult::creepage_x to
+  /// w_x, creepage_s cos(delta - reference_delta) to w_s.
   std::optional<double> force_x, force_s;
   double reference_delta = 0; ///< rad
   MotionKind motion = MotionKind::steady;
-  /// Transient: one and two rolling steps ago; shift: one load step ago. If there are fewer, the bodies start
-  /// from rest, without tractions.
+  /// Tractions of former steps, the latest first. Transient: one and two rolling steps ago, as slip_step.hpp
+  /// weights both. Shift: one load step ago. If there are fewer, the bodies were at rest before, unloaded.
   std::vector<Tractions> previous;
 
-  /// One element that is infinitely long along x: mx = 1, influence numbers with one offset and dx = 0, no
-  /// friction. Forces are per mm.
+  /// Each row is one element that is infinitely long along x: mx = 1, influence numbers with one offset and
+  /// dx = 0, no friction. Forces are per mm of length.
   bool plane_strain() const { return numbers.dx == 0; }
   double element_area() const { return plane_strain() ? grid.ds : grid.dx * grid.ds; } ///< mm^2
   double friction_of(int row) const { return friction_rows.empty() ? friction : friction_rows[row]; }

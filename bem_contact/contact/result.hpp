@@ -17,11 +17,13 @@ enum class ElementState : unsigned char { exterior, adhesion, slip };
 /// that it is nearer to (`adhesion` or `slip_direction`). Scales: pressure over pmax; the approach scale is
 /// the largest elastic displacement |(A p)_n| in contact; the slip scale is the largest of the rigid slip
 /// w dx and of the elastic slip of one step in contact (transient and shift: also of the slip that there
-/// would be without shear tractions). Without friction the cone is |p_t| over pmax.
+/// would be without shear tractions). S is the slip of one step, mm (base/conventions.hpp). Without friction,
+/// `friction_cone` is the largest |p_t| over pmax.
 ///
-/// mu is that of the element's row. If kinetic < 1, the cone is that of adhesion, mu p_n, and a slipping
-/// element carries kinetic mu p_n S/|S|; an element that sticks may carry more. Such a solution is not
-/// unique. In ours an element sticks if it would not have begun to slip while all others stick too.
+/// mu is that of the element's row. If kinetic < 1, the cone is that of adhesion, mu p_n. A slipping element
+/// then carries kinetic mu p_n S/|S|, and an element that sticks may carry more. Such a solution is not
+/// unique. The solvers begin with the bound mu p_n everywhere; an element that slips gets the bound kinetic
+/// mu p_n and keeps it. This is repeated until no further element slips.
 struct Certificate {
   double pressure = 0;        ///< largest -p_n, over pmax
   double penetration = 0;     ///< largest -e, over the approach scale
@@ -29,9 +31,12 @@ struct Certificate {
   double friction_cone = 0;   ///< largest |p_t| - mu p_n, over the largest mu p_n
   double adhesion = 0;        ///< largest |S| where |p_t| < mu p_n, over the slip scale
   double slip_direction = 0;  ///< largest deviation of p_t from mu p_n S/|S| where it slips, over mu pmax
-  double force_balance = 0;   ///< |Fz - prescribed| over prescribed; of Fx, Fs over sum mu p_n dS
-  double tolerance = 1e-6;    ///< the result holds if no violation is above it
-  double discretisation = -1; ///< Discretisation::worst(), no violation but a share; < 0: not estimated
+  /// The largest of |Fz - force| over the prescribed force, and of |Fx - force_x| and |Fs - force_s| over
+  /// sum mu p_n dS, for those that are prescribed.
+  double force_balance = 0;
+  double tolerance = 1e-6; ///< the result holds if no violation is above it
+  /// Discretisation::worst(): a relative error, not a violation; worst() leaves it out. < 0: not estimated.
+  double discretisation = -1;
 
   double worst() const; ///< largest violation; infinite if one is not a number
   bool holds() const { return worst() <= tolerance; }
@@ -49,40 +54,48 @@ struct ContactTotals {
 /// number of rows or columns, the companion leaves out an exterior one.
 ///
 /// `extrapolated` is fine + (fine - coarse) / 3, for errors of second order; prescribed values stay. The
-/// estimates are this third for the sums of p_n and the approach (0.4 to 2 times the true error on Hertz
-/// contacts), and the whole difference for the sums of p_t: the area that whole elements cover beyond the
-/// patch, up to 1.2 % of its area with 40 elements across, does not shrink in step with their size, and the
-/// area of adhesion behaves likewise. The fields (tractions, pmax) are not extrapolated.
+/// fields (tractions, pmax) are not extrapolated.
+///
+/// Each estimate is a relative error. For `approach` and `normal` it is this third, |fine - coarse| / 3: 0.4
+/// to 2 times the true error on Hertz contacts. For `tangential` and `moment` it is the whole difference.
+/// Whole elements cover an area beyond the patch, up to 1.2 % of its area with 40 elements across.
+/// That area does not shrink in step with their size, and the area of adhesion behaves likewise.
 struct Discretisation {
   int contact = 0; ///< elements of the companion in contact
   ContactTotals coarse, extrapolated;
-  double approach = 0;   ///< (force prescribed) of the approach, over the largest approach of a patch
-  double normal = 0;     ///< of the vector sum of p_n dS, over its magnitude's sum
-  double tangential = 0; ///< of the vector (sum p_x dS, sum p_s dS), over mu sum p_n dS
-  double moment = 0; ///< of p_t about the centre of pressure, over sum mu p_n r dS, r the distance from it
+  double approach = 0;   ///< error of q, over the largest PatchSummary::approach; 0 if q is prescribed
+  double normal = 0;     ///< error of the force of p_n as a vector in (y, z), over sum p_n dS
+  double tangential = 0; ///< error of the vector (sum p_x dS, sum p_s dS), over sum mu p_n dS
+  /// Error of the moment of p_t about the centre of pressure, over sum mu p_n r dS, r the distance from it.
+  double moment = 0;
 
   double worst() const { return std::max({approach, normal, tangential, moment}); }
 };
 
 struct PatchSummary {
-  double fn = 0, fx = 0, fs = 0;           ///< N, sums over the patch of p dS in the local frames
+  /// N. Sums over the patch of p_n dS, p_x dS and p_s dS, as numbers: the directions n and s may turn from
+  /// row to row.
+  double fn = 0, fx = 0, fs = 0;
   double approach = 0;                     ///< largest q cos(delta) - h in the patch, mm
   double pmax = 0;                         ///< MPa
   double area = 0;                         ///< mm^2
   int contact = 0, adhesion = 0, slip = 0; ///< element counts
-  double x = 0, s = 0;                     ///< centre of pressure, mm
+  double x = 0, s = 0;                     ///< centre of pressure: x of the grid, arc length of the rows, mm
 };
 
 struct ContactResult {
-  std::vector<double> px, ps, pn;        ///< tractions on the rail, MPa; fields
-  std::vector<double> slip_x, slip_s;    ///< slip per unit of rolled distance (shift: mm); fields
+  std::vector<double> px, ps, pn; ///< tractions on the rail, MPa; fields
+  /// Slip per unit of rolled distance (shift: mm), with all parts: rigid, found creepage, elastic; fields.
+  std::vector<double> slip_x, slip_s;
   std::vector<double> deformed_distance; ///< e, mm; field
   std::vector<ElementState> state;       ///< field
   double approach = 0;                   ///< q, mm
-  double Fx = 0, Fy = 0, Fz = 0;         ///< on the rail, frame of the rows, N
-  double Mz = 0;                         ///< about the origin of (x, y), N mm
+  /// On the rail, N, in the frame of the rows: the track frame of a wheel on a rail, a patch's own frame
+  /// (profile/contact_row.hpp).
+  double Fx = 0, Fy = 0, Fz = 0;
+  double Mz = 0;                         ///< about the z axis of that frame, not about the contact, N mm
   double Fs = 0;                         ///< sum p_s cos(delta - reference_delta) dS, N
-  double creepage_x = 0, creepage_s = 0; ///< found for force_x, force_s: added to the rigid slip
+  double creepage_x = 0, creepage_s = 0; ///< found for force_x, force_s (shift: mm); part of the slip above
   std::vector<PatchSummary> patches;     ///< connected areas of contact, largest force first
   Certificate certificate;
   std::optional<Discretisation> discretisation; ///< nothing: not estimated
@@ -94,17 +107,18 @@ struct ContactResult {
   int outer_iterations = 0, normal_iterations = 0, tangential_iterations = 0;
   int creepage_iterations = 0; ///< tangential problems solved to find the creepages of prescribed forces
   double work = 0;             ///< of the case so far, companion included: work.hpp
-  double outer_rate = 0; ///< mean factor by which an outer iteration reduced its residual; 0: there was one
-  std::string remark;    ///< why a solver of the chain gave up, or ""
+  /// Mean factor by which an outer iteration changed the residual; 0: there was only one outer iteration.
+  double outer_rate = 0;
+  std::string remark; ///< why a solver of the chain gave up, or ""
 };
 
 /// The tractions of a result, as those of a former rolling step or load step.
 Tractions tractions_of(const ContactResult& result);
 
-/// p_t S, the power that friction dissipates on each element per unit of rolled distance (shift: the work of
-/// the load step), MPa (shift: MPa mm); field.
+/// p_x slip_x + p_s slip_s, the power that friction dissipates on each element per area and unit of rolled
+/// distance (shift: the work of the load step per area), MPa (shift: MPa mm); field.
 std::vector<double> friction_power(const ContactResult& result);
-/// sum p_t S dS, N (shift: N mm).
+/// The same summed over all elements times their area (mm^2), N (shift: N mm).
 double friction_power(const ContactResult& result, double element_area);
 
 /// Largest pressure of all patches, MPa.

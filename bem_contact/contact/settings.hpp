@@ -10,16 +10,19 @@ namespace bem_contact::contact {
 
 /// Units of work (work.hpp). Some minutes: about 10 times what the dearest accepted case takes (7e8).
 BEM_CONTACT_TUNED(double, most_work, 1e10);
-/// Rows. A product with numbers that depend on both rows costs 1 + rows / this units an element (measured).
+/// Rows. A product A p with influence numbers that depend on both rows (that are not translational) costs
+/// 1 + rows / this units an element (measured).
 BEM_CONTACT_TUNED(double, rows_per_unit, 20.0);
-/// 1. Rows^2 columns^2 of one pair of components that are transformed in the time of one unit (measured).
+/// 1. Before the first such product the numbers are transformed. For each pair of components that costs
+/// rows^2 columns^2 / this units (measured).
 BEM_CONTACT_TUNED(double, spectra_terms_per_unit, 75);
 /// Units. A Gauss-Seidel sweep costs this times the square of its elements (measured).
 BEM_CONTACT_TUNED(double, sweep_units, 0.08);
 
 // --- grid/boxes.cpp: operators on boxes around the contact ---
 
-/// Rows without contact between two boxes, at least. Chosen: nearer boxes save nothing once they are widened.
+/// Rows. Between two boxes there are at least so many rows without contact. Chosen: every box is widened by a
+/// margin (normal_margin_divisor), so that boxes nearer to each other save nothing.
 BEM_CONTACT_TUNED(int, rows_between_boxes, 8);
 /// Boxes. Chosen: the work of several boxes grows with their square.
 BEM_CONTACT_TUNED(int, most_boxes, 3);
@@ -27,7 +30,8 @@ BEM_CONTACT_TUNED(int, most_boxes, 3);
 BEM_CONTACT_TUNED(double, several_boxes_share, 0.6);
 /// 1. Boxes of former elements are used again up to this many times the size that is needed. Chosen.
 BEM_CONTACT_TUNED(double, box_reuse_factor, 2.5);
-/// Elements. And so many more: small boxes are hardly dearer than the smallest. Chosen.
+/// Elements. They may have so many elements on top of box_reuse_factor times the size that is needed: small
+/// boxes are hardly dearer than the smallest. Chosen.
 BEM_CONTACT_TUNED(int, box_reuse_elements, 64);
 
 // --- grid/larger_elements.cpp ---
@@ -38,9 +42,9 @@ BEM_CONTACT_TUNED(double, distance_without_surface, 10);
 
 // --- operator: Fourier transforms ---
 
-/// 1. The periodic preconditioner is longer than the grid by one part in this many. Chosen.
+/// 1. The period of the preconditioner, in x and in s, is that of the grid times 1 + 1 / this. Chosen.
 BEM_CONTACT_TUNED(int, periodic_margin, 3);
-/// Elements. And by so many more, for small grids. Chosen.
+/// Elements. The period has so many elements on top of periodic_margin, for small grids. Chosen.
 BEM_CONTACT_TUNED(int, periodic_elements, 4);
 /// 1. Eigenvalues of the preconditioner are at least this share of the largest: the ripples of the truncated
 /// kernel must not change a sign. Chosen.
@@ -61,15 +65,17 @@ BEM_CONTACT_TUNED(int, dense_normal_elements, 250);
 /// 1. A box around the contact is wider by 1 + grid / this elements on each side, so that it serves longer.
 /// Chosen.
 BEM_CONTACT_TUNED(int, normal_margin_divisor, 60);
-/// 1. Precision of the linear systems in the end, relative to the tolerance asked for, and its limits: double
-/// precision does not give more than the first, and the certificate needs the second.
+/// 1. Precision of the last linear systems: normal_precision times the tolerance asked for. It is no finer
+/// than finest_normal_precision, which is all that double precision gives, and no coarser than
+/// coarsest_normal_precision, which the certificate needs.
 BEM_CONTACT_TUNED(double, normal_precision, 1e-2);
 BEM_CONTACT_TUNED(double, finest_normal_precision, 1e-13);
 BEM_CONTACT_TUNED(double, coarsest_normal_precision, 1e-6);
 /// 1. Precision of the first linear system from nothing, and from a guess. Chosen: the sets still change.
 BEM_CONTACT_TUNED(double, cold_normal_precision, 1e-3);
 BEM_CONTACT_TUNED(double, warm_normal_precision, 1e-4);
-/// 1. Precision when all elements change sides; it tightens in proportion to how many do. Chosen.
+/// 1. Relative precision of the linear system after all elements have entered or left the contact. If only a
+/// share of them has, this times that share. Chosen.
 BEM_CONTACT_TUNED(double, precision_of_changes, 1e-2);
 /// 1. Tension below this share of the largest pressure, and penetration likewise, is rounding.
 BEM_CONTACT_TUNED(double, rounding_of_sets, 1e-11);
@@ -77,7 +83,8 @@ BEM_CONTACT_TUNED(double, rounding_of_sets, 1e-11);
 BEM_CONTACT_TUNED(int, most_steps_without_progress, 12);
 /// Bisections of the first approach: 2^-30 of the bracket is far below what the first guess needs.
 BEM_CONTACT_TUNED(int, first_guess_bisections, 30);
-/// 1. Rows with a smaller cos(delta) carry no vertical force (validate() uses the same).
+/// 1. Rows with a smaller cos(delta) carry no vertical force: the search for a first approach leaves them
+/// out. validate() refuses a prescribed force if all rows are like that.
 BEM_CONTACT_TUNED(double, least_cosine, 1e-6);
 /// Runs in single precision. Chosen: each gains up to four digits, so that a few reach double precision.
 BEM_CONTACT_TUNED(int, most_cg_runs, 12);
@@ -117,11 +124,12 @@ BEM_CONTACT_TUNED(int, dense_tangential_elements, 120);
 BEM_CONTACT_TUNED(int, most_dense_elements, 3000);
 /// Products of GMRES. Chosen: where it needs more, LU factors are as fast.
 BEM_CONTACT_TUNED(int, most_gmres_products, 250);
-/// 1. Eigenvalue of the projection along the bound above which a slipping element counts as sticking along
-/// it. Chosen.
+/// 1. Newton's method projects p_t + stiffness S of an element onto the disc |p_t| <= mu p_n. The
+/// derivative of this projection along the edge of the disc is 1 for an element that sticks and smaller for
+/// one that slips. From this value on, a slipping element counts as sticking in that direction. Chosen.
 BEM_CONTACT_TUNED(double, counts_as_sticking, 0.7);
-/// 1. The mean eigenvalue of the slipping elements is at least this in the preconditioner. Chosen: below,
-/// slip is so fast that the matrix is the identity.
+/// 1. The preconditioner uses the mean of this derivative over all slipping elements, but at least this
+/// value. Chosen: below it, slip is so fast that the matrix is the identity.
 BEM_CONTACT_TUNED(double, least_mean_slope, 1e-3);
 /// 1. Precision of the linear systems: this times the square of the last reduction, within the two limits.
 /// Quadratic convergence shows when the states are known. Chosen.
@@ -142,11 +150,12 @@ BEM_CONTACT_TUNED(double, slow_newton_step, 0.3);
 
 /// 1. The rows to sweep hold this share of the sum of squares of the residual. Chosen.
 BEM_CONTACT_TUNED(double, swept_share, 0.7);
-/// 1, elements. They are not swept if they have more than this share of all elements, or more elements:
-/// the cost of a sweep grows with their square. Chosen.
+/// 1, elements. These rows are swept only if they hold at most this share of all elements in contact, and at
+/// most most_swept_elements: the cost of a sweep grows with the square of their number. Chosen.
 BEM_CONTACT_TUNED(double, most_swept_share, 0.25);
 BEM_CONTACT_TUNED(int, most_swept_elements, 1000);
-/// Sweeps, and 1: they end when so much of the residual is left. Chosen.
+/// Sweeps. At most so many over the rows; they end earlier if the share row_sweeps_enough of the residual is
+/// left. Chosen.
 BEM_CONTACT_TUNED(int, most_row_sweeps, 50);
 BEM_CONTACT_TUNED(double, row_sweeps_enough, 0.01);
 /// 1 / stiffness. Damping of the first sweep over rows. Undamped ones overshoot. Chosen.
@@ -216,16 +225,16 @@ BEM_CONTACT_TUNED(double, settling_factor, 10);
 BEM_CONTACT_TUNED(double, loose_tolerance, 1e-4);
 /// 1. The tolerance follows the change of the last outer iteration, times this. Chosen.
 BEM_CONTACT_TUNED(double, tolerance_of_change, 0.01);
-/// 1. The tolerance is tightened by prescribed force over pressure force, but not beyond this: about
-/// 1 / largest_force_ratio.
+/// 1. If the pressure carries more than the prescribed force, the tolerance is multiplied by prescribed force
+/// over pressure force, but at least by this: about 1 / largest_force_ratio.
 BEM_CONTACT_TUNED(double, least_force_share, 0.03);
 /// 1. From one outer iteration to the next the pressure force changes at most by this factor. Chosen.
 BEM_CONTACT_TUNED(double, largest_force_step, 4);
 /// 1. The largest pressure force that is tried, over the prescribed force. If it does not carry the force
 /// nothing does: friction pulls the bodies together as hard as they press each other apart. Chosen.
 BEM_CONTACT_TUNED(double, largest_force_ratio, 30);
-/// 1. The share of the force that a start gives to pressure and shear together, over the pressure's, is at
-/// most this. Chosen.
+/// 1. A start tells how the vertical force of pressure and shear together compares with that of its pressure
+/// alone. The first pressure force is the prescribed force over this ratio, which is at most this. Chosen.
 BEM_CONTACT_TUNED(double, largest_start_share, 4);
 /// 1. Relative error of the sums of forces of loosely solved problems: loose_tolerance.
 BEM_CONTACT_TUNED(double, noise_of_sums, 1e-4);
@@ -233,14 +242,15 @@ BEM_CONTACT_TUNED(double, noise_of_sums, 1e-4);
 BEM_CONTACT_TUNED(int, most_force_trials, 60);
 /// Former iterations that Anderson acceleration uses. Chosen.
 BEM_CONTACT_TUNED(int, anderson_memory, 5);
-/// 1. It starts anew if the residual exceeds this times the best one, with this share of a plain step.
-/// Chosen.
+/// 1. Anderson acceleration starts anew if the residual exceeds anderson_restart times the best one. Its
+/// first step is then anderson_short_step times a step without acceleration. Chosen.
 BEM_CONTACT_TUNED(double, anderson_restart, 5);
 BEM_CONTACT_TUNED(double, anderson_short_step, 0.3);
 /// 1. Shear tractions that follow the pressure grow at most by this factor. Chosen.
 BEM_CONTACT_TUNED(double, largest_shear_growth, 10);
-/// 1. Slip below this share of largest pressure times largest self number is rounding; in a shift or a
-/// transient step this times the second number, as displacements are not differences over one element there.
+/// 1. Slip below this share of the largest pressure times the largest self number is rounding. In a shift or
+/// a transient rolling step the limit is shift_slip_floor times as high. There slip is not the difference of
+/// displacements one element apart, which would have less rounding.
 BEM_CONTACT_TUNED(double, slip_rounding, 1e-12);
 BEM_CONTACT_TUNED(double, shift_slip_floor, 1e3);
 /// Elements of the grid, and across it. Smaller problems are as quickly solved from nothing as from larger
@@ -259,11 +269,13 @@ BEM_CONTACT_TUNED(double, many_terms, 3e8);
 /// Elements at which direct sums check the FFT that replaces them, and how closely (relative) they agree.
 BEM_CONTACT_TUNED(int, checked_elements, 100);
 BEM_CONTACT_TUNED(double, agreement_of_sums, 1e-9);
-/// 1. The slip scale is at least these times pmax and the largest self number, the rounding of displacements.
-/// Steady slip is their difference over one element, so that it has less.
+/// 1. The certificate's slip scale is at least this times pmax times the largest self number: displacements
+/// have rounding errors in proportion to that product. In steady rolling slip is the difference of
+/// displacements one element apart, which has less of them; shift_slip_rounding is for all other motions.
 BEM_CONTACT_TUNED(double, steady_slip_rounding, 1e-12);
 BEM_CONTACT_TUNED(double, shift_slip_rounding, 1e-9);
-/// 1. And at least this times the creepage found: rounding, where it takes back the one given.
+/// 1. The slip scale is also at least this times the creepage found: where that cancels the prescribed rigid
+/// slip, the sum of both is only rounding.
 BEM_CONTACT_TUNED(double, creepage_rounding, 1e-9);
 /// 1. The companion is solved with this tolerance, and accepted with this violation: an estimate is known to
 /// some per cent at best.

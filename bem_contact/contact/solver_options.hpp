@@ -23,7 +23,8 @@ struct SolverOptions {
   bool coarse_start = true; ///< without `start`, solve a large problem on larger elements first
   /// Starts from here instead of larger elements. A guess without pressure, or on another grid, is ignored.
   const StartingPoint* start = nullptr;
-  WorkBudget* work = nullptr;     ///< of a case with several problems; null: each has its own
+  /// Shared by all problems that are solved for one case (one scene); null: each solve() has its own.
+  WorkBudget* work = nullptr;
   Workspace* workspace = nullptr; ///< prepared for earlier problems (workspace.hpp); null: for this one only
 };
 

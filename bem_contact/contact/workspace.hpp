@@ -17,11 +17,13 @@ class TransformPool;
 /// bit, and the grid has as many elements. The results are those without it. One workspace serves one thread
 /// at a time.
 ///
-/// This is all that lives longer than one call of solve() in this room:
-///   the workspace       sets of operators, the one used last in front; the one not used longest goes first
+/// This is all that lives longer than one call of solve() in this room (bem_contact/contact):
+///   the workspace       sets of operators, the one used last in front; beyond `most` sets, the one that was
+///                       not used for longest is discarded
 ///   a set               (contact::ContactOperators) for one set of influence numbers on one grid:
 ///     normal            A_nn on the grid and on boxes around the contact; the last Cholesky factor
-///     tangential        A_tt on the grid, B on boxes around the contact; the last dense B
+///     tangential        A_tt on the grid; the operator B from shear tractions to the slip of one step, on
+///                       boxes around the contact; the last dense B
 ///     coupling          how shear and pressure act on each other, if they do
 ///     start             numbers of larger elements to start from, and a set of their own
 ///     companion         a set for the larger elements of the estimate of the discretisation

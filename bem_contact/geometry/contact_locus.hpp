@@ -11,10 +11,12 @@ namespace bem_contact {
 /// same all along x, so that the wheel touches it nowhere else (Li and Kalker 1998), and what is left is the
 /// locus, seen along x, against the profile of the rail. Without yaw it is the profile in the plane x = 0.
 ///
-/// On the meridian of arc length s it is at the angle theta from the axle's downward direction d to its
-/// forward direction f where n_r (cos theta d_x + sin theta f_x) + n_y a_x = 0, (n_y, n_r) the profile's
-/// outward normal and a the axle. There is none where the profile is steeper than the yaw allows. At an edge
-/// (a convex kink of the profile) the normal turns while s stays.
+/// The point of the profile at arc length s turns about the axle on a circle. The locus has the point of this
+/// circle at the angle theta (0 below the axle, growing forwards) where the normal has no component along x:
+///     n_r (cos theta down_x + sin theta forward_x) + n_y axle_x = 0,
+/// with the unit vectors of WheelFrame and the profile's outward normal: n_y along the axle, n_r away from
+/// it. No angle does that where the profile is steeper than the yaw allows; there is no locus at such an s.
+/// At an edge (a convex kink of the profile) the normal turns while s stays.
 class ContactLocus {
 public:
   explicit ContactLocus(const WheelOnRail& pair);
@@ -29,7 +31,7 @@ public:
   struct Node : Point {
     Point2 tangent;     ///< of the profile, in its section
     bool joined = true; ///< to the node before it
-    int interval = 0;   ///< of the profile's table: the one that follows the node
+    int interval = 0;   ///< which interval of the tabulated profile begins at this node
   };
   const std::vector<Node>& nodes() const { return nodes_; }
 

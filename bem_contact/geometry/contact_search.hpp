@@ -20,12 +20,13 @@ struct TouchPoint {
 };
 
 /// All local minima of the vertical distance between the surfaces over the track's (x, y), smallest first:
-/// those of the contact locus over the profile of the rail. Where the rail is seen from above twice, its
-/// upper part counts. Throws InputError when no part of the wheel is above the rail, and when the smallest
+/// those of the contact locus over the profile of the rail. Where a vertical line meets the rail twice, the
+/// upper point counts. Throws InputError when no part of the wheel is above the rail, and when the smallest
 /// distance is at the end of a profile or of the locus (a yaw too large for so steep a flange).
 std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair);
 
 /// Moves the wheel along z until it just touches; returns the touch points then (the first has distance 0).
+/// Throws InputError as find_touch_points() does, and if there is no touch point.
 std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair);
 
 } // namespace bem_contact

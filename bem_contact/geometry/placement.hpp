@@ -55,15 +55,16 @@ struct WheelFrame {
 /// z, are counted to the left.
 ///
 /// Rail: inclined by cant towards the track centre; its gauge face (the point nearest to the track centre
-/// within gauge_height below the top) is at y = gauge / 2. Without cant its axis is at gauge / 2 plus half
-/// the head's width. Then moved by its deviations and turned about the origin of its section.
+/// within gauge_height below the top) is at y = gauge / 2. (So without cant the rail's axis, y = 0 of its
+/// section, is half the head's width farther out.) Then the rail is moved by its deviations and turned about
+/// the origin of its section.
 /// Wheel: the wheelset's centre is displaced by `lateral`; the wheelset is rolled about it (right side down),
 /// then yawed about the vertical through it (right-hand side backwards). The tape circle is at
 /// back_to_back / 2 + 70 mm from it. The wheel's surface is the profile turned about the axle,
 /// r = wheel_radius + z of its section.
 struct WheelOnRail {
   TabulatedProfile rail, wheel;
-  Pose rail_pose, wheel_pose; ///< of the wheel: before the yaw
+  Pose rail_pose, wheel_pose; ///< wheel_pose is that before the yaw; rail_pose is final
   double wheel_radius = 460;  ///< nominal, at the tape circle, mm
   double yaw = 0;             ///< rad, towards +y in front
   double centre_y = 0;        ///< the vertical about which it is yawed, mm
@@ -73,8 +74,8 @@ struct WheelOnRail {
   WheelFrame wheel_frame() const;
 };
 
-/// Places both; the wheel stands with its tape circle wherever the axle height -wheel_radius puts it, so
-/// that it may hang above or cut into the rail: see lower_to_touch().
+/// Places both. The wheelset's centre is at z = -wheel_radius, so that the wheel may hang above the rail or
+/// cut into it: see lower_to_touch().
 /// Throws InputError where the rail has no gauge face at the given height.
 WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel);
 

@@ -10,18 +10,18 @@ namespace bem_contact {
 
 /// Where approach, creepages and moments refer to: a point of the rail, or the middle of a patch's grid.
 struct ReferencePoint {
-  Point2 position;  ///< on the rail, frame of the rows, mm
+  Point2 position;  ///< on the rail, mm, track frame (a patch: its own frame, profile/contact_row.hpp)
   double s = 0;     ///< arc length on the rail, mm
   double delta = 0; ///< rad
   double x = 0;     ///< mm
 };
 
 /// Creepages at the reference point, and the wheelset's own velocities, from which rigid_slip() finds the
-/// rest.
+/// rest. For a shift, xi and eta are displacements in mm and phi is an angle in rad.
 struct Creepage {
   double xi = 0, eta = 0;    ///< longitudinal, lateral (along the rail's tangent there)
   double phi = 0;            ///< about the rail's normal there, 1/mm
-  double rolling_radius = 0; ///< V / omega at xi = 0, mm; 0: what rolls at the reference point
+  double rolling_radius = 0; ///< |V / omega| at xi = 0, mm; 0: the wheel's at the reference point
   Vector3 velocity{};        ///< of the wheelset's centre besides V, over V, track frame
   double roll = 0, yaw = 0;  ///< rates over V: about the wheelset's forward axis and the vertical, rad/mm
 };
@@ -32,9 +32,9 @@ struct RigidSlip {
   std::vector<double> x, s;
 };
 
-/// Of a rolling wheel. It moves along x with V and turns about its axle a (WheelFrame; it points to the
-/// right) with omega = -V / R_roll, R_roll = rolling_radius / (1 - xi). Its surface at X, seen from a point C
-/// of the axle, moves by
+/// Of a rolling wheel. It moves along x with V and turns about its axle a (WheelFrame::axle, which points to
+/// the right) with omega = -V / R_roll, R_roll = rolling_radius / (1 - xi). With C any point of the axle, a
+/// point X of the wheel's surface moves over the rail with the velocity
 ///   v/V = e_x - a x (X - C) / R_roll,
 /// plus velocity + (roll e_forward + yaw e_z) x (X - centre of the wheelset), plus eta along the rail's
 /// tangent and phi about the rail's normal at the reference point. What moves along the normal is left to the

@@ -17,7 +17,7 @@ struct RowOnLocus {
   double distance = excluded_gap; ///< along the rail's normal, mm
   double x = 0;                   ///< mm
   double wheel_s = 0;             ///< arc length on the wheel's profile, mm
-  double half = 0;                ///< the wheel is near distance + half (x' - x)^2 there, 1/mm
+  double half = 0;                ///< 1/mm: around x, at x', the distance is about distance + half (x' - x)^2
   bool hit() const { return distance < excluded_gap; }
 };
 /// Rows farther than `farthest` (mm) from the locus miss it.
@@ -25,9 +25,10 @@ std::vector<RowOnLocus> rows_on_locus(const ContactLocus& locus, std::span<const
                                       double farthest = farthest_row);
 
 /// Undeformed distance along the rail's normal n from the rail to the exact wheel surface of revolution, mm;
-/// field [rows][x]. A row whose normal misses the wheel, or 20 mm from it, gets excluded_gap.
-/// At x the rolled and yawed wheel is cut by the plane x = const, and the normal intersected with that
-/// section (no quadratic approximation). `on_locus`: of the rows.
+/// field [rows][x]. An element whose normal misses the wheel gets excluded_gap. So does every element of a
+/// row that misses the locus or is farther than farthest_row from it (rows_on_locus()). At x the rolled and
+/// yawed wheel is cut by the plane x = const, and the normal intersected with that section (no quadratic
+/// approximation). `on_locus`: rows_on_locus() of the same rows, else computed here.
 std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const RowOnLocus> on_locus,
                                         std::span<const ContactRow> rows, std::span<const double> x);
 std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const ContactRow> rows,

@@ -30,19 +30,22 @@ struct Station {
 /// The influence function of one body: the kernel g_ij(k; s_I, s_J).
 ///
 /// A traction of component j on station J with amplitude 1 MPa, varying along x as cos(kx), gives the
-/// displacement i of station I, averaged over its width; how it varies along x is said under `kernel`.
+/// displacement i of station I, averaged over its width. The list below says how this varies along x.
 /// Frame: the body's own (x, s, n), n into the body, turned to the inclination of each station.
 ///
-/// g_ij is the number (row, column) = (3 I + i, 3 J + j), in mm/MPa, of the symmetric matrix that kernel has
-/// for each k, of which it keeps the lower triangle by rows (kernel_index):
+/// `kernel` has a symmetric matrix for each wavenumber k. Its number at (row, column) = (3 I + i, 3 J + j) is
+/// g_ij, in mm/MPa; only the lower triangle is kept, by rows (kernel_index):
 ///   load p_j cos kx, j in {s, n}:  u_x = g_xj sin kx,  u_i = g_ij cos kx  (i in {s, n});
 ///   load p_x cos kx:               u_x = g_xx cos kx,  u_i = -g_ix sin kx (i in {s, n}).
-/// On a body of revolution x = R_ref theta, k = n / R_ref, and the unit load is 1 MPa per REFERENCE area
-/// (R_ref dtheta ds): that is what keeps Maxwell-Betti exact without weights.
+/// On a body of revolution x = R_ref theta, k = harmonic / R_ref, and the unit load is 1 MPa per REFERENCE
+/// area (R_ref dtheta ds): that is what keeps Maxwell-Betti exact without weights.
 ///
-/// The remote section: for each wavenumber six generalised displacements of the part of the section that
-/// lies far from the strip (area means: u_x, u_y, u_z, rotations about x, y, z: see data/INFLUENCE_FORMAT.md)
-/// for each load, remote[k][6][3 NS], and for unit generalised loads on itself, remote_self[k][6][6].
+/// The remote section is the part of the section that lies far from the strip. It has six generalised
+/// displacements (area means: u_x, u_y, u_z in mm, rotations about x, y, z in rad; data/INFLUENCE_FORMAT.md).
+/// For each wavenumber, by its index,
+///   remote[NK][6][3 NS]     has them under each load of 1 MPa on a station (mm/MPa, 1/MPa);
+///   remote_self[NK][6][6]   has them under station_width times each unit generalised load on the remote
+///                           section itself (mm/MPa, and per mm for each rotation).
 /// `removed` is g - remote^T remote_self^-1 remote, again symmetric and positive.
 struct InfluenceFunction {
   std::string body;    ///< name of the body, e.g. "rail 60E1"
@@ -53,7 +56,7 @@ struct InfluenceFunction {
   std::string method; ///< "harmonic" or "solid3d", with degree and mesh in words
   Invariance invariance = Invariance::prismatic;
   double reference_radius = 0; ///< R_ref, mm (revolution only)
-  double half_period = 0;      ///< L, mm: wavenumbers of the series are n pi / L (revolution: pi R_ref)
+  double half_period = 0;      ///< L, mm: the series has the multiples of pi / L (revolution: L = pi R_ref)
 
   double station_width = 0;      ///< ds, mm
   std::vector<Station> stations; ///< NS of them, equally spaced, ascending in s
@@ -69,8 +72,9 @@ struct InfluenceFunction {
   double table_dx = 0; ///< mm; 0: the function is given by its kernel
   std::vector<double> table;
 
-  /// What the file says of its own error, each relative to the self number (largest over components).
-  double betti_error = 0;    ///< asymmetry before the storage step
+  /// What the file says of its own error: the largest that was found. The first and the last are relative to
+  /// self numbers, the second to the load.
+  double betti_error = 0;    ///< asymmetry as computed; what is stored is symmetric
   double reaction_error = 0; ///< | reaction - load | / load at k = 0
   double estimated_error =
       0; ///< from the wavenumber sampling and a coarser companion run; < 0: not estimated
@@ -82,7 +86,7 @@ struct InfluenceFunction {
 
   /// Numbers of the kernel for one wavenumber.
   std::size_t kernel_size() const { return lower_size(3 * stations.size()); }
-  /// Where g of the row and column for wavenumber k is, or, the same, of column and row.
+  /// Where g of the row and column for wavenumber[k] is, or, the same, of column and row.
   std::size_t kernel_index(std::size_t k, std::size_t row, std::size_t column) const {
     return k * kernel_size() + lower_size(std::max(row, column)) + std::min(row, column);
   }

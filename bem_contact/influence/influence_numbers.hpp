@@ -8,14 +8,16 @@
 
 namespace bem_contact {
 
-/// Influence numbers of one body or of the pair on a regular strip: `rows` element rows along s, elements
-/// dx by ds, offsets m = x_I - x_J = 0 .. offsets-1 in units of dx. Negative offsets follow from parity(i,
-/// j).
+/// Influence numbers of one body or of the pair on a regular strip: `rows` rows of elements along s, elements
+/// dx by ds. I is the row of the displaced element and J that of the loaded one. The displaced element lies
+/// m dx ahead of the loaded one along x, m = 0 .. offsets - 1. Negative m follow from parity(i, j).
+/// Frame: one body's own (base/conventions.hpp); of the pair, the contact frame, with tractions on the rail
+/// and displacements of the rail less those of the wheel, -u of base/conventions.hpp.
 ///
 /// values[m][3 I + i][3 J + j], row-major: displacement i averaged over element (m, I), mm, under 1 MPa of
 /// traction j on element (0, J). Maxwell-Betti: A_ij(m; I, J) = parity(i,j) A_ji(m; J, I).
-/// Steady rolling over mx columns needs offsets = mx + 2.
-/// Plane strain (one element, infinitely long along x): offsets = 1, dx = 0 and k = 0 only.
+/// A contact problem on mx columns needs offsets >= mx + 2, in every kind of motion.
+/// Plane strain (each row one element, infinitely long along x): offsets = 1 and dx = 0.
 ///
 /// `translational`: the numbers depend on I - J alone (half-spaces, strips of constant curvature) and only
 /// these are stored: values[m][I - J + rows - 1][i][j]. Then at(m, I, i, J, j) is one entry for all pairs of

@@ -41,7 +41,7 @@ inline constexpr std::string_view automatic_model = "auto";
 
 std::string name_of(std::optional<Model> model);
 
-/// The opposite. Throws InputError for a text that is neither a model nor "auto".
+/// The model of that name, empty for "auto". Throws InputError for a text that is neither a model nor "auto".
 std::optional<Model> model_named(const std::string& name);
 
 } // namespace bem_contact

@@ -47,7 +47,8 @@ struct ContactSetup {
   const PatchGeometry* patch() const { return std::get_if<PatchGeometry>(&geometry); }
   /// Where creepages and moments refer to; of a patch: the middle of the grid.
   ReferencePoint reference() const { return wheel_rail() ? wheel_rail()->reference : ReferencePoint{}; }
-  /// Plane strain: the approach is relative to a point this far away, mm.
+  /// For plane strain, where displacements are only known up to a constant: they vanish at this distance from
+  /// the load, mm. It is the radius of a curved strip, else plane_strain_distance.
   double reference_distance() const;
 
   RowsOnBodies rows_on(const GridPlan& plan) const;
@@ -64,8 +65,9 @@ struct ContactSetup {
   ContactSetup under(const ContactLoad& other) const;
 };
 
-/// A `wheel_rail` scene. With position.vertical the approach is what the wheelset stands lower than where it
-/// first touches. Throws InputError for a scene whose bodies do not meet, or tables that cannot be used.
+/// A `wheel_rail` scene. With position.vertical the approach is how far the wheelset stands below the height
+/// at which it first touches. Throws InputError for a scene whose bodies do not meet, or tables that cannot
+/// be used.
 ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& profiles);
 /// A `patch` scene. Throws InputError for tables that cannot be used, and for a load that the grid cannot
 /// bear.

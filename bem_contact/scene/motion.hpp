@@ -10,13 +10,15 @@
 
 namespace bem_contact {
 
-/// What one row of motion.step_table prescribes; what it does not name stays as the scene says.
+/// What one row of motion.step_table prescribes, in the units of ContactLoad and Creepage and in N for the
+/// shear forces. What it does not name stays as the scene says.
 struct MotionStep {
   std::optional<double> load, xi, eta, phi, force_x, force_s;
   std::optional<double> x; ///< where the contact lies on a grid that lies still, mm
 };
 
-/// How the surfaces move over each other, and with what friction. All tables of the scene are read.
+/// How the surfaces move over each other, and with what friction. It holds the contents of the CSV files that
+/// the scene names, not their paths.
 struct Motion {
   struct Friction {
     double s = 0, mu = 0; ///< arc length on the rail, mm
@@ -24,14 +26,14 @@ struct Motion {
 
   MotionKind kind = MotionKind::steady;
   bool tangential = true;               ///< false: frictionless
-  double friction = 0.3;                ///< of adhesion
+  double friction = 0.3;                ///< coefficient of adhesion
   std::vector<Friction> friction_table; ///< instead, by ascending s; empty: the same everywhere
-  std::optional<double> kinetic;        ///< coefficient of what slips
-  std::optional<double> force_x, force_s;
+  std::optional<double> kinetic;        ///< coefficient of slip, not its ratio to `friction`; empty: the same
+  std::optional<double> force_x, force_s; ///< prescribed shear forces, N
   Creepage creepage;
   std::vector<MotionStep> steps; ///< of transient rolling and of shifts
 
-  /// What a step changes in it.
+  /// The scene's creepage, with the values that the step prescribes in place of its own.
   Creepage creepage_of(const MotionStep& step) const;
 };
 

@@ -30,7 +30,8 @@ struct SceneFile {
   Side rail, wheel; ///< in a patch: the lower and the upper body
 
   struct Position : WheelsetPosition { ///< [position], wheel_rail
-    std::optional<double> vertical; ///< z of the wheelset's centre over -wheel_radius, mm, instead of a load
+    /// Instead of a load: z of the wheelset's centre plus wheel_radius, mm, positive down.
+    std::optional<double> vertical;
   } position;
 
   struct Load {                          ///< [load]; exactly one of the two, or position.vertical
@@ -45,18 +46,23 @@ struct SceneFile {
     bool frictionless = false;
     double friction = 0.3;
     std::optional<double> kinetic_friction; ///< of what slips; empty: the same
-    std::string friction_table;             ///< CSV file with columns s, mu instead of friction
+    std::string friction_table;             ///< CSV file with columns s (mm), mu instead of friction
     int steps = 1;                          ///< of transient rolling (dx each) or of shifts
-    std::string step_table;          ///< CSV file with one row a step: load, xi, eta, phi, force_x, force_s
-    std::string start_table;         ///< patch: CSV file with columns ix, is, px, ps, pn
-    double xi = 0, eta = 0, phi = 0; ///< wheel_rail: spin from the geometry is added to phi; phi in 1/mm
+    /// CSV file with one row a step and some of the columns load (N where load.force is given, mm where
+    /// load.approach is), xi, eta, phi, force_x, force_s (N) and x (mm: where a shifted patch touches).
+    std::string step_table;
+    std::string start_table; ///< patch: CSV file with columns ix, is (from 0), px, ps, pn (MPa)
+    /// phi in 1/mm; a shift: xi, eta in mm and phi in rad. wheel_rail: spin of the geometry is added to phi.
+    double xi = 0, eta = 0, phi = 0;
     /// wheel_rail: forward over angular speed at xi = 0, mm. Empty: speed / pitch_rate (mm/s, rad/s); if
     /// these are empty too, the radius that rolls freely under the estimated pressure.
     std::optional<double> rolling_radius, speed, pitch_rate;
     /// wheel_rail: of the wheelset, with speed: to the right and down, mm/s; right side down and front to the
     /// right, rad/s.
     double lateral_velocity = 0, vertical_velocity = 0, roll_rate = 0, yaw_rate = 0;
-    std::string slip_table; ///< patch: CSV file with columns ix, is, wx, ws instead of creepages
+    /// patch: CSV file with columns ix, is, wx, ws instead of creepages; wx, ws per unit of rolled distance
+    /// (shift: mm).
+    std::string slip_table;
   } motion;
 
   /// From the outer border of the first row to that of the last, mm.
@@ -75,15 +81,18 @@ struct SceneFile {
   } grid;
 
   struct Gap {                  ///< [gap], patch
-    double a = 0, b = 0, c = 0; ///< h = a x^2 + b s^2 + c x s
-    std::string table;          ///< CSV file with columns ix, is, h instead
+    double a = 0, b = 0, c = 0; ///< h = a x^2 + b s^2 + c x s; 1/mm
+    std::string table;          ///< CSV file with columns ix, is, h (mm) instead
   } gap;
 
-  struct Strip {             ///< [strip], patch: a curved strip
-    double radius = 0;       ///< constant radius of the lower surface (> 0 convex, < 0 concave), 0: flat
-    double upper_radius = 0; ///< radius of the upper body, for the gap and its stations
-    double rail_s0 = 0, wheel_s0 = 0; ///< stations of the influence files at the middle of the grid
-    std::string inclination;          ///< CSV file with columns is, delta instead of radius
+  struct Strip {       ///< [strip], patch: a curved strip
+    double radius = 0; ///< constant radius of the lower surface, mm (> 0 convex, < 0 concave); 0: flat
+    /// Radius of the upper surface, mm (> 0 convex, < 0 concave, 0: not given). The distance between the two
+    /// circles is added to a, b, c of [gap] (not to its table); arc lengths on the upper body follow its
+    /// circle.
+    double upper_radius = 0;
+    double rail_s0 = 0, wheel_s0 = 0; ///< arc length in the influence files at the middle of the grid, mm
+    std::string inclination;          ///< CSV file with columns is, delta (rad) instead of radius
   } strip;
 
   struct Stresses { ///< [stresses]: below the surface of the rail (patch: the lower body), at every (x, s,
@@ -108,7 +117,9 @@ struct SceneChange {
   int line = 0; ///< of the file, for messages; 0: none
 };
 
-/// A table [sweep] is passed over.
+/// Read a scene; `changes` replace values of the file. A table [sweep] is ignored (sweep_file.hpp reads it).
+/// Relative paths start at the file's folder; in a text, at the working directory. Both throw InputError,
+/// naming source, line and key, for what is no valid scene.
 SceneFile read_scene_file(const std::filesystem::path& file, std::span<const SceneChange> changes = {});
 SceneFile parse_scene_file(std::string_view toml, std::string_view source_name = "text",
                            std::span<const SceneChange> changes = {});

@@ -13,7 +13,7 @@ namespace bem_contact {
 /// each case how many elements the next one needs, and how large its contact is.
 class ElementSize {
 public:
-  /// `learn_area`: how large the area in contact is beside the estimate's.
+  /// `learn_area`: learn from each case the area in contact over the area that ContactEstimate predicts.
   explicit ElementSize(bool learn_area) : learn_area_(learn_area) {}
 
   /// Before a case. `alike`: its contact is like that of the case before, so that what was learnt holds.
@@ -23,7 +23,7 @@ public:
   int wanted() const { return count_->wanted(); } ///< elements in contact
   /// After a solution: true where the case is to be solved again, on the smaller elements of grid().
   bool learn(const ContactCase& asked, const SceneResult& result);
-  /// Why elements of this length get no smaller.
+  /// For a warning: why elements of length `dx` (mm) are not made smaller.
   std::string limit(double dx) const;
 
 private:
@@ -36,9 +36,9 @@ private:
   bool learn_area_;
   Request request_;
   std::optional<ElementCount> count_; ///< of the request; nothing before the first case
-  double shortest_ = 0;               ///< mm
-  double longest_ = longest_element;  ///< times the width
-  double area_ratio_ = 1;             ///< area in contact over the estimate's
+  double shortest_ = 0;               ///< least length that the influence files serve, mm; 0: any
+  double longest_ = longest_element;  ///< length over width, at most
+  double area_ratio_ = 1;             ///< area in contact over the predicted one
 };
 
 } // namespace bem_contact

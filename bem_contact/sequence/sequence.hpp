@@ -17,13 +17,14 @@ struct SequenceOptions {
   bool keep_files = true; ///< profiles and influence files are read once
   /// Influence numbers of a grid met before are not computed again, nor what solving made of them.
   bool keep_numbers = true;
-  /// A case starts from the former one's tractions, moved and scaled; from a coarse grid where the areas in
-  /// which the bodies may touch are others (alike()).
+  /// A case starts from the former one's tractions, moved and scaled. If the bodies may now touch in other
+  /// areas than in the former case (alike()), it starts from larger elements instead.
   bool keep_start = true;
-  bool learn = true;             ///< how large the area in contact is beside the estimate's
-  bool coarse_start = true;      ///< a case without a former one starts from larger elements
-  bool foresee_shear = true;     ///< the estimate knows what shear bears of the load
-  bool potential_contact = true; ///< only where h < 0.9 of the approach; else three times as far
+  bool learn = true;         ///< learn the area in contact over the predicted one (ContactEstimate)
+  bool coarse_start = true;  ///< a case without a former one starts from larger elements
+  bool foresee_shear = true; ///< the estimate knows what shear bears of the load
+  /// The grid covers only where h < 0.9 of the approach. False: where h is below three times that.
+  bool potential_contact = true;
 };
 
 /// Answers scenes. This is the one way in: the program, sweeps and Python all use it, and one scene is a
@@ -31,8 +32,8 @@ struct SequenceOptions {
 ///
 /// Scenes of a wheel on a rail in steady rolling profit from the ones before: a case starts from the
 /// tractions of the former case, and grid.elements or grid.accuracy are met by what former cases taught.
-/// Results lie within the certificate of those that each scene has alone on the same grid. Files must not
-/// change meanwhile. One object serves one thread.
+/// On the same grid, a scene has the same result as when it is solved alone, within the certificate's
+/// tolerance. Files must not change meanwhile. One object serves one thread.
 class Sequence {
 public:
   /// `files`: shared with other sequences of this thread; null: its own.
@@ -53,6 +54,8 @@ public:
   /// Throws what solve() would throw before it solves.
   std::vector<std::string> check(const SceneFile& scene);
 
+  /// Since the object was made: scenes solved, solutions (several for a scene if an accuracy is asked for),
+  /// how often influence numbers were there already, and solutions that started from a former case.
   struct Counts {
     int cases = 0, solves = 0, numbers_kept = 0, starts = 0;
   };

@@ -14,12 +14,12 @@ BEM_CONTACT_TUNED(double, potential_share, 0.9);
 BEM_CONTACT_TUNED(double, least_approach, 1e-4);
 /// 1. Creepage at which about half of a contact slips: so much of full friction bears load in the estimate.
 BEM_CONTACT_TUNED(double, half_slip_creepage, 0.002);
-/// 1. Bounds of the vertical force of pressure and shear over that of the pressure: where friction takes all
-/// of it away, the estimate would be without end.
+/// 1. Least value of the vertical force of pressure and shear over that of the pressure: where friction takes
+/// all of it away, the estimate would be without end.
 BEM_CONTACT_TUNED(double, least_lift, 0.05);
-BEM_CONTACT_TUNED(double, most_lift, 4.0); ///< 1. As above.
-/// 1. With shear the estimate may have so many times the largest approach allowed: an overestimate costs a
-/// grid that is too coarse.
+BEM_CONTACT_TUNED(double, most_lift, 4.0); ///< 1. Largest value of the same ratio.
+/// 1. With shear, the approach of the estimate may be so many times largest_approach (scene/settings.hpp): an
+/// overestimate costs a grid that is too coarse.
 BEM_CONTACT_TUNED(double, most_approach_with_shear, 2.0);
 /// 1 (slices). Distance from the deepest slice at which its own part of an integral over 1/r is taken.
 BEM_CONTACT_TUNED(double, slice_self_distance, 0.25);
@@ -27,8 +27,8 @@ BEM_CONTACT_TUNED(double, slice_self_distance, 0.25);
 BEM_CONTACT_TUNED(double, elliptic_tolerance, 1e-9);
 /// 1. Bound of its steps, each of which doubles the digits.
 BEM_CONTACT_TUNED(int, elliptic_steps, 12);
-/// 1. SequenceOptions::potential_contact = false: the potential contact is planned for so many times the
-/// approach.
+/// 1. If SequenceOptions::potential_contact is false, the potential contact is planned for so many times
+/// potential_share of the approach.
 BEM_CONTACT_TUNED(double, generous_reach, 3.0);
 /// mm. Touch points that are nearer than this are described by bem_contact check.
 BEM_CONTACT_TUNED(double, described_distance, 1.0);
@@ -39,18 +39,18 @@ BEM_CONTACT_TUNED(double, described_distance, 1.0);
 BEM_CONTACT_TUNED(int, most_rows, 4096);
 /// 1. Rows and columns that a plan has beside the potential contact, on each side.
 BEM_CONTACT_TUNED(int, spare_elements, 2);
-/// 1. Columns and rows that a plan has at most beside its potential contact, with rounding: for the check of
-/// the largest grid.
+/// 1. Columns that a plan has at most beside its potential contact, with rounding: for the check of the
+/// largest grid.
 BEM_CONTACT_TUNED(int, most_spare_columns, 6);
-BEM_CONTACT_TUNED(int, most_spare_rows, 5); ///< 1. As above.
+BEM_CONTACT_TUNED(int, most_spare_rows, 5); ///< 1. The same for rows.
 /// 1. Fewest rows of a plan.
 BEM_CONTACT_TUNED(int, fewest_rows, 3);
 /// 1. How often a grid may grow. It grows by a quarter in s, an eighth on either side in x.
 BEM_CONTACT_TUNED(int, most_growths, 6);
-BEM_CONTACT_TUNED(int, row_growth_share, 4);    ///< 1. One over that quarter.
-BEM_CONTACT_TUNED(int, column_growth_share, 8); ///< 1. One over that eighth.
+BEM_CONTACT_TUNED(int, row_growth_share, 4);    ///< 1. In s by one over this: a quarter.
+BEM_CONTACT_TUNED(int, column_growth_share, 8); ///< 1. In x by one over this: an eighth.
 BEM_CONTACT_TUNED(int, fewest_more_rows, 4);    ///< 1. Rows by which a grid grows at least.
-BEM_CONTACT_TUNED(int, fewest_more_columns, 2); ///< 1. Columns on either side, likewise.
+BEM_CONTACT_TUNED(int, fewest_more_columns, 2); ///< 1. Columns by which it grows at least, on either side.
 /// GB. Largest influence numbers, and largest history, that are kept in memory.
 BEM_CONTACT_TUNED(double, largest_memory, 8.0);
 
@@ -61,31 +61,30 @@ BEM_CONTACT_TUNED(double, largest_memory, 8.0);
 BEM_CONTACT_TUNED(int, fewest_elements, 180);
 /// 1. Elements in contact that are tried first; the median contact has an error of usual_error with them.
 BEM_CONTACT_TUNED(int, usual_elements, 200);
-BEM_CONTACT_TUNED(double, usual_error, 0.003); ///< 1. As above.
-/// 1. One contact in a hundred has this error with the usual elements, and needs rare_factor times as many as
-/// the median contact.
+BEM_CONTACT_TUNED(double, usual_error, 0.003); ///< 1. That error, relative.
+/// 1. One contact in a hundred has this relative error with usual_elements.
 BEM_CONTACT_TUNED(double, rare_error, 0.02);
-BEM_CONTACT_TUNED(double, rare_factor, 7.0); ///< 1. As above.
+BEM_CONTACT_TUNED(double, rare_factor, 7.0); ///< 1. It needs so many times the median contact's elements.
 /// 1. Order of the estimated error in the number of elements: adhesion is of first order in their length
 /// (0.5), the normal problem of second (1).
 BEM_CONTACT_TUNED(double, error_order, 0.65);
 /// 1. Elements beyond what the accuracy is predicted to need.
 BEM_CONTACT_TUNED(double, element_reserve, 1.1);
-/// 1. Errors scatter: the number of elements comes down to no less than this share of the last one ...
+/// 1. Errors scatter: the number of elements comes down to no less than this share of the last one.
 BEM_CONTACT_TUNED(double, least_change, 0.35);
 BEM_CONTACT_TUNED(double, least_retry,
-                  1.3); ///< 1. ... goes up by at least this if the case is solved again ...
-BEM_CONTACT_TUNED(double, most_change, 4.0); ///< 1. ... and at most by this.
+                  1.3); ///< 1. It is multiplied by at least this if the case is solved again.
+BEM_CONTACT_TUNED(double, most_change, 4.0); ///< 1. It is never multiplied by more than this.
 /// 1. Elements in contact that are tried at most for an accuracy: a second or a few.
 BEM_CONTACT_TUNED(int, most_elements, 12000);
-BEM_CONTACT_TUNED(int, most_elements_full, 4000); ///< 1. With numbers that depend on both rows.
-/// 1. With numbers that depend on both rows a second solution costs so much that some elements in reserve are
-/// cheaper.
+BEM_CONTACT_TUNED(int, most_elements_full, 4000); ///< 1. The same with numbers that depend on both rows.
+/// 1. Fewest elements in contact with influence numbers that depend on both rows: there a second solution
+/// costs so much that some elements in reserve are cheaper.
 BEM_CONTACT_TUNED(int, fewest_elements_full, 250);
 /// 1. Length of elements over their width at the most.
 BEM_CONTACT_TUNED(double, longest_element, 1.1);
-/// 1. With numbers that depend on both rows a product grows as the square of the rows: short elements in few
-/// rows are cheaper.
+/// 1. The same with influence numbers that depend on both rows. The cost of a product A p grows there as the
+/// square of the rows: short elements in few rows are cheaper.
 BEM_CONTACT_TUNED(double, longest_element_full, 0.8);
 /// 1. Length of elements over their width at the least, in a contact that is wider than long.
 BEM_CONTACT_TUNED(double, shortest_element_aspect, 0.4);
@@ -94,31 +93,32 @@ BEM_CONTACT_TUNED(double, shortest_element_aspect, 0.4);
 BEM_CONTACT_TUNED(double, narrowest_element_share, 0.25);
 /// 1. Sizes of elements are powers of 2^(1/this), so that influence numbers serve several cases.
 BEM_CONTACT_TUNED(int, sizes_per_octave, 4);
-/// mm. Size of elements where the estimate has no contact.
+/// mm. Length of elements where the estimate has no contact.
 BEM_CONTACT_TUNED(double, default_dx, 0.5);
-BEM_CONTACT_TUNED(double, default_ds, 0.25); ///< mm. As above.
-/// 1. What was learnt about the area in contact is kept within these bounds for a contact of another kind.
+BEM_CONTACT_TUNED(double, default_ds, 0.25); ///< mm. Width of elements there.
+/// 1. Former cases teach the area in contact over the predicted area. For a contact of another kind (not
+/// alike()) this ratio is raised to at least this.
 BEM_CONTACT_TUNED(double, least_area_ratio, 0.7);
-BEM_CONTACT_TUNED(double, most_area_ratio, 1.4); ///< 1. As above.
+BEM_CONTACT_TUNED(double, most_area_ratio, 1.4); ///< 1. There it is lowered to at most this.
 /// 1. How often one case may be solved for an accuracy.
 BEM_CONTACT_TUNED(int, most_solves, 4);
-/// 1. Elements need this much more than a tenth of the shortest wavelength of an influence file: a wheel's
-/// is that at its reference radius, and the contact lies elsewhere.
+/// 1. An influence file serves elements of at least 10 / (its largest wavenumber). Elements are chosen so
+/// many times as long: a wheel's file means lengths at its reference radius, and the contact lies elsewhere.
 BEM_CONTACT_TUNED(double, wavelength_reserve, 1.05);
 
 // Start from the case before.
 
-/// 1. From so many elements on, tractions of elements that were larger by coarse_former are farther from the
-/// solution than what the solver itself finds on elements twice as large.
+/// 1. From so many elements on, tractions of a former case whose elements were longer or wider by more than
+/// coarse_former are no start: what the solver itself finds on elements twice as large is nearer.
 BEM_CONTACT_TUNED(int, many_elements, 2000);
-BEM_CONTACT_TUNED(double, coarse_former, 1.5); ///< 1. As above.
+BEM_CONTACT_TUNED(double, coarse_former, 1.5); ///< 1. Length and width over the wanted ones.
 /// 1. Two areas are the same contact if they overlap by this share of the smaller one.
 BEM_CONTACT_TUNED(double, alike_overlap, 0.3);
 /// mm. Least extent of an area: it may be one slice of the estimate.
 BEM_CONTACT_TUNED(double, least_extent, 0.2);
-/// 1. Influence numbers and prepared operators of so many grids are kept: numbers take up to 8 GB.
+/// 1. Influence numbers of so many grids are kept: numbers take up to 8 GB.
 BEM_CONTACT_TUNED(int, numbers_kept, 6);
-BEM_CONTACT_TUNED(int, operators_kept, 3); ///< 1. As above; operators take several times the numbers.
+BEM_CONTACT_TUNED(int, operators_kept, 3); ///< 1. Grids whose operators are kept: they take more.
 
 // Choice of the model: predicted relative errors of the largest pressure.
 
@@ -164,9 +164,9 @@ BEM_CONTACT_TUNED(double, poor_discretisation, 0.2);
 BEM_CONTACT_TUNED(int, few_elements, 40);
 /// 1. From so many steps of a history on, progress is reported.
 BEM_CONTACT_TUNED(int, many_steps, 1000);
-/// 1. Most points at which stresses are computed, and most products of points and elements: some minutes.
+/// 1. Most points at which stresses are computed: some minutes.
 BEM_CONTACT_TUNED(double, most_stress_points, 1e6);
-BEM_CONTACT_TUNED(double, most_stress_sums, 1e9); ///< 1. As above.
+BEM_CONTACT_TUNED(double, most_stress_sums, 1e9); ///< 1. Most products of points and elements: some minutes.
 /// 1 (widths). Half length of a plane-strain element where stresses are summed.
 BEM_CONTACT_TUNED(double, endless_element, 1e6);
 
