@@ -27,14 +27,22 @@ ContactProblem same_question(const ContactProblem& problem) {
   return coarse;
 }
 
-/// A number of any offset; beyond those known the line through the last two.
-double extrapolated_number(const InfluenceNumbers& a, int offset, int row_i, int i, int row_j, int j) {
-  const int m = std::abs(offset), known = a.offsets - 1;
-  double value = a.at(std::min(m, known), row_i, i, row_j, j);
-  if (m > known)
-    value += (m - known) * (value - a.at(known - 1, row_i, i, row_j, j));
-  return (offset < 0 ? parity(i, j) : 1) * value;
-}
+/// The influence numbers of two elements at any offset along x; beyond those known the line through the last
+/// two.
+struct NumbersOfOffsets {
+  const double* first; ///< at offset 0
+  std::size_t block;   ///< values between two offsets
+  int last;            ///< offset known
+  int parity;          ///< sign of the numbers behind the load
+
+  double operator()(int offset) const {
+    const int m = std::abs(offset);
+    double value = first[static_cast<std::size_t>(std::min(m, last)) * block];
+    if (m > last)
+      value += (m - last) * (value - first[static_cast<std::size_t>(last - 1) * block]);
+    return (offset < 0 ? parity : 1) * value;
+  }
+};
 
 } // namespace
 
@@ -161,9 +169,11 @@ InfluenceNumbers LargerElements::numbers(const InfluenceNumbers& fine, bool only
   coarse.ds = s_.factor * fine.ds;
   coarse.translational = fine.translational;
   coarse.values.assign(coarse.expected_values(), 0.0);
+  const std::size_t block = fine.values.size() / static_cast<std::size_t>(fine.offsets);
   // x - x' of two pairs of elements: 2 m - 1, 2 m twice, 2 m + 1
   const auto along_x = [&](int m, int row_i, int i, int row_j, int j) {
-    const auto number = [&](int offset) { return extrapolated_number(fine, offset, row_i, i, row_j, j); };
+    const NumbersOfOffsets number{&fine.values[fine.index(0, row_i, i, row_j, j)], block, fine.offsets - 1,
+                                  parity(i, j)};
     return x_.factor == 1 ? number(m) : number(2 * m - 1) + 2 * number(2 * m) + number(2 * m + 1);
   };
   const double weight = 1.0 / (x_.factor * s_.factor);
