@@ -32,8 +32,7 @@ H5Dataset points(const std::vector<Point2>& line, std::string description) {
 }
 
 /// [step][ms][mx] of every step, and the totals [step].
-void add_history(H5Table& table, const SceneResult& r) {
-  const std::string group = std::string(name_of(r.model)) + "/history/";
+void add_history(H5Table& table, const std::string& group, const SceneResult& r) {
   const ContactGrid& grid = r.problem.grid;
   const auto fields = [&](const char* name, std::vector<double> ContactResult::*member, const char* unit) {
     H5Dataset out{{r.history.size(), static_cast<std::size_t>(grid.ms), static_cast<std::size_t>(grid.mx)},
@@ -65,9 +64,9 @@ void add_history(H5Table& table, const SceneResult& r) {
   totals("creepage_s", &ContactResult::creepage_s, shift ? "mm" : "1");
 }
 
-void add_result(H5Table& table, const SceneResult& r) {
+/// Fields and totals in `group` ("" or a path with its last slash).
+void add_result(H5Table& table, const std::string& group, const SceneResult& r) {
   const ContactGrid& grid = r.problem.grid;
-  const std::string group = std::string(name_of(r.model)) + "/";
   const ContactResult& c = r.result;
   table.datasets[group + "p_x"] = field(grid, c.px, "MPa", "traction on the rail along x");
   table.datasets[group + "p_s"] = field(grid, c.ps, "MPa", "traction on the rail along s");
@@ -85,7 +84,7 @@ void add_result(H5Table& table, const SceneResult& r) {
   table.datasets[group + "friction_power"] =
       field(grid, friction_power(c), shift ? "N/mm" : "MPa", "dissipated" + per);
   if (!r.history.empty())
-    add_history(table, r);
+    add_history(table, group + "history/", r);
   std::vector<double> state(c.state.size());
   std::ranges::transform(c.state, state.begin(), [](ElementState e) { return double(e); });
   table.datasets[group + "state"] = field(grid, state, "1", "0 exterior, 1 adhesion, 2 slip");
@@ -104,6 +103,13 @@ void add_result(H5Table& table, const SceneResult& r) {
   a[group + "friction_power"] = friction_power(r.result, r.problem.element_area());
   a[group + "creepage_found_x"] = c.creepage_x;
   a[group + "creepage_found_s"] = c.creepage_s;
+  if (!r.wheel_s.empty())
+    a[group + "lateral_mm"] = r.lateral;
+  a[group + "xi"] = r.xi;
+  if (r.free_rolling) {
+    a[group + "free_rolling_xi"] = r.free_rolling->xi;
+    a[group + "free_rolling_radius_mm"] = r.free_rolling->rolling_radius;
+  }
   a[group + "approach_mm"] = c.approach;
   a[group + "pmax_MPa"] = largest_pressure(r.result);
   a[group + "area_mm2"] = contact_area(r.result);
@@ -114,47 +120,66 @@ void add_result(H5Table& table, const SceneResult& r) {
   a[group + "seconds"] = r.seconds.numbers + r.seconds.solve;
 }
 
-} // namespace
-
-H5Table to_table(std::span<const SceneResult* const> results, const std::string& scene) {
-  H5Table table;
-  const SceneResult& first = *results.front();
-  const ContactProblem& problem = first.problem;
-  const ContactGrid& grid = problem.grid;
-  const std::string side = first.left ? "left" : "right";
-  std::vector<double> x, s, y, z, delta;
-  for (int ix = 0; ix < grid.mx; ++ix)
-    x.push_back(grid.x(ix));
+/// Where the elements lie, and the bodies around them.
+void add_coordinates(H5Table& table, const std::string& group, const SceneResult& r) {
+  const ContactProblem& problem = r.problem;
+  const std::string side = r.left ? "left" : "right";
+  std::vector<double> s, y, z, delta;
   for (const ContactRow& row : problem.rows) {
     s.push_back(row.s);
     y.push_back(row.position.y);
     z.push_back(row.position.z);
     delta.push_back(row.delta);
   }
-  table.datasets["x"] = line(x, "mm", "middle of the columns, rolling direction");
-  table.datasets["s"] = line(s, "mm", "middle of the rows, arc length along the rail");
-  table.datasets["y"] = line(y, "mm", "middle of the rows, to the " + side + " (track frame)");
-  table.datasets["z"] = line(z, "mm", "middle of the rows, down (track frame)");
-  table.datasets["delta"] = line(delta, "rad", "inclination of the rows");
-  if (!first.wheel_s.empty())
-    table.datasets["wheel_s"] = line(first.wheel_s, "mm", "arc length along the wheel opposite the rows");
-  table.datasets["gap"] = field(grid, problem.gap, "mm", "undeformed distance along the rail's normal");
-  table.datasets["rail_profile"] = points(first.rail_profile, "rail near the contact: y, z");
-  table.datasets["wheel_profile"] = points(first.wheel_profile, "wheel near the contact at approach 0: y, z");
-
+  auto& d = table.datasets;
+  d[group + "x"] = line(problem.grid.columns(), "mm", "middle of the columns, rolling direction");
+  d[group + "s"] = line(s, "mm", "middle of the rows, arc length along the rail");
+  d[group + "y"] = line(y, "mm", "middle of the rows, to the " + side + " (track frame)");
+  d[group + "z"] = line(z, "mm", "middle of the rows, down (track frame)");
+  d[group + "delta"] = line(delta, "rad", "inclination of the rows");
+  if (!r.wheel_s.empty())
+    d[group + "wheel_s"] = line(r.wheel_s, "mm", "arc length along the wheel opposite the rows");
+  d[group + "gap"] = field(problem.grid, problem.gap, "mm", "undeformed distance along the rail's normal");
+  d[group + "rail_profile"] = points(r.rail_profile, "rail near the contact: y, z");
+  d[group + "wheel_profile"] = points(r.wheel_profile, "wheel near the contact at approach 0: y, z");
   auto& a = table.attributes;
-  a["format"] = std::string(result_format);
-  a["scene"] = scene;
-  a["frame"] = "x rolling direction, y " + side + ", z down; s along the rail, n into the rail";
-  a["dx_mm"] = grid.dx;
-  a["ds_mm"] = grid.ds;
-  a["friction"] = problem.tangential ? problem.largest_friction() : 0.0;
-  a["reference_s_mm"] = first.reference.s;
-  a["reference_y_mm"] = first.reference.position.y;
-  a["reference_z_mm"] = first.reference.position.z;
-  a["reference_delta_rad"] = first.reference.delta;
-  for (const SceneResult* r : results)
-    add_result(table, *r);
+  a[group + "frame"] = "x rolling direction, y " + side + ", z down; s along the rail, n into the rail";
+  a[group + "dx_mm"] = problem.grid.dx;
+  a[group + "ds_mm"] = problem.grid.ds;
+  a[group + "friction"] = problem.tangential ? problem.largest_friction() : 0.0;
+  a[group + "reference_s_mm"] = r.reference.s;
+  a[group + "reference_y_mm"] = r.reference.position.y;
+  a[group + "reference_z_mm"] = r.reference.position.z;
+  a[group + "reference_delta_rad"] = r.reference.delta;
+}
+
+H5Table table_of(const std::string& scene) {
+  H5Table table;
+  table.attributes["format"] = std::string(result_format);
+  table.attributes["scene"] = scene;
+  return table;
+}
+
+} // namespace
+
+H5Table to_table(const SceneResult& result, const std::string& scene) {
+  H5Table table = table_of(scene);
+  add_coordinates(table, "", result);
+  add_result(table, std::string(name_of(result.model)) + "/", result);
+  return table;
+}
+
+H5Table to_table(const Comparison& comparison, const std::string& scene) {
+  H5Table table = table_of(scene);
+  const auto add = [&](const std::string& set, const std::vector<SceneResult>& results) {
+    for (const SceneResult& result : results) {
+      const std::string group = set + std::string(name_of(result.model)) + "/";
+      add_coordinates(table, group, result);
+      add_result(table, group, result);
+    }
+  };
+  add("equal_forces/", comparison.at_forces);
+  add("equal_position/", comparison.at_position);
   return table;
 }
 

@@ -25,6 +25,8 @@ struct WheelsetPosition {
   /// Deviations of the rail from where gauge and cant put it: to the right, down, and turned right side
   /// down.
   double rail_lateral = 0, rail_vertical = 0, rail_roll = 0; ///< mm, mm, rad
+
+  bool operator==(const WheelsetPosition&) const = default;
 };
 
 /// Where a section stands in the track frame: track = origin + Rot(angle) section, the rotation taking

@@ -22,6 +22,9 @@ void check_load(const SceneFile& f, const Schema& s) {
              s.has("sweep") ? "Give load.force or load.approach; a scene whose table [sweep] does is for "
                               "bem_contact sweep."
                             : "Give load.force or load.approach.");
+  if (f.load.force_y && !f.load.force)
+    s.refuse("load.force_y", "the lateral displacement is sought under a vertical force, and load.force is not given",
+             "Give load.force instead of the approach.");
 }
 
 void check_motion(const SceneFile& f, const Schema& s) {
@@ -59,6 +62,14 @@ void check_steps(const SceneFile& f, const Schema& s) {
     s.refuse("motion.steps", "the step table has a row for each step", "Give either of the two.");
   if ((f.load.force_x || f.load.force_s) && f.motion.frictionless)
     s.refuse("load", "without friction there is no shear force", "Leave out force_x and force_s.");
+  if (f.load.force_y && f.motion.kind != MotionKind::steady && !f.motion.frictionless)
+    s.refuse("load.force_y", "the lateral displacement would be another one at each step",
+             "Choose motion.kind = \"steady\", or give position.lateral.");
+  if (f.motion.from_free_rolling && f.motion.kind != MotionKind::steady)
+    s.refuse("motion.from_free_rolling", "free rolling is steady", "Choose motion.kind = \"steady\".");
+  if (f.motion.from_free_rolling && f.load.force_x)
+    s.refuse("motion.from_free_rolling", "load.force_x is given, and its creepage is found",
+             "Leave out one of the two.");
   if (f.motion.friction_table.empty() && f.motion.kinetic_friction.value_or(0) > f.motion.friction)
     s.refuse("motion.kinetic_friction", fmt::format("friction in adhesion is only {}", f.motion.friction),
              "Give a smaller coefficient.");

@@ -27,7 +27,8 @@ std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
   const Cause causes[] = {
       {{"motion.friction", "motion.kinetic_friction", "motion.friction_table", "motion.xi", "motion.eta",
         "motion.phi", "motion.slip_table", "motion.rolling_radius", "motion.speed", "motion.pitch_rate",
-        "motion.lateral_velocity", "motion.vertical_velocity", "motion.roll_rate", "motion.yaw_rate"},
+        "motion.lateral_velocity", "motion.vertical_velocity", "motion.roll_rate", "motion.yaw_rate",
+        "motion.from_free_rolling", "motion.free_rolling", "motion.radial_displacement"},
        m.frictionless,
        "motion.frictionless = true leaves the normal problem alone"},
       {{"motion.kind"},

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "bem_contact/sequence/comparison.hpp"
 #include "bem_contact/sequence/element_size.hpp"
+#include "bem_contact/sequence/lateral_force.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
 #include "bem_contact/sequence/solve_on_grid.hpp"
 
@@ -39,16 +41,20 @@ public:
   /// `files`: shared with other sequences of this thread; null: its own.
   explicit Sequence(SequenceOptions options = {}, std::shared_ptr<SequenceFiles> files = nullptr);
 
-  /// Solves a scene with the model that it asks for (solve_case.hpp). Where it asks for grid.elements or
+  /// Solves a scene with the model that it asks for (solve_case.hpp). If load.force_y is given, the lateral
+  /// displacement that bears it is found: rough half-space solutions tell which branches there are (lateral_force.hpp),
+  /// and the one nearest to position.lateral is followed with the model itself. Where it asks for grid.elements or
   /// grid.accuracy, dx and ds are chosen: the case is solved again, at most most_solves times, until its
   /// estimated error is within the accuracy. The grid of a wheel on a rail grows until the contact lies
   /// inside. Throws InputError for wrong input, ConvergenceError where the work allowed is used up; other
   /// lack of convergence is in the result.
   SceneResult solve(const SceneFile& scene);
 
-  /// Solves a scene with half-space and fem at equal force. Where it asks for grid.elements or grid.accuracy,
-  /// dx and ds are those that solve() chooses for fem; both models are solved on them. Throws like solve().
-  Comparison compare(const SceneFile& scene);
+  /// Solves a scene with each model, at equal forces and at equal position. Where it asks for grid.elements or
+  /// grid.accuracy, dx and ds are those that solve() chooses for the reference; all models have them. A prescribed approach
+  /// is turned into the force that the reference finds for it. Throws like solve(), and InputError for fewer than two
+  /// models.
+  Comparison compare(const SceneFile& scene, std::vector<Model> models = {Model::halfspace, Model::fem});
 
   /// What would be solved, line by line, after everything short of the solve has been checked.
   /// Throws what solve() would throw before it solves.
@@ -62,6 +68,13 @@ public:
   Counts counts() const;
 
 private:
+  /// Rough lateral forces of a scene, for any load.force_y and position.lateral within reach.
+  struct LateralBranches {
+    SceneFile scene; ///< without load.force_y
+    std::vector<LateralSample> samples;
+    double offset = 0; ///< mm. What the last displacement found was beside its rough one
+  };
+
   /// All that outlives a case.
   struct Memory {
     std::shared_ptr<SequenceFiles> files;
@@ -70,11 +83,17 @@ private:
     std::optional<FormerSolution> former;
     std::vector<PotentialArea> areas; ///< of the last case
     ElementSize element_size;
+    std::optional<LateralBranches> lateral;
   };
 
   ContactCase prepare(const SceneFile& scene);
   SolveResources resources(WorkBudget& work);
-  SceneResult solve_steady_rolling(const ContactCase& asked);
+  SceneResult solve_at_position(const SceneFile& scene, bool totals_only = false);
+  SceneResult solve_at_lateral_force(const SceneFile& scene);
+  std::optional<double> rough_lateral_force(SceneFile scene, double lateral);
+  const LateralBranches& lateral_branches(const SceneFile& scene);
+  std::vector<CreepForces> creep_forces(const SceneFile& scene, const std::vector<SceneResult>& at_forces);
+  SceneResult solve_steady_rolling(const ContactCase& asked, bool totals_only);
   const FormerSolution* start_for(const std::vector<PotentialArea>& areas, const SceneFile::Grid& grid) const;
   void remember(const SceneResult& result, const ContactEstimate& estimate);
 

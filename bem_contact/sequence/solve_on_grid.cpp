@@ -45,11 +45,13 @@ NumbersSource source_of(Model model, const ContactSetup& setup, const ContactOnG
                        setup.reference_distance(),
                        {},
                        {},
-                       0};
+                       0,
+                       {}};
   if (model == Model::fem) {
     source.rail_s = contact.rail_s;
     source.wheel_s = contact.wheel_s;
     source.contact_radius = contact.contact_radius;
+    source.inclination = radial_inclination(setup, contact.problem.rows);
   }
   return source;
 }
@@ -76,7 +78,7 @@ void solve_by_hertz(const ContactSetup& setup, GridSolution& out) {
 SolverOptions options_of(const ContactCase& asked, const SolveTask& task, const SolveResources& resources) {
   return {.tolerance = asked.scene.solver.tolerance,
           .max_outer = asked.scene.solver.max_outer,
-          .estimate_discretisation = !task.normal_only,
+          .estimate_discretisation = !task.normal_only && !resources.totals_only,
           .coarse_start = resources.coarse_start,
           .work = &resources.work,
           .workspace = resources.operators};
@@ -134,7 +136,7 @@ void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const Sol
     solve_steps(asked.setup, options, problem, out);
     asked.setup.prescribe(asked.setup.motion.steps.back(), out.contact.problem);
   }
-  if (!task.normal_only)
+  if (!task.normal_only && !resources.totals_only)
     out.displacements = displacements(problem, out.result);
   out.seconds.solve = solving.seconds();
 }

@@ -19,6 +19,7 @@ struct SolveResources {
   Workspace* operators = nullptr;        ///< null: what solving makes of them, too
   const FormerSolution* start = nullptr; ///< of an alike() case; null: none
   bool coarse_start = true;              ///< without a start a case starts from larger elements
+  bool totals_only = false;              ///< no error of the elements, no displacements
 };
 
 /// With which numbers, and how much of the problem is solved.
