@@ -59,10 +59,12 @@ constexpr Quantity quantities[] = {
     {"pmax", "MPa", "pmax", Scale::own, [](const SceneResult& r) -> Value { return largest_pressure(r.result); }},
     {"area", "mm2", "area", Scale::own, [](const SceneResult& r) -> Value { return contact_area(r.result); }},
     {"approach", "mm", "approach", Scale::own, [](const SceneResult& r) -> Value { return r.result.approach; }},
-    {"Fx", "N", "Fx", Scale::friction, [](const SceneResult& r) -> Value { return r.result.Fx; }},
+    {"Fx", "N", "Fx", Scale::friction,
+     [](const SceneResult& r) -> Value { return r.problem.has_friction() ? Value(r.result.Fx) : std::nullopt; }},
     {"Fy", "N", "Fy", Scale::resultant, [](const SceneResult& r) -> Value { return r.result.Fy; }},
     {"Fz", "N", "Fz", Scale::resultant, [](const SceneResult& r) -> Value { return r.result.Fz; }},
-    {"Mz", "N mm", "Mz", Scale::friction_moment, [](const SceneResult& r) -> Value { return r.moment; }},
+    {"Mz", "N mm", "Mz", Scale::friction_moment,
+     [](const SceneResult& r) -> Value { return r.problem.has_friction() ? Value(r.moment) : std::nullopt; }},
     {"friction power", "N", "friction_power", Scale::own,
      [](const SceneResult& r) -> Value {
        return r.problem.has_friction() ? Value(friction_power(r.result, r.problem.element_area())) : std::nullopt;
@@ -78,7 +80,7 @@ constexpr Quantity quantities[] = {
        return r.free_rolling ? Value(r.free_rolling->rolling_radius) : std::nullopt;
      }},
     {"lateral", "mm", "lateral_mm", Scale::plain,
-     [](const SceneResult& r) -> Value { return r.wheel_s.empty() ? std::nullopt : Value(r.lateral); }},
+     [](const SceneResult& r) -> Value { return r.lateral; }},
 };
 
 /// What the reference is beyond the model; nothing where it would be of zero.
@@ -90,20 +92,26 @@ Value difference(const Quantity& q, const SceneResult& model, const SceneResult&
   return scale > 0 ? Value((*b - *a) / scale) : std::nullopt;
 }
 
-std::string text_of(Value value) {
+/// `rounding`: what is smaller is zero.
+std::string text_of(Value value, double rounding) {
   if (!value)
     return "-";
   const double size = std::abs(*value);
-  return size >= 1e5  ? fmt::format("{:.0f}", *value)
-         : size >= 10 ? fmt::format("{:.2f}", *value)
-                      : fmt::format("{:.5g}", size < 1e-9 ? 0.0 : *value);
+  return size <= rounding ? "0"
+         : size >= 1e5    ? fmt::format("{:.0f}", *value)
+         : size >= 10     ? fmt::format("{:.2f}", *value)
+                          : fmt::format("{:.5g}", *value);
 }
 
 std::string difference_text(const Quantity& q, Value difference) {
   return !difference                ? "-"
          : q.scale == Scale::plain ? fmt::format("{:+.3g}", *difference)
+         : std::abs(*difference) < 5e-5 ? "0.00 %"
                                     : fmt::format("{:+.2f} %", 100 * *difference);
 }
+
+/// 1. Forces below this share of their scale are what the solvers leave of zero: the certificate's tolerance.
+constexpr double rounding = 1e-6;
 
 constexpr std::size_t label_width = 22, column_width = 14;
 
@@ -149,7 +157,7 @@ std::string table(const Comparison& c, const std::vector<SceneResult>& results) 
       continue;
     out += line(q.name, q.unit);
     for (const SceneResult& r : results)
-      out += cell(text_of(q.get(r)));
+      out += cell(text_of(q.get(r), q.scale == Scale::plain || q.scale == Scale::own ? 0 : rounding * scale_of(q.scale, 0, r)));
     for (std::size_t i = 0; i < results.size(); ++i)
       if (i != c.reference)
         out += cell(difference_text(q, difference(q, results[i], reference)));
@@ -183,7 +191,7 @@ std::string creep_text(const Comparison& c) {
   for (const CreepForces& forces : c.creep_forces) {
     out += line(fmt::format("{:+.1e}", forces.creepage), "N");
     for (const double fx : forces.Fx)
-      out += cell(text_of(fx));
+      out += cell(text_of(fx, 0));
     const double scale = friction_force(c.at_forces[c.reference]);
     for (std::size_t i = 0; i < forces.Fx.size(); ++i)
       if (i != c.reference)
@@ -244,7 +252,7 @@ std::string to_text(const Comparison& c) {
     out += creep_text(c);
   if (!c.at_position.empty())
     out += fmt::format("{}At equal position, {}Fz {:.6g} N:\n", one_set ? "" : "\n",
-                       one_set ? "" : fmt::format("lateral displacement {:g} mm, ", c.at_position[c.reference].lateral),
+                       one_set ? "" : fmt::format("lateral displacement {:g} mm, ", c.at_position[c.reference].lateral.value_or(0)),
                        c.at_position[c.reference].result.Fz) +
            table(c, c.at_position);
   return out;

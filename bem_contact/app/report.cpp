@@ -176,7 +176,7 @@ json to_json(const SceneResult& r) {
             {"Fs", r.result.Fs},
             {"friction_power", friction_power(r.result, r.problem.element_area())}}},
           {"creepage_found", creepages_json(r.problem, r.result)},
-          {"lateral", r.lateral},
+          {"lateral", r.lateral ? json(*r.lateral) : json(nullptr)},
           {"other_laterals", r.found_lateral ? json(r.found_lateral->others) : json(nullptr)},
           {"xi", r.xi},
           {"free_rolling", free_rolling_json(r)},

@@ -103,8 +103,8 @@ void add_result(H5Table& table, const std::string& group, const SceneResult& r) 
   a[group + "friction_power"] = friction_power(r.result, r.problem.element_area());
   a[group + "creepage_found_x"] = c.creepage_x;
   a[group + "creepage_found_s"] = c.creepage_s;
-  if (!r.wheel_s.empty())
-    a[group + "lateral_mm"] = r.lateral;
+  if (r.lateral)
+    a[group + "lateral_mm"] = *r.lateral;
   a[group + "xi"] = r.xi;
   if (r.free_rolling) {
     a[group + "free_rolling_xi"] = r.free_rolling->xi;

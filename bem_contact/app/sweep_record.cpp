@@ -30,7 +30,7 @@ constexpr SummaryColumn columns[] = {
     {"Mz", "N mm", "about the vertical axis through the reference point",
      [](const SceneResult& r) { return r.moment; }},
     {"lateral", "mm", "lateral displacement of the wheelset, given or found for load.force_y",
-     [](const SceneResult& r) { return r.lateral; }},
+     [](const SceneResult& r) { return r.lateral.value_or(std::numeric_limits<double>::quiet_NaN()); }},
     {"xi", "1", "longitudinal creepage, with what was found for load.force_x", [](const SceneResult& r) { return r.xi; }},
     {"free_rolling_xi", "1", "longitudinal creepage at which Fx = 0; nan: not looked for",
      [](const SceneResult& r) {

@@ -27,7 +27,7 @@ void sample_extrema(const LateralForce& force, double wanted, std::vector<Latera
   for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
     const LateralSample &a = samples[i - 1], &b = samples[i], &c = samples[i + 1];
     const double sign = b.force < wanted ? 1 : -1;
-    const bool short_extremum = sign * (b.force - a.force) > 0 && sign * (b.force - c.force) > 0 &&
+    const bool short_extremum = sign * (b.force - a.force) > 0 && sign * (b.force - c.force) >= 0 &&
                                 c.lateral - a.lateral < 2.5 * lateral_step;
     if (!short_extremum)
       continue;

@@ -67,10 +67,11 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
     out.warnings.push_back("the finite-element model is needed here: " + out.reason);
   std::ranges::move(input_warnings(asked.scene, asked.setup), std::back_inserter(out.warnings));
   out.left = asked.scene.position.side == WheelSide::left;
-  out.lateral = asked.scene.position.lateral;
   out.reference = asked.setup.reference();
-  if (asked.setup.wheel_rail())
+  if (asked.setup.wheel_rail()) {
+    out.lateral = asked.scene.position.lateral;
     out.xi = asked.setup.motion.creepage.xi + asked.setup.motion.creepage.slip_x + out.result.creepage_x;
+  }
   out.moment = out.result.Mz + out.reference.position.y * out.result.Fx - out.reference.x * out.result.Fy;
   if (asked.setup.wheel_rail() || asked.files.complete())
     out.wheel_s = std::move(solved.contact.wheel_s);

@@ -51,7 +51,7 @@ struct SceneResult {
   ReferencePoint reference;
   bool left = false;           ///< left wheel: y and s are counted to the left (placement.hpp)
   double moment = 0;           ///< Mz about the vertical axis through the reference point, N mm
-  double lateral = 0;          ///< position.lateral, mm: given, or found for load.force_y
+  std::optional<double> lateral; ///< wheel_rail: position.lateral, mm: given, or found for load.force_y
   std::optional<LateralPosition> found_lateral; ///< where load.force_y is given
   double xi = 0; ///< wheel_rail: longitudinal creepage, counted from motion.rolling_radius, found part included
   std::optional<FreeRolling> free_rolling; ///< wheel_rail, steady with friction, unless the scene leaves it out

@@ -238,7 +238,7 @@ std::vector<CreepForces> Sequence::creep_forces(const SceneFile& scene, const st
       WorkBudget work;
       SolveResources tools = resources(work);
       tools.totals_only = true;
-      const ContactCase asked = prepare(with_model(at_lateral(scene, free.lateral), free.model));
+      const ContactCase asked = prepare(with_model(at_lateral(scene, *free.lateral), free.model));
       forces.Fx.push_back(solve_case(beyond_free_rolling(asked, *free.free_rolling, creepage), scene.grid, tools).result.Fx);
     }
     out.push_back(std::move(forces));
@@ -259,7 +259,9 @@ Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models) 
   SceneFile asked = scene;
   if (scene.grid.elements || scene.grid.accuracy || !scene.load.force || scene.load.force_y) {
     const SceneResult first = solve(with_model(scene, reference));
-    asked = with_elements_of(at_lateral(std::move(asked), first.lateral), first);
+    asked = with_elements_of(std::move(asked), first);
+    asked.position.lateral = first.lateral.value_or(asked.position.lateral);
+    asked.load.force_y.reset();
     asked.load.force = first.result.Fz;
     asked.load.approach.reset();
     asked.position.vertical.reset();
