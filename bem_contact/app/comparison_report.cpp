@@ -98,7 +98,7 @@ std::string text_of(Value value, double rounding) {
     return "-";
   const double size = std::abs(*value);
   return size <= rounding ? "0"
-         : size >= 1e5    ? fmt::format("{:.0f}", *value)
+         : size >= 99999.5 ? fmt::format("{:.0f}", *value)
          : size >= 10     ? fmt::format("{:.2f}", *value)
                           : fmt::format("{:.5g}", *value);
 }

@@ -145,6 +145,21 @@ void add_totals(py::class_<SceneResult>& c) {
   total("creepage_x", &ContactResult::creepage_x, "Found for load.force_x, added to motion.xi");
   total("creepage_s", &ContactResult::creepage_s, "Found for load.force_s, added to motion.eta");
   c.def_readonly("Mz", &SceneResult::moment, "About the vertical through the reference point, N mm");
+  c.def_readonly("lateral", &SceneResult::lateral,
+                 "Lateral displacement of the wheelset, mm, given or found for load.force_y; None of a patch");
+  c.def_property_readonly(
+      "other_laterals",
+      [](const SceneResult& r) { return r.found_lateral ? r.found_lateral->others : std::vector<double>(); },
+      "Other displacements with the same load.force_y, to some hundredths, mm");
+  c.def_readonly("xi", &SceneResult::xi, "Longitudinal creepage, with what was found for load.force_x");
+  c.def_property_readonly(
+      "free_rolling_xi",
+      [](const SceneResult& r) { return r.free_rolling ? std::optional(r.free_rolling->xi) : std::nullopt; },
+      "Longitudinal creepage at which Fx is 0; None: not looked for");
+  c.def_property_readonly(
+      "free_rolling_radius",
+      [](const SceneResult& r) { return r.free_rolling ? std::optional(r.free_rolling->rolling_radius) : std::nullopt; },
+      "Rolling radius at which Fx is 0, mm; None: not looked for");
   c.def_property_readonly(
       "pmax", [](const SceneResult& r) { return largest_pressure(r.result); }, "MPa");
   c.def_property_readonly(
