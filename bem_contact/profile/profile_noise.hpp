@@ -14,8 +14,8 @@ struct ProfileNoise {
   double bending = 0; ///< standard deviation of its curvature, 1/mm
   double pressure =
       0; ///< standard deviation of the pressure between two steel bodies pressed flat on it, MPa
-  /// Shortest wavelength worth keeping, mm: smoothing that leaves largest pressures within 3 % for 95 of 100
-  /// draws of this noise. 0 where the noise is too small to matter.
+  /// Shortest wavelength worth keeping, mm: a compromise between the noise left behind and the shape taken
+  /// away, measured by tools/benchmarks/profile_noise. 0 where the noise is too small to matter.
   double smoothing = 0;
 };
 
