@@ -1,5 +1,6 @@
 #include "bem_contact/app/influence_command.hpp"
 #include "bem_contact/app/info.hpp"
+#include "bem_contact/app/profile_command.hpp"
 #include "bem_contact/app/scene_commands.hpp"
 #include "bem_contact/app/sweep_command.hpp"
 #include "bem_contact/base/error.hpp"
@@ -70,8 +71,8 @@ int main(int argc, char** argv) {
   cli.set_version_flag("--version", provenance("bem_contact"));
   cli.add_flag("--print-default", print_default, "Print a scene file with every key, its default and unit");
   cli.footer(program_help);
-  const std::vector<Command> commands{add_solve(cli), add_compare(cli),   add_check(cli),
-                                      add_info(cli),  add_influence(cli), add_sweep(cli)};
+  const std::vector<Command> commands{add_solve(cli),     add_compare(cli), add_check(cli), add_info(cli),
+                                      add_influence(cli), add_profile(cli), add_sweep(cli)};
   try {
     refuse_unknown_command(cli, argc > 1 ? argv[1] : "");
     cli.parse(argc, argv);

@@ -21,6 +21,12 @@ template <> struct EnumNames<WheelSide> {
   static constexpr std::array<std::string_view, 2> names{"right", "left"};
 };
 
+/// Where a body stands across the track: by its gauge face or its flange back, or where its file puts it.
+enum class BodyPlace { gauge, absolute };
+template <> struct EnumNames<BodyPlace> {
+  static constexpr std::array<std::string_view, 2> names{"gauge", "absolute"};
+};
+
 template <> struct EnumNames<MotionKind> {
   static constexpr std::array<std::string_view, 3> names{"steady", "transient", "shift"};
 };

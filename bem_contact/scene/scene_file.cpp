@@ -1,6 +1,7 @@
 #include "bem_contact/scene/scene_file.hpp"
 
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 #include "bem_contact/scene/unused_keys.hpp"
 
@@ -101,7 +102,11 @@ void check_wheel_rail(const SceneFile& f, const Schema& s) {
   if (f.wheel.profile.empty())
     s.refuse("wheel.profile", "a wheel on a rail needs the wheel's profile",
              "Give for instance profile = \"S1002\".");
-  if (f.position.back_to_back >= f.position.gauge) {
+  const bool by_gauge = f.rail.place == BodyPlace::gauge && f.wheel.place == BodyPlace::gauge;
+  if (f.wheel.place == BodyPlace::absolute && f.wheel.reading.flange_back)
+    s.refuse("wheel.flange_back", "wheel.place = \"absolute\" keeps the file's origin",
+             "Leave out flange_back, or place the wheel by its flange.");
+  if (by_gauge && f.position.back_to_back >= f.position.gauge) {
     if (!s.has("position.back_to_back"))
       s.refuse("position.gauge", fmt::format("the flange backs are {} mm apart", f.position.back_to_back),
                "Give the gauge in mm, and position.back_to_back if it is another one.");
@@ -162,10 +167,13 @@ SceneFile with_model(SceneFile scene, std::optional<Model> model) {
 
 std::vector<std::filesystem::path> input_files(const SceneFile& scene) {
   std::vector<std::filesystem::path> files;
+  for (const std::string& profile : {scene.rail.profile, scene.wheel.profile})
+    if (!profile.empty())
+      files.push_back(profile_file_name(profile, scene.folder).file);
   for (const std::string& name :
-       {scene.rail.profile, scene.rail.influence, scene.wheel.profile, scene.wheel.influence, scene.gap.table,
-        scene.strip.inclination, scene.motion.slip_table, scene.motion.friction_table,
-        scene.motion.step_table, scene.motion.start_table})
+       {scene.rail.influence, scene.wheel.influence, scene.gap.table, scene.strip.inclination,
+        scene.motion.slip_table, scene.motion.friction_table, scene.motion.step_table,
+        scene.motion.start_table})
     if (!name.empty())
       files.push_back(scene.folder / name);
   return files;

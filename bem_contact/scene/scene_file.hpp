@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/material.hpp"
 #include "bem_contact/base/schema.hpp"
+#include "bem_contact/profile/profile_reading.hpp"
 #include "bem_contact/scene/choices.hpp"
 
 #include <filesystem>
@@ -21,8 +22,11 @@ struct SceneFile {
   std::filesystem::path folder;    ///< not a key: where relative paths start
   std::vector<std::string> unused; ///< not a key: which keys are given and have no effect, and why
 
-  struct Side {            ///< [rail], [wheel]
-    std::string profile;   ///< standard name or file (wheel_rail)
+  struct Side {             ///< [rail], [wheel]
+    std::string profile;    ///< standard name or file (wheel_rail)
+    ProfileReading reading; ///< how a profile file is read: keys smoothing, unit, profile_z, ...
+    BodyPlace place = BodyPlace::gauge;
+    double y = 0, z = 0;   ///< absolute: where the section's origin stands (WheelsetPosition), mm
     Material material;     ///< [rail.material], [wheel.material]
     std::string influence; ///< influence file; "" where only half-space numbers are used
     StructuralCompliance structural = StructuralCompliance::removed;

@@ -15,6 +15,19 @@ void add_side(Schema& s, const std::string& name, const std::string& role, Scene
         {.doc = role + ": " + standards + ", a profile file or a body file (its contact surface)",
          .kinds = wheel_rail,
          .example = true});
+  add_profile_reading(s, name, side.reading, wheel_rail);
+  if (name == "wheel")
+    add_flange_back(s, name, side.reading, wheel_rail);
+  s.add(name + ".place", side.place,
+        {.doc = name == "wheel" ? "gauge: by position.back_to_back; absolute: the file's origin is at y, z"
+                                : "gauge: by its gauge face; absolute: the file's origin is at y, z",
+         .kinds = wheel_rail});
+  s.add(name + ".y", side.y,
+        {.doc = name == "wheel" ? "With place = \"absolute\": from the wheelset's centre to its side"
+                                : "With place = \"absolute\": from the track's centre line to the side",
+         .unit = "mm",
+         .kinds = wheel_rail});
+  s.add(name + ".z", side.z, {.doc = "With place = \"absolute\": down", .unit = "mm", .kinds = wheel_rail});
   s.add(name + ".influence", side.influence,
         {.doc = "Influence file (HDF5); empty where only half-space numbers are used"});
   s.add(name + ".structural", side.structural,
@@ -288,6 +301,11 @@ Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
 void settle(SceneFile& f, const Schema& s, const SceneKeysAsRead& read) {
   settle_material(s, "rail.material", f.rail.material, read.rail_young);
   settle_material(s, "wheel.material", f.wheel.material, read.wheel_young);
+  for (SceneFile::Side* side : {&f.rail, &f.wheel})
+    if (side->place == BodyPlace::absolute) {
+      side->reading.keep_origin = true;
+      (side == &f.rail ? f.position.rail_origin : f.position.wheel_origin) = Point2{side->y, side->z};
+    }
   if (read.s_from != 0 || read.s_to != 0)
     f.grid.rows = {read.s_from, read.s_to};
 }

@@ -7,8 +7,8 @@
 namespace bem_contact {
 
 WheelRailProfiles read_profiles(const SceneFile& scene) {
-  return {named_profile(scene.rail.profile, ProfileKind::rail, scene.folder),
-          named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder)};
+  return {named_profile(scene.rail.profile, ProfileKind::rail, scene.folder, scene.rail.reading),
+          named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder, scene.wheel.reading)};
 }
 
 std::vector<ContactRow> WheelRailGeometry::rows(const GridPlan& plan) const {
