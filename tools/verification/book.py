@@ -90,14 +90,14 @@ def code_verification(page, program, quick, say):
 
 
 def convergence_plot(checks):
-    figure, axis = plt.subplots(figsize=(9, 5.5), layout="constrained")
+    figure, axis = plt.subplots(figsize=(13, 7), layout="constrained")
     for c in checks:
         if len(c.sizes) > 2 and max(c.errors()) > 1e-8:
             axis.loglog(c.sizes, np.maximum(c.errors(), 1e-6), "o-", markersize=3, linewidth=1, label=f"{c.name}: {c.quantity}")
     axis.set_xlabel("elements across the contact")
     axis.set_ylabel("error")
     axis.grid(alpha=0.3)
-    axis.legend(fontsize=5, ncols=2, frameon=False)
+    axis.legend(fontsize=7, frameon=False, loc="center left", bbox_to_anchor=(1, 0.5))
     text = io.StringIO()
     figure.savefig(text, format="svg")
     plt.close(figure)
