@@ -1,4 +1,4 @@
-"""tools/verify --quick: what it checks holds, and a program that is wrong is found out."""
+"""tools/verify --quick: what it checks holds, and a program that is wrong is found out. tools/stability --quick."""
 
 import os
 import subprocess
@@ -55,6 +55,16 @@ class Verification(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn("Hertz, ellipse: largest pressure", done.stdout)
         self.assertIn("**FAILS**", (self.folder / "VERIFICATION.md").read_text())
+
+
+class Stability(unittest.TestCase):
+    def test_a_linear_input_is_not_enlarged(self):
+        with tempfile.TemporaryDirectory() as name:
+            page = Path(name) / "stability.md"
+            subprocess.run([programs.ROOT / "tools" / "stability", "--quick", "-o", page], check=True, stdout=subprocess.PIPE,
+                           env=os.environ | {"CONFORMAL_BIN": str(programs.BIN)})
+            # Fz is the force that the scene gives
+            self.assertIn("| carter | halfspace | 1 (force: Fz) | 1 (force: Fz) | 1 (force: Fz) |", page.read_text())
 
 
 class ExactSolutions(unittest.TestCase):
