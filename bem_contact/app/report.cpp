@@ -1,6 +1,7 @@
 #include "bem_contact/app/report.hpp"
 
 #include "bem_contact/app/stresses_output.hpp"
+#include "bem_contact/app/structure_output.hpp"
 #include "bem_contact/contact/history.hpp"
 
 #include <algorithm>
@@ -79,10 +80,14 @@ struct Quantity {
   bool load = false; ///< a force or moment: one that vanishes beside Fz has no relative difference
 };
 
+double approach_of(const SceneResult& r) {
+  return r.result.approach;
+}
+
 constexpr Quantity quantities[] = {
     {"pmax", "MPa", [](const SceneResult& r) { return largest_pressure(r.result); }},
     {"area", "mm2", [](const SceneResult& r) { return contact_area(r.result); }},
-    {"approach", "mm", [](const SceneResult& r) { return r.result.approach; }},
+    {"approach", "mm", approach_of},
     {"Fx", "N", [](const SceneResult& r) { return r.result.Fx; }, true},
     {"Fy", "N", [](const SceneResult& r) { return r.result.Fy; }, true},
     {"Fz", "N", [](const SceneResult& r) { return r.result.Fz; }, true},
@@ -107,6 +112,9 @@ std::pair<std::string, std::string> numbers(double a, double b) {
 /// (fem - half-space) / |half-space|; nothing where half-space gives zero.
 std::optional<double> difference(const Quantity& q, const Comparison& c) {
   const double halfspace = q.get(c.halfspace), fem = q.get(c.fem);
+  // Approaches that are relative to different places are not the same quantity.
+  if (q.get == approach_of && c.halfspace.approach_datum != c.fem.approach_datum)
+    return std::nullopt;
   const double least = q.load ? 1e-9 * std::abs(c.halfspace.result.Fz) : 0.0;
   if (std::abs(halfspace) <= least)
     return std::nullopt;
@@ -200,6 +208,8 @@ json to_json(const SceneResult& r) {
           {"history", history_json(r)},
           {"extrapolated", extrapolated_json(r)},
           {"approach", r.result.approach},
+          {"approach_datum", r.approach_datum},
+          {"structure", structure_json(r.structure)},
           {"pmax", largest_pressure(r.result)},
           {"area", contact_area(r.result)},
           {"reference",
@@ -257,6 +267,8 @@ std::string to_text(const SceneResult& r) {
                        r.result.outer_iterations, r.result.outer_rate);
   if (!r.history.empty())
     out += fmt::format("the last of {} steps\n", r.history.size());
+  out += fmt::format("approach relative to {}\n", r.approach_datum);
+  out += structure_text(r.structure);
   out += stresses_text(r.stresses);
   const Certificate& certificate = c.certificate;
   out += fmt::format("certificate: worst violation {:.1e} of {:.0e} allowed, {}", certificate.worst(),
@@ -294,6 +306,11 @@ std::string to_text(const Comparison& c) {
                      c.fem.seconds.numbers);
   out += fmt::format("{:<12} {:<9} {:>14.2f} {:>14.2f}\n", "", "solve", c.halfspace.seconds.solve,
                      c.fem.seconds.solve);
+  if (c.halfspace.approach_datum != c.fem.approach_datum)
+    out +=
+        fmt::format("\nThe approaches are not the same quantity and are not compared. They are relative to\n"
+                    "half-space: {}\nFEM: {}\n",
+                    c.halfspace.approach_datum, c.fem.approach_datum);
   return out;
 }
 
