@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
+#include <string_view>
 
 namespace bem_contact::app {
 
@@ -44,7 +45,8 @@ double scale_of(Scale scale, double own, const SceneResult& r) {
 
 /// One line of a table.
 struct Quantity {
-  const char *name, *unit, *key; ///< key: in JSON
+  const char *name, *unit;
+  std::string_view key; ///< in JSON
   Scale scale;
   std::optional<double> (*get)(const SceneResult&);
 };
@@ -55,10 +57,11 @@ double share_in_adhesion(const SceneResult& r) {
 }
 
 using Value = std::optional<double>;
+constexpr std::string_view approach_key = "approach";
 constexpr Quantity quantities[] = {
     {"pmax", "MPa", "pmax", Scale::own, [](const SceneResult& r) -> Value { return largest_pressure(r.result); }},
     {"area", "mm2", "area", Scale::own, [](const SceneResult& r) -> Value { return contact_area(r.result); }},
-    {"approach", "mm", "approach", Scale::own, [](const SceneResult& r) -> Value { return r.result.approach; }},
+    {"approach", "mm", approach_key, Scale::own, [](const SceneResult& r) -> Value { return r.result.approach; }},
     {"Fx", "N", "Fx", Scale::friction,
      [](const SceneResult& r) -> Value { return r.problem.has_friction() ? Value(r.result.Fx) : std::nullopt; }},
     {"Fy", "N", "Fy", Scale::resultant, [](const SceneResult& r) -> Value { return r.result.Fy; }},
@@ -86,7 +89,9 @@ constexpr Quantity quantities[] = {
 /// What the reference is beyond the model; nothing where it would be of zero.
 Value difference(const Quantity& q, const SceneResult& model, const SceneResult& reference) {
   const Value a = q.get(model), b = q.get(reference);
-  if (!a || !b)
+  // Approaches that are relative to different places are not the same quantity.
+  const bool same_datum = q.key != approach_key || model.approach_datum == reference.approach_datum;
+  if (!a || !b || !same_datum)
     return std::nullopt;
   const double scale = scale_of(q.scale, *a, model);
   return scale > 0 ? Value((*b - *a) / scale) : std::nullopt;
@@ -212,7 +217,7 @@ json set_json(const Comparison& c, const std::vector<SceneResult>& results) {
       continue;
     for (const Quantity& q : quantities) {
       const Value d = difference(q, results[i], results[c.reference]);
-      differences[name][q.key] = d ? json(*d) : json(nullptr);
+      differences[name][std::string(q.key)] = d ? json(*d) : json(nullptr);
     }
   }
   set["difference"] = differences;

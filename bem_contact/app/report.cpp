@@ -1,6 +1,7 @@
 #include "bem_contact/app/report.hpp"
 
 #include "bem_contact/app/stresses_output.hpp"
+#include "bem_contact/app/structure_output.hpp"
 #include "bem_contact/contact/history.hpp"
 
 #include <algorithm>
@@ -183,6 +184,8 @@ json to_json(const SceneResult& r) {
           {"history", history_json(r)},
           {"extrapolated", extrapolated_json(r)},
           {"approach", r.result.approach},
+          {"approach_datum", r.approach_datum},
+          {"structure", structure_json(r.structure)},
           {"pmax", largest_pressure(r.result)},
           {"area", contact_area(r.result)},
           {"reference",
@@ -232,6 +235,8 @@ std::string to_text(const SceneResult& r) {
                        r.result.outer_iterations, r.result.outer_rate);
   if (!r.history.empty())
     out += fmt::format("the last of {} steps\n", r.history.size());
+  out += fmt::format("approach relative to {}\n", r.approach_datum);
+  out += structure_text(r.structure);
   out += stresses_text(r.stresses);
   const Certificate& certificate = c.certificate;
   out += fmt::format("certificate: worst violation {:.1e} of {:.0e} allowed, {}", certificate.worst(),

@@ -3,6 +3,7 @@
 
 #include "bem_contact/app/report.hpp"
 #include "bem_contact/app/stresses_output.hpp"
+#include "bem_contact/app/structure_output.hpp"
 
 #include <algorithm>
 
@@ -92,7 +93,11 @@ void add_result(H5Table& table, const std::string& group, const SceneResult& r) 
   if (r.stresses)
     add_stresses(table, group + "stresses/", *r.stresses);
 
+  if (r.structure)
+    add_structure(table, group + "structure/", *r.structure);
+
   auto& a = table.attributes;
+  a[group + "approach_datum"] = r.approach_datum;
   a[group + "model"] = std::string(name_of(r.model));
   a[group + "reason"] = r.reason;
   a[group + "Fx_N"] = c.Fx;

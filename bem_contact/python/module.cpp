@@ -132,6 +132,28 @@ py::dict history_of(const SceneResult& r) {
   return out;
 }
 
+py::object body_of(const std::optional<BodyMotion>& body) {
+  using namespace py::literals;
+  if (!body)
+    return py::none();
+  const auto matrix = [](const SixBySix& m) { return py::array_t<double>({6, 6}, m.front().data()); };
+  return py::dict("before"_a = std::array{body->before.y, body->before.z},
+                  "after"_a = std::array{body->after.y, body->after.z},
+                  "force"_a = line({body->force.begin(), body->force.end()}),
+                  "motion"_a = line({body->motion.begin(), body->motion.end()}),
+                  "compliance"_a = matrix(body->compliance),
+                  "stiffness"_a = body->stiffness ? py::object(matrix(*body->stiffness)) : py::none());
+}
+
+py::object structure_of(const SceneResult& r) {
+  using namespace py::literals;
+  if (!r.structure)
+    return py::none();
+  return py::dict("rail"_a = body_of(r.structure->rail), "wheel"_a = body_of(r.structure->wheel),
+                  "placed"_a = r.structure->placed, "solutions"_a = r.structure->solutions,
+                  "last_change"_a = r.structure->change, "lowered"_a = r.structure->lowered);
+}
+
 void add_totals(py::class_<SceneResult>& c) {
   const auto total = [&](const char* name, double ContactResult::*member, const char* doc) {
     c.def_property_readonly(
@@ -142,6 +164,12 @@ void add_totals(py::class_<SceneResult>& c) {
   total("Fz", &ContactResult::Fz, "On the rail, N, down");
   total("Fs", &ContactResult::Fs, "Shear force along the tangent at the reference point, N");
   total("approach", &ContactResult::approach, "mm");
+  c.def_readonly("approach_datum", &SceneResult::approach_datum,
+                 "Of which points of the bodies the approach is the relative displacement");
+  c.def_property_readonly("structure", structure_of,
+                          "Structural motion, dict of rail, wheel (force, motion, 6 x 6 compliance and "
+                          "stiffness), placed, solutions, "
+                          "last_change, lowered; None where no body gives way");
   total("creepage_x", &ContactResult::creepage_x, "Found for load.force_x, added to motion.xi");
   total("creepage_s", &ContactResult::creepage_s, "Found for load.force_s, added to motion.eta");
   c.def_readonly("Mz", &SceneResult::moment, "About the vertical through the reference point, N mm");

@@ -35,6 +35,14 @@ template <> struct EnumNames<StructuralCompliance> {
   static constexpr std::array<std::string_view, 2> names{"removed", "included"};
 };
 
+/// What is done about the geometry where structural motion (StructuralCompliance::included) moves the bodies:
+///   placed: the bodies are placed by it, and the contact is solved again until they stand still;
+///   linear: undeformed distance, normals and slip stay those of the position that the scene gives.
+enum class StructuralMotion { placed, linear };
+template <> struct EnumNames<StructuralMotion> {
+  static constexpr std::array<std::string_view, 2> names{"placed", "linear"};
+};
+
 /// What is taken for the bodies, cheapest first: Hertz's closed form; influence numbers of the half-space;
 /// of half-spaces in the elements' tangent planes; of the bodies themselves, from influence files.
 enum class Model { hertz, halfspace, tangent_plane, fem };

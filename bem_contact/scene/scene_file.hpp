@@ -136,6 +136,7 @@ struct SceneFile {
     double model_tolerance = 0.01; ///< of pmax, for auto
     double tolerance = 1e-8;
     int max_outer = 50;
+    StructuralMotion structural_motion = StructuralMotion::placed;
 
     bool operator==(const Solver&) const = default;
   } solver;

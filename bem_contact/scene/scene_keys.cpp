@@ -278,6 +278,11 @@ void add_solver(Schema& s, SceneFile::Solver& solver) {
         {.doc = "Relative tolerance of the iterations", .at_least = 1e-13, .at_most = 1e-7});
   s.add("solver.max_outer", solver.max_outer,
         {.doc = "Most outer iterations between the normal and the tangential problem", .at_least = 1});
+  s.add("solver.structural_motion", solver.structural_motion,
+        {.doc =
+             "Where structural = \"included\" (fem): place the bodies by their structures' motion and solve "
+             "again until they stand, or keep the undeformed position's geometry",
+         .kinds = wheel_rail});
 }
 
 } // namespace

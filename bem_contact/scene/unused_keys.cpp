@@ -56,6 +56,10 @@ std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
       {{"wheel.structural"},
        f.wheel.structural == StructuralCompliance::included && f.wheel.influence.empty(),
        "it says which part of an influence file is taken, and there is no wheel.influence"},
+      {{"solver.structural_motion"},
+       f.rail.structural == StructuralCompliance::removed &&
+           f.wheel.structural == StructuralCompliance::removed,
+       "no body's structural compliance is included"},
       {{"rail.influence", "wheel.influence"},
        one_file,
        "influence files are used where both bodies have one"},

@@ -4,6 +4,7 @@
 #include "bem_contact/geometry/rigid_slip.hpp"
 #include "bem_contact/scene/choices.hpp"
 #include "bem_contact/sequence/stresses.hpp"
+#include "bem_contact/sequence/structural_result.hpp"
 
 #include <optional>
 #include <string>
@@ -58,6 +59,10 @@ struct SceneResult {
   std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none
   std::vector<Point2> rail_profile, wheel_profile; ///< near the contact at approach 0, frame of the rows, mm
   std::optional<StressesBelow> stresses;           ///< where the scene asks for them
+  /// Of which points of the bodies the approach is the relative displacement, in words. Approaches of
+  /// different datums are not to be compared.
+  std::string approach_datum;
+  std::optional<StructuralResult> structure; ///< fem with structural compliance of at least one body
   std::vector<std::string> warnings;
   PhaseSeconds seconds;
 };

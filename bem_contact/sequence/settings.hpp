@@ -35,6 +35,16 @@ BEM_CONTACT_TUNED(double, generous_reach, 3.0);
 /// mm. Touch points that are nearer than this are described by bem_contact check.
 BEM_CONTACT_TUNED(double, described_distance, 1.0);
 
+// Structural motion.
+
+/// mm. The bodies stand still when a solution moves the contact by less: the lateral force on a gauge corner
+/// then is good to about 10 N of 6e4.
+BEM_CONTACT_TUNED(double, position_tolerance, 1e-4);
+/// mm. Distance from the reference point at which a turn counts for that: half the width of a contact.
+BEM_CONTACT_TUNED(double, half_contact, 5.0);
+/// 1. Most solutions until the bodies stand still: a bound.
+BEM_CONTACT_TUNED(int, most_placements, 12);
+
 // Grid.
 
 /// 1. Most rows or columns of a grid, as grid.mx and grid.ms have it.

@@ -4,6 +4,7 @@
 #include "bem_contact/sequence/grow_grid.hpp"
 #include "bem_contact/sequence/hertz_model.hpp"
 #include "bem_contact/sequence/record.hpp"
+#include "bem_contact/sequence/structural_motion.hpp"
 
 namespace bem_contact {
 
@@ -41,11 +42,12 @@ ChosenModel choose(const ContactCase& asked, ContactOnGrid contact, const SolveR
   return {std::move(choice), std::move(normal.contact), normal.seconds};
 }
 
-SceneResult solved_with(const ContactCase& asked, ContactOnGrid contact, const ModelChoice& choice,
-                        const SolveResources& resources) {
-  const bool on_strips = choice.model == Model::fem;
-  return record_of(
-      asked, solve_on_growing_grid(asked, std::move(contact), {choice.model}, resources, on_strips), choice);
+SceneResult solved_with(const ContactCase& asked, const SceneFile::Grid& grid, ContactOnGrid contact,
+                        const ModelChoice& choice, const SolveResources& resources) {
+  PlacedSolution placed = solve_on_placed_bodies(asked, grid, std::move(contact), {choice.model}, resources);
+  SceneResult out = record_of(placed.asked, std::move(placed.solved), choice);
+  out.structure = std::move(placed.structure);
+  return out;
 }
 
 } // namespace
@@ -67,7 +69,7 @@ SceneResult solve_case(const ContactCase& asked, const SceneFile::Grid& grid,
       before.geometry += first.seconds;
     }
   }
-  SceneResult out = solved_with(asked, std::move(first.contact), choice, resources);
+  SceneResult out = solved_with(asked, grid, std::move(first.contact), choice, resources);
   out.seconds += before;
   out.seconds.total = clock.seconds();
   return out;
