@@ -56,15 +56,22 @@ struct SceneArguments {
   bool json = false;
 };
 
-/// Refuses, before anything is computed, an output that is an input or another output.
-void check_outputs(const SceneArguments& arguments, const SceneFile& scene,
-                   std::vector<std::filesystem::path> outputs) {
+/// Refuses, before anything is computed, an output that is an input or another output, or that cannot be
+/// written. Empty names are passed over.
+void check_outputs(const SceneArguments& arguments, const SceneFile& scene, const std::string& h5,
+                   std::vector<std::filesystem::path> vtk) {
   std::vector<std::filesystem::path> taken{arguments.file};
   std::ranges::move(input_files(scene), std::back_inserter(taken));
-  for (std::filesystem::path& output : outputs) {
+  const auto check = [&](const std::filesystem::path& output, OutputForm form) {
+    if (output.empty())
+      return;
     refuse_overwriting(output, taken);
-    taken.push_back(std::move(output));
-  }
+    output_target(output, form);
+    taken.push_back(output);
+  };
+  check(h5, OutputForm::whole_file);
+  for (const std::filesystem::path& output : vtk)
+    check(output, OutputForm::text);
 }
 
 /// Prints the warnings; success only if the certificate holds.
@@ -82,7 +89,7 @@ ExitCode verdict(const SceneResult& r) {
 
 ExitCode run_solve(const SceneArguments& arguments) {
   SceneFile scene = read_scene_file(arguments.file);
-  check_outputs(arguments, scene, {arguments.output, arguments.vtk});
+  check_outputs(arguments, scene, arguments.output, {arguments.vtk});
   if (!arguments.model.empty())
     scene.solver.model = model_named(arguments.model);
   const SceneResult result = Sequence().solve(scene);
@@ -97,7 +104,9 @@ ExitCode run_solve(const SceneArguments& arguments) {
 ExitCode run_compare(const SceneArguments& arguments) {
   const SceneFile scene = read_scene_file(arguments.file);
   const std::string halfspace_vts = arguments.vtk + "_halfspace.vts", fem_vts = arguments.vtk + "_fem.vts";
-  check_outputs(arguments, scene, {arguments.output, halfspace_vts, fem_vts});
+  check_outputs(arguments, scene, arguments.output,
+                arguments.vtk.empty() ? std::vector<std::filesystem::path>{}
+                                      : std::vector<std::filesystem::path>{halfspace_vts, fem_vts});
   const Comparison comparison = Sequence().compare(scene);
   if (!arguments.output.empty())
     write_h5(arguments.output, to_table(std::array{&comparison.halfspace, &comparison.fem}, arguments.file));

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bem_contact {
@@ -46,6 +47,9 @@ ProfileCurve parse_profile(std::string_view text, std::string_view source_name, 
   const std::string source(source_name);
   if (text.starts_with("\xef\xbb\xbf")) // a byte order mark
     text.remove_prefix(3);
+  if (std::ranges::count(text, '\n') > most_points)
+    throw InputError(fmt::format("the profile {} has more than {} points", source, most_points),
+                     "a measured profile has some thousands", "Take fewer of its points.");
   std::vector<Point2> points = is_simpack(text)    ? simpack_points(text, source, kind)
                                : is_miniprof(text) ? miniprof_points(text, source)
                                                    : plain_points(text, source);
@@ -67,7 +71,7 @@ ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::f
     return standard_profile(name);
   }
   const std::filesystem::path file = folder / std::filesystem::path(name); // an absolute path stays itself
-  if (!std::filesystem::exists(file)) {
+  if (!file_exists(file)) {
     const bool uic = name.starts_with("UIC") && (name.ends_with("60") || name.ends_with("54"));
     const auto like =
         uic ? std::vector{fmt::format("{}E1 (its name in EN 13674-1)", name.substr(name.size() - 2))}
