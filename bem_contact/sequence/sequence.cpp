@@ -51,17 +51,18 @@ SolveResources Sequence::resources(WorkBudget& work) {
           .coarse_start = options_.coarse_start};
 }
 
-SceneResult Sequence::solve(const SceneFile& scene) {
+SceneResult Sequence::solve(const SceneFile& scene, const std::atomic<bool>* stop) {
+  const std::lock_guard turn(*turn_);
   const Stopwatch clock;
   ++counts_.cases;
   const ContactCase asked = prepare(scene);
   const double preparing = clock.seconds();
   SceneResult out;
   if (asked.estimate && scene.motion.kind == MotionKind::steady) {
-    out = solve_steady_rolling(asked);
+    out = solve_steady_rolling(asked, stop);
   } else {
     ++counts_.solves;
-    WorkBudget work;
+    WorkBudget work(stop);
     out = solve_case(asked, scene.grid, resources(work));
   }
   out.seconds.geometry += preparing;
@@ -69,11 +70,11 @@ SceneResult Sequence::solve(const SceneFile& scene) {
   return out;
 }
 
-SceneResult Sequence::solve_steady_rolling(const ContactCase& asked) {
+SceneResult Sequence::solve_steady_rolling(const ContactCase& asked, const std::atomic<bool>* stop) {
   const std::vector<PotentialArea> areas = potential_areas(*asked.estimate);
   memory_.element_size.begin(asked, alike(areas, memory_.areas));
   memory_.areas = areas;
-  WorkBudget work;
+  WorkBudget work(stop);
   SolveResources tools = resources(work);
   PhaseSeconds spent;
   for (int round = 1;; ++round) {
@@ -116,6 +117,7 @@ void Sequence::remember(const SceneResult& result, const ContactEstimate& estima
 }
 
 Comparison Sequence::compare(const SceneFile& scene) {
+  const std::lock_guard turn(*turn_);
   SceneFile::Grid grid = scene.grid;
   if (scene.kind == SceneKind::wheel_rail && (grid.elements || grid.accuracy)) {
     const ContactGrid chosen = solve(with_model(scene, Model::fem)).problem.grid;
@@ -129,10 +131,12 @@ Comparison Sequence::compare(const SceneFile& scene) {
 }
 
 std::vector<std::string> Sequence::check(const SceneFile& scene) {
+  const std::lock_guard turn(*turn_);
   return describe_case(prepare(scene));
 }
 
 Sequence::Counts Sequence::counts() const {
+  const std::lock_guard turn(*turn_);
   Counts counts = counts_;
   counts.numbers_kept = memory_.numbers.found();
   return counts;
