@@ -4,7 +4,9 @@
 #include "bem_contact/app/scene_commands.hpp"
 #include "bem_contact/app/sweep_command.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
+#include "bem_contact/base/standard_streams.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -28,7 +30,8 @@ Begin with one that is there, then change it:
 You should see one patch, its forces, its largest pressure and the line `certificate`, which says `holds`.
 data/scenes/README.md lists what scenes can ask; --print-default prints every key of a scene.
 
-Exit code 0: the certificate holds (sweep: of every case); 2: the input is wrong; 3: no certified result.
+Exit code 0: the certificate holds (sweep: of every case); 2: the input is wrong; 3: no certified result;
+1: something else, such as a full disk under standard output.
 Each command has its own --help with an example.)";
 
 /// Comes before the options are parsed, because options of an unknown command are no errors of their own.
@@ -41,9 +44,9 @@ void refuse_unknown_command(const CLI::App& cli, const std::string& word) {
   const auto like = nearest_names(word, commands, 1);
   throw InputError(fmt::format("there is no command '{}'", word),
                    fmt::format("the commands are {}", fmt::join(commands, ", ")),
-                   std::filesystem::exists(word) ? fmt::format("Did you mean bem_contact solve {}?", word)
-                   : like.empty()                ? "See bem_contact --help."
-                                                 : fmt::format("Did you mean {}?", like.front()));
+                   file_exists(word) ? fmt::format("Did you mean bem_contact solve {}?", word)
+                   : like.empty()    ? "See bem_contact --help."
+                                     : fmt::format("Did you mean {}?", like.front()));
 }
 
 /// The command that the line asks for, or --print-default, or the help.
@@ -59,9 +62,7 @@ ExitCode run(const CLI::App& cli, const std::vector<Command>& commands, bool pri
   return wrong_input;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_color_mt("bem_contact"));
   spdlog::set_pattern("%^%l%$: %v");
 
@@ -88,6 +89,13 @@ int main(int argc, char** argv) {
     return wrong_input;
   } catch (const std::exception& error) {
     spdlog::error("Something this program did not foresee: {}", error.what());
-    return wrong_input;
+    return unforeseen;
   }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  hold_standard_streams();
+  return checked_exit_code(run_program(argc, argv));
 }

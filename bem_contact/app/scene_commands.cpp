@@ -62,15 +62,22 @@ struct SceneArguments {
   bool json = false;
 };
 
-/// Refuses, before anything is computed, an output that is an input or another output.
-void check_outputs(const SceneArguments& arguments, const SceneFile& scene,
-                   std::vector<std::filesystem::path> outputs) {
+/// Refuses, before anything is computed, an output that is an input or another output, or that cannot be
+/// written. Empty names are passed over.
+void check_outputs(const SceneArguments& arguments, const SceneFile& scene, const std::string& h5,
+                   std::vector<std::filesystem::path> vtk) {
   std::vector<std::filesystem::path> taken{arguments.file};
   std::ranges::move(input_files(scene), std::back_inserter(taken));
-  for (std::filesystem::path& output : outputs) {
+  const auto check = [&](const std::filesystem::path& output, OutputForm form) {
+    if (output.empty())
+      return;
     refuse_overwriting(output, taken);
-    taken.push_back(std::move(output));
-  }
+    output_target(output, form);
+    taken.push_back(output);
+  };
+  check(h5, OutputForm::whole_file);
+  for (const std::filesystem::path& output : vtk)
+    check(output, OutputForm::text);
 }
 
 /// Prints the warnings; success only if the certificate holds.
@@ -88,7 +95,7 @@ ExitCode verdict(const SceneResult& r) {
 
 ExitCode run_solve(const SceneArguments& arguments) {
   SceneFile scene = read_scene_file(arguments.file);
-  check_outputs(arguments, scene, {arguments.output, arguments.vtk});
+  check_outputs(arguments, scene, arguments.output, {arguments.vtk});
   if (!arguments.model.empty())
     scene.solver.model = model_named(arguments.model);
   const SceneResult result = Sequence().solve(scene);
@@ -111,10 +118,10 @@ ExitCode run_compare(const SceneArguments& arguments) {
   const SceneFile scene = read_scene_file(arguments.file);
   const std::vector<Model> models = models_of(arguments.models);
   const auto surface_of = [&](Model model) { return fmt::format("{}_{}.vts", arguments.vtk, name_of(model)); };
-  std::vector<std::filesystem::path> outputs{arguments.output};
+  std::vector<std::filesystem::path> surfaces;
   if (!arguments.vtk.empty())
-    std::ranges::transform(models, std::back_inserter(outputs), surface_of);
-  check_outputs(arguments, scene, outputs);
+    std::ranges::transform(models, std::back_inserter(surfaces), surface_of);
+  check_outputs(arguments, scene, arguments.output, surfaces);
   const Comparison comparison = Sequence().compare(scene, models);
   if (!arguments.output.empty())
     write_h5(arguments.output, to_table(comparison, arguments.file));

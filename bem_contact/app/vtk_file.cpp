@@ -78,7 +78,7 @@ void write(std::ostream& out, const SceneResult& result) {
 } // namespace
 
 void write_vts(const std::filesystem::path& file, const SceneResult& result) {
-  write_whole(file, [&](std::ostream& out) { write(out, result); });
+  write_text(file, [&](std::ostream& out) { write(out, result); });
 }
 
 } // namespace bem_contact::app

@@ -15,6 +15,7 @@
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -87,6 +88,9 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
   const std::string source(source_name);
   if (text.starts_with("\xef\xbb\xbf")) // a byte order mark
     text.remove_prefix(3);
+  if (std::ranges::count(text, '\n') > most_points)
+    throw InputError(fmt::format("the profile {} has more than {} points", source, most_points),
+                     "a measured profile has some thousands", "Take fewer of its points.");
   MeasuredPoints measured = points_of(text, source, kind, part, reading.mirror);
   ProfileReading how = reading;
   how.mirror = reading.mirror && !is_vampire(text); // there it has chosen the left profile, mirrored
@@ -149,7 +153,7 @@ ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::f
     return standard_profile(name);
   }
   const auto [file, part] = profile_file_name(name, folder);
-  if (!std::filesystem::exists(file)) {
+  if (!file_exists(file)) {
     const bool uic = name.starts_with("UIC") && (name.ends_with("60") || name.ends_with("54"));
     const auto like =
         uic ? std::vector{fmt::format("{}E1 (its name in EN 13674-1)", name.substr(name.size() - 2))}

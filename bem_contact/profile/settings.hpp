@@ -52,6 +52,9 @@ BEM_CONTACT_TUNED(int, lowest_point_samples, 64);
 
 // Repair of measured points.
 
+/// 1 (lines of the file). More is no measured profile: they have some thousands. Ten million take a minute.
+BEM_CONTACT_TUNED(long, most_points, 10'000'000);
+
 /// mm. Nearer points carry the rounding of the file (.01 mm), not shape.
 BEM_CONTACT_TUNED(double, crowded, 0.01);
 /// rad. No profile turns so sharply between two chords: there the points zig-zag. Chosen: beyond a right

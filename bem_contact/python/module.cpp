@@ -1,11 +1,13 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/provenance.hpp"
 #include "bem_contact/contact/history.hpp"
-#include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/python/result_object.hpp"
+#include "bem_contact/python/sequence_object.hpp"
+#include "bem_contact/python/values.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 
@@ -15,55 +17,22 @@ namespace bem_contact {
 
 namespace {
 
-using Changes = std::map<std::string, py::object>;
-
-/// NumPy's numbers too. Throws TypeError for what no key of a scene can be.
-SchemaValue value_of(const std::string& key, const py::object& value) {
-  if (py::isinstance<py::bool_>(value))
-    return value.cast<bool>();
-  if (py::isinstance<py::str>(value))
-    return value.cast<std::string>();
-  if (py::hasattr(value, "__index__"))
-    return value.cast<std::int64_t>();
-  if (py::hasattr(value, "__float__"))
-    return value.cast<double>();
-  throw py::type_error("The value of " + key +
-                       " cannot be used (it is no number, text, True or False) "
-                       "Give one of these.");
+/// None of the arguments is converted by pybind11, so that what is wrong with one is said in our words.
+std::unique_ptr<PythonSequence> sequence_of(const py::object& scene, const py::args& more,
+                                            const py::kwargs& unknown) {
+  refuse_unknown("Sequence", more, unknown);
+  return std::make_unique<PythonSequence>(path_of(scene));
 }
 
-std::vector<SceneChange> list_of(const Changes& changes) {
-  std::vector<SceneChange> list;
-  for (const auto& [key, value] : changes)
-    list.push_back({key, value_of(key, value)});
-  return list;
+PythonResult solve_changed(const PythonSequence& sequence, const py::object& changes, const py::object& model,
+                           const py::args& more, const py::kwargs& unknown) {
+  refuse_unknown("solve", more, unknown);
+  return {sequence.solve(changes_of(changes), model_of(model)), {}};
 }
 
-/// `model`: instead of the scene's own; "" for that.
-SceneFile scene_of(const std::filesystem::path& file, const std::vector<SceneChange>& changes,
-                   const std::string& model) {
-  const SceneFile scene = read_scene_file(file, changes);
-  return model.empty() ? scene : with_model(scene, model_named(model));
-}
-
-/// Nothing of Python is touched while a scene is solved: other threads may go on.
-class PythonSequence {
-public:
-  explicit PythonSequence(std::filesystem::path scene) : scene_(std::move(scene)) {}
-
-  SceneResult solve(const Changes& changes, const std::string& model) {
-    const std::vector<SceneChange> list = list_of(changes);
-    const py::gil_scoped_release others_may_run;
-    return sequence_.solve(scene_of(scene_, list, model));
-  }
-
-private:
-  std::filesystem::path scene_;
-  Sequence sequence_;
-};
-
-SceneResult solve_one(const std::filesystem::path& file, const Changes& changes, const std::string& model) {
-  return PythonSequence(file).solve(changes, model);
+PythonResult solve_one(const py::object& scene, const py::object& changes, const py::object& model,
+                       const py::args& more, const py::kwargs& unknown) {
+  return solve_changed(PythonSequence(path_of(scene)), changes, model, more, unknown);
 }
 
 py::array_t<double> line(std::vector<double> values) {
@@ -154,7 +123,7 @@ py::object structure_of(const SceneResult& r) {
                   "last_change"_a = r.structure->change, "lowered"_a = r.structure->lowered);
 }
 
-void add_totals(py::class_<SceneResult>& c) {
+void add_totals(ResultClass& c) {
   const auto total = [&](const char* name, double ContactResult::*member, const char* doc) {
     c.def_property_readonly(
         name, [member](const SceneResult& r) { return r.result.*member; }, doc);
@@ -200,7 +169,7 @@ void add_totals(py::class_<SceneResult>& c) {
   c.def_property_readonly("history", history_of, "Totals of every step: dict of arrays [steps]");
 }
 
-void add_fields(py::class_<SceneResult>& c) {
+void add_fields(ResultClass& c) {
   const auto add = [&](const char* name, std::vector<double> ContactResult::*member, const char* doc) {
     c.def_property_readonly(
         name, [member](const SceneResult& r) { return field(r, r.result.*member); }, doc);
@@ -237,7 +206,7 @@ void add_fields(py::class_<SceneResult>& c) {
       "delta", [](const ContactRow& row) { return row.delta; }, "Inclination, rad, [ms]");
 }
 
-void add_trust(py::class_<SceneResult>& c) {
+void add_trust(ResultClass& c) {
   c.def_property_readonly(
       "model", [](const SceneResult& r) { return std::string(name_of(r.model)); },
       "hertz, halfspace, tangent_plane or fem");
@@ -257,36 +226,44 @@ void add_trust(py::class_<SceneResult>& c) {
       },
       "Estimated discretisation error, relative; None: not estimated");
   c.def_property_readonly("seconds", [](const SceneResult& r) { return r.seconds.total; });
-  c.def("__repr__", [](const SceneResult& r) {
-    return "<bem_contact.Result: " + std::string(name_of(r.model)) + ", Fz " + std::to_string(r.result.Fz) +
-           " N, " + std::to_string(r.result.patches.size()) + " patches, " +
-           (r.result.certificate.holds() ? "certified>" : "NOT certified>");
+  c.def("__repr__", [](const py::object& r) {
+    return py::str("<bem_contact.Result: {}, Fz {:.6g} N, {} patches, {}>")
+        .format(r.attr("model"), r.attr("Fz"), py::len(r.attr("patches")),
+                r.attr("certified").cast<bool>() ? "certified" : "NOT certified");
   });
 }
 
 } // namespace
 
-PYBIND11_MODULE(bem_contact, m) {
-  m.doc() = "Conformal wheel-rail contact: scenes (TOML files) solved from Python. Units mm, N, MPa, rad.";
+PYBIND11_MODULE(_core, m) {
+  m.doc() = "The compiled part of the package bem_contact.";
+  m.attr("__version__") = std::string(version());
   py::register_exception<InputError>(m, "InputError", PyExc_ValueError);
   py::register_exception<ConvergenceError>(m, "ConvergenceError", PyExc_RuntimeError);
-  py::class_<SceneResult> result(m, "Result", "One scene solved with one model. Arrays are copies.");
+  ResultClass result(m, "One scene solved with one model. Arrays are copies. Can be copied and pickled.");
   add_totals(result);
   add_fields(result);
   add_trust(result);
 
   using namespace py::literals;
   constexpr const char* of_arguments =
-      "`changes`: values of the scene's keys instead of the file's, as {\"position.lateral\": 6.6}. `model`: "
+      "`changes`: values of the scene's keys instead of the file's, as {\"position.lateral\": 6.6}; numbers "
+      "and "
+      "arrays may be NumPy's. `model`: "
       "auto, hertz, halfspace, tangent_plane or fem; \"\" takes the scene's own. Raises InputError (a "
       "ValueError) for wrong input. Lack of convergence is in the result.";
-  m.def("solve", solve_one, "scene"_a, "changes"_a = Changes(), "model"_a = "", of_arguments);
+  m.def("solve", solve_one, "scene"_a = py::none(), "changes"_a = py::none(), "model"_a = py::none(),
+        of_arguments);
   py::class_<PythonSequence>(
       m, "Sequence",
-      "Solves one scene with many changes, each from what the former ones taught: files "
-      "are read once, and a case starts from the tractions of the one before.")
-      .def(py::init<std::filesystem::path>(), "scene"_a)
-      .def("solve", &PythonSequence::solve, "changes"_a = Changes(), "model"_a = "", of_arguments);
+      "Solves one scene with many changes, each from what the former ones taught: files are read once, and a "
+      "case starts from the tractions of the one before. The scene is read, and its paths are fixed, when "
+      "the "
+      "object is made. Several threads may call one object: each call waits for the one before. Several "
+      "objects run side by side. Ctrl-C ends a running solve.")
+      .def(py::init(&sequence_of), "scene"_a = py::none())
+      .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), of_arguments);
+  py::module_::import("atexit").attr("register")(py::cpp_function(&end_stopped_solutions));
 }
 
 } // namespace bem_contact

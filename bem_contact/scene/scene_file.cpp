@@ -3,9 +3,13 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
+#include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/scene/unused_keys.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace bem_contact {
 
@@ -128,17 +132,9 @@ void check_wheel_rail(const SceneFile& f, const Schema& s) {
              "Give s_to greater than s_from, or leave both out.");
 }
 
-} // namespace
-
-SceneFile parse_scene_file(std::string_view toml, std::string_view source_name,
-                           std::span<const SceneChange> changes) {
-  SceneFile file;
-  SceneKeysAsRead read;
-  Schema schema = scene_schema(file, read);
-  schema.skip("sweep");
-  schema.read(toml, source_name);
-  for (const SceneChange& change : changes)
-    schema.set(change.key, change.value, change.line);
+/// `as_read` holds what `schema` is bound to.
+SceneFile checked(const SceneFile& as_read, const SceneKeysAsRead& read, const Schema& schema) {
+  SceneFile file = as_read;
   settle(file, schema, read);
   check_load(file, schema);
   check_motion(file, schema);
@@ -152,6 +148,61 @@ SceneFile parse_scene_file(std::string_view toml, std::string_view source_name,
                   "Give rail.influence and wheel.influence, or use model = \"halfspace\".");
   file.unused = unused_keys(file, schema);
   return file;
+}
+
+} // namespace
+
+/// The schema is bound to the two members before it, which therefore stay where they are.
+struct SceneReader::State {
+  SceneFile file;
+  SceneKeysAsRead read;
+  Schema schema = scene_schema(file, read);
+
+  State(const SceneReader::Source& source, std::span<const SceneChange> changes) {
+    file.folder = source.folder;
+    schema.skip("sweep");
+    schema.read(source.toml, source.name);
+    for (const SceneChange& change : changes)
+      schema.set(change.key, change.value, change.line);
+  }
+};
+
+SceneReader::SceneReader(std::string_view toml, std::string_view source_name, std::filesystem::path folder)
+    : source_{std::string(toml), std::string(source_name), std::move(folder)},
+      state_(std::make_unique<State>(source_, changes_)) {}
+
+SceneReader::~SceneReader() = default;
+SceneReader::SceneReader(SceneReader&&) noexcept = default;
+
+void SceneReader::set(const SceneChange& change) {
+  try {
+    state_->schema.set(change.key, change.value, change.line);
+  } catch (...) { // the schema may have taken half of it
+    state_ = std::make_unique<State>(source_, changes_);
+    throw;
+  }
+  const auto known = std::ranges::find(changes_, change.key, &SceneChange::key);
+  known == changes_.end() ? changes_.push_back(change) : void(known->value = change.value);
+}
+
+void SceneReader::set_number(const std::string& key, double number) {
+  set({key, state_->schema.number_for(key, number)});
+}
+
+void SceneReader::require_key(const std::string& key) const {
+  state_->schema.number_for(key, 0);
+}
+
+SceneFile SceneReader::scene() const {
+  return checked(state_->file, state_->read, state_->schema);
+}
+
+SceneFile parse_scene_file(std::string_view toml, std::string_view source_name,
+                           std::span<const SceneChange> changes) {
+  SceneReader reader(toml, source_name, {});
+  for (const SceneChange& change : changes)
+    reader.set(change);
+  return reader.scene();
 }
 
 SceneFile read_scene_file(const std::filesystem::path& path, std::span<const SceneChange> changes) {

@@ -77,7 +77,7 @@ SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::G
   ContactCase free = asked;
   free.scene.solver.model = out.model;
   const std::optional<FormerSolution> start = former_of(out.problem, out.result, *asked.estimate);
-  WorkBudget work; // of its own: it must not end the case that is asked for
+  WorkBudget work = resources.work.another(); // it must not end the case that is asked for
   try {
     out.free_rolling = find_free_rolling(free, grid,
                                          {.work = work,

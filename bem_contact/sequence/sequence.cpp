@@ -110,7 +110,9 @@ SolveResources Sequence::resources(WorkBudget& work) {
           .coarse_start = options_.coarse_start};
 }
 
-SceneResult Sequence::solve(const SceneFile& scene) {
+SceneResult Sequence::solve(const SceneFile& scene, const std::atomic<bool>* stop) {
+  const std::lock_guard turn(*turn_);
+  stop_ = stop;
   const Stopwatch clock;
   ++counts_.cases;
   SceneResult out = scene.load.force_y ? solve_at_lateral_force(scene) : solve_at_position(scene);
@@ -127,7 +129,7 @@ SceneResult Sequence::solve_at_position(const SceneFile& scene, bool totals_only
     out = solve_steady_rolling(asked, totals_only);
   } else {
     ++counts_.solves;
-    WorkBudget work;
+    WorkBudget work(stop_);
     out = solve_case(asked, scene.grid, resources(work));
   }
   out.seconds.geometry += preparing;
@@ -138,7 +140,7 @@ SceneResult Sequence::solve_steady_rolling(const ContactCase& asked, bool totals
   const std::vector<PotentialArea> areas = potential_areas(*asked.estimate);
   memory_.element_size.begin(asked, alike(areas, memory_.areas));
   memory_.areas = areas;
-  WorkBudget work;
+  WorkBudget work(stop_);
   SolveResources tools = resources(work);
   tools.totals_only = totals_only;
   PhaseSeconds spent;
@@ -176,7 +178,7 @@ std::optional<double> Sequence::rough_lateral_force(SceneFile scene, double late
     const ContactCase asked = prepare(at_lateral(std::move(scene), lateral));
     SceneFile::Grid grid;
     std::tie(grid.dx, grid.ds) = size_of_elements(*asked.estimate, lateral_map_elements, 1, 0, longest_element);
-    WorkBudget work;
+    WorkBudget work(stop_);
     return lateral_force_of(solve_with_free_rolling(asked, grid, {.work = work, .totals_only = true}));
   } catch (const InputError&) { // the bodies do not meet there, or not as elastic bodies
   } catch (const ConvergenceError&) {
@@ -235,7 +237,7 @@ std::vector<CreepForces> Sequence::creep_forces(const SceneFile& scene, const st
   for (const double creepage : compared_creepages) {
     CreepForces forces{creepage, {}};
     for (const SceneResult& free : at_forces) {
-      WorkBudget work;
+      WorkBudget work(stop_);
       SolveResources tools = resources(work);
       tools.totals_only = true;
       const ContactCase asked = prepare(with_model(at_lateral(scene, *free.lateral), free.model));
@@ -247,6 +249,7 @@ std::vector<CreepForces> Sequence::creep_forces(const SceneFile& scene, const st
 }
 
 Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models) {
+  const std::lock_guard turn(*turn_);
   require_comparable(scene, models);
   Comparison out;
   const auto fem = std::ranges::find(models, Model::fem);
@@ -291,10 +294,12 @@ Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models) 
 }
 
 std::vector<std::string> Sequence::check(const SceneFile& scene) {
+  const std::lock_guard turn(*turn_);
   return describe_case(prepare(scene));
 }
 
 Sequence::Counts Sequence::counts() const {
+  const std::lock_guard turn(*turn_);
   Counts counts = counts_;
   counts.numbers_kept = memory_.numbers.found();
   return counts;

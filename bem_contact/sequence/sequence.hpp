@@ -6,7 +6,9 @@
 #include "bem_contact/sequence/scene_result.hpp"
 #include "bem_contact/sequence/solve_on_grid.hpp"
 
+#include <atomic>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,7 +37,10 @@ struct SequenceOptions {
 /// Scenes of a wheel on a rail in steady rolling profit from the ones before: a case starts from the
 /// tractions of the former case, and grid.elements or grid.accuracy are met by what former cases taught.
 /// On the same grid, a scene has the same result as when it is solved alone, within the certificate's
-/// tolerance. Files must not change meanwhile. One object serves one thread.
+/// tolerance. Files must not change meanwhile.
+///
+/// Several threads may call one object: each call waits for the one before. Several objects run side by side,
+/// if they share no files.
 class Sequence {
 public:
   /// `files`: shared with other sequences of this thread; null: its own.
@@ -47,8 +52,9 @@ public:
   /// grid.accuracy, dx and ds are chosen: the case is solved again, at most most_solves times, until its
   /// estimated error is within the accuracy. The grid of a wheel on a rail grows until the contact lies
   /// inside. Throws InputError for wrong input, ConvergenceError where the work allowed is used up; other
-  /// lack of convergence is in the result.
-  SceneResult solve(const SceneFile& scene);
+  /// lack of convergence is in the result. If another thread sets `stop`, the solution ends with Stopped
+  /// (contact/work.hpp) at the next product with influence numbers.
+  SceneResult solve(const SceneFile& scene, const std::atomic<bool>* stop = nullptr);
 
   /// Solves a scene with each model, at equal forces and at equal position. Where it asks for grid.elements or
   /// grid.accuracy, dx and ds are those that solve() chooses for the reference; all models have them. A prescribed approach
@@ -97,6 +103,10 @@ private:
   const FormerSolution* start_for(const std::vector<PotentialArea>& areas, const SceneFile::Grid& grid) const;
   void remember(const SceneResult& result, const ContactEstimate& estimate);
 
+  /// Held by the call that runs; recursive, because compare() may solve. On the heap, so that a Sequence can
+  /// be moved.
+  std::unique_ptr<std::recursive_mutex> turn_ = std::make_unique<std::recursive_mutex>();
+  const std::atomic<bool>* stop_ = nullptr; ///< of the call of solve() that runs
   SequenceOptions options_;
   Memory memory_;
   Counts counts_;
