@@ -4,6 +4,7 @@
 #include "bem_contact/app/result_file.hpp"
 #include "bem_contact/app/vtk_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <CLI/CLI.hpp>
@@ -53,7 +54,7 @@ for input that can be solved but is probably a mistake. Nothing is solved.)";
 
 struct SceneArguments {
   std::string file, model, output, vtk;
-  bool json = false;
+  bool json = false, strict = false;
 };
 
 /// Refuses, before anything is computed, an output that is an input or another output.
@@ -86,6 +87,8 @@ ExitCode run_solve(const SceneArguments& arguments) {
   if (!arguments.model.empty())
     scene.solver.model = model_named(arguments.model);
   const SceneResult result = Sequence().solve(scene);
+  if (arguments.strict)
+    refuse_warnings(result.warnings);
   if (!arguments.output.empty())
     write_h5(arguments.output, to_table(std::array{&result}, arguments.file));
   if (!arguments.vtk.empty())
@@ -99,6 +102,9 @@ ExitCode run_compare(const SceneArguments& arguments) {
   const std::string halfspace_vts = arguments.vtk + "_halfspace.vts", fem_vts = arguments.vtk + "_fem.vts";
   check_outputs(arguments, scene, {arguments.output, halfspace_vts, fem_vts});
   const Comparison comparison = Sequence().compare(scene);
+  if (arguments.strict)
+    for (const SceneResult* result : {&comparison.halfspace, &comparison.fem})
+      refuse_warnings(result->warnings);
   if (!arguments.output.empty())
     write_h5(arguments.output, to_table(std::array{&comparison.halfspace, &comparison.fem}, arguments.file));
   if (!arguments.vtk.empty()) {
@@ -110,8 +116,13 @@ ExitCode run_compare(const SceneArguments& arguments) {
 }
 
 ExitCode run_check(const SceneArguments& arguments) {
-  for (const std::string& line : Sequence().check(read_scene_file(arguments.file)))
+  const SceneDescription description = Sequence().check(read_scene_file(arguments.file));
+  for (const std::string& line : description.lines)
     fmt::print("{}\n", line);
+  if (arguments.strict)
+    refuse_warnings(description.warnings);
+  for (const std::string& warning : description.warnings)
+    fmt::print("warning: {}\n", warning);
   return success;
 }
 
@@ -120,6 +131,7 @@ CLI::App* add_scene_command(CLI::App& program, const char* name, const char* wha
                             SceneArguments& arguments) {
   CLI::App* line = program.add_subcommand(name, what);
   line->add_option("scene", arguments.file, "Scene file (TOML)")->required();
+  line->add_flag("--strict", arguments.strict, "Take warnings as errors (exit code 2), and write no output");
   line->footer(help);
   return line;
 }

@@ -1,5 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/history.hpp"
+#include "bem_contact/sequence/printed_errors.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <pybind11/numpy.h>
@@ -8,6 +10,8 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace py = pybind11;
 
@@ -51,10 +55,13 @@ class PythonSequence {
 public:
   explicit PythonSequence(std::filesystem::path scene) : scene_(std::move(scene)) {}
 
-  SceneResult solve(const Changes& changes, const std::string& model) {
+  SceneResult solve(const Changes& changes, const std::string& model, bool strict) {
     const std::vector<SceneChange> list = list_of(changes);
     const py::gil_scoped_release others_may_run;
-    return sequence_.solve(scene_of(scene_, list, model));
+    SceneResult result = sequence_.solve(scene_of(scene_, list, model));
+    if (strict)
+      refuse_warnings(result.warnings);
+    return result;
   }
 
 private:
@@ -62,8 +69,9 @@ private:
   Sequence sequence_;
 };
 
-SceneResult solve_one(const std::filesystem::path& file, const Changes& changes, const std::string& model) {
-  return PythonSequence(file).solve(changes, model);
+SceneResult solve_one(const std::filesystem::path& file, const Changes& changes, const std::string& model,
+                      bool strict) {
+  return PythonSequence(file).solve(changes, model, strict);
 }
 
 py::array_t<double> line(std::vector<double> values) {
@@ -98,17 +106,25 @@ std::vector<double> states(const ContactResult& result) {
   return out;
 }
 
-py::dict patch_of(const PatchSummary& p) {
+std::optional<double> known(double error) {
+  return std::isnan(error) ? std::nullopt : std::optional(error);
+}
+
+py::dict patch_of(const SceneResult& r, std::size_t index) {
   using namespace py::literals;
-  return py::dict("Fn"_a = p.fn, "Fx"_a = p.fx, "Fs"_a = p.fs, "approach"_a = p.approach, "pmax"_a = p.pmax,
-                  "area"_a = p.area, "contact"_a = p.contact, "adhesion"_a = p.adhesion, "slip"_a = p.slip,
-                  "x"_a = p.x, "s"_a = p.s);
+  const PatchSummary& p = r.result.patches[index];
+  py::dict out("Fn"_a = p.fn, "Fx"_a = p.fx, "Fs"_a = p.fs, "approach"_a = p.approach, "pmax"_a = p.pmax,
+               "area"_a = p.area, "contact"_a = p.contact, "adhesion"_a = p.adhesion, "slip"_a = p.slip,
+               "x"_a = p.x, "s"_a = p.s);
+  for (const PrintedPatchNumber& number : printed_patch_numbers())
+    out[number.error_name] = known(errors_of_patch(r.result, index).*number.error);
+  return out;
 }
 
 std::vector<py::dict> patches_of(const SceneResult& r) {
   std::vector<py::dict> out;
-  for (const PatchSummary& patch : r.result.patches)
-    out.push_back(patch_of(patch));
+  for (std::size_t i = 0; i < r.result.patches.size(); ++i)
+    out.push_back(patch_of(r, i));
   return out;
 }
 
@@ -199,7 +215,8 @@ void add_trust(py::class_<SceneResult>& c) {
       "model", [](const SceneResult& r) { return std::string(name_of(r.model)); },
       "hertz, halfspace, tangent_plane or fem");
   c.def_readonly("reason", &SceneResult::reason, "Why this model");
-  c.def_readonly("warnings", &SceneResult::warnings);
+  c.def_readonly("warnings", &SceneResult::warnings,
+                 "What to know before the numbers are used, each with its figure and what to do");
   c.def_property_readonly(
       "certified", [](const SceneResult& r) { return r.result.certificate.holds(); },
       "Whether the certificate holds: look at it before you use any number");
@@ -213,6 +230,19 @@ void add_trust(py::class_<SceneResult>& c) {
         return error < 0 ? std::nullopt : std::optional(error);
       },
       "Estimated discretisation error, relative; None: not estimated");
+  for (const PrintedNumber& number : printed_numbers())
+    c.def_property_readonly(
+        number.error_name, [error = number.error](const SceneResult& r) { return known(error(r)); },
+        "Estimated error by the size of the elements, absolute; None: not known");
+  c.def_property_readonly(
+      "adhesion_share", [](const SceneResult& r) { return adhesion_share(r.result); },
+      "Of the elements in contact");
+  c.def_property_readonly(
+      "converges_with_elements",
+      [](const SceneResult& r) {
+        return r.result.discretisation ? std::optional(r.result.discretisation->converges) : std::nullopt;
+      },
+      "False: smaller elements show another field, and no error can be told; None: not estimated");
   c.def_property_readonly("seconds", [](const SceneResult& r) { return r.seconds.total; });
   c.def("__repr__", [](const SceneResult& r) {
     return "<bem_contact.Result: " + std::string(name_of(r.model)) + ", Fz " + std::to_string(r.result.Fz) +
@@ -235,15 +265,17 @@ PYBIND11_MODULE(bem_contact, m) {
   using namespace py::literals;
   constexpr const char* of_arguments =
       "`changes`: values of the scene's keys instead of the file's, as {\"position.lateral\": 6.6}. `model`: "
-      "auto, hertz, halfspace, tangent_plane or fem; \"\" takes the scene's own. Raises InputError (a "
-      "ValueError) for wrong input. Lack of convergence is in the result.";
-  m.def("solve", solve_one, "scene"_a, "changes"_a = Changes(), "model"_a = "", of_arguments);
+      "auto, hertz, halfspace, tangent_plane or fem; \"\" takes the scene's own. `strict`: warnings are "
+      "errors. Raises InputError (a ValueError) for wrong input. Lack of convergence is in the result.";
+  m.def("solve", solve_one, "scene"_a, "changes"_a = Changes(), "model"_a = "", "strict"_a = false,
+        of_arguments);
   py::class_<PythonSequence>(
       m, "Sequence",
       "Solves one scene with many changes, each from what the former ones taught: files "
       "are read once, and a case starts from the tractions of the one before.")
       .def(py::init<std::filesystem::path>(), "scene"_a)
-      .def("solve", &PythonSequence::solve, "changes"_a = Changes(), "model"_a = "", of_arguments);
+      .def("solve", &PythonSequence::solve, "changes"_a = Changes(), "model"_a = "", "strict"_a = false,
+           of_arguments);
 }
 
 } // namespace bem_contact
