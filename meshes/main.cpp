@@ -59,6 +59,8 @@ int run(const std::string& body_file, const std::string& output, bool solid, boo
   const BodyFile body = read_body_file(body_file);
   refuse_overwriting(output, std::array<std::filesystem::path, 1>{body_file});
   output_target(output, OutputForm::text);
+  for (const std::string& warning : body_warnings(body))
+    fmt::print(stderr, "warning: {}\n", warning);
   std::optional<meshes::SolidMesh> whole;
   if (solid)
     whole = meshes::mesh_solid(body);

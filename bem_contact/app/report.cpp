@@ -1,8 +1,10 @@
 #include "bem_contact/app/report.hpp"
 
+#include "bem_contact/app/error_text.hpp"
 #include "bem_contact/app/stresses_output.hpp"
 #include "bem_contact/app/structure_output.hpp"
 #include "bem_contact/contact/history.hpp"
+#include "bem_contact/sequence/printed_errors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -115,9 +117,9 @@ std::string fixed(double value, double largest) {
   return fmt::format("{:.{}f}", std::abs(value) < 0.5 * unit ? 0.0 : value, decimals);
 }
 
-json patches_json(const ContactResult& result) {
+json patches_json(const SceneResult& r) {
   json patches = json::array();
-  for (const PatchSummary& p : result.patches)
+  for (const PatchSummary& p : r.result.patches) {
     patches.push_back({{"Fn", p.fn},
                        {"Fx", p.fx},
                        {"Fs", p.fs},
@@ -129,7 +131,29 @@ json patches_json(const ContactResult& result) {
                        {"slip", p.slip},
                        {"x", p.x},
                        {"s", p.s}});
+    add_patch_errors(r, patches.size() - 1, patches.back());
+  }
   return patches;
+}
+
+/// Each total with its error. `force`: the largest, whose digits all have.
+std::string totals_text(const SceneResult& r, double force) {
+  const ContactResult& c = r.result;
+  std::string out = fmt::format(
+      "on the rail{}: Fx {}{} N, Fy {}{} N, Fz {}{} N, Mz {}{} N mm; approach {:.5f}{} mm\n",
+      r.problem.plane_strain() ? ", forces and area per mm of x" : "", fixed(c.Fx, force),
+      plus_minus(r, "Fx"), fixed(c.Fy, force), plus_minus(r, "Fy"), fixed(c.Fz, force), plus_minus(r, "Fz"),
+      fixed(r.moment, force), plus_minus(r, "Mz"), c.approach, plus_minus(r, "approach"));
+  if (!c.patches.empty())
+    out += pressure_text(r);
+  if (r.problem.has_friction())
+    out += fmt::format("friction dissipates {:.4g}{} {}\n", friction_power(c, r.problem.element_area()),
+                       plus_minus(r, "friction_power"),
+                       r.problem.motion == MotionKind::shift ? "N mm" : "N mm per mm rolled");
+  if (r.problem.force_x || r.problem.force_s)
+    out += fmt::format("creepages found for the shear forces: xi {:+.6g}{}, eta {:+.6g}{}\n", c.creepage_x,
+                       plus_minus(r, "xi"), c.creepage_s, plus_minus(r, "eta"));
+  return out;
 }
 
 json grid_json(const ContactProblem& problem) {
@@ -164,45 +188,46 @@ std::string reference_text(const SceneResult& r) {
 }
 
 json to_json(const SceneResult& r) {
-  return {{"model", name_of(r.model)},
-          {"reason", r.reason},
-          {"frame", {{"y", r.left ? "to the left" : "to the right"}, {"units", units_json(r)}}},
-          {"converged", r.result.converged},
-          {"patches", patches_json(r.result)},
-          {"totals",
-           {{"Fx", r.result.Fx},
-            {"Fy", r.result.Fy},
-            {"Fz", r.result.Fz},
-            {"Mz", r.moment},
-            {"Fs", r.result.Fs},
-            {"friction_power", friction_power(r.result, r.problem.element_area())}}},
-          {"creepage_found", creepages_json(r.problem, r.result)},
-          {"lateral", r.lateral ? json(*r.lateral) : json(nullptr)},
-          {"other_laterals", r.found_lateral ? json(r.found_lateral->others) : json(nullptr)},
-          {"xi", r.xi},
-          {"free_rolling", free_rolling_json(r)},
-          {"history", history_json(r)},
-          {"extrapolated", extrapolated_json(r)},
-          {"approach", r.result.approach},
-          {"approach_datum", r.approach_datum},
-          {"structure", structure_json(r.structure)},
-          {"pmax", largest_pressure(r.result)},
-          {"area", contact_area(r.result)},
-          {"reference",
-           {{"s", r.reference.s},
-            {"y", r.reference.position.y},
-            {"z", r.reference.position.z},
-            {"delta", r.reference.delta}}},
-          {"grid", grid_json(r.problem)},
-          {"certificate", certificate_json(r.result.certificate)},
-          {"solvers", solvers_json(r.result)},
-          {"stresses", stresses_json(r.stresses)},
-          {"warnings", r.warnings},
-          {"seconds",
-           {{"geometry", r.seconds.geometry},
-            {"numbers", r.seconds.numbers},
-            {"solve", r.seconds.solve},
-            {"total", r.seconds.total}}}};
+  json out = {{"model", name_of(r.model)},
+              {"reason", r.reason},
+              {"frame", {{"y", r.left ? "to the left" : "to the right"}, {"units", units_json(r)}}},
+              {"converged", r.result.converged},
+              {"patches", patches_json(r)},
+              {"totals",
+               {{"Fx", r.result.Fx},
+                {"Fy", r.result.Fy},
+                {"Fz", r.result.Fz},
+                {"Mz", r.moment},
+                {"Fs", r.result.Fs},
+                {"friction_power", friction_power(r.result, r.problem.element_area())}}},
+              {"creepage_found", creepages_json(r.problem, r.result)},
+              {"history", history_json(r)},
+              {"extrapolated", extrapolated_json(r)},
+              {"approach", r.result.approach},
+              {"pmax", largest_pressure(r.result)},
+              {"area", contact_area(r.result)},
+              {"adhesion_share", adhesion_share(r.result)},
+              {"converges_with_elements",
+               r.result.discretisation ? json(r.result.discretisation->converges) : json(nullptr)},
+              {"reference",
+               {{"s", r.reference.s},
+                {"y", r.reference.position.y},
+                {"z", r.reference.position.z},
+                {"delta", r.reference.delta}}},
+              {"grid", grid_json(r.problem)},
+              {"certificate", certificate_json(r.result.certificate)},
+              {"solvers", solvers_json(r.result)},
+              {"stresses", stresses_json(r.stresses)},
+              {"warnings", r.warnings},
+              {"seconds",
+               {{"geometry", r.seconds.geometry},
+                {"numbers", r.seconds.numbers},
+                {"solve", r.seconds.solve},
+                {"total", r.seconds.total}}}};
+  add_errors(r, out);
+  add_errors(r, out["totals"]);
+  add_errors(r, out["creepage_found"]);
+  return out;
 }
 
 std::string to_text(const SceneResult& r) {
@@ -215,20 +240,14 @@ std::string to_text(const SceneResult& r) {
   else
     out += fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10} {:>9} {:>9} {:>8} {:>8} {:>6}\n", "patch", "Fn N",
                        "Fx N", "Fs N", "approach", "pmax MPa", "area mm2", "contact", "adhesion", "slip");
-  int i = 0;
-  for (const PatchSummary& p : r.result.patches)
-    out += fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10.5f} {:>9} {:>9.5g} {:>8} {:>8} {:>6}\n", ++i,
+  std::size_t i = 0;
+  for (const PatchSummary& p : r.result.patches) {
+    out += fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10.5f} {:>9} {:>9.5g} {:>8} {:>8} {:>6}\n", i + 1,
                        fixed(p.fn, force), fixed(p.fx, force), fixed(p.fs, force), p.approach,
                        fixed(p.pmax, 1e1 * p.pmax), p.area, p.contact, p.adhesion, p.slip);
-  out += fmt::format("on the rail{}: Fx {} N, Fy {} N, Fz {} N, Mz {} N mm; approach {:.5f} mm\n",
-                     r.problem.plane_strain() ? ", forces and area per mm of x" : "", fixed(c.Fx, force),
-                     fixed(c.Fy, force), fixed(c.Fz, force), fixed(r.moment, force), c.approach);
-  if (r.problem.has_friction())
-    out += fmt::format("friction dissipates {:.4g} {}\n", friction_power(r.result, r.problem.element_area()),
-                       r.problem.motion == MotionKind::shift ? "N mm" : "N mm per mm rolled");
-  if (r.problem.force_x || r.problem.force_s)
-    out += fmt::format("creepages found for the shear forces: xi {:+.6g}, eta {:+.6g}\n", r.result.creepage_x,
-                       r.result.creepage_s);
+    out += patch_errors_text(r, i++);
+  }
+  out += totals_text(r, force);
   out += rolling_text(r);
   if (r.result.outer_iterations > 1)
     out += fmt::format("{} outer iterations, each reducing the residual to {:.2g}\n",

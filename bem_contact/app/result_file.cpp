@@ -4,6 +4,7 @@
 #include "bem_contact/app/report.hpp"
 #include "bem_contact/app/stresses_output.hpp"
 #include "bem_contact/app/structure_output.hpp"
+#include "bem_contact/sequence/printed_errors.hpp"
 
 #include <algorithm>
 
@@ -65,6 +66,22 @@ void add_history(H5Table& table, const std::string& group, const SceneResult& r)
   totals("creepage_s", &ContactResult::creepage_s, shift ? "mm" : "1");
 }
 
+/// One line [patch] for each number of the patches, and for its error (nan: none can be given).
+void add_patches(H5Table& table, const std::string& group, const SceneResult& r) {
+  for (const PrintedPatchNumber& number : printed_patch_numbers()) {
+    std::vector<double> values, errors;
+    for (std::size_t i = 0; i < r.result.patches.size(); ++i) {
+      values.push_back(r.result.patches[i].*number.value);
+      errors.push_back(errors_of_patch(r.result, i).*number.error);
+    }
+    if (values.empty())
+      return;
+    table.datasets[group + number.name] = line(std::move(values), number.unit, "of each patch");
+    table.datasets[group + number.error_name] =
+        line(std::move(errors), number.unit, "estimated error by the size of the elements; nan: not known");
+  }
+}
+
 /// Fields and totals in `group` ("" or a path with its last slash).
 void add_result(H5Table& table, const std::string& group, const SceneResult& r) {
   const ContactGrid& grid = r.problem.grid;
@@ -119,6 +136,11 @@ void add_result(H5Table& table, const std::string& group, const SceneResult& r) 
   a[group + "pmax_MPa"] = largest_pressure(r.result);
   a[group + "area_mm2"] = contact_area(r.result);
   a[group + "patches"] = double(c.patches.size());
+  for (const PrintedNumber& number : printed_numbers())
+    a[group + number.error_name] = number.error(r);
+  a[group + "adhesion_share"] = adhesion_share(c);
+  a[group + "converges_with_elements"] = c.discretisation && c.discretisation->converges ? 1.0 : 0.0;
+  add_patches(table, group + "patch/", r);
   a[group + "certificate_worst"] = c.certificate.worst();
   a[group + "certificate_tolerance"] = c.certificate.tolerance;
   a[group + "certificate_holds"] = c.certificate.holds() ? 1.0 : 0.0;

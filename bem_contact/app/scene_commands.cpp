@@ -5,6 +5,7 @@
 #include "bem_contact/app/result_file.hpp"
 #include "bem_contact/app/vtk_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <CLI/CLI.hpp>
@@ -59,7 +60,7 @@ for input that can be solved but is probably a mistake. Nothing is solved.)";
 struct SceneArguments {
   std::string file, model, output, vtk;
   std::vector<std::string> models{"halfspace", "fem"}; ///< of compare
-  bool json = false;
+  bool json = false, strict = false;
 };
 
 /// Refuses, before anything is computed, an output that is an input or another output, or that cannot be
@@ -99,6 +100,8 @@ ExitCode run_solve(const SceneArguments& arguments) {
   if (!arguments.model.empty())
     scene.solver.model = model_named(arguments.model);
   const SceneResult result = Sequence().solve(scene);
+  if (arguments.strict)
+    refuse_warnings(result.warnings);
   if (!arguments.output.empty())
     write_h5(arguments.output, to_table(result, arguments.file));
   if (!arguments.vtk.empty())
@@ -123,6 +126,9 @@ ExitCode run_compare(const SceneArguments& arguments) {
     std::ranges::transform(models, std::back_inserter(surfaces), surface_of);
   check_outputs(arguments, scene, arguments.output, surfaces);
   const Comparison comparison = Sequence().compare(scene, models);
+  if (arguments.strict)
+    for (const SceneResult& result : comparison.leading())
+      refuse_warnings(result.warnings);
   if (!arguments.output.empty())
     write_h5(arguments.output, to_table(comparison, arguments.file));
   if (!arguments.vtk.empty())
@@ -137,8 +143,13 @@ ExitCode run_compare(const SceneArguments& arguments) {
 }
 
 ExitCode run_check(const SceneArguments& arguments) {
-  for (const std::string& line : Sequence().check(read_scene_file(arguments.file)))
+  const SceneDescription description = Sequence().check(read_scene_file(arguments.file));
+  for (const std::string& line : description.lines)
     fmt::print("{}\n", line);
+  if (arguments.strict)
+    refuse_warnings(description.warnings);
+  for (const std::string& warning : description.warnings)
+    fmt::print("warning: {}\n", warning);
   return success;
 }
 
@@ -147,6 +158,7 @@ CLI::App* add_scene_command(CLI::App& program, const char* name, const char* wha
                             SceneArguments& arguments) {
   CLI::App* line = program.add_subcommand(name, what);
   line->add_option("scene", arguments.file, "Scene file (TOML)")->required();
+  line->add_flag("--strict", arguments.strict, "Take warnings as errors (exit code 2), and write no output");
   line->footer(help);
   return line;
 }

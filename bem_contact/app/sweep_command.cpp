@@ -14,6 +14,7 @@
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/influence/h5_writer.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <CLI/CLI.hpp>
@@ -52,9 +53,13 @@ constexpr int most_jobs = 4096; // a typing error, not a machine
 
 struct SweepRequest {
   std::string scene, output, csv, model;
-  int jobs = 0;       ///< processes; 0: one for each core
-  std::string part;   ///< "2/8": the second of eight shares; "": all
-  bool merge = false; ///< solve nothing: write what the shares have solved
+  int jobs = 0;        ///< processes; 0: one for each core
+  std::string part;    ///< "2/8": the second of eight shares; "": all
+  bool merge = false;  ///< solve nothing: write what the shares have solved
+  bool strict = false; ///< a case with a warning is refused
+
+  /// What changes the results besides the scene.
+  std::string options() const { return model + (strict ? " strict" : ""); }
 };
 
 /// Whether the output is there with all cases. Throws InputError if it is not a file of this sweep.
@@ -81,7 +86,7 @@ bool is_complete(const std::filesystem::path& output, const std::string& digest)
 }
 
 CaseRecord solve_case(Sequence& sequence, const SweepFile& sweep, std::size_t index,
-                      const std::string& model) {
+                      const SweepRequest& request) {
   const Stopwatch watch;
   const std::clock_t cpu = std::clock();
   CaseRecord record;
@@ -92,9 +97,12 @@ CaseRecord solve_case(Sequence& sequence, const SweepFile& sweep, std::size_t in
   };
   try {
     SceneFile scene = sweep.scene(index);
-    if (!model.empty())
-      scene.solver.model = model_named(model);
-    record = record_of(index, sequence.solve(scene), sweep.fields);
+    if (!request.model.empty())
+      scene.solver.model = model_named(request.model);
+    const SceneResult result = sequence.solve(scene);
+    if (request.strict)
+      refuse_warnings(result.warnings);
+    record = record_of(index, result, sweep.fields);
   } catch (const ConvergenceError& error) {
     failed(CaseStatus::not_certified, error.what());
   } catch (const Error& error) {
@@ -130,9 +138,8 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
   const auto files = std::make_shared<SequenceFiles>(); // each worker fills its own copy
   calls.make_solver = [&]() -> CaseSolver {
     const auto sequence = std::make_shared<Sequence>(SequenceOptions{}, files);
-    return [&, sequence](std::size_t index) {
-      return to_bytes(solve_case(*sequence, sweep, index, request.model));
-    };
+    return
+        [&, sequence](std::size_t index) { return to_bytes(solve_case(*sequence, sweep, index, request)); };
   };
   calls.done = [&](std::size_t, std::string bytes) { keep(from_bytes(bytes), bytes); };
   calls.died = [&](std::size_t index, const std::string& reason) {
@@ -221,7 +228,7 @@ SweepSummary run_sweep(const SweepRequest& request) {
   const std::filesystem::path output = request.output;
   const std::filesystem::path own_journal = journal_name(output, share.part, share.parts);
   check_outputs(sweep, request, own_journal);
-  const std::string digest = digest_of(sweep, request.model);
+  const std::string digest = digest_of(sweep, request.options());
   std::string head;
   if (is_complete(output, digest)) {
     head = fmt::format("'{}' is complete: nothing was solved\n", output.string());
@@ -254,6 +261,7 @@ Command add_sweep(CLI::App& program) {
   line->add_option("--csv", r.csv, "Summary with one line for each case");
   line->add_option("--model", r.model, "Model of the bodies, instead of the scene's own choice")
       ->check(CLI::IsMember(model_choices()));
+  line->add_flag("--strict", r.strict, "Refuse cases that have a warning");
   line->add_option("--jobs", r.jobs, "Number of processes; 0: one for each core")
       ->check(CLI::Range(0, most_jobs))
       ->capture_default_str();

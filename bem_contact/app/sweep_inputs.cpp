@@ -46,8 +46,8 @@ std::set<std::string> inputs_of(const SweepFile& sweep) {
   return names;
 }
 
-std::string digest_of(const SweepFile& sweep, const std::string& model) {
-  std::string all = provenance("bem_contact") + "\n" + model + "\n" + digest_of(sweep.text) + "\n";
+std::string digest_of(const SweepFile& sweep, const std::string& options) {
+  std::string all = provenance("bem_contact") + "\n" + options + "\n" + digest_of(sweep.text) + "\n";
   for (const std::string& name : inputs_of(sweep))
     all += digest_of(read_text_file(name, "input", std::numeric_limits<std::size_t>::max() / 4)) + "\n";
   return digest_of(all);

@@ -14,7 +14,8 @@ void check_values(const SweepFile& sweep);
 /// The files that the cases read, each once.
 std::set<std::string> inputs_of(const SweepFile& sweep);
 
-/// Digest (SHA-256) of everything that the results depend on: version, model, scene and the files it reads.
-std::string digest_of(const SweepFile& sweep, const std::string& model);
+/// Digest (SHA-256) of everything that the results depend on: version, options of the command
+/// (model, strictness), scene and the files it reads.
+std::string digest_of(const SweepFile& sweep, const std::string& options);
 
 } // namespace bem_contact::app

@@ -3,10 +3,12 @@
 #include "bem_contact/app/report.hpp"
 #include "bem_contact/app/result_file.hpp"
 #include "bem_contact/contact/history.hpp"
+#include "bem_contact/sequence/printed_errors.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -22,7 +24,13 @@ double second_patch(const SceneResult& r, double PatchSummary::*number) {
   return r.result.patches.size() > 1 ? r.result.patches[1].*number : 0.0;
 }
 
-constexpr SummaryColumn columns[] = {
+/// Of the second patch; nan where it has no estimate or is not there.
+double second_patch_error(const SceneResult& r, double PatchErrors::*error) {
+  return r.result.patches.size() > 1 ? errors_of_patch(r.result, 1).*error
+                                     : std::numeric_limits<double>::quiet_NaN();
+}
+
+constexpr SummaryColumn plain_columns[] = {
     {"Fx", "N", "on the rail", [](const SceneResult& r) { return r.result.Fx; }},
     {"Fy", "N", "on the rail, to the right (left wheel: to the left)",
      [](const SceneResult& r) { return r.result.Fy; }},
@@ -47,6 +55,8 @@ constexpr SummaryColumn columns[] = {
      [](const SceneResult& r) { return double(r.result.patches.size()); }},
     {"Fn_2", "N", "normal force of the second largest patch",
      [](const SceneResult& r) { return second_patch(r, &PatchSummary::fn); }},
+    {"Fn_2_error", "N", "its estimated error; nan: not known",
+     [](const SceneResult& r) { return second_patch_error(r, &PatchErrors::fn); }},
     {"contact", "1", "elements in contact",
      [](const SceneResult& r) { return double(count_elements(r.result).contact); }},
     {"adhesion", "1", "elements in adhesion",
@@ -73,9 +83,24 @@ constexpr SummaryColumn columns[] = {
      [](const SceneResult& r) { return double(r.result.normal_iterations); }},
     {"tangential_iterations", "1", "steps of the tangential solver",
      [](const SceneResult& r) { return double(r.result.tangential_iterations); }},
+    {"warnings", "1", "how many there are; the attribute reason says which",
+     [](const SceneResult& r) { return double(r.warnings.size()); }},
     {"model", "1", "0 hertz, 1 halfspace, 2 tangent_plane, 3 fem",
      [](const SceneResult& r) { return static_cast<double>(r.model); }},
 };
+
+/// The plain columns, those of the numbers that they do not have, and the errors of all.
+std::vector<SummaryColumn> all_columns() {
+  std::vector<SummaryColumn> all(std::begin(plain_columns), std::end(plain_columns));
+  for (const PrintedNumber& number : printed_numbers()) {
+    if (std::ranges::none_of(plain_columns,
+                             [&](const SummaryColumn& c) { return std::string_view(c.name) == number.name; }))
+      all.push_back({number.name, number.unit, number.description, number.value});
+    all.push_back({number.error_name, number.unit,
+                   "estimated error by the size of the elements; nan: not known", number.error});
+  }
+  return all;
+}
 
 /// CBOR keeps every double to the last bit, not-a-number included.
 json table_to_json(const H5Table& table) {
@@ -100,6 +125,7 @@ H5Table table_from_json(const json& j) {
 } // namespace
 
 std::span<const SummaryColumn> summary_columns() {
+  static const std::vector<SummaryColumn> columns = all_columns();
   return columns;
 }
 
@@ -121,7 +147,7 @@ CaseRecord record_of(std::size_t index, const SceneResult& result, bool fields) 
   say(result.result.remark);
   for (const std::string& warning : result.warnings)
     say(warning);
-  for (const SummaryColumn& column : columns)
+  for (const SummaryColumn& column : summary_columns())
     record.summary.push_back(column.get(result));
   if (fields) {
     record.fields = to_table(result, "");

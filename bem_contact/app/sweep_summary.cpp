@@ -14,7 +14,8 @@ SweepSummary summary_of(const H5Table& top, const Share& share, const std::strin
   SweepSummary out;
   out.text = head;
   std::map<std::string, int> counts;
-  std::size_t cases = 0;
+  const std::vector<double>& warnings = top.datasets.at("warnings").values;
+  std::size_t cases = 0, warned = 0;
   std::vector<double> times;
   out.certified = true;
   for (std::size_t i = 0; i < status.size(); ++i) {
@@ -25,11 +26,14 @@ SweepSummary summary_of(const H5Table& top, const Share& share, const std::strin
     ++counts[status_text(s)];
     if (!std::isnan(cpu[i]) && s != CaseStatus::died)
       times.push_back(cpu[i]);
+    warned += warnings[i] > 0; // nan: no result
     out.certified = out.certified && (s == CaseStatus::certified);
   }
   for (const auto& [name, number] : counts)
     out.text += fmt::format("{} {}, ", number, name);
   out.text += fmt::format("of {} cases\n", cases);
+  if (warned > 0)
+    out.text += fmt::format("{} of them have warnings (column warnings; reason says which)\n", warned);
   if (!times.empty()) {
     std::ranges::sort(times);
     const auto at = [&](double quantile) {

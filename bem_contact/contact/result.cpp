@@ -1,5 +1,7 @@
 #include "bem_contact/contact/result.hpp"
 
+#include "bem_contact/contact/settings.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +17,11 @@ double Certificate::worst() const {
     worst = std::max(worst, v);
   }
   return worst;
+}
+
+double Discretisation::moment_error(const ContactResult& result, double x, double y) const {
+  const double change = (result.Mz - coarse.Mz) + y * (result.Fx - coarse.Fx) - x * (result.Fy - coarse.Fy);
+  return contact::moment_change * std::abs(change) + local_moment;
 }
 
 Tractions tractions_of(const ContactResult& result) {

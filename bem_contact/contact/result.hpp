@@ -2,6 +2,7 @@
 
 #include "bem_contact/contact/problem.hpp"
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,9 +43,36 @@ struct Certificate {
   bool holds() const { return worst() <= tolerance; }
 };
 
-struct ContactTotals {
-  double Fx = 0, Fy = 0, Fz = 0, Mz = 0, approach = 0; ///< as in ContactResult
+/// Of an error that is not known.
+inline constexpr double unknown_error = std::numeric_limits<double>::quiet_NaN();
+
+struct ContactTotals { ///< as in ContactResult
+  double Fx = 0, Fy = 0, Fz = 0, Mz = 0, approach = 0;
   double creepage_x = 0, creepage_s = 0;
+};
+
+struct ContactResult;
+
+/// Absolute errors of the totals that the size of the elements is estimated to cause, each in the unit of its
+/// number. 0: the number is prescribed. nan: no number can be given.
+///
+/// Meaning: the result on elements of vanishing size lies within number +- error in at least 95 of 100 cases,
+/// and in the median case the stated error is at most five times the true one (tools/BENCHMARKS.md, section
+/// 8).
+struct TotalErrors {
+  double Fx = unknown_error, Fy = unknown_error, Fz = unknown_error, Fs = unknown_error; ///< N
+  double approach = unknown_error;                                                       ///< mm
+  double creepage_x = unknown_error, creepage_s = unknown_error; ///< as ContactResult has them
+  double pmax = unknown_error;                                   ///< largest_pressure(), MPa
+  double area = unknown_error;                                   ///< contact_area(), mm^2
+  double adhesion_share = unknown_error; ///< elements in adhesion over those in contact
+  double friction_power = unknown_error; ///< friction_power(), N (shift: N mm)
+};
+
+/// The same of the numbers of PatchSummary. nan too where the coarser elements have other patches.
+struct PatchErrors {
+  double fn = unknown_error, fx = unknown_error, fs = unknown_error;
+  double approach = unknown_error, pmax = unknown_error, area = unknown_error;
 };
 
 /// Estimate of the error that the size of the elements causes, from the same problem on elements twice as
@@ -68,6 +96,18 @@ struct Discretisation {
   double tangential = 0; ///< error of the vector (sum p_x dS, sum p_s dS), over sum mu p_n dS
   /// Error of the moment of p_t about the centre of pressure, over sum mu p_n r dS, r the distance from it.
   double moment = 0;
+
+  TotalErrors errors;               ///< absolute
+  std::vector<PatchErrors> patches; ///< of ContactResult::patches, in their order
+  double coarse_pmax = 0;           ///< pmax of the companion, MPa
+  /// False: the field depends on the elements so much that no error can be told, and every one is nan. A
+  /// profile with noise or a kink is not resolved, or a peak is narrower than three elements.
+  bool converges = true;
+  double local_moment = unknown_error; ///< the part of moment_error() that no change shows, N mm
+
+  /// Absolute error of the moment about the vertical axis through x and y (mm, frame of the rows), N mm.
+  /// `result`: the one that this estimate is of.
+  double moment_error(const ContactResult& result, double x, double y) const;
 
   double worst() const { return std::max({approach, normal, tangential, moment}); }
 };

@@ -94,8 +94,8 @@ void add_body(Schema& s, BodyFile::Body& body) {
 
 void add_strip(Schema& s, BodyFile::Strip& strip) {
   s.add("strip.from", strip.from,
-        {.doc = "The contact strip begins here, arc length on the profile", .unit = "mm"});
-  s.add("strip.to", strip.to, {.doc = "The contact strip ends here", .unit = "mm"});
+        {.doc = "The contact strip begins here, arc length on the profile (a wheel: 20)", .unit = "mm"});
+  s.add("strip.to", strip.to, {.doc = "The contact strip ends here (a wheel: 50)", .unit = "mm"});
   s.add("strip.station_width", strip.station_width,
         {.doc = "Width of a station; it must divide the strip", .unit = "mm", .above = 0});
 }
@@ -232,6 +232,9 @@ void cross_check(const BodyFile& f, const Schema& s) {
              "Give a strip inside it.");
 }
 
+/// Of a wheel: the end of the tread and the flange root, opposite to a rail's default strip.
+constexpr BodyFile::Strip usual_strip_of_wheel{.from = 20, .to = 50};
+
 /// What the tolerance asks for, fitted to block, disc, rail and wheel (fem_influence/THEORY.md, sections 3
 /// and 7): the number itself is off by 2.3 % (3/p)^4 / 4^levels with one element a station, far numbers by
 /// .03 % at 7 samples a decade. Each gets a part of the tolerance that leaves room for the other.
@@ -259,8 +262,14 @@ BodyFile parse_body_file(std::string_view toml, std::string_view source_name) {
   Schema schema = schema_of(file, young);
   schema.read(toml, source_name);
   settle_material(schema, "material", file.material, young);
-  if (file.body.kind == BodyKind::wheel && !schema.has("body.profile"))
-    file.body.profile = "S1002";
+  if (file.body.kind == BodyKind::wheel) {
+    if (!schema.has("body.profile"))
+      file.body.profile = "S1002";
+    if (!schema.has("strip.from"))
+      file.strip.from = usual_strip_of_wheel.from;
+    if (!schema.has("strip.to"))
+      file.strip.to = usual_strip_of_wheel.to;
+  }
   cross_check(file, schema);
   choose(file, schema);
   return file;
@@ -270,6 +279,18 @@ BodyFile read_body_file(const std::filesystem::path& path) {
   BodyFile file = parse_body_file(read_text_file(path.string(), "body file"), path.string());
   file.folder = path.parent_path();
   return file;
+}
+
+std::vector<std::string> body_warnings(const BodyFile& file) {
+  const bool rail = file.body.kind == BodyKind::rail, wheel = file.body.kind == BodyKind::wheel;
+  const auto& [from, to, width] = file.strip;
+  if (!(rail && from >= 0) && !(wheel && to <= 0))
+    return {};
+  return {
+      fmt::format("the strip of this {0} ({1:g} .. {2:g} mm) lies on the field side, where {3} is not: the "
+                  "arc length counts from the {4}. Give {5:g} .. {6:g} mm if the gauge side is meant.",
+                  rail ? "rail" : "wheel", from, to, rail ? "its gauge corner" : "its flange",
+                  rail ? "top of the rail to the field side" : "tape circle to the flange", -to, -from)};
 }
 
 std::string mesh_digest(const BodyFile& file, std::uint64_t profile_digest) {

@@ -67,8 +67,8 @@ struct BodyFile {
     std::vector<OutlinePiece> outline = {}; ///< walked with the material on the side of e_n (conventions.hpp)
     std::vector<Hole> holes = {};
   } body;
-  Material material; ///< [material] shear_modulus, poisson
-  struct Strip {
+  Material material;   ///< [material] shear_modulus, poisson
+  struct Strip {       ///< a wheel's default: 20 .. 50, tread and flange root
     double from = -45; ///< arc length on the profile, mm
     double to = -20;
     double station_width = 0.2; ///< mm; (to - from) / station_width must be whole
@@ -105,6 +105,9 @@ struct BodyFile {
 /// Throws InputError (unknown key with the nearest names, wrong type, value out of range).
 BodyFile read_body_file(const std::filesystem::path& file);
 BodyFile parse_body_file(std::string_view toml, std::string_view source_name = "text");
+/// What can be computed but is probably a mistake, in sentences: the strip of a rail or of a wheel that lies
+/// wholly on the field side.
+std::vector<std::string> body_warnings(const BodyFile& body);
 /// Digest of all that a mesh depends on, [body], [strip], [mesh] and the digest of the profile curve: tells
 /// the mesh of one body file from that of another. 16 hexadecimal digits.
 std::string mesh_digest(const BodyFile& body, std::uint64_t profile_digest);

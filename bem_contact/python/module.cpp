@@ -4,12 +4,16 @@
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/sequence_object.hpp"
 #include "bem_contact/python/values.hpp"
+#include "bem_contact/sequence/printed_errors.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace py = pybind11;
 
@@ -25,14 +29,17 @@ std::unique_ptr<PythonSequence> sequence_of(const py::object& scene, const py::a
 }
 
 PythonResult solve_changed(const PythonSequence& sequence, const py::object& changes, const py::object& model,
-                           const py::args& more, const py::kwargs& unknown) {
+                           const py::object& strict, const py::args& more, const py::kwargs& unknown) {
   refuse_unknown("solve", more, unknown);
-  return {sequence.solve(changes_of(changes), model_of(model)), {}};
+  PythonResult solved{sequence.solve(changes_of(changes), model_of(model)), {}};
+  if (py::bool_(strict))
+    refuse_warnings(solved.solved->warnings);
+  return solved;
 }
 
 PythonResult solve_one(const py::object& scene, const py::object& changes, const py::object& model,
-                       const py::args& more, const py::kwargs& unknown) {
-  return solve_changed(PythonSequence(path_of(scene)), changes, model, more, unknown);
+                       const py::object& strict, const py::args& more, const py::kwargs& unknown) {
+  return solve_changed(PythonSequence(path_of(scene)), changes, model, strict, more, unknown);
 }
 
 py::array_t<double> line(std::vector<double> values) {
@@ -67,17 +74,25 @@ std::vector<double> states(const ContactResult& result) {
   return out;
 }
 
-py::dict patch_of(const PatchSummary& p) {
+std::optional<double> known(double error) {
+  return std::isnan(error) ? std::nullopt : std::optional(error);
+}
+
+py::dict patch_of(const SceneResult& r, std::size_t index) {
   using namespace py::literals;
-  return py::dict("Fn"_a = p.fn, "Fx"_a = p.fx, "Fs"_a = p.fs, "approach"_a = p.approach, "pmax"_a = p.pmax,
-                  "area"_a = p.area, "contact"_a = p.contact, "adhesion"_a = p.adhesion, "slip"_a = p.slip,
-                  "x"_a = p.x, "s"_a = p.s);
+  const PatchSummary& p = r.result.patches[index];
+  py::dict out("Fn"_a = p.fn, "Fx"_a = p.fx, "Fs"_a = p.fs, "approach"_a = p.approach, "pmax"_a = p.pmax,
+               "area"_a = p.area, "contact"_a = p.contact, "adhesion"_a = p.adhesion, "slip"_a = p.slip,
+               "x"_a = p.x, "s"_a = p.s);
+  for (const PrintedPatchNumber& number : printed_patch_numbers())
+    out[number.error_name] = known(errors_of_patch(r.result, index).*number.error);
+  return out;
 }
 
 std::vector<py::dict> patches_of(const SceneResult& r) {
   std::vector<py::dict> out;
-  for (const PatchSummary& patch : r.result.patches)
-    out.push_back(patch_of(patch));
+  for (std::size_t i = 0; i < r.result.patches.size(); ++i)
+    out.push_back(patch_of(r, i));
   return out;
 }
 
@@ -211,7 +226,8 @@ void add_trust(ResultClass& c) {
       "model", [](const SceneResult& r) { return std::string(name_of(r.model)); },
       "hertz, halfspace, tangent_plane or fem");
   c.def_readonly("reason", &SceneResult::reason, "Why this model");
-  c.def_readonly("warnings", &SceneResult::warnings);
+  c.def_readonly("warnings", &SceneResult::warnings,
+                 "What to know before the numbers are used, each with its figure and what to do");
   c.def_property_readonly(
       "certified", [](const SceneResult& r) { return r.result.certificate.holds(); },
       "Whether the certificate holds: look at it before you use any number");
@@ -225,6 +241,19 @@ void add_trust(ResultClass& c) {
         return error < 0 ? std::nullopt : std::optional(error);
       },
       "Estimated discretisation error, relative; None: not estimated");
+  for (const PrintedNumber& number : printed_numbers())
+    c.def_property_readonly(
+        number.error_name, [error = number.error](const SceneResult& r) { return known(error(r)); },
+        "Estimated error by the size of the elements, absolute; None: not known");
+  c.def_property_readonly(
+      "adhesion_share", [](const SceneResult& r) { return adhesion_share(r.result); },
+      "Of the elements in contact");
+  c.def_property_readonly(
+      "converges_with_elements",
+      [](const SceneResult& r) {
+        return r.result.discretisation ? std::optional(r.result.discretisation->converges) : std::nullopt;
+      },
+      "False: smaller elements show another field, and no error can be told; None: not estimated");
   c.def_property_readonly("seconds", [](const SceneResult& r) { return r.seconds.total; });
   c.def("__repr__", [](const py::object& r) {
     return py::str("<bem_contact.Result: {}, Fz {:.6g} N, {} patches, {}>")
@@ -251,9 +280,9 @@ PYBIND11_MODULE(_core, m) {
       "and "
       "arrays may be NumPy's. `model`: "
       "auto, hertz, halfspace, tangent_plane or fem; \"\" takes the scene's own. Raises InputError (a "
-      "ValueError) for wrong input. Lack of convergence is in the result.";
+      "ValueError) for wrong input. `strict`: warnings are errors. Lack of convergence is in the result.";
   m.def("solve", solve_one, "scene"_a = py::none(), "changes"_a = py::none(), "model"_a = py::none(),
-        of_arguments);
+        "strict"_a = false, of_arguments);
   py::class_<PythonSequence>(
       m, "Sequence",
       "Solves one scene with many changes, each from what the former ones taught: files are read once, and a "
@@ -262,7 +291,8 @@ PYBIND11_MODULE(_core, m) {
       "object is made. Several threads may call one object: each call waits for the one before. Several "
       "objects run side by side. Ctrl-C ends a running solve.")
       .def(py::init(&sequence_of), "scene"_a = py::none())
-      .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), of_arguments);
+      .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), "strict"_a = false,
+           of_arguments);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_stopped_solutions));
 }
 

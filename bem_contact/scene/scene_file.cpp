@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/scene/accuracy_of.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/scene/unused_keys.hpp"
@@ -100,6 +101,7 @@ void check_patch(const SceneFile& f, const Schema& s) {
 }
 
 void check_wheel_rail(const SceneFile& f, const Schema& s) {
+  accuracy_of(f.grid.accuracy_of);
   if (f.rail.profile.empty())
     s.refuse("rail.profile", "a wheel on a rail needs the rail's profile",
              "Give for instance profile = \"60E1\".");

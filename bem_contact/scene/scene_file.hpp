@@ -96,9 +96,10 @@ struct SceneFile {
     std::optional<int> mx, ms;      ///< patch: size; wheel_rail: empty = from the undeformed distance
     std::optional<int> elements;    ///< wheel_rail: wanted in contact, instead of dx and ds
     std::optional<double> accuracy; ///< wheel_rail: discretisation error wanted, instead of dx and ds
-    bool plane_strain = false;      ///< patch: mx = 1, infinitely long along x, forces per mm
-    std::optional<RowRange> rows;   ///< wheel_rail: keys s_from and s_to, on the rail's arc length
-    bool planar = false;            ///< wheel_rail: all rows in the tangent plane at the reference point
+    std::string accuracy_of = "forces, pmax"; ///< what `accuracy` is about (accuracy_of.hpp)
+    bool plane_strain = false;                ///< patch: mx = 1, infinitely long along x, forces per mm
+    std::optional<RowRange> rows;             ///< wheel_rail: keys s_from and s_to, on the rail's arc length
+    bool planar = false; ///< wheel_rail: all rows in the tangent plane at the reference point
 
     bool operator==(const Grid&) const = default;
   } grid;

@@ -206,6 +206,10 @@ void add_grid(Schema& s, SceneFile::Grid& g, SceneKeysAsRead& read) {
          .at_most = 0.5,
          .kinds = wheel_rail,
          .zero_is_none = true});
+  s.add("grid.accuracy_of", g.accuracy_of,
+        {.doc = "What that accuracy is about: some of forces, pmax, area, adhesion, approach, creepages, "
+                "friction_power, with commas between",
+         .kinds = wheel_rail});
   s.add("grid.plane_strain", g.plane_strain,
         {.doc = "One element infinitely long along x (mx = 1), forces per mm", .kinds = patch});
   s.add("grid.s_from", read.s_from,

@@ -31,8 +31,12 @@ BEM_CONTACT_TUNED(int, approach_steps, 60);           ///< 1. Bound of the steps
 
 // Warnings.
 
-/// 1. A friction coefficient above this is probably a mistake: clean metals in air stay below.
-BEM_CONTACT_TUNED(double, highest_friction, 2.0);
+/// 1. A friction coefficient above this is probably a mistake: wheels and rails stay below 0.8, dry and
+/// sanded.
+BEM_CONTACT_TUNED(double, highest_friction, 1.0);
+/// N. A wheel load below this is probably in kN: an empty wagon has 20 kN on a wheel, a roller rig of 1/5
+/// scale some 500 N.
+BEM_CONTACT_TUNED(double, least_wheel_load, 300.0);
 /// MPa. A Young's modulus above this is probably one in another unit: somewhat above diamond.
 BEM_CONTACT_TUNED(double, stiffest_modulus, 1.3e6);
 /// mm. A wheel radius above this is probably a diameter: the largest of railways in service is 625 mm.

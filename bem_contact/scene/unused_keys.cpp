@@ -46,6 +46,7 @@ std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
        !m.frictionless && m.kind != MotionKind::shift && !rates,
        "neither motion.pitch_rate nor a velocity is given beside it"},
       {{"grid.dx", "grid.ds"}, chosen, "grid.accuracy or grid.elements chooses the elements"},
+      {{"grid.accuracy_of"}, !f.grid.accuracy, "grid.accuracy is not given"},
       {{"grid.dx", "gap.a", "gap.c", "stresses.x"},
        f.grid.plane_strain,
        "plane strain is the same all along x"},

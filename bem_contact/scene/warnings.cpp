@@ -62,6 +62,9 @@ std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSet
         fmt::format("motion.friction = {:g}: hardly any bodies have more than {:g} (it is no percentage)",
                     scene.motion.friction, highest_friction));
   if (const WheelRailGeometry* placed = setup.wheel_rail()) {
+    if (setup.load.kind == LoadKind::force && setup.load.force > 0 && setup.load.force < least_wheel_load)
+      out.push_back(
+          fmt::format("load.force looks like kN ({:g} N on a wheel) Give it in N.", setup.load.force));
     look_at_motion(scene, setup.motion.creepage.rolling_radius, out);
     if (scene.position.wheel_radius > largest_wheel_radius)
       out.push_back(fmt::format("position.wheel_radius = {:g} mm: the radius is asked for, not the diameter",

@@ -2,6 +2,7 @@
 
 #include "bem_contact/scene/warnings.hpp"
 #include "bem_contact/sequence/model_choice.hpp"
+#include "bem_contact/sequence/strips.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -65,9 +66,10 @@ std::string friction_text(const Motion& motion, const ContactProblem& problem) {
                          : fmt::format("transient rolling, {} steps of dx", steps));
 }
 
-/// One body's influence file, and whether its strip covers the rows at the stations s.
+/// One body's influence file, and whether its strip covers the rows at the stations s. `refusal`: why fem
+/// refuses the contact all the same; empty: it does not.
 std::string influence_text(const char* body, const std::shared_ptr<const InfluenceFunction>& f,
-                           const std::vector<double>& s, double ds) {
+                           const std::vector<double>& s, double ds, const std::string& refusal) {
   if (!f)
     return fmt::format("{}: no influence file", body);
   const auto [lo, hi] = std::ranges::minmax(s);
@@ -78,13 +80,13 @@ std::string influence_text(const char* body, const std::shared_ptr<const Influen
       "{}: influence file of '{}', strip s = {:.2f} .. {:.2f} mm; rows need {:.2f} .. {:.2f} mm: {}", body,
       f->body, from, to, lo - ds / 2, hi + ds / 2,
       off <= (0.5 - row_on_strip) * ds
-          ? "covered"
+          ? (refusal.empty() ? "covered" : "the first rows are covered, but fem refuses: " + refusal)
           : fmt::format("they leave the strip by {:.2f} mm, where fem serves no contact", off));
 }
 
 } // namespace
 
-std::vector<std::string> describe_case(const ContactCase& asked) {
+SceneDescription describe_case(const ContactCase& asked) {
   const SceneFile& scene = asked.scene;
   const ContactOnGrid contact =
       asked.setup.on(first_plan(asked, scene.grid, scene.solver.model == Model::fem));
@@ -96,14 +98,14 @@ std::vector<std::string> describe_case(const ContactCase& asked) {
   lines.push_back(load_text(asked.setup.load));
   lines.push_back(grid_text(scene.grid, problem));
   lines.push_back(friction_text(asked.setup.motion, problem));
-  lines.push_back(influence_text("rail", asked.files.rail, contact.rail_s, problem.grid.ds));
-  lines.push_back(influence_text("wheel", asked.files.wheel, contact.wheel_s, problem.grid.ds));
+  const std::string refusal = refusal_by_strips(asked);
+  lines.push_back(influence_text("rail", asked.files.rail, contact.rail_s, problem.grid.ds, refusal));
+  lines.push_back(influence_text("wheel", asked.files.wheel, contact.wheel_s, problem.grid.ds, refusal));
+  std::ranges::move(describe_strips(asked, contact), std::back_inserter(lines));
   lines.push_back(
       fmt::format("model: {}{}", name_of(scene.solver.model),
                   asked.estimate ? "; by the estimate " + halfspace_text(asked.estimate->turn) : ""));
-  for (const std::string& warning : input_warnings(scene, asked.setup))
-    lines.push_back("warning: " + warning);
-  return lines;
+  return {std::move(lines), input_warnings(scene, asked.setup)};
 }
 
 } // namespace bem_contact

@@ -7,8 +7,14 @@
 
 namespace bem_contact {
 
-/// What would be solved, line by line: touch points, estimate, load, grid, friction, influence files, model,
-/// warnings. Throws InputError where the grid that is asked for cannot be.
-std::vector<std::string> describe_case(const ContactCase& asked);
+/// What would be solved, for people.
+struct SceneDescription {
+  /// Touch points, estimate, load, grid, friction, influence files and the strips that they need, model.
+  std::vector<std::string> lines;
+  std::vector<std::string> warnings; ///< input_warnings()
+};
+
+/// Throws InputError where the grid that is asked for cannot be.
+SceneDescription describe_case(const ContactCase& asked);
 
 } // namespace bem_contact

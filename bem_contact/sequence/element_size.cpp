@@ -1,6 +1,9 @@
 #include "bem_contact/sequence/element_size.hpp"
 
+#include "bem_contact/scene/accuracy_of.hpp"
+
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace bem_contact {
@@ -21,7 +24,43 @@ double shortest_element(const PairFiles& files) {
   return shortest;
 }
 
+double relative(double error, double value) {
+  return value != 0 ? error / std::abs(value) : 0.0;
+}
+
+double error_of(AccuracyOf what, const SceneResult& out) {
+  const ContactResult& r = out.result;
+  const TotalErrors& e = r.discretisation->errors;
+  switch (what) {
+  case AccuracyOf::pmax:
+    return relative(e.pmax, largest_pressure(r));
+  case AccuracyOf::area:
+    return relative(e.area, contact_area(r));
+  case AccuracyOf::adhesion:
+    return e.adhesion_share;
+  case AccuracyOf::approach:
+    return relative(e.approach, r.approach);
+  case AccuracyOf::creepages:
+    return std::max(relative(e.creepage_x, r.creepage_x), relative(e.creepage_s, r.creepage_s));
+  case AccuracyOf::friction_power:
+    return relative(e.friction_power, friction_power(r, out.problem.element_area()));
+  case AccuracyOf::forces:
+    break;
+  }
+  return r.certificate.discretisation;
+}
+
 } // namespace
+
+double asked_error(const SceneFile::Grid& grid, const SceneResult& out) {
+  const double forces = out.result.certificate.discretisation;
+  if (!out.result.discretisation || !out.result.discretisation->converges)
+    return forces;
+  double largest = 0;
+  for (const AccuracyOf what : accuracy_of(grid.accuracy_of))
+    largest = std::max(largest, error_of(what, out));
+  return largest;
+}
 
 void ElementSize::begin(const ContactCase& asked, bool alike) {
   const std::optional<Model> model = asked.scene.solver.model;
@@ -59,7 +98,7 @@ bool ElementSize::learn(const ContactCase& asked, const SceneResult& out) {
   if (asked.estimate->approach > 0)
     area_ratio_ = learn_area_ && area > 0 ? contact * solved.dx * solved.ds / area : 1.0;
   if (!open_size(asked.scene.grid) || out.model == Model::hertz ||
-      !count_->learn(contact, r.certificate.discretisation))
+      !count_->learn(contact, asked_error(asked.scene.grid, out)))
     return false;
   const SceneFile::Grid next = grid(asked);
   return next.dx != solved.dx || next.ds != solved.ds;

@@ -9,6 +9,11 @@
 
 namespace bem_contact {
 
+/// The largest relative error, estimated, of what the scene's grid.accuracy_of names; < 0: not estimated. An
+/// error of adhesion is one of its share. What does not converge has no error: then that of the forces
+/// counts.
+double asked_error(const SceneFile::Grid& grid, const SceneResult& result);
+
 /// Chooses dx and ds for the cases of a sequence that ask for grid.elements or grid.accuracy. It learns from
 /// each case how many elements the next one needs, and how large its contact is.
 class ElementSize {

@@ -3,6 +3,7 @@
 #include "bem_contact/scene/elastic_limit.hpp"
 #include "bem_contact/scene/outlines.hpp"
 #include "bem_contact/scene/warnings.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/structural_motion.hpp"
 
 #include <algorithm>
@@ -25,18 +26,12 @@ double highest_pressure(const GridSolution& solved) {
   return highest;
 }
 
-void warn_of_large_elements(const ContactResult& result, std::vector<std::string>& warnings) {
+void warn_of_discretisation(const ContactResult& result, std::vector<std::string>& warnings) {
   const double error = result.certificate.discretisation;
-  const auto exterior = std::ranges::count(result.state, ElementState::exterior);
-  const auto contact = static_cast<std::ptrdiff_t>(result.state.size()) - exterior;
   if (error > poor_discretisation)
     warnings.push_back(fmt::format(
         "the elements are too large for this contact: the estimated discretisation error is {:.0f} %",
         100 * error));
-  else if (contact > 0 && contact < few_elements && error < 0 && !result.touches_border)
-    warnings.push_back(fmt::format(
-        "the elements are too large for this contact: {} of them touch, and no error can be estimated",
-        contact));
 }
 
 /// Undeformed distance and normals are those of surfaces that stay opposite each other.
@@ -96,7 +91,8 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   Outlines bodies = outlines(asked.setup, out.problem);
   out.rail_profile = std::move(bodies.rail);
   out.wheel_profile = std::move(bodies.wheel);
-  warn_of_large_elements(out.result, out.warnings);
+  warn_of_discretisation(out.result, out.warnings);
+  std::ranges::move(result_warnings(asked, out), std::back_inserter(out.warnings));
   add_stresses(asked.scene, out);
   return out;
 }

@@ -22,7 +22,7 @@ bool fine_enough(const ContactGrid& former, const SceneFile::Grid& wanted) {
 
 /// A warning where a solution misses the accuracy that its scene asks for. `why`: it was not reached.
 void warn_of_accuracy(const SceneFile& scene, const std::string& why, SceneResult& out) {
-  const double error = out.result.certificate.discretisation;
+  const double error = asked_error(scene.grid, out);
   if (!scene.grid.accuracy || !out.result.converged || error <= *scene.grid.accuracy)
     return;
   out.warnings.push_back(
@@ -293,7 +293,7 @@ Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models) 
   return out;
 }
 
-std::vector<std::string> Sequence::check(const SceneFile& scene) {
+SceneDescription Sequence::check(const SceneFile& scene) {
   const std::lock_guard turn(*turn_);
   return describe_case(prepare(scene));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/sequence/comparison.hpp"
+#include "bem_contact/sequence/describe_case.hpp"
 #include "bem_contact/sequence/element_size.hpp"
 #include "bem_contact/sequence/lateral_force.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
@@ -62,9 +63,9 @@ public:
   /// models.
   Comparison compare(const SceneFile& scene, std::vector<Model> models = {Model::halfspace, Model::fem});
 
-  /// What would be solved, line by line, after everything short of the solve has been checked.
-  /// Throws what solve() would throw before it solves.
-  std::vector<std::string> check(const SceneFile& scene);
+  /// What would be solved, after everything short of the solve has been checked. Throws what solve() would
+  /// throw before it solves.
+  SceneDescription check(const SceneFile& scene);
 
   /// Since the object was made: scenes solved, solutions (several for a scene if an accuracy is asked for),
   /// how often influence numbers were there already, and solutions that started from a former case.

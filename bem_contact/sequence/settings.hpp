@@ -199,8 +199,28 @@ BEM_CONTACT_TUNED(double, wheel_turn_tolerance, 0.2);
 
 /// 1. Discretisation error above which the elements are said to be too large.
 BEM_CONTACT_TUNED(double, poor_discretisation, 0.2);
-/// 1. Elements in contact below which that is said where no error can be estimated.
+/// 1. Elements of a patch below which they are said to be few: an error is off by its own size there
+/// (tools/BENCHMARKS.md).
 BEM_CONTACT_TUNED(int, few_elements, 40);
+/// 1. Elements across a patch below which they are said to be too large: each is a fifth of it.
+BEM_CONTACT_TUNED(int, fewest_across, 5);
+/// 1. A patch that bears less than this share of the largest one's force has no such warning.
+BEM_CONTACT_TUNED(double, minor_patch, 0.05);
+/// MPa. Least yield strength of wheels of grade ER7 (EN 13262); rails of grade R260 have about the same.
+BEM_CONTACT_TUNED(double, yield_strength, 520.0);
+/// 1. The mean pressure of a fully plastic contact is about so many times the yield strength (Tabor 1951).
+BEM_CONTACT_TUNED(double, yield_factor, 3.0);
+/// MPa. A body with a smaller Young's modulus is not of steel, and its strength is not known.
+BEM_CONTACT_TUNED(double, least_steel_modulus, 1.5e5);
+/// 1. A larger creepage is probably a mistake: a wheel that slides or spins as a whole.
+BEM_CONTACT_TUNED(double, largest_creepage, 0.1);
+/// mm. Contact lower than this below the top of the rail is beyond its head: gauge is measured 14 mm below
+/// the top, and worn flanges touch little lower.
+BEM_CONTACT_TUNED(double, head_depth, 18.0);
+/// mm. Room that a strip gets on either side beyond the rows of the frictionless contact. Chosen.
+BEM_CONTACT_TUNED(double, strip_reserve, 1.0);
+/// mm. The station width of the body files of data/bodies.
+BEM_CONTACT_TUNED(double, usual_station_width, 0.25);
 /// 1. From so many steps of a history on, progress is reported.
 BEM_CONTACT_TUNED(int, many_steps, 1000);
 /// 1. Most points at which stresses are computed: some minutes.

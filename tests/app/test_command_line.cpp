@@ -233,6 +233,43 @@ TEST_F(CommandLine, ElementsTooLargeForTheContactAreWarnedOf) {
   EXPECT_THAT(r.err, HasSubstr("the elements are too large for this contact"));
 }
 
+TEST_F(CommandLine, StrictTakesWarningsAsErrors) {
+  std::string light = hertz;
+  light.replace(light.find("1e4"), 3, "1.0");
+  const std::string scene = write("light.toml", light).string(), out = (folder_ / "light.h5").string();
+  refused(run("solve '" + scene + "' --strict -o '" + out + "'"), {"too large for this contact", "(patch 1"});
+  EXPECT_FALSE(std::filesystem::exists(out));
+  EXPECT_EQ(run("solve '" + write("s.toml", hertz).string() + "' --strict").code, 0);
+  std::string slippery = hertz;
+  slippery.replace(slippery.find("0.3"), 3, "1.5");
+  const Outcome checked = run("check '" + write("slippery.toml", slippery).string() + "' --strict");
+  EXPECT_EQ(checked.code, 2);
+  EXPECT_THAT(checked.err, HasSubstr("motion.friction = 1.5"));
+}
+
+/// JSON names an error "<number>_error"; text has it beside the number.
+TEST_F(CommandLine, ErrorsStandBesideTheirNumbers) {
+  std::string fine = hertz;
+  fine.replace(fine.find("xi = 1e-3"), 9, "xi = 3e-4");
+  for (const char* size : {"mx = 16", "ms = 16"})
+    fine.replace(fine.find(size), 7, std::string(size, 5) + "32");
+  for (const char* size : {"dx = 0.5", "ds = 0.5"})
+    fine.replace(fine.find(size), 8, std::string(size, 5) + "0.25");
+  const std::string scene = write("fine.toml", fine).string();
+  const json j = json::parse(run("solve '" + scene + "' --json").out);
+  for (const char* key : {"pmax_error", "area_error", "approach_error", "adhesion_share_error"})
+    EXPECT_GT(j[key].get<double>(), 0) << key;
+  for (const char* key : {"Fx_error", "Fy_error", "Mz_error", "friction_power_error"})
+    EXPECT_GT(j["totals"][key].get<double>(), 0) << key;
+  EXPECT_EQ(j["totals"]["Fz_error"], 0) << "prescribed";
+  for (const char* key : {"Fn_error", "Fx_error", "Fs_error", "approach_error", "pmax_error", "area_error"})
+    EXPECT_GT(j["patches"][0][key].get<double>(), 0) << key;
+  EXPECT_EQ(j["converges_with_elements"], true);
+  const std::string text = run("solve '" + scene + "'").out;
+  EXPECT_THAT(text, ::testing::ContainsRegex("pmax [0-9.]+ \\+- [0-9.]+ MPa, area [0-9.]+ \\+- [0-9.]+ mm2"));
+  EXPECT_THAT(text, ::testing::ContainsRegex("Fx [0-9.]+ \\+- [0-9.]+ N"));
+}
+
 TEST_F(CommandLine, InfoRefusesWhatIsNoHdf5) {
   refused(run("info '" + write("text.h5", "not HDF5").string() + "'"), {"text.h5"});
   refused(run("info '" + (folder_ / "nowhere.h5").string() + "'"), {"nowhere.h5"});

@@ -26,6 +26,24 @@ TEST(BodyFile, an_empty_file_is_the_default_one) {
   EXPECT_EQ(empty.harmonic.degree, defaults.harmonic.degree);
 }
 
+TEST(BodyFile, a_wheel_has_the_strip_of_a_wheel) {
+  const BodyFile wheel = parse_body_file("[body]\nkind = \"wheel\"");
+  EXPECT_EQ(wheel.strip.from, 20);
+  EXPECT_EQ(wheel.strip.to, 50);
+  EXPECT_EQ(parse_body_file("[body]\nkind = \"wheel\"\n[strip]\nto = 48").strip.to, 48);
+}
+
+TEST(BodyFile, a_strip_on_the_field_side_is_warned_of) {
+  const auto warnings = [](const char* toml) { return body_warnings(parse_body_file(toml)); };
+  EXPECT_TRUE(warnings("").empty());
+  EXPECT_TRUE(warnings("[body]\nkind = \"wheel\"").empty());
+  EXPECT_TRUE(warnings("[strip]\nfrom = -10\nto = 10").empty()) << "the top of the rail";
+  const std::vector<std::string> rail = warnings("[strip]\nfrom = 20\nto = 45");
+  ASSERT_EQ(rail.size(), 1u);
+  EXPECT_THAT(rail[0], AllOf(HasSubstr("strip of this rail (20 .. 45 mm)"), HasSubstr("-45 .. -20 mm")));
+  EXPECT_EQ(warnings("[body]\nkind = \"wheel\"\n[strip]\nfrom = -45\nto = -20").size(), 1u);
+}
+
 TEST(BodyFile, the_tolerance_chooses_what_is_not_given) {
   const BodyFile defaults, usual = parse_body_file("tolerance = 1e-3");
   EXPECT_EQ(usual.harmonic.degree, defaults.harmonic.degree);

@@ -1,4 +1,6 @@
 #include "bem_contact/scene/scene_file.hpp"
+
+#include "bem_contact/base/error.hpp"
 #include "tests/base/message.hpp"
 
 #include <gmock/gmock.h>
@@ -280,6 +282,14 @@ TEST(SceneFile, ListsOfNumbers) {
   EXPECT_THAT(refusal("depths = [1, \"2\"]"), testing::HasSubstr("must be of type: list of numbers"));
   EXPECT_THAT(refusal("depths = [1, -2]"),
               testing::HasSubstr("[1.0, -2.0] (out of range) Give a value >= 1e-06"));
+}
+
+TEST(SceneFile, TheAccuracyIsOfTheQuantitiesNamed) {
+  const std::string wheel = "rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 1e5\n";
+  EXPECT_EQ(parse_scene_file(wheel).grid.accuracy_of, "forces, pmax");
+  EXPECT_NO_THROW(parse_scene_file(wheel + "grid.accuracy = 0.01\ngrid.accuracy_of = 'area,  creepages'"));
+  EXPECT_THROW(parse_scene_file(wheel + "grid.accuracy = 0.01\ngrid.accuracy_of = 'pressure'"), InputError);
+  EXPECT_THROW(parse_scene_file(wheel + "grid.accuracy = 0.01\ngrid.accuracy_of = ''"), InputError);
 }
 
 } // namespace bem_contact

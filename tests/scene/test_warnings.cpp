@@ -37,6 +37,16 @@ TEST(Warnings, OtherUnitsAndDiametersAreSaid) {
               ElementsAre(HasSubstr("lateral_velocity is 1.5 times motion.speed")));
 }
 
+TEST(Warnings, FrictionAboveOneAndForcesInKilonewtonsAreSaid) {
+  EXPECT_THAT(warnings_of("motion.friction = 0.9"), IsEmpty());
+  EXPECT_THAT(warnings_of("motion.friction = 1.1"), ElementsAre(HasSubstr("motion.friction = 1.1")));
+  const SceneFile scene =
+      parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 100\n"
+                       "grid.dx = 1.0\ngrid.ds = 0.5\n");
+  EXPECT_THAT(input_warnings(scene, set_up_contact(scene, read_profiles(scene))),
+              ElementsAre(HasSubstr("load.force looks like kN (100 N on a wheel)")));
+}
+
 TEST(Warnings, AWheelOnItsFlangeIsSaid) {
   EXPECT_THAT(warnings_of("position.lateral = 60"), ElementsAre(HasSubstr("the tip of its flange")));
   EXPECT_THAT(warnings_of("position.lateral = 60"),

@@ -250,7 +250,7 @@ TEST(Scene, UnknownModelIsRefused) {
 }
 
 TEST(Scene, CheckSaysWhatWouldBeSolved) {
-  const std::vector<std::string> lines = Sequence().check(wheel_on_rail(6.4, 1e5));
+  const std::vector<std::string> lines = Sequence().check(wheel_on_rail(6.4, 1e5)).lines;
   EXPECT_THAT(lines, ::testing::Contains(HasSubstr("touch point: rail s = -28")));
   EXPECT_THAT(lines, ::testing::Contains(HasSubstr("vertical force 100000 N")));
   EXPECT_THAT(lines, ::testing::Contains(HasSubstr("rail: no influence file")));

@@ -1,5 +1,6 @@
 #include "bem_contact/contact/check/discretisation.hpp"
 
+#include "bem_contact/contact/check/error_estimates.hpp"
 #include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
@@ -113,6 +114,7 @@ std::optional<Discretisation> compare(const ContactProblem& problem, const Conta
     if (fine.friction_moment > 0)
       out.moment = std::abs(fine.shear.moment - rough.shear.moment) / fine.friction_moment;
   }
+  estimate_errors(problem, result, coarse_problem, coarse, fine.friction_moment, out);
   return out;
 }
 

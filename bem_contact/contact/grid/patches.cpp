@@ -34,12 +34,13 @@ PatchSummary summarise(const ContactProblem& problem, const ContactResult& resul
 
 } // namespace
 
-std::vector<PatchSummary> find_patches(const ContactProblem& problem, const ContactResult& result) {
-  const auto& [mx, ms, dx, ds, x0] = problem.grid;
-  std::vector<char> seen(problem.grid.size(), 0);
-  std::vector<PatchSummary> patches;
-  for (int start = 0; start < problem.grid.size(); ++start) {
-    if (seen[start] || result.state[start] == ElementState::exterior)
+std::vector<std::vector<int>> connected_elements(const ContactGrid& grid,
+                                                 const std::vector<ElementState>& state) {
+  const int mx = grid.mx, ms = grid.ms;
+  std::vector<char> seen(grid.size(), 0);
+  std::vector<std::vector<int>> areas;
+  for (int start = 0; start < grid.size(); ++start) {
+    if (seen[start] || state[start] == ElementState::exterior)
       continue;
     std::vector<int> elements{start};
     seen[start] = 1;
@@ -48,14 +49,21 @@ std::vector<PatchSummary> find_patches(const ContactProblem& problem, const Cont
       for (int js = std::max(is - 1, 0); js <= std::min(is + 1, ms - 1); ++js)
         for (int jx = std::max(ix - 1, 0); jx <= std::min(ix + 1, mx - 1); ++jx) {
           const int neighbour = js * mx + jx;
-          if (!seen[neighbour] && result.state[neighbour] != ElementState::exterior) {
+          if (!seen[neighbour] && state[neighbour] != ElementState::exterior) {
             seen[neighbour] = 1;
             elements.push_back(neighbour);
           }
         }
     }
-    patches.push_back(summarise(problem, result, elements));
+    areas.push_back(std::move(elements));
   }
+  return areas;
+}
+
+std::vector<PatchSummary> find_patches(const ContactProblem& problem, const ContactResult& result) {
+  std::vector<PatchSummary> patches;
+  for (const std::vector<int>& elements : connected_elements(problem.grid, result.state))
+    patches.push_back(summarise(problem, result, elements));
   std::stable_sort(patches.begin(), patches.end(),
                    [](const PatchSummary& a, const PatchSummary& b) { return a.fn > b.fn; });
   return patches;

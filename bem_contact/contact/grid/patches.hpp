@@ -7,6 +7,10 @@
 
 namespace bem_contact::contact {
 
+/// The elements of each connected area (8 neighbours) of state != exterior, in no order.
+std::vector<std::vector<int>> connected_elements(const ContactGrid& grid,
+                                                 const std::vector<ElementState>& state);
+
 /// Connected areas (8 neighbours) of result.state != exterior, largest force first.
 std::vector<PatchSummary> find_patches(const ContactProblem& problem, const ContactResult& result);
 

@@ -1,0 +1,155 @@
+#include "bem_contact/sequence/result_warnings.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <limits>
+
+namespace bem_contact {
+
+namespace {
+
+void warn_of_yield(const ContactSetup& setup, double pmax, std::vector<std::string>& out) {
+  const double softer = std::min(setup.rail.material.young(), setup.wheel.material.young());
+  if (softer > least_steel_modulus && pmax > yield_factor * yield_strength)
+    out.push_back(fmt::format("the largest pressure is above three times the yield strength of usual steels "
+                              "({:.0f} MPa, 3 x {:g} MPa) Take it as an elastic result: steel flows there.",
+                              pmax, double(yield_strength)));
+}
+
+/// The mean over the contact of the rigid slip, in which yaw and spin are. A shift has lengths in place of
+/// creepages.
+void warn_of_creepage(const SceneResult& r, std::vector<std::string>& out) {
+  const ContactProblem& problem = r.problem;
+  if (!problem.has_friction() || problem.motion == MotionKind::shift)
+    return;
+  double x = 0, s = 0;
+  int contact = 0;
+  for (int i = 0; i < problem.grid.size(); ++i)
+    if (r.result.pn[i] > 0) {
+      x += problem.slip_x[i];
+      s += problem.slip_s[i];
+      ++contact;
+    }
+  const double xi = r.result.creepage_x + x / std::max(contact, 1);
+  const double eta = r.result.creepage_s + s / std::max(contact, 1);
+  if (std::hypot(xi, eta) > largest_creepage)
+    out.push_back(fmt::format("the creepage is above 10 % (along x {:.3g}, along s {:.3g}) Check motion and "
+                              "position: creepages are ratios, and 0.001 is usual.",
+                              xi, eta));
+}
+
+/// First and last element of a set, along x and s.
+struct Span {
+  int first_x = std::numeric_limits<int>::max(), last_x = -1, first_s = first_x, last_s = -1;
+
+  int along_x() const { return last_x - first_x + 1; }
+  int along_s() const { return last_s - first_s + 1; }
+};
+
+/// Of the patches of a result, in their order. An element belongs to the patch whose centre it is nearest to.
+std::vector<Span> spans_of(const ContactProblem& problem, const ContactResult& result) {
+  const ContactGrid& grid = problem.grid;
+  std::vector<Span> spans(result.patches.size());
+  for (int i = 0; i < grid.size() && !spans.empty(); ++i) {
+    if (result.state[i] == ElementState::exterior)
+      continue;
+    const int ix = i % grid.mx, is = i / grid.mx;
+    const auto distance = [&](const PatchSummary& p) {
+      return std::hypot(p.x - grid.x(ix), p.s - problem.rows[is].s);
+    };
+    Span& span = spans[std::ranges::min_element(result.patches, {}, distance) - result.patches.begin()];
+    span.first_x = std::min(span.first_x, ix), span.last_x = std::max(span.last_x, ix);
+    span.first_s = std::min(span.first_s, is), span.last_s = std::max(span.last_s, is);
+  }
+  return spans;
+}
+
+/// Patches that bear little of the load are left out: they matter little.
+void warn_of_large_elements(const SceneResult& r, std::vector<std::string>& out) {
+  const ContactGrid& grid = r.problem.grid;
+  const std::vector<Span> spans = spans_of(r.problem, r.result);
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const PatchSummary& patch = r.result.patches[i];
+    if (patch.fn < minor_patch * r.result.patches.front().fn)
+      continue;
+    const int x = spans[i].along_x(), s = spans[i].along_s();
+    const bool coarse_x = grid.mx > 1 && x<fewest_across, coarse_s = grid.ms> 1 && s < fewest_across;
+    if (coarse_x || coarse_s)
+      out.push_back(fmt::format("the elements are too large for this contact (patch {}: {:.3g} of {:.3g} mm "
+                                "along {}) Give smaller grid.dx and grid.ds.",
+                                i + 1, coarse_x ? grid.dx : grid.ds, coarse_x ? x * grid.dx : s * grid.ds,
+                                coarse_x ? "x" : "s"));
+    else if (grid.mx > 1 && grid.ms > 1 && patch.contact < few_elements)
+      out.push_back(fmt::format("the elements are too large for this contact (patch {} has {}, {} are needed "
+                                "for errors of a few per cent) Give smaller grid.dx and grid.ds.",
+                                i + 1, patch.contact, int(few_elements)));
+  }
+}
+
+void warn_of_head(const ContactCase& asked, const SceneResult& r, std::vector<std::string>& out) {
+  const WheelRailGeometry* placed = asked.setup.wheel_rail();
+  if (!placed || !asked.estimate || asked.estimate->slices.empty() || r.result.patches.empty())
+    return;
+  double top = std::numeric_limits<double>::infinity(), deepest = -top;
+  for (const RailSlice& slice : asked.estimate->slices)
+    top = std::min(top, slice.position.z);
+  bool rail_end = false, wheel_end = false;
+  const auto near = [&](const TabulatedProfile& profile, double s) {
+    return s < profile.s_begin() + r.problem.grid.ds || s > profile.s_end() - r.problem.grid.ds;
+  };
+  for (int i = 0; i < r.problem.grid.size(); ++i) {
+    if (r.result.state[i] == ElementState::exterior)
+      continue;
+    const int is = i / r.problem.grid.mx;
+    deepest = std::max(deepest, r.problem.rows[is].position.z);
+    rail_end = rail_end || near(placed->pair.rail, r.problem.rows[is].s);
+    wheel_end = wheel_end || (!r.wheel_s.empty() && near(placed->pair.wheel, r.wheel_s[is]));
+  }
+  if (rail_end || wheel_end)
+    out.push_back(
+        fmt::format("the contact reaches the end of the {}'s profile ({:.1f} mm below the top of the "
+                    "rail) Give a longer profile, or check position.lateral.",
+                    rail_end ? "rail" : "wheel", deepest - top));
+  else if (deepest - top > head_depth)
+    out.push_back(
+        fmt::format("the contact lies beyond the rail's head ({:.1f} mm below the top of the rail; "
+                    "contact is usual to {:g} mm) Check position.lateral and the frames of the profiles.",
+                    deepest - top, double(head_depth)));
+}
+
+void warn_of_convergence(const ContactResult& r, std::vector<std::string>& out) {
+  if (r.discretisation && !r.discretisation->converges)
+    out.push_back(
+        fmt::format("the pressure does not converge with the size of the elements (pmax {:.0f} MPa, "
+                    "{:.0f} MPa on elements twice as large) Smooth a profile that is noisy; where a "
+                    "peak is narrow, give smaller grid.dx and grid.ds.",
+                    largest_pressure(r), r.discretisation->coarse_pmax));
+}
+
+} // namespace
+
+std::vector<std::string> result_warnings(const ContactCase& asked, const SceneResult& r) {
+  std::vector<std::string> out;
+  if (!r.result.converged)
+    return out;
+  warn_of_yield(asked.setup, largest_pressure(r.result), out);
+  warn_of_creepage(r, out);
+  warn_of_head(asked, r, out);
+  warn_of_convergence(r.result, out);
+  if (r.model != Model::hertz)
+    warn_of_large_elements(r, out);
+  return out;
+}
+
+void refuse_warnings(const std::vector<std::string>& warnings) {
+  if (!warnings.empty())
+    throw InputError(fmt::format("{}", fmt::join(warnings, "; ")), "warnings are taken as errors here",
+                     "Mend what they say, or do not ask for strictness.");
+}
+
+} // namespace bem_contact

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "bem_contact/sequence/contact_case.hpp"
+#include "bem_contact/sequence/scene_result.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// What a person should know before using a result that was solved, in sentences: "<what> (<figure, unit>)
+/// <what to do>". Pressure beyond the strength of steel, large creepages, contact beyond the rail's head,
+/// elements that are too large, fields that do not converge.
+std::vector<std::string> result_warnings(const ContactCase& asked, const SceneResult& result);
+
+/// For those who take warnings as errors: throws InputError with all of them unless there are none.
+void refuse_warnings(const std::vector<std::string>& warnings);
+
+} // namespace bem_contact

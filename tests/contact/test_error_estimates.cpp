@@ -1,0 +1,119 @@
+#include "bem_contact/reference/hertz.hpp"
+#include "tests/contact/scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace bem_contact {
+namespace {
+
+constexpr double force = 1e4; // N
+
+/// Undeformed distance a x^2 + b s^2 under `force`; the grid is a quarter larger than Hertz's ellipse, which
+/// has so many elements across, and is shifted by parts of an element.
+ContactProblem ellipse(double a, double b, int across, double shift_x, double shift_s) {
+  const double modulus = 82000 / (1 - 0.28);
+  const reference::HertzContact exact = reference::hertz_by_force(a, b, modulus, force);
+  const int count = across * 5 / 4 + 2;
+  ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, count, count,
+                                        2 * exact.semi_axis_x / across, 2 * exact.semi_axis_s / across, a, b);
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    const double x = problem.grid.x(i % problem.grid.mx) + shift_x * problem.grid.dx;
+    const double s = problem.rows[i / problem.grid.mx].s + shift_s * problem.grid.ds;
+    problem.gap[i] = a * x * x + b * s * s;
+  }
+  problem.force = force;
+  return problem;
+}
+
+struct Tally {
+  int cases = 0, held = 0;
+  std::vector<double> ratios;
+
+  void add(double error, double value, double exact) {
+    const double true_error = std::abs(value - exact);
+    ++cases;
+    held += true_error <= error;
+    ratios.push_back(error / true_error);
+  }
+  double share() const { return double(held) / cases; }
+  double median() {
+    std::ranges::nth_element(ratios, ratios.begin() + cases / 2);
+    return ratios[static_cast<std::size_t>(cases / 2)];
+  }
+};
+
+/// What the numbers are said to mean, against Hertz (Johnson 1985, chapter 4).
+TEST(ErrorEstimates, HoldOnHertzContacts) {
+  const double modulus = 82000 / (1 - 0.28);
+  Tally pmax, area, approach;
+  for (const double b : {1e-3, 2e-3, 5e-3})
+    for (int across = 14; across <= 30; across += 2)
+      for (const double shift : {0.0, 0.3, 0.5}) {
+        const ContactResult result = solve(ellipse(1e-3, b, across, shift, 0.7 * shift));
+        ASSERT_TRUE(result.converged && result.discretisation) << across;
+        ASSERT_TRUE(result.discretisation->converges) << across;
+        const reference::HertzContact exact = reference::hertz_by_force(1e-3, b, modulus, force);
+        const TotalErrors& errors = result.discretisation->errors;
+        pmax.add(errors.pmax, largest_pressure(result), exact.max_pressure);
+        area.add(errors.area, contact_area(result), std::numbers::pi * exact.semi_axis_x * exact.semi_axis_s);
+        approach.add(errors.approach, result.approach, exact.approach);
+        EXPECT_EQ(errors.Fz, 0) << "prescribed";
+        EXPECT_EQ(errors.Fx, 0) << "without friction";
+        ASSERT_EQ(result.discretisation->patches.size(), 1u);
+        EXPECT_EQ(result.discretisation->patches[0].pmax, errors.pmax);
+        EXPECT_EQ(result.discretisation->patches[0].area, errors.area);
+      }
+  for (Tally* tally : {&pmax, &area, &approach}) {
+    EXPECT_GE(tally->share(), 0.95);
+    EXPECT_LE(tally->median(), 5);
+  }
+}
+
+/// Shear against the same problem on elements a quarter as large.
+TEST(ErrorEstimates, HoldForShearForces) {
+  Tally fx, power;
+  for (const double xi : {1e-4, 3e-4, 1e-3})
+    for (const double phi : {0.0, 4e-4}) {
+      const auto rolling = [&](int across) {
+        ContactProblem problem = ellipse(1e-3, 2e-3, across, 0, 0);
+        scenes::set_creepage(problem, 0.3, xi, 0.5 * xi, phi);
+        return problem;
+      };
+      const ContactProblem problem = rolling(16), fine_problem = rolling(64);
+      const ContactResult result = solve(problem);
+      const ContactResult fine = solve(fine_problem, {.estimate_discretisation = false});
+      ASSERT_TRUE(result.converged && result.discretisation && fine.converged);
+      fx.add(result.discretisation->errors.Fx, result.Fx, fine.Fx);
+      power.add(result.discretisation->errors.friction_power, friction_power(result, problem.element_area()),
+                friction_power(fine, fine_problem.element_area()));
+      EXPECT_LE(std::abs(result.Mz - fine.Mz), result.discretisation->moment_error(result, 0, 0)) << xi;
+    }
+  EXPECT_EQ(fx.held, fx.cases);
+  EXPECT_EQ(power.held, power.cases);
+}
+
+/// With noise of some micrometres smaller elements show another pressure: no number may be stated.
+TEST(ErrorEstimates, NoisySurfacesHaveNone) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0, 2e-3); // mm
+  ContactProblem problem = ellipse(1e-3, 2e-3, 24, 0, 0);
+  for (int is = 0; is < problem.grid.ms; ++is) {
+    const double of_row = noise(random);
+    for (int ix = 0; ix < problem.grid.mx; ++ix)
+      problem.gap[is * problem.grid.mx + ix] += of_row;
+  }
+  const ContactResult result = solve(problem);
+  ASSERT_TRUE(result.converged && result.discretisation);
+  EXPECT_FALSE(result.discretisation->converges);
+  EXPECT_TRUE(std::isnan(result.discretisation->errors.pmax));
+  EXPECT_TRUE(std::isnan(result.discretisation->errors.area));
+  EXPECT_TRUE(std::isnan(result.discretisation->moment_error(result, 0, 0)));
+  ASSERT_EQ(result.discretisation->patches.size(), result.patches.size());
+  EXPECT_TRUE(std::isnan(result.discretisation->patches[0].fn));
+}
+
+} // namespace
+} // namespace bem_contact

@@ -1,0 +1,71 @@
+#include "bem_contact/sequence/result_warnings.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/sequence.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+namespace bem_contact {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+SceneResult solved(const std::string& more, double dx = 1.0) {
+  return Sequence().solve(parse_scene_file(
+      fmt::format("rail.profile = '60E1'\nwheel.profile = 'S1002'\nsolver.model = 'halfspace'\n"
+                  "grid.dx = {}\ngrid.ds = {}\n{}",
+                  dx, 0.5 * dx, more)));
+}
+
+TEST(ResultWarnings, AnOrdinaryContactHasNone) {
+  EXPECT_THAT(solved("load.force = 6e4").warnings, IsEmpty());
+}
+
+TEST(ResultWarnings, PressureThatSteelDoesNotBearIsSaid) {
+  const SceneResult r = solved("load.force = 1.2e5\nposition.lateral = 6.4", 0.7);
+  ASSERT_GT(largest_pressure(r.result), 1560);
+  EXPECT_THAT(r.warnings, Contains(HasSubstr("three times the yield strength")));
+  const SceneResult soft = solved("load.force = 1.2e5\nposition.lateral = 6.4\n"
+                                  "rail.material.shear_modulus = 5e4\nwheel.material.shear_modulus = 5e4",
+                                  0.7);
+  EXPECT_THAT(soft.warnings, Not(Contains(HasSubstr("yield strength")))) << "not of steel";
+}
+
+TEST(ResultWarnings, ACreepageAboveTenPercentIsSaid) {
+  EXPECT_THAT(solved("load.force = 6e4\nmotion.xi = 0.15").warnings,
+              Contains(HasSubstr("the creepage is above 10 % (along x 0.1")));
+  EXPECT_THAT(solved("load.force = 6e4\nmotion.xi = 0.01").warnings, IsEmpty());
+}
+
+TEST(ResultWarnings, ElementsThatAreTooLargeAreSaidWithTheirSize) {
+  EXPECT_THAT(solved("load.force = 6e4", 4.0).warnings,
+              Contains(HasSubstr("the elements are too large for this contact (patch 1")));
+}
+
+TEST(ResultWarnings, StrictnessThrowsAllOfThem) {
+  EXPECT_NO_THROW(refuse_warnings({}));
+  try {
+    refuse_warnings({"one (1 mm) Do this.", "two (2 N) Do that."});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("one (1 mm)"), HasSubstr("two (2 N)")));
+  }
+}
+
+TEST(Strips, CheckGivesTablesForBothBodies) {
+  const SceneFile scene =
+      parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 1e5\n"
+                       "position.lateral = 6.4\ngrid.dx = 1.0\ngrid.ds = 0.5\n");
+  const std::vector<std::string> lines = Sequence().check(scene).lines;
+  // Contact on the gauge corner: on the rail at negative arc lengths, on the wheel at positive ones.
+  EXPECT_THAT(lines, Contains(HasSubstr("needs of the rail, for its body file:\n    [strip]\n    from = -")));
+  EXPECT_THAT(lines, Contains(testing::ContainsRegex(
+                         "of the wheel, for its body file:\n    .strip.\n    from = [0-9]")));
+}
+
+} // namespace
+} // namespace bem_contact

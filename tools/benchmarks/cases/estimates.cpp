@@ -1,0 +1,108 @@
+#include "tools/benchmarks/cases/tables.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/printed_errors.hpp"
+#include "bem_contact/sequence/sequence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <string>
+
+namespace cases {
+
+using namespace bem_contact;
+
+namespace {
+
+constexpr int finer = 4; // elements of the reference: so many times as short, and as narrow
+
+/// Of the contact, from the first to the last element, mm.
+struct Extent {
+  double x = 0, s = 0;
+};
+
+Extent extent_of(const SceneResult& r) {
+  const ContactGrid& grid = r.problem.grid;
+  int x0 = grid.mx, x1 = -1, s0 = grid.ms, s1 = -1;
+  for (int i = 0; i < grid.size(); ++i)
+    if (r.result.pn[i] > 0) {
+      x0 = std::min(x0, i % grid.mx), x1 = std::max(x1, i % grid.mx);
+      s0 = std::min(s0, i / grid.mx), s1 = std::max(s1, i / grid.mx);
+    }
+  return {(x1 - x0 + 1) * grid.dx, (s1 - s0 + 1) * grid.ds};
+}
+
+/// Makes a patch's grid a quarter larger than its contact, with the number of elements that it has.
+void fit_grid(SceneFile& scene) {
+  for (int round = 0; round < 4 && scene.kind == SceneKind::patch; ++round) {
+    const SceneResult r = Sequence().solve(scene);
+    const Extent contact = extent_of(r);
+    const double reserve = r.result.touches_border ? 1.4 : 1.25;
+    const auto fitted = [&](double length, int count, double element) {
+      return std::max(0.3 * element, reserve * length / count);
+    };
+    scene.grid.dx = fitted(contact.x, *scene.grid.mx, scene.grid.dx);
+    scene.grid.ds = fitted(contact.s, *scene.grid.ms, scene.grid.ds);
+  }
+}
+
+SceneFile on_finer_grid(SceneFile scene, const ContactGrid& grid) {
+  scene.grid.elements.reset();
+  scene.grid.accuracy.reset();
+  scene.grid.dx = grid.dx / finer;
+  scene.grid.ds = grid.ds / finer;
+  for (std::optional<int>* count : {&scene.grid.mx, &scene.grid.ms})
+    if (*count)
+      **count *= finer;
+  return scene;
+}
+
+void print_line(std::size_t index, const char* name, double value, double error, double exact) {
+  fmt::print("{},{},{:.9g},{:.5g},{:.9g}\n", index, name, value, error, exact);
+}
+
+/// The patch of `fine` that is nearest to this one.
+const PatchSummary& opposite(const PatchSummary& patch, const ContactResult& fine) {
+  return *std::ranges::min_element(
+      fine.patches, {}, [&](const PatchSummary& p) { return std::hypot(p.x - patch.x, p.s - patch.s); });
+}
+
+void print_case(std::size_t index, const SceneResult& base, const SceneResult& fine) {
+  const auto& estimate = base.result.discretisation;
+  print_line(index, estimate && !estimate->converges ? "unconverged" : "stated", estimate.has_value(), 0,
+             std::abs(largest_pressure(base.result) / largest_pressure(fine.result) - 1));
+  for (const PrintedNumber& number : printed_numbers())
+    print_line(index, number.name, number.value(base), number.error(base), number.value(fine));
+  if (base.result.patches.size() != fine.result.patches.size())
+    return;
+  for (std::size_t i = 0; i < base.result.patches.size(); ++i) {
+    const PatchSummary &patch = base.result.patches[i], &exact = opposite(patch, fine.result);
+    const PatchErrors errors = errors_of_patch(base.result, i);
+    for (const PrintedPatchNumber& number : printed_patch_numbers())
+      print_line(index, fmt::format("patch {}", number.name).c_str(), patch.*number.value,
+                 errors.*number.error, exact.*number.value);
+  }
+}
+
+} // namespace
+
+void estimates(const SweepFile& sweep) {
+  Sequence base_cases, fine_cases;
+  fmt::print("case,quantity,value,error,exact\n");
+  for (std::size_t i = 0; i < sweep.size(); ++i)
+    try {
+      SceneFile scene = sweep.scene(i);
+      fit_grid(scene);
+      const SceneResult base = base_cases.solve(scene);
+      const SceneResult fine = fine_cases.solve(on_finer_grid(scene, base.problem.grid));
+      if (base.result.converged && fine.result.converged && !base.result.touches_border &&
+          !fine.result.touches_border)
+        print_case(i, base, fine);
+      std::fflush(stdout);
+    } catch (const Error& error) {
+      fmt::print(stderr, "case {} ({}): {}\n", i, sweep.describe(i), error.what());
+    }
+}
+
+} // namespace cases
