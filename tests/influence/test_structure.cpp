@@ -19,8 +19,13 @@ const Point2 middle{-29.8, 3.9};
 /// A structure of any strength. Its 6 x 6 matrices are positive definite at every wavenumber.
 InfluenceFunction soft(double strength = 10) {
   InfluenceFunction f = sample_function();
-  for (double& value : f.remote)
-    value *= strength;
+  for (std::size_t k = 0; k < f.wavenumber_count(); ++k)
+    for (std::size_t d = 0; d < 6; ++d)
+      for (std::size_t a = 0; a < 9; ++a) // six independent rows
+        f.remote[k * 54 + d * 9 + a] =
+            strength * 5e-8 / (1 + f.wavenumber[k]) * std::sin((1.0 + double(d)) * (2.0 + double(a)));
+  for (int i = 0; i < 3; ++i) // a strip as wide as a contact: a turn is not a difference of rounding errors
+    f.stations[i].position = {-35 + 5.0 * i, 5 - 1.5 * i * i};
   return f;
 }
 
