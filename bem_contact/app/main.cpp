@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -88,7 +89,8 @@ int run_program(int argc, char** argv) {
     spdlog::error("{}", error.what());
     return wrong_input;
   } catch (const std::exception& error) {
-    spdlog::error("Something this program did not foresee: {}", error.what());
+    if (std::ferror(stdout) == 0) // checked_exit_code() says it
+      spdlog::error("Something this program did not foresee: {}", error.what());
     return unforeseen;
   }
 }

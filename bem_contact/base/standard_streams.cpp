@@ -25,7 +25,7 @@ int checked_exit_code(int code) {
   std::cout.flush();
   if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
     return code;
-  const std::string why = errno != 0 ? std::generic_category().message(errno) : "writing stopped early";
+  const std::string why = errno != 0 ? std::generic_category().message(errno) : "the disk may be full";
   const Error error("Standard output cannot be written", why,
                     "Do not use what was printed; check that the disk is not full, and run it again.");
   std::fputs(("error: " + std::string(error.what()) + "\n").c_str(), stderr);

@@ -18,7 +18,7 @@ class Key:
     def out_of_range(self):
         """Values just beyond the declared range."""
         found = []
-        for sign, bound in re.findall(r"(>=|<=|>|<) (-?[\d.e+-]+?)(?=[; )]| and)", self.words):
+        for sign, bound in re.findall(r"(?:; |and )(>=|<=|>|<) (-?[\d.e+-]+?)(?=[; )]| and)", self.words):
             value = float(bound)
             step = max(1.0, abs(value)) * (1e-3 if self.kind == "number" else 1)
             beyond = {">=": value - step, ">": value, "<=": value + step, "<": value}[sign]
