@@ -48,7 +48,9 @@ SceneFile with_elements_of(SceneFile scene, const SceneResult& solved) {
 /// What rough solutions of lateral forces are of: the same question with half-space numbers.
 SceneFile rough_scene(const SceneFile& scene) {
   SceneFile rough = with_model(scene, Model::halfspace);
-  rough.grid = {.rows = scene.grid.rows, .planar = scene.grid.planar};
+  rough.grid = SceneFile::Grid();
+  rough.grid.rows = scene.grid.rows;
+  rough.grid.planar = scene.grid.planar;
   rough.motion.free_rolling = false;
   rough.load.force_y.reset();
   rough.stresses.depths.clear();
