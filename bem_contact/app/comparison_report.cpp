@@ -59,18 +59,23 @@ double share_in_adhesion(const SceneResult& r) {
 using Value = std::optional<double>;
 constexpr std::string_view approach_key = "approach";
 constexpr Quantity quantities[] = {
-    {"pmax", "MPa", "pmax", Scale::own, [](const SceneResult& r) -> Value { return largest_pressure(r.result); }},
+    {"pmax", "MPa", "pmax", Scale::own,
+     [](const SceneResult& r) -> Value { return largest_pressure(r.result); }},
     {"area", "mm2", "area", Scale::own, [](const SceneResult& r) -> Value { return contact_area(r.result); }},
-    {"approach", "mm", approach_key, Scale::own, [](const SceneResult& r) -> Value { return r.result.approach; }},
+    {"approach", "mm", approach_key, Scale::own,
+     [](const SceneResult& r) -> Value { return r.result.approach; }},
     {"Fx", "N", "Fx", Scale::friction,
-     [](const SceneResult& r) -> Value { return r.problem.has_friction() ? Value(r.result.Fx) : std::nullopt; }},
+     [](const SceneResult& r) -> Value {
+       return r.problem.has_friction() ? Value(r.result.Fx) : std::nullopt;
+     }},
     {"Fy", "N", "Fy", Scale::resultant, [](const SceneResult& r) -> Value { return r.result.Fy; }},
     {"Fz", "N", "Fz", Scale::resultant, [](const SceneResult& r) -> Value { return r.result.Fz; }},
     {"Mz", "N mm", "Mz", Scale::friction_moment,
      [](const SceneResult& r) -> Value { return r.problem.has_friction() ? Value(r.moment) : std::nullopt; }},
     {"friction power", "N", "friction_power", Scale::own,
      [](const SceneResult& r) -> Value {
-       return r.problem.has_friction() ? Value(friction_power(r.result, r.problem.element_area())) : std::nullopt;
+       return r.problem.has_friction() ? Value(friction_power(r.result, r.problem.element_area()))
+                                       : std::nullopt;
      }},
     {"adhesion", "share", "adhesion", Scale::plain,
      [](const SceneResult& r) -> Value {
@@ -82,8 +87,7 @@ constexpr Quantity quantities[] = {
      [](const SceneResult& r) -> Value {
        return r.free_rolling ? Value(r.free_rolling->rolling_radius) : std::nullopt;
      }},
-    {"lateral", "mm", "lateral_mm", Scale::plain,
-     [](const SceneResult& r) -> Value { return r.lateral; }},
+    {"lateral", "mm", "lateral_mm", Scale::plain, [](const SceneResult& r) -> Value { return r.lateral; }},
 };
 
 /// What the reference is beyond the model; nothing where it would be of zero.
@@ -102,17 +106,17 @@ std::string text_of(Value value, double rounding) {
   if (!value)
     return "-";
   const double size = std::abs(*value);
-  return size <= rounding ? "0"
+  return size <= rounding  ? "0"
          : size >= 99999.5 ? fmt::format("{:.0f}", *value)
-         : size >= 10     ? fmt::format("{:.2f}", *value)
-                          : fmt::format("{:.5g}", *value);
+         : size >= 10      ? fmt::format("{:.2f}", *value)
+                           : fmt::format("{:.5g}", *value);
 }
 
 std::string difference_text(const Quantity& q, Value difference) {
-  return !difference                ? "-"
-         : q.scale == Scale::plain ? fmt::format("{:+.3g}", *difference)
+  return !difference                    ? "-"
+         : q.scale == Scale::plain      ? fmt::format("{:+.3g}", *difference)
          : std::abs(*difference) < 5e-5 ? "0.00 %"
-                                    : fmt::format("{:+.2f} %", 100 * *difference);
+                                        : fmt::format("{:+.2f} %", 100 * *difference);
 }
 
 /// 1. Forces below this share of their scale are what the solvers leave of zero: the certificate's tolerance.
@@ -162,7 +166,9 @@ std::string table(const Comparison& c, const std::vector<SceneResult>& results) 
       continue;
     out += line(q.name, q.unit);
     for (const SceneResult& r : results)
-      out += cell(text_of(q.get(r), q.scale == Scale::plain || q.scale == Scale::own ? 0 : rounding * scale_of(q.scale, 0, r)));
+      out += cell(text_of(q.get(r), q.scale == Scale::plain || q.scale == Scale::own
+                                        ? 0
+                                        : rounding * scale_of(q.scale, 0, r)));
     for (std::size_t i = 0; i < results.size(); ++i)
       if (i != c.reference)
         out += cell(difference_text(q, difference(q, results[i], reference)));
@@ -187,12 +193,13 @@ std::string forces_title(const Comparison& c) {
   const bool patch = c.at_position.empty();
   return patch ? fmt::format("At equal normal force, {:.6g} N:\n", r.result.Fz)
                : fmt::format("At equal forces on the rail, {}Fy {:.6g} N, Fz {:.6g} N:\n",
-                             r.problem.force_x ? fmt::format("Fx {:.6g} N, ", *r.problem.force_x) : "", r.result.Fy,
-                             r.result.Fz);
+                             r.problem.force_x ? fmt::format("Fx {:.6g} N, ", *r.problem.force_x) : "",
+                             r.result.Fy, r.result.Fz);
 }
 
 std::string creep_text(const Comparison& c) {
-  std::string out = "\nFx at equal creepage beyond free rolling, each model at its place of the table above:\n";
+  std::string out =
+      "\nFx at equal creepage beyond free rolling, each model at its place of the table above:\n";
   for (const CreepForces& forces : c.creep_forces) {
     out += line(fmt::format("{:+.1e}", forces.creepage), "N");
     for (const double fx : forces.Fx)
@@ -248,7 +255,8 @@ std::string to_text(const Comparison& c) {
   const SceneResult& shown = c.leading()[c.reference];
   const ContactGrid& grid = shown.problem.grid;
   std::string out = reference_text(shown);
-  out += fmt::format("elements of {:g} x {:g} mm; differences: {} less the other, of Fx over the sum of mu p_n dS, of Fy and "
+  out += fmt::format("elements of {:g} x {:g} mm; differences: {} less the other, of Fx over the sum of mu "
+                     "p_n dS, of Fy and "
                      "Fz over their resultant\n\n",
                      grid.dx, grid.ds, title_of(c.models[c.reference]));
   if (!c.at_forces.empty())
@@ -257,7 +265,9 @@ std::string to_text(const Comparison& c) {
     out += creep_text(c);
   if (!c.at_position.empty())
     out += fmt::format("{}At equal position, {}Fz {:.6g} N:\n", one_set ? "" : "\n",
-                       one_set ? "" : fmt::format("lateral displacement {:g} mm, ", c.at_position[c.reference].lateral.value_or(0)),
+                       one_set ? ""
+                               : fmt::format("lateral displacement {:g} mm, ",
+                                             c.at_position[c.reference].lateral.value_or(0)),
                        c.at_position[c.reference].result.Fz) +
            table(c, c.at_position);
   return out;

@@ -74,15 +74,18 @@ json history_json(const SceneResult& r) {
 std::string rolling_text(const SceneResult& r) {
   std::string out;
   if (r.found_lateral) {
-    out += fmt::format("the lateral force asked for: at a lateral displacement of {:.5f} mm", r.found_lateral->lateral);
+    out += fmt::format("the lateral force asked for: at a lateral displacement of {:.5f} mm",
+                       r.found_lateral->lateral);
     for (const double other : r.found_lateral->others)
-      out += fmt::format("{} about {:.2f} mm", &other == &r.found_lateral->others.front() ? "; also at" : ",", other);
+      out += fmt::format("{} about {:.2f} mm", &other == &r.found_lateral->others.front() ? "; also at" : ",",
+                         other);
     out += '\n';
   }
   if (r.free_rolling)
-    out += fmt::format("creepage xi {:+.5g}; the wheel rolls freely at {:+.5g} (rolling radius {:.4f} mm): {:+.5g} from "
-                       "there\n",
-                       r.xi, r.free_rolling->xi, r.free_rolling->rolling_radius, r.xi - r.free_rolling->xi);
+    out += fmt::format(
+        "creepage xi {:+.5g}; the wheel rolls freely at {:+.5g} (rolling radius {:.4f} mm): {:+.5g} from "
+        "there\n",
+        r.xi, r.free_rolling->xi, r.free_rolling->rolling_radius, r.xi - r.free_rolling->xi);
   return out;
 }
 

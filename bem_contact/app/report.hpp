@@ -16,7 +16,8 @@ nlohmann::json to_json(const SceneResult& result);
 /// The same for people.
 std::string to_text(const SceneResult& result);
 
-/// Where s, y, z and inclination of the reference point are; a line for people, with the side of a left wheel.
+/// Where s, y, z and inclination of the reference point are; a line for people, with the side of a left
+/// wheel.
 std::string reference_text(const SceneResult& result);
 
 } // namespace bem_contact::app

@@ -120,7 +120,9 @@ std::vector<Model> models_of(const std::vector<std::string>& names) {
 ExitCode run_compare(const SceneArguments& arguments) {
   const SceneFile scene = read_scene_file(arguments.file);
   const std::vector<Model> models = models_of(arguments.models);
-  const auto surface_of = [&](Model model) { return fmt::format("{}_{}.vts", arguments.vtk, name_of(model)); };
+  const auto surface_of = [&](Model model) {
+    return fmt::format("{}_{}.vts", arguments.vtk, name_of(model));
+  };
   std::vector<std::filesystem::path> surfaces;
   if (!arguments.vtk.empty())
     std::ranges::transform(models, std::back_inserter(surfaces), surface_of);
@@ -188,9 +190,11 @@ Command add_solve(CLI::App& program) {
 
 Command add_compare(CLI::App& program) {
   const auto arguments = std::make_shared<SceneArguments>();
-  CLI::App* line = add_scene_command(program, "compare", "Solve a scene with several models, at equal forces first",
-                                     compare_help, *arguments);
-  line->add_option("--models", arguments->models, "Models to compare, a column each; halfspace,fem by default")
+  CLI::App* line =
+      add_scene_command(program, "compare", "Solve a scene with several models, at equal forces first",
+                        compare_help, *arguments);
+  line->add_option("--models", arguments->models,
+                   "Models to compare, a column each; halfspace,fem by default")
       ->delimiter(',')
       ->check(CLI::IsMember(EnumNames<Model>::names));
   add_outputs(*line, *arguments);

@@ -39,7 +39,8 @@ constexpr SummaryColumn plain_columns[] = {
      [](const SceneResult& r) { return r.moment; }},
     {"lateral", "mm", "lateral displacement of the wheelset, given or found for load.force_y",
      [](const SceneResult& r) { return r.lateral.value_or(std::numeric_limits<double>::quiet_NaN()); }},
-    {"xi", "1", "longitudinal creepage, with what was found for load.force_x", [](const SceneResult& r) { return r.xi; }},
+    {"xi", "1", "longitudinal creepage, with what was found for load.force_x",
+     [](const SceneResult& r) { return r.xi; }},
     {"free_rolling_xi", "1", "longitudinal creepage at which Fx = 0; nan: not looked for",
      [](const SceneResult& r) {
        return r.free_rolling ? r.free_rolling->xi : std::numeric_limits<double>::quiet_NaN();

@@ -157,8 +157,9 @@ void add_totals(ResultClass& c) {
   total("creepage_x", &ContactResult::creepage_x, "Found for load.force_x, added to motion.xi");
   total("creepage_s", &ContactResult::creepage_s, "Found for load.force_s, added to motion.eta");
   c.def_readonly("Mz", &SceneResult::moment, "About the vertical through the reference point, N mm");
-  c.def_readonly("lateral", &SceneResult::lateral,
-                 "Lateral displacement of the wheelset, mm, given or found for load.force_y; None of a patch");
+  c.def_readonly(
+      "lateral", &SceneResult::lateral,
+      "Lateral displacement of the wheelset, mm, given or found for load.force_y; None of a patch");
   c.def_property_readonly(
       "other_laterals",
       [](const SceneResult& r) { return r.found_lateral ? r.found_lateral->others : std::vector<double>(); },
@@ -170,7 +171,9 @@ void add_totals(ResultClass& c) {
       "Longitudinal creepage at which Fx is 0; None: not looked for");
   c.def_property_readonly(
       "free_rolling_radius",
-      [](const SceneResult& r) { return r.free_rolling ? std::optional(r.free_rolling->rolling_radius) : std::nullopt; },
+      [](const SceneResult& r) {
+        return r.free_rolling ? std::optional(r.free_rolling->rolling_radius) : std::nullopt;
+      },
       "Rolling radius at which Fx is 0, mm; None: not looked for");
   c.def_property_readonly(
       "pmax", [](const SceneResult& r) { return largest_pressure(r.result); }, "MPa");

@@ -29,7 +29,8 @@ void check_load(const SceneFile& f, const Schema& s) {
                               "bem_contact sweep."
                             : "Give load.force or load.approach.");
   if (f.load.force_y && !f.load.force)
-    s.refuse("load.force_y", "the lateral displacement is sought under a vertical force, and load.force is not given",
+    s.refuse("load.force_y",
+             "the lateral displacement is sought under a vertical force, and load.force is not given",
              "Give load.force instead of the approach.");
 }
 

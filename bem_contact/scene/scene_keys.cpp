@@ -104,8 +104,9 @@ void add_load(Schema& s, SceneFile::Load& load) {
                 "delta_ref) dS; the creepage is found and added to motion.eta",
          .unit = "N"});
   s.add("load.force_y", load.force_y,
-        {.doc = "Lateral force on the rail, towards the side of this wheel; the lateral displacement that gives "
-                "it is found, the one nearest to position.lateral",
+        {.doc =
+             "Lateral force on the rail, towards the side of this wheel; the lateral displacement that gives "
+             "it is found, the one nearest to position.lateral",
          .unit = "N",
          .kinds = wheel_rail});
 }
@@ -152,10 +153,12 @@ void add_motion(Schema& s, SceneFile::Motion& m) {
   s.add("motion.free_rolling", m.free_rolling,
         {.doc = "Find and report the creepage of free rolling too; false saves its solution",
          .kinds = wheel_rail});
-  s.add("motion.radial_displacement", m.radial_displacement,
-        {.doc = "fem, steady rolling: the wheel's surface is faster where it moves away from the axle, by u_r / R "
-                "(Kalker's half-space leaves this out)",
-         .kinds = wheel_rail});
+  s.add(
+      "motion.radial_displacement", m.radial_displacement,
+      {.doc =
+           "fem, steady rolling: the wheel's surface is faster where it moves away from the axle, by u_r / R "
+           "(Kalker's half-space leaves this out)",
+       .kinds = wheel_rail});
   s.add("motion.speed", m.speed,
         {.doc = "Forward speed of the wheelset, for the velocities and rates below",
          .unit = "mm/s",

@@ -17,9 +17,10 @@ FreeRolling free_rolling_of(const ContactCase& asked, const SceneResult& solved)
   return {solved.xi, asked.setup.motion.creepage.rolling_radius / (1 - solved.xi)};
 }
 
-/// The case with load.force_x = 0 and the creepage of rolling_radius as a start. Nothing where it is not found.
-std::optional<FreeRolling> find_free_rolling(ContactCase asked, const SceneFile::Grid& grid, SolveResources resources,
-                                             SceneResult* solution = nullptr) {
+/// The case with load.force_x = 0 and the creepage of rolling_radius as a start. Nothing where it is not
+/// found.
+std::optional<FreeRolling> find_free_rolling(ContactCase asked, const SceneFile::Grid& grid,
+                                             SolveResources resources, SceneResult* solution = nullptr) {
   asked.setup.motion.force_x = 0;
   asked.scene.stresses.depths.clear();
   resources.totals_only = true;
@@ -39,9 +40,10 @@ SceneResult solve_from_free_rolling(const ContactCase& asked, const SceneFile::G
   SceneResult free;
   const std::optional<FreeRolling> found = find_free_rolling(counted, grid, resources, &free);
   if (!found)
-    throw ConvergenceError("The creepage of free rolling was not found",
-                           "no certified solution without longitudinal force came out",
-                           "Count the creepage from motion.rolling_radius (motion.from_free_rolling = false).");
+    throw ConvergenceError(
+        "The creepage of free rolling was not found",
+        "no certified solution without longitudinal force came out",
+        "Count the creepage from motion.rolling_radius (motion.from_free_rolling = false).");
   counted = beyond_free_rolling(std::move(counted), *found, asked.setup.motion.creepage.xi);
   counted.scene.solver.model = free.model;
   const std::optional<FormerSolution> start = former_of(free.problem, free.result, *asked.estimate);

@@ -21,7 +21,8 @@ double vertex(const LateralSample& a, const LateralSample& b, const LateralSampl
   return 0.5 * (a.lateral + b.lateral) - 0.5 * left / curvature;
 }
 
-/// Adds a sample wherever three of them have an extremum that falls short of `wanted` and whose parabola does not.
+/// Adds a sample wherever three of them have an extremum that falls short of `wanted` and whose parabola does
+/// not.
 void sample_extrema(const LateralForce& force, double wanted, std::vector<LateralSample>& samples) {
   std::vector<LateralSample> more;
   for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
@@ -54,11 +55,13 @@ struct Bracket {
   LateralSample low, high;
 };
 
-/// Narrows a bracket until the force is met within `tolerance` or the interval is narrower than `width`. Returns the
-/// sample that is nearest to `wanted`.
-LateralSample narrow(const LateralForce& force, double wanted, const Bracket& bracket, double tolerance, double width) {
-  LateralSample best = std::abs(bracket.low.force - wanted) < std::abs(bracket.high.force - wanted) ? bracket.low
-                                                                                                      : bracket.high;
+/// Narrows a bracket until the force is met within `tolerance` or the interval is narrower than `width`.
+/// Returns the sample that is nearest to `wanted`.
+LateralSample narrow(const LateralForce& force, double wanted, const Bracket& bracket, double tolerance,
+                     double width) {
+  LateralSample best = std::abs(bracket.low.force - wanted) < std::abs(bracket.high.force - wanted)
+                           ? bracket.low
+                           : bracket.high;
   const auto excess = [&](double lateral) {
     const std::optional<double> there = force(lateral);
     if (!there)
@@ -72,8 +75,8 @@ LateralSample narrow(const LateralForce& force, double wanted, const Bracket& br
   };
   std::uintmax_t calls = most_lateral_calls;
   try {
-    boost::math::tools::toms748_solve(excess, bracket.low.lateral, bracket.high.lateral, bracket.low.force - wanted,
-                                      bracket.high.force - wanted, enough, calls);
+    boost::math::tools::toms748_solve(excess, bracket.low.lateral, bracket.high.lateral,
+                                      bracket.low.force - wanted, bracket.high.force - wanted, enough, calls);
   } catch (const NoForce&) { // the best sample stands
   }
   return best;
@@ -108,7 +111,8 @@ std::vector<LateralRoot> find_lateral_roots(const LateralForce& force, std::vect
   return roots;
 }
 
-double solve_lateral_force(const LateralForce& force, double wanted, const LateralRoot& start, double tolerance) {
+double solve_lateral_force(const LateralForce& force, double wanted, const LateralRoot& start,
+                           double tolerance) {
   const auto at = [&](double lateral, double last) {
     const std::optional<double> there = force(lateral);
     if (!there)
@@ -122,7 +126,8 @@ double solve_lateral_force(const LateralForce& force, double wanted, const Later
     if (std::abs(missing) <= tolerance)
       return here.lateral;
     // Beyond the force by a little, so that the next step brackets it.
-    const double step = std::clamp(lateral_overshoot * missing / slope, -longest_lateral_step, +longest_lateral_step);
+    const double step =
+        std::clamp(lateral_overshoot * missing / slope, -longest_lateral_step, +longest_lateral_step);
     const LateralSample next = at(here.lateral + step, here.force);
     if ((next.force - wanted) * missing >= 0) {
       const Bracket bracket = step > 0 ? Bracket{here, next} : Bracket{next, here};

@@ -141,7 +141,8 @@ InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, con
     require_turn(*files.wheel, contact, contact.wheel_s, wheel_turn_tolerance);
   }
   const InfluenceNumbers wheel = expand_side(*files.wheel, setup.wheel, contact, contact.wheel_s);
-  InfluenceNumbers pair = halfspace::combine(expand_side(*files.rail, setup.rail, contact, contact.rail_s), wheel);
+  InfluenceNumbers pair =
+      halfspace::combine(expand_side(*files.rail, setup.rail, contact, contact.rail_s), wheel);
   if (const auto inclination = radial_inclination(setup, contact.problem.rows); !inclination.empty())
     add_radial_displacement(wheel, inclination, contact.contact_radius, pair);
   return pair;

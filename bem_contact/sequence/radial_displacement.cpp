@@ -6,13 +6,14 @@
 
 namespace bem_contact {
 
-void add_radial_displacement(const InfluenceNumbers& wheel, std::span<const double> inclination, double radius,
-                             InfluenceNumbers& pair) {
+void add_radial_displacement(const InfluenceNumbers& wheel, std::span<const double> inclination,
+                             double radius, InfluenceNumbers& pair) {
   // The wheel's own frame is the contact frame turned by pi about x (base/conventions.hpp).
   constexpr std::array<double, 3> turned{1, -1, -1};
   const auto radial = [&](int m, int row_i, int row_j, int j) {
-    return turned[j] * (turned[component_s] * std::sin(inclination[row_i]) * wheel.at(m, row_i, component_s, row_j, j) +
-                        turned[component_n] * std::cos(inclination[row_i]) * wheel.at(m, row_i, component_n, row_j, j));
+    return turned[j] *
+           (turned[component_s] * std::sin(inclination[row_i]) * wheel.at(m, row_i, component_s, row_j, j) +
+            turned[component_n] * std::cos(inclination[row_i]) * wheel.at(m, row_i, component_n, row_j, j));
   };
   const double half_step = 0.5 * wheel.dx / radius;
   const int rows = pair.rows;

@@ -72,7 +72,8 @@ std::optional<double> lateral_force_of(const SceneResult& solved) {
       fmt::format("No lateral displacement gives a lateral force of {:g} N", wanted),
       fmt::format("from {:.4g} to {:.4g} mm the force on the rail is between {:.4g} and {:.4g} N",
                   samples.front().lateral, samples.back().lateral, least.force, most.force),
-      "Give load.force_y in this range (its sign: towards the side of this wheel), or another position.lateral.");
+      "Give load.force_y in this range (its sign: towards the side of this wheel), or another "
+      "position.lateral.");
 }
 
 void require_comparable(const SceneFile& scene, const std::vector<Model>& models) {
@@ -179,7 +180,8 @@ std::optional<double> Sequence::rough_lateral_force(SceneFile scene, double late
   try {
     const ContactCase asked = prepare(at_lateral(std::move(scene), lateral));
     SceneFile::Grid grid;
-    std::tie(grid.dx, grid.ds) = size_of_elements(*asked.estimate, lateral_map_elements, 1, 0, longest_element);
+    std::tie(grid.dx, grid.ds) =
+        size_of_elements(*asked.estimate, lateral_map_elements, 1, 0, longest_element);
     WorkBudget work(stop_);
     return lateral_force_of(solve_with_free_rolling(asked, grid, {.work = work, .totals_only = true}));
   } catch (const InputError&) { // the bodies do not meet there, or not as elastic bodies
@@ -191,8 +193,8 @@ std::optional<double> Sequence::rough_lateral_force(SceneFile scene, double late
 const Sequence::LateralBranches& Sequence::lateral_branches(const SceneFile& scene) {
   if (!memory_.lateral || memory_.lateral->scene != scene)
     memory_.lateral = LateralBranches{
-        scene,
-        sample_lateral_force([&](double lateral) { return rough_lateral_force(scene, lateral); }, scene.position.lateral)};
+        scene, sample_lateral_force([&](double lateral) { return rough_lateral_force(scene, lateral); },
+                                    scene.position.lateral)};
   return *memory_.lateral;
 }
 
@@ -211,7 +213,8 @@ SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene) {
 
   SceneFile asked = scene;
   std::string reason;
-  if (!scene.solver.model || scene.grid.elements || scene.grid.accuracy) { // the same model and elements all the way
+  if (!scene.solver.model || scene.grid.elements ||
+      scene.grid.accuracy) { // the same model and elements all the way
     const SceneResult first = solve_at_position(at_lateral(scene, nearest->lateral + branches.offset));
     asked = with_elements_of(with_model(std::move(asked), first.model), first);
     reason = first.reason;
@@ -220,8 +223,8 @@ SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene) {
   on_the_way.motion.free_rolling = false;
   const double tolerance = lateral_tolerance * std::hypot(wanted, *scene.load.force);
   const double lateral = solve_lateral_force(
-      [&](double at) { return lateral_force_of(solve_at_position(at_lateral(on_the_way, at), true)); }, wanted,
-      {nearest->lateral + branches.offset, nearest->slope}, tolerance);
+      [&](double at) { return lateral_force_of(solve_at_position(at_lateral(on_the_way, at), true)); },
+      wanted, {nearest->lateral + branches.offset, nearest->slope}, tolerance);
   memory_.lateral->offset = lateral - nearest->lateral;
 
   SceneResult out = solve_at_position(at_lateral(asked, lateral));
@@ -234,7 +237,8 @@ SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene) {
   return out;
 }
 
-std::vector<CreepForces> Sequence::creep_forces(const SceneFile& scene, const std::vector<SceneResult>& at_forces) {
+std::vector<CreepForces> Sequence::creep_forces(const SceneFile& scene,
+                                                const std::vector<SceneResult>& at_forces) {
   std::vector<CreepForces> out;
   for (const double creepage : compared_creepages) {
     CreepForces forces{creepage, {}};
@@ -243,7 +247,8 @@ std::vector<CreepForces> Sequence::creep_forces(const SceneFile& scene, const st
       SolveResources tools = resources(work);
       tools.totals_only = true;
       const ContactCase asked = prepare(with_model(at_lateral(scene, *free.lateral), free.model));
-      forces.Fx.push_back(solve_case(beyond_free_rolling(asked, *free.free_rolling, creepage), scene.grid, tools).result.Fx);
+      forces.Fx.push_back(
+          solve_case(beyond_free_rolling(asked, *free.free_rolling, creepage), scene.grid, tools).result.Fx);
     }
     out.push_back(std::move(forces));
   }
@@ -288,9 +293,11 @@ Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models) 
   SceneResult there = the_same ? place : solve(with_model(equal, reference));
   equal.load.force_y = scene.load.force_y.value_or(there.result.Fy);
   for (const Model model : out.models)
-    out.at_forces.push_back(model == reference && !scene.load.force_y ? there : solve(with_model(equal, model)));
+    out.at_forces.push_back(model == reference && !scene.load.force_y ? there
+                                                                      : solve(with_model(equal, model)));
   equal.load.force_y.reset();
-  if (!the_same && std::ranges::all_of(out.at_forces, [](const SceneResult& r) { return r.free_rolling.has_value(); }))
+  if (!the_same &&
+      std::ranges::all_of(out.at_forces, [](const SceneResult& r) { return r.free_rolling.has_value(); }))
     out.creep_forces = creep_forces(equal, out.at_forces);
   return out;
 }

@@ -48,19 +48,19 @@ public:
   explicit Sequence(SequenceOptions options = {}, std::shared_ptr<SequenceFiles> files = nullptr);
 
   /// Solves a scene with the model that it asks for (solve_case.hpp). If load.force_y is given, the lateral
-  /// displacement that bears it is found: rough half-space solutions tell which branches there are (lateral_force.hpp),
-  /// and the one nearest to position.lateral is followed with the model itself. Where it asks for grid.elements or
-  /// grid.accuracy, dx and ds are chosen: the case is solved again, at most most_solves times, until its
-  /// estimated error is within the accuracy. The grid of a wheel on a rail grows until the contact lies
-  /// inside. Throws InputError for wrong input, ConvergenceError where the work allowed is used up; other
-  /// lack of convergence is in the result. If another thread sets `stop`, the solution ends with Stopped
-  /// (contact/work.hpp) at the next product with influence numbers.
+  /// displacement that bears it is found: rough half-space solutions tell which branches there are
+  /// (lateral_force.hpp), and the one nearest to position.lateral is followed with the model itself. Where it
+  /// asks for grid.elements or grid.accuracy, dx and ds are chosen: the case is solved again, at most
+  /// most_solves times, until its estimated error is within the accuracy. The grid of a wheel on a rail grows
+  /// until the contact lies inside. Throws InputError for wrong input, ConvergenceError where the work
+  /// allowed is used up; other lack of convergence is in the result. If another thread sets `stop`, the
+  /// solution ends with Stopped (contact/work.hpp) at the next product with influence numbers.
   SceneResult solve(const SceneFile& scene, const std::atomic<bool>* stop = nullptr);
 
-  /// Solves a scene with each model, at equal forces and at equal position. Where it asks for grid.elements or
-  /// grid.accuracy, dx and ds are those that solve() chooses for the reference; all models have them. A prescribed approach
-  /// is turned into the force that the reference finds for it. Throws like solve(), and InputError for fewer than two
-  /// models.
+  /// Solves a scene with each model, at equal forces and at equal position. Where it asks for grid.elements
+  /// or grid.accuracy, dx and ds are those that solve() chooses for the reference; all models have them. A
+  /// prescribed approach is turned into the force that the reference finds for it. Throws like solve(), and
+  /// InputError for fewer than two models.
   Comparison compare(const SceneFile& scene, std::vector<Model> models = {Model::halfspace, Model::fem});
 
   /// What would be solved, after everything short of the solve has been checked. Throws what solve() would

@@ -35,18 +35,12 @@ void require_memory(const ContactGrid& grid, std::size_t steps) {
 /// Half-space numbers depend on the size of the grid alone.
 NumbersSource source_of(Model model, const ContactSetup& setup, const ContactOnGrid& contact) {
   const ContactGrid& grid = contact.problem.grid;
-  NumbersSource source{model,
-                       setup.rail,
-                       setup.wheel,
-                       grid.mx,
-                       grid.ms,
-                       contact.problem.plane_strain() ? 0.0 : grid.dx,
-                       grid.ds,
-                       setup.reference_distance(),
-                       {},
-                       {},
-                       0,
-                       {}};
+  NumbersSource source{model,       setup.rail,
+                       setup.wheel, grid.mx,
+                       grid.ms,     contact.problem.plane_strain() ? 0.0 : grid.dx,
+                       grid.ds,     setup.reference_distance(),
+                       {},          {},
+                       0,           {}};
   if (model == Model::fem) {
     source.rail_s = contact.rail_s;
     source.wheel_s = contact.wheel_s;

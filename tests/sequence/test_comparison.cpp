@@ -14,7 +14,8 @@ using ::testing::HasSubstr;
 const std::string small = CONFORMAL_SOURCE_DIR "/data/scenes/conformal_small.toml";
 
 TEST(Comparison, AtEqualForcesAllModelsBearTheSame) {
-  const Comparison c = Sequence().compare(read_scene_file(small), {Model::halfspace, Model::tangent_plane, Model::fem});
+  const Comparison c =
+      Sequence().compare(read_scene_file(small), {Model::halfspace, Model::tangent_plane, Model::fem});
   ASSERT_EQ(c.models[c.reference], Model::fem);
   ASSERT_EQ(c.at_forces.size(), 3u);
   const ContactResult& fem = c.at_forces[2].result;
@@ -24,7 +25,8 @@ TEST(Comparison, AtEqualForcesAllModelsBearTheSame) {
     EXPECT_NEAR(r.result.Fy, fem.Fy, 0.2);
     EXPECT_NEAR(r.result.Fz, fem.Fz, 0.1);
   }
-  // What the independent 3-D analysis says: a shift of 0.02 mm makes most of the difference at equal position.
+  // What the independent 3-D analysis says: a shift of 0.02 mm makes most of the difference at equal
+  // position.
   EXPECT_NEAR(*c.at_forces[0].lateral - *c.at_forces[2].lateral, 0.02, 0.01);
   const auto off = [](const SceneResult& a, const SceneResult& b) {
     return largest_pressure(b.result) / largest_pressure(a.result) - 1;

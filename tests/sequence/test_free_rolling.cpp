@@ -15,7 +15,8 @@ using ::testing::HasSubstr;
 
 SceneFile rolling(const std::string& more) {
   return parse_scene_file("rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nposition.lateral = 6.6\n"
-                          "load.force = 1e5\nsolver.model = \"halfspace\"\ngrid.dx = 1.0\ngrid.ds = 0.6\n" + more);
+                          "load.force = 1e5\nsolver.model = \"halfspace\"\ngrid.dx = 1.0\ngrid.ds = 0.6\n" +
+                          more);
 }
 
 TEST(FreeRolling, IsTheCreepageOfNoLongitudinalForce) {
@@ -39,8 +40,8 @@ TEST(FreeRolling, LeavesTheResultAsItIs) {
 TEST(FreeRolling, CreepageIsCountedFromThere) {
   const SceneResult free = Sequence().solve(rolling("motion.from_free_rolling = true\n"));
   EXPECT_NEAR(free.result.Fx, 0, 0.5);
-  // Which rolling radius is given hardly matters: that of free rolling is found. What is left is how the slip 1 - r / R_roll
-  // differs from row to row, in proportion to 1 / R_roll: 0.2 %.
+  // Which rolling radius is given hardly matters: that of free rolling is found. What is left is how the slip
+  // 1 - r / R_roll differs from row to row, in proportion to 1 / R_roll: 0.2 %.
   const std::string driven = "motion.from_free_rolling = true\nmotion.xi = 1e-3\n";
   const SceneResult one = Sequence().solve(rolling(driven + "motion.rolling_radius = 465\n"));
   const SceneResult other = Sequence().solve(rolling(driven + "motion.rolling_radius = 466\n"));

@@ -36,7 +36,9 @@ TEST(LateralForce, EachBranchIsFound) {
 
 TEST(LateralForce, APeakBetweenTwoSamplesIsFound) {
   // Samples lie at multiples of 0.5 mm and reach 1000 - 62.5; the peak is at 3.25.
-  const LateralForce peak = [](double y) -> std::optional<double> { return 1000 - 1000 * std::pow(y - 3.25, 2); };
+  const LateralForce peak = [](double y) -> std::optional<double> {
+    return 1000 - 1000 * std::pow(y - 3.25, 2);
+  };
   const std::vector<double> roots = displacements(peak, 990);
   ASSERT_EQ(roots.size(), 2u);
   EXPECT_NEAR(roots[0], 3.15, 2e-3);
@@ -74,9 +76,10 @@ TEST(LateralForce, AJumpOverTheForceIsNoSolution) {
 }
 
 SceneFile rolling(double lateral, const std::string& more = "") {
-  return parse_scene_file(fmt::format("rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nposition.lateral = {}\n"
-                                      "load.force = 1e5\nsolver.model = \"halfspace\"\ngrid.dx = 1.0\ngrid.ds = 0.6\n{}",
-                                      lateral, more));
+  return parse_scene_file(
+      fmt::format("rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nposition.lateral = {}\n"
+                  "load.force = 1e5\nsolver.model = \"halfspace\"\ngrid.dx = 1.0\ngrid.ds = 0.6\n{}",
+                  lateral, more));
 }
 
 TEST(PrescribedLateralForce, FindsThePositionThatBearsIt) {
@@ -87,7 +90,8 @@ TEST(PrescribedLateralForce, FindsThePositionThatBearsIt) {
   ASSERT_TRUE(found.found_lateral && found.result.certificate.holds());
   EXPECT_NEAR(found.found_lateral->lateral, 6.62, 1e-5);
   EXPECT_NEAR(found.result.Fy, there.result.Fy, 0.2);
-  EXPECT_NEAR(largest_pressure(found.result), largest_pressure(there.result), 1e-3 * largest_pressure(there.result));
+  EXPECT_NEAR(largest_pressure(found.result), largest_pressure(there.result),
+              1e-3 * largest_pressure(there.result));
   // The next one on the same branch: rough solutions are there already.
   const SceneResult next = sequence.solve(rolling(6.5, "load.force_y = 2e4\n"));
   EXPECT_NEAR(next.result.Fy, 2e4, 0.2);

@@ -4,15 +4,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static void require(int code, conformal_contact *contact) {
+static void require(int code, conformal_contact* contact) {
   if (code != CONFORMAL_OK) {
     fprintf(stderr, "error: %s\n", conformal_message(contact));
     exit(1);
   }
 }
 
-int main(int argc, char **argv) {
-  conformal_contact *contact = NULL;
+int main(int argc, char** argv) {
+  conformal_contact* contact = NULL;
   char message[1000];
   double totals[CONFORMAL_TOTALS];
   int force, i;
