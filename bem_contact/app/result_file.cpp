@@ -7,6 +7,7 @@
 #include "bem_contact/sequence/printed_errors.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bem_contact::app {
 
@@ -77,8 +78,9 @@ void add_patches(H5Table& table, const std::string& group, const SceneResult& r)
     if (values.empty())
       return;
     table.datasets[group + number.name] = line(std::move(values), number.unit, "of each patch");
-    table.datasets[group + number.error_name] =
-        line(std::move(errors), number.unit, "estimated error by the size of the elements; nan: not known");
+    if (std::ranges::none_of(errors, [](double error) { return std::isnan(error); })) // of all patches, or of none
+      table.datasets[group + number.error_name] =
+          line(std::move(errors), number.unit, "estimated error by the size of the elements");
   }
 }
 
@@ -137,7 +139,8 @@ void add_result(H5Table& table, const std::string& group, const SceneResult& r) 
   a[group + "area_mm2"] = contact_area(r.result);
   a[group + "patches"] = double(c.patches.size());
   for (const PrintedNumber& number : printed_numbers())
-    a[group + number.error_name] = number.error(r);
+    if (const double error = number.error(r); !std::isnan(error)) // an error that is not known is left out
+      a[group + number.error_name] = error;
   a[group + "adhesion_share"] = adhesion_share(c);
   a[group + "converges_with_elements"] = c.discretisation && c.discretisation->converges ? 1.0 : 0.0;
   add_patches(table, group + "patch/", r);

@@ -12,6 +12,7 @@
 namespace {
 
 using namespace bem_contact;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 
 constexpr double pi = std::numbers::pi;
@@ -142,8 +143,7 @@ TEST(Scene, AGridThatIsTooSmallGrows) {
   const SceneResult whole = Sequence().solve(with_model(scene, Model::halfspace));
   scene.grid.rows = {-14.5, -12.5};
   const auto said = [](const SceneResult& r) {
-    ASSERT_EQ(r.warnings.size(), 1u);
-    EXPECT_THAT(r.warnings[0], HasSubstr("did not fit on the grid asked for: it grew to"));
+    EXPECT_THAT(r.warnings, Contains(HasSubstr("did not fit on the grid asked for: it grew to")));
   };
   said(Sequence().solve(with_model(scene, Model::halfspace)));
   said(Sequence().solve(with_model(scene, std::nullopt))); // which looks at the normal problem first
@@ -158,8 +158,7 @@ TEST(Scene, AGridThatIsTooSmallGrows) {
 TEST(Scene, AutoAsksForFemWhereTheNormalTurns) {
   const SceneResult corner = Sequence().solve(with_model(wheel_on_rail(6.65, 1e5), std::nullopt));
   EXPECT_EQ(corner.model, Model::tangent_plane); // no influence files to go on with
-  ASSERT_EQ(corner.warnings.size(), 1u);
-  EXPECT_THAT(corner.warnings[0], HasSubstr("the finite-element model is needed here"));
+  EXPECT_THAT(corner.warnings, Contains(HasSubstr("the finite-element model is needed here")));
   EXPECT_THAT(corner.reason, HasSubstr("names no influence files"));
   const SceneResult tread = Sequence().solve(with_model(wheel_on_rail(0, 1e4), std::nullopt));
   EXPECT_THAT(tread.reason, HasSubstr("within the 1 % allowed"));
@@ -228,8 +227,7 @@ TEST(Scene, AContactAtTheEdgeOfAPatchsGridIsSaid) {
   SceneFile scene = scene_of("kind = \"patch\"\nload.force = 1e4\nmotion.frictionless = true\n"
                              "[grid]\nmx = 5\nms = 5\n[gap]\na = 0.001\nb = 0.001\n");
   const SceneResult r = Sequence().solve(scene);
-  ASSERT_EQ(r.warnings.size(), 1u);
-  EXPECT_THAT(r.warnings[0], HasSubstr("reaches the edge of the grid"));
+  EXPECT_THAT(r.warnings, Contains(HasSubstr("reaches the edge of the grid")));
 }
 
 TEST(Scene, FemWithoutInfluenceFilesIsRefused) {

@@ -62,7 +62,7 @@ TEST(Threads, ASolutionIsStoppedAndTheSequenceGoesOn) {
   std::atomic<bool> stop = true;
   EXPECT_THROW(sequence.solve(scene, &stop), Stopped);
   SceneFile long_one = with_model(scene, Model::halfspace);
-  long_one.grid.dx = long_one.grid.ds = 0.03;
+  long_one.grid.dx = long_one.grid.ds = 0.04;
   stop = false;
   std::thread other([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(200));

@@ -26,6 +26,7 @@ struct Region {
 
   double steepness = 0; ///< sum of |p_n sin(delta)| dS over fn
 
+  double border_root() const { return std::sqrt(double(adhesion_border)); }
   /// Share of the elements on the border of adhesion, times that on the border of the contact.
   double border_share() const { return double(adhesion_border) / contact * border / contact; }
   /// How far the pressure falls from its peak to the next elements, over the peak.
@@ -155,20 +156,24 @@ double area_error(const Region& r) {
   return area_border * r.area * r.border / r.contact;
 }
 
-/// The friction of one element (mean), and that of the elements on the borders of contact and adhesion,
-/// weighted.
-double local_friction(double of_element, double of_border, const Region& r) {
-  return of_element * r.friction / r.contact + of_border * r.friction * r.border_share();
+/// How the parts of an estimate that have to do with friction are weighted.
+struct Weights {
+  double change, of_element, of_border;
+};
+
+Weights shear_x() {
+  return {shear_x_change, shear_x_local, shear_x_border};
 }
 
-double shear_x_error(double change, const Region& r) {
-  return shear_x_change * std::abs(change) + local_friction(shear_x_local, shear_x_border, r);
+Weights shear_s() {
+  return {shear_s_change, shear_s_local, shear_s_border};
 }
 
-/// Without friction only the change is left, of which a third remains at least (THEORY.md, section 13).
-double shear_s_error(double change, const Region& r) {
-  const double share = r.friction > 0 ? double(shear_s_change) : 0.5;
-  return share * std::abs(change) + local_friction(shear_s_local, shear_s_border, r);
+/// Of a force, N. The border of adhesion lies somewhere within its elements, each by chance: the root of
+/// their number counts.
+double force_error(const Weights& w, double change, const Region& r) {
+  return w.change * std::abs(change) +
+         (w.of_element + w.of_border * r.border_root()) * r.friction / r.contact;
 }
 
 /// Coarse patches that lie where the fine ones do; empty where their numbers differ.
@@ -190,12 +195,11 @@ PatchErrors patch_errors(const Region& fine, const Region& coarse) {
   out.pmax = pmax_error(fine, coarse);
   out.area = area_error(fine);
   out.fn = force_change * std::abs(fine.fn - coarse.fn) + force_local * fine.fn / fine.contact +
-           force_border * fine.steepness * fine.friction * fine.border_share();
+           force_border * fine.steepness * fine.border_root() * fine.friction / fine.contact;
   out.approach = overlap_change * std::abs(fine.approach - coarse.approach) +
                  fine.approach * (overlap_local / fine.contact + overlap_peak * fine.relative_fall());
-  const bool friction = fine.friction > 0;
-  out.fx = friction ? shear_x_error(fine.fx - coarse.fx, fine) : 0;
-  out.fs = friction ? shear_s_error(fine.fs - coarse.fs, fine) : 0;
+  out.fx = fine.friction > 0 ? force_error(shear_x(), fine.fx - coarse.fx, fine) : 0;
+  out.fs = fine.friction > 0 ? force_error(shear_s(), fine.fs - coarse.fs, fine) : 0;
   return out;
 }
 
@@ -210,11 +214,10 @@ double friction_strain(const ContactProblem& problem, const Region& r) {
 void estimate_shear(const ContactProblem& problem, const ContactResult& result, const ContactResult& coarse,
                     const std::pair<Region, Region>& regions, double power_gained, TotalErrors& e) {
   const auto& [fine, rough] = regions;
-  e.Fx = problem.force_x ? 0 : shear_x_error(result.Fx - coarse.Fx, fine);
-  e.Fs = problem.force_s ? 0 : shear_s_error(result.Fs - coarse.Fs, fine);
-  e.adhesion_share =
-      adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
-      (adhesion_local + adhesion_border * std::sqrt(double(fine.adhesion_border))) / fine.contact;
+  e.Fx = problem.force_x ? 0 : force_error(shear_x(), result.Fx - coarse.Fx, fine);
+  e.Fs = problem.force_s ? 0 : force_error(shear_s(), result.Fs - coarse.Fs, fine);
+  e.adhesion_share = adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
+                     (adhesion_local + adhesion_border * fine.border_root()) / fine.contact;
   e.friction_power = power_change * std::abs(power_gained) +
                      power_local * std::abs(friction_power(result, problem.element_area())) / fine.contact;
   const double local = friction_strain(problem, fine) *
@@ -252,12 +255,15 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
       force ? approach_change * std::abs(result.approach - coarse.approach) +
                   fine.approach * (approach_local / fine.contact + approach_peak * fine.relative_fall())
             : 0;
-  e.Fy = shear_s_error(result.Fy - coarse.Fy, fine);
-  e.Fz = force ? 0 : shear_s_error(result.Fz - coarse.Fz, fine);
-  out.local_moment = friction_moment * (moment_local / fine.contact + moment_border * fine.border_share());
+  const Weights lateral{lateral_change, lateral_local, lateral_border};
+  e.Fy = force_error(lateral, result.Fy - coarse.Fy, fine);
+  e.Fz = force ? 0 : force_error(lateral, result.Fz - coarse.Fz, fine);
+  out.local_moment = friction_moment * (moment_local + moment_border * fine.border_root()) / fine.contact;
   const std::vector<Region> coarse_patches = matched(patches, patches_of(coarse_problem, coarse));
   for (std::size_t i = 0; i < coarse_patches.size(); ++i)
     out.patches[i] = patch_errors(patches[i], coarse_patches[i]);
+  if (problem.force_x && coarse_patches.size() == 1)
+    out.patches[0].fx = 0; // prescribed
 }
 
 } // namespace bem_contact::contact
