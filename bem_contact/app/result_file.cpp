@@ -96,7 +96,7 @@ void add_result(H5Table& table, const std::string& group, const SceneResult& r) 
   table.datasets[group + "slip_x"] = field(grid, c.slip_x, shift ? "mm" : "1", "slip along x" + per);
   table.datasets[group + "slip_s"] = field(grid, c.slip_s, shift ? "mm" : "1", "slip along s" + per);
   table.datasets[group + "deformed_distance"] = field(grid, c.deformed_distance, "mm", "deformed distance");
-  const Displacements& u = r.displacements;
+  const Displacements& u = c.displacements;
   const std::string what = "displacement difference, wheel less rail, along ";
   table.datasets[group + "u_x"] = field(grid, u.ux, "mm", what + "x");
   table.datasets[group + "u_s"] = field(grid, u.us, "mm", what + "s");

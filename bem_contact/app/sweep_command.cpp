@@ -137,7 +137,7 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
   WorkerCalls calls;
   const auto files = std::make_shared<SequenceFiles>(); // each worker fills its own copy
   calls.make_solver = [&]() -> CaseSolver {
-    const auto sequence = std::make_shared<Sequence>(SequenceOptions{}, files);
+    const auto sequence = std::make_shared<Sequence>(SequenceOptions{.displacements = sweep.fields}, files);
     return
         [&, sequence](std::size_t index) { return to_bytes(solve_case(*sequence, sweep, index, request)); };
   };

@@ -23,11 +23,11 @@ const std::vector<double>* field_of(const SceneResult& r, int which) {
   case CONFORMAL_SLIP_S:
     return &r.result.slip_s;
   case CONFORMAL_U_X:
-    return &r.displacements.ux;
+    return &r.result.displacements.ux;
   case CONFORMAL_U_S:
-    return &r.displacements.us;
+    return &r.result.displacements.us;
   case CONFORMAL_U_N:
-    return &r.displacements.un;
+    return &r.result.displacements.un;
   case CONFORMAL_GAP:
     return &r.problem.gap;
   case CONFORMAL_DEFORMED_DISTANCE:

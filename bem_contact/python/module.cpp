@@ -205,7 +205,7 @@ void add_fields(ResultClass& c) {
       "gap", [](const SceneResult& r) { return field(r, r.problem.gap); },
       "Undeformed distance along the rail's normal, mm, [ms][mx]");
   c.def_property_readonly(
-      "u_n", [](const SceneResult& r) { return field(r, r.displacements.un); },
+      "u_n", [](const SceneResult& r) { return field(r, r.result.displacements.un); },
       "Displacement difference along n, wheel less rail, mm, [ms][mx]");
   c.def_property_readonly(
       "x", [](const SceneResult& r) { return line(columns(r.problem.grid)); },

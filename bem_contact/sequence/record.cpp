@@ -73,7 +73,6 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   out.problem = std::move(solved.contact.problem);
   out.result = std::move(solved.result);
   out.history = std::move(solved.history);
-  out.displacements = std::move(solved.displacements);
   out.warnings = std::move(solved.warnings);
   out.seconds = solved.seconds;
   if (!choice.enough)

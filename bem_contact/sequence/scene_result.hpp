@@ -50,7 +50,6 @@ struct SceneResult {
                           ///< the values of the influence numbers
   ContactResult result;   ///< of the last step
   std::vector<ContactResult> history; ///< transient and shift: of every step
-  Displacements displacements;        ///< of the last step
   ReferencePoint reference;
   bool left = false;             ///< left wheel: y and s are counted to the left (placement.hpp)
   double moment = 0;             ///< Mz about the vertical axis through the reference point, N mm

@@ -110,7 +110,8 @@ SolveResources Sequence::resources(WorkBudget& work) {
   return {.work = work,
           .numbers = options_.keep_numbers ? &memory_.numbers : nullptr,
           .operators = options_.keep_numbers ? &memory_.operators : nullptr,
-          .coarse_start = options_.coarse_start};
+          .coarse_start = options_.coarse_start,
+          .displacements = options_.displacements};
 }
 
 SceneResult Sequence::solve(const SceneFile& scene, const std::atomic<bool>* stop) {

@@ -27,6 +27,7 @@ struct SequenceOptions {
   bool keep_start = true;
   bool learn = true;         ///< learn the area in contact over the predicted one (ContactEstimate)
   bool coarse_start = true;  ///< a case without a former one starts from larger elements
+  bool displacements = true; ///< results hold them; not needed where no fields are written
   bool foresee_shear = true; ///< the estimate knows what shear bears of the load
   /// The grid covers only where h < 0.9 of the approach. False: where h is below three times that.
   bool potential_contact = true;

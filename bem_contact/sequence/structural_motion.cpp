@@ -250,14 +250,14 @@ double unseen_slide(const ContactCase& asked, const GridSolution& solved) {
   for (int is = 0; is < problem.grid.ms; ++is)
     for (int ix = 0; ix < problem.grid.mx; ++ix) {
       const int i = is * problem.grid.mx + ix;
-      if (solved.displacements.us.empty() || solved.result.state[i] == ElementState::exterior)
+      if (solved.result.displacements.us.empty() || solved.result.state[i] == ElementState::exterior)
         continue;
       const double known = placed && placed->structure
                                ? -counted_twice(placed->pair, *placed->structure, solved.contact.rail_s[is],
                                                 solved.contact.wheel_s[is])
                                       .y
                                : 0.0;
-      largest = std::max(largest, std::abs(solved.displacements.us[i] - known));
+      largest = std::max(largest, std::abs(solved.result.displacements.us[i] - known));
     }
   return largest;
 }
