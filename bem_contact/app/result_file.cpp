@@ -78,7 +78,8 @@ void add_patches(H5Table& table, const std::string& group, const SceneResult& r)
     if (values.empty())
       return;
     table.datasets[group + number.name] = line(std::move(values), number.unit, "of each patch");
-    if (std::ranges::none_of(errors, [](double error) { return std::isnan(error); })) // of all patches, or of none
+    if (std::ranges::none_of(errors,
+                             [](double error) { return std::isnan(error); })) // of all patches, or of none
       table.datasets[group + number.error_name] =
           line(std::move(errors), number.unit, "estimated error by the size of the elements");
   }

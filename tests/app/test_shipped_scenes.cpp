@@ -66,7 +66,11 @@ TEST_F(ShippedScenes, GiveWhatTheirFirstLinesSay) {
   EXPECT_NEAR(json::parse(rolled.out)["totals"]["Fx"].get<double>(), 909, 0.002 * 909);
   EXPECT_NEAR(json::parse(rolled.out)["pmax"].get<double>(), 629, 0.002 * 629);
   EXPECT_NEAR(solved("by_height")["totals"]["Fz"].get<double>(), 80700, 0.002 * 80700);
-  const json curve = solved("wheelset_in_a_curve")["totals"];
+  // Its profiles scatter as measured ones do; what is said of their smoothing is no matter here.
+  const Outcome curved = run("solve '" CONFORMAL_SOURCE_DIR "/data/scenes/wheelset_in_a_curve.toml' --json");
+  ASSERT_EQ(curved.code, 0) << curved.err;
+  EXPECT_THAT(curved.err, ::testing::Not(::testing::HasSubstr("does not converge")));
+  const json curve = json::parse(curved.out)["totals"];
   EXPECT_NEAR(curve["Fz"].get<double>(), 8e4, 0.1);
   EXPECT_LT(curve["Fx"].get<double>(), -2e4) << "a driven wheel pushes the rail back";
 }

@@ -33,7 +33,8 @@ SceneFile gauge_corner(double force, const std::string& structural, const std::s
       "rail.profile = '60E1'\nwheel.profile = 'S1002'\nrail.influence = '{}'\nwheel.influence = '{}'\n"
       "rail.structural = '{}'\nwheel.structural = '{}'\n"
       "load.force = {}\nposition.lateral = 6.6\n{}{}",
-      rail, wheel, structural, structural, force, more.find("grid.") == std::string::npos ? coarse : "", more));
+      rail, wheel, structural, structural, force, more.find("grid.") == std::string::npos ? coarse : "",
+      more));
   scene.motion.frictionless = true;
   return with_model(scene, Model::fem);
 }
