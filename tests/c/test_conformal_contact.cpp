@@ -184,7 +184,7 @@ TEST(C, ARefusedSolutionLeavesNoResult) {
 TEST(C, AnotherThreadStopsASolution) {
   const Handle contact = open_file(corner);
   for (const char* key : {"grid.dx", "grid.ds"})
-    ASSERT_EQ(conformal_set_number(contact.get(), key_of(contact, key), 0.04), CONFORMAL_OK);
+    ASSERT_EQ(conformal_set_number(contact.get(), key_of(contact, key), 0.06), CONFORMAL_OK);
   ASSERT_EQ(conformal_set_text(contact.get(), key_of(contact, "solver.model"), "halfspace"), CONFORMAL_OK);
   std::atomic<bool> ended = false;
   std::thread other([&] {

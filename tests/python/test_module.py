@@ -115,7 +115,7 @@ class Module(unittest.TestCase):
                 (lambda: bem_contact.solve(CORNER, {1: 2}), "keys is of type int"),
                 (lambda: bem_contact.solve(CORNER, model=3), "its type is int"),
                 (lambda: bem_contact.solve(CORNER, modell="fem"), "Did you mean model"),
-                (lambda: bem_contact.solve(CORNER, {}, "fem", 1), "too many arguments"),
+                (lambda: bem_contact.solve(CORNER, {}, "fem", False, 1), "too many arguments"),
                 (lambda: bem_contact.solve(CORNER, {"load.force": 1j}), "its type is complex"),
                 (lambda: bem_contact.solve(CORNER, {"load.force": np.complex64(1)}), "its type is complex64"),
                 (lambda: bem_contact.solve(CORNER, {"load.force": {}}), "its type is dict"),

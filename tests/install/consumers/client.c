@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
   }
   require(conformal_key(contact, "load.force", &force), contact);
   for (i = 1; i <= 3; ++i) {
-    require(conformal_set_number(contact, force, 1e5 * i), contact);
+    require(conformal_set_number(contact, force, 1e5 / i), contact);
     require(conformal_solve(contact), contact);
     require(conformal_totals(contact, totals, CONFORMAL_TOTALS), contact);
     printf("%.17g\n", totals[CONFORMAL_PMAX]);

@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
                                    file.parent_path());
     bem_contact::Sequence sequence;
     for (int i = 1; i <= 3; ++i) {
-      scene.set({"load.force", 1e5 * i});
+      scene.set({"load.force", 1e5 / i});
       const bem_contact::SceneResult result = sequence.solve(scene.scene());
       if (!result.result.converged)
         return 3;

@@ -54,7 +54,7 @@ program client
   if (conformal_open_file(trim(scene) // c_null_char, contact, message, 1000) /= conformal_ok) stop 1
   if (conformal_key(contact, "load.force" // c_null_char, force) /= conformal_ok) stop 2
   do i = 1, 3
-    if (conformal_set_number(contact, force, 1d5 * i) /= conformal_ok) stop 3
+    if (conformal_set_number(contact, force, 1d5 / i) /= conformal_ok) stop 3
     if (conformal_solve(contact) /= conformal_ok) stop 4
     if (conformal_totals(contact, totals, conformal_totals_count) /= conformal_ok) stop 5
     print '(es24.16)', totals(conformal_pmax)
