@@ -50,7 +50,7 @@ class Tutorial(unittest.TestCase):
 
     def test_half_space(self):
         result = self.solved(self.plain, "--model", "halfspace")
-        fx, fy = self.printed(r"on the rail: Fx (\S+) N, Fy (\S+) N, Fz 80000.0 N")
+        fx, fy = self.printed(r"on the rail: Fx (\S+) \+- \S+ N, Fy (\S+) \+- \S+ N, Fz 80000.0 N")
         self.near(result["totals"]["Fx"], fx)
         self.near(result["totals"]["Fy"], fy)
 
@@ -72,7 +72,7 @@ class Tutorial(unittest.TestCase):
 
     def test_accuracy(self):
         result = self.solved(self.scene + self.grid, "--model", "fem")
-        contact, pmax, fy = self.printed(r"\| 0\.01 \|.*?\| (\d+) \| (\S+) \| (\d+) \|")
+        contact, pmax, fy = self.printed(r"\| 0\.01 \|.*?\| (\d+) \| (\S+) \+- \S+ \| (\d+) \|")
         self.near(result["pmax"], pmax)
         self.near(result["totals"]["Fy"], fy)
         self.near(sum(patch["contact"] for patch in result["patches"]), contact, 0.02)
