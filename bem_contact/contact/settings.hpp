@@ -291,8 +291,8 @@ BEM_CONTACT_TUNED(int, least_companion_line, 7);
 // of stated over true is least; tools/BENCHMARKS.md, section 8, judges them on other cases.
 
 BEM_CONTACT_TUNED(double, pmax_change, 0.02);     ///< 1. Share of the change of pmax,
-BEM_CONTACT_TUNED(double, pmax_local, 0.08);      ///< 1. and of how far p_n falls beside its peak.
-BEM_CONTACT_TUNED(double, area_border, 0.125);    ///< 1. Share of the area of the elements on the border.
+BEM_CONTACT_TUNED(double, pmax_local, 0.092);     ///< 1. and of how far p_n falls beside its peak.
+BEM_CONTACT_TUNED(double, area_border, 0.16);     ///< 1. Share of the area of the elements on the border.
 BEM_CONTACT_TUNED(double, adhesion_change, 0.82); ///< 1. Share of the change of the adhesive share,
 BEM_CONTACT_TUNED(double, adhesion_local, 0.3);   ///< 1. elements whose state is in doubt anyway,
 BEM_CONTACT_TUNED(double, adhesion_border, 0.75); ///< 1. and for the root of the border of adhesion.
