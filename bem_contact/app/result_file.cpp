@@ -6,6 +6,7 @@
 #include "bem_contact/sequence/printed_errors.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bem_contact::app {
 
@@ -66,7 +67,7 @@ void add_history(H5Table& table, const SceneResult& r) {
   totals("creepage_s", &ContactResult::creepage_s, shift ? "mm" : "1");
 }
 
-/// One line [patch] for each number of the patches, and for its error (nan: none can be given).
+/// One line [patch] for each number of the patches, and for its error, if one is known (nan: of others).
 void add_patches(H5Table& table, const SceneResult& r) {
   const std::string group = std::string(name_of(r.model)) + "/patch/";
   for (const PrintedPatchNumber& number : printed_patch_numbers()) {
@@ -78,8 +79,9 @@ void add_patches(H5Table& table, const SceneResult& r) {
     if (values.empty())
       return;
     table.datasets[group + number.name] = line(std::move(values), number.unit, "of each patch");
-    table.datasets[group + number.error_name] =
-        line(std::move(errors), number.unit, "estimated error by the size of the elements; nan: not known");
+    if (!std::ranges::all_of(errors, [](double error) { return std::isnan(error); }))
+      table.datasets[group + number.error_name] =
+          line(std::move(errors), number.unit, "estimated error by the size of the elements; nan: not known");
   }
 }
 
@@ -127,7 +129,8 @@ void add_result(H5Table& table, const SceneResult& r) {
   a[group + "area_mm2"] = contact_area(r.result);
   a[group + "patches"] = double(c.patches.size());
   for (const PrintedNumber& number : printed_numbers())
-    a[group + number.error_name] = number.error(r);
+    if (!std::isnan(number.error(r)))
+      a[group + number.error_name] = number.error(r);
   a[group + "adhesion_share"] = adhesion_share(c);
   a[group + "converges_with_elements"] = c.discretisation && c.discretisation->converges ? 1.0 : 0.0;
   add_patches(table, r);
