@@ -55,7 +55,7 @@ std::string pressure_text(const SceneResult& r) {
 }
 
 std::string patch_errors_text(const SceneResult& r, std::size_t patch) {
-  if (!r.result.discretisation)
+  if (!r.result.discretisation || !r.result.discretisation->converges)
     return "";
   const PatchErrors e = errors_of_patch(r.result, patch);
   return fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10} {:>9} {:>9}\n", "+-", two_digits(e.fn),

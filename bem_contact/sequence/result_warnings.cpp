@@ -141,7 +141,7 @@ std::vector<std::string> result_warnings(const ContactCase& asked, const SceneRe
   warn_of_creepage(r, out);
   warn_of_head(asked, r, out);
   warn_of_convergence(r.result, out);
-  if (r.model != Model::hertz)
+  if (r.model != Model::hertz && !r.result.touches_border)
     warn_of_large_elements(r, out);
   return out;
 }

@@ -52,6 +52,11 @@ class Module(unittest.TestCase):
             self.assertEqual(getattr(r, name), expected[name])
         self.assertEqual(len(r.patches), len(expected["patches"]))
         self.assertEqual(r.discretisation, expected["certificate"]["discretisation"])
+        for name in ("pmax_error", "area_error", "approach_error"):
+            self.assertEqual(getattr(r, name), expected[name], name)
+        self.assertEqual(r.Fx_error, expected["totals"]["Fx_error"])
+        self.assertEqual(r.patches[0]["Fn_error"], expected["patches"][0]["Fn_error"])
+        self.assertEqual(r.converges_with_elements, expected["converges_with_elements"])
         # Fz from the fields
         area = (r.x[1] - r.x[0]) * (r.s[1] - r.s[0])
         fz = (r.p_n * np.cos(r.delta)[:, None] + r.p_s * np.sin(r.delta)[:, None]).sum() * area

@@ -4,6 +4,7 @@
 #include "bem_contact/sequence/model_choice.hpp"
 #include "bem_contact/sequence/pair_numbers.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,6 +27,12 @@ SceneFile wheel_on_rail(double lateral, double force, const std::string& motion 
                   "position.lateral = " +
                   std::to_string(lateral) + "\nload.force = " + std::to_string(force) + "\n[motion]\n" +
                   motion + "\n[grid]\ndx = 1.0\nds = 0.5\n");
+}
+
+/// How many of the warnings say this.
+auto times_said(const SceneResult& r, const std::string& what) {
+  return std::ranges::count_if(
+      r.warnings, [&](const std::string& warning) { return warning.find(what) != std::string::npos; });
 }
 
 TEST(Scene, HertzPatch) {
@@ -143,7 +150,7 @@ TEST(Scene, AGridThatIsTooSmallGrows) {
   const SceneResult whole = Sequence().solve(with_model(scene, Model::halfspace));
   scene.grid.rows = {-14.5, -12.5};
   const auto said = [](const SceneResult& r) {
-    EXPECT_THAT(r.warnings, Contains(HasSubstr("did not fit on the grid asked for: it grew to")));
+    EXPECT_EQ(times_said(r, "did not fit on the grid asked for: it grew to"), 1);
   };
   said(Sequence().solve(with_model(scene, Model::halfspace)));
   said(Sequence().solve(with_model(scene, std::nullopt))); // which looks at the normal problem first
@@ -158,7 +165,9 @@ TEST(Scene, AGridThatIsTooSmallGrows) {
 TEST(Scene, AutoAsksForFemWhereTheNormalTurns) {
   const SceneResult corner = Sequence().solve(with_model(wheel_on_rail(6.65, 1e5), std::nullopt));
   EXPECT_EQ(corner.model, Model::tangent_plane); // no influence files to go on with
-  EXPECT_THAT(corner.warnings, Contains(HasSubstr("the finite-element model is needed here")));
+  EXPECT_EQ(times_said(corner, "the finite-element model is needed here"), 1);
+  EXPECT_EQ(times_said(corner, "three times the yield strength"), 1);
+  EXPECT_EQ(corner.warnings.size(), 2u);
   EXPECT_THAT(corner.reason, HasSubstr("names no influence files"));
   const SceneResult tread = Sequence().solve(with_model(wheel_on_rail(0, 1e4), std::nullopt));
   EXPECT_THAT(tread.reason, HasSubstr("within the 1 % allowed"));
@@ -227,7 +236,8 @@ TEST(Scene, AContactAtTheEdgeOfAPatchsGridIsSaid) {
   SceneFile scene = scene_of("kind = \"patch\"\nload.force = 1e4\nmotion.frictionless = true\n"
                              "[grid]\nmx = 5\nms = 5\n[gap]\na = 0.001\nb = 0.001\n");
   const SceneResult r = Sequence().solve(scene);
-  EXPECT_THAT(r.warnings, Contains(HasSubstr("reaches the edge of the grid")));
+  EXPECT_EQ(times_said(r, "reaches the edge of the grid"), 1);
+  EXPECT_EQ(times_said(r, "too large for this contact"), 0);
 }
 
 TEST(Scene, FemWithoutInfluenceFilesIsRefused) {
