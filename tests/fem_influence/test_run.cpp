@@ -158,7 +158,7 @@ TEST_F(Run, a_stopped_run_goes_on_and_gives_the_same_file) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "stopped.h5.part"));
 }
 
-TEST_F(Run, finished_wavenumbers_of_another_material_are_not_taken_over) {
+TEST_F(Run, finished_wavenumbers_of_another_material_are_refused_and_kept) {
   BodyFile body = small_block();
   struct Stop {};
   const auto stop = [](std::size_t done, std::size_t) {
@@ -168,7 +168,15 @@ TEST_F(Run, finished_wavenumbers_of_another_material_are_not_taken_over) {
   const ProfileCurve curve = straight_line(40);
   EXPECT_THROW(run_harmonic(body, curve, folder_ / "block.msh", folder_ / "out.h5", stop), Stop);
   body.material.poisson = 0.3;
-  EXPECT_EQ(run_harmonic(body, curve, folder_ / "block.msh", folder_ / "out.h5").resumed, 0u);
+  try {
+    run_harmonic(body, curve, folder_ / "block.msh", folder_ / "out.h5");
+    FAIL() << "what is finished must not be lost";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr("holds finished wavenumbers of another body"), HasSubstr("remove it")));
+  }
+  body = small_block();
+  EXPECT_GT(run_harmonic(body, curve, folder_ / "block.msh", folder_ / "out.h5").resumed, 0u);
 }
 
 TEST_F(Run, the_program_gives_the_same_file_on_one_two_and_four_processes) {
@@ -269,7 +277,7 @@ TEST_F(Run, refuses_an_output_that_cannot_be_written) {
   EXPECT_THAT(error_of("block.msh", "absent/out.h5"),
               AllOf(HasSubstr("cannot be written"), HasSubstr("absent")));
   std::filesystem::create_directory(folder_ / "folder.h5");
-  EXPECT_THAT(error_of("block.msh", "folder.h5"), HasSubstr("a folder has that name"));
+  EXPECT_THAT(error_of("block.msh", "folder.h5"), HasSubstr("it is a folder"));
 }
 
 TEST(Wavenumbers, are_the_harmonics_then_equal_steps_up_to_the_largest) {

@@ -209,7 +209,7 @@ def press():
     os.kill(os.getpid(), signal.SIGINT)
 threading.Timer(0.3, press).start()
 try:
-    sequence.solve({{"grid.dx": 0.02, "grid.ds": 0.02}}, "halfspace")
+    sequence.solve({{"grid.dx": 0.06, "grid.ds": 0.06}}, "halfspace")
     print("was not interrupted")
 except KeyboardInterrupt:
     print("interrupted after", time.monotonic() - pressed[0])
