@@ -1,6 +1,7 @@
 #include "fem_influence/harmonic_command.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/interrupt_note.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/profile/body_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
@@ -50,8 +51,16 @@ void harmonic_command(const std::string& body_file, const std::string& mesh, con
   });
   const auto stations = std::lround((body->strip.to - body->strip.from) / body->strip.station_width);
   ProgressBar bar(fmt::format("{} stations, wavenumbers", stations));
-  const RunReport report = run_harmonic(*body, *curve, mesh, output,
-                                        [&](std::size_t done, std::size_t all) { bar.show(done, all); });
+  std::optional<InterruptNote> note;
+  if (process_rank() == 0)
+    note.emplace(
+        "wavenumbers",
+        fmt::format("Give the same command again to go on: '{0}.part' and '{0}.companion.part' hold them.",
+                    output));
+  const RunReport report = run_harmonic(*body, *curve, mesh, output, [&](std::size_t done, std::size_t all) {
+    bar.show(done, all);
+    note->done(done, all);
+  });
   if (process_rank() == 0)
     print(report, output);
 }

@@ -1,4 +1,6 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/provenance.hpp"
+#include "bem_contact/base/standard_streams.hpp"
 #include "fem_influence/harmonic_command.hpp"
 #include "fem_influence/shared/parallel.hpp"
 #include "fem_influence/solid_command.hpp"
@@ -61,6 +63,7 @@ struct Arguments {
 };
 
 void add_options(CLI::App& app, Arguments& arguments) {
+  app.set_version_flag("--version", provenance("fem_influence"));
   app.add_option("body", arguments.body, "Body file (TOML), the one mesh_body read")->required();
   app.add_option("mesh", arguments.mesh,
                  "Mesh of the cross-section (gmsh .msh); with --solid of the 3-D body")
@@ -96,9 +99,7 @@ void compute(const Arguments& arguments) {
   }
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   CLI::App app{description, "fem_influence"};
   Arguments arguments;
   add_options(app, arguments);
@@ -126,4 +127,11 @@ int main(int argc, char** argv) {
   }
   MPI_Finalize();
   return code;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  hold_standard_streams();
+  return checked_exit_code(run_program(argc, argv));
 }

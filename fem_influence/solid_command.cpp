@@ -72,9 +72,10 @@ void check_files(const std::string& body_file, const std::string& mesh, const So
   if (options.output.empty() && options.check.empty() && options.vtu.empty())
     throw InputError("There is nothing to do with the 3-D numbers", "they would be computed and forgotten",
                      "give -o OUT.h5, --check INFLUENCE.h5 or --vtu FIELD.vtu");
-  for (const std::string& file : {options.output, options.vtu})
-    if (!file.empty())
-      require_writable(file);
+  if (!options.output.empty())
+    output_target(options.output, OutputForm::whole_file);
+  if (!options.vtu.empty())
+    output_target(options.vtu, OutputForm::text);
 }
 
 void write_table(const BodyFile& body, const ProfileCurve& curve, const std::string& mesh,

@@ -1,5 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/provenance.hpp"
+#include "bem_contact/base/standard_streams.hpp"
 #include "bem_contact/profile/body_file.hpp"
 #include "meshes/section_mesh.hpp"
 #include "meshes/settings.hpp"
@@ -41,19 +43,22 @@ constexpr const char* example =
     "With --solid: half of the 3-D body (x >= 0) in coarse hexahedra, which fem_influence --solid refines\n"
     "towards the load; surfaces contact = 1, held = 2, free = 3, symmetry = 4; volume body = 10.";
 
-void print_quality(const meshes::QuadMesh& mesh, const meshes::Quality& quality) {
-  fmt::print("quadrilaterals           {}\n", quality.quads);
-  fmt::print("vertices                 {}\n", mesh.points.size());
-  fmt::print("area                     {:.3f} mm^2 (section {:.3f})\n", quality.area, mesh.section_area);
-  fmt::print("edges, shortest/longest  {:.4f} / {:.4f} mm\n", quality.shortest_edge, quality.longest_edge);
-  fmt::print("scaled Jacobian, mean    {:.3f}\n", quality.mean);
-  fmt::print("scaled Jacobian, least   {:.3f} at y = {:.3f}, z = {:.3f} mm\n", quality.smallest,
+void print_quality(std::FILE* words, const meshes::QuadMesh& mesh, const meshes::Quality& quality) {
+  fmt::print(words, "quadrilaterals           {}\n", quality.quads);
+  fmt::print(words, "vertices                 {}\n", mesh.points.size());
+  fmt::print(words, "area                     {:.3f} mm^2 (section {:.3f})\n", quality.area,
+             mesh.section_area);
+  fmt::print(words, "edges, shortest/longest  {:.4f} / {:.4f} mm\n", quality.shortest_edge,
+             quality.longest_edge);
+  fmt::print(words, "scaled Jacobian, mean    {:.3f}\n", quality.mean);
+  fmt::print(words, "scaled Jacobian, least   {:.3f} at y = {:.3f}, z = {:.3f} mm\n", quality.smallest,
              quality.worst.y, quality.worst.z);
 }
 
 int run(const std::string& body_file, const std::string& output, bool solid, bool report) {
   const BodyFile body = read_body_file(body_file);
   refuse_overwriting(output, std::array<std::filesystem::path, 1>{body_file});
+  output_target(output, OutputForm::text);
   for (const std::string& warning : body_warnings(body))
     fmt::print(stderr, "warning: {}\n", warning);
   std::optional<meshes::SolidMesh> whole;
@@ -69,22 +74,23 @@ int run(const std::string& body_file, const std::string& output, bool solid, boo
                quality.smallest, meshes::poor_quality, quality.worst.y, quality.worst.z);
   if (!mesh.note.empty())
     fmt::print(stderr, "{}\n", mesh.note);
+  // Standard output is the mesh's if it goes there.
+  std::FILE* words = output_target(output, OutputForm::text).stream ? stderr : stdout;
   if (solid)
-    fmt::print("{}: {} hexahedra in {} layers, smallest scaled Jacobian {:.2f}, written to {}\n", mesh.name,
-               whole->hexahedra.size(), whole->layers.size() - 1, quality.smallest, output);
+    fmt::print(words, "{}: {} hexahedra in {} layers, smallest scaled Jacobian {:.2f}, written to {}\n",
+               mesh.name, whole->hexahedra.size(), whole->layers.size() - 1, quality.smallest, output);
   else
-    fmt::print("{}: {} quadrilaterals, smallest scaled Jacobian {:.2f}, written to {}\n", mesh.name,
+    fmt::print(words, "{}: {} quadrilaterals, smallest scaled Jacobian {:.2f}, written to {}\n", mesh.name,
                quality.quads, quality.smallest, output);
   if (report)
-    print_quality(mesh, quality);
+    print_quality(words, mesh, quality);
   return 0;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   CLI::App app(description, "mesh_body");
   app.footer(example);
+  app.set_version_flag("--version", provenance("mesh_body"));
   std::string body_file, output;
   bool report = false, solid = false, print_default = false;
   app.add_option("BODY.toml", body_file, "body file");
@@ -112,4 +118,11 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "error: {}\n", error.what());
     return 1;
   }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  hold_standard_streams();
+  return checked_exit_code(run_program(argc, argv));
 }

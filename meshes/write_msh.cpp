@@ -1,10 +1,12 @@
 #include "meshes/write_msh.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
 #include "meshes/gmsh_session.hpp"
 #include "meshes/settings.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
@@ -152,41 +154,53 @@ bool add_comment(const std::string& body_digest, const std::filesystem::path& fi
   return out.good();
 }
 
-template <class Mesh> void write_whole(const Mesh& mesh, const std::filesystem::path& file) {
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
+  throw InputError(fmt::format("the mesh cannot be written to '{}'", file.string()), why,
+                   "Give another file with -o.");
+}
+
+/// Removes itself.
+struct TemporaryMesh {
+  std::filesystem::path file;
+  ~TemporaryMesh() {
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+  }
+};
+
+/// Gmsh makes a file of its own, which is renamed when complete, or copied into a device or a pipe.
+template <class Mesh> void write_checked(const Mesh& mesh, const std::filesystem::path& output) {
+  const OutputTarget target = output_target(output, OutputForm::text);
   // Gmsh tells the format by the name's end.
-  std::filesystem::path temporary = file;
-  temporary += ".partial.msh";
-  if (file.filename().empty() || std::filesystem::is_directory(file) || !std::ofstream(temporary))
-    throw InputError(fmt::format("the mesh cannot be written to '{}'", file.string()),
-                     "its folder does not exist or may not be written to", "Give another file with -o.");
+  const std::string ending = fmt::format(".{}.partial.msh", getpid());
+  const TemporaryMesh temporary{target.stream
+                                    ? std::filesystem::temp_directory_path() / ("mesh_body" + ending)
+                                    : std::filesystem::path(target.file.string() + ending)};
+  write_with_gmsh(mesh, temporary.file.string());
+  if (!is_whole(temporary.file) || !add_curved_edges(mesh, temporary.file) ||
+      !add_comment(mesh.body_digest, temporary.file))
+    refuse(output, "writing stopped early, the disk may be full");
+  if (target.stream) {
+    const std::ifstream in(temporary.file, std::ios::binary);
+    write_text(target.file, [&](std::ostream& out) { out << in.rdbuf(); });
+    return;
+  }
   std::error_code error;
-  bool whole = false;
-  try {
-    write_with_gmsh(mesh, temporary.string());
-    whole =
-        is_whole(temporary) && add_curved_edges(mesh, temporary) && add_comment(mesh.body_digest, temporary);
-  } catch (...) {
-    std::filesystem::remove(temporary, error);
-    throw;
-  }
-  if (whole)
-    std::filesystem::rename(temporary, file, error);
-  if (!whole || error) {
-    const std::string why = whole ? error.message() : "writing stopped early, the disk may be full";
-    std::filesystem::remove(temporary, error);
-    throw InputError(fmt::format("the mesh cannot be written to '{}'", file.string()), why,
-                     "Give another file with -o.");
-  }
+  if (std::filesystem::exists(target.file))
+    std::filesystem::permissions(temporary.file, std::filesystem::status(target.file).permissions(), error);
+  std::filesystem::rename(temporary.file, target.file, error);
+  if (error)
+    refuse(output, error.message());
 }
 
 } // namespace
 
 void write_msh(const QuadMesh& mesh, const std::filesystem::path& file) {
-  write_whole(mesh, file);
+  write_checked(mesh, file);
 }
 
 void write_msh(const SolidMesh& mesh, const std::filesystem::path& file) {
-  write_whole(mesh, file);
+  write_checked(mesh, file);
 }
 
 } // namespace bem_contact::meshes

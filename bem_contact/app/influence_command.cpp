@@ -56,6 +56,7 @@ struct Body {
   InfluenceFunction function;
   std::vector<double> row_s;
   InfluenceNumbers numbers;
+  double contact_radius = 0; ///< at which x was counted, mm; 0: a prismatic body
 };
 
 double middle_of(const InfluenceFunction& f) {
@@ -74,7 +75,7 @@ double radius_at(const InfluenceFunction& f, double s) {
 /// `direction`: +1 if the rows ascend with the body's own s, -1 if they run against it.
 Body expand_body(const ExpandRequest& r, const std::string& file, double direction,
                  std::optional<double> centre) {
-  Body body{read_influence_file(file), {}, {}};
+  Body body{read_influence_file(file), {}, {}, 0};
   const double middle = centre.value_or(middle_of(body.function));
   for (int i = 0; i < r.my; ++i)
     body.row_s.push_back(middle + direction * (i - 0.5 * (r.my - 1)) * r.ds);
@@ -83,7 +84,7 @@ Body expand_body(const ExpandRequest& r, const std::string& file, double directi
   options.offsets = r.mx;
   options.structural =
       r.structural == "included" ? StructuralCompliance::included : StructuralCompliance::removed;
-  options.contact_radius = radius_at(body.function, middle);
+  body.contact_radius = options.contact_radius = radius_at(body.function, middle);
   body.numbers = halfspace::resample(body.function, options, body.row_s, r.ds);
   return body;
 }
@@ -99,7 +100,7 @@ void describe(PlainNumbers& out, const ExpandRequest& r, const Body& body, const
   add("material", fmt::format("G = {:.10g} MPa, nu = {:.10g}", f.material.shear_modulus, f.material.poisson));
   add("structural_compliance", r.structural + (r.structural == "included" ? ", " + f.held : ""));
   if (f.invariance == Invariance::revolution)
-    add("contact_radius", fmt::format("{:.10g} mm", radius_at(f, body.row_s[body.row_s.size() / 2])));
+    add("contact_radius", fmt::format("{:.10g} mm", body.contact_radius));
   add("estimated_error",
       f.estimated_error < 0 ? "not given" : fmt::format("{:.2e} of self", f.estimated_error));
   out.rows.emplace_back("s" + suffix, body.row_s);
@@ -109,6 +110,7 @@ void describe(PlainNumbers& out, const ExpandRequest& r, const Body& body, const
 void check(const ExpandRequest& r, const std::string& format) {
   const std::vector<std::filesystem::path> inputs(r.files.begin(), r.files.end());
   refuse_overwriting(r.output, inputs);
+  output_target(r.output, format == "hdf5" ? OutputForm::whole_file : OutputForm::text);
   if (!(r.dx > 0 && std::isfinite(r.dx)) || !(r.ds > 0 && std::isfinite(r.ds)) || r.mx < 1 || r.my < 1)
     throw InputError("There are no such elements",
                      fmt::format("dx = {:g}, ds = {:g} mm, mx = {}, my = {}", r.dx, r.ds, r.mx, r.my),

@@ -1,13 +1,17 @@
 #include "bem_contact/app/influence_command.hpp"
 #include "bem_contact/app/info.hpp"
+#include "bem_contact/app/profile_command.hpp"
 #include "bem_contact/app/scene_commands.hpp"
 #include "bem_contact/app/sweep_command.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
+#include "bem_contact/base/standard_streams.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,7 +31,8 @@ Begin with one that is there, then change it:
 You should see one patch, its forces, its largest pressure and the line `certificate`, which says `holds`.
 data/scenes/README.md lists what scenes can ask; --print-default prints every key of a scene.
 
-Exit code 0: the certificate holds (sweep: of every case); 2: the input is wrong; 3: no certified result.
+Exit code 0: the certificate holds (sweep: of every case); 2: the input is wrong; 3: no certified result;
+1: something else, such as a full disk under standard output.
 Each command has its own --help with an example.)";
 
 /// Comes before the options are parsed, because options of an unknown command are no errors of their own.
@@ -40,9 +45,9 @@ void refuse_unknown_command(const CLI::App& cli, const std::string& word) {
   const auto like = nearest_names(word, commands, 1);
   throw InputError(fmt::format("there is no command '{}'", word),
                    fmt::format("the commands are {}", fmt::join(commands, ", ")),
-                   std::filesystem::exists(word) ? fmt::format("Did you mean bem_contact solve {}?", word)
-                   : like.empty()                ? "See bem_contact --help."
-                                                 : fmt::format("Did you mean {}?", like.front()));
+                   file_exists(word) ? fmt::format("Did you mean bem_contact solve {}?", word)
+                   : like.empty()    ? "See bem_contact --help."
+                                     : fmt::format("Did you mean {}?", like.front()));
 }
 
 /// The command that the line asks for, or --print-default, or the help.
@@ -58,9 +63,7 @@ ExitCode run(const CLI::App& cli, const std::vector<Command>& commands, bool pri
   return wrong_input;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_color_mt("bem_contact"));
   spdlog::set_pattern("%^%l%$: %v");
 
@@ -70,8 +73,8 @@ int main(int argc, char** argv) {
   cli.set_version_flag("--version", provenance("bem_contact"));
   cli.add_flag("--print-default", print_default, "Print a scene file with every key, its default and unit");
   cli.footer(program_help);
-  const std::vector<Command> commands{add_solve(cli), add_compare(cli),   add_check(cli),
-                                      add_info(cli),  add_influence(cli), add_sweep(cli)};
+  const std::vector<Command> commands{add_solve(cli),     add_compare(cli), add_check(cli), add_info(cli),
+                                      add_influence(cli), add_profile(cli), add_sweep(cli)};
   try {
     refuse_unknown_command(cli, argc > 1 ? argv[1] : "");
     cli.parse(argc, argv);
@@ -86,7 +89,15 @@ int main(int argc, char** argv) {
     spdlog::error("{}", error.what());
     return wrong_input;
   } catch (const std::exception& error) {
-    spdlog::error("Something this program did not foresee: {}", error.what());
-    return wrong_input;
+    if (std::ferror(stdout) == 0) // checked_exit_code() says it
+      spdlog::error("Something this program did not foresee: {}", error.what());
+    return unforeseen;
   }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  hold_standard_streams();
+  return checked_exit_code(run_program(argc, argv));
 }

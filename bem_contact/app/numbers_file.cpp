@@ -88,7 +88,7 @@ void write_numbers_h5(const std::filesystem::path& file, const PlainNumbers& pla
 
 void write_numbers_csv(const std::filesystem::path& file, const PlainNumbers& plain) {
   const InfluenceNumbers& a = plain.numbers;
-  write_whole(file, [&](std::ostream& out) {
+  write_text(file, [&](std::ostream& out) {
     out << "# conformal-contact influence numbers 1\n";
     out << fmt::format("# dx: {:.17g} mm\n# ds: {:.17g} mm\n", a.dx, a.ds);
     for (const auto& [name, text] : plain.remarks)
@@ -132,7 +132,7 @@ void write_numbers_contact(const std::filesystem::path& file, const PlainNumbers
   constexpr const char* columns = "% ix  x   n-displacement due to pn, px, ps;  x-displacement due to pn, "
                                   "px, ps;  s-displacement due to pn, px, "
                                   "ps\n";
-  write_whole(file, [&](std::ostream& out) {
+  write_text(file, [&](std::ostream& out) {
     out << fmt::format("{:4d} 1   % nmatrix, iaconvex: number of matrices, the rail is the upper body (1)\n",
                        one ? 1 : a.rows)
         << "   0 312   % lquasid, xyzorder: general, 9 columns a point, order n, x, s\n"

@@ -2,6 +2,7 @@
 
 #include "bem_contact/app/error_text.hpp"
 #include "bem_contact/app/stresses_output.hpp"
+#include "bem_contact/app/structure_output.hpp"
 #include "bem_contact/contact/history.hpp"
 #include "bem_contact/sequence/printed_errors.hpp"
 
@@ -69,57 +70,32 @@ json history_json(const SceneResult& r) {
   return steps;
 }
 
-std::string discretisation_text(const SceneResult& r) {
-  const double estimate = r.result.certificate.discretisation;
-  return estimate < 0 ? "-" : fmt::format("{:.2f} %", 100 * estimate);
+/// Displacement and creepage that were found, and free rolling; "" of a patch.
+std::string rolling_text(const SceneResult& r) {
+  std::string out;
+  if (r.found_lateral) {
+    out += fmt::format("the lateral force asked for: at a lateral displacement of {:.5f} mm",
+                       r.found_lateral->lateral);
+    for (const double other : r.found_lateral->others)
+      out += fmt::format("{} about {:.2f} mm", &other == &r.found_lateral->others.front() ? "; also at" : ",",
+                         other);
+    out += '\n';
+  }
+  if (r.free_rolling)
+    out += fmt::format(
+        "creepage xi {:+.5g}; the wheel rolls freely at {:+.5g} (rolling radius {:.4f} mm): {:+.5g} from "
+        "there\n",
+        r.xi, r.free_rolling->xi, r.free_rolling->rolling_radius, r.xi - r.free_rolling->xi);
+  return out;
 }
 
-/// One line of the comparison: name, unit, how to get it.
-struct Quantity {
-  const char *name, *unit;
-  double (*get)(const SceneResult&);
-  bool load = false; ///< a force or moment: one that vanishes beside Fz has no relative difference
-};
-
-constexpr Quantity quantities[] = {
-    {"pmax", "MPa", [](const SceneResult& r) { return largest_pressure(r.result); }},
-    {"area", "mm2", [](const SceneResult& r) { return contact_area(r.result); }},
-    {"approach", "mm", [](const SceneResult& r) { return r.result.approach; }},
-    {"Fx", "N", [](const SceneResult& r) { return r.result.Fx; }, true},
-    {"Fy", "N", [](const SceneResult& r) { return r.result.Fy; }, true},
-    {"Fz", "N", [](const SceneResult& r) { return r.result.Fz; }, true},
-    {"Mz", "N mm", [](const SceneResult& r) { return r.moment; }, true},
-    {"contact", "elements", [](const SceneResult& r) { return double(count_elements(r.result).contact); }},
-    {"adhesion", "elements", [](const SceneResult& r) { return double(count_elements(r.result).adhesion); }},
-    {"slip", "elements", [](const SceneResult& r) { return double(count_elements(r.result).slip); }},
-};
-
-/// Two numbers of one line, with the same decimals.
-std::pair<std::string, std::string> numbers(double a, double b) {
-  const double largest = std::max(std::abs(a), std::abs(b));
-  const bool whole = largest >= 1e5 || (a == std::round(a) && b == std::round(b));
-  const auto text = [&](double v) {
-    return whole          ? fmt::format("{:.0f}", v)
-           : largest >= 1 ? fmt::format("{:.2f}", v)
-                          : fmt::format("{:.5g}", v);
-  };
-  return {text(a), text(b)};
-}
-
-/// (fem - half-space) / |half-space|; nothing where half-space gives zero.
-std::optional<double> difference(const Quantity& q, const Comparison& c) {
-  const double halfspace = q.get(c.halfspace), fem = q.get(c.fem);
-  const double least = q.load ? 1e-9 * std::abs(c.halfspace.result.Fz) : 0.0;
-  if (std::abs(halfspace) <= least)
-    return std::nullopt;
-  return (fem - halfspace) / std::abs(halfspace);
-}
-
-std::string reference_text(const SceneResult& r) {
-  return fmt::format(
-      "{}reference point: s = {:.3f} mm, y = {:.3f} mm, z = {:.3f} mm, inclination {:.2f} degrees\n",
-      r.left ? "left wheel: y, s, Fy, Fs, Mz, eta and phi are counted to the left\n" : "", r.reference.s,
-      r.reference.position.y, r.reference.position.z, r.reference.delta * 180 / std::numbers::pi);
+/// null of a patch, and where it was not looked for
+json free_rolling_json(const SceneResult& r) {
+  if (!r.free_rolling)
+    return nullptr;
+  return {{"xi", r.free_rolling->xi},
+          {"rolling_radius", r.free_rolling->rolling_radius},
+          {"xi_from_there", r.xi - r.free_rolling->xi}};
 }
 
 /// Of all that to_json() of a result gives; what is not named is a pure number.
@@ -128,10 +104,10 @@ json units_json(const SceneResult& r) {
   return {{"Fx, Fy, Fz, Fs, Fn", "N"},
           {"Mz", "N mm"},
           {"pmax, stresses", "MPa"},
-          {"approach, x, s, y, z, dx, ds, s_from, s_to", "mm"},
+          {"approach, x, s, y, z, dx, ds, s_from, s_to, lateral, other_laterals, rolling_radius", "mm"},
           {"area", "mm2"},
           {"delta", "rad"},
-          {"xi, eta", shift ? "mm" : "1"},
+          {"xi, eta, xi_from_there", shift ? "mm" : "1"},
           {"friction_power", shift ? "N mm" : "N mm per mm rolled"},
           {"seconds", "s"}};
 }
@@ -207,6 +183,13 @@ json solvers_json(const ContactResult& result) {
 
 } // namespace
 
+std::string reference_text(const SceneResult& r) {
+  return fmt::format(
+      "{}reference point: s = {:.3f} mm, y = {:.3f} mm, z = {:.3f} mm, inclination {:.2f} degrees\n",
+      r.left ? "left wheel: y, s, Fy, Fs, Mz, eta and phi are counted to the left\n" : "", r.reference.s,
+      r.reference.position.y, r.reference.position.z, r.reference.delta * 180 / std::numbers::pi);
+}
+
 json to_json(const SceneResult& r) {
   json out = {{"model", name_of(r.model)},
               {"reason", r.reason},
@@ -221,9 +204,15 @@ json to_json(const SceneResult& r) {
                 {"Fs", r.result.Fs},
                 {"friction_power", friction_power(r.result, r.problem.element_area())}}},
               {"creepage_found", creepages_json(r.problem, r.result)},
+              {"lateral", r.lateral ? json(*r.lateral) : json(nullptr)},
+              {"other_laterals", r.found_lateral ? json(r.found_lateral->others) : json(nullptr)},
+              {"xi", r.xi},
+              {"free_rolling", free_rolling_json(r)},
               {"history", history_json(r)},
               {"extrapolated", extrapolated_json(r)},
               {"approach", r.result.approach},
+              {"approach_datum", r.approach_datum},
+              {"structure", structure_json(r.structure)},
               {"pmax", largest_pressure(r.result)},
               {"area", contact_area(r.result)},
               {"adhesion_share", adhesion_share(r.result)},
@@ -250,15 +239,6 @@ json to_json(const SceneResult& r) {
   return out;
 }
 
-json to_json(const Comparison& c) {
-  json differences = json::object();
-  for (const Quantity& q : quantities) {
-    const auto d = difference(q, c);
-    differences[q.name] = d ? json(*d) : json(nullptr);
-  }
-  return {{"halfspace", to_json(c.halfspace)}, {"fem", to_json(c.fem)}, {"difference", differences}};
-}
-
 std::string to_text(const SceneResult& r) {
   const ContactResult& c = r.result;
   const double force = std::max({std::abs(c.Fx), std::abs(c.Fy), std::abs(c.Fz)});
@@ -277,11 +257,14 @@ std::string to_text(const SceneResult& r) {
     out += patch_errors_text(r, i++);
   }
   out += totals_text(r, force);
+  out += rolling_text(r);
   if (r.result.outer_iterations > 1)
     out += fmt::format("{} outer iterations, each reducing the residual to {:.2g}\n",
                        r.result.outer_iterations, r.result.outer_rate);
   if (!r.history.empty())
     out += fmt::format("the last of {} steps\n", r.history.size());
+  out += fmt::format("approach relative to {}\n", r.approach_datum);
+  out += structure_text(r.structure);
   out += stresses_text(r.stresses);
   const Certificate& certificate = c.certificate;
   out += fmt::format("certificate: worst violation {:.1e} of {:.0e} allowed, {}", certificate.worst(),
@@ -293,32 +276,6 @@ std::string to_text(const SceneResult& r) {
     out += fmt::format("solver: {}\n", r.result.remark);
   out += fmt::format("seconds: geometry {:.2f}, influence numbers {:.2f}, solve {:.2f}, total {:.2f}\n",
                      r.seconds.geometry, r.seconds.numbers, r.seconds.solve, r.seconds.total);
-  return out;
-}
-
-std::string to_text(const Comparison& c) {
-  const ContactGrid& grid = c.fem.problem.grid;
-  std::string out = reference_text(c.fem);
-  out += fmt::format("{} x {} elements of {:g} x {:g} mm, vertical force on both {:.1f} N\n\n", grid.mx,
-                     grid.ms, grid.dx, grid.ds, c.fem.result.Fz);
-  out += fmt::format("{:<12} {:<9} {:>14} {:>14} {:>12}\n", "", "", "half-space", "FEM", "difference");
-  for (const Quantity& q : quantities) {
-    const double halfspace = q.get(c.halfspace), fem = q.get(c.fem);
-    const auto [left, right] = numbers(halfspace, fem);
-    const auto d = difference(q, c);
-    out += fmt::format("{:<12} {:<9} {:>14} {:>14} {:>12}\n", q.name, q.unit, left, right,
-                       d ? fmt::format("{:+.2f} %", 100 * *d) : "-");
-  }
-  out += fmt::format("{:<12} {:<9} {:>14} {:>14}\n", "patches", "", c.halfspace.result.patches.size(),
-                     c.fem.result.patches.size());
-  out += fmt::format("{:<12} {:<9} {:>14.1e} {:>14.1e}\n", "certificate", "worst",
-                     c.halfspace.result.certificate.worst(), c.fem.result.certificate.worst());
-  out += fmt::format("{:<22} {:>14} {:>14}\n", "discretisation (est.)", discretisation_text(c.halfspace),
-                     discretisation_text(c.fem));
-  out += fmt::format("{:<12} {:<9} {:>14.2f} {:>14.2f}\n", "seconds", "numbers", c.halfspace.seconds.numbers,
-                     c.fem.seconds.numbers);
-  out += fmt::format("{:<12} {:<9} {:>14.2f} {:>14.2f}\n", "", "solve", c.halfspace.seconds.solve,
-                     c.fem.seconds.solve);
   return out;
 }
 

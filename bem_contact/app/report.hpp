@@ -12,12 +12,12 @@ namespace bem_contact::app {
 /// through the reference point. "extrapolated": totals and approach freed of the leading discretisation error
 /// (contact/problem.hpp, Discretisation); null where not estimated.
 nlohmann::json to_json(const SceneResult& result);
-/// {"halfspace": ..., "fem": ..., "difference": ...}, the differences as fem minus half-space over half-space
-/// (null where half-space gives zero).
-nlohmann::json to_json(const Comparison& comparison);
 
 /// The same for people.
 std::string to_text(const SceneResult& result);
-std::string to_text(const Comparison& comparison);
+
+/// Where s, y, z and inclination of the reference point are; a line for people, with the side of a left
+/// wheel.
+std::string reference_text(const SceneResult& result);
 
 } // namespace bem_contact::app

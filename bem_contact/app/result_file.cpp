@@ -3,6 +3,7 @@
 
 #include "bem_contact/app/report.hpp"
 #include "bem_contact/app/stresses_output.hpp"
+#include "bem_contact/app/structure_output.hpp"
 #include "bem_contact/sequence/printed_errors.hpp"
 
 #include <algorithm>
@@ -34,8 +35,7 @@ H5Dataset points(const std::vector<Point2>& line, std::string description) {
 }
 
 /// [step][ms][mx] of every step, and the totals [step].
-void add_history(H5Table& table, const SceneResult& r) {
-  const std::string group = std::string(name_of(r.model)) + "/history/";
+void add_history(H5Table& table, const std::string& group, const SceneResult& r) {
   const ContactGrid& grid = r.problem.grid;
   const auto fields = [&](const char* name, std::vector<double> ContactResult::*member, const char* unit) {
     H5Dataset out{{r.history.size(), static_cast<std::size_t>(grid.ms), static_cast<std::size_t>(grid.mx)},
@@ -67,9 +67,8 @@ void add_history(H5Table& table, const SceneResult& r) {
   totals("creepage_s", &ContactResult::creepage_s, shift ? "mm" : "1");
 }
 
-/// One line [patch] for each number of the patches, and for its error, if one is known (nan: of others).
-void add_patches(H5Table& table, const SceneResult& r) {
-  const std::string group = std::string(name_of(r.model)) + "/patch/";
+/// One line [patch] for each number of the patches, and for its error (nan: none can be given).
+void add_patches(H5Table& table, const std::string& group, const SceneResult& r) {
   for (const PrintedPatchNumber& number : printed_patch_numbers()) {
     std::vector<double> values, errors;
     for (std::size_t i = 0; i < r.result.patches.size(); ++i) {
@@ -79,15 +78,16 @@ void add_patches(H5Table& table, const SceneResult& r) {
     if (values.empty())
       return;
     table.datasets[group + number.name] = line(std::move(values), number.unit, "of each patch");
-    if (!std::ranges::all_of(errors, [](double error) { return std::isnan(error); }))
+    if (std::ranges::none_of(errors,
+                             [](double error) { return std::isnan(error); })) // of all patches, or of none
       table.datasets[group + number.error_name] =
-          line(std::move(errors), number.unit, "estimated error by the size of the elements; nan: not known");
+          line(std::move(errors), number.unit, "estimated error by the size of the elements");
   }
 }
 
-void add_result(H5Table& table, const SceneResult& r) {
+/// Fields and totals in `group` ("" or a path with its last slash).
+void add_result(H5Table& table, const std::string& group, const SceneResult& r) {
   const ContactGrid& grid = r.problem.grid;
-  const std::string group = std::string(name_of(r.model)) + "/";
   const ContactResult& c = r.result;
   table.datasets[group + "p_x"] = field(grid, c.px, "MPa", "traction on the rail along x");
   table.datasets[group + "p_s"] = field(grid, c.ps, "MPa", "traction on the rail along s");
@@ -97,7 +97,7 @@ void add_result(H5Table& table, const SceneResult& r) {
   table.datasets[group + "slip_x"] = field(grid, c.slip_x, shift ? "mm" : "1", "slip along x" + per);
   table.datasets[group + "slip_s"] = field(grid, c.slip_s, shift ? "mm" : "1", "slip along s" + per);
   table.datasets[group + "deformed_distance"] = field(grid, c.deformed_distance, "mm", "deformed distance");
-  const Displacements& u = r.displacements;
+  const Displacements& u = c.displacements;
   const std::string what = "displacement difference, wheel less rail, along ";
   table.datasets[group + "u_x"] = field(grid, u.ux, "mm", what + "x");
   table.datasets[group + "u_s"] = field(grid, u.us, "mm", what + "s");
@@ -105,7 +105,7 @@ void add_result(H5Table& table, const SceneResult& r) {
   table.datasets[group + "friction_power"] =
       field(grid, friction_power(c), shift ? "N/mm" : "MPa", "dissipated" + per);
   if (!r.history.empty())
-    add_history(table, r);
+    add_history(table, group + "history/", r);
   std::vector<double> state(c.state.size());
   std::ranges::transform(c.state, state.begin(), [](ElementState e) { return double(e); });
   table.datasets[group + "state"] = field(grid, state, "1", "0 exterior, 1 adhesion, 2 slip");
@@ -113,7 +113,11 @@ void add_result(H5Table& table, const SceneResult& r) {
   if (r.stresses)
     add_stresses(table, group + "stresses/", *r.stresses);
 
+  if (r.structure)
+    add_structure(table, group + "structure/", *r.structure);
+
   auto& a = table.attributes;
+  a[group + "approach_datum"] = r.approach_datum;
   a[group + "model"] = std::string(name_of(r.model));
   a[group + "reason"] = r.reason;
   a[group + "Fx_N"] = c.Fx;
@@ -124,63 +128,89 @@ void add_result(H5Table& table, const SceneResult& r) {
   a[group + "friction_power"] = friction_power(r.result, r.problem.element_area());
   a[group + "creepage_found_x"] = c.creepage_x;
   a[group + "creepage_found_s"] = c.creepage_s;
+  if (r.lateral)
+    a[group + "lateral_mm"] = *r.lateral;
+  a[group + "xi"] = r.xi;
+  if (r.free_rolling) {
+    a[group + "free_rolling_xi"] = r.free_rolling->xi;
+    a[group + "free_rolling_radius_mm"] = r.free_rolling->rolling_radius;
+  }
   a[group + "approach_mm"] = c.approach;
   a[group + "pmax_MPa"] = largest_pressure(r.result);
   a[group + "area_mm2"] = contact_area(r.result);
   a[group + "patches"] = double(c.patches.size());
   for (const PrintedNumber& number : printed_numbers())
-    if (!std::isnan(number.error(r)))
-      a[group + number.error_name] = number.error(r);
+    if (const double error = number.error(r); !std::isnan(error)) // an error that is not known is left out
+      a[group + number.error_name] = error;
   a[group + "adhesion_share"] = adhesion_share(c);
   a[group + "converges_with_elements"] = c.discretisation && c.discretisation->converges ? 1.0 : 0.0;
-  add_patches(table, r);
+  add_patches(table, group + "patch/", r);
   a[group + "certificate_worst"] = c.certificate.worst();
   a[group + "certificate_tolerance"] = c.certificate.tolerance;
   a[group + "certificate_holds"] = c.certificate.holds() ? 1.0 : 0.0;
   a[group + "seconds"] = r.seconds.numbers + r.seconds.solve;
 }
 
-} // namespace
-
-H5Table to_table(std::span<const SceneResult* const> results, const std::string& scene) {
-  H5Table table;
-  const SceneResult& first = *results.front();
-  const ContactProblem& problem = first.problem;
-  const ContactGrid& grid = problem.grid;
-  const std::string side = first.left ? "left" : "right";
-  std::vector<double> x, s, y, z, delta;
-  for (int ix = 0; ix < grid.mx; ++ix)
-    x.push_back(grid.x(ix));
+/// Where the elements lie, and the bodies around them.
+void add_coordinates(H5Table& table, const std::string& group, const SceneResult& r) {
+  const ContactProblem& problem = r.problem;
+  const std::string side = r.left ? "left" : "right";
+  std::vector<double> s, y, z, delta;
   for (const ContactRow& row : problem.rows) {
     s.push_back(row.s);
     y.push_back(row.position.y);
     z.push_back(row.position.z);
     delta.push_back(row.delta);
   }
-  table.datasets["x"] = line(x, "mm", "middle of the columns, rolling direction");
-  table.datasets["s"] = line(s, "mm", "middle of the rows, arc length along the rail");
-  table.datasets["y"] = line(y, "mm", "middle of the rows, to the " + side + " (track frame)");
-  table.datasets["z"] = line(z, "mm", "middle of the rows, down (track frame)");
-  table.datasets["delta"] = line(delta, "rad", "inclination of the rows");
-  if (!first.wheel_s.empty())
-    table.datasets["wheel_s"] = line(first.wheel_s, "mm", "arc length along the wheel opposite the rows");
-  table.datasets["gap"] = field(grid, problem.gap, "mm", "undeformed distance along the rail's normal");
-  table.datasets["rail_profile"] = points(first.rail_profile, "rail near the contact: y, z");
-  table.datasets["wheel_profile"] = points(first.wheel_profile, "wheel near the contact at approach 0: y, z");
-
+  auto& d = table.datasets;
+  d[group + "x"] = line(problem.grid.columns(), "mm", "middle of the columns, rolling direction");
+  d[group + "s"] = line(s, "mm", "middle of the rows, arc length along the rail");
+  d[group + "y"] = line(y, "mm", "middle of the rows, to the " + side + " (track frame)");
+  d[group + "z"] = line(z, "mm", "middle of the rows, down (track frame)");
+  d[group + "delta"] = line(delta, "rad", "inclination of the rows");
+  if (!r.wheel_s.empty())
+    d[group + "wheel_s"] = line(r.wheel_s, "mm", "arc length along the wheel opposite the rows");
+  d[group + "gap"] = field(problem.grid, problem.gap, "mm", "undeformed distance along the rail's normal");
+  d[group + "rail_profile"] = points(r.rail_profile, "rail near the contact: y, z");
+  d[group + "wheel_profile"] = points(r.wheel_profile, "wheel near the contact at approach 0: y, z");
   auto& a = table.attributes;
-  a["format"] = std::string(result_format);
-  a["scene"] = scene;
-  a["frame"] = "x rolling direction, y " + side + ", z down; s along the rail, n into the rail";
-  a["dx_mm"] = grid.dx;
-  a["ds_mm"] = grid.ds;
-  a["friction"] = problem.tangential ? problem.largest_friction() : 0.0;
-  a["reference_s_mm"] = first.reference.s;
-  a["reference_y_mm"] = first.reference.position.y;
-  a["reference_z_mm"] = first.reference.position.z;
-  a["reference_delta_rad"] = first.reference.delta;
-  for (const SceneResult* r : results)
-    add_result(table, *r);
+  a[group + "frame"] = "x rolling direction, y " + side + ", z down; s along the rail, n into the rail";
+  a[group + "dx_mm"] = problem.grid.dx;
+  a[group + "ds_mm"] = problem.grid.ds;
+  a[group + "friction"] = problem.tangential ? problem.largest_friction() : 0.0;
+  a[group + "reference_s_mm"] = r.reference.s;
+  a[group + "reference_y_mm"] = r.reference.position.y;
+  a[group + "reference_z_mm"] = r.reference.position.z;
+  a[group + "reference_delta_rad"] = r.reference.delta;
+}
+
+H5Table table_of(const std::string& scene) {
+  H5Table table;
+  table.attributes["format"] = std::string(result_format);
+  table.attributes["scene"] = scene;
+  return table;
+}
+
+} // namespace
+
+H5Table to_table(const SceneResult& result, const std::string& scene) {
+  H5Table table = table_of(scene);
+  add_coordinates(table, "", result);
+  add_result(table, std::string(name_of(result.model)) + "/", result);
+  return table;
+}
+
+H5Table to_table(const Comparison& comparison, const std::string& scene) {
+  H5Table table = table_of(scene);
+  const auto add = [&](const std::string& set, const std::vector<SceneResult>& results) {
+    for (const SceneResult& result : results) {
+      const std::string group = set + std::string(name_of(result.model)) + "/";
+      add_coordinates(table, group, result);
+      add_result(table, group, result);
+    }
+  };
+  add("equal_forces/", comparison.at_forces);
+  add("equal_position/", comparison.at_position);
   return table;
 }
 

@@ -29,4 +29,13 @@ BEM_CONTACT_TUNED(std::size_t, largest_chunk, 32);
 /// Bytes. A longer scene is not copied into the sweep's file: HDF5 keeps attributes of up to 64 kB.
 BEM_CONTACT_TUNED(std::size_t, largest_attribute, 60000);
 
+// Profiles in words.
+
+/// mm. Length of the stretches whose mean radius is printed: a table of 30 lines for a wheel.
+BEM_CONTACT_TUNED(double, radius_stretch, 5.0);
+/// mm. A larger radius is printed as straight. Chosen.
+BEM_CONTACT_TUNED(double, straight_radius, 20000.0);
+/// mm. Step of the table of a profile: that of the contact search.
+BEM_CONTACT_TUNED(double, profile_csv_step, 0.1);
+
 } // namespace bem_contact::app

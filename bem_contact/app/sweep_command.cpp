@@ -8,6 +8,8 @@
 #include "bem_contact/app/sweep_summary.hpp"
 #include "bem_contact/app/sweep_workers.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/interrupt_note.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
@@ -62,7 +64,7 @@ struct SweepRequest {
 
 /// Whether the output is there with all cases. Throws InputError if it is not a file of this sweep.
 bool is_complete(const std::filesystem::path& output, const std::string& digest) {
-  if (!std::filesystem::exists(output))
+  if (!file_exists(output))
     return false;
   H5Table top;
   try {
@@ -122,15 +124,20 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
   if (cases == 0)
     return;
   Progress progress("cases", cases);
+  InterruptNote note("cases", fmt::format("Give the same command again to go on: '{}' holds them.",
+                                          journal_name(request.output, share.part, share.parts).string()));
+  std::size_t done = 0;
+  note.done(done, cases);
   const auto keep = [&](const CaseRecord& record, const std::string& bytes) {
     journal.append(bytes);
     output.add(record);
     progress.step();
+    note.done(++done, cases);
   };
   WorkerCalls calls;
   const auto files = std::make_shared<SequenceFiles>(); // each worker fills its own copy
   calls.make_solver = [&]() -> CaseSolver {
-    const auto sequence = std::make_shared<Sequence>(SequenceOptions{}, files);
+    const auto sequence = std::make_shared<Sequence>(SequenceOptions{.displacements = sweep.fields}, files);
     return
         [&, sequence](std::size_t index) { return to_bytes(solve_case(*sequence, sweep, index, request)); };
   };
@@ -184,6 +191,10 @@ void check_outputs(const SweepFile& sweep, const SweepRequest& request,
     refuse_overwriting(file, taken);
     taken.push_back(file);
   }
+  output_target(request.output, OutputForm::whole_file);
+  output_target(own_journal, OutputForm::whole_file);
+  if (!request.csv.empty())
+    output_target(request.csv, OutputForm::text);
 }
 
 /// What is known from all journals, after this process has solved its part of the rest.

@@ -5,6 +5,7 @@
 #include "bem_contact/influence/file_seal.hpp"
 
 #include <filesystem>
+#include <limits>
 #include <span>
 
 namespace bem_contact::app {
@@ -35,12 +36,12 @@ void check_values(const SweepFile& sweep) {
 std::set<std::string> inputs_of(const SweepFile& sweep) {
   std::set<std::string> names;
   for (const std::filesystem::path& file : input_files(sweep.scene(0)))
-    if (std::filesystem::is_regular_file(file))
+    if (is_regular(file))
       names.insert(file.string());
   for (const SweepFile::Axis& axis : sweep.axes)
     for (const SchemaValue& value : axis.values)
       if (const auto* text = std::get_if<std::string>(&value))
-        if (!text->empty() && std::filesystem::is_regular_file(sweep.folder / *text))
+        if (!text->empty() && is_regular(sweep.folder / *text))
           names.insert((sweep.folder / *text).string());
   return names;
 }
@@ -48,7 +49,7 @@ std::set<std::string> inputs_of(const SweepFile& sweep) {
 std::string digest_of(const SweepFile& sweep, const std::string& options) {
   std::string all = provenance("bem_contact") + "\n" + options + "\n" + digest_of(sweep.text) + "\n";
   for (const std::string& name : inputs_of(sweep))
-    all += digest_of(read_text_file(name, "input")) + "\n";
+    all += digest_of(read_text_file(name, "input", std::numeric_limits<std::size_t>::max() / 4)) + "\n";
   return digest_of(all);
 }
 

@@ -133,7 +133,7 @@ H5Table group_of(const CaseRecord& record) {
 
 void write_csv(const std::filesystem::path& csv, const SweepFile& sweep, const H5Table& top,
                const std::vector<std::string>& reasons) {
-  write_whole(csv, [&](std::ostream& out) {
+  write_text(csv, [&](std::ostream& out) {
     fmt::print(out, "case");
     for (const SweepFile::Axis& axis : sweep.axes)
       fmt::print(out, ",{}", axis.key);

@@ -6,7 +6,6 @@
 #include "bem_contact/sequence/printed_errors.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
@@ -38,6 +37,18 @@ constexpr SummaryColumn plain_columns[] = {
     {"Fz", "N", "on the rail, down", [](const SceneResult& r) { return r.result.Fz; }},
     {"Mz", "N mm", "about the vertical axis through the reference point",
      [](const SceneResult& r) { return r.moment; }},
+    {"lateral", "mm", "lateral displacement of the wheelset, given or found for load.force_y",
+     [](const SceneResult& r) { return r.lateral.value_or(std::numeric_limits<double>::quiet_NaN()); }},
+    {"xi", "1", "longitudinal creepage, with what was found for load.force_x",
+     [](const SceneResult& r) { return r.xi; }},
+    {"free_rolling_xi", "1", "longitudinal creepage at which Fx = 0; nan: not looked for",
+     [](const SceneResult& r) {
+       return r.free_rolling ? r.free_rolling->xi : std::numeric_limits<double>::quiet_NaN();
+     }},
+    {"free_rolling_radius", "mm", "rolling radius at which Fx = 0; nan: not looked for",
+     [](const SceneResult& r) {
+       return r.free_rolling ? r.free_rolling->rolling_radius : std::numeric_limits<double>::quiet_NaN();
+     }},
     {"approach", "mm", "along z", [](const SceneResult& r) { return r.result.approach; }},
     {"pmax", "MPa", "largest pressure", [](const SceneResult& r) { return largest_pressure(r.result); }},
     {"area", "mm2", "in contact", [](const SceneResult& r) { return contact_area(r.result); }},
@@ -140,8 +151,7 @@ CaseRecord record_of(std::size_t index, const SceneResult& result, bool fields) 
   for (const SummaryColumn& column : summary_columns())
     record.summary.push_back(column.get(result));
   if (fields) {
-    const std::array results{&result};
-    record.fields = to_table(results, "");
+    record.fields = to_table(result, "");
     record.fields.attributes.erase("scene");
   }
   return record;

@@ -64,7 +64,7 @@ void write(std::ostream& out, const SceneResult& result) {
              [&](int i, int c) { return turned(i, c, at(r.px, i), at(r.ps, i), 0); });
   data_array(out, "slip", 3, n,
              [&](int i, int c) { return turned(i, c, at(r.slip_x, i), at(r.slip_s, i), 0); });
-  const Displacements& u = result.displacements;
+  const Displacements& u = result.result.displacements;
   data_array(out, "displacement", 3, n,
              [&](int i, int c) { return turned(i, c, at(u.ux, i), at(u.us, i), at(u.un, i)); });
   const std::vector<double> power = friction_power(r);
@@ -78,7 +78,7 @@ void write(std::ostream& out, const SceneResult& result) {
 } // namespace
 
 void write_vts(const std::filesystem::path& file, const SceneResult& result) {
-  write_whole(file, [&](std::ostream& out) { write(out, result); });
+  write_text(file, [&](std::ostream& out) { write(out, result); });
 }
 
 } // namespace bem_contact::app

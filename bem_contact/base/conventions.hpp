@@ -49,6 +49,8 @@ constexpr int parity(int i, int j) {
 struct Point2 {
   double y = 0;
   double z = 0;
+
+  bool operator==(const Point2&) const = default;
 };
 
 constexpr Point2 operator+(Point2 a, Point2 b) {

@@ -14,6 +14,12 @@ std::string lower(std::string_view word) {
   return out;
 }
 
+/// A message quotes what is wrong, and what() would end at the character NUL.
+std::string without_nul(std::string text) {
+  std::replace(text.begin(), text.end(), '\0', '?');
+  return text;
+}
+
 /// Damerau-Levenshtein distance (restricted): insertions, deletions, replacements, neighbours swapped.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
@@ -34,7 +40,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 } // namespace
 
 Error::Error(std::string_view problem, std::string_view why, std::string_view what_to_do)
-    : std::runtime_error(std::string(problem) + " (" + std::string(why) + ") " + std::string(what_to_do)) {}
+    : std::runtime_error(
+          without_nul(std::string(problem) + " (" + std::string(why) + ") " + std::string(what_to_do))) {}
 
 std::vector<std::string> nearest_names(std::string_view word, std::span<const std::string> candidates,
                                        std::size_t most) {

@@ -2,24 +2,57 @@
 
 #include "bem_contact/base/error.hpp"
 
-#include <filesystem>
+#include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
-#include <sstream>
 
 namespace bem_contact {
 
-std::string read_text_file(const std::string& file, std::string_view what) {
-  if (std::filesystem::is_directory(file))
-    throw InputError(fmt::format("{} '{}' cannot be read", what, file), "it is a folder", "Name a file.");
+namespace {
+
+[[noreturn]] void refuse(const std::string& file, std::string_view what, std::string_view why,
+                         std::string_view what_to_do) {
+  throw InputError(fmt::format("{} '{}' cannot be read", what, file), why, what_to_do);
+}
+
+} // namespace
+
+bool file_exists(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored);
+}
+
+bool is_regular(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(file, ignored);
+}
+
+void require_readable(const std::string& file, std::string_view what) {
+  std::error_code ignored;
+  const std::filesystem::file_status found = std::filesystem::status(file, ignored);
+  if (std::filesystem::is_directory(found))
+    refuse(file, what, "it is a folder", "Name a file.");
+  if (std::filesystem::is_character_file(found) || std::filesystem::is_block_file(found) ||
+      std::filesystem::is_socket(found))
+    refuse(file, what, "it is a device, which need not have an end", "Name a file.");
+}
+
+std::string read_text_file(const std::string& file, std::string_view what, std::size_t most) {
+  require_readable(file, what);
   std::ifstream in(file, std::ios::binary);
   if (!in)
-    throw InputError(fmt::format("{} '{}' cannot be read", what, file),
-                     std::filesystem::exists(file) ? "no permission" : "there is no such file",
-                     "Check the path; relative paths start in the folder of the file that names them.");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
+    refuse(file, what, file_exists(file) ? "no permission" : "there is no such file",
+           "Check the path; relative paths start in the folder of the file that names them.");
+  constexpr std::size_t piece = 1 << 16;
+  std::string text;
+  for (std::size_t size = 0; in; text.resize(size)) {
+    text.resize(std::max(2 * size, piece)); // doubled, so that a large file is not copied again and again
+    in.read(text.data() + size, static_cast<std::streamsize>(text.size() - size));
+    size += static_cast<std::size_t>(in.gcount());
+    if (size > most)
+      refuse(file, what, fmt::format("it has more than {} bytes", most), "Name a smaller file.");
+  }
+  return text;
 }
 
 } // namespace bem_contact

@@ -1,11 +1,26 @@
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace bem_contact {
 
-/// The whole text of a file. Throws InputError when it cannot be read; `what` names it there.
-std::string read_text_file(const std::string& file, std::string_view what);
+/// Whether there is something of that name, and whether it is a regular file. False, not an exception, for a
+/// name that is too long or a link that leads back to itself.
+bool file_exists(const std::filesystem::path& file);
+bool is_regular(const std::filesystem::path& file);
+
+/// Throws InputError for what cannot be read to an end: nothing of that name, a folder, a device, a socket.
+/// Pipes may be read. `what` names the file in the message.
+void require_readable(const std::string& file, std::string_view what);
+
+/// bytes. A text for people is never larger: ten million points take 100 bytes each.
+inline constexpr std::size_t largest_text = 1'000'000'000;
+
+/// The whole text of a file. Throws InputError when it cannot be read, or has more than `most` bytes; `what`
+/// names it there.
+std::string read_text_file(const std::string& file, std::string_view what, std::size_t most = largest_text);
 
 } // namespace bem_contact

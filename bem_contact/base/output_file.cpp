@@ -2,9 +2,14 @@
 
 #include "bem_contact/base/error.hpp"
 
+#include <linux/magic.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <fstream>
+#include <iostream>
 #include <string>
 #include <system_error>
 
@@ -12,42 +17,155 @@ namespace bem_contact {
 
 namespace {
 
-bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+namespace fs = std::filesystem;
+
+constexpr int most_links = 40; // as many as Linux follows
+
+bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code ignored;
-  return std::filesystem::equivalent(a, b, ignored) ||
-         std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
+  return fs::equivalent(a, b, ignored) ||
+         fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored);
+}
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& why, const std::string& what_to_do) {
+  throw InputError("The file '" + file.string() + "' cannot be written", why, what_to_do);
+}
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// Names such as /proc/self/fd/1 stand for something open, which has no other name.
+bool stands_for_something_open(const fs::path& link) {
+  struct statfs system {};
+  return statfs(folder_of(link).c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC;
+}
+
+/// The end of a chain of links, which need not exist.
+fs::path follow_links(const fs::path& output) {
+  fs::path at = output;
+  std::error_code failed;
+  for (int links = 0; links < most_links; ++links) {
+    if (!fs::is_symlink(fs::symlink_status(at, failed)) || stands_for_something_open(at))
+      return at;
+    const fs::path to = fs::read_symlink(at, failed);
+    at = to.is_absolute() ? to : folder_of(at) / to;
+  }
+  refuse(output, "it is a link that leads back to itself", "Give another file.");
+}
+
+bool is_open_as(int descriptor, const struct stat& file) {
+  struct stat open {};
+  return fstat(descriptor, &open) == 0 && open.st_dev == file.st_dev && open.st_ino == file.st_ino;
+}
+
+void require_permission(const fs::path& file, const fs::path& output, mode_t mode) {
+  // The system refuses root nothing, so that the bits count too.
+  if ((mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0 || access(file.c_str(), W_OK) != 0)
+    refuse(output, "it exists and is protected from writing", "Give another file, or chmod u+w this one.");
+}
+
+void require_folder(const fs::path& file, const fs::path& output) {
+  const fs::path folder = folder_of(file);
+  std::error_code ignored;
+  if (file.filename().empty())
+    refuse(output, "it names no file", "Give the file a name.");
+  if (!fs::is_directory(folder, ignored))
+    refuse(output, "there is no folder '" + folder.string() + "'", "Make the folder, or give another file.");
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    refuse(output, "you may not write to the folder '" + folder.string() + "'", "Give another file.");
+}
+
+/// What std::ofstream cannot say.
+std::string last_error(const char* otherwise) {
+  return errno != 0 ? std::generic_category().message(errno) : otherwise;
+}
+
+constexpr const char* check_disk = "Check that the disk is not full and that you may write there.";
+
+void write_through(const fs::path& file, const std::function<void(std::ostream&)>& write) {
+  struct stat found {};
+  const bool known = stat(file.c_str(), &found) == 0;
+  const bool standard = known && (is_open_as(STDOUT_FILENO, found) || is_open_as(STDERR_FILENO, found));
+  std::ofstream opened;
+  if (!standard)
+    opened.open(file, std::ios::binary | std::ios::app);
+  std::ostream& out = !standard ? opened : is_open_as(STDOUT_FILENO, found) ? std::cout : std::cerr;
+  errno = 0;
+  std::fflush(stdout);
+  if (out)
+    write(out);
+  out.flush();
+  if (!out)
+    refuse(file, last_error("writing stopped early"), check_disk);
+}
+
+void replace(const fs::path& file, const std::function<void(std::ostream&)>& write) {
+  struct stat before {};
+  const bool existed = stat(file.c_str(), &before) == 0;
+  fs::path temporary = file;
+  temporary += ".tmp" + std::to_string(getpid());
+  std::error_code failed;
+  errno = 0;
+  std::ofstream out(temporary, std::ios::binary);
+  if (out)
+    write(out);
+  out.close();
+  const bool written = static_cast<bool>(out);
+  const std::string why = written ? "" : last_error("writing stopped early");
+  if (written && existed)
+    chmod(temporary.c_str(), before.st_mode & 07777);
+  if (written)
+    fs::rename(temporary, file, failed);
+  if (written && !failed)
+    return;
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  refuse(file, failed ? failed.message() : why, check_disk);
 }
 
 } // namespace
 
-void refuse_overwriting(const std::filesystem::path& output, std::span<const std::filesystem::path> taken) {
-  for (const std::filesystem::path& file : taken)
+void refuse_overwriting(const fs::path& output, std::span<const fs::path> taken) {
+  for (const fs::path& file : taken)
     if (!output.empty() && !file.empty() && same_file(output, file))
       throw InputError("The output '" + output.string() + "' would overwrite '" + file.string() + "'",
                        "it is an input or another output of this run", "Give the output another name.");
 }
 
-void write_whole(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
-  std::filesystem::path temporary = file;
-  temporary += ".tmp" + std::to_string(getpid());
-  std::error_code failed;
-  std::ofstream out(temporary, std::ios::binary);
-  const bool opened = static_cast<bool>(out);
-  if (opened)
-    write(out);
-  out.close();
-  const bool written = static_cast<bool>(out);
-  if (written)
-    std::filesystem::rename(temporary, file, failed);
-  if (written && !failed)
-    return;
-  std::error_code ignored;
-  std::filesystem::remove(temporary, ignored);
-  throw InputError("The file '" + file.string() + "' cannot be written",
-                   failed    ? failed.message()
-                   : !opened ? "it cannot be created"
-                             : "writing stopped early",
-                   "Check that its folder exists, that you may write there, and that the disk is not full.");
+OutputTarget output_target(const fs::path& output, OutputForm form) {
+  const fs::path file = follow_links(output);
+  struct stat found {};
+  if (stat(file.c_str(), &found) != 0) {
+    require_folder(file, output);
+    return {file, false};
+  }
+  if (S_ISDIR(found.st_mode))
+    refuse(output, "it is a folder", "Give the name of a file in it.");
+  if (S_ISSOCK(found.st_mode) || S_ISBLK(found.st_mode))
+    refuse(output, S_ISBLK(found.st_mode) ? "it is a disk" : "it is a socket", "Give the name of a file.");
+  const bool standard = is_open_as(STDOUT_FILENO, found) || is_open_as(STDERR_FILENO, found);
+  const bool stream = standard || !S_ISREG(found.st_mode) || stands_for_something_open(file);
+  if (stream && form == OutputForm::whole_file)
+    refuse(output,
+           !S_ISREG(found.st_mode) ? "it is a device or a pipe, and the output is a whole file"
+           : standard              ? "standard output goes there"
+                                   : "it stands for a file that is open",
+           "Give the name of a regular file.");
+  if (!standard)
+    require_permission(file, output, found.st_mode);
+  if (!stream)
+    require_folder(file, output);
+  return {file, stream};
+}
+
+void write_whole(const fs::path& file, const std::function<void(std::ostream&)>& write) {
+  replace(output_target(file, OutputForm::whole_file).file, write);
+}
+
+void write_text(const fs::path& file, const std::function<void(std::ostream&)>& write) {
+  const OutputTarget target = output_target(file, OutputForm::text);
+  target.stream ? write_through(target.file, write) : replace(target.file, write);
 }
 
 } // namespace bem_contact

@@ -11,8 +11,30 @@ namespace bem_contact {
 /// never loses a file it was given. Empty paths are passed over; files need not exist.
 void refuse_overwriting(const std::filesystem::path& output, std::span<const std::filesystem::path> taken);
 
-/// Writes text under a temporary name beside `file` and renames when complete: `file` is whole or absent.
-/// Throws InputError where it cannot be written.
+/// What an output must be.
+enum class OutputForm {
+  text,      ///< anything that takes bytes one after the other
+  whole_file ///< a regular file (HDF5)
+};
+
+/// What the name of an output leads to.
+struct OutputTarget {
+  std::filesystem::path file; ///< links are followed
+  /// A device, a pipe, or where this program's standard output or error goes: it is written through, and
+  /// never replaced.
+  bool stream = false;
+};
+
+/// Finds out what `output` leads to. Programs ask before they compute. Throws InputError if it cannot be
+/// written: a folder, a socket, a disk, a file without write permission (for root too), a folder that is not
+/// there or may not be written to; for a whole file also a stream.
+OutputTarget output_target(const std::filesystem::path& output, OutputForm form);
+
+/// Writes a file that is whole or absent: under a temporary name beside it, and renamed when complete. A link
+/// is followed, and what it leads to is replaced. An existing file keeps its permissions. Throws InputError
+/// where it cannot be written.
 void write_whole(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
+/// The same for text, which a stream takes too.
+void write_text(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 
 } // namespace bem_contact

@@ -41,6 +41,20 @@ const Schema::Key* Schema::find(std::string_view path) const {
   return key == keys_.end() ? nullptr : &*key;
 }
 
+SchemaValue Schema::number_for(const std::string& path, double number) const {
+  const Key* key = find(path);
+  if (!key)
+    refuse_unknown(path, false);
+  const SchemaTarget& target = key->target;
+  constexpr double exact = 9007199254740992.0; // 2^53: whole numbers beyond have no neighbours in a double
+  if ((std::holds_alternative<int*>(target) || std::holds_alternative<std::optional<int>*>(target)) &&
+      std::abs(number) < exact && number == std::floor(number))
+    return static_cast<std::int64_t>(number);
+  if (std::holds_alternative<bool*>(target) && (number == 0 || number == 1))
+    return number == 1;
+  return number;
+}
+
 bool Schema::changed(std::string_view path) const {
   const Key* key = find(path);
   return key && has(path) &&

@@ -53,8 +53,8 @@ using SchemaTarget =
     std::variant<double*, int*, bool*, std::string*, Point2*, std::optional<double>*, std::optional<int>*,
                  std::optional<Point2>*, std::vector<double>*, NamedChoice, TableList>;
 
-/// A value that takes the place of the one in the file.
-using SchemaValue = std::variant<double, std::int64_t, bool, std::string>;
+/// A value that takes the place of the one in the file. A list of numbers serves keys that are points, too.
+using SchemaValue = std::variant<double, std::int64_t, bool, std::string, std::vector<double>>;
 
 /// The schema of a TOML file, bound to the members of one struct.
 ///
@@ -104,6 +104,10 @@ public:
   /// After read(): gives a key another value, as if line `line` of the file said so. Throws what read()
   /// would.
   void set(const std::string& path, const SchemaValue& value, int line);
+  /// A number as the key takes it: whole for a key of whole numbers, true for 1 and false for 0 of a flag.
+  /// For languages that have one kind of number. Throws InputError for an unknown key, with the nearest
+  /// names.
+  SchemaValue number_for(const std::string& path, double number) const;
 
   /// For checks across keys, after read(): whether the file has the key, and InputError at its line.
   bool has(std::string_view path) const { return lines_.contains(std::string(path)); }

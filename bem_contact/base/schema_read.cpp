@@ -176,7 +176,20 @@ void Schema::set(const std::string& path, const SchemaValue& value, int line) {
   const Key* key = find(path);
   if (!key)
     refuse_unknown(path, false);
-  std::visit([&](const auto& v) { SchemaReader(*this).assign(*key, toml::value(v)); }, value);
+  const auto assign = [&](const toml::node& node) { SchemaReader(*this).assign(*key, node); };
+  if (const auto* list = std::get_if<std::vector<double>>(&value)) {
+    toml::array numbers;
+    for (const double number : *list)
+      numbers.push_back(number);
+    assign(numbers);
+  } else {
+    std::visit(
+        [&]<class T>(const T& single) {
+          if constexpr (!std::is_same_v<T, std::vector<double>>)
+            assign(toml::value(single));
+        },
+        value);
+  }
   require_kind(*key);
 }
 

@@ -2,6 +2,7 @@
 
 #ifdef CONFORMAL_TUNABLE
 
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -15,9 +16,11 @@ double tuned(const char* file, const char* name, double value) {
   const std::string_view text(asked);
   const auto equals = text.find('=');
   const std::string here = std::string(file) + ":" + name;
-  return equals != std::string_view::npos && here.ends_with(text.substr(0, equals))
-             ? std::stod(std::string(text.substr(equals + 1)))
-             : value;
+  if (equals == std::string_view::npos || !here.ends_with(text.substr(0, equals)))
+    return value;
+  const double replaced = std::stod(std::string(text.substr(equals + 1)));
+  std::fprintf(stderr, "tuned: %s = %.17g\n", name, replaced);
+  return replaced;
 }
 
 } // namespace bem_contact

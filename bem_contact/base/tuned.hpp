@@ -20,7 +20,8 @@
 namespace bem_contact {
 
 /// `value`, unless CONFORMAL_TUNED replaces it: what stands before its "=" must be the end of "file:name".
-/// `file` is the path of the settings as __FILE__ has it. If no entry fits, the variable has no effect.
+/// `file` is the path of the settings as __FILE__ has it. A replaced value is told on the error output; if
+/// nothing is told, no entry fits and the variable has no effect.
 /// Throws std::invalid_argument, which ends the program before main(), if no number follows the "=".
 double tuned(const char* file, const char* name, double value);
 

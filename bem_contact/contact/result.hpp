@@ -58,7 +58,7 @@ struct ContactResult;
 ///
 /// Meaning: the result on elements of vanishing size lies within number +- error in about 95 of 100 cases (92
 /// to 100, by the number), and in the median case the stated error is two to six times the true one
-/// (tools/BENCHMARKS.md, section 8).
+/// (tools/BENCHMARKS.md, section 9).
 struct TotalErrors {
   double Fx = unknown_error, Fy = unknown_error, Fz = unknown_error, Fs = unknown_error; ///< N
   double approach = unknown_error;                                                       ///< mm
@@ -123,12 +123,18 @@ struct PatchSummary {
   double x = 0, s = 0;                     ///< centre of pressure: x of the grid, arc length of the rows, mm
 };
 
+/// Displacement differences u = u_wheel - u_rail = -A p of every element, mm; fields.
+struct Displacements {
+  std::vector<double> ux, us, un;
+};
+
 struct ContactResult {
   std::vector<double> px, ps, pn; ///< tractions on the rail, MPa; fields
   /// Slip per unit of rolled distance (shift: mm), with all parts: rigid, found creepage, elastic; fields.
   std::vector<double> slip_x, slip_s;
   std::vector<double> deformed_distance; ///< e, mm; field
   std::vector<ElementState> state;       ///< field
+  Displacements displacements;           ///< empty unless SolverOptions::displacements
   double approach = 0;                   ///< q, mm
   /// On the rail, N, in the frame of the rows: the track frame of a wheel on a rail, a patch's own frame
   /// (profile/contact_row.hpp).

@@ -51,6 +51,8 @@ BEM_CONTACT_TUNED(int, periodic_elements, 4);
 BEM_CONTACT_TUNED(float, least_eigenvalue, 1e-4f);
 /// Bytes of spectra that are transformed along s at once: they stay in a second-level cache.
 BEM_CONTACT_TUNED(int, bytes_in_cache, 1 << 19);
+/// Frequencies along x that rows and columns exchange together, at least: 8 complex floats are a cache line.
+BEM_CONTACT_TUNED(int, least_together, 8);
 /// Transforms of different shapes that are kept. Chosen: a sequence meets fewer.
 BEM_CONTACT_TUNED(int, most_transforms, 32);
 /// ns. Time of a complex transform for each value, if FFTW is quick for the length (multiples of 16), and if
@@ -124,6 +126,10 @@ BEM_CONTACT_TUNED(int, dense_tangential_elements, 120);
 BEM_CONTACT_TUNED(int, most_dense_elements, 3000);
 /// Products of GMRES. Chosen: where it needs more, LU factors are as fast.
 BEM_CONTACT_TUNED(int, most_gmres_products, 250);
+/// Vectors of the basis for which memory is taken at first; it grows where that is not enough. Chosen.
+BEM_CONTACT_TUNED(int, first_gmres_basis, 32);
+/// 1. GMRES ends when less than this share of a product is new: single precision has no more digits.
+BEM_CONTACT_TUNED(double, gmres_rounding, 1e-6);
 /// 1. Newton's method projects p_t + stiffness S of an element onto the disc |p_t| <= mu p_n. The
 /// derivative of this projection along the edge of the disc is 1 for an element that sticks and smaller for
 /// one that slips. From this value on, a slipping element counts as sticking in that direction. Chosen.
@@ -238,6 +244,10 @@ BEM_CONTACT_TUNED(double, largest_force_ratio, 30);
 BEM_CONTACT_TUNED(double, largest_start_share, 4);
 /// 1. Relative error of the sums of forces of loosely solved problems: loose_tolerance.
 BEM_CONTACT_TUNED(double, noise_of_sums, 1e-4);
+/// 1. Two pressure forces give a secant if they differ by more than this share of that noise. Chosen.
+BEM_CONTACT_TUNED(double, least_secant_step, 0.1);
+/// 1. The bracket is bisected after a step longer than this share of the step before the last. Chosen.
+BEM_CONTACT_TUNED(double, slow_balance_step, 0.5);
 /// Pressure forces that are tried one by one where the accelerated iteration did not settle. Chosen.
 BEM_CONTACT_TUNED(int, most_force_trials, 60);
 /// Former iterations that Anderson acceleration uses. Chosen.
@@ -289,7 +299,7 @@ BEM_CONTACT_TUNED(int, least_companion_line, 7);
 // Stated errors of printed numbers: a share of the change from elements twice as large, and a local part. All
 // shares are fitted to 415 random cases (seeds 1 and 2 of tools/benchmarks/estimates), so that about 96 in
 // 100 true errors are below the stated ones and the median of stated over true is least. tools/BENCHMARKS.md,
-// section 8, judges them on other cases; those of the creepages were doubled after it.
+// section 9, judges them on other cases; those of the creepages were doubled after it.
 
 BEM_CONTACT_TUNED(double, pmax_change, 0.02);     ///< 1. Share of the change of pmax,
 BEM_CONTACT_TUNED(double, pmax_local, 0.092);     ///< 1. and of how far p_n falls beside its peak.

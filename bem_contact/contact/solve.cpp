@@ -1,7 +1,6 @@
 #include "bem_contact/contact/solve.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/contact/check/direct_sums.hpp"
 #include "bem_contact/contact/check/discretisation.hpp"
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
@@ -100,7 +99,7 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
   sum_forces(problem, result);
   result.patches = contact::find_patches(problem, result);
   result.touches_border = contact::touches_border(problem.grid, result.state);
-  result.certificate = certify(problem, result);
+  result.certificate = certify(problem, result, options.displacements ? &result.displacements : nullptr);
   result.converged = result.certificate.holds();
   result.normal_solver = solution.normal.solver;
   result.tangential_solver = solution.shear.solver;
@@ -130,6 +129,7 @@ std::optional<Discretisation> estimate(const ContactProblem& problem, const Solv
   SolverOptions loose = options;
   loose.tolerance = std::max(options.tolerance, contact::companion_tolerance);
   loose.start = &coarse->start;
+  loose.displacements = false;
   try {
     return contact::compare(problem, result, coarse->problem,
                             solve_on_this_grid(coarse->problem, loose, companion, work));
@@ -141,33 +141,20 @@ std::optional<Discretisation> estimate(const ContactProblem& problem, const Solv
 } // namespace
 
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options) {
+  WorkBudget work;
+  return solve(problem, options, work);
+}
+
+ContactResult solve(const ContactProblem& problem, const SolverOptions& options, WorkBudget& work) {
   validate(problem);
   contact::ContactOperators only_now;
   contact::ContactOperators& operators = options.workspace ? options.workspace->of(problem) : only_now;
-  WorkBudget of_this;
-  WorkBudget& work = options.work ? *options.work : of_this;
   ContactResult result = solve_on_this_grid(problem, options, operators, work);
   result.discretisation = estimate(problem, options, operators, work, result);
   if (result.discretisation)
     result.certificate.discretisation = result.discretisation->worst();
   result.work = work.used();
   return result;
-}
-
-Displacements displacements(const ContactProblem& problem, const ContactResult& result) {
-  const auto& [mx, ms, dx, ds, x0] = problem.grid;
-  const auto u =
-      contact::direct_displacements(problem, std::vector<char>(ms, 1), {result.px, result.ps, result.pn});
-  const std::size_t columns = u[component_n].size() / ms;
-  Displacements out;
-  for (const auto& [of, to] :
-       {std::pair(component_x, &out.ux), {component_s, &out.us}, {component_n, &out.un}}) {
-    to->resize(problem.grid.size());
-    for (int is = 0; is < ms; ++is)
-      for (int ix = 0; ix < mx; ++ix)
-        (*to)[is * mx + ix] = -u[of][is * columns + ix];
-  }
-  return out;
 }
 
 } // namespace bem_contact

@@ -15,11 +15,7 @@ namespace bem_contact {
 /// if the work allowed is used up.
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options = {});
 
-/// Displacement differences u = u_wheel - u_rail = -A p of every element, mm; fields.
-struct Displacements {
-  std::vector<double> ux, us, un;
-};
-/// By direct sums over the influence numbers, as the certificate has them.
-Displacements displacements(const ContactProblem& problem, const ContactResult& result);
+/// The same with a budget that all problems of one case (one scene) share.
+ContactResult solve(const ContactProblem& problem, const SolverOptions& options, WorkBudget& work);
 
 } // namespace bem_contact

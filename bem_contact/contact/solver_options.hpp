@@ -4,7 +4,6 @@
 
 namespace bem_contact {
 
-class WorkBudget;
 class Workspace;
 
 /// A guess at the solution, on the problem's grid.
@@ -20,11 +19,10 @@ struct SolverOptions {
   int max_sweeps = 1000;    ///< Gauss-Seidel sweeps if Newton fails
   bool only_newton = false; ///< no other method if Newton fails
   bool estimate_discretisation = true;
-  bool coarse_start = true; ///< without `start`, solve a large problem on larger elements first
+  bool displacements = false; ///< ContactResult::displacements is wanted
+  bool coarse_start = true;   ///< without `start`, solve a large problem on larger elements first
   /// Starts from here instead of larger elements. A guess without pressure, or on another grid, is ignored.
   const StartingPoint* start = nullptr;
-  /// Shared by all problems that are solved for one case (one scene); null: each solve() has its own.
-  WorkBudget* work = nullptr;
   Workspace* workspace = nullptr; ///< prepared for earlier problems (workspace.hpp); null: for this one only
 };
 

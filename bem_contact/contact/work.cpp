@@ -9,7 +9,11 @@ namespace bem_contact {
 
 WorkBudget::WorkBudget() : WorkBudget(contact::most_work) {}
 
+WorkBudget::WorkBudget(const std::atomic<bool>* stop) : most_(contact::most_work), stop_(stop) {}
+
 void WorkBudget::spend(double units) {
+  if (stop_ && *stop_)
+    throw Stopped();
   used_ += units;
   if (used_ > most_)
     throw ConvergenceError(

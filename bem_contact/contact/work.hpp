@@ -1,6 +1,15 @@
 #pragma once
 
+#include <atomic>
+#include <stdexcept>
+
 namespace bem_contact {
+
+/// Somebody asked for the end of a solution (Ctrl-C): neither its input nor its convergence is to blame.
+class Stopped : public std::runtime_error {
+public:
+  Stopped() : std::runtime_error("the solution was stopped before its end") {}
+};
 
 /// The work that one case may cost in all its loops together. One unit is one element in one product with
 /// translational influence numbers, about 30 ns (50 ns with everything around it); every other operation
@@ -11,13 +20,18 @@ class WorkBudget {
 public:
   WorkBudget(); ///< settings.hpp: most_work
   explicit WorkBudget(double most) : most_(most) {}
+  /// The usual budget, which ends when another thread sets `stop`. Null: nobody does.
+  explicit WorkBudget(const std::atomic<bool>* stop);
 
-  /// Throws ConvergenceError if less than `units` are left.
+  /// Throws ConvergenceError if less than `units` are left, Stopped if `stop` is set.
   void spend(double units);
   double used() const { return used_; }
+  /// A usual budget of its own, which the same `stop` ends.
+  WorkBudget another() const { return WorkBudget(stop_); }
 
 private:
   double most_, used_ = 0;
+  const std::atomic<bool>* stop_ = nullptr;
 };
 
 /// Units for one element in a product with influence numbers of `rows` rows. Numbers that depend on both rows

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/geometry/line_search.hpp"
 #include "bem_contact/geometry/settings.hpp"
+#include "bem_contact/profile/wheel_datum.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -52,7 +53,8 @@ public:
       throw InputError(
           fmt::format("The rail '{}' has no gauge face", rail_.name()),
           fmt::format("its profile ends less than {} mm below its top on the gauge side (-y)", height),
-          "Give a profile that reaches further down, or a smaller position.gauge_height.");
+          "Give a profile that reaches further down, a smaller position.gauge_height, or rail.place = "
+          "\"absolute\" with rail.y and rail.z.");
     const double t = where_it_vanishes([&](double u) { return at(below, u).z - gauge_z; });
     const int innermost = static_cast<int>(
         std::ranges::min_element(nodes_.begin() + below + 1, nodes_.begin() + top_ + 1, {}, &Point2::y) -
@@ -83,6 +85,15 @@ private:
   std::vector<Point2> nodes_;
   int top_ = 0;
 };
+
+/// Where the origin of the rail's section stands in the track frame.
+Point2 rail_origin(const WheelsetPosition& position, const TabulatedProfile& rail, double angle) {
+  if (position.rail_origin)
+    return *position.rail_origin;
+  const Head head(rail, angle);
+  const double gauge_y = head.gauge_face(position.gauge_height);
+  return {position.gauge / 2 - gauge_y, -head.top()};
+}
 
 } // namespace
 
@@ -119,13 +130,12 @@ WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, Tabul
       position.wheel_radius, side * position.yaw, side * position.lateral};
 
   require_axle_above(pair.wheel, position.wheel_radius);
-  const Head head(pair.rail, pair.rail_pose.angle);
-  const double gauge_y = head.gauge_face(position.gauge_height);
-  pair.rail_pose.origin = Point2{position.gauge / 2 - gauge_y, -head.top()} +
+  pair.rail_pose.origin = rail_origin(position, pair.rail, pair.rail_pose.angle) +
                           Point2{side * position.rail_lateral, position.rail_vertical};
   pair.rail_pose.angle += side * position.rail_roll;
 
-  const Point2 tape{position.back_to_back / 2 + flange_back_to_tape_circle, position.wheel_radius};
+  const Point2 by_flange{position.back_to_back / 2 + flange_back_to_tape_circle, 0};
+  const Point2 tape = position.wheel_origin.value_or(by_flange) + Point2{0, position.wheel_radius};
   pair.wheel_pose.origin =
       Point2{pair.centre_y, -position.wheel_radius} + turned(tape, pair.wheel_pose.angle);
   return pair;

@@ -3,11 +3,9 @@
 #include "bem_contact/geometry/tabulated_profile.hpp"
 
 #include <array>
+#include <optional>
 
 namespace bem_contact {
-
-/// Distance of the flange back from the tape circle, mm (EN 13715: the profile's y = -70).
-inline constexpr double flange_back_to_tape_circle = 70.0;
 
 enum class WheelSide { right, left };
 
@@ -25,6 +23,12 @@ struct WheelsetPosition {
   /// Deviations of the rail from where gauge and cant put it: to the right, down, and turned right side
   /// down.
   double rail_lateral = 0, rail_vertical = 0, rail_roll = 0; ///< mm, mm, rad
+  /// Where the origin of a section is put, (y, z) in mm, for bodies without a gauge face or a flange. Rail:
+  /// in the track frame, instead of gauge and gauge_height. Wheel: y from the wheelset's centre, instead of
+  /// back_to_back; z below the height at which a wheel of wheel_radius has its tape circle.
+  std::optional<Point2> rail_origin = {}, wheel_origin = {};
+
+  bool operator==(const WheelsetPosition&) const = default;
 };
 
 /// Where a section stands in the track frame: track = origin + Rot(angle) section, the rotation taking
@@ -62,6 +66,7 @@ struct WheelFrame {
 /// then yawed about the vertical through it (right-hand side backwards). The tape circle is at
 /// back_to_back / 2 + 70 mm from it. The wheel's surface is the profile turned about the axle,
 /// r = wheel_radius + z of its section.
+/// WheelsetPosition::rail_origin and wheel_origin put the origins of the sections elsewhere.
 struct WheelOnRail {
   TabulatedProfile rail, wheel;
   Pose rail_pose, wheel_pose; ///< wheel_pose is that before the yaw; rail_pose is final
@@ -76,7 +81,7 @@ struct WheelOnRail {
 
 /// Places both. The wheelset's centre is at z = -wheel_radius, so that the wheel may hang above the rail or
 /// cut into it: see lower_to_touch().
-/// Throws InputError where the rail has no gauge face at the given height.
+/// Throws InputError where a rail that is placed by its gauge face has none at the given height.
 WheelOnRail place(const WheelsetPosition& position, TabulatedProfile rail, TabulatedProfile wheel);
 
 } // namespace bem_contact

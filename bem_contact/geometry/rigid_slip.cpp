@@ -48,7 +48,7 @@ RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, c
     const Point2 added = (creepage.eta + creepage.phi * (at - reference.x)) * tangent;
     const Vector3 rotated = cross(rotation, from(centre, at, row.position));
     const auto own = [&](int k) { return creepage.velocity[k] + rotated[k] - turning * turned[k]; };
-    return std::pair(1 + own(0) - creepage.phi * s,
+    return std::pair(1 + own(0) - creepage.phi * s + creepage.slip_x,
                      dot(added + Point2{own(1), own(2)}, tangent_of(row.delta)));
   });
 }

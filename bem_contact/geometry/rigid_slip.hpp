@@ -22,8 +22,9 @@ struct Creepage {
   double xi = 0, eta = 0;    ///< longitudinal, lateral (along the rail's tangent there)
   double phi = 0;            ///< about the rail's normal there, 1/mm
   double rolling_radius = 0; ///< |V / omega| at xi = 0, mm; 0: the wheel's at the reference point
-  Vector3 velocity{};        ///< of the wheelset's centre besides V, over V, track frame
-  double roll = 0, yaw = 0;  ///< rates over V: about the wheelset's forward axis and the vertical, rad/mm
+  double slip_x = 0;  ///< of a rolling wheel: added to w_x of all elements, as solve() finds it for force_x
+  Vector3 velocity{}; ///< of the wheelset's centre besides V, over V, track frame
+  double roll = 0, yaw = 0; ///< rates over V: about the wheelset's forward axis and the vertical, rad/mm
 };
 
 /// Rigid slip w of elements: velocity of the wheel's surface over the rail's, over the rolling speed V, in
@@ -37,10 +38,10 @@ struct RigidSlip {
 /// point X of the wheel's surface moves over the rail with the velocity
 ///   v/V = e_x - a x (X - C) / R_roll,
 /// plus velocity + (roll e_forward + yaw e_z) x (X - centre of the wheelset), plus eta along the rail's
-/// tangent and phi about the rail's normal at the reference point. What moves along the normal is left to the
-/// approach. On a rail at inclination delta that is, to first order and with yaw psi, w_x = 1 - r/R_roll, w_s
-/// = -psi cos(delta) + sin(delta) x/R_roll: a yawed wheel slides to the left, the geometric spin is
-/// sin(delta)/R, negative at the gauge corner of a right-hand rail, and differs from row to row.
+/// tangent and phi about the rail's normal at the reference point, and slip_x. What moves along the normal is
+/// left to the approach. On a rail at inclination delta that is, to first order and with yaw psi, w_x = 1 -
+/// r/R_roll, w_s = -psi cos(delta) + sin(delta) x/R_roll: a yawed wheel slides to the left, the geometric
+/// spin is sin(delta)/R, negative at the gauge corner of a right-hand rail, and differs from row to row.
 /// `rows`, `x`: middles of the elements, mm.
 RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage,
                      std::span<const ContactRow> rows, std::span<const double> x);

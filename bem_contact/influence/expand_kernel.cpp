@@ -1,22 +1,17 @@
 #include "bem_contact/influence/expand_kernel.hpp"
 
-#include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/dense.hpp"
+#include "bem_contact/influence/remote_factor.hpp"
 #include "bem_contact/influence/series_weights.hpp"
-#include "bem_contact/influence/settings.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <array>
-#include <cmath>
-#include <string>
 #include <vector>
 
 namespace bem_contact {
 namespace {
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Eigen::MatrixXd;
 using Table = Eigen::Map<const RowMajor>;
 
@@ -27,7 +22,7 @@ public:
     if (structural == StructuralCompliance::included)
       return;
     for (Eigen::Index k = 0; k < nk; ++k)
-      factor_.push_back(factor_at(f, range, k));
+      factor_.push_back(remote_factor(f, range, k));
   }
 
   /// Takes it from `block`: rows 3 row .. 3 row + 2 and the first columns of the range.
@@ -39,29 +34,6 @@ public:
   }
 
 private:
-  static RowMajor factor_at(const InfluenceFunction& f, StationRange range, Eigen::Index k) {
-    const auto n = static_cast<Eigen::Index>(3 * f.station_count());
-    Eigen::Matrix<double, 6, 6> self = Table(f.remote_self.data() + k * 36, 6, 6);
-    // Displacements and rotations differ in unit: scale to a unit diagonal before the factorization.
-    const Eigen::Matrix<double, 6, 1> diagonal = self.diagonal();
-    if (diagonal.minCoeff() > 0) {
-      const Eigen::Matrix<double, 6, 1> scale = diagonal.cwiseSqrt().cwiseInverse();
-      self = scale.asDiagonal() * self * scale.asDiagonal();
-      const Eigen::LLT<Eigen::Matrix<double, 6, 6>> cholesky(self);
-      if (cholesky.info() == Eigen::Success && cholesky.rcond() > least_remote_condition) {
-        RowMajor factor =
-            scale.asDiagonal() *
-            Table(f.remote.data() + k * 6 * n, 6, n).middleCols(3 * range.first, 3 * range.count);
-        cholesky.matrixL().solveInPlace(factor);
-        return factor;
-      }
-    }
-    throw InputError("the structural compliance of '" + f.body + "' cannot be removed",
-                     "the remote section's own compliance is not positive definite at wavenumber " +
-                         std::to_string(f.wavenumber[static_cast<std::size_t>(k)]) + " 1/mm",
-                     "use structural compliance 'included', or compute the file again");
-  }
-
   std::vector<RowMajor> factor_;
 };
 

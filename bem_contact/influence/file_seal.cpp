@@ -1,6 +1,7 @@
 #include "bem_contact/influence/file_seal.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 
 #include <openssl/evp.h>
 
@@ -17,14 +18,15 @@ namespace {
 constexpr const char* title = "conformal-contact influence function";
 
 std::ifstream open_file(const std::filesystem::path& file) {
+  // Before it is opened, because a pipe would wait for somebody to write.
+  if (file_exists(file) && !is_regular(file))
+    throw InputError("'" + file.string() + "' is no influence file", "it is not a regular file",
+                     "name a file that fem_influence wrote");
   std::ifstream in(file, std::ios::binary);
   if (!in)
     throw InputError("the influence file '" + file.string() + "' cannot be opened",
-                     std::filesystem::exists(file) ? "no permission to read it" : "there is no such file",
+                     file_exists(file) ? "no permission to read it" : "there is no such file",
                      "check its name, or compute it with tools/influence");
-  if (!std::filesystem::is_regular_file(file))
-    throw InputError("'" + file.string() + "' is no influence file", "it is not a regular file",
-                     "name a file that fem_influence wrote");
   return in;
 }
 
@@ -102,6 +104,8 @@ void seal_file(const std::filesystem::path& file, int format_major, int format_m
 }
 
 bool begins_with_seal(const std::filesystem::path& file) {
+  if (!is_regular(file))
+    return false;
   std::ifstream in(file, std::ios::binary);
   std::string found(std::strlen(title), '\0');
   return in.read(found.data(), static_cast<std::streamsize>(found.size())) && found == title;

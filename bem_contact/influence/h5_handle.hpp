@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <mutex>
 #include <utility>
 
 /// Private to this room: what its .cpp files share of HDF5's C API.
@@ -24,10 +25,12 @@ private:
   herr_t (*close_)(hid_t);
 };
 
-/// HDF5 prints its error stack by default; while this lives, return values alone tell of errors.
+/// Everything that calls HDF5 holds one of these. The library is not made for several threads, so that one
+/// call waits for another here. It prints its error stack by default; while this lives, return values alone
+/// tell of errors.
 class QuietHdf5 {
 public:
-  QuietHdf5() {
+  QuietHdf5() : turn_(one_at_a_time()) {
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
@@ -36,6 +39,12 @@ public:
   QuietHdf5& operator=(const QuietHdf5&) = delete;
 
 private:
+  /// Recursive, because writing a file makes an image of it first.
+  static std::recursive_mutex& one_at_a_time() {
+    static std::recursive_mutex mutex;
+    return mutex;
+  }
+  std::lock_guard<std::recursive_mutex> turn_;
   H5E_auto2_t function_ = nullptr;
   void* data_ = nullptr;
 };

@@ -1,6 +1,7 @@
 #include "bem_contact/influence/h5_table.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/h5_entries.hpp"
 #include "bem_contact/influence/h5_handle.hpp"
@@ -14,10 +15,9 @@ namespace {
 
 H5Table read_paths(const std::filesystem::path& file, bool deep) {
   const QuietHdf5 silence;
-  if (!std::filesystem::is_regular_file(file))
+  if (!is_regular(file))
     throw InputError("The file '" + file.string() + "' cannot be read",
-                     std::filesystem::exists(file) ? "it is no file" : "there is no such file",
-                     "Check the path.");
+                     file_exists(file) ? "it is no file" : "there is no such file", "Check the path.");
   const H5Handle root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   std::vector<std::string> paths;
   const auto add = [](hid_t, const char* name, const H5O_info_t*, void* data) -> herr_t {

@@ -31,11 +31,11 @@ struct H5Writer::Impl {
   }
 };
 
-H5Writer::H5Writer(std::filesystem::path file) : impl_(std::make_unique<Impl>()) {
+H5Writer::H5Writer(const std::filesystem::path& file) : impl_(std::make_unique<Impl>()) {
   const QuietHdf5 silence;
-  impl_->temporary = file;
+  impl_->file = output_target(file, OutputForm::whole_file).file;
+  impl_->temporary = impl_->file;
   impl_->temporary += ".tmp";
-  impl_->file = std::move(file);
   const H5Image empty(0, [](hid_t) {});
   write_whole(impl_->temporary, [&](std::ostream& out) { out << empty; });
   impl_->descriptor = open(impl_->temporary.c_str(), O_WRONLY | O_CLOEXEC);

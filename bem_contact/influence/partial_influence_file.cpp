@@ -1,6 +1,7 @@
 #include "bem_contact/influence/partial_influence_file.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/settings.hpp"
 
@@ -51,14 +52,36 @@ struct PartialInfluenceFile::Impl {
       take(errors, static_cast<std::size_t>(next->second.end() - from));
     }
   }
+  /// Whether an existing file `found` that does not begin with `header` may be written over. Throws
+  /// InputError if it holds anything more than a header: another body's finished wavenumbers, or what is not
+  /// ours.
+  void require_nothing_finished(std::string_view found, std::string_view header) const {
+    if (header.starts_with(found)) // a kill left the header unfinished
+      return;
+    const bool ours = found.starts_with(magic);
+    std::uint64_t sizes[3]; // as the constructor writes them
+    if (ours && found.size() >= magic.size() + sizeof sizes) {
+      std::memcpy(sizes, found.data() + magic.size(), sizeof sizes);
+      if (found.size() <= magic.size() + sizeof sizes + sizes[0] + sizes[2] * sizeof(double))
+        return;
+    }
+    throw InputError(
+        "'" + path.string() + "' would be written over",
+        ours ? "it holds finished wavenumbers of another body, mesh or program version"
+             : "it holds no finished wavenumbers of fem_influence",
+        "To keep it, give another output with -o, or the body and mesh that it belongs to. To begin "
+        "anew, remove it.");
+  }
   /// Keeps the records of an existing file that begins with `header`. Returns how many of its bytes are
   /// whole.
   std::size_t read_records(const std::string& header) {
     std::string found;
     if (std::ifstream in(path, std::ios::binary); in)
       found.assign(std::istreambuf_iterator<char>(in), {});
-    if (!found.starts_with(header))
+    if (!found.starts_with(header)) {
+      require_nothing_finished(found, header);
       return 0;
+    }
     std::size_t good = header.size();
     while (found.size() - good >= 2 * sizeof(std::uint64_t)) {
       std::uint64_t head[2];
@@ -88,8 +111,8 @@ struct PartialInfluenceFile::Impl {
 PartialInfluenceFile::PartialInfluenceFile(std::filesystem::path file, std::string fingerprint,
                                            std::size_t stations, std::span<const double> wavenumber)
     : impl_(std::make_unique<Impl>()) {
-  impl_->path = std::move(file);
-  impl_->path += ".part";
+  file += ".part";
+  impl_->path = output_target(file, OutputForm::whole_file).file;
   impl_->rows = 3 * stations;
   impl_->wavenumber.assign(wavenumber.begin(), wavenumber.end());
   impl_->kernel.reserve(wavenumber.size() * lower_size(impl_->rows)); // growing it would copy it

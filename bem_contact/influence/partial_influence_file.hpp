@@ -15,7 +15,8 @@ namespace bem_contact {
 /// it.
 class PartialInfluenceFile {
 public:
-  /// Opens or creates; an existing file whose `fingerprint` differs is discarded.
+  /// Opens or creates. Throws InputError if the file cannot be written, or if it holds finished wavenumbers
+  /// of another `fingerprint` (another body): they are never thrown away.
   PartialInfluenceFile(std::filesystem::path file, std::string fingerprint, std::size_t stations,
                        std::span<const double> wavenumber);
   ~PartialInfluenceFile();

@@ -62,4 +62,15 @@ BEM_CONTACT_TUNED(std::size_t, table_bytes, 1 << 18); ///< bytes. As above.
 /// 1. Error figures that a wavenumber may have in the file of finished ones: more mean a damaged file.
 BEM_CONTACT_TUNED(std::size_t, most_errors, 1000);
 
+// Structure.
+
+/// mm. Length along x over which the motion of a strip is averaged and its force is spread: about that of a
+/// contact. Structural motion varies over 20 mm and more, the distance of the remote section.
+BEM_CONTACT_TUNED(double, structure_length, 10.0);
+/// 1. Elements of that length. A force spread by 10 in place of 5 changes the matrix by less than 1e-3.
+BEM_CONTACT_TUNED(int, structure_elements, 5);
+/// 1. Least reciprocal condition number (unit diagonal) of a structure's compliance that is inverted:
+/// rounding of the influence numbers would show in the stiffness of a worse one.
+BEM_CONTACT_TUNED(double, least_structure_condition, 1e-12);
+
 } // namespace bem_contact

@@ -66,6 +66,8 @@ void add_body(Schema& s, BodyFile::Body& body) {
   s.add("body.profile", body.profile,
         {.doc = "Rail: 60E1, 60E2, 54E1, 46E3; wheel: S1002 (its default); or a profile file",
          .kinds = {"rail", "wheel"}});
+  add_profile_reading(s, "body", body.reading, {"rail", "wheel"});
+  add_flange_back(s, "body", body.reading, {"wheel"});
   s.add("body.graft_onto", body.graft_onto,
         {.doc = "Of a profile file: the standard whose body carries it; empty: 60E1 or S1002",
          .kinds = {"rail", "wheel"}});

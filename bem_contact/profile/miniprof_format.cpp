@@ -43,14 +43,65 @@ void read_key(std::string_view key, std::string_view value, const std::string& s
     spdlog::warn("{}: {} = {} is not applied: the points are taken as they stand", source, key, values[0]);
 }
 
-/// Some programs leave stray quotes around a line.
-std::string_view without_quotes(std::string_view line) {
-  line = trimmed(line);
-  if (line.starts_with('"'))
-    line = trimmed(line.substr(1));
-  if (line.ends_with('"'))
-    line = trimmed(line.substr(0, line.size() - 1));
-  return line;
+/// One profile of a file.
+struct Part {
+  Header header;
+  std::vector<Point2> points;
+};
+
+/// Whether points may begin only after an empty line: the header of the older variant has numbers of its own.
+bool header_ends_at_empty_line(std::string_view text) {
+  const auto lines = lines_of(text);
+  return trimmed(lines.front()).find("#MINI") != std::string_view::npos &&
+         std::ranges::any_of(lines, [](std::string_view line) { return trimmed(line).empty(); });
+}
+
+Point2 point_of(std::string_view line, const Header& header, const std::string& source, std::size_t number) {
+  const std::vector<double> values = numbers_of(line);
+  if (values.size() <= std::max(header.y_column, header.z_column))
+    throw InputError(fmt::format("{}:{}: '{}' is not a point", source, number, line.substr(0, 40)),
+                     fmt::format("y is expected in column {} and z in column {}", header.y_column + 1,
+                                 header.z_column + 1),
+                     "Correct the line, or ColumnDef in the header.");
+  require_finite(values, source, number);
+  return {-values[header.y_column], values[header.z_column]};
+}
+
+std::vector<Part> parts_of(std::string_view text, const std::string& source) {
+  bool in_header = header_ends_at_empty_line(text);
+  std::vector<Part> parts(1);
+  Header next; ///< of the section that describes the next points
+  std::size_t number = 0;
+  for (const std::string_view raw : lines_of(text)) {
+    ++number;
+    if (in_header && trimmed(raw).empty())
+      in_header = false;
+    const std::string_view line = without_comment(raw);
+    if (line.empty() || in_header)
+      continue;
+    if (line.starts_with('[')) {
+      if (line.find("Points") != std::string_view::npos) {
+        if (!parts.back().points.empty())
+          parts.emplace_back();
+        parts.back().header = next;
+      } else {
+        next = {};
+      }
+      continue;
+    }
+    if (const auto equals = line.find('='); equals != std::string_view::npos) {
+      Header& header = parts.back().points.empty() ? parts.back().header : next;
+      const std::string_view key = trimmed(line.substr(0, equals)), value = trimmed(line.substr(equals + 1));
+      read_key(key, value, source, header);
+      if (&header != &next)
+        next = header;
+      continue;
+    }
+    if (numbers_of(line).empty() && parts.back().points.empty())
+      continue; // a title of the older variant
+    parts.back().points.push_back(point_of(line, parts.back().header, source, number));
+  }
+  return parts;
 }
 
 } // namespace
@@ -60,42 +111,29 @@ bool is_miniprof(std::string_view text) {
     line = trimmed(line);
     if (line.starts_with("#MINIWHEELPROF") || line.starts_with("#MINIPROF") ||
         line.starts_with("XYPoints=") || line.starts_with("ColumnDef=") || line.starts_with("MPTypeNo=") ||
-        line.starts_with("\"#MINI"))
+        line.starts_with("\"#MINI") || line == "[FileInfo]" || line == "[Profile1Info]" ||
+        line == "[Profile1Points]")
       return true;
   }
   return false;
 }
 
-std::vector<Point2> miniprof_points(std::string_view text, const std::string& source) {
-  std::vector<Point2> points;
-  Header header;
-  std::size_t number = 0;
-  for (const std::string_view raw : lines_of(text)) {
-    ++number;
-    const std::string_view line = without_quotes(raw);
-    if (line.empty() || line.starts_with('#'))
-      continue;
-    if (const auto equals = line.find('='); equals != std::string_view::npos) {
-      read_key(trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1)), source, header);
-      continue;
-    }
-    const std::vector<double> values = numbers_of(line);
-    if (values.empty() && points.empty())
-      continue; // a title of the older variant
-    if (values.size() <= std::max(header.y_column, header.z_column))
-      throw InputError(fmt::format("{}:{}: '{}' is not a point", source, number, line.substr(0, 40)),
-                       fmt::format("y is expected in column {} and z in column {}", header.y_column + 1,
-                                   header.z_column + 1),
-                       "Correct the line, or ColumnDef in the header.");
-    require_finite(values, source, number);
-    points.push_back({-values[header.y_column], values[header.z_column]});
-  }
-  if (header.points >= 0 && static_cast<double>(points.size()) != *header.points)
-    throw InputError(
-        fmt::format("{} has {} points", source, points.size()),
-        fmt::format("its header says XYPoints={}; the file is truncated or was altered", *header.points),
-        "Export it anew, or correct XYPoints.");
-  return points;
+MeasuredPoints miniprof_points(std::string_view text, const std::string& source, int part) {
+  std::vector<Part> parts = parts_of(text, source);
+  const int count = static_cast<int>(parts.size());
+  if (part > count)
+    throw InputError(fmt::format("{} has no profile {}", source, part), fmt::format("it holds {}", count),
+                     "Give a number that is there.");
+  if (part == 0 && count > 1)
+    throw InputError(fmt::format("{} holds {} profiles", source, count), "one is needed",
+                     "Say which behind the file's name: #1 for the first.");
+  const Part& chosen = parts[static_cast<std::size_t>(std::max(part, 1) - 1)];
+  if (chosen.header.points >= 0 && static_cast<double>(chosen.points.size()) != *chosen.header.points)
+    throw InputError(fmt::format("{} has {} points", source, chosen.points.size()),
+                     fmt::format("its header says XYPoints={}; the file is truncated or was altered",
+                                 *chosen.header.points),
+                     "Export it anew, or correct XYPoints.");
+  return {chosen.points, -1};
 }
 
 } // namespace bem_contact

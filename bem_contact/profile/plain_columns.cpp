@@ -7,18 +7,17 @@
 
 namespace bem_contact {
 
-std::vector<Point2> plain_points(std::string_view text, const std::string& source) {
-  std::vector<Point2> points;
+MeasuredPoints plain_points(std::string_view text, const std::string& source) {
+  MeasuredPoints out;
   bool names_seen = false;
   std::size_t number = 0;
   for (const std::string_view raw : lines_of(text)) {
     ++number;
-    const std::string_view line = trimmed(raw);
-    if (line.empty() || line.starts_with('#') || line.starts_with('!') || line.starts_with('%') ||
-        line.starts_with("//"))
+    const std::string_view line = without_comment(raw);
+    if (line.empty() || line.starts_with("//"))
       continue;
     const std::vector<double> values = numbers_of(line);
-    if (values.empty() && points.empty() && !names_seen) {
+    if (values.empty() && out.points.empty() && !names_seen) {
       names_seen = true;
       continue;
     }
@@ -27,9 +26,9 @@ std::vector<Point2> plain_points(std::string_view text, const std::string& sourc
                        "a profile in plain columns has two numbers a line, y and z, with decimal points",
                        "Correct the line, or mark it as a comment with #.");
     require_finite(values, source, number);
-    points.push_back({values[0], values[1]});
+    out.points.push_back({values[0], values[1]});
   }
-  return points;
+  return out;
 }
 
 } // namespace bem_contact

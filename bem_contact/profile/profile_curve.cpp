@@ -86,6 +86,18 @@ ProfileCurve ProfileCurve::from_pieces(std::string name, std::vector<CurvePiece>
 
 ProfileCurve ProfileCurve::through_points(std::string name, std::span<const Point2> points,
                                           double corner_turn) {
+  std::vector<std::size_t> corners;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const double turn = turn_at(points, i);
+    if (turn > corner_turn && turn > corner_contrast * turn_at(points, i - 1) &&
+        turn > corner_contrast * turn_at(points, i + 1))
+      corners.push_back(i);
+  }
+  return through_points(std::move(name), points, corners);
+}
+
+ProfileCurve ProfileCurve::through_points(std::string name, std::span<const Point2> points,
+                                          std::span<const std::size_t> corners) {
   if (points.size() < 3)
     throw InputError(fmt::format("profile '{}' has {} points", name, points.size()),
                      "a curve needs at least 3", "Give more points.");
@@ -99,15 +111,11 @@ ProfileCurve ProfileCurve::through_points(std::string name, std::span<const Poin
   }
   std::vector<CurvePiece> pieces;
   std::size_t begin = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const double turn = turn_at(points, i);
-    const bool corner = turn > corner_turn && turn > corner_contrast * turn_at(points, i - 1) &&
-                        turn > corner_contrast * turn_at(points, i + 1);
-    if (corner || i + 1 == points.size()) {
-      append_spline(pieces, points.subspan(begin, i + 1 - begin));
-      begin = i;
-    }
+  for (const std::size_t corner : corners) {
+    append_spline(pieces, points.subspan(begin, corner + 1 - begin));
+    begin = corner;
   }
+  append_spline(pieces, points.subspan(begin));
   return from_pieces(std::move(name), std::move(pieces));
 }
 

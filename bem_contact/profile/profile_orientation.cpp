@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/settings.hpp"
+#include "bem_contact/profile/wheel_datum.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -14,10 +15,23 @@ namespace bem_contact {
 
 namespace {
 
-void flip_z(std::vector<Point2>& points, const std::string& source) {
-  spdlog::warn("{}: z points up: its sign is changed", source);
+void flip_z(std::vector<Point2>& points) {
   for (Point2& p : points)
     p.z = -p.z;
+}
+
+void flip_z_by_shape(std::vector<Point2>& points, const std::string& source) {
+  spdlog::warn(
+      "{}: z points up: its sign is changed, as the shape suggests (profile_z = \"up\" says so; \"down\" "
+      "keeps it)",
+      source);
+  flip_z(points);
+}
+
+void mirror(MeasuredPoints& measured) {
+  for (Point2& p : measured.points)
+    p.y = -p.y;
+  measured.y_sign = -measured.y_sign;
 }
 
 /// A rail's head bulges upward from the chord between its ends.
@@ -29,7 +43,7 @@ void mend_rail_signs(std::vector<Point2>& points, const std::string& source) {
     if (const double height = dot(p - first, downward); std::abs(height) > std::abs(bulge))
       bulge = height;
   if (bulge > least_bulge * norm(chord))
-    flip_z(points, source);
+    flip_z_by_shape(points, source);
 }
 
 /// The top of a rail is broad. What is narrow at the top of something as wide as a wheel is a flange.
@@ -51,36 +65,73 @@ void require_rail(const std::vector<Point2>& points, const std::string& source) 
         "Give the rail's profile here and the wheel's as wheel.profile.");
 }
 
-/// A wheel's flange is what stands out most from the median height; it points down and lies at y < 0.
-void mend_wheel_signs(std::vector<Point2>& points, const std::string& source) {
+/// A wheel's flange is what stands out most from the median height; it points down.
+void mend_wheel_z(std::vector<Point2>& points, const std::string& source) {
   std::vector<Point2> by_height = points;
   std::sort(by_height.begin(), by_height.end(), [](Point2 a, Point2 b) { return a.z < b.z; });
   const double median = by_height[by_height.size() / 2].z;
   const double down = by_height.back().z - median, up = median - by_height.front().z;
-  if (std::max(up, down) < least_flange)
+  if (up > down && up >= least_flange)
+    flip_z_by_shape(points, source);
+}
+
+/// The flange lies at y < 0.
+void mend_wheel_y(MeasuredPoints& measured, const std::string& source, const ProfileReading& reading) {
+  const auto tip = flange_tip(measured.points);
+  if (!tip)
     return;
-  const Point2 tip = up > down ? by_height.front() : by_height.back();
-  if (up > down)
-    flip_z(points, source);
-  const auto [low, high] =
-      std::minmax_element(points.begin(), points.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
-  if (tip.y > (low->y + high->y) / 2) {
-    spdlog::warn("{}: the flange lies at y > 0: y is mirrored", source);
-    for (Point2& p : points)
-      p.y = -p.y;
+  const auto [low, high] = std::ranges::minmax(measured.points, {}, &Point2::y);
+  if (tip->y <= (low.y + high.y) / 2)
+    return;
+  if (reading.mirror)
+    throw InputError(
+        fmt::format("{}: mirror = true puts the flange on the field side", source),
+        fmt::format("its tip would be at y = {:.4g} mm, and y points away from the track", tip->y),
+        "Leave mirror out.");
+  if (measured.axes_stated) {
+    spdlog::warn(
+        "{}: the flange lies at y > 0, on the field side, as the format states its axes: it is not turned "
+        "(mirror = true turns it)",
+        source);
+    return;
   }
+  spdlog::warn("{}: the flange lies at y > 0: y is mirrored (mirror = true says so)", source);
+  mirror(measured);
+}
+
+/// A format that states its axes is not turned by the shape; a flange that points up is worth a word.
+void look_at_stated_wheel(std::vector<Point2> points, const std::string& source) {
+  if (flange_tip(points))
+    return;
+  flip_z(points);
+  if (flange_tip(points))
+    spdlog::warn(
+        "{}: the flange points up, as the format states its axes: it is not turned (profile_z = \"up\" "
+        "turns it)",
+        source);
 }
 
 } // namespace
 
-void orient(std::vector<Point2>& points, const std::string& source, ProfileKind kind) {
+void orient(MeasuredPoints& measured, const std::string& source, ProfileKind kind,
+            const ProfileReading& reading) {
   const bool rail = kind == ProfileKind::rail;
+  std::vector<Point2>& points = measured.points;
+  if (reading.mirror)
+    mirror(measured);
+  if (reading.profile_z == ProfileZ::up)
+    flip_z(points);
   // The signs are judged on a walk towards +y.
   if (points.front().y > points.back().y)
     std::reverse(points.begin(), points.end());
-  rail ? mend_rail_signs(points, source) : mend_wheel_signs(points, source);
-  if (rail)
+  if (reading.profile_z == ProfileZ::as_stated && !measured.axes_stated)
+    rail ? mend_rail_signs(points, source) : mend_wheel_z(points, source);
+  if (rail && !measured.axes_stated && reading.profile_z == ProfileZ::as_stated)
     require_rail(points, source);
+  if (!rail && measured.axes_stated)
+    look_at_stated_wheel(points, source);
+  if (!rail)
+    mend_wheel_y(measured, source, reading);
   if ((points.front().y < points.back().y) != rail)
     std::reverse(points.begin(), points.end());
 }

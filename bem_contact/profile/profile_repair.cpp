@@ -4,6 +4,7 @@
 #include "bem_contact/profile/profile_orientation.hpp"
 #include "bem_contact/profile/settings.hpp"
 #include "bem_contact/profile/turn_at.hpp"
+#include "bem_contact/profile/wheel_datum.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -32,20 +33,49 @@ std::optional<std::size_t> first_zig_zag(const std::vector<Point2>& p) {
   return std::nullopt;
 }
 
-void mend_units(std::vector<Point2>& points, const std::string& source) {
+double millimetres(ProfileUnit unit) {
+  switch (unit) {
+  case ProfileUnit::cm:
+    return 10;
+  case ProfileUnit::m:
+    return 1000;
+  case ProfileUnit::inch:
+    return 25.4;
+  default:
+    return 1;
+  }
+}
+
+/// What a width that no profile in mm has could be.
+std::string question(double width) {
+  std::string guess;
+  for (const auto& [name, factor] : {std::pair{"centimetres", 10.0}, std::pair{"inches", 25.4}})
+    if (factor * width >= narrowest_guess && factor * width <= widest_guess)
+      guess +=
+          fmt::format("{}in {} it would be {:.4g} mm wide", guess.empty() ? "" : ", ", name, factor * width);
+  return guess;
+}
+
+void mend_units(std::vector<Point2>& points, const std::string& source, ProfileUnit unit) {
   const auto [low, high] =
       std::minmax_element(points.begin(), points.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
   double width = high->y - low->y;
-  if (width >= narrowest_in_metres && width <= widest_in_metres) {
+  const bool metres = unit == ProfileUnit::found && width >= narrowest_in_metres && width <= widest_in_metres;
+  const double factor = metres ? 1000 : millimetres(unit);
+  if (metres)
     spdlog::warn("{}: {:.4g} wide: taken as metres", source, width);
+  if (factor != 1)
     for (Point2& p : points)
-      p = 1000 * p;
-    width *= 1000;
-  }
-  if (!(width >= narrowest_profile && width <= widest_profile))
-    throw InputError(fmt::format("{}: the profile is {:.4g} mm wide", source, width),
-                     "no rail or wheel is; the unit is neither mm nor m, or the columns are not y and z",
-                     "Convert it to mm.");
+      p = factor * p;
+  width *= factor;
+  const std::string guess = unit == ProfileUnit::found ? question(width) : "";
+  if (!(width >= narrowest_profile && width <= widest_profile) ||
+      (width < narrowest_unasked && !guess.empty()))
+    throw InputError(
+        fmt::format("{}: the profile is {:.4g} mm wide", source, width),
+        guess.empty() ? "no rail or wheel is; the unit is neither mm nor m, or the columns are not y and z"
+                      : fmt::format("hardly a rail or wheel is; {}", guess),
+        guess.empty() ? "Convert it to mm." : "Convert it to mm, or say the unit: unit = \"cm\".");
 }
 
 /// Whether the walk goes over the same ground twice. A profile does not, even with under-head or flange back.
@@ -190,23 +220,27 @@ void report_holes(const std::vector<Point2>& p, const std::string& source) {
 
 } // namespace
 
-std::vector<Point2> repaired(std::vector<Point2> points, const std::string& source, ProfileKind kind) {
+std::vector<Point2> repaired(MeasuredPoints measured, const std::string& source, ProfileKind kind,
+                             const ProfileReading& reading) {
+  std::vector<Point2>& points = measured.points;
   const auto require_some = [&] {
     if (points.size() < 3)
       throw InputError(fmt::format("{} has {} points", source, points.size()), "a profile needs at least 3",
                        points.empty() ? "The file is empty or holds no numbers." : "Give more points.");
   };
   require_some();
-  mend_units(points, source);
+  mend_units(points, source, reading.unit);
   drop_crowded(points, source);
   require_some();
   mend_order(points, source);
   drop_crowded(points, source); // sorting brings doubled points together
   require_some();
-  orient(points, source, kind);
+  orient(measured, source, kind, reading);
+  if (kind == ProfileKind::wheel)
+    set_wheel_datum(points, measured.y_sign, source, reading);
   mend_loops(points, source);
   report_holes(points, source);
-  return points;
+  return std::move(points);
 }
 
 } // namespace bem_contact

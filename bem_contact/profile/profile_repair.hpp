@@ -1,7 +1,8 @@
 #pragma once
 
-#include "bem_contact/base/conventions.hpp"
+#include "bem_contact/profile/measured_points.hpp"
 #include "bem_contact/profile/profile_kind.hpp"
+#include "bem_contact/profile/profile_reading.hpp"
 
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@ namespace bem_contact {
 /// Brings measured points into the unit, order, frame and shape that ProfileCurve::through_points() needs.
 /// What it mends is listed at read_profile(); each repair is a warning that names `source`.
 /// Throws InputError where a repair would be a guess.
-std::vector<Point2> repaired(std::vector<Point2> points, const std::string& source, ProfileKind kind);
+std::vector<Point2> repaired(MeasuredPoints measured, const std::string& source, ProfileKind kind,
+                             const ProfileReading& reading = {});
 
 } // namespace bem_contact

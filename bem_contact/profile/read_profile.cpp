@@ -5,12 +5,18 @@
 #include "bem_contact/profile/miniprof_format.hpp"
 #include "bem_contact/profile/plain_columns.hpp"
 #include "bem_contact/profile/profile_repair.hpp"
+#include "bem_contact/profile/profile_smoothing.hpp"
+#include "bem_contact/profile/settings.hpp"
 #include "bem_contact/profile/simpack_format.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/profile/vampire_format.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace bem_contact {
@@ -40,24 +46,104 @@ ProfileCurve profile_of_body(const std::filesystem::path& file, ProfileKind kind
   return curve;
 }
 
+MeasuredPoints points_of(std::string_view text, const std::string& source, ProfileKind kind, int part,
+                         bool left) {
+  if (is_miniprof(text))
+    return miniprof_points(text, source, part);
+  if (part > 1)
+    throw InputError(fmt::format("{} has no profile {}", source, part), "its format holds one",
+                     "Leave out the number behind #.");
+  return is_simpack(text)   ? simpack_points(text, source, kind)
+         : is_vampire(text) ? vampire_points(text, source, kind, left)
+                            : plain_points(text, source);
+}
+
+void warn_of_noise(const std::string& source, const ProfileNoise& noise) {
+  spdlog::warn(
+      "{}: its points scatter by {:.2g} um, {:.2g} mm apart: a curve through all of them bends to radii of "
+      "{:.2g} mm, which moves pressures between steel bodies by some {:.0f} MPa and may split patches "
+      "(smoothing = {:.2g} removes it)",
+      source, 1e3 * noise.scatter, noise.spacing, 1 / noise.bending, noise.pressure, noise.smoothing);
+}
+
+void report_smoothing(const std::string& source, const MeasuredProfile& p) {
+  spdlog::info(
+      "{}: smoothed, waves shorter than {:g} mm removed: {:.2g} um root mean square, {:.2g} um at most",
+      source, p.smoothing, 1e3 * p.removed_rms, 1e3 * p.removed_most);
+  if (p.smoothing < least_smoothing_share * p.noise.smoothing)
+    spdlog::warn("{}: smoothing = {:g} leaves noise: for a scatter of {:.2g} um use {:.2g}", source,
+                 p.smoothing, 1e3 * p.noise.scatter, p.noise.smoothing);
+  const double scatter = std::sqrt(2.0) * p.noise.scatter; // along y and along z
+  if (p.removed_rms > std::max(removed_over_noise * scatter, least_removed))
+    spdlog::warn(
+        "{}: smoothing = {:g} takes shape away: it moved points by {:.2g} um (root mean square), and their "
+        "scatter is {:.2g} um: use a shorter one",
+        source, p.smoothing, 1e3 * p.removed_rms, 1e3 * p.noise.scatter);
+}
+
 } // namespace
 
-ProfileCurve parse_profile(std::string_view text, std::string_view source_name, ProfileKind kind) {
+MeasuredProfile parse_measured_profile(std::string_view text, std::string_view source_name, ProfileKind kind,
+                                       const ProfileReading& reading, int part) {
   const std::string source(source_name);
   if (text.starts_with("\xef\xbb\xbf")) // a byte order mark
     text.remove_prefix(3);
-  std::vector<Point2> points = is_simpack(text)    ? simpack_points(text, source, kind)
-                               : is_miniprof(text) ? miniprof_points(text, source)
-                                                   : plain_points(text, source);
-  points = repaired(std::move(points), source, kind);
-  return ProfileCurve::through_points(std::filesystem::path(source).filename().string(), points);
+  if (std::ranges::count(text, '\n') > most_points)
+    throw InputError(fmt::format("the profile {} has more than {} points", source, most_points),
+                     "a measured profile has some thousands", "Take fewer of its points.");
+  MeasuredPoints measured = points_of(text, source, kind, part, reading.mirror);
+  ProfileReading how = reading;
+  how.mirror = reading.mirror && !is_vampire(text); // there it has chosen the left profile, mirrored
+  const std::vector<Point2> points = repaired(std::move(measured), source, kind, how);
+  const ProfileNoise noise = measure_noise(points);
+  const std::string name = std::filesystem::path(source).filename().string();
+  if (reading.smoothing == 0) {
+    if (noise.smoothing > 0)
+      warn_of_noise(source, noise);
+    return {ProfileCurve::through_points(name, points), points.size(), noise};
+  }
+  const SmoothedProfile smooth = smoothed(points, reading.smoothing);
+  MeasuredProfile out{ProfileCurve::through_points(name, smooth.points, smooth.kinks),
+                      smooth.points.size(),
+                      noise,
+                      reading.smoothing,
+                      smooth.rms,
+                      smooth.largest};
+  report_smoothing(source, out);
+  return out;
 }
 
-ProfileCurve read_profile(const std::filesystem::path& file, ProfileKind kind) {
-  return parse_profile(read_text_file(file.string(), "profile file"), file.string(), kind);
+ProfileCurve parse_profile(std::string_view text, std::string_view source_name, ProfileKind kind,
+                           const ProfileReading& reading) {
+  return parse_measured_profile(text, source_name, kind, reading).curve;
 }
 
-ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::filesystem::path& folder) {
+MeasuredProfile measured_profile(const std::filesystem::path& file, ProfileKind kind,
+                                 const ProfileReading& reading, int part) {
+  return parse_measured_profile(read_text_file(file.string(), "profile file"), file.string(), kind, reading,
+                                part);
+}
+
+ProfileCurve read_profile(const std::filesystem::path& file, ProfileKind kind,
+                          const ProfileReading& reading) {
+  return measured_profile(file, kind, reading).curve;
+}
+
+ProfileFileName profile_file_name(std::string_view name, const std::filesystem::path& folder) {
+  const std::filesystem::path whole = folder / std::filesystem::path(name); // an absolute path stays itself
+  const auto hash = name.rfind('#');
+  if (hash == std::string_view::npos || std::filesystem::exists(whole))
+    return {whole};
+  int part = 0;
+  const char* end = name.data() + name.size();
+  const auto [stop, problem] = std::from_chars(name.data() + hash + 1, end, part);
+  if (problem != std::errc{} || stop != end || part < 1)
+    return {whole};
+  return {folder / std::filesystem::path(name.substr(0, hash)), part};
+}
+
+ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::filesystem::path& folder,
+                           const ProfileReading& reading) {
   if (is_standard_profile(name)) {
     const ProfileKind its_kind = name == "S1002" ? ProfileKind::wheel : ProfileKind::rail;
     if (its_kind != kind)
@@ -66,8 +152,8 @@ ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::f
                        kind == ProfileKind::rail ? "Use for instance 60E1." : "Use for instance S1002.");
     return standard_profile(name);
   }
-  const std::filesystem::path file = folder / std::filesystem::path(name); // an absolute path stays itself
-  if (!std::filesystem::exists(file)) {
+  const auto [file, part] = profile_file_name(name, folder);
+  if (!file_exists(file)) {
     const bool uic = name.starts_with("UIC") && (name.ends_with("60") || name.ends_with("54"));
     const auto like =
         uic ? std::vector{fmt::format("{}E1 (its name in EN 13674-1)", name.substr(name.size() - 2))}
@@ -78,7 +164,8 @@ ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::f
                      like.empty() ? "Check the name or the path."
                                   : fmt::format("Did you mean {}?", fmt::join(like, " or ")));
   }
-  return file.extension() == ".toml" ? profile_of_body(file, kind) : read_profile(file, kind);
+  return file.extension() == ".toml" ? profile_of_body(file, kind)
+                                     : measured_profile(file, kind, reading, part).curve;
 }
 
 } // namespace bem_contact

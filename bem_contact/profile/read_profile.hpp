@@ -2,30 +2,58 @@
 
 #include "bem_contact/profile/profile_curve.hpp"
 #include "bem_contact/profile/profile_kind.hpp"
+#include "bem_contact/profile/profile_noise.hpp"
+#include "bem_contact/profile/profile_reading.hpp"
 
 #include <filesystem>
 #include <string_view>
-#include <vector>
 
 namespace bem_contact {
 
-/// Reads a profile file: Simpack .prr/.prw, MiniProf .ban/.whl (told by their contents), else plain columns
-/// "y z". The curve's frame is that of ProfileCurve: mm, y to the right (rail: 0 where the file has it,
-/// wheel: 0 at the tape circle), z down.
+/// A profile file, and what was found out about it on the way.
+struct MeasuredProfile {
+  ProfileCurve curve;
+  std::size_t points = 0;  ///< that the curve goes through
+  ProfileNoise noise;      ///< of the points as measured
+  double smoothing = 0;    ///< shortest wavelength kept, mm; 0: not smoothed
+  double removed_rms = 0;  ///< by smoothing, mm
+  double removed_most = 0; ///< mm
+};
+
+/// Reads a profile file: Simpack .prr/.prw, MiniProf .ban/.whl/.mpt, Vampire .rai/.whe (told by their
+/// contents), else plain columns "y z". The curve's frame is that of ProfileCurve: mm, y to the right (rail:
+/// 0 where the file has it, wheel: 0 at the tape circle), z down. `part`: which profile of a file with
+/// several, from 1; 0: the only one.
 ///
 /// Points may come in either walking order. Repaired, with a warning (spdlog): metres for millimetres, z
-/// upward, a wheel's flange at y > 0, shuffled points, doubled or crowded points (nearer than 0.01 mm),
-/// single points that zig-zag, loops shorter than 1 mm.
+/// upward, a wheel's flange at y > 0, a wheel's y measured from the back of its flange, shuffled points,
+/// doubled or crowded points (nearer than 0.01 mm), single points that zig-zag, loops shorter than 1 mm.
+/// `reading` says what the file does not. Noise that would show in pressures gives a warning with the
+/// smoothing to use.
 ///
 /// Throws InputError: no such file, empty, truncated, not a number, a size that no rail or wheel has, a file
-/// of the other kind, smoothing asked for (approx.smooth), zig-zag and loops beyond repair.
-ProfileCurve read_profile(const std::filesystem::path& file, ProfileKind kind);
-ProfileCurve parse_profile(std::string_view text, std::string_view source_name, ProfileKind kind);
+/// of the other kind, smoothing asked for by the file (approx.smooth), zig-zag and loops beyond repair.
+MeasuredProfile measured_profile(const std::filesystem::path& file, ProfileKind kind,
+                                 const ProfileReading& reading = {}, int part = 0);
+ProfileCurve read_profile(const std::filesystem::path& file, ProfileKind kind,
+                          const ProfileReading& reading = {});
+MeasuredProfile parse_measured_profile(std::string_view text, std::string_view source_name, ProfileKind kind,
+                                       const ProfileReading& reading = {}, int part = 0);
+ProfileCurve parse_profile(std::string_view text, std::string_view source_name, ProfileKind kind,
+                           const ProfileReading& reading = {});
 
 /// A standard profile by its name; of a body file (*.toml) the contact curve of the body; else a profile
-/// file. Relative paths start in `folder`. Throws InputError where a standard or a body is of the other kind
-/// (upper bodies are wheels); and names the nearest standards where there is no such file.
+/// file, where "FILE#2" is the second of several profiles in it. Relative paths start in `folder`; `reading`
+/// is for profile files alone. Throws InputError where a standard or a body is of the other kind (upper
+/// bodies are wheels); and names the nearest standards where there is no such file.
 ProfileCurve named_profile(std::string_view name_or_file, ProfileKind kind,
-                           const std::filesystem::path& folder = {});
+                           const std::filesystem::path& folder = {}, const ProfileReading& reading = {});
+
+/// The file of a profile's name, and the number behind its "#", 0 without.
+struct ProfileFileName {
+  std::filesystem::path file;
+  int part = 0;
+};
+ProfileFileName profile_file_name(std::string_view name, const std::filesystem::path& folder = {});
 
 } // namespace bem_contact

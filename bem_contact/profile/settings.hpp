@@ -52,6 +52,9 @@ BEM_CONTACT_TUNED(int, lowest_point_samples, 64);
 
 // Repair of measured points.
 
+/// 1 (lines of the file). More is no measured profile: they have some thousands. Ten million take a minute.
+BEM_CONTACT_TUNED(long, most_points, 10'000'000);
+
 /// mm. Nearer points carry the rounding of the file (.01 mm), not shape.
 BEM_CONTACT_TUNED(double, crowded, 0.01);
 /// rad. No profile turns so sharply between two chords: there the points zig-zag. Chosen: beyond a right
@@ -70,12 +73,51 @@ BEM_CONTACT_TUNED(double, widest_profile, 300.0); ///< mm. As above.
 /// The file's unit. A profile this wide is in metres: no profile in mm is as narrow.
 BEM_CONTACT_TUNED(double, narrowest_in_metres, 0.02);
 BEM_CONTACT_TUNED(double, widest_in_metres, 0.3); ///< As above.
+/// mm. A file whose unit is not said and that is narrower is asked about: heads of rails are wider than 60
+/// mm, wheels wider than 100 mm, and in centimetres both are narrower than this.
+BEM_CONTACT_TUNED(double, narrowest_unasked, 16.0);
+/// mm. Widths that a whole rail or wheel has: what a narrower file would be in another unit.
+BEM_CONTACT_TUNED(double, narrowest_guess, 55.0);
+BEM_CONTACT_TUNED(double, widest_guess, 160.0); ///< mm. As above.
 /// 1. A walk that travels this many times its width along y goes over the same ground twice. Below 2, because
 /// overlapping scans rarely cover all of each other; a profile with under-head stays below 1.5.
 BEM_CONTACT_TUNED(double, doubled_walk, 1.9);
 /// 1. Points are out of order if sorting by y shortens the walk by this factor. Chosen: two shuffled points
 /// of a short file already do.
 BEM_CONTACT_TUNED(double, shuffled_walk, 1.5);
+
+// Noise of measured points, and smoothing.
+
+/// 1. Neighbours on either side in the fit that tells noise from shape: a cubic through nine points half a
+/// millimetre apart leaves less than 0.1 um of an arc of 13 mm radius.
+BEM_CONTACT_TUNED(int, noise_neighbours, 4);
+/// 1. Standard deviation of a normal distribution over the median of its absolute values.
+BEM_CONTACT_TUNED(double, normal_deviation_over_median, 1.4826);
+/// MPa. E* of two steel bodies, for the pressure that noise makes.
+BEM_CONTACT_TUNED(double, steel_contact_modulus, 115000);
+/// MPa. Noise that makes less is not worth a word: 1 % of a usual largest pressure.
+BEM_CONTACT_TUNED(double, least_noise_pressure, 15);
+/// mm over mm^(3/2) to the exponent below. Smoothing advised for noise e at the distance h is this times
+/// (e sqrt(h)) to that exponent: the wavelength at which the scatter of the smoothed curvature, which grows
+/// as e sqrt(h) L^(-5/2), is the same for every file. Measured with tools/benchmarks/profile_noise.
+BEM_CONTACT_TUNED(double, smoothing_for_noise, 108);
+BEM_CONTACT_TUNED(double, smoothing_for_noise_exponent, 0.4); ///< 1. As above.
+/// rad. Tangents on either side that differ by more make a kink. Noise of 10 um in points 0.25 mm apart,
+/// fitted over 3 mm, turns them by 0.012.
+BEM_CONTACT_TUNED(double, kink_turn, 0.2);
+/// 1. Points on either side that such a tangent needs at least.
+BEM_CONTACT_TUNED(int, kink_points, 5);
+/// 1. Weight of a point that is held, relative to the others: large, and far from the limits of rounding.
+BEM_CONTACT_TUNED(double, kink_weight, 1e6);
+/// 1. Points nearer than this part of the wavelength become one: the spline through the rest keeps far
+/// shorter waves than are asked for.
+BEM_CONTACT_TUNED(double, thinning, 50);
+/// 1. What is removed may exceed the noise by this factor. More is shape.
+BEM_CONTACT_TUNED(double, removed_over_noise, 2.0);
+/// mm. Less removed shape does not matter. Chosen: below it no pressure moved by 1 %.
+BEM_CONTACT_TUNED(double, least_removed, 5e-4);
+/// 1 (share of the advised smoothing). Less leaves noise that shows: its pressure grows by half.
+BEM_CONTACT_TUNED(double, least_smoothing_share, 0.85);
 
 // Holes in measured points. They are reported, not mended. All chosen.
 
@@ -84,6 +126,19 @@ BEM_CONTACT_TUNED(double, least_hole, 2.0);   ///< mm. and at least so long;
 BEM_CONTACT_TUNED(double, hole_turn, 2.0);    ///< deg. and the profile turns by more over it.
 /// deg. Two chords that turn by more, there and back, are a jump between two scans.
 BEM_CONTACT_TUNED(double, jump_turn, 45.0);
+
+// Datum of wheels.
+
+/// mm. How far the tip of a flange lies from its back: 15 mm on S1002 (EN 13715), 12 to 22 on worn and
+/// American wheels.
+BEM_CONTACT_TUNED(double, nearest_tip_to_back, 5.0);
+BEM_CONTACT_TUNED(double, farthest_tip_from_back, 32.0); ///< mm. As above.
+/// mm. Range of the tip's y over wheels whose y = 0 is at the tape circle: 62 to 78 mm from the back.
+BEM_CONTACT_TUNED(double, lowest_tip, -75.0);
+BEM_CONTACT_TUNED(double, highest_tip, -35.0); ///< mm. As above.
+BEM_CONTACT_TUNED(double, usual_tip, -55.0);   ///< mm. y of the tip of S1002.
+/// mm. A worn wheel may be as low at its tape circle; more is another datum.
+BEM_CONTACT_TUNED(double, highest_tape_circle, 6.0);
 
 // Orientation of measured points.
 

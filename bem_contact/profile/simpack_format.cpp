@@ -78,7 +78,7 @@ bool is_simpack(std::string_view text) {
          text.find("point.begin") != std::string_view::npos;
 }
 
-std::vector<Point2> simpack_points(std::string_view text, const std::string& source, ProfileKind kind) {
+MeasuredPoints simpack_points(std::string_view text, const std::string& source, ProfileKind kind) {
   enum class Block { none, header, spline, points, done } block = Block::none;
   Flags flags{source};
   std::vector<Point2> points;
@@ -129,7 +129,7 @@ std::vector<Point2> simpack_points(std::string_view text, const std::string& sou
                      fmt::format("its header says type = {}, a {} is asked for", type, name_of(kind)),
                      "Name the other file.");
   apply_flags(points, flags);
-  return points;
+  return {std::move(points), 1, true};
 }
 
 } // namespace bem_contact

@@ -70,7 +70,7 @@ ProfileCurve body_profile(const BodyFile& file) {
     return outline_profile(body);
   if (body.kind == BodyKind::rail || body.kind == BodyKind::wheel)
     return named_profile(body.profile, body.kind == BodyKind::rail ? ProfileKind::rail : ProfileKind::wheel,
-                         file.folder);
+                         file.folder, body.reading);
   if (body.kind == BodyKind::disc)
     return lower_half_circle(fmt::format("disc R {}", body.radius), body.radius, true);
   if (body.kind == BodyKind::bore)

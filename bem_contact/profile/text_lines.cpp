@@ -30,6 +30,13 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
+std::string_view without_comment(std::string_view line) {
+  line = trimmed(line);
+  if (line.starts_with('"'))
+    line.remove_prefix(1);
+  return trimmed(line.substr(0, line.find_first_of("!%#\"")));
+}
+
 std::vector<double> numbers_of(std::string_view line) {
   constexpr std::string_view separators = " \t,;";
   std::vector<double> values;

@@ -10,6 +10,10 @@ namespace bem_contact {
 std::vector<std::string_view> lines_of(std::string_view text);
 std::string_view trimmed(std::string_view text);
 
+/// The line without what follows !, %, # or a quotation mark, trimmed; a quotation mark that begins it is
+/// skipped.
+std::string_view without_comment(std::string_view line);
+
 /// The numbers of a line, separated by blanks, commas or semicolons; empty if any word is not a number.
 /// "nan" and "inf" are numbers here, so that require_finite() can refuse them by name.
 std::vector<double> numbers_of(std::string_view line);

@@ -1,13 +1,15 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/provenance.hpp"
 #include "bem_contact/contact/history.hpp"
+#include "bem_contact/python/result_object.hpp"
+#include "bem_contact/python/sequence_object.hpp"
+#include "bem_contact/python/values.hpp"
 #include "bem_contact/sequence/printed_errors.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
-#include "bem_contact/sequence/sequence.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,59 +21,25 @@ namespace bem_contact {
 
 namespace {
 
-using Changes = std::map<std::string, py::object>;
-
-/// NumPy's numbers too. Throws TypeError for what no key of a scene can be.
-SchemaValue value_of(const std::string& key, const py::object& value) {
-  if (py::isinstance<py::bool_>(value))
-    return value.cast<bool>();
-  if (py::isinstance<py::str>(value))
-    return value.cast<std::string>();
-  if (py::hasattr(value, "__index__"))
-    return value.cast<std::int64_t>();
-  if (py::hasattr(value, "__float__"))
-    return value.cast<double>();
-  throw py::type_error("The value of " + key +
-                       " cannot be used (it is no number, text, True or False) "
-                       "Give one of these.");
+/// None of the arguments is converted by pybind11, so that what is wrong with one is said in our words.
+std::unique_ptr<PythonSequence> sequence_of(const py::object& scene, const py::args& more,
+                                            const py::kwargs& unknown) {
+  refuse_unknown("Sequence", more, unknown);
+  return std::make_unique<PythonSequence>(path_of(scene));
 }
 
-std::vector<SceneChange> list_of(const Changes& changes) {
-  std::vector<SceneChange> list;
-  for (const auto& [key, value] : changes)
-    list.push_back({key, value_of(key, value)});
-  return list;
+PythonResult solve_changed(const PythonSequence& sequence, const py::object& changes, const py::object& model,
+                           const py::object& strict, const py::args& more, const py::kwargs& unknown) {
+  refuse_unknown("solve", more, unknown);
+  PythonResult solved{sequence.solve(changes_of(changes), model_of(model)), {}};
+  if (py::bool_(strict))
+    refuse_warnings(solved.solved->warnings);
+  return solved;
 }
 
-/// `model`: instead of the scene's own; "" for that.
-SceneFile scene_of(const std::filesystem::path& file, const std::vector<SceneChange>& changes,
-                   const std::string& model) {
-  const SceneFile scene = read_scene_file(file, changes);
-  return model.empty() ? scene : with_model(scene, model_named(model));
-}
-
-/// Nothing of Python is touched while a scene is solved: other threads may go on.
-class PythonSequence {
-public:
-  explicit PythonSequence(std::filesystem::path scene) : scene_(std::move(scene)) {}
-
-  SceneResult solve(const Changes& changes, const std::string& model, bool strict) {
-    const std::vector<SceneChange> list = list_of(changes);
-    const py::gil_scoped_release others_may_run;
-    SceneResult result = sequence_.solve(scene_of(scene_, list, model));
-    if (strict)
-      refuse_warnings(result.warnings);
-    return result;
-  }
-
-private:
-  std::filesystem::path scene_;
-  Sequence sequence_;
-};
-
-SceneResult solve_one(const std::filesystem::path& file, const Changes& changes, const std::string& model,
-                      bool strict) {
-  return PythonSequence(file).solve(changes, model, strict);
+PythonResult solve_one(const py::object& scene, const py::object& changes, const py::object& model,
+                       const py::object& strict, const py::args& more, const py::kwargs& unknown) {
+  return solve_changed(PythonSequence(path_of(scene)), changes, model, strict, more, unknown);
 }
 
 py::array_t<double> line(std::vector<double> values) {
@@ -148,7 +116,29 @@ py::dict history_of(const SceneResult& r) {
   return out;
 }
 
-void add_totals(py::class_<SceneResult>& c) {
+py::object body_of(const std::optional<BodyMotion>& body) {
+  using namespace py::literals;
+  if (!body)
+    return py::none();
+  const auto matrix = [](const SixBySix& m) { return py::array_t<double>({6, 6}, m.front().data()); };
+  return py::dict("before"_a = std::array{body->before.y, body->before.z},
+                  "after"_a = std::array{body->after.y, body->after.z},
+                  "force"_a = line({body->force.begin(), body->force.end()}),
+                  "motion"_a = line({body->motion.begin(), body->motion.end()}),
+                  "compliance"_a = matrix(body->compliance),
+                  "stiffness"_a = body->stiffness ? py::object(matrix(*body->stiffness)) : py::none());
+}
+
+py::object structure_of(const SceneResult& r) {
+  using namespace py::literals;
+  if (!r.structure)
+    return py::none();
+  return py::dict("rail"_a = body_of(r.structure->rail), "wheel"_a = body_of(r.structure->wheel),
+                  "placed"_a = r.structure->placed, "solutions"_a = r.structure->solutions,
+                  "last_change"_a = r.structure->change, "lowered"_a = r.structure->lowered);
+}
+
+void add_totals(ResultClass& c) {
   const auto total = [&](const char* name, double ContactResult::*member, const char* doc) {
     c.def_property_readonly(
         name, [member](const SceneResult& r) { return r.result.*member; }, doc);
@@ -158,9 +148,33 @@ void add_totals(py::class_<SceneResult>& c) {
   total("Fz", &ContactResult::Fz, "On the rail, N, down");
   total("Fs", &ContactResult::Fs, "Shear force along the tangent at the reference point, N");
   total("approach", &ContactResult::approach, "mm");
+  c.def_readonly("approach_datum", &SceneResult::approach_datum,
+                 "Of which points of the bodies the approach is the relative displacement");
+  c.def_property_readonly("structure", structure_of,
+                          "Structural motion, dict of rail, wheel (force, motion, 6 x 6 compliance and "
+                          "stiffness), placed, solutions, "
+                          "last_change, lowered; None where no body gives way");
   total("creepage_x", &ContactResult::creepage_x, "Found for load.force_x, added to motion.xi");
   total("creepage_s", &ContactResult::creepage_s, "Found for load.force_s, added to motion.eta");
   c.def_readonly("Mz", &SceneResult::moment, "About the vertical through the reference point, N mm");
+  c.def_readonly(
+      "lateral", &SceneResult::lateral,
+      "Lateral displacement of the wheelset, mm, given or found for load.force_y; None of a patch");
+  c.def_property_readonly(
+      "other_laterals",
+      [](const SceneResult& r) { return r.found_lateral ? r.found_lateral->others : std::vector<double>(); },
+      "Other displacements with the same load.force_y, to some hundredths, mm");
+  c.def_readonly("xi", &SceneResult::xi, "Longitudinal creepage, with what was found for load.force_x");
+  c.def_property_readonly(
+      "free_rolling_xi",
+      [](const SceneResult& r) { return r.free_rolling ? std::optional(r.free_rolling->xi) : std::nullopt; },
+      "Longitudinal creepage at which Fx is 0; None: not looked for");
+  c.def_property_readonly(
+      "free_rolling_radius",
+      [](const SceneResult& r) {
+        return r.free_rolling ? std::optional(r.free_rolling->rolling_radius) : std::nullopt;
+      },
+      "Rolling radius at which Fx is 0, mm; None: not looked for");
   c.def_property_readonly(
       "pmax", [](const SceneResult& r) { return largest_pressure(r.result); }, "MPa");
   c.def_property_readonly(
@@ -173,7 +187,7 @@ void add_totals(py::class_<SceneResult>& c) {
   c.def_property_readonly("history", history_of, "Totals of every step: dict of arrays [steps]");
 }
 
-void add_fields(py::class_<SceneResult>& c) {
+void add_fields(ResultClass& c) {
   const auto add = [&](const char* name, std::vector<double> ContactResult::*member, const char* doc) {
     c.def_property_readonly(
         name, [member](const SceneResult& r) { return field(r, r.result.*member); }, doc);
@@ -191,7 +205,7 @@ void add_fields(py::class_<SceneResult>& c) {
       "gap", [](const SceneResult& r) { return field(r, r.problem.gap); },
       "Undeformed distance along the rail's normal, mm, [ms][mx]");
   c.def_property_readonly(
-      "u_n", [](const SceneResult& r) { return field(r, r.displacements.un); },
+      "u_n", [](const SceneResult& r) { return field(r, r.result.displacements.un); },
       "Displacement difference along n, wheel less rail, mm, [ms][mx]");
   c.def_property_readonly(
       "x", [](const SceneResult& r) { return line(columns(r.problem.grid)); },
@@ -210,7 +224,7 @@ void add_fields(py::class_<SceneResult>& c) {
       "delta", [](const ContactRow& row) { return row.delta; }, "Inclination, rad, [ms]");
 }
 
-void add_trust(py::class_<SceneResult>& c) {
+void add_trust(ResultClass& c) {
   c.def_property_readonly(
       "model", [](const SceneResult& r) { return std::string(name_of(r.model)); },
       "hertz, halfspace, tangent_plane or fem");
@@ -244,38 +258,45 @@ void add_trust(py::class_<SceneResult>& c) {
       },
       "False: smaller elements show another field, and no error can be told; None: not estimated");
   c.def_property_readonly("seconds", [](const SceneResult& r) { return r.seconds.total; });
-  c.def("__repr__", [](const SceneResult& r) {
-    return "<bem_contact.Result: " + std::string(name_of(r.model)) + ", Fz " + std::to_string(r.result.Fz) +
-           " N, " + std::to_string(r.result.patches.size()) + " patches, " +
-           (r.result.certificate.holds() ? "certified>" : "NOT certified>");
+  c.def("__repr__", [](const py::object& r) {
+    return py::str("<bem_contact.Result: {}, Fz {:.6g} N, {} patches, {}>")
+        .format(r.attr("model"), r.attr("Fz"), py::len(r.attr("patches")),
+                r.attr("certified").cast<bool>() ? "certified" : "NOT certified");
   });
 }
 
 } // namespace
 
-PYBIND11_MODULE(bem_contact, m) {
-  m.doc() = "Conformal wheel-rail contact: scenes (TOML files) solved from Python. Units mm, N, MPa, rad.";
+PYBIND11_MODULE(_core, m) {
+  m.doc() = "The compiled part of the package bem_contact.";
+  m.attr("__version__") = std::string(version());
   py::register_exception<InputError>(m, "InputError", PyExc_ValueError);
   py::register_exception<ConvergenceError>(m, "ConvergenceError", PyExc_RuntimeError);
-  py::class_<SceneResult> result(m, "Result", "One scene solved with one model. Arrays are copies.");
+  ResultClass result(m, "One scene solved with one model. Arrays are copies. Can be copied and pickled.");
   add_totals(result);
   add_fields(result);
   add_trust(result);
 
   using namespace py::literals;
   constexpr const char* of_arguments =
-      "`changes`: values of the scene's keys instead of the file's, as {\"position.lateral\": 6.6}. `model`: "
-      "auto, hertz, halfspace, tangent_plane or fem; \"\" takes the scene's own. `strict`: warnings are "
-      "errors. Raises InputError (a ValueError) for wrong input. Lack of convergence is in the result.";
-  m.def("solve", solve_one, "scene"_a, "changes"_a = Changes(), "model"_a = "", "strict"_a = false,
-        of_arguments);
+      "`changes`: values of the scene's keys instead of the file's, as {\"position.lateral\": 6.6}; numbers "
+      "and "
+      "arrays may be NumPy's. `model`: "
+      "auto, hertz, halfspace, tangent_plane or fem; \"\" takes the scene's own. Raises InputError (a "
+      "ValueError) for wrong input. `strict`: warnings are errors. Lack of convergence is in the result.";
+  m.def("solve", solve_one, "scene"_a = py::none(), "changes"_a = py::none(), "model"_a = py::none(),
+        "strict"_a = false, of_arguments);
   py::class_<PythonSequence>(
       m, "Sequence",
-      "Solves one scene with many changes, each from what the former ones taught: files "
-      "are read once, and a case starts from the tractions of the one before.")
-      .def(py::init<std::filesystem::path>(), "scene"_a)
-      .def("solve", &PythonSequence::solve, "changes"_a = Changes(), "model"_a = "", "strict"_a = false,
+      "Solves one scene with many changes, each from what the former ones taught: files are read once, and a "
+      "case starts from the tractions of the one before. The scene is read, and its paths are fixed, when "
+      "the "
+      "object is made. Several threads may call one object: each call waits for the one before. Several "
+      "objects run side by side. Ctrl-C ends a running solve.")
+      .def(py::init(&sequence_of), "scene"_a = py::none())
+      .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), "strict"_a = false,
            of_arguments);
+  py::module_::import("atexit").attr("register")(py::cpp_function(&end_stopped_solutions));
 }
 
 } // namespace bem_contact

@@ -21,12 +21,26 @@ template <> struct EnumNames<WheelSide> {
   static constexpr std::array<std::string_view, 2> names{"right", "left"};
 };
 
+/// Where a body stands across the track: by its gauge face or its flange back, or where its file puts it.
+enum class BodyPlace { gauge, absolute };
+template <> struct EnumNames<BodyPlace> {
+  static constexpr std::array<std::string_view, 2> names{"gauge", "absolute"};
+};
+
 template <> struct EnumNames<MotionKind> {
   static constexpr std::array<std::string_view, 3> names{"steady", "transient", "shift"};
 };
 
 template <> struct EnumNames<StructuralCompliance> {
   static constexpr std::array<std::string_view, 2> names{"removed", "included"};
+};
+
+/// What is done about the geometry where structural motion (StructuralCompliance::included) moves the bodies:
+///   placed: the bodies are placed by it, and the contact is solved again until they stand still;
+///   linear: undeformed distance, normals and slip stay those of the position that the scene gives.
+enum class StructuralMotion { placed, linear };
+template <> struct EnumNames<StructuralMotion> {
+  static constexpr std::array<std::string_view, 2> names{"placed", "linear"};
 };
 
 /// What is taken for the bodies, cheapest first: Hertz's closed form; influence numbers of the half-space;

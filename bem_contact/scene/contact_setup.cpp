@@ -28,6 +28,37 @@ double rolling_radius_of(const SceneFile::Motion& motion, double free) {
                                : free;
 }
 
+/// All that follows from where the bodies stand as they touch.
+ContactSetup set_up_touching(const SceneFile& scene, WheelOnRail pair, std::vector<TouchPoint> touch,
+                             double lowered, const ContactLoad& load) {
+  ContactLocus locus(pair);
+  std::vector<RailSlice> slices = slice_rail(pair, locus);
+  const std::optional<ContactCentre> centre = contact_centre(
+      slices, locus.frame(), contact_compliance(scene.rail.material, scene.wheel.material), load);
+  const TouchPoint& deepest = touch.front();
+  ReferencePoint reference{deepest.position, deepest.rail_s, deepest.delta, deepest.x};
+  double free_radius = pair.wheel_radius + pair.wheel.at(deepest.wheel_s).position.z;
+  if (centre) {
+    const CurvePoint p = pair.rail_at(centre->s);
+    reference = {p.position, p.s, p.delta, centre->x};
+    free_radius = centre->rolling_radius;
+  }
+  Motion motion = read_motion(scene);
+  motion.creepage.rolling_radius = rolling_radius_of(scene.motion, free_radius);
+  // A smooth function of the position: not that of the deepest point.
+  const double contact_radius = centre ? centre->rolling_radius : pair.wheel_radius;
+  return {body_of(scene.rail, scene.folder), body_of(scene.wheel, scene.folder), load, std::move(motion),
+          WheelRailGeometry{std::move(pair), std::move(locus), std::move(touch), std::move(slices), lowered,
+                            scene.grid.planar, reference, contact_radius}};
+}
+
+/// Rows as seen from the wheel before its structure moved it.
+std::vector<ContactRow> rows_before(const StructuralPlacement& structure, std::vector<ContactRow> rows) {
+  for (ContactRow& row : rows)
+    row.position = structure.wheel.before(row.position - Point2{0, structure.lowered});
+  return rows;
+}
+
 } // namespace
 
 double ContactSetup::reference_distance() const {
@@ -94,7 +125,14 @@ RigidSlip ContactSetup::rigid_slip(const MotionStep& step, const std::vector<Con
     return own->slip ? *own->slip : planar_slip(creepage, rows, x, step.x.value_or(0.0));
   if (motion.kind == MotionKind::shift)
     return rigid_shift(reference(), creepage, rows, x);
-  return bem_contact::rigid_slip(wheel_rail()->pair, reference(), creepage, rows, x);
+  const WheelRailGeometry& placed = *wheel_rail();
+  if (!placed.structure)
+    return bem_contact::rigid_slip(placed.pair, reference(), creepage, rows, x);
+  // The wheel's material turns about its axle, which did not move with the rim.
+  ReferencePoint before = reference();
+  before.position = placed.structure->wheel.before(before.position - Point2{0, placed.structure->lowered});
+  return bem_contact::rigid_slip(with_wheel_before(placed.pair, *placed.structure), before, creepage,
+                                 rows_before(*placed.structure, rows), x);
 }
 
 ContactSetup ContactSetup::under(const ContactLoad& other) const {
@@ -110,27 +148,22 @@ ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& pro
   const double before = pair.wheel_pose.origin.z;
   std::vector<TouchPoint> touch = lower_to_touch(pair);
   const double lowered = pair.wheel_pose.origin.z - before;
-  ContactLocus locus(pair);
-  std::vector<RailSlice> slices = slice_rail(pair, locus);
   const ContactLoad load = load_of(scene, scene.position.vertical ? *scene.position.vertical - lowered
                                                                   : scene.load.approach.value_or(0));
-  const std::optional<ContactCentre> centre = contact_centre(
-      slices, locus.frame(), contact_compliance(scene.rail.material, scene.wheel.material), load);
-  const TouchPoint& deepest = touch.front();
-  ReferencePoint reference{deepest.position, deepest.rail_s, deepest.delta, deepest.x};
-  double free_radius = pair.wheel_radius + pair.wheel.at(deepest.wheel_s).position.z;
-  if (centre) {
-    const CurvePoint p = pair.rail_at(centre->s);
-    reference = {p.position, p.s, p.delta, centre->x};
-    free_radius = centre->rolling_radius;
-  }
-  Motion motion = read_motion(scene);
-  motion.creepage.rolling_radius = rolling_radius_of(scene.motion, free_radius);
-  // A smooth function of the position: not that of the deepest point.
-  const double contact_radius = centre ? centre->rolling_radius : pair.wheel_radius;
-  return {body_of(scene.rail, scene.folder), body_of(scene.wheel, scene.folder), load, std::move(motion),
-          WheelRailGeometry{std::move(pair), std::move(locus), std::move(touch), std::move(slices), lowered,
-                            scene.grid.planar, reference, contact_radius}};
+  return set_up_touching(scene, std::move(pair), std::move(touch), lowered, load);
+}
+
+ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, StructuralPlacement by) {
+  const WheelRailGeometry& before = *setup.wheel_rail();
+  WheelOnRail pair = moved(before.pair, by);
+  const double height = pair.wheel_pose.origin.z;
+  std::vector<TouchPoint> touch = lower_to_touch(pair);
+  by.lowered = pair.wheel_pose.origin.z - height;
+  ContactLoad load = setup.load;
+  load.approach -= load.kind == LoadKind::approach ? by.lowered : 0.0;
+  ContactSetup out = set_up_touching(scene, std::move(pair), std::move(touch), before.lowered, load);
+  std::get<WheelRailGeometry>(out.geometry).structure = by;
+  return out;
 }
 
 ContactSetup set_up_patch(const SceneFile& scene) {

@@ -69,6 +69,10 @@ struct ContactSetup {
 /// at which it first touches. Throws InputError for a scene whose bodies do not meet, or tables that cannot
 /// be used.
 ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& profiles);
+/// The same scene with the bodies of `setup` moved by their structures' motion, and the wheel lowered until
+/// it touches again: contact search, reference point and rigid slip follow. A prescribed approach is counted
+/// from there: without what the wheel was lowered by. Throws InputError where the bodies no longer meet.
+ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, StructuralPlacement by);
 /// A `patch` scene. Throws InputError for tables that cannot be used, and for a load that the grid cannot
 /// bear.
 ContactSetup set_up_patch(const SceneFile& scene);

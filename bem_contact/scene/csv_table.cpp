@@ -1,6 +1,7 @@
 #include "bem_contact/scene/csv_table.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -23,8 +24,9 @@ std::vector<std::string> split(std::string line) {
 }
 
 std::ifstream open_table(const std::filesystem::path& file) {
+  require_readable(file.string(), "The table");
   std::ifstream in(file);
-  if (!in || std::filesystem::is_directory(file))
+  if (!in)
     throw InputError(fmt::format("The table '{}' cannot be read", file.string()), "there is no such file",
                      "Check the path; it is relative to the scene file.");
   return in;

@@ -114,6 +114,7 @@ Motion read_motion(const SceneFile& scene) {
   if (!motion.tangential)
     return motion;
   motion.kind = scene.motion.kind;
+  motion.radial_displacement = scene.motion.radial_displacement;
   motion.steps = read_steps(scene);
   if (!scene.motion.friction_table.empty())
     motion.friction_table = read_friction(scene.folder / scene.motion.friction_table);

@@ -31,7 +31,8 @@ struct Motion {
   std::optional<double> kinetic;        ///< coefficient of slip, not its ratio to `friction`; empty: the same
   std::optional<double> force_x, force_s; ///< prescribed shear forces, N
   Creepage creepage;
-  std::vector<MotionStep> steps; ///< of transient rolling and of shifts
+  bool radial_displacement = true; ///< fem, steady: the wheel's surface is faster by u_r / R
+  std::vector<MotionStep> steps;   ///< of transient rolling and of shifts
 
   /// The scene's creepage, with the values that the step prescribes in place of its own.
   Creepage creepage_of(const MotionStep& step) const;

@@ -1,11 +1,16 @@
 #include "bem_contact/scene/scene_file.hpp"
 
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/scene/accuracy_of.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
+#include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/scene/unused_keys.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace bem_contact {
 
@@ -23,6 +28,10 @@ void check_load(const SceneFile& f, const Schema& s) {
              s.has("sweep") ? "Give load.force or load.approach; a scene whose table [sweep] does is for "
                               "bem_contact sweep."
                             : "Give load.force or load.approach.");
+  if (f.load.force_y && !f.load.force)
+    s.refuse("load.force_y",
+             "the lateral displacement is sought under a vertical force, and load.force is not given",
+             "Give load.force instead of the approach.");
 }
 
 void check_motion(const SceneFile& f, const Schema& s) {
@@ -60,6 +69,14 @@ void check_steps(const SceneFile& f, const Schema& s) {
     s.refuse("motion.steps", "the step table has a row for each step", "Give either of the two.");
   if ((f.load.force_x || f.load.force_s) && f.motion.frictionless)
     s.refuse("load", "without friction there is no shear force", "Leave out force_x and force_s.");
+  if (f.load.force_y && f.motion.kind != MotionKind::steady && !f.motion.frictionless)
+    s.refuse("load.force_y", "the lateral displacement would be another one at each step",
+             "Choose motion.kind = \"steady\", or give position.lateral.");
+  if (f.motion.from_free_rolling && f.motion.kind != MotionKind::steady)
+    s.refuse("motion.from_free_rolling", "free rolling is steady", "Choose motion.kind = \"steady\".");
+  if (f.motion.from_free_rolling && f.load.force_x)
+    s.refuse("motion.from_free_rolling", "load.force_x is given, and its creepage is found",
+             "Leave out one of the two.");
   if (f.motion.friction_table.empty() && f.motion.kinetic_friction.value_or(0) > f.motion.friction)
     s.refuse("motion.kinetic_friction", fmt::format("friction in adhesion is only {}", f.motion.friction),
              "Give a smaller coefficient.");
@@ -92,7 +109,11 @@ void check_wheel_rail(const SceneFile& f, const Schema& s) {
   if (f.wheel.profile.empty())
     s.refuse("wheel.profile", "a wheel on a rail needs the wheel's profile",
              "Give for instance profile = \"S1002\".");
-  if (f.position.back_to_back >= f.position.gauge) {
+  const bool by_gauge = f.rail.place == BodyPlace::gauge && f.wheel.place == BodyPlace::gauge;
+  if (f.wheel.place == BodyPlace::absolute && f.wheel.reading.flange_back)
+    s.refuse("wheel.flange_back", "wheel.place = \"absolute\" keeps the file's origin",
+             "Leave out flange_back, or place the wheel by its flange.");
+  if (by_gauge && f.position.back_to_back >= f.position.gauge) {
     if (!s.has("position.back_to_back"))
       s.refuse("position.gauge", fmt::format("the flange backs are {} mm apart", f.position.back_to_back),
                "Give the gauge in mm, and position.back_to_back if it is another one.");
@@ -114,17 +135,9 @@ void check_wheel_rail(const SceneFile& f, const Schema& s) {
              "Give s_to greater than s_from, or leave both out.");
 }
 
-} // namespace
-
-SceneFile parse_scene_file(std::string_view toml, std::string_view source_name,
-                           std::span<const SceneChange> changes) {
-  SceneFile file;
-  SceneKeysAsRead read;
-  Schema schema = scene_schema(file, read);
-  schema.skip("sweep");
-  schema.read(toml, source_name);
-  for (const SceneChange& change : changes)
-    schema.set(change.key, change.value, change.line);
+/// `as_read` holds what `schema` is bound to.
+SceneFile checked(const SceneFile& as_read, const SceneKeysAsRead& read, const Schema& schema) {
+  SceneFile file = as_read;
   settle(file, schema, read);
   check_load(file, schema);
   check_motion(file, schema);
@@ -140,6 +153,61 @@ SceneFile parse_scene_file(std::string_view toml, std::string_view source_name,
   return file;
 }
 
+} // namespace
+
+/// The schema is bound to the two members before it, which therefore stay where they are.
+struct SceneReader::State {
+  SceneFile file;
+  SceneKeysAsRead read;
+  Schema schema = scene_schema(file, read);
+
+  State(const SceneReader::Source& source, std::span<const SceneChange> changes) {
+    file.folder = source.folder;
+    schema.skip("sweep");
+    schema.read(source.toml, source.name);
+    for (const SceneChange& change : changes)
+      schema.set(change.key, change.value, change.line);
+  }
+};
+
+SceneReader::SceneReader(std::string_view toml, std::string_view source_name, std::filesystem::path folder)
+    : source_{std::string(toml), std::string(source_name), std::move(folder)},
+      state_(std::make_unique<State>(source_, changes_)) {}
+
+SceneReader::~SceneReader() = default;
+SceneReader::SceneReader(SceneReader&&) noexcept = default;
+
+void SceneReader::set(const SceneChange& change) {
+  try {
+    state_->schema.set(change.key, change.value, change.line);
+  } catch (...) { // the schema may have taken half of it
+    state_ = std::make_unique<State>(source_, changes_);
+    throw;
+  }
+  const auto known = std::ranges::find(changes_, change.key, &SceneChange::key);
+  known == changes_.end() ? changes_.push_back(change) : void(known->value = change.value);
+}
+
+void SceneReader::set_number(const std::string& key, double number) {
+  set({key, state_->schema.number_for(key, number)});
+}
+
+void SceneReader::require_key(const std::string& key) const {
+  state_->schema.number_for(key, 0);
+}
+
+SceneFile SceneReader::scene() const {
+  return checked(state_->file, state_->read, state_->schema);
+}
+
+SceneFile parse_scene_file(std::string_view toml, std::string_view source_name,
+                           std::span<const SceneChange> changes) {
+  SceneReader reader(toml, source_name, {});
+  for (const SceneChange& change : changes)
+    reader.set(change);
+  return reader.scene();
+}
+
 SceneFile read_scene_file(const std::filesystem::path& path, std::span<const SceneChange> changes) {
   SceneFile file = parse_scene_file(read_text_file(path.string(), "scene file"), path.string(), changes);
   file.folder = path.parent_path();
@@ -153,10 +221,13 @@ SceneFile with_model(SceneFile scene, std::optional<Model> model) {
 
 std::vector<std::filesystem::path> input_files(const SceneFile& scene) {
   std::vector<std::filesystem::path> files;
+  for (const std::string& profile : {scene.rail.profile, scene.wheel.profile})
+    if (!profile.empty())
+      files.push_back(profile_file_name(profile, scene.folder).file);
   for (const std::string& name :
-       {scene.rail.profile, scene.rail.influence, scene.wheel.profile, scene.wheel.influence, scene.gap.table,
-        scene.strip.inclination, scene.motion.slip_table, scene.motion.friction_table,
-        scene.motion.step_table, scene.motion.start_table})
+       {scene.rail.influence, scene.wheel.influence, scene.gap.table, scene.strip.inclination,
+        scene.motion.slip_table, scene.motion.friction_table, scene.motion.step_table,
+        scene.motion.start_table})
     if (!name.empty())
       files.push_back(scene.folder / name);
   return files;

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/material.hpp"
 #include "bem_contact/base/schema.hpp"
+#include "bem_contact/profile/profile_reading.hpp"
 #include "bem_contact/scene/choices.hpp"
 
 #include <filesystem>
@@ -21,17 +22,24 @@ struct SceneFile {
   std::filesystem::path folder;    ///< not a key: where relative paths start
   std::vector<std::string> unused; ///< not a key: which keys are given and have no effect, and why
 
-  struct Side {            ///< [rail], [wheel]
-    std::string profile;   ///< standard name or file (wheel_rail)
+  struct Side {             ///< [rail], [wheel]
+    std::string profile;    ///< standard name or file (wheel_rail)
+    ProfileReading reading; ///< how a profile file is read: keys smoothing, unit, profile_z, ...
+    BodyPlace place = BodyPlace::gauge;
+    double y = 0, z = 0;   ///< absolute: where the section's origin stands (WheelsetPosition), mm
     Material material;     ///< [rail.material], [wheel.material]
     std::string influence; ///< influence file; "" where only half-space numbers are used
     StructuralCompliance structural = StructuralCompliance::removed;
+
+    bool operator==(const Side&) const = default;
   };
   Side rail, wheel; ///< in a patch: the lower and the upper body
 
   struct Position : WheelsetPosition { ///< [position], wheel_rail
     /// Instead of a load: z of the wheelset's centre plus wheel_radius, mm, positive down.
     std::optional<double> vertical;
+
+    bool operator==(const Position&) const = default;
   } position;
 
   struct Load {                          ///< [load]; exactly one of the two, or position.vertical
@@ -39,6 +47,10 @@ struct SceneFile {
     std::optional<double> approach = {}; ///< mm
     std::optional<double> force_x = {},
                           force_s = {}; ///< shear forces on the rail, N; the creepages are found
+    /// wheel_rail: lateral force on the rail, N, towards the side of this wheel; position.lateral is found.
+    std::optional<double> force_y = {};
+
+    bool operator==(const Load&) const = default;
   } load;
 
   struct Motion { ///< [motion]; creepages at the contact reference point
@@ -57,17 +69,26 @@ struct SceneFile {
     /// wheel_rail: forward over angular speed at xi = 0, mm. Empty: speed / pitch_rate (mm/s, rad/s); if
     /// these are empty too, the radius that rolls freely under the estimated pressure.
     std::optional<double> rolling_radius, speed, pitch_rate;
+    /// wheel_rail: xi is counted from free rolling (Fx = 0), not from rolling_radius.
+    bool from_free_rolling = false;
+    bool free_rolling = true; ///< wheel_rail: the result has the creepage of free rolling
+    /// fem, steady rolling: the wheel's surface is faster where it moves away from the axle, by u_r / R.
+    bool radial_displacement = true;
     /// wheel_rail: of the wheelset, with speed: to the right and down, mm/s; right side down and front to the
     /// right, rad/s.
     double lateral_velocity = 0, vertical_velocity = 0, roll_rate = 0, yaw_rate = 0;
     /// patch: CSV file with columns ix, is, wx, ws instead of creepages; wx, ws per unit of rolled distance
     /// (shift: mm).
     std::string slip_table;
+
+    bool operator==(const Motion&) const = default;
   } motion;
 
   /// From the outer border of the first row to that of the last, mm.
   struct RowRange {
     double from = 0, to = 0;
+
+    bool operator==(const RowRange&) const = default;
   };
 
   struct Grid {                     ///< [grid]
@@ -79,11 +100,15 @@ struct SceneFile {
     bool plane_strain = false;                ///< patch: mx = 1, infinitely long along x, forces per mm
     std::optional<RowRange> rows;             ///< wheel_rail: keys s_from and s_to, on the rail's arc length
     bool planar = false; ///< wheel_rail: all rows in the tangent plane at the reference point
+
+    bool operator==(const Grid&) const = default;
   } grid;
 
   struct Gap {                  ///< [gap], patch
     double a = 0, b = 0, c = 0; ///< h = a x^2 + b s^2 + c x s; 1/mm
     std::string table;          ///< CSV file with columns ix, is, h (mm) instead
+
+    bool operator==(const Gap&) const = default;
   } gap;
 
   struct Strip {       ///< [strip], patch: a curved strip
@@ -94,6 +119,8 @@ struct SceneFile {
     double upper_radius = 0;
     double rail_s0 = 0, wheel_s0 = 0; ///< arc length in the influence files at the middle of the grid, mm
     std::string inclination;          ///< CSV file with columns is, delta (rad) instead of radius
+
+    bool operator==(const Strip&) const = default;
   } strip;
 
   struct Stresses { ///< [stresses]: below the surface of the rail (patch: the lower body), at every (x, s,
@@ -101,6 +128,8 @@ struct SceneFile {
     std::vector<double> x{0.0}; ///< mm
     std::vector<double> s{0.0}; ///< arc length from the reference point (patch: the middle of the grid), mm
     std::vector<double> depths; ///< along n, mm; none: not asked for
+
+    bool operator==(const Stresses&) const = default;
   } stresses;
 
   struct Solver {                  ///< [solver]
@@ -108,7 +137,12 @@ struct SceneFile {
     double model_tolerance = 0.01; ///< of pmax, for auto
     double tolerance = 1e-8;
     int max_outer = 50;
+    StructuralMotion structural_motion = StructuralMotion::placed;
+
+    bool operator==(const Solver&) const = default;
   } solver;
+
+  bool operator==(const SceneFile&) const = default;
 };
 
 /// A key of a scene with another value than its file says (sweep_file.hpp).

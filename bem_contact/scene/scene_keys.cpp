@@ -15,6 +15,19 @@ void add_side(Schema& s, const std::string& name, const std::string& role, Scene
         {.doc = role + ": " + standards + ", a profile file or a body file (its contact surface)",
          .kinds = wheel_rail,
          .example = true});
+  add_profile_reading(s, name, side.reading, wheel_rail);
+  if (name == "wheel")
+    add_flange_back(s, name, side.reading, wheel_rail);
+  s.add(name + ".place", side.place,
+        {.doc = name == "wheel" ? "gauge: by position.back_to_back; absolute: the file's origin is at y, z"
+                                : "gauge: by its gauge face; absolute: the file's origin is at y, z",
+         .kinds = wheel_rail});
+  s.add(name + ".y", side.y,
+        {.doc = name == "wheel" ? "With place = \"absolute\": from the wheelset's centre to its side"
+                                : "With place = \"absolute\": from the track's centre line to the side",
+         .unit = "mm",
+         .kinds = wheel_rail});
+  s.add(name + ".z", side.z, {.doc = "With place = \"absolute\": down", .unit = "mm", .kinds = wheel_rail});
   s.add(name + ".influence", side.influence,
         {.doc = "Influence file (HDF5); empty where only half-space numbers are used"});
   s.add(name + ".structural", side.structural,
@@ -90,6 +103,12 @@ void add_load(Schema& s, SceneFile::Load& load) {
         {.doc = "Shear force on the rail along its tangent at the reference point, sum p_s cos(delta - "
                 "delta_ref) dS; the creepage is found and added to motion.eta",
          .unit = "N"});
+  s.add("load.force_y", load.force_y,
+        {.doc =
+             "Lateral force on the rail, towards the side of this wheel; the lateral displacement that gives "
+             "it is found, the one nearest to position.lateral",
+         .unit = "N",
+         .kinds = wheel_rail});
 }
 
 void add_motion(Schema& s, SceneFile::Motion& m) {
@@ -128,6 +147,18 @@ void add_motion(Schema& s, SceneFile::Motion& m) {
          .at_least = 0,
          .kinds = wheel_rail,
          .zero_is_none = true});
+  s.add("motion.from_free_rolling", m.from_free_rolling,
+        {.doc = "xi is counted from the creepage of free rolling (Fx = 0), which is found first",
+         .kinds = wheel_rail});
+  s.add("motion.free_rolling", m.free_rolling,
+        {.doc = "Find and report the creepage of free rolling too; false saves its solution",
+         .kinds = wheel_rail});
+  s.add(
+      "motion.radial_displacement", m.radial_displacement,
+      {.doc =
+           "fem, steady rolling: the wheel's surface is faster where it moves away from the axle, by u_r / R "
+           "(Kalker's half-space leaves this out)",
+       .kinds = wheel_rail});
   s.add("motion.speed", m.speed,
         {.doc = "Forward speed of the wheelset, for the velocities and rates below",
          .unit = "mm/s",
@@ -254,6 +285,11 @@ void add_solver(Schema& s, SceneFile::Solver& solver) {
         {.doc = "Relative tolerance of the iterations", .at_least = 1e-13, .at_most = 1e-7});
   s.add("solver.max_outer", solver.max_outer,
         {.doc = "Most outer iterations between the normal and the tangential problem", .at_least = 1});
+  s.add("solver.structural_motion", solver.structural_motion,
+        {.doc =
+             "Where structural = \"included\" (fem): place the bodies by their structures' motion and solve "
+             "again until they stand, or keep the undeformed position's geometry",
+         .kinds = wheel_rail});
 }
 
 } // namespace
@@ -277,6 +313,11 @@ Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
 void settle(SceneFile& f, const Schema& s, const SceneKeysAsRead& read) {
   settle_material(s, "rail.material", f.rail.material, read.rail_young);
   settle_material(s, "wheel.material", f.wheel.material, read.wheel_young);
+  for (SceneFile::Side* side : {&f.rail, &f.wheel})
+    if (side->place == BodyPlace::absolute) {
+      side->reading.keep_origin = true;
+      (side == &f.rail ? f.position.rail_origin : f.position.wheel_origin) = Point2{side->y, side->z};
+    }
   if (read.s_from != 0 || read.s_to != 0)
     f.grid.rows = {read.s_from, read.s_to};
 }

@@ -44,9 +44,8 @@ BEM_CONTACT_TUNED(double, largest_wheel_radius, 750.0);
 /// 1. A velocity above this share of the speed, or a rolling radius that differs from the wheel's by more, is
 /// probably in another unit.
 BEM_CONTACT_TUNED(double, largest_motion_share, 0.3);
-/// mm. A flange stands out of the tread by at least so much, and its tip is at most so deep.
-BEM_CONTACT_TUNED(double, flange_height, 10.0);
-BEM_CONTACT_TUNED(double, flange_tip_depth, 2.0); ///< mm. As above.
+/// mm. Contact this near to the height of a flange's tip is contact on the tip.
+BEM_CONTACT_TUNED(double, flange_tip_depth, 2.0);
 /// 1. Points of the wheel's profile whose heights are looked at.
 BEM_CONTACT_TUNED(int, flange_samples, 400);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 namespace bem_contact {
@@ -204,6 +205,8 @@ std::string to_text(const SchemaValue& value) {
     return fmt::format("{}", *whole);
   if (const auto* flag = std::get_if<bool>(&value))
     return *flag ? "true" : "false";
+  if (const auto* list = std::get_if<std::vector<double>>(&value))
+    return fmt::format("[{}]", fmt::join(*list, ", "));
   return fmt::format("\"{}\"", std::get<std::string>(value));
 }
 

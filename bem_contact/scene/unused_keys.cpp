@@ -1,5 +1,7 @@
 #include "bem_contact/scene/unused_keys.hpp"
 
+#include "bem_contact/profile/standard_profiles.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -27,7 +29,8 @@ std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
   const Cause causes[] = {
       {{"motion.friction", "motion.kinetic_friction", "motion.friction_table", "motion.xi", "motion.eta",
         "motion.phi", "motion.slip_table", "motion.rolling_radius", "motion.speed", "motion.pitch_rate",
-        "motion.lateral_velocity", "motion.vertical_velocity", "motion.roll_rate", "motion.yaw_rate"},
+        "motion.lateral_velocity", "motion.vertical_velocity", "motion.roll_rate", "motion.yaw_rate",
+        "motion.from_free_rolling", "motion.free_rolling", "motion.radial_displacement"},
        m.frictionless,
        "motion.frictionless = true leaves the normal problem alone"},
       {{"motion.kind"},
@@ -54,13 +57,33 @@ std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
       {{"wheel.structural"},
        f.wheel.structural == StructuralCompliance::included && f.wheel.influence.empty(),
        "it says which part of an influence file is taken, and there is no wheel.influence"},
+      {{"solver.structural_motion"},
+       f.rail.structural == StructuralCompliance::removed &&
+           f.wheel.structural == StructuralCompliance::removed,
+       "no body's structural compliance is included"},
       {{"rail.influence", "wheel.influence"},
        one_file,
        "influence files are used where both bodies have one"},
+      {{"rail.y", "rail.z"}, f.rail.place == BodyPlace::gauge, "rail.place = \"gauge\" places the rail"},
+      {{"wheel.y", "wheel.z"}, f.wheel.place == BodyPlace::gauge, "wheel.place = \"gauge\" places the wheel"},
+      {{"position.gauge", "position.gauge_height"},
+       f.rail.place == BodyPlace::absolute,
+       "rail.place = \"absolute\" places the rail"},
+      {{"position.back_to_back"},
+       f.wheel.place == BodyPlace::absolute,
+       "wheel.place = \"absolute\" places the wheel"},
       {{"strip.rail_s0", "strip.wheel_s0"}, patch && !files, "they are places in influence files"},
       {{"strip.upper_radius"}, !files && !f.gap.table.empty(), "gap.table is the whole distance"},
   };
   std::vector<std::string> out;
+  for (const auto& [table, side] : {std::pair{"rail", &f.rail}, std::pair{"wheel", &f.wheel}}) {
+    const std::string& profile = side->profile;
+    if (const auto given = given_reading(schema, table);
+        !given.empty() && (is_standard_profile(profile) || profile.ends_with(".toml")))
+      out.push_back(fmt::format("{}: without effect ({} is no profile file{})", fmt::join(given, ", "),
+                                profile,
+                                profile.ends_with(".toml") ? "; a body file has these keys of its own" : ""));
+  }
   for (const Cause& cause : causes) {
     std::vector<const char*> given;
     for (const char* key : cause.keys)

@@ -1,10 +1,12 @@
 #include "bem_contact/scene/warnings.hpp"
 
+#include "bem_contact/profile/wheel_datum.hpp"
 #include "bem_contact/scene/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 namespace bem_contact {
 
@@ -36,17 +38,16 @@ void look_at_motion(const SceneFile& scene, double rolling_radius, std::vector<s
                                 std::abs(velocity) / *m.speed));
 }
 
-/// The tip of a flange is the lowest part of a wheel, far below the middle of its profile's heights.
-bool on_flange_tip(const WheelRailGeometry& placed) {
+/// Where the tip of the flange is, if the wheel stands on it.
+std::optional<Point2> flange_tip_below(const WheelRailGeometry& placed) {
   const TabulatedProfile& wheel = placed.pair.wheel;
-  std::vector<double> depths;
+  std::vector<Point2> points;
   for (int i = 0; i <= flange_samples; ++i)
-    depths.push_back(
-        wheel.at(wheel.s_begin() + (wheel.s_end() - wheel.s_begin()) * i / flange_samples).position.z);
-  const double deepest = std::ranges::max(depths);
-  std::ranges::nth_element(depths, depths.begin() + flange_samples / 2);
+    points.push_back(
+        wheel.at(wheel.s_begin() + (wheel.s_end() - wheel.s_begin()) * i / flange_samples).position);
+  const auto tip = flange_tip(points);
   const double here = wheel.at(placed.touch.front().wheel_s).position.z;
-  return deepest - depths[flange_samples / 2] > flange_height && here > deepest - flange_tip_depth;
+  return tip && here > tip->z - flange_tip_depth ? tip : std::nullopt;
 }
 
 } // namespace
@@ -68,9 +69,13 @@ std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSet
     if (scene.position.wheel_radius > largest_wheel_radius)
       out.push_back(fmt::format("position.wheel_radius = {:g} mm: the radius is asked for, not the diameter",
                                 scene.position.wheel_radius));
-    if (on_flange_tip(*placed))
-      out.push_back("the wheel stands on the tip of its flange: it has left the track (position.lateral, "
-                    "position.gauge, position.back_to_back)");
+    if (const auto tip = flange_tip_below(*placed))
+      out.push_back(fmt::format(
+          "the wheel stands on the tip of its flange, y = {:.1f} mm of its profile: it has left the track "
+          "(position.lateral, position.gauge, position.back_to_back), or the profile's y = 0 is not at the "
+          "tape "
+          "circle (wheel.flange_back)",
+          tip->y));
   }
   return out;
 }

@@ -4,11 +4,31 @@
 #include "bem_contact/geometry/undeformed_distance.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 
+#include <cmath>
+
 namespace bem_contact {
 
+namespace {
+
+/// From the distance of bodies that have moved to what it was before; `gap` is a field of the rows.
+void take_back(const WheelRailGeometry& placed, const std::vector<ContactRow>& rows,
+               std::vector<double>& gap) {
+  const std::size_t columns = gap.size() / rows.size();
+  const std::vector<double> rail_s = placed.rail_stations(rows), wheel_s = placed.wheel_stations(rows);
+  for (std::size_t is = 0; is < rows.size(); ++is) {
+    const double away = counted_twice(placed.pair, *placed.structure, rail_s[is], wheel_s[is]).z;
+    const double added = placed.structure->lowered * std::cos(rows[is].delta) - away;
+    for (std::size_t i = is * columns; i < (is + 1) * columns; ++i)
+      if (gap[i] < excluded_gap)
+        gap[i] += added;
+  }
+}
+
+} // namespace
+
 WheelRailProfiles read_profiles(const SceneFile& scene) {
-  return {named_profile(scene.rail.profile, ProfileKind::rail, scene.folder),
-          named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder)};
+  return {named_profile(scene.rail.profile, ProfileKind::rail, scene.folder, scene.rail.reading),
+          named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder, scene.wheel.reading)};
 }
 
 std::vector<ContactRow> WheelRailGeometry::rows(const GridPlan& plan) const {
@@ -37,6 +57,8 @@ std::vector<double> WheelRailGeometry::gap(const GridPlan& plan, const std::vect
   for (int is = 0; is < plan.rows; ++is)
     for (int ix = 0; ix < plan.columns; ++ix)
       gap[is * plan.columns + ix] = half[is * computed + (ix < computed ? ix : plan.columns - 1 - ix)];
+  if (structure)
+    take_back(*this, rows, gap);
   return gap;
 }
 

@@ -2,11 +2,13 @@
 
 #include "bem_contact/geometry/contact_locus.hpp"
 #include "bem_contact/geometry/contact_search.hpp"
+#include "bem_contact/geometry/plane_motion.hpp"
 #include "bem_contact/geometry/rail_slices.hpp"
 #include "bem_contact/geometry/rigid_slip.hpp"
 #include "bem_contact/scene/grid_plan.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace bem_contact {
@@ -27,12 +29,15 @@ struct WheelRailGeometry {
   bool planar = false;           ///< all rows lie in the tangent plane at the reference point
   ReferencePoint reference;      ///< centre of the contact; the deepest point where nothing touches
   double contact_radius = 0;     ///< of the wheel at that centre, mm
+  std::optional<StructuralPlacement> structure = {}; ///< where structural motion has moved the bodies
 
   std::vector<ContactRow> rows(const GridPlan& plan) const;
   /// Arc length of rows on the rail and on the wheel, mm.
   std::vector<double> rail_stations(const std::vector<ContactRow>& rows) const;
   std::vector<double> wheel_stations(const std::vector<ContactRow>& rows) const;
-  /// Undeformed distance along n, mm; field of the plan's grid.
+  /// Undeformed distance along n, mm; field of the plan's grid. Where structural motion has moved the bodies,
+  /// it is the distance that they would have without it: influence numbers with structural compliance and the
+  /// approach then mean what they mean on bodies that stand where the scene puts them.
   std::vector<double> gap(const GridPlan& plan, const std::vector<ContactRow>& rows) const;
 };
 

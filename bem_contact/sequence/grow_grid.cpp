@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/plan_grid.hpp"
+#include "bem_contact/sequence/structural_motion.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -80,7 +81,7 @@ SecondArea second_area(const ContactCase& contact, const GridSolution& solved) {
   SecondArea out{nullptr, solved.contact.plan};
   if (!contact.estimate)
     return out;
-  const double q = solved.result.approach;
+  const double q = local_approach(contact, solved);
   for (const PotentialArea& area : potential_areas(*contact.estimate, q))
     for (const TouchPoint& touch : contact.setup.wheel_rail()->touch) {
       const bool outside =
@@ -134,7 +135,7 @@ std::optional<GridPlan> plan_with_second_area(const ContactCase& contact, bool o
     return std::nullopt;
   const SceneFile::Grid& asked = contact.scene.grid;
   const bool rows_given = asked.ms || asked.rows;
-  const double q = out.result.approach;
+  const double q = local_approach(contact, out);
   if (rows_given || out.model == Model::hertz) {
     out.warnings.push_back(left_out_warning(*second.touch, q, rows_given));
     return std::nullopt;

@@ -190,11 +190,11 @@ std::optional<HertzModel> hertz_of(const ContactSetup& setup, const ContactProbl
   return fit_hertz(problem, setup.rail.material, setup.wheel.material);
 }
 
-ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model, Displacements& u) {
+ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model) {
   const ContactGrid& grid = problem.grid;
   const reference::HertzContact& c = model.contact;
   ContactResult result = without_contact(problem);
-  u = {{}, {}, std::vector<double>(grid.size(), 0.0)};
+  result.displacements.un.assign(grid.size(), 0.0);
   const double cosine = std::cos(model.delta);
   result.approach = problem.load == LoadKind::approach ? problem.approach
                     : c.force > 0                      ? (c.approach + model.least) / cosine
@@ -205,7 +205,7 @@ ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model
     const auto [x, s] = model.local(grid.x(i % grid.mx), row.s);
     const double compression = c.force > 0 ? reference::hertz_compression(c, model.modulus, x, s) : 0.0;
     result.deformed_distance[i] += compression - result.approach * std::cos(row.delta);
-    u.un[i] = -compression;
+    result.displacements.un[i] = -compression;
     if (!(c.force > 0))
       continue;
     result.pn[i] = mean_pressure(model, grid, grid.x(i % grid.mx), row.s);

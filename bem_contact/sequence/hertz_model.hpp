@@ -39,7 +39,6 @@ std::optional<HertzModel> hertz_of(const ContactSetup& setup, const ContactProbl
 
 /// Mean pressure of each element, totals of the closed form, displacements along n. Frictionless. The
 /// certificate holds the closed form against the quadrature of its own pressure.
-ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model,
-                          Displacements& displacements);
+ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model);
 
 } // namespace bem_contact

@@ -18,6 +18,8 @@ struct NumbersSource {
   double reference_distance = 0;       ///< of plane strain, mm
   std::vector<double> rail_s, wheel_s; ///< stations of the rows where influence functions are taken, mm
   double contact_radius = 0;           ///< mm
+  /// Of the rows against the wheel's axle, rad, where the wheel's radial displacement is added.
+  std::vector<double> inclination;
 
   bool operator==(const NumbersSource&) const = default;
 };

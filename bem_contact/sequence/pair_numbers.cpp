@@ -7,6 +7,7 @@
 #include "bem_contact/halfspace/tangent_plane.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/sequence/radial_displacement.hpp"
 #include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
@@ -139,8 +140,22 @@ InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, con
     require_turn(*files.rail, contact, contact.rail_s, rail_turn_tolerance);
     require_turn(*files.wheel, contact, contact.wheel_s, wheel_turn_tolerance);
   }
-  return halfspace::combine(expand_side(*files.rail, setup.rail, contact, contact.rail_s),
-                            expand_side(*files.wheel, setup.wheel, contact, contact.wheel_s));
+  const InfluenceNumbers wheel = expand_side(*files.wheel, setup.wheel, contact, contact.wheel_s);
+  InfluenceNumbers pair =
+      halfspace::combine(expand_side(*files.rail, setup.rail, contact, contact.rail_s), wheel);
+  if (const auto inclination = radial_inclination(setup, contact.problem.rows); !inclination.empty())
+    add_radial_displacement(wheel, inclination, contact.contact_radius, pair);
+  return pair;
+}
+
+std::vector<double> radial_inclination(const ContactSetup& setup, const std::vector<ContactRow>& rows) {
+  const Motion& motion = setup.motion;
+  std::vector<double> inclination;
+  if (const WheelRailGeometry* placed = setup.wheel_rail();
+      placed && motion.tangential && motion.kind == MotionKind::steady && motion.radial_displacement)
+    for (const ContactRow& row : rows)
+      inclination.push_back(row.delta - placed->pair.wheel_pose.angle);
+  return inclination;
 }
 
 InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const PairFiles& files,

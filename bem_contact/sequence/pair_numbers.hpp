@@ -30,8 +30,14 @@ InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& 
 /// Tangent-plane numbers of the pair (halfspace/tangent_plane.hpp), both surfaces taken where the rows lie.
 InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGrid& contact);
 
-/// The pair's numbers from the influence files at the rows' own stations on either body.
-/// Throws InputError where a file is missing or a row lies outside its strip.
+/// Inclination of the rows against the wheel's axle, rad, where fem_pair() adds the wheel's radial
+/// displacement: in steady rolling of a wheel on a rail with friction, unless the scene leaves it out. Else
+/// empty.
+std::vector<double> radial_inclination(const ContactSetup& setup, const std::vector<ContactRow>& rows);
+
+/// The pair's numbers from the influence files at the rows' own stations on either body, with the wheel's
+/// radial displacement (radial_displacement.hpp) where radial_inclination() is not empty. Throws InputError
+/// where a file is missing or a row lies outside its strip.
 InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact);
 
 /// Throws InputError unless the strip of either file covers every row of width ds at these stations, mm.

@@ -4,6 +4,7 @@
 #include "bem_contact/scene/outlines.hpp"
 #include "bem_contact/scene/warnings.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/sequence/structural_motion.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -33,6 +34,21 @@ void warn_of_discretisation(const ContactResult& result, std::vector<std::string
         100 * error));
 }
 
+/// Undeformed distance and normals are those of surfaces that stay opposite each other.
+void warn_of_slide(const ContactCase& asked, GridSolution& solved) {
+  const double slide = unseen_slide(asked, solved), half_row = 0.5 * solved.contact.problem.grid.ds;
+  const auto included = [](const Body& body) { return body.structural == StructuralCompliance::included; };
+  if (solved.model == Model::fem && (included(asked.setup.rail) || included(asked.setup.wheel)) &&
+      slide > half_row)
+    solved.warnings.push_back(fmt::format(
+        "the surfaces move past each other by up to {:.3f} mm along s, more than half a row ({:.3f} mm), and "
+        "the "
+        "undeformed distance and the normals do not follow: {}",
+        slide, half_row,
+        asked.setup.wheel_rail() ? "solver.structural_motion = \"placed\" lets them follow a steady contact"
+                                 : "forces and approach may be some percent off"));
+}
+
 void add_stresses(const SceneFile& scene, SceneResult& out) {
   if (scene.stresses.depths.empty() || !out.result.converged)
     return;
@@ -50,12 +66,13 @@ void add_stresses(const SceneFile& scene, SceneResult& out) {
 SceneResult record_of(const ContactCase& asked, GridSolution solved, const ModelChoice& choice) {
   require_elastic(asked.setup, highest_pressure(solved));
   SceneResult out;
+  out.approach_datum = approach_datum(asked, solved.model);
+  warn_of_slide(asked, solved);
   out.model = solved.model;
   out.reason = choice.reason;
   out.problem = std::move(solved.contact.problem);
   out.result = std::move(solved.result);
   out.history = std::move(solved.history);
-  out.displacements = std::move(solved.displacements);
   out.warnings = std::move(solved.warnings);
   out.seconds = solved.seconds;
   if (!choice.enough)
@@ -63,6 +80,10 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   std::ranges::move(input_warnings(asked.scene, asked.setup), std::back_inserter(out.warnings));
   out.left = asked.scene.position.side == WheelSide::left;
   out.reference = asked.setup.reference();
+  if (asked.setup.wheel_rail()) {
+    out.lateral = asked.scene.position.lateral;
+    out.xi = asked.setup.motion.creepage.xi + asked.setup.motion.creepage.slip_x + out.result.creepage_x;
+  }
   out.moment = out.result.Mz + out.reference.position.y * out.result.Fx - out.reference.x * out.result.Fy;
   if (asked.setup.wheel_rail() || asked.files.complete())
     out.wheel_s = std::move(solved.contact.wheel_s);

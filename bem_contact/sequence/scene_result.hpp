@@ -4,6 +4,7 @@
 #include "bem_contact/geometry/rigid_slip.hpp"
 #include "bem_contact/scene/choices.hpp"
 #include "bem_contact/sequence/stresses.hpp"
+#include "bem_contact/sequence/structural_result.hpp"
 
 #include <optional>
 #include <string>
@@ -27,6 +28,20 @@ struct PhaseSeconds {
   }
 };
 
+/// Steady rolling in which the wheel transmits no longitudinal force (Fx = 0); everything else is as
+/// prescribed.
+struct FreeRolling {
+  double xi = 0;             ///< its creepage, counted from motion.rolling_radius as motion.xi is
+  double rolling_radius = 0; ///< forward over angular speed of the wheel, mm
+};
+
+/// Where the wheelset stands so that the lateral force is load.force_y.
+struct LateralPosition {
+  double lateral = 0; ///< position.lateral, mm
+  std::vector<double>
+      others; ///< other displacements with the same force, to some hundredths of a millimetre, mm
+};
+
 /// One scene solved with one model.
 struct SceneResult {
   Model model = Model::halfspace;
@@ -35,21 +50,24 @@ struct SceneResult {
                           ///< the values of the influence numbers
   ContactResult result;   ///< of the last step
   std::vector<ContactResult> history; ///< transient and shift: of every step
-  Displacements displacements;        ///< of the last step
   ReferencePoint reference;
-  bool left = false;           ///< left wheel: y and s are counted to the left (placement.hpp)
-  double moment = 0;           ///< Mz about the vertical axis through the reference point, N mm
+  bool left = false;             ///< left wheel: y and s are counted to the left (placement.hpp)
+  double moment = 0;             ///< Mz about the vertical axis through the reference point, N mm
+  std::optional<double> lateral; ///< wheel_rail: position.lateral, mm: given, or found for load.force_y
+  std::optional<LateralPosition> found_lateral; ///< where load.force_y is given
+  double xi =
+      0; ///< wheel_rail: longitudinal creepage, counted from motion.rolling_radius, found part included
+  std::optional<FreeRolling>
+      free_rolling;            ///< wheel_rail, steady with friction, unless the scene leaves it out
   std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none
   std::vector<Point2> rail_profile, wheel_profile; ///< near the contact at approach 0, frame of the rows, mm
   std::optional<StressesBelow> stresses;           ///< where the scene asks for them
+  /// Of which points of the bodies the approach is the relative displacement, in words. Approaches of
+  /// different datums are not to be compared.
+  std::string approach_datum;
+  std::optional<StructuralResult> structure; ///< fem with structural compliance of at least one body
   std::vector<std::string> warnings;
   PhaseSeconds seconds;
-};
-
-/// Both models at equal vertical force (a prescribed approach is turned into the force that fem finds for
-/// it).
-struct Comparison {
-  SceneResult halfspace, fem;
 };
 
 } // namespace bem_contact

@@ -1,11 +1,15 @@
 #pragma once
 
+#include "bem_contact/sequence/comparison.hpp"
 #include "bem_contact/sequence/describe_case.hpp"
 #include "bem_contact/sequence/element_size.hpp"
+#include "bem_contact/sequence/lateral_force.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
 #include "bem_contact/sequence/solve_on_grid.hpp"
 
+#include <atomic>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +27,7 @@ struct SequenceOptions {
   bool keep_start = true;
   bool learn = true;         ///< learn the area in contact over the predicted one (ContactEstimate)
   bool coarse_start = true;  ///< a case without a former one starts from larger elements
+  bool displacements = true; ///< results hold them; not needed where no fields are written
   bool foresee_shear = true; ///< the estimate knows what shear bears of the load
   /// The grid covers only where h < 0.9 of the approach. False: where h is below three times that.
   bool potential_contact = true;
@@ -34,22 +39,30 @@ struct SequenceOptions {
 /// Scenes of a wheel on a rail in steady rolling profit from the ones before: a case starts from the
 /// tractions of the former case, and grid.elements or grid.accuracy are met by what former cases taught.
 /// On the same grid, a scene has the same result as when it is solved alone, within the certificate's
-/// tolerance. Files must not change meanwhile. One object serves one thread.
+/// tolerance. Files must not change meanwhile.
+///
+/// Several threads may call one object: each call waits for the one before. Several objects run side by side,
+/// if they share no files.
 class Sequence {
 public:
   /// `files`: shared with other sequences of this thread; null: its own.
   explicit Sequence(SequenceOptions options = {}, std::shared_ptr<SequenceFiles> files = nullptr);
 
-  /// Solves a scene with the model that it asks for (solve_case.hpp). Where it asks for grid.elements or
-  /// grid.accuracy, dx and ds are chosen: the case is solved again, at most most_solves times, until its
-  /// estimated error is within the accuracy. The grid of a wheel on a rail grows until the contact lies
-  /// inside. Throws InputError for wrong input, ConvergenceError where the work allowed is used up; other
-  /// lack of convergence is in the result.
-  SceneResult solve(const SceneFile& scene);
+  /// Solves a scene with the model that it asks for (solve_case.hpp). If load.force_y is given, the lateral
+  /// displacement that bears it is found: rough half-space solutions tell which branches there are
+  /// (lateral_force.hpp), and the one nearest to position.lateral is followed with the model itself. Where it
+  /// asks for grid.elements or grid.accuracy, dx and ds are chosen: the case is solved again, at most
+  /// most_solves times, until its estimated error is within the accuracy. The grid of a wheel on a rail grows
+  /// until the contact lies inside. Throws InputError for wrong input, ConvergenceError where the work
+  /// allowed is used up; other lack of convergence is in the result. If another thread sets `stop`, the
+  /// solution ends with Stopped (contact/work.hpp) at the next product with influence numbers.
+  SceneResult solve(const SceneFile& scene, const std::atomic<bool>* stop = nullptr);
 
-  /// Solves a scene with half-space and fem at equal force. Where it asks for grid.elements or grid.accuracy,
-  /// dx and ds are those that solve() chooses for fem; both models are solved on them. Throws like solve().
-  Comparison compare(const SceneFile& scene);
+  /// Solves a scene with each model, at equal forces and at equal position. Where it asks for grid.elements
+  /// or grid.accuracy, dx and ds are those that solve() chooses for the reference; all models have them. A
+  /// prescribed approach is turned into the force that the reference finds for it. Throws like solve(), and
+  /// InputError for fewer than two models.
+  Comparison compare(const SceneFile& scene, std::vector<Model> models = {Model::halfspace, Model::fem});
 
   /// What would be solved, after everything short of the solve has been checked. Throws what solve() would
   /// throw before it solves.
@@ -63,6 +76,13 @@ public:
   Counts counts() const;
 
 private:
+  /// Rough lateral forces of a scene, for any load.force_y and position.lateral within reach.
+  struct LateralBranches {
+    SceneFile scene; ///< without load.force_y
+    std::vector<LateralSample> samples;
+    double offset = 0; ///< mm. What the last displacement found was beside its rough one
+  };
+
   /// All that outlives a case.
   struct Memory {
     std::shared_ptr<SequenceFiles> files;
@@ -71,14 +91,24 @@ private:
     std::optional<FormerSolution> former;
     std::vector<PotentialArea> areas; ///< of the last case
     ElementSize element_size;
+    std::optional<LateralBranches> lateral;
   };
 
   ContactCase prepare(const SceneFile& scene);
   SolveResources resources(WorkBudget& work);
-  SceneResult solve_steady_rolling(const ContactCase& asked);
+  SceneResult solve_at_position(const SceneFile& scene, bool totals_only = false);
+  SceneResult solve_at_lateral_force(const SceneFile& scene);
+  std::optional<double> rough_lateral_force(SceneFile scene, double lateral);
+  const LateralBranches& lateral_branches(const SceneFile& scene);
+  std::vector<CreepForces> creep_forces(const SceneFile& scene, const std::vector<SceneResult>& at_forces);
+  SceneResult solve_steady_rolling(const ContactCase& asked, bool totals_only);
   const FormerSolution* start_for(const std::vector<PotentialArea>& areas, const SceneFile::Grid& grid) const;
   void remember(const SceneResult& result, const ContactEstimate& estimate);
 
+  /// Held by the call that runs; recursive, because compare() may solve. On the heap, so that a Sequence can
+  /// be moved.
+  std::unique_ptr<std::recursive_mutex> turn_ = std::make_unique<std::recursive_mutex>();
+  const std::atomic<bool>* stop_ = nullptr; ///< of the call of solve() that runs
   SequenceOptions options_;
   Memory memory_;
   Counts counts_;

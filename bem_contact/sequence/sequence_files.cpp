@@ -20,7 +20,9 @@ const Value& kept(std::vector<std::pair<Key, std::shared_ptr<const Value>>>& all
 } // namespace
 
 const WheelRailProfiles& SequenceFiles::profiles(const SceneFile& scene) {
-  return kept(profiles_, ProfileNames{scene.folder, scene.rail.profile, scene.wheel.profile},
+  return kept(profiles_,
+              ProfileSources{scene.folder, scene.rail.profile, scene.wheel.profile, scene.rail.reading,
+                             scene.wheel.reading},
               [&] { return read_profiles(scene); });
 }
 

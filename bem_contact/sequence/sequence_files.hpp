@@ -16,17 +16,18 @@ public:
   const PairFiles& influence(const Body& rail, const Body& wheel);
 
 private:
-  struct ProfileNames {
+  struct ProfileSources {
     std::filesystem::path folder;
     std::string rail, wheel;
-    bool operator==(const ProfileNames&) const = default;
+    ProfileReading rail_reading, wheel_reading;
+    bool operator==(const ProfileSources&) const = default;
   };
   struct InfluenceSources { ///< with the materials, which the reader checks
     std::filesystem::path rail, wheel;
     Material rail_material, wheel_material;
     bool operator==(const InfluenceSources&) const = default;
   };
-  std::vector<std::pair<ProfileNames, std::shared_ptr<const WheelRailProfiles>>> profiles_;
+  std::vector<std::pair<ProfileSources, std::shared_ptr<const WheelRailProfiles>>> profiles_;
   std::vector<std::pair<InfluenceSources, std::shared_ptr<const PairFiles>>> influence_;
 };
 

@@ -2,6 +2,8 @@
 
 #include "bem_contact/base/tuned.hpp"
 
+#include <array>
+
 /// The tuned numbers of this room (base/tuned.hpp).
 namespace bem_contact {
 
@@ -32,6 +34,16 @@ BEM_CONTACT_TUNED(int, elliptic_steps, 12);
 BEM_CONTACT_TUNED(double, generous_reach, 3.0);
 /// mm. Touch points that are nearer than this are described by bem_contact check.
 BEM_CONTACT_TUNED(double, described_distance, 1.0);
+
+// Structural motion.
+
+/// mm. The bodies stand still when a solution moves the contact by less: the lateral force on a gauge corner
+/// then is good to about 10 N of 6e4.
+BEM_CONTACT_TUNED(double, position_tolerance, 1e-4);
+/// mm. Distance from the reference point at which a turn counts for that: half the width of a contact.
+BEM_CONTACT_TUNED(double, half_contact, 5.0);
+/// 1. Most solutions until the bodies stand still: a bound.
+BEM_CONTACT_TUNED(int, most_placements, 12);
 
 // Grid.
 
@@ -105,6 +117,35 @@ BEM_CONTACT_TUNED(int, most_solves, 4);
 /// 1. An influence file serves elements of at least 10 / (its largest wavenumber). Elements are chosen so
 /// many times as long: a wheel's file means lengths at its reference radius, and the contact lies elsewhere.
 BEM_CONTACT_TUNED(double, wavelength_reserve, 1.05);
+
+// Lateral displacement for a lateral force.
+
+/// mm. Displacements are looked at so far on either side of position.lateral: more than a wheelset has
+/// between its flanges (about 7 mm to either side), so that tread and flange are both seen.
+BEM_CONTACT_TUNED(double, lateral_reach, 12.0);
+/// mm. Distance of the displacements that are looked at: a flange takes up its force within about this.
+BEM_CONTACT_TUNED(double, lateral_step, 0.5);
+/// 1. Elements in contact of the rough half-space solutions that are looked at. Chosen: they only tell which
+/// branches there are.
+BEM_CONTACT_TUNED(int, lateral_map_elements, 60);
+/// mm. Precision of the displacements that rough solutions give.
+BEM_CONTACT_TUNED(double, lateral_root_width, 1e-3);
+/// 1. Precision of a lateral force, over the resultant of Fy and Fz: what the certificate allows for
+/// prescribed forces.
+BEM_CONTACT_TUNED(double, lateral_tolerance, 1e-6);
+/// 1. A secant step is lengthened by this, to bracket the force. Chosen.
+BEM_CONTACT_TUNED(double, lateral_overshoot, 1.1);
+BEM_CONTACT_TUNED(double, longest_lateral_step,
+                  0.1); ///< mm. A flange's force changes by its size in a few of them.
+BEM_CONTACT_TUNED(int, most_lateral_steps, 20);     ///< 1. Secant steps until the force is bracketed. Chosen.
+BEM_CONTACT_TUNED(int, most_lateral_calls, 40);     ///< 1. Solutions that narrow a bracket. Chosen.
+BEM_CONTACT_TUNED(double, narrowest_lateral, 1e-9); ///< mm. A narrower bracket holds a jump of the force.
+
+// Comparison of models.
+
+/// 1. Creepages beyond free rolling at which longitudinal forces are compared: a driven wheel's on a good
+/// track, the same doubled, and a start of full slip.
+inline constexpr std::array<double, 3> compared_creepages{5e-4, 1e-3, 2e-3};
 
 // Start from the case before.
 

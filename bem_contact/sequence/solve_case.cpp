@@ -1,10 +1,10 @@
 #include "bem_contact/sequence/solve_case.hpp"
 
-#include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/grow_grid.hpp"
 #include "bem_contact/sequence/hertz_model.hpp"
 #include "bem_contact/sequence/record.hpp"
+#include "bem_contact/sequence/structural_motion.hpp"
 
 namespace bem_contact {
 
@@ -42,11 +42,12 @@ ChosenModel choose(const ContactCase& asked, ContactOnGrid contact, const SolveR
   return {std::move(choice), std::move(normal.contact), normal.seconds};
 }
 
-SceneResult solved_with(const ContactCase& asked, ContactOnGrid contact, const ModelChoice& choice,
-                        const SolveResources& resources) {
-  const bool on_strips = choice.model == Model::fem;
-  return record_of(
-      asked, solve_on_growing_grid(asked, std::move(contact), {choice.model}, resources, on_strips), choice);
+SceneResult solved_with(const ContactCase& asked, const SceneFile::Grid& grid, ContactOnGrid contact,
+                        const ModelChoice& choice, const SolveResources& resources) {
+  PlacedSolution placed = solve_on_placed_bodies(asked, grid, std::move(contact), {choice.model}, resources);
+  SceneResult out = record_of(placed.asked, std::move(placed.solved), choice);
+  out.structure = std::move(placed.structure);
+  return out;
 }
 
 } // namespace
@@ -68,39 +69,10 @@ SceneResult solve_case(const ContactCase& asked, const SceneFile::Grid& grid,
       before.geometry += first.seconds;
     }
   }
-  SceneResult out = solved_with(asked, std::move(first.contact), choice, resources);
+  SceneResult out = solved_with(asked, grid, std::move(first.contact), choice, resources);
   out.seconds += before;
   out.seconds.total = clock.seconds();
   return out;
-}
-
-Comparison compare_case(const ContactCase& asked, const SceneFile::Grid& grid, Workspace& operators) {
-  const Stopwatch clock;
-  if (asked.setup.load.kind != LoadKind::force && asked.scene.motion.kind != MotionKind::steady)
-    throw InputError("The models cannot be compared over these steps", "only the approach is given",
-                     "Give load.force, at which they are compared, or solve the scene with either model.");
-  GridPlan plan = first_plan(asked, grid, true);
-  for (int round = 0;; ++round) {
-    WorkBudget fem_work, halfspace_work;
-    GridSolution fem = solve_on_growing_grid(asked, asked.setup.on(plan), {Model::fem},
-                                             {.work = fem_work, .operators = &operators}, true);
-    const ContactCase at_force = asked.under(
-        {LoadKind::force, asked.setup.load.kind == LoadKind::force ? asked.setup.load.force : fem.result.Fz});
-    GridSolution halfspace =
-        solve_on_growing_grid(at_force, at_force.setup.on(fem.contact.plan), {Model::halfspace},
-                              {.work = halfspace_work, .operators = &operators}, true);
-    plan = halfspace.contact.plan;
-    if (plan.grid().size() == fem.contact.plan.grid().size()) {
-      const char* reason = "compared at equal vertical force";
-      Comparison out{record_of(at_force, std::move(halfspace), {Model::halfspace, reason}),
-                     record_of(asked, std::move(fem), {Model::fem, reason})};
-      out.fem.seconds.total = out.halfspace.seconds.total = clock.seconds();
-      return out;
-    }
-    if (round == most_growths)
-      throw ConvergenceError("The two models found no common grid", "each needs another potential contact",
-                             "Give grid.s_from and grid.s_to.");
-  }
 }
 
 } // namespace bem_contact

@@ -11,8 +11,4 @@ namespace bem_contact {
 SceneResult solve_case(const ContactCase& asked, const SceneFile::Grid& grid,
                        const SolveResources& resources);
 
-/// Both models on one grid: where either grows, both are solved again. Throws InputError where they cannot be
-/// compared, ConvergenceError where they find no common grid.
-Comparison compare_case(const ContactCase& asked, const SceneFile::Grid& grid, Workspace& operators);
-
 } // namespace bem_contact

@@ -35,21 +35,17 @@ void require_memory(const ContactGrid& grid, std::size_t steps) {
 /// Half-space numbers depend on the size of the grid alone.
 NumbersSource source_of(Model model, const ContactSetup& setup, const ContactOnGrid& contact) {
   const ContactGrid& grid = contact.problem.grid;
-  NumbersSource source{model,
-                       setup.rail,
-                       setup.wheel,
-                       grid.mx,
-                       grid.ms,
-                       contact.problem.plane_strain() ? 0.0 : grid.dx,
-                       grid.ds,
-                       setup.reference_distance(),
-                       {},
-                       {},
-                       0};
+  NumbersSource source{model,       setup.rail,
+                       setup.wheel, grid.mx,
+                       grid.ms,     contact.problem.plane_strain() ? 0.0 : grid.dx,
+                       grid.ds,     setup.reference_distance(),
+                       {},          {},
+                       0,           {}};
   if (model == Model::fem) {
     source.rail_s = contact.rail_s;
     source.wheel_s = contact.wheel_s;
     source.contact_radius = contact.contact_radius;
+    source.inclination = radial_inclination(setup, contact.problem.rows);
   }
   return source;
 }
@@ -70,25 +66,31 @@ void solve_by_hertz(const ContactSetup& setup, GridSolution& out) {
         "it is for a frictionless contact in three dimensions whose undeformed distance is curved "
         "both ways and known all over the contact (on at least 5 x 5 elements)",
         "Set motion.frictionless = true, give a larger grid, or choose another model.");
-  out.result = solve_hertz(out.contact.problem, *model, out.displacements);
+  out.result = solve_hertz(out.contact.problem, *model);
+}
+
+bool gives_way(const ContactSetup& setup) {
+  return setup.rail.structural == StructuralCompliance::included ||
+         setup.wheel.structural == StructuralCompliance::included;
 }
 
 SolverOptions options_of(const ContactCase& asked, const SolveTask& task, const SolveResources& resources) {
   return {.tolerance = asked.scene.solver.tolerance,
           .max_outer = asked.scene.solver.max_outer,
-          .estimate_discretisation = !task.normal_only,
+          .estimate_discretisation = !task.normal_only && !resources.totals_only,
+          // A warning looks at how far surfaces slide where the bodies' structures give way.
+          .displacements = (resources.displacements || gives_way(asked.setup)) && !task.normal_only &&
+                           !resources.totals_only,
           .coarse_start = resources.coarse_start,
-          .work = &resources.work,
           .workspace = resources.operators};
 }
 
-/// Every step of a transient or of shifts. `problem` has its influence numbers; it leaves with what the last
-/// step prescribes.
-void solve_steps(const ContactSetup& setup, SolverOptions options, ContactProblem& problem,
+/// Every step of a transient or of shifts; each has a work budget of its own. `problem` has its influence
+/// numbers; it leaves with what the last step prescribes.
+void solve_steps(const ContactSetup& setup, const SolverOptions& options, ContactProblem& problem,
                  GridSolution& out) {
   const std::vector<MotionStep>& steps = setup.motion.steps;
   require_memory(problem.grid, steps.size());
-  options.work = nullptr; // each step has a budget of its own
   std::optional<Progress> progress;
   if (steps.size() >= static_cast<std::size_t>(many_steps))
     progress.emplace("steps", steps.size());
@@ -127,15 +129,13 @@ void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const Sol
   }
   if (task.normal_only) {
     problem.tangential = false;
-    out.result = solve(problem, options);
+    out.result = solve(problem, options, resources.work);
   } else if (!problem.tangential || problem.motion == MotionKind::steady) {
-    out.result = solve(problem, options);
+    out.result = solve(problem, options, resources.work);
   } else {
     solve_steps(asked.setup, options, problem, out);
     asked.setup.prescribe(asked.setup.motion.steps.back(), out.contact.problem);
   }
-  if (!task.normal_only)
-    out.displacements = displacements(problem, out.result);
   out.seconds.solve = solving.seconds();
 }
 

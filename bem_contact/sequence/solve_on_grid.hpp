@@ -19,6 +19,8 @@ struct SolveResources {
   Workspace* operators = nullptr;        ///< null: what solving makes of them, too
   const FormerSolution* start = nullptr; ///< of an alike() case; null: none
   bool coarse_start = true;              ///< without a start a case starts from larger elements
+  bool totals_only = false;              ///< no error of the elements, no displacements
+  bool displacements = true;             ///< the result holds them
 };
 
 /// With which numbers, and how much of the problem is solved.
@@ -34,7 +36,6 @@ struct GridSolution {
   ContactOnGrid contact;              ///< with what the last step prescribes
   ContactResult result;               ///< of the last step
   std::vector<ContactResult> history; ///< transient and shift: of every step
-  Displacements displacements;
   std::vector<std::string> warnings;
   PhaseSeconds seconds;
 };

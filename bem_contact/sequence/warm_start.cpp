@@ -58,6 +58,20 @@ private:
 
 } // namespace
 
+std::optional<FormerSolution> former_of(const ContactProblem& problem, const ContactResult& result,
+                                        const ContactEstimate& estimate) {
+  if (!result.converged || result.patches.empty() || !(estimate.approach > 0))
+    return std::nullopt;
+  return FormerSolution{problem.grid,
+                        problem.rows.front().s,
+                        result.Fz,
+                        result.approach,
+                        potential_areas(estimate),
+                        result.px,
+                        result.ps,
+                        result.pn};
+}
+
 bool alike(const std::vector<PotentialArea>& a, const std::vector<PotentialArea>& b) {
   return a.size() == b.size() &&
          std::ranges::equal(a, b, [](const PotentialArea& one, const PotentialArea& other) {

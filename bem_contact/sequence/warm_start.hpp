@@ -3,6 +3,7 @@
 #include "bem_contact/contact/solve.hpp"
 #include "bem_contact/sequence/contact_estimate.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace bem_contact {
@@ -16,6 +17,10 @@ struct FormerSolution {
   std::vector<PotentialArea> areas; ///< where the bodies might touch, along s
   std::vector<double> px, ps, pn;   ///< MPa; fields
 };
+
+/// Nothing where the result is no start for anything: not certified, or without contact.
+std::optional<FormerSolution> former_of(const ContactProblem& problem, const ContactResult& result,
+                                        const ContactEstimate& estimate);
 
 /// Whether the two have as many areas, each of them over its counterpart: else the one is no start for the
 /// other.

@@ -1,5 +1,6 @@
 #include "fem_influence/harmonic/harmonic_run.hpp"
 
+#include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "fem_influence/harmonic/machine_system.hpp"
@@ -75,7 +76,7 @@ PreparedRun prepare(const Input& in, const Processes& processes, Timing& timing)
   PreparedRun run;
   std::vector<char> done;
   together([&] {
-    require_writable(in.output);
+    output_target(in.output, OutputForm::whole_file);
     run.plan = plan_run(in.body, in.curve);
     require_mesh_of(in.body, in.curve, in.mesh);
     // What is wrong with the mesh is found before anything is written.

@@ -27,7 +27,8 @@ struct KernelErrors {
 /// run that was killed goes on where it stopped. On the first process alone.
 class RunFiles {
 public:
-  /// Opens or creates OUTPUT.part and OUTPUT.companion.part; discards those of another fingerprint.
+  /// Opens or creates OUTPUT.part and OUTPUT.companion.part. Throws InputError if they hold finished
+  /// wavenumbers of another fingerprint.
   RunFiles(const std::filesystem::path& output, const std::string& fingerprint, const RunPlan& plan);
 
   bool has(const WavenumberTask& task) const;

@@ -1,8 +1,7 @@
 #include "fem_influence/shared/file_checks.hpp"
 
 #include "bem_contact/base/error.hpp"
-
-#include <unistd.h>
+#include "bem_contact/base/input_file.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -11,18 +10,10 @@
 
 namespace bem_contact::fem {
 
-void require_writable(const std::filesystem::path& output) {
-  const auto folder = output.has_parent_path() ? output.parent_path() : std::filesystem::path(".");
-  if (!std::filesystem::is_directory(folder) || ::access(folder.c_str(), W_OK) != 0)
-    throw InputError("The file '" + output.string() + "' cannot be written",
-                     "'" + folder.string() + "' is not a folder that can be written to",
-                     "make the folder, or choose another file");
-  if (std::filesystem::is_directory(output))
-    throw InputError("The file '" + output.string() + "' cannot be written", "a folder has that name",
-                     "choose another file");
-}
-
 void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh) {
+  if (file_exists(mesh) && !is_regular(mesh))
+    throw InputError("The mesh file '" + mesh.string() + "' cannot be read",
+                     "it is no regular file, and it is read more than once", "name a file");
   std::ifstream in(mesh, std::ios::binary | std::ios::ate);
   const auto size = static_cast<std::streamoff>(in.tellg());
   constexpr std::streamoff tail = 200; // bytes; mesh_body's mark is the last thing in the file

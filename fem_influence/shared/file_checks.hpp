@@ -7,8 +7,6 @@
 
 namespace bem_contact::fem {
 
-/// Throws InputError if an output cannot be written. Called before the long computation, not after it.
-void require_writable(const std::filesystem::path& output);
 /// A mesh of mesh_body says at its end which body file it was made from; other meshes say nothing. Throws
 /// InputError if it was made from another one.
 void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh);

@@ -176,7 +176,7 @@ void SolidBody::write_vtu(const std::filesystem::path& file, std::span<const dou
       vectors, u, std::vector<std::string>(3, "displacement_mm"),
       std::vector<Interpretation>(3, DataComponentInterpretation::component_is_part_of_vector));
   out.build_patches(impl_->mapping, impl_->element.degree, DataOut<3>::curved_inner_cells);
-  write_whole(file, [&](std::ostream& to) {
+  write_text(file, [&](std::ostream& to) {
     try {
       out.write_vtu(to);
     } catch (const std::exception&) { // deal.II's message fills a page

@@ -105,6 +105,14 @@ class Numbers(unittest.TestCase):
         wheel = wheel[:, ::-1, :, ::-1, :] * turn[None, None, :, None, None] * turn
         np.testing.assert_allclose(pair, rail + wheel, rtol=0, atol=1e-14 * pair.max())
 
+    def test_the_contact_radius_written_is_the_one_used(self):
+        """The numbers of a wheel scale with that radius: it is that of the centre, however many rows lie about it."""
+        radii = []
+        for rows in (4, 5):
+            expand(WHEEL, "--dx", DX, "--ds", DS, "--mx", MX, "--my", rows, "--centre", 36.4, "-o", self.folder / "wheel.h5")
+            radii.append(read_h5(self.folder / "wheel.h5")[1]["contact_radius"])
+        self.assertEqual(radii[0], radii[1])
+
     def test_ten_lines_of_python(self):
         text = (ROOT / "data" / "INFLUENCE_FORMAT.md").read_text()
         blocks = re.findall(r"```python\n(.*?)```", text, re.S)

@@ -196,14 +196,20 @@ TEST_F(ResultFiles, CompareRunsBothModelsAtEqualForce) {
   const Outcome r = run("compare '" + scene("s.toml", sides("rail.h5", "wheel.h5")) + "' --json -o '" +
                         prefix + ".h5' --vtk-prefix '" + prefix + "'");
   ASSERT_EQ(r.code, 0) << r.err;
-  const json j = json::parse(r.out);
+  const json all = json::parse(r.out), j = all["at_equal_position"];
+  EXPECT_EQ(all["reference"], "fem");
   EXPECT_EQ(j["fem"]["model"], "fem");
   EXPECT_NEAR(j["fem"]["totals"]["Fz"].get<double>(), j["halfspace"]["totals"]["Fz"].get<double>(), 0.1);
   const double fem = j["fem"]["pmax"].get<double>(), halfspace = j["halfspace"]["pmax"].get<double>();
-  EXPECT_NEAR(j["difference"]["pmax"].get<double>(), (fem - halfspace) / halfspace, 1e-12);
-  EXPECT_EQ(j["fem"]["grid"], j["halfspace"]["grid"]);
+  EXPECT_NEAR(j["difference"]["halfspace"]["pmax"].get<double>(), (fem - halfspace) / halfspace, 1e-12);
+  EXPECT_EQ(j["fem"]["grid"]["dx"], j["halfspace"]["grid"]["dx"]);
+  const json equal = all["at_equal_forces"];
+  EXPECT_NEAR(equal["difference"]["halfspace"]["Fy"].get<double>(), 0, 1e-5);
   const H5Table table = read_h5(prefix + ".h5");
-  EXPECT_TRUE(table.datasets.contains("fem/p_n") && table.datasets.contains("halfspace/p_n"));
+  for (const char* set : {"equal_forces/", "equal_position/"})
+    for (const char* model : {"fem/", "halfspace/"})
+      for (const char* name : {"p_n", "x", "s", "gap"})
+        EXPECT_TRUE(table.datasets.contains(std::string(set) + model + name)) << set << model << name;
   EXPECT_TRUE(std::filesystem::exists(prefix + "_fem.vts") &&
               std::filesystem::exists(prefix + "_halfspace.vts"));
 }
@@ -262,14 +268,14 @@ TEST_F(ResultFiles, CheckSaysWhetherTheStripsCoverTheRows) {
 TEST_F(ResultFiles, TheSmallSceneIsConformalUnderTheShippedInfluenceFiles) {
   const Outcome r = run("compare '" CONFORMAL_SOURCE_DIR "/data/scenes/conformal_small.toml' --json");
   ASSERT_EQ(r.code, 0) << r.err;
-  const json j = json::parse(r.out);
+  const json j = json::parse(r.out)["at_equal_position"];
   for (const char* model : {"halfspace", "fem"}) {
     EXPECT_LE(j[model]["certificate"]["worst"].get<double>(), 1e-6);
     EXPECT_NEAR(j[model]["totals"]["Fz"].get<double>(), 1e5, 0.1);
   }
   // Both share geometry and force; the bodies' own compliance spreads the contact.
-  EXPECT_LT(j["difference"]["pmax"].get<double>(), -0.02);
-  EXPECT_GT(j["difference"]["area"].get<double>(), 0.05);
+  EXPECT_LT(j["difference"]["halfspace"]["pmax"].get<double>(), -0.02);
+  EXPECT_GT(j["difference"]["halfspace"]["area"].get<double>(), 0.05);
   const Outcome chosen = run("solve '" CONFORMAL_SOURCE_DIR "/data/scenes/conformal_small.toml' --json");
   EXPECT_EQ(json::parse(chosen.out)["model"], "fem");
   EXPECT_THAT(json::parse(chosen.out)["reason"].get<std::string>(), HasSubstr("more than the 1 % allowed"));

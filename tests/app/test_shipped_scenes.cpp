@@ -16,12 +16,10 @@ class ShippedScenes : public ProgramTest {};
 
 /// The scenes that are shipped for the closed forms give what their first lines say.
 TEST_F(ShippedScenes, GiveWhatTheirFirstLinesSay) {
-  const auto solved = [this](const std::string& name, const std::vector<std::string>& warnings = {}) {
+  const auto solved = [this](const std::string& name) {
     const Outcome r = run("solve '" CONFORMAL_SOURCE_DIR "/data/scenes/" + name + ".toml' --json");
     EXPECT_EQ(r.code, 0) << name << ": " << r.err;
-    EXPECT_EQ(std::ranges::count(r.err, '\n'), std::ssize(warnings)) << name << ": " << r.err;
-    for (const std::string& warning : warnings)
-      EXPECT_THAT(r.err, testing::HasSubstr(warning)) << name;
+    EXPECT_EQ(r.err, "") << name;
     return json::parse(r.out);
   };
   const auto creepage = [](const json& j) { return j["creepage_found"]["xi"].get<double>(); };
@@ -68,9 +66,11 @@ TEST_F(ShippedScenes, GiveWhatTheirFirstLinesSay) {
   EXPECT_NEAR(json::parse(rolled.out)["totals"]["Fx"].get<double>(), 909, 0.002 * 909);
   EXPECT_NEAR(json::parse(rolled.out)["pmax"].get<double>(), 629, 0.002 * 629);
   EXPECT_NEAR(solved("by_height")["totals"]["Fz"].get<double>(), 80700, 0.002 * 80700);
-  // Its profiles have noise of 2 micrometres: no grid shows the same peaks.
-  const json curve = solved("wheelset_in_a_curve", {"above three times the yield strength",
-                                                    "the pressure does not converge"})["totals"];
+  // Its profiles scatter as measured ones do; what is said of their smoothing is no matter here.
+  const Outcome curved = run("solve '" CONFORMAL_SOURCE_DIR "/data/scenes/wheelset_in_a_curve.toml' --json");
+  ASSERT_EQ(curved.code, 0) << curved.err;
+  EXPECT_THAT(curved.err, ::testing::Not(::testing::HasSubstr("does not converge")));
+  const json curve = json::parse(curved.out)["totals"];
   EXPECT_NEAR(curve["Fz"].get<double>(), 8e4, 0.1);
   EXPECT_LT(curve["Fx"].get<double>(), -2e4) << "a driven wheel pushes the rail back";
 }

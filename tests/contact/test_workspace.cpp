@@ -201,15 +201,15 @@ TEST(Workspace, ACaseIsRefusedWhereItsWorkIsUsedUp) {
   scenes::set_creepage(problem, 0.3, 1e-3, 0, 0);
   problem.force = 5e4;
   WorkBudget enough;
-  const ContactResult result = solve(problem, {.work = &enough});
+  const ContactResult result = solve(problem, {}, enough);
   EXPECT_TRUE(result.converged);
   EXPECT_EQ(result.work, enough.used());
   EXPECT_GT(result.work, 10.0 * problem.grid.size());
   WorkBudget scarce(0.3 * result.work);
-  EXPECT_THROW(solve(problem, {.estimate_discretisation = false, .work = &scarce}), ConvergenceError);
+  EXPECT_THROW(solve(problem, {.estimate_discretisation = false}, scarce), ConvergenceError);
   Workspace kept; // a refusal leaves nothing behind
   WorkBudget again(0.3 * result.work);
-  EXPECT_THROW(solve(problem, {.work = &again, .workspace = &kept}), ConvergenceError);
+  EXPECT_THROW(solve(problem, {.workspace = &kept}, again), ConvergenceError);
   EXPECT_NEAR(solve(problem, {.workspace = &kept}).Fx, result.Fx, 1e-6 * result.Fx);
 }
 

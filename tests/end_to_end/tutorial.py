@@ -1,5 +1,6 @@
 """data/TUTORIAL.md: its files, taken from the page, give the numbers that the page prints."""
 
+import json
 import os
 import re
 import subprocess
@@ -53,10 +54,21 @@ class Tutorial(unittest.TestCase):
         self.near(result["totals"]["Fx"], fx)
         self.near(result["totals"]["Fy"], fy)
 
-    def test_finite_elements(self):
-        result = self.solved(self.scene, "--model", "fem")
-        for name, value in (("pmax", result["pmax"]), ("Fx", result["totals"]["Fx"]), ("Fy", result["totals"]["Fy"])):
-            self.near(value, self.printed(rf"    {name}  .*?\d\s+(\S+)\s+[+-]\d+\.\d+ %")[0])
+    def test_comparison(self):
+        done = subprocess.run([programs.BIN / "bem_contact", "compare", "scene.toml", "--json"], cwd=self.folder, check=True,
+                              stdout=subprocess.PIPE, text=True)
+        found = json.loads(done.stdout)
+        before, position = self.page.split("    At equal position,")
+        forces = before.rsplit("    At equal forces", 1)[1]
+        for part, key in ((forces, "at_equal_forces"), (position, "at_equal_position")):
+            for model, column in (("halfspace", 1), ("fem", 2)):
+                pmax = re.search(r"    pmax +MPa +(\S+) +(\S+)", part)
+                self.near(found[key][model]["pmax"], float(pmax[column]))
+        lateral = re.search(r"    lateral +mm +(\S+)", forces)
+        self.assertAlmostEqual(found["at_equal_forces"]["halfspace"]["lateral"], float(lateral[1]), delta=2e-4)
+        for model, column in (("halfspace", 1), ("fem", 2)):
+            creep = re.search(r"    \+1\.0e-03 +N +(\S+) +(\S+)", self.page)
+            self.near(found["creep_forces"][1]["Fx"][model], float(creep[column]), 2e-3)
 
     def test_accuracy(self):
         result = self.solved(self.scene + self.grid, "--model", "fem")

@@ -132,7 +132,33 @@ TEST(Placement, RefusesARailWithoutGaugeFace) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("has no gauge face"));
     EXPECT_THAT(error.what(), HasSubstr("gauge_height"));
+    EXPECT_THAT(error.what(), HasSubstr("rail.place = \"absolute\""));
   }
+}
+
+TEST(Placement, AbsolutePutsTheOriginsOfTheSections) {
+  WheelsetPosition position;
+  position.rail_origin = Point2{3, 2};
+  position.wheel_origin = Point2{5, -1};
+  position.cant = 0.025;
+  position.lateral = 0.5;
+  position.rail_vertical = 0.25;
+  // Neither has a gauge face or a flange.
+  const WheelOnRail pair = place(position, shapes::rail_arc(300, 0.1), shapes::wheel_arc(20, 0.5));
+  EXPECT_NEAR(norm(pair.rail_pose.origin - Point2{3, 2.25}), 0, 1e-12);
+  EXPECT_DOUBLE_EQ(pair.rail_pose.angle, -0.025);
+  EXPECT_NEAR(norm(pair.wheel_pose.to_track({0, 0}) - Point2{5.5, -1}), 0, 1e-9);
+}
+
+TEST(Placement, AbsoluteIsTheSameAsByGaugeAtTheSamePlace) {
+  const WheelOnRail by_gauge = s1002_on_60e1(at_lateral(3));
+  WheelsetPosition position = at_lateral(3);
+  position.rail_origin = by_gauge.rail_pose.origin;
+  position.wheel_origin = Point2{position.back_to_back / 2 + 70, 0};
+  const WheelOnRail absolute = s1002_on_60e1(position);
+  EXPECT_EQ(absolute.rail_pose.origin.y, by_gauge.rail_pose.origin.y);
+  EXPECT_EQ(absolute.rail_pose.origin.z, by_gauge.rail_pose.origin.z);
+  EXPECT_EQ(absolute.wheel_frame().centre, by_gauge.wheel_frame().centre);
 }
 
 TEST(ContactSearch, CirclesTouchOnTheLineOfTheirCentres) {

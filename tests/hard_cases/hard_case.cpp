@@ -1,5 +1,7 @@
 #include "tests/hard_cases/hard_case.hpp"
 
+#include "tests/hard_cases/moved_input.hpp"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -32,6 +34,7 @@ ContactResult certified(const std::string& name, const std::string& what, const 
                         const SolverOptions& options) {
   ContactResult result = solve(problem, options);
   print_line(name, what, result);
+  print_moved(name, problem, options);
   EXPECT_TRUE(result.converged) << name << ": " << result.certificate.worst() << ' ' << result.remark;
   EXPECT_LE(result.certificate.worst(), 1e-6) << name;
   if (problem.has_friction()) {
@@ -48,6 +51,7 @@ ContactResult certified_or_not_converged(const std::string& name, const std::str
   ContactResult result = solve(problem, options);
   if (result.converged) {
     print_line(name, what, result);
+    print_moved(name, problem, options);
     EXPECT_LE(result.certificate.worst(), 1e-6) << name;
   } else {
     print_without_result(name, what, "not converged: " + result.remark);

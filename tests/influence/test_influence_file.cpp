@@ -90,7 +90,7 @@ TEST(InfluenceFile, IsWholeOrAbsent) {
   EXPECT_THAT(message_of([&] { write_influence_file(folder / "a.h5", f); }), HasSubstr("diagonal"));
   EXPECT_FALSE(std::filesystem::exists(folder / "a.h5"));
   EXPECT_THAT(message_of([&] { write_influence_file(folder / "none" / "a.h5", sample_function()); }),
-              AllOf(HasSubstr("cannot be written"), HasSubstr("Check that its folder exists")));
+              AllOf(HasSubstr("cannot be written"), HasSubstr("Make the folder")));
   write_influence_file(folder / "a.h5", sample_function());
   f = sample_function();
   f.body = "another";

@@ -113,23 +113,35 @@ TEST(PartialFile, AnAlteredRecordIsNotTakenOver) {
   EXPECT_FALSE(partial.has(1));
 }
 
-TEST(PartialFile, AnotherRunStartsAnew) {
+TEST(PartialFile, AnotherRunIsRefusedAndLosesNothing) {
   Computation run;
   {
     PartialInfluenceFile partial = run.open();
     run.write(partial, 4);
   }
+  EXPECT_THAT(message_of([&] { run.open("another run"); }),
+              testing::AllOf(HasSubstr("another body"), HasSubstr("a.h5.part"), HasSubstr("another output")));
   {
-    const PartialInfluenceFile other = run.open("another run");
-    EXPECT_EQ(run.done(other), 0);
-  }
-  {
-    PartialInfluenceFile partial = run.open();
-    EXPECT_EQ(run.done(partial), 0);
-    run.write(partial, 4);
+    const PartialInfluenceFile partial = run.open();
+    EXPECT_TRUE(partial.has(4));
   }
   run.f.wavenumber.back() += 1;
+  EXPECT_THAT(message_of([&] { run.open(); }), HasSubstr("another body"));
+}
+
+TEST(PartialFile, AnotherRunTakesAFileWithNothingFinished) {
+  const Computation run;
   EXPECT_EQ(run.done(run.open()), 0);
+  PartialInfluenceFile other = run.open("another run, with a longer name");
+  run.write(other, 2);
+  EXPECT_EQ(run.done(other), 1);
+}
+
+TEST(PartialFile, AStrangersFileIsNotWrittenOver) {
+  const Computation run;
+  std::ofstream(run.part) << "my notes";
+  EXPECT_THAT(message_of([&] { run.open(); }), HasSubstr("no finished wavenumbers"));
+  EXPECT_EQ(std::filesystem::file_size(run.part), 8u);
 }
 
 TEST(LowerTriangle, SymmetricMatricesOfAnySizeComeBack) {

@@ -1,8 +1,15 @@
 """The Python module: as a user imports it, against closed forms and against the program."""
 
+import copy
+import decimal
+import fractions
 import json
 import os
+import pickle
+import shutil
 import subprocess
+import sys
+import tempfile
 import threading
 import unittest
 from pathlib import Path
@@ -103,6 +110,113 @@ class Module(unittest.TestCase):
         self.assertRegex(message(CORNER, {"motion.friction": "much"}), r"toml: motion.friction is text")
         with self.assertRaisesRegex(TypeError, "motion.friction"):
             bem_contact.solve(CORNER, {"motion.friction": None})
+
+    def test_wrong_arguments_are_refused_in_our_words(self):
+        for call, words in (
+                (lambda: bem_contact.solve(), "path of a scene file"),
+                (lambda: bem_contact.solve(3), "its type is int"),
+                (lambda: bem_contact.solve(b"scene.toml"), "its type is bytes"),
+                (lambda: bem_contact.solve(CORNER, [1]), "Give a dict"),
+                (lambda: bem_contact.solve(CORNER, {1: 2}), "keys is of type int"),
+                (lambda: bem_contact.solve(CORNER, model=3), "its type is int"),
+                (lambda: bem_contact.solve(CORNER, modell="fem"), "Did you mean model"),
+                (lambda: bem_contact.solve(CORNER, {}, "fem", False, 1), "too many arguments"),
+                (lambda: bem_contact.solve(CORNER, {"load.force": 1j}), "its type is complex"),
+                (lambda: bem_contact.solve(CORNER, {"load.force": np.complex64(1)}), "its type is complex64"),
+                (lambda: bem_contact.solve(CORNER, {"load.force": {}}), "its type is dict"),
+                (lambda: bem_contact.solve(CORNER, {"stresses.depths": ["deep"]}), "of type str"),
+                (lambda: bem_contact.solve(CORNER, {"stresses.depths": np.ones((2, 2))}), "of type list"),
+                (lambda: bem_contact.Sequence(), "path of a scene file"),
+                (lambda: bem_contact.Sequence(CORNER, 1), "too many arguments")):
+            with self.assertRaises(TypeError) as caught:
+                call()
+            self.assertIn(words, str(caught.exception))
+            self.assertNotIn("incompatible", str(caught.exception))
+        for changes, words in (({"grid.elements": 10**30}, "out of range"), ({"load.force": np.nan}, "load.force"),
+                               ({"load.force": np.array([1.0, 2.0])}, "load.force is a list"),
+                               ({"stresses.depths": [-1.0]}, "stresses.depths")):
+            with self.assertRaisesRegex(bem_contact.InputError, words):
+                bem_contact.solve(CORNER, changes)
+
+    def test_numbers_of_any_type(self):
+        types = [float, int, np.float16, np.float32, np.float64, np.longdouble, np.int8, np.uint8, np.int32, np.uint64,
+                 np.array, decimal.Decimal, fractions.Fraction]
+        expected = bem_contact.solve(SCENES / "hertz.toml", {"load.force": 64.0}, "hertz").pmax
+        for kind in types:
+            self.assertEqual(bem_contact.solve(SCENES / "hertz.toml", {"load.force": kind(64)}, "hertz").pmax, expected)
+        frictionless = bem_contact.solve(SCENES / "steady_rolling.toml", {"motion.frictionless": np.bool_(True)})
+        self.assertEqual(frictionless.Fx, 0)
+        for depths in ([0.5, 1], (0.5, 1.0), np.array([0.5, 1.0]), np.array([0.5, 1.0], dtype=np.float32),
+                       [np.float32(0.5), np.int16(1)]):
+            bem_contact.solve(SCENES / "hertz.toml", {"stresses.depths": depths}, "halfspace")
+
+    def test_copies_and_pickles(self):
+        r = bem_contact.solve(SCENES / "cattaneo.toml")
+        for other in (copy.copy(r), copy.deepcopy(r), pickle.loads(pickle.dumps(r)),
+                      pickle.loads(pickle.dumps(pickle.loads(pickle.dumps(r))))):
+            self.assertIsInstance(other, bem_contact.Result)
+            for name in (n for n in dir(bem_contact.Result) if not n.startswith("_")):
+                np.testing.assert_equal(getattr(other, name), getattr(r, name), name)
+            self.assertEqual(repr(other), repr(r))
+
+    def test_a_sequence_reads_its_scene_once(self):
+        """The scene may change, and the working directory too: the text and the paths are those of the beginning."""
+        with tempfile.TemporaryDirectory() as folder:
+            before = Path.cwd()
+            shutil.copytree(SCENES.parent / "influence", Path(folder) / "influence",
+                            ignore=lambda _, names: [n for n in names if not n.startswith("small")])
+            (Path(folder) / "scenes").mkdir()
+            shutil.copy(CORNER, Path(folder) / "scenes" / "corner.toml")
+            os.chdir(Path(folder) / "scenes")
+            try:
+                sequence = bem_contact.Sequence("corner.toml")
+                os.chdir("/")
+                (Path(folder) / "scenes" / "corner.toml").write_text("no scene")
+                self.assertEqual(sequence.solve(model="fem").Fz, bem_contact.solve(CORNER, model="fem").Fz)
+            finally:
+                os.chdir(before)
+        with self.assertRaisesRegex(bem_contact.InputError, "no such file"):
+            bem_contact.Sequence("no/such.toml")
+
+    def test_threads_share_one_sequence(self):
+        sequence = bem_contact.Sequence(CORNER)
+        found = {}
+
+        def solve(i):
+            found[i] = [sequence.solve({"position.lateral": 0.5 * (i + k)}, "halfspace") for k in range(3)]
+
+        threads = [threading.Thread(target=solve, args=(i,)) for i in range(4)]
+        for t in threads:
+            t.start()
+        for t in threads:
+            t.join()
+        for i, results in found.items():
+            for k, r in enumerate(results):
+                alone = bem_contact.solve(CORNER, {"position.lateral": 0.5 * (i + k)}, "halfspace")
+                self.assertTrue(r.certified)
+                self.assertAlmostEqual(r.Fy, alone.Fy, delta=1e-5 * alone.Fz)
+        self.assertEqual(sorted(found), [0, 1, 2, 3])
+
+    def test_interrupted(self):
+        """Ctrl-C ends a long solution; the sequence can be used again, and the process ends in order."""
+        code = f"""
+import os, signal, threading, time
+import bem_contact
+sequence = bem_contact.Sequence({str(CORNER)!r})
+pressed = []
+def press():
+    pressed.append(time.monotonic())
+    os.kill(os.getpid(), signal.SIGINT)
+threading.Timer(0.3, press).start()
+try:
+    sequence.solve({{"grid.dx": 0.02, "grid.ds": 0.02}}, "halfspace")
+    print("was not interrupted")
+except KeyboardInterrupt:
+    print("interrupted after", time.monotonic() - pressed[0])
+print(sequence.solve({{}}, "halfspace").certified)
+"""
+        run = subprocess.run([sys.executable, "-c", code], check=True, stdout=subprocess.PIPE, text=True)
+        self.assertRegex(run.stdout, r"^interrupted after .*\nTrue\n$")
 
     def test_threads(self):
         found = [None] * 4

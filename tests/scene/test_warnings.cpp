@@ -49,6 +49,18 @@ TEST(Warnings, FrictionAboveOneAndForcesInKilonewtonsAreSaid) {
 
 TEST(Warnings, AWheelOnItsFlangeIsSaid) {
   EXPECT_THAT(warnings_of("position.lateral = 60"), ElementsAre(HasSubstr("the tip of its flange")));
+  EXPECT_THAT(warnings_of("position.lateral = 60"),
+              ElementsAre(testing::AllOf(HasSubstr("y = -55."), HasSubstr("wheel.flange_back"))));
+}
+
+TEST(Warnings, KeysOfProfileFilesHaveNoEffectOnStandards) {
+  EXPECT_THAT(warnings_of("rail.smoothing = 5"),
+              ElementsAre(HasSubstr("rail.smoothing: without effect (60E1 is no profile file)")));
+  EXPECT_THAT(warnings_of("wheel.flange_back = 0\nwheel.mirror = true"),
+              ElementsAre(HasSubstr("wheel.mirror, wheel.flange_back: without effect")));
+  EXPECT_THAT(warnings_of("rail.y = 3"), ElementsAre(HasSubstr("rail.y: without effect")));
+  EXPECT_THAT(warnings_of("rail.place = 'absolute'\nrail.y = 753.5\nposition.gauge = 1450"),
+              ElementsAre(HasSubstr("position.gauge: without effect")));
 }
 
 TEST(Warnings, APatchHasMaterialsAndFriction) {

@@ -51,7 +51,8 @@ TEST(HertzModel, AgreesWithTheHalfSpace) {
     for (std::size_t i = 0; i < solved.result.pn.size(); ++i) {
       square += std::pow(closed.result.pn[i] - solved.result.pn[i], 2);
       norm += std::pow(solved.result.pn[i], 2);
-      EXPECT_NEAR(closed.displacements.un[i], solved.displacements.un[i], 0.01 * closed.result.approach);
+      EXPECT_NEAR(closed.result.displacements.un[i], solved.result.displacements.un[i],
+                  0.01 * closed.result.approach);
       EXPECT_NEAR(closed.result.deformed_distance[i], solved.result.deformed_distance[i],
                   0.01 * closed.result.approach);
     }

@@ -172,8 +172,8 @@ void solve_scene(benchmark::State& state, const ContactProblem& problem, Kept ke
   for (auto _ : state) {
     contact::ContactOperators only_now;
     WorkBudget of_this;
-    solution = contact::solve_coupled(
-        problem, options, kept == Kept::nothing ? only_now : workspace.of(problem), of_this);
+    solution = contact::solve_coupled(problem, options,
+                                      kept == Kept::nothing ? only_now : workspace.of(problem), of_this);
     benchmark::DoNotOptimize(solution.normal.p.data());
   }
   const auto contact = (solution.normal.p.array() > 0).count();

@@ -2,15 +2,15 @@
 # directory, so an include line names its room: #include "bem_contact/base/error.hpp".
 
 add_library(conformal_options INTERFACE)
-target_include_directories(conformal_options INTERFACE ${PROJECT_SOURCE_DIR})
-target_compile_options(conformal_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
+target_include_directories(conformal_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+target_compile_options(conformal_options INTERFACE $<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow>)
 if(CONFORMAL_TUNABLE)
   target_compile_definitions(conformal_options INTERFACE CONFORMAL_TUNABLE)
 endif()
 if(CONFORMAL_SANITIZE)
-  target_compile_options(conformal_options INTERFACE -fsanitize=address,undefined
+  target_compile_options(conformal_options INTERFACE -fsanitize=${CONFORMAL_SANITIZERS}
                          -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  target_link_options(conformal_options INTERFACE -fsanitize=address,undefined)
+  target_link_options(conformal_options INTERFACE -fsanitize=${CONFORMAL_SANITIZERS})
 endif()
 
 # conformal_room(<target> [SHARED] SOURCES ... [ROOMS ...] [LIBRARIES ...])

@@ -28,7 +28,7 @@ std::vector<char> rows_in_contact(const ContactProblem& problem, const ContactRe
   return rows;
 }
 
-/// sum_k former[k] (A p_k)(x + k columns dx) over the tractions of former steps; as displacements().
+/// sum_k former[k] (A p_k)(x + k columns dx) over the tractions of former steps; as direct_displacements().
 Fields former_displacements(const ContactProblem& problem, const SlipStep& step,
                             const std::vector<char>& slip_rows, int columns) {
   Fields sum;
@@ -68,6 +68,16 @@ void require_fields(const ContactProblem& problem, const ContactResult& result) 
     throw InputError("the result does not belong to the problem",
                      "its fields have another size than the grid",
                      "certify a result with the problem that it solves");
+}
+
+/// u = -A p without the columns ahead of the grid.
+std::vector<double> on_the_grid(const ContactProblem& problem, const std::vector<double>& sums) {
+  const auto& [mx, ms, dx, ds, x0] = problem.grid;
+  std::vector<double> out;
+  for (int is = 0; is < ms; ++is)
+    for (int ix = 0; ix < mx; ++ix)
+      out.push_back(-sums[sums.size() / ms * is + ix]);
+  return out;
 }
 
 void check_normal(const ContactProblem& problem, const ContactResult& result, const std::vector<double>& u_n,
@@ -204,15 +214,21 @@ double vertical_imbalance(const ContactProblem& problem, const ContactResult& re
 
 } // namespace
 
-Certificate certify(const ContactProblem& problem, const ContactResult& result) {
+Certificate certify(const ContactProblem& problem, const ContactResult& result,
+                    Displacements* displacements) {
   require_fields(problem, result);
   const std::vector<char> slip_rows = rows_in_contact(problem, result);
   Certificate certificate;
-  const auto u = contact::direct_displacements(problem, slip_rows, {result.px, result.ps, result.pn});
+  const auto u = contact::direct_displacements(
+      problem, displacements ? std::vector<char>(problem.grid.ms, 1) : slip_rows,
+      {result.px, result.ps, result.pn});
   const int columns = static_cast<int>(u[0].size()) / problem.grid.ms;
   check_normal(problem, result, u[component_n], columns, certificate);
   check_friction(problem, result, u, slip_rows, columns, certificate);
   certificate.force_balance = std::max(vertical_imbalance(problem, result), shear_imbalance(problem, result));
+  if (displacements)
+    *displacements = {on_the_grid(problem, u[component_x]), on_the_grid(problem, u[component_s]),
+                      on_the_grid(problem, u[component_n])};
   return certificate;
 }
 

@@ -9,7 +9,7 @@ namespace bem_contact::contact {
 
 double ForceBalance::next(double pressed, double borne) {
   (borne < force_ ? low_ : high_) = pressed;
-  if (std::abs(pressed - last_) > 0.1 * noise_of_sums * pressed)
+  if (std::abs(pressed - last_) > least_secant_step * noise_of_sums * pressed)
     slope_ = (borne - last_borne_) / (pressed - last_);
   double wanted = pressed + (force_ - borne) / slope_; // infinite or worse where the secant is flat
   last_ = pressed;
@@ -23,7 +23,7 @@ double ForceBalance::next(double pressed, double borne) {
     low_ = high_ = 0; // the bracket is noise: the sums were not precise
     (borne < force_ ? low_ : high_) = pressed;
   } else {
-    const bool narrows = step_before_ == 0 || std::abs(wanted - pressed) < 0.5 * step_before_;
+    const bool narrows = step_before_ == 0 || std::abs(wanted - pressed) < slow_balance_step * step_before_;
     if (!(wanted > from && wanted < to && narrows))
       wanted = 0.5 * (from + to);
   }

@@ -1,5 +1,6 @@
 #include "bem_contact/contact/normal/mprgp.hpp"
 
+#include "bem_contact/contact/operator/norm_bound.hpp"
 #include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
@@ -10,18 +11,6 @@ namespace bem_contact::contact {
 namespace {
 
 using Eigen::VectorXd;
-
-/// Upper bound of A's largest eigenvalue (power iteration with a margin; the start has no zero component).
-double norm_of(const NormalSystem& system, WorkBudget& work) {
-  VectorXd v = VectorXd::LinSpaced(system.cosine.size(), 1.0, 1.5);
-  double norm = 0;
-  for (int k = 0; k < power_iterations; ++k) {
-    v.normalize();
-    v = system.apply(v, work);
-    norm = v.norm();
-  }
-  return norm_margin * norm;
-}
 
 /// The iterate and its gradient A p - b, split into the free part (where p > 0) and the chopped part (where
 /// p = 0 and the gradient asks for pressure).
@@ -82,7 +71,8 @@ public:
 
 MprgpOutcome solve_mprgp(const NormalSystem& system, const VectorXd& b, double tolerance, int most,
                          WorkBudget& work, VectorXd& p) {
-  const double fixed_step = mprgp_step / norm_of(system, work);
+  const double fixed_step =
+      mprgp_step / norm_bound(b.size(), [&](const VectorXd& v) { return system.apply(v, work); });
   const double scale = std::max(b.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
   Iterate at(system, b, work, p);
   MprgpOutcome outcome{power_iterations + 1};

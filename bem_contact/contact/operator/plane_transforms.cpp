@@ -13,9 +13,6 @@ template <class Real> typename Fftw<Real>::Complex* raw(std::complex<Real>* p) {
   return reinterpret_cast<typename Fftw<Real>::Complex*>(p);
 }
 
-/// Frequencies along x that are looked at together at least, where rows become columns.
-constexpr int least_together = 8;
-
 /// The spectra of two real rows from that of the first plus i times the second, for `pairs` pairs of rows:
 /// z [pairs][n] to out [k - from][row], frequencies from .. to - 1, each `stride` after the one before.
 /// Complex numbers are two reals here.

@@ -1,14 +1,15 @@
 #include "bem_contact/contact/tangential/gmres.hpp"
 
+#include "bem_contact/contact/settings.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace bem_contact::contact {
 
 void Gmres::prepare(Eigen::Index unknowns, int most) {
-  constexpr int usual = 32;
   if (basis_.rows() != unknowns)
-    basis_.resize(unknowns, std::min(usual, most + 1));
+    basis_.resize(unknowns, std::min(first_gmres_basis, most + 1));
   if (h_.cols() < most) {
     h_.resize(most + 1, most);
     for (auto* v : {&g_, &cosine_, &sine_})
@@ -39,7 +40,7 @@ bool Gmres::orthogonalise(int k) {
   h_(k, k) = diagonal;
   g_[k + 1] = -sine_[k] * g_[k];
   g_[k] *= cosine_[k];
-  exhausted_ = !(length > 1e-6 * diagonal); // single precision has no more digits
+  exhausted_ = !(length > gmres_rounding * diagonal);
   basis_.col(k + 1) = z_ / static_cast<float>(length);
   return true;
 }

@@ -1,5 +1,6 @@
 #include "bem_contact/contact/tangential/roll_on.hpp"
 
+#include "bem_contact/contact/operator/norm_bound.hpp"
 #include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
@@ -23,23 +24,13 @@ VectorXd project(const TangentialTask& task, const VectorXd& p) {
   return inside;
 }
 
-/// Upper bound of the largest eigenvalue of A_tt (power iteration with a margin).
-double norm_of(const TangentialSystem& system, WorkBudget& work) {
-  VectorXd v = VectorXd::LinSpaced(2 * system.size(), 1.0, 1.5);
-  double norm = 0;
-  for (int k = 0; k < power_iterations; ++k) {
-    v.normalize();
-    v = system.displacement(v, work);
-    norm = v.norm();
-  }
-  return norm_margin * norm;
-}
-
 /// min 1/2 p'A p - c'p over the friction discs.
 class ShiftProblem {
 public:
   ShiftProblem(const TangentialSystem& system, const TangentialTask& task, WorkBudget& work)
-      : system_(system), task_(task), work_(work), norm_(norm_of(system, work)) {}
+      : system_(system), task_(task), work_(work),
+        norm_(
+            norm_bound(2 * system.size(), [&](const VectorXd& v) { return system.displacement(v, work); })) {}
 
   /// Accelerated projected gradients from p, restarted when the momentum points uphill (Nesterov 1983;
   /// O'Donoghue, Candes 2015).

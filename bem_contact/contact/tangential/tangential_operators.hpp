@@ -2,7 +2,6 @@
 
 #include "bem_contact/contact/operator/plane_transforms.hpp"
 #include "bem_contact/contact/tangential/step_box.hpp"
-#include "bem_contact/contact/tangential/step_numbers.hpp"
 #include "bem_contact/contact/work.hpp"
 
 #include <Eigen/Core>

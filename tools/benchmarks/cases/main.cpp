@@ -2,7 +2,8 @@
 //     bench_cases ablation SWEEP.toml [BY.toml]   the table of what each means of a sequence saves
 //     bench_cases accuracy SWEEP.toml [BY.toml]   one CSV line a case and accuracy: seconds, error, estimate
 //     bench_cases areas SWEEP.toml                what contact in two areas costs beside each area alone
-//     bench_cases estimates SWEEP.toml            one CSV line a case and printed number: stated and true error
+//     bench_cases estimates SWEEP.toml            one CSV line a case and printed number: stated and true
+//     error
 // tools/benchmarks/ablation and tools/benchmarks/accuracy run them on data/scenes/cases_*.toml. BY.toml has
 // the same cases with the influence files from which references are computed.
 #include "bem_contact/base/error.hpp"
@@ -20,7 +21,8 @@ int main(int argc, char** argv) {
   const bool with_reference = what == "ablation" || what == "accuracy";
   if (argc < 3 || argc > (with_reference ? 4 : 3) ||
       (!with_reference && what != "areas" && what != "estimates")) {
-    fmt::print(stderr, "usage: {0} ablation|accuracy SWEEP.toml [BY.toml]\n       {0} areas|estimates SWEEP.toml\n",
+    fmt::print(stderr,
+               "usage: {0} ablation|accuracy SWEEP.toml [BY.toml]\n       {0} areas|estimates SWEEP.toml\n",
                argv[0]);
     return 2;
   }

@@ -35,7 +35,7 @@ def scales_of(record):
 
 
 def scale_of(name, value, scales):
-    last = name.split()[-1]
+    last = name.split()[-1].removesuffix("_error")  # an error has the scale of what it is the error of
     kind = ("force" if last in FORCES else "moment" if last == "Mz" else "creepage" if last in ("xi", "eta")
             else "power" if last == "friction_power" else "pressure" if last == "pmax" else "approach" if last == "approach"
             else "length" if last in ("x", "s", "y", "z", "reference_s", "s_from", "s_to") else None)
@@ -57,6 +57,8 @@ def field_scale(name, old, scales):
     last = name.split("/")[-1]
     if last in ("p_n", "p_x", "p_s", "stress", "von_mises", "largest_shear"):
         return scales["pressure"]
+    if last.endswith("_error"):
+        return scale_of(last, float(np.max(np.abs(old), initial=0.0)), scales)
     if last in ("u_x", "u_s", "u_n", "deformed_distance"):
         return max(scales["approach"], float(np.max(np.abs(old), initial=0.0)))
     if name.startswith("history/") and last in FORCES:

@@ -82,8 +82,14 @@ def run(command, folder):
     return done.returncode, done.stdout, done.stderr
 
 
+def compared(found):
+    """The results of a comparison, by their path in its file."""
+    sets = {"at_equal_forces": "equal_forces", "at_equal_position": "equal_position"}
+    return {f"{path}/{model}": found[key][model] for key, path in sets.items() if found[key] for model in found["models"]}
+
+
 def solve_or_compare(program, folder, scene, arguments):
-    """Records by model, {name: record}, of `solve` (one model) or `compare` (halfspace and fem)."""
+    """Records, {name: record}, of `solve` (one, "") or `compare` (each model at equal forces and at equal position)."""
     with tempfile.TemporaryDirectory() as scratch:
         output = Path(scratch) / "result.h5"
         code, text, messages = run([program, arguments[0], scene, *arguments[1:], "--json", "-o", output], folder)
@@ -91,12 +97,12 @@ def solve_or_compare(program, folder, scene, arguments):
             status = {2: "refused", 3: "not converged", None: "no answer"}.get(code, "died")
             return {"": record(status, words={"message": words_of(messages, folder)})}
         found = json.loads(text)
-        results = {"": found} if arguments[0] == "solve" else {key: found[key] for key in ("halfspace", "fem")}
+        results = {"": found} if arguments[0] == "solve" else compared(found)
         records = {}
         with h5py.File(output) as file:
             top = {name: item[()] for name, item in file.items() if isinstance(item, h5py.Dataset)}
             for name, result in results.items():
-                records[name] = json_record(result, fields_of(file[result["model"]]) | top)
+                records[name] = json_record(result, fields_of(file[name or result["model"]]) | top)
                 records[name]["words"]["message"] = words_of(messages, folder)
                 records[name]["numbers"]["exit code"] = code
     return records

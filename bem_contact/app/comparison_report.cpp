@@ -1,0 +1,276 @@
+#include "bem_contact/app/comparison_report.hpp"
+
+#include "bem_contact/app/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+namespace bem_contact::app {
+
+namespace {
+
+using nlohmann::json;
+
+/// sum mu p_n dS, N.
+double friction_force(const SceneResult& r) {
+  double sum = 0;
+  for (int i = 0; i < r.problem.grid.size() && r.problem.has_friction(); ++i)
+    sum += r.problem.friction_of(i / r.problem.grid.mx) * r.result.pn[i] * r.problem.element_area();
+  return sum;
+}
+
+/// What a difference is divided by, and how it is printed.
+enum class Scale { own, resultant, friction, friction_moment, plain };
+
+double scale_of(Scale scale, double own, const SceneResult& r) {
+  switch (scale) {
+  case Scale::own:
+    return std::abs(own);
+  case Scale::resultant:
+    return std::hypot(r.result.Fy, r.result.Fz);
+  case Scale::friction:
+    return friction_force(r);
+  case Scale::friction_moment:
+    return friction_force(r) * std::sqrt(contact_area(r.result) / std::numbers::pi);
+  case Scale::plain:
+    break;
+  }
+  return 1;
+}
+
+/// One line of a table.
+struct Quantity {
+  const char *name, *unit;
+  std::string_view key; ///< in JSON
+  Scale scale;
+  std::optional<double> (*get)(const SceneResult&);
+};
+
+double share_in_adhesion(const SceneResult& r) {
+  const ElementCounts count = count_elements(r.result);
+  return count.contact > 0 ? double(count.adhesion) / count.contact : 0.0;
+}
+
+using Value = std::optional<double>;
+constexpr std::string_view approach_key = "approach";
+constexpr Quantity quantities[] = {
+    {"pmax", "MPa", "pmax", Scale::own,
+     [](const SceneResult& r) -> Value { return largest_pressure(r.result); }},
+    {"area", "mm2", "area", Scale::own, [](const SceneResult& r) -> Value { return contact_area(r.result); }},
+    {"approach", "mm", approach_key, Scale::own,
+     [](const SceneResult& r) -> Value { return r.result.approach; }},
+    {"Fx", "N", "Fx", Scale::friction,
+     [](const SceneResult& r) -> Value {
+       return r.problem.has_friction() ? Value(r.result.Fx) : std::nullopt;
+     }},
+    {"Fy", "N", "Fy", Scale::resultant, [](const SceneResult& r) -> Value { return r.result.Fy; }},
+    {"Fz", "N", "Fz", Scale::resultant, [](const SceneResult& r) -> Value { return r.result.Fz; }},
+    {"Mz", "N mm", "Mz", Scale::friction_moment,
+     [](const SceneResult& r) -> Value { return r.problem.has_friction() ? Value(r.moment) : std::nullopt; }},
+    {"friction power", "N", "friction_power", Scale::own,
+     [](const SceneResult& r) -> Value {
+       return r.problem.has_friction() ? Value(friction_power(r.result, r.problem.element_area()))
+                                       : std::nullopt;
+     }},
+    {"adhesion", "share", "adhesion", Scale::plain,
+     [](const SceneResult& r) -> Value {
+       return r.problem.has_friction() ? Value(share_in_adhesion(r)) : std::nullopt;
+     }},
+    {"free rolling", "xi", "xi_free_rolling", Scale::plain,
+     [](const SceneResult& r) -> Value { return r.free_rolling ? Value(r.free_rolling->xi) : std::nullopt; }},
+    {"rolling radius", "mm", "rolling_radius_mm", Scale::plain,
+     [](const SceneResult& r) -> Value {
+       return r.free_rolling ? Value(r.free_rolling->rolling_radius) : std::nullopt;
+     }},
+    {"lateral", "mm", "lateral_mm", Scale::plain, [](const SceneResult& r) -> Value { return r.lateral; }},
+};
+
+/// What the reference is beyond the model; nothing where it would be of zero.
+Value difference(const Quantity& q, const SceneResult& model, const SceneResult& reference) {
+  const Value a = q.get(model), b = q.get(reference);
+  // Approaches that are relative to different places are not the same quantity.
+  const bool same_datum = q.key != approach_key || model.approach_datum == reference.approach_datum;
+  if (!a || !b || !same_datum)
+    return std::nullopt;
+  const double scale = scale_of(q.scale, *a, model);
+  return scale > 0 ? Value((*b - *a) / scale) : std::nullopt;
+}
+
+/// `rounding`: what is smaller is zero.
+std::string text_of(Value value, double rounding) {
+  if (!value)
+    return "-";
+  const double size = std::abs(*value);
+  return size <= rounding  ? "0"
+         : size >= 99999.5 ? fmt::format("{:.0f}", *value)
+         : size >= 10      ? fmt::format("{:.2f}", *value)
+                           : fmt::format("{:.5g}", *value);
+}
+
+std::string difference_text(const Quantity& q, Value difference) {
+  return !difference                    ? "-"
+         : q.scale == Scale::plain      ? fmt::format("{:+.3g}", *difference)
+         : std::abs(*difference) < 5e-5 ? "0.00 %"
+                                        : fmt::format("{:+.2f} %", 100 * *difference);
+}
+
+/// 1. Forces below this share of their scale are what the solvers leave of zero: the certificate's tolerance.
+constexpr double rounding = 1e-6;
+
+constexpr std::size_t label_width = 22, column_width = 14;
+
+std::string cell(const std::string& text) {
+  return fmt::format(" {:>{}}", text, column_width);
+}
+
+std::string line(const std::string& name, const std::string& unit) {
+  return fmt::format("{:<{}}", unit.empty() ? name : fmt::format("{:<15}{}", name, unit), label_width);
+}
+
+std::string title_of(Model model) {
+  switch (model) {
+  case Model::hertz:
+    return "Hertz";
+  case Model::halfspace:
+    return "half-space";
+  case Model::tangent_plane:
+    return "tangent plane";
+  case Model::fem:
+    break;
+  }
+  return "FEM";
+}
+
+std::string discretisation_text(const SceneResult& r) {
+  const double estimate = r.result.certificate.discretisation;
+  return estimate < 0 ? "-" : fmt::format("{:.2f} %", 100 * estimate);
+}
+
+/// A column for each model, then one for each difference.
+std::string table(const Comparison& c, const std::vector<SceneResult>& results) {
+  const SceneResult& reference = results[c.reference];
+  std::string out(label_width, ' ');
+  for (const Model model : c.models)
+    out += cell(title_of(model));
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (i != c.reference)
+      out += cell(results.size() == 2 ? "difference" : "to " + title_of(c.models[i]));
+  out += '\n';
+  for (const Quantity& q : quantities) {
+    if (std::ranges::none_of(results, [&](const SceneResult& r) { return q.get(r).has_value(); }))
+      continue;
+    out += line(q.name, q.unit);
+    for (const SceneResult& r : results)
+      out += cell(text_of(q.get(r), q.scale == Scale::plain || q.scale == Scale::own
+                                        ? 0
+                                        : rounding * scale_of(q.scale, 0, r)));
+    for (std::size_t i = 0; i < results.size(); ++i)
+      if (i != c.reference)
+        out += cell(difference_text(q, difference(q, results[i], reference)));
+    out += '\n';
+  }
+  const auto add = [&](const char* name, const char* unit, const auto& of) {
+    out += line(name, unit);
+    for (const SceneResult& r : results)
+      out += cell(of(r));
+    out += '\n';
+  };
+  add("patches", "", [](const SceneResult& r) { return fmt::format("{}", r.result.patches.size()); });
+  add("certificate", "worst",
+      [](const SceneResult& r) { return fmt::format("{:.1e}", r.result.certificate.worst()); });
+  add("discretisation (est.)", "", discretisation_text);
+  add("seconds", "", [](const SceneResult& r) { return fmt::format("{:.2f}", r.seconds.total); });
+  return out;
+}
+
+std::string forces_title(const Comparison& c) {
+  const SceneResult& r = c.at_forces[c.reference];
+  const bool patch = c.at_position.empty();
+  return patch ? fmt::format("At equal normal force, {:.6g} N:\n", r.result.Fz)
+               : fmt::format("At equal forces on the rail, {}Fy {:.6g} N, Fz {:.6g} N:\n",
+                             r.problem.force_x ? fmt::format("Fx {:.6g} N, ", *r.problem.force_x) : "",
+                             r.result.Fy, r.result.Fz);
+}
+
+std::string creep_text(const Comparison& c) {
+  std::string out =
+      "\nFx at equal creepage beyond free rolling, each model at its place of the table above:\n";
+  for (const CreepForces& forces : c.creep_forces) {
+    out += line(fmt::format("{:+.1e}", forces.creepage), "N");
+    for (const double fx : forces.Fx)
+      out += cell(text_of(fx, 0));
+    const double scale = friction_force(c.at_forces[c.reference]);
+    for (std::size_t i = 0; i < forces.Fx.size(); ++i)
+      if (i != c.reference)
+        out += cell(fmt::format("{:+.2f} %", 100 * (forces.Fx[c.reference] - forces.Fx[i]) / scale));
+    out += '\n';
+  }
+  return out;
+}
+
+json set_json(const Comparison& c, const std::vector<SceneResult>& results) {
+  if (results.empty())
+    return nullptr;
+  json set = json::object(), differences = json::object();
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const std::string name(name_of(c.models[i]));
+    set[name] = to_json(results[i]);
+    if (i == c.reference)
+      continue;
+    for (const Quantity& q : quantities) {
+      const Value d = difference(q, results[i], results[c.reference]);
+      differences[name][std::string(q.key)] = d ? json(*d) : json(nullptr);
+    }
+  }
+  set["difference"] = differences;
+  return set;
+}
+
+} // namespace
+
+json to_json(const Comparison& c) {
+  json models = json::array(), creep = json::array();
+  for (const Model model : c.models)
+    models.push_back(name_of(model));
+  for (const CreepForces& forces : c.creep_forces) {
+    json fx = json::object();
+    for (std::size_t i = 0; i < c.models.size(); ++i)
+      fx[std::string(name_of(c.models[i]))] = forces.Fx[i];
+    creep.push_back({{"xi_from_free_rolling", forces.creepage}, {"Fx", fx}});
+  }
+  return {{"models", models},
+          {"reference", name_of(c.models[c.reference])},
+          {"at_equal_forces", set_json(c, c.at_forces)},
+          {"creep_forces", creep},
+          {"at_equal_position", set_json(c, c.at_position)}};
+}
+
+std::string to_text(const Comparison& c) {
+  const bool one_set = c.at_forces.empty() || c.at_position.empty();
+  const SceneResult& shown = c.leading()[c.reference];
+  const ContactGrid& grid = shown.problem.grid;
+  std::string out = reference_text(shown);
+  out += fmt::format("elements of {:g} x {:g} mm; differences: {} less the other, of Fx over the sum of mu "
+                     "p_n dS, of Fy and "
+                     "Fz over their resultant\n\n",
+                     grid.dx, grid.ds, title_of(c.models[c.reference]));
+  if (!c.at_forces.empty())
+    out += forces_title(c) + table(c, c.at_forces);
+  if (!c.creep_forces.empty())
+    out += creep_text(c);
+  if (!c.at_position.empty())
+    out += fmt::format("{}At equal position, {}Fz {:.6g} N:\n", one_set ? "" : "\n",
+                       one_set ? ""
+                               : fmt::format("lateral displacement {:g} mm, ",
+                                             c.at_position[c.reference].lateral.value_or(0)),
+                       c.at_position[c.reference].result.Fz) +
+           table(c, c.at_position);
+  return out;
+}
+
+} // namespace bem_contact::app

@@ -1,0 +1,162 @@
+#include "bem_contact/app/profile_command.hpp"
+
+#include "bem_contact/app/settings.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <numbers>
+#include <ostream>
+
+namespace bem_contact::app {
+
+namespace {
+
+constexpr const char* profile_help =
+    R"(The file is read as a scene would read it; warnings say what was repaired. Options are the keys of [rail] and
+[wheel] in a scene. Example, with a worn wheel of this project:
+    bem_contact profile data/bodies/hollow_wheel.txt --kind wheel
+You should see 307 points, 0.5 mm apart, a noise of 0.05 um, which needs no smoothing, and the mean radius of every
+5 mm of the profile: -13.2 mm (concave) at the root of the flange, 20.0 mm (convex) on its face.
+
+To draw profile and curvature, with the standard beside it:
+    tools/plot_profile data/bodies/hollow_wheel.txt --kind wheel --standard S1002 -o profile.png)";
+
+struct ProfileArguments {
+  std::string name, kind, unit = "found", profile_z = "as stated", csv;
+  ProfileReading reading;
+  double flange_back = 0, step = profile_csv_step;
+};
+
+template <NamedEnum E> E choice(const std::string& name) {
+  const auto& names = EnumNames<E>::names;
+  return static_cast<E>(std::ranges::find(names, name) - names.begin());
+}
+
+template <NamedEnum E> std::vector<std::string> choices() {
+  return {EnumNames<E>::names.begin(), EnumNames<E>::names.end()};
+}
+
+MeasuredProfile read(const ProfileArguments& arguments, ProfileKind kind) {
+  const auto [file, part] = profile_file_name(arguments.name);
+  if (is_standard_profile(arguments.name) || file.extension() == ".toml" || !std::filesystem::exists(file))
+    return {.curve = named_profile(arguments.name, kind), .noise = {}}; // it says what is wrong with a name
+  return measured_profile(file, kind, arguments.reading, part);
+}
+
+ExitCode run(ProfileArguments arguments, bool flange_back_given) {
+  arguments.reading.unit = choice<ProfileUnit>(arguments.unit);
+  arguments.reading.profile_z = choice<ProfileZ>(arguments.profile_z);
+  if (flange_back_given)
+    arguments.reading.flange_back = arguments.flange_back;
+  refuse_overwriting(arguments.csv, std::array{profile_file_name(arguments.name).file});
+  const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
+  const MeasuredProfile profile = read(arguments, kind);
+  if (!arguments.csv.empty())
+    write_whole(arguments.csv, [&](std::ostream& out) { out << profile_csv(profile.curve, arguments.step); });
+  fmt::print("{}", describe_profile(profile, kind));
+  return success;
+}
+
+std::string radius_text(double turn, double length) {
+  const double radius = length / turn;
+  return std::abs(radius) < straight_radius ? fmt::format("{:9.1f}", radius)
+                                            : fmt::format("{:>9}", "straight");
+}
+
+} // namespace
+
+ProfileKind kind_of_profile(const std::string& name, const std::string& kind) {
+  std::string ending = profile_file_name(name).file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const auto is = [&](std::initializer_list<const char*> endings) {
+    return std::ranges::find(endings, ending) != endings.end();
+  };
+  if (kind == "wheel" || (kind.empty() && (name == "S1002" || is({".prw", ".whl", ".whe"}))))
+    return ProfileKind::wheel;
+  if (kind == "rail" || (kind.empty() && (is_standard_profile(name) || is({".prr", ".ban", ".rai"}))))
+    return ProfileKind::rail;
+  throw InputError(fmt::format("'{}' is the profile of a rail or of a wheel", name),
+                   "neither its name nor its ending says which", "Say --kind rail or --kind wheel.");
+}
+
+std::string describe_profile(const MeasuredProfile& p, ProfileKind kind) {
+  const ProfileCurve& curve = p.curve;
+  constexpr double degree = std::numbers::pi / 180;
+  const double length = curve.s_end() - curve.s_begin();
+  std::string out = fmt::format("Profile of a {}: {}\n", name_of(kind), curve.name());
+  if (p.points > 0) {
+    out += fmt::format("  points: {}, {:.3g} mm apart in the median\n", p.points, p.noise.spacing);
+    out += fmt::format(
+        "  noise: {:.2f} um; a curve through all points has pressures off by some {:.0f} MPa (steel); "
+        "{}\n",
+        1e3 * p.noise.scatter, p.noise.pressure,
+        p.noise.smoothing > 0 ? fmt::format("smoothing = {:.2g} advised", p.noise.smoothing)
+                              : std::string("no smoothing needed"));
+  }
+  if (p.smoothing > 0)
+    out += fmt::format(
+        "  smoothed: waves shorter than {:g} mm removed, {:.2f} um root mean square, {:.2f} um at "
+        "most\n",
+        p.smoothing, 1e3 * p.removed_rms, 1e3 * p.removed_most);
+  out +=
+      fmt::format("  length: {:.2f} mm, s = {:.2f} .. {:.2f} mm\n", length, curve.s_begin(), curve.s_end());
+  out += "  radii: mean over each stretch, > 0 convex, < 0 concave\n";
+  out += "      from s       to s          y          z   inclination    radius\n";
+  out += "          mm         mm         mm         mm       degrees        mm\n";
+  const int stretches = std::max(1, static_cast<int>(std::ceil(length / radius_stretch)));
+  for (int i = 0; i < stretches; ++i) {
+    const CurvePoint a = curve.at(curve.s_begin() + length * i / stretches),
+                     b = curve.at(curve.s_begin() + length * (i + 1) / stretches),
+                     m = curve.at((a.s + b.s) / 2);
+    out += fmt::format("  {:10.2f} {:10.2f} {:10.2f} {:10.2f} {:13.2f} {}\n", a.s, b.s, m.position.y,
+                       m.position.z, m.delta / degree - (kind == ProfileKind::wheel ? 180 : 0),
+                       radius_text(b.delta - a.delta, b.s - a.s));
+  }
+  return out;
+}
+
+std::string profile_csv(const ProfileCurve& curve, double step) {
+  std::string out = "s_mm,y_mm,z_mm,inclination_rad,curvature_per_mm\n";
+  const double length = curve.s_end() - curve.s_begin();
+  const int steps = std::max(1, static_cast<int>(std::ceil(length / step)));
+  for (int i = 0; i <= steps; ++i) {
+    const CurvePoint p = curve.at(curve.s_begin() + length * i / steps);
+    out += fmt::format("{:.6f},{:.6f},{:.6f},{:.8f},{:.8g}\n", p.s, p.position.y, p.position.z, p.delta,
+                       p.curvature);
+  }
+  return out;
+}
+
+Command add_profile(CLI::App& program) {
+  const auto arguments = std::make_shared<ProfileArguments>();
+  CLI::App* line =
+      program.add_subcommand("profile", "Describe a profile file: noise, radii, what was repaired");
+  line->add_option("file", arguments->name, "Profile file, standard or body file")->required();
+  line->add_option("--kind", arguments->kind, "rail or wheel, where the file's ending does not say it")
+      ->check(CLI::IsMember({"rail", "wheel"}));
+  line->add_option("--smoothing", arguments->reading.smoothing, "Shortest wavelength kept, mm")
+      ->check(CLI::Range(0.0, 50.0));
+  line->add_option("--unit", arguments->unit, "Unit of the file")
+      ->check(CLI::IsMember(choices<ProfileUnit>()));
+  line->add_option("--profile-z", arguments->profile_z, "Where z of the file points")
+      ->check(CLI::IsMember(choices<ProfileZ>()));
+  line->add_flag("--mirror", arguments->reading.mirror, "y of the file points the other way");
+  const CLI::Option* back =
+      line->add_option("--flange-back", arguments->flange_back, "y of the flange's back in the file, mm");
+  line->add_flag("--keep-origin", arguments->reading.keep_origin, "As with place = \"absolute\" in a scene");
+  line->add_option("--csv", arguments->csv, "Write arc length, y, z, inclination and curvature to this file");
+  line->add_option("--step", arguments->step, "Step of that table at most, mm")
+      ->check(CLI::Range(1e-3, 100.0));
+  line->footer(profile_help);
+  return {line, [arguments, back] { return run(*arguments, back->count() > 0); }};
+}
+
+} // namespace bem_contact::app

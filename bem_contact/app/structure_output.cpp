@@ -1,0 +1,94 @@
+#include "bem_contact/app/structure_output.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace bem_contact::app {
+
+namespace {
+
+using nlohmann::json;
+
+json body_json(const std::optional<BodyMotion>& body) {
+  if (!body)
+    return nullptr;
+  return {{"before", {{"y", body->before.y}, {"z", body->before.z}}},
+          {"after", {{"y", body->after.y}, {"z", body->after.z}}},
+          {"force", body->force},
+          {"motion", body->motion},
+          {"compliance", body->compliance},
+          {"stiffness", body->stiffness ? json(*body->stiffness) : json(nullptr)}};
+}
+
+std::string body_text(const char* name, const std::optional<BodyMotion>& body) {
+  if (!body)
+    return "";
+  const SixNumbers& m = body->motion;
+  return fmt::format(
+      "structure of the {}: point y {:.4f}, z {:.4f} mm moves by x {:+.4f}, y {:+.4f}, z {:+.4f} "
+      "mm and turns by {:+.3e}, {:+.3e}, {:+.3e} rad about x, y, z\n",
+      name, body->before.y, body->before.z, m[0], m[1], m[2], m[3], m[4], m[5]);
+}
+
+H5Dataset six_by_six(const SixBySix& matrix, const char* description) {
+  H5Dataset out{{6, 6}, {}, "mm, N, rad", description};
+  for (const SixNumbers& row : matrix)
+    out.values.insert(out.values.end(), row.begin(), row.end());
+  return out;
+}
+
+void add_body(H5Table& table, const std::string& group, const BodyMotion& body) {
+  const auto six = [&](const char* name, const SixNumbers& v, const char* unit, const char* description) {
+    table.datasets[group + name] = {{6}, {v.begin(), v.end()}, unit, description};
+  };
+  const auto place = [&](const char* name, Point2 p, const char* description) {
+    table.datasets[group + name] = {{2}, {p.y, p.z}, "mm", description};
+  };
+  place("before", body.before, "point of the body where the scene puts it: y, z");
+  place("after", body.after, "the same point where the contact was solved: y, z");
+  six("force", body.force, "N, N mm", "of the contact on the body, along and about x, y, z at `after`");
+  six("motion", body.motion, "mm, rad", "compliance times force: along and about x, y, z");
+  table.datasets[group + "compliance"] =
+      six_by_six(body.compliance, "motion under each unit force or moment");
+  if (body.stiffness)
+    table.datasets[group + "stiffness"] = six_by_six(*body.stiffness, "inverse of compliance");
+}
+
+} // namespace
+
+json structure_json(const std::optional<StructuralResult>& structure) {
+  if (!structure)
+    return nullptr;
+  return {{"rail", body_json(structure->rail)},
+          {"wheel", body_json(structure->wheel)},
+          {"placed", structure->placed},
+          {"solutions", structure->solutions},
+          {"last_change", structure->change},
+          {"lowered", structure->lowered},
+          {"axes", {"x", "y", "z", "about x", "about y", "about z"}}};
+}
+
+std::string structure_text(const std::optional<StructuralResult>& structure) {
+  if (!structure)
+    return "";
+  const std::string bodies = body_text("rail", structure->rail) + body_text("wheel", structure->wheel);
+  return bodies +
+         (structure->placed
+              ? fmt::format("the bodies stand where their structures' motion takes them, to {:.1e} mm "
+                            "after {} solutions\n",
+                            structure->change, structure->solutions)
+              : "the geometry is that of the bodies before this motion\n");
+}
+
+void add_structure(H5Table& table, const std::string& group, const StructuralResult& structure) {
+  if (structure.rail)
+    add_body(table, group + "rail/", *structure.rail);
+  if (structure.wheel)
+    add_body(table, group + "wheel/", *structure.wheel);
+  table.attributes[group + "placed"] = structure.placed ? 1.0 : 0.0;
+  table.attributes[group + "solutions"] = double(structure.solutions);
+  table.attributes[group + "last_change_mm"] = structure.change;
+  table.attributes[group + "lowered_mm"] = structure.lowered;
+}
+
+} // namespace bem_contact::app

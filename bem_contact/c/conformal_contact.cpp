@@ -1,0 +1,268 @@
+#include "bem_contact/c/conformal_contact.h"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/provenance.hpp"
+#include "bem_contact/c/result_values.hpp"
+#include "bem_contact/contact/work.hpp"
+#include "bem_contact/scene/scene_reader.hpp"
+#include "bem_contact/sequence/sequence.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <fmt/format.h>
+#include <optional>
+#include <string>
+#include <vector>
+
+using namespace bem_contact;
+
+/// What a handle points to.
+struct conformal_contact {
+  explicit conformal_contact(SceneReader scene) : reader(std::move(scene)) {}
+
+  SceneReader reader;
+  Sequence sequence;
+  std::vector<std::string> keys; ///< by index
+  std::optional<SceneResult> result;
+  std::atomic<bool> stop = false;
+  std::string message;
+};
+
+namespace {
+
+/// Calls `action`, which returns a code. Nothing is thrown beyond here: exceptions become codes, and their
+/// text the message.
+template <class Action> int guarded(std::string& message, const Action& action) noexcept {
+  try {
+    message.clear();
+    return action();
+  } catch (const Stopped& error) {
+    message = error.what();
+    return CONFORMAL_STOPPED;
+  } catch (const ConvergenceError& error) {
+    message = error.what();
+    return CONFORMAL_NOT_CONVERGED;
+  } catch (const Error& error) {
+    message = error.what();
+    return CONFORMAL_WRONG_INPUT;
+  } catch (const std::exception& error) {
+    message.assign(error.what(), std::min<std::size_t>(std::strlen(error.what()), 200));
+    return CONFORMAL_UNFORESEEN;
+  } catch (...) {
+    return CONFORMAL_UNFORESEEN;
+  }
+}
+
+template <class Action> int with(conformal_contact* handle, const Action& action) noexcept {
+  return handle ? guarded(handle->message, action) : CONFORMAL_WRONG_INPUT;
+}
+
+void require(bool given, const char* what) {
+  if (!given)
+    throw InputError(std::string(what) + " is missing", "a null pointer was given", "Give its address.");
+}
+
+const std::string& key_of(const conformal_contact* handle, int key) {
+  if (key < 0 || key >= static_cast<int>(handle->keys.size()))
+    throw InputError(fmt::format("There is no key with the index {}", key),
+                     fmt::format("this handle has given out {}", handle->keys.size()),
+                     "Ask conformal_key() for it, with the same handle.");
+  return handle->keys[static_cast<std::size_t>(key)];
+}
+
+const SceneResult& result_of(const conformal_contact* handle) {
+  if (!handle->result)
+    throw InputError("There is no result", "nothing was solved, or the last solution failed",
+                     "Call conformal_solve(), and look at what it returns.");
+  return *handle->result;
+}
+
+/// `text` as far as there is room.
+void copy_text(const std::string& text, char* to, int size) {
+  if (!to || size <= 0)
+    return;
+  const std::size_t length = std::min(text.size(), static_cast<std::size_t>(size) - 1);
+  std::memcpy(to, text.data(), length);
+  to[length] = '\0';
+}
+
+template <class Open>
+int open(conformal_contact** handle, char* message, int size, const Open& open_scene) noexcept {
+  std::string text;
+  const int code = guarded(text, [&] {
+    require(handle, "the handle");
+    *handle = nullptr;
+    *handle = new conformal_contact(open_scene());
+    return CONFORMAL_OK;
+  });
+  copy_text(text, message, size);
+  return code;
+}
+
+/// Like the program's: no certificate, no success.
+int solve(conformal_contact* handle) {
+  handle->stop = false;
+  handle->result.reset();
+  handle->result = handle->sequence.solve(handle->reader.scene(), &handle->stop);
+  const ContactResult& last = handle->result->result;
+  if (last.certificate.holds() && std::ranges::all_of(handle->result->history, &ContactResult::converged))
+    return CONFORMAL_OK;
+  handle->message =
+      fmt::format("The result is not a solution (its worst violation is {:.1e}, {:.0e} is allowed; {}) "
+                  "Coarsen the grid, lower solver.tolerance, or raise solver.max_outer.",
+                  last.certificate.worst(), last.certificate.tolerance, last.remark);
+  return CONFORMAL_NOT_CONVERGED;
+}
+
+} // namespace
+
+extern "C" {
+
+const char* conformal_version(void) {
+  return version().data(); // a literal
+}
+
+int conformal_open_file(const char* scene_file, conformal_contact** handle, char* message, int size) {
+  return open(handle, message, size, [&] {
+    require(scene_file, "the name of the scene file");
+    return SceneReader(read_text_file(scene_file, "scene file"), scene_file,
+                       std::filesystem::absolute(scene_file).parent_path());
+  });
+}
+
+int conformal_open_text(const char* toml, const char* folder, conformal_contact** handle, char* message,
+                        int size) {
+  return open(handle, message, size, [&] {
+    require(toml, "the text of the scene");
+    return SceneReader(toml, "text", std::filesystem::absolute(folder && *folder ? folder : "."));
+  });
+}
+
+void conformal_close(conformal_contact* handle) {
+  delete handle;
+}
+
+const char* conformal_message(const conformal_contact* handle) {
+  return handle ? handle->message.c_str()
+                : "there is no handle (a null pointer was given) Open a scene first.";
+}
+
+int conformal_key(conformal_contact* handle, const char* name, int* key) {
+  return with(handle, [&] {
+    require(name && key, "the name or the index");
+    handle->reader.require_key(name);
+    const auto known = std::ranges::find(handle->keys, name);
+    *key = static_cast<int>(known - handle->keys.begin());
+    if (known == handle->keys.end())
+      handle->keys.emplace_back(name);
+    return CONFORMAL_OK;
+  });
+}
+
+int conformal_set_number(conformal_contact* handle, int key, double value) {
+  return with(handle, [&] {
+    handle->reader.set_number(key_of(handle, key), value);
+    return CONFORMAL_OK;
+  });
+}
+
+int conformal_set_numbers(conformal_contact* handle, int key, const double* values, int count) {
+  return with(handle, [&] {
+    require(count == 0 || values, "the list");
+    if (count < 0)
+      throw InputError("There is no such list", fmt::format("it has {} numbers", count), "Give at least 0.");
+    handle->reader.set({key_of(handle, key), std::vector<double>(values, values + count)});
+    return CONFORMAL_OK;
+  });
+}
+
+int conformal_set_text(conformal_contact* handle, int key, const char* value) {
+  return with(handle, [&] {
+    require(value, "the text");
+    handle->reader.set({key_of(handle, key), std::string(value)});
+    return CONFORMAL_OK;
+  });
+}
+
+int conformal_solve(conformal_contact* handle) {
+  return with(handle, [&] { return solve(handle); });
+}
+
+int conformal_stop(conformal_contact* handle) {
+  if (!handle)
+    return CONFORMAL_WRONG_INPUT;
+  handle->stop = true; // nothing else: the message belongs to the thread that solves
+  return CONFORMAL_OK;
+}
+
+int conformal_totals(conformal_contact* handle, double* totals, int count) {
+  return with(handle, [&] {
+    require(totals, "the array");
+    copy_first(totals_of(result_of(handle)), totals, count);
+    return CONFORMAL_OK;
+  });
+}
+
+int conformal_patch_count(conformal_contact* handle, int* count) {
+  return with(handle, [&] {
+    require(count, "the count");
+    *count = static_cast<int>(result_of(handle).result.patches.size());
+    return CONFORMAL_OK;
+  });
+}
+
+int conformal_patch(conformal_contact* handle, int index, double* values, int count) {
+  return with(handle, [&] {
+    require(values, "the array");
+    const std::vector<PatchSummary>& patches = result_of(handle).result.patches;
+    if (index < 0 || index >= static_cast<int>(patches.size()))
+      throw InputError(fmt::format("There is no patch {}", index),
+                       fmt::format("there are {}", patches.size()),
+                       "Count them with conformal_patch_count(); the first is 0.");
+    copy_first(values_of(patches[static_cast<std::size_t>(index)]), values, count);
+    return CONFORMAL_OK;
+  });
+}
+
+int conformal_grid(conformal_contact* handle, int* mx, int* ms) {
+  return with(handle, [&] {
+    require(mx && ms, "mx or ms");
+    const ContactGrid& grid = result_of(handle).problem.grid;
+    *mx = grid.mx;
+    *ms = grid.ms;
+    return CONFORMAL_OK;
+  });
+}
+
+int conformal_array(conformal_contact* handle, int which, double* values, int count) {
+  return with(handle, [&] {
+    require(values, "the array");
+    copy_array(result_of(handle), which, {values, static_cast<std::size_t>(std::max(count, 0))});
+    return CONFORMAL_OK;
+  });
+}
+
+int conformal_warning_count(conformal_contact* handle, int* count) {
+  return with(handle, [&] {
+    require(count, "the count");
+    *count = static_cast<int>(result_of(handle).warnings.size());
+    return CONFORMAL_OK;
+  });
+}
+
+int conformal_warning(conformal_contact* handle, int index, const char** text) {
+  return with(handle, [&] {
+    require(text, "the text");
+    const std::vector<std::string>& warnings = result_of(handle).warnings;
+    if (index < 0 || index >= static_cast<int>(warnings.size()))
+      throw InputError(fmt::format("There is no warning {}", index),
+                       fmt::format("there are {}", warnings.size()),
+                       "Count them with conformal_warning_count(); the first is 0.");
+    *text = warnings[static_cast<std::size_t>(index)].c_str();
+    return CONFORMAL_OK;
+  });
+}
+
+} // extern "C"

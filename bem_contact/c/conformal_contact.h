@@ -1,0 +1,137 @@
+/*
+ * Conformal wheel-rail contact for programs in C, Fortran, Matlab and whatever else can call C.
+ *
+ *     conformal_contact *contact;
+ *     char message[1000];
+ *     double totals[CONFORMAL_TOTALS];
+ *     int lateral;
+ *     if (conformal_open_file("scene.toml", &contact, message, sizeof message) != CONFORMAL_OK) ...
+ *     conformal_key(contact, "position.lateral", &lateral);       once
+ *     for (...) {                                                 each time step
+ *       conformal_set_number(contact, lateral, 6.6);
+ *       if (conformal_solve(contact) != CONFORMAL_OK) puts(conformal_message(contact));
+ *       conformal_totals(contact, totals, CONFORMAL_TOTALS);      totals[CONFORMAL_FX] is in N
+ *     }
+ *     conformal_close(contact);
+ *
+ * Units mm, N, MPa, rad. Forces act on the rail; x is the rolling direction, y points to the right, z down;
+ * on the surface s is the arc length along the rail and n points into the rail. data/scenes/README.md lists
+ * the keys.
+ *
+ * Every function but the first three returns one of the codes below, and conformal_message() then says what
+ * is wrong, why, and what to do. No exception leaves a function, and none prints or ends the program. A
+ * handle is for one thread at a time; many handles may be used side by side. Only conformal_stop() may be
+ * called while another thread solves. A case starts from the tractions of the case before on the same handle,
+ * so that small changes are solved faster than new cases.
+ */
+#ifndef CONFORMAL_CONTACT_H
+#define CONFORMAL_CONTACT_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct conformal_contact conformal_contact;
+
+/* What functions return. */
+#define CONFORMAL_OK 0            /* solved, and the certificate holds */
+#define CONFORMAL_UNFORESEEN 1    /* an error of this library, or no memory */
+#define CONFORMAL_WRONG_INPUT 2   /* the scene, a value, an index or a size is wrong */
+#define CONFORMAL_NOT_CONVERGED 3 /* there is no certified result */
+#define CONFORMAL_STOPPED 4       /* conformal_stop() was called */
+
+/* "major.minor.patch" */
+const char* conformal_version(void);
+
+/* Reads a scene; relative paths start in its folder. `message` (may be a null pointer) gets at most `size`
+ * characters with the final zero: what is wrong, or "". *handle is null if the scene cannot be read. */
+int conformal_open_file(const char* scene_file, conformal_contact** handle, char* message, int size);
+/* The same from TOML text; relative paths start in `folder`. */
+int conformal_open_text(const char* toml, const char* folder, conformal_contact** handle, char* message,
+                        int size);
+/* A null pointer is fine. */
+void conformal_close(conformal_contact* handle);
+
+/* What the last function that failed on this handle had to say; "" if the last one did not fail. Valid until
+ * the next call with this handle. */
+const char* conformal_message(const conformal_contact* handle);
+
+/* The index of a key, such as "position.lateral" or "load.force", for the functions below. */
+int conformal_key(conformal_contact* handle, const char* name, int* key);
+/* Give a key another value, as if the scene said so. Flags are 0 and 1. If a function fails, the key keeps
+ * its value. Whether values fit each other is checked by conformal_solve(). */
+int conformal_set_number(conformal_contact* handle, int key, double value);
+int conformal_set_numbers(conformal_contact* handle, int key, const double* values, int count); /* a list */
+int conformal_set_text(conformal_contact* handle, int key, const char* value);
+
+/* Solves the scene as it is now. With CONFORMAL_NOT_CONVERGED there may be a result, which is not certified.
+ */
+int conformal_solve(conformal_contact* handle);
+/* From another thread: conformal_solve() ends soon with CONFORMAL_STOPPED. */
+int conformal_stop(conformal_contact* handle);
+
+/* Totals of the last result, on the rail. */
+#define CONFORMAL_FX 0              /* N */
+#define CONFORMAL_FY 1              /* N, towards the side of this wheel */
+#define CONFORMAL_FZ 2              /* N, down */
+#define CONFORMAL_FS 3              /* N, shear force along the tangent at the reference point */
+#define CONFORMAL_MZ 4              /* N mm, about the vertical through the reference point */
+#define CONFORMAL_APPROACH 5        /* mm */
+#define CONFORMAL_CREEPAGE_X 6      /* found for load.force_x */
+#define CONFORMAL_CREEPAGE_S 7      /* found for load.force_s */
+#define CONFORMAL_PMAX 8            /* MPa */
+#define CONFORMAL_AREA 9            /* mm2 */
+#define CONFORMAL_FRICTION_POWER 10 /* N mm per mm rolled (shift: N mm) */
+#define CONFORMAL_CERTIFICATE 11    /* worst violation of the contact conditions, relative; 1e-6 is allowed */
+#define CONFORMAL_DISCRETISATION 12 /* estimated error of the elements' size, relative; -1: not estimated */
+#define CONFORMAL_TOTALS 13         /* how many there are; later versions append */
+/* Copies the first `count` of them. */
+int conformal_totals(conformal_contact* handle, double* totals, int count);
+
+/* Patches, the one with the largest force first: values of one patch. */
+#define CONFORMAL_PATCH_FN 0       /* N, sum of pressure */
+#define CONFORMAL_PATCH_FX 1       /* N */
+#define CONFORMAL_PATCH_FS 2       /* N */
+#define CONFORMAL_PATCH_APPROACH 3 /* mm */
+#define CONFORMAL_PATCH_PMAX 4     /* MPa */
+#define CONFORMAL_PATCH_AREA 5     /* mm2 */
+#define CONFORMAL_PATCH_X 6        /* mm, centre of pressure */
+#define CONFORMAL_PATCH_S 7        /* mm, the same, arc length along the rail */
+#define CONFORMAL_PATCH_CONTACT 8  /* elements in contact */
+#define CONFORMAL_PATCH_ADHESION 9 /* elements in adhesion */
+#define CONFORMAL_PATCH_SLIP 10    /* elements in slip */
+#define CONFORMAL_PATCH_VALUES 11
+int conformal_patch_count(conformal_contact* handle, int* count);
+int conformal_patch(conformal_contact* handle, int index, double* values, int count);
+
+/* Arrays. Fields have ms rows of mx elements: element (ix, is) is values[is * mx + ix] (in Fortran:
+ * values(mx, ms)). `count` must be exactly mx, ms or mx * ms. */
+#define CONFORMAL_X 0                  /* [mx] mm, middle of the columns */
+#define CONFORMAL_S 1                  /* [ms] mm, arc length along the rail */
+#define CONFORMAL_Y 2                  /* [ms] mm, track frame */
+#define CONFORMAL_Z 3                  /* [ms] mm, track frame */
+#define CONFORMAL_DELTA 4              /* [ms] rad, inclination */
+#define CONFORMAL_P_X 5                /* [ms][mx] MPa, traction on the rail along x */
+#define CONFORMAL_P_S 6                /* [ms][mx] MPa */
+#define CONFORMAL_P_N 7                /* [ms][mx] MPa, pressure */
+#define CONFORMAL_SLIP_X 8             /* [ms][mx] per unit of rolled distance (shift: mm) */
+#define CONFORMAL_SLIP_S 9             /* [ms][mx] */
+#define CONFORMAL_U_X 10               /* [ms][mx] mm, displacement of the wheel less that of the rail */
+#define CONFORMAL_U_S 11               /* [ms][mx] mm */
+#define CONFORMAL_U_N 12               /* [ms][mx] mm */
+#define CONFORMAL_GAP 13               /* [ms][mx] mm, undeformed distance */
+#define CONFORMAL_DEFORMED_DISTANCE 14 /* [ms][mx] mm */
+#define CONFORMAL_STATE 15             /* [ms][mx] 0 exterior, 1 adhesion, 2 slip */
+int conformal_grid(conformal_contact* handle, int* mx, int* ms);
+int conformal_array(conformal_contact* handle, int which, double* values, int count);
+
+/* Warnings of the last result: input that could be solved and is probably a mistake. */
+int conformal_warning_count(conformal_contact* handle, int* count);
+/* *text is valid until the next conformal_solve(). */
+int conformal_warning(conformal_contact* handle, int index, const char** text);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

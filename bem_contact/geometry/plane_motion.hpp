@@ -1,0 +1,66 @@
+#pragma once
+
+#include "bem_contact/geometry/placement.hpp"
+
+namespace bem_contact {
+
+/// A rigid motion in the plane of the sections: a body is turned by `angle` about one of its points, and that
+/// point is moved.
+struct PlaneMotion {
+  Point2 about;     ///< the point, where it was, mm, track frame
+  Point2 by;        ///< how far it moves, mm
+  double angle = 0; ///< rad, y towards z (about +x)
+
+  Point2 of(Point2 p) const { return Pose{about + by, angle}.to_track(p - about); }
+  /// Where a point that has moved to p was.
+  Point2 before(Point2 p) const { return about + Pose{about + by, angle}.to_section(p); }
+  Pose of(const Pose& pose) const { return {of(pose.origin), pose.angle + angle}; }
+  /// How far p moves, to first order in the angle.
+  Point2 displacement(Point2 p) const {
+    const Point2 arm = p - about;
+    return by + angle * Point2{-arm.z, arm.y};
+  }
+};
+
+/// Where the bodies of a wheel on a rail go when their structures give way, seen from where the scene puts
+/// them. The wheel's axle stays: its rim moves against it.
+struct StructuralPlacement {
+  PlaneMotion rail, wheel;
+  /// After that the wheel is lowered by this much until it touches again, mm.
+  double lowered = 0;
+  /// What influence numbers with structural compliance make of these motions, each in its body's section. The
+  /// displacements that they give already stand in the bodies' new places.
+  PlaneMotion rail_in_numbers, wheel_in_numbers;
+};
+
+/// By how much a motion within its section moves a point of a body's surface along its own tangent and into
+/// the body, mm: y and z of what is returned.
+inline Point2 own_displacement(const PlaneMotion& motion, const CurvePoint& at) {
+  const Point2 v = motion.displacement(at.position);
+  return {dot(v, tangent_of(at.delta)), dot(v, normal_of(at.delta))};
+}
+
+/// By how much these displacements move the rail's surface against the wheel's along s and n, mm, at opposite
+/// points of the two profiles: y and z of what is returned. The wheel's own s and n are opposite to the
+/// rail's.
+inline Point2 counted_twice(const WheelOnRail& pair, const StructuralPlacement& by, double rail_s,
+                            double wheel_s) {
+  return own_displacement(by.rail_in_numbers, pair.rail.at(rail_s)) +
+         own_displacement(by.wheel_in_numbers, pair.wheel.at(wheel_s));
+}
+
+/// The pair with both bodies moved, the wheel not yet lowered.
+inline WheelOnRail moved(WheelOnRail pair, const StructuralPlacement& by) {
+  pair.rail_pose = by.rail.of(pair.rail_pose);
+  pair.wheel_pose = by.wheel.of(pair.wheel_pose);
+  return pair;
+}
+
+/// The pair with the wheel turned and moved back, but not lifted: its axle as the scene puts it.
+inline WheelOnRail with_wheel_before(WheelOnRail pair, const StructuralPlacement& by) {
+  pair.wheel_pose.origin = by.wheel.before(pair.wheel_pose.origin - Point2{0, by.lowered});
+  pair.wheel_pose.angle -= by.wheel.angle;
+  return pair;
+}
+
+} // namespace bem_contact

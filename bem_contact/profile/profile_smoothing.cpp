@@ -1,0 +1,165 @@
+#include "bem_contact/profile/profile_smoothing.hpp"
+
+#include "bem_contact/profile/settings.hpp"
+
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace bem_contact {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+std::vector<double> chord_lengths(std::span<const Point2> p) {
+  std::vector<double> t(p.size(), 0.0);
+  for (std::size_t i = 1; i < p.size(); ++i)
+    t[i] = t[i - 1] + norm(p[i] - p[i - 1]);
+  return t;
+}
+
+/// Neighbours within `width` become their mean; both ends stay.
+std::vector<Point2> thinned(std::span<const Point2> p, double width) {
+  std::vector<Point2> kept{p.front()};
+  for (std::size_t i = 1; i + 1 < p.size();) {
+    Point2 sum = p[i];
+    std::size_t end = i + 1;
+    for (; end + 1 < p.size() && norm(p[end] - p[i]) < width; ++end)
+      sum = sum + p[end];
+    kept.push_back((1.0 / static_cast<double>(end - i)) * sum);
+    i = end;
+  }
+  kept.push_back(p.back());
+  return kept;
+}
+
+/// Direction at t0 of the parabola through the points from..to, fitted over t.
+double direction(std::span<const Point2> p, std::span<const double> t, std::size_t from, std::size_t to,
+                 double t0) {
+  const auto count = static_cast<Eigen::Index>(to - from + 1);
+  const double scale = std::max(std::abs(t[to] - t0), std::abs(t[from] - t0));
+  Eigen::MatrixXd powers(count, 3), position(count, 2);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const std::size_t k = from + static_cast<std::size_t>(i);
+    const double u = (t[k] - t0) / scale;
+    powers.row(i) << 1, u, u * u;
+    position.row(i) << p[k].y, p[k].z;
+  }
+  const Eigen::MatrixXd fit = powers.colPivHouseholderQr().solve(position);
+  return std::atan2(fit(1, 1), fit(1, 0));
+}
+
+/// Interior points at which the directions on both sides differ most, and by more than kink_turn.
+std::vector<std::size_t> find_kinks(std::span<const Point2> p, double reach) {
+  const std::vector<double> t = chord_lengths(p);
+  const std::size_t n = p.size(), side = kink_points - 1;
+  std::vector<double> turn(n, 0.0);
+  for (std::size_t i = side; i + side < n; ++i) {
+    std::size_t from = i - side, to = i + side;
+    while (from > 0 && t[i] - t[from - 1] <= reach)
+      --from;
+    while (to + 1 < n && t[to + 1] - t[i] <= reach)
+      ++to;
+    turn[i] = std::abs(
+        std::remainder(direction(p, t, i, to, t[i]) - direction(p, t, from, i, t[i]), 2 * std::numbers::pi));
+  }
+  std::vector<std::size_t> kinks;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto rival = [&](std::size_t k) { return std::abs(t[k] - t[i]) <= reach && turn[k] > turn[i]; };
+    bool largest = turn[i] > kink_turn;
+    for (std::size_t k = i; largest && k-- > 0 && t[i] - t[k] <= reach;)
+      largest = !rival(k);
+    for (std::size_t k = i + 1; largest && k < n && t[k] - t[i] <= reach; ++k)
+      largest = !rival(k);
+    if (largest)
+      kinks.push_back(i);
+  }
+  return kinks;
+}
+
+/// Maps values at t to their divided differences of order 3, times 3!: the third derivative.
+Sparse third_derivative(std::span<const double> t) {
+  const auto n = static_cast<Eigen::Index>(t.size());
+  Sparse product(n, n);
+  product.setIdentity();
+  for (Eigen::Index order = 1; order <= 3; ++order) {
+    const Eigen::Index rows = n - order;
+    Sparse next(rows, rows + 1);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const double factor = static_cast<double>(order) / (t[i + order] - t[i]);
+      entries.emplace_back(i, i, -factor);
+      entries.emplace_back(i, i + 1, factor);
+    }
+    next.setFromTriplets(entries.begin(), entries.end());
+    product = Sparse(next * product);
+  }
+  return product;
+}
+
+/// The points of one part between kinks; one that is too short to have a third derivative stays. An end that
+/// is a kink is held by a weight, because both parts end there.
+std::vector<Point2> smooth_part(std::span<const Point2> p, double wavelength, bool held_first,
+                                bool held_last) {
+  const auto n = static_cast<Eigen::Index>(p.size());
+  if (n < 5)
+    return {p.begin(), p.end()};
+  const std::vector<double> t = chord_lengths(p);
+  Eigen::VectorXd weight(n), bend(n - 3);
+  for (Eigen::Index i = 0; i < n; ++i)
+    weight[i] = (t[std::min(i + 1, n - 1)] - t[std::max<Eigen::Index>(i - 1, 0)]) / 2;
+  for (Eigen::Index i = 0; i + 3 < n; ++i)
+    bend[i] = std::pow(wavelength / (2 * std::numbers::pi), 6) * (t[i + 3] - t[i]) / 3;
+  if (held_first)
+    weight[0] *= kink_weight;
+  if (held_last)
+    weight[n - 1] *= kink_weight;
+  const Sparse third = third_derivative(t);
+  Sparse matrix = Sparse(third.transpose()) * bend.asDiagonal() * third;
+  matrix += Sparse(weight.asDiagonal());
+  Eigen::MatrixXd measured(n, 2);
+  for (Eigen::Index i = 0; i < n; ++i)
+    measured.row(i) << p[i].y, p[i].z;
+  const Eigen::MatrixXd found =
+      Eigen::SimplicialLDLT<Sparse>(matrix).solve(Eigen::MatrixXd(weight.asDiagonal() * measured));
+  std::vector<Point2> out;
+  for (Eigen::Index i = 0; i < n; ++i)
+    out.push_back({found(i, 0), found(i, 1)});
+  if (held_first)
+    out.front() = p.front();
+  if (held_last)
+    out.back() = p.back();
+  return out;
+}
+
+} // namespace
+
+SmoothedProfile smoothed(std::span<const Point2> points, double wavelength) {
+  const std::vector<Point2> before = thinned(points, wavelength / thinning);
+  SmoothedProfile out;
+  out.kinks = find_kinks(before, wavelength / 4);
+  std::vector<std::size_t> ends = out.kinks;
+  ends.push_back(before.size() - 1);
+  std::size_t begin = 0;
+  for (const std::size_t end : ends) {
+    const auto part = smooth_part(std::span(before).subspan(begin, end + 1 - begin), wavelength, begin > 0,
+                                  end + 1 < before.size());
+    out.points.insert(out.points.end(), part.begin() + (begin > 0 ? 1 : 0), part.end());
+    begin = end;
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double moved = norm(out.points[i] - before[i]);
+    out.largest = std::max(out.largest, moved);
+    sum += moved * moved;
+  }
+  out.rms = std::sqrt(sum / static_cast<double>(before.size()));
+  return out;
+}
+
+} // namespace bem_contact

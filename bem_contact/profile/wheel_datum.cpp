@@ -1,0 +1,73 @@
+#include "bem_contact/profile/wheel_datum.hpp"
+
+#include "bem_contact/profile/settings.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bem_contact {
+
+namespace {
+
+/// Height at y = 0, by the chord that spans it on the walk's first crossing from the field side.
+std::optional<double> height_at_tape_circle(std::span<const Point2> p) {
+  for (std::size_t i = 1; i < p.size(); ++i)
+    if (p[i - 1].y >= 0 && p[i].y < 0)
+      return p[i].z + (p[i - 1].z - p[i].z) * p[i].y / (p[i].y - p[i - 1].y);
+  return std::nullopt;
+}
+
+void warn_of_height(std::span<const Point2> points, const std::string& source) {
+  const auto height = height_at_tape_circle(points);
+  if (height && std::abs(*height) > highest_tape_circle)
+    spdlog::warn(
+        "{}: at the tape circle z is {:.3g} mm: the wheel's radius there is position.wheel_radius and "
+        "that much more",
+        source, *height);
+}
+
+} // namespace
+
+std::optional<Point2> flange_tip(std::span<const Point2> points) {
+  if (points.size() < 3)
+    return std::nullopt;
+  std::vector<Point2> by_height(points.begin(), points.end());
+  std::ranges::sort(by_height, {}, &Point2::z);
+  const Point2 tip = by_height.back();
+  const auto [low, high] = std::ranges::minmax(points, {}, &Point2::y);
+  const bool near_end = std::abs(tip.y - (low.y + high.y) / 2) > (high.y - low.y) / 4;
+  if (!near_end || tip.z - by_height[by_height.size() / 2].z < least_flange)
+    return std::nullopt;
+  return tip;
+}
+
+void set_wheel_datum(std::vector<Point2>& points, double y_sign, const std::string& source,
+                     const ProfileReading& reading) {
+  if (reading.keep_origin)
+    return;
+  const auto move = [&](double back) {
+    for (Point2& p : points)
+      p.y -= back + flange_back_to_tape_circle;
+  };
+  const auto tip = flange_tip(points);
+  if (reading.flange_back) {
+    move(y_sign * *reading.flange_back);
+  } else if (tip && tip->y >= nearest_tip_to_back && tip->y <= farthest_tip_from_back) {
+    spdlog::warn(
+        "{}: the tip of the flange is at y = {:.1f} mm, so y = 0 is taken as the back of the flange, not "
+        "as the tape circle (wheel.flange_back = 0 says so; another value says otherwise)",
+        source, y_sign * tip->y);
+    move(0);
+  } else if (tip && (tip->y < lowest_tip || tip->y > highest_tip)) {
+    spdlog::warn(
+        "{}: the tip of the flange is at y = {:.1f} mm, where neither the tape circle nor the back of the "
+        "flange is at y = 0: the wheel stands {:.0f} mm beside its place (say wheel.flange_back)",
+        source, y_sign * tip->y, std::abs(tip->y - usual_tip));
+  }
+  warn_of_height(points, source);
+}
+
+} // namespace bem_contact

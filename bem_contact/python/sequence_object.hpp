@@ -1,0 +1,36 @@
+#pragma once
+
+#include "bem_contact/sequence/sequence.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// Python's Sequence: a scene whose text was read, and whose paths were fixed, when the object was made.
+///
+/// A case is solved in a thread of its own while Python's threads go on; the calling thread looks for Ctrl-C.
+/// After Ctrl-C the call ends at once with KeyboardInterrupt, and the solution with its next product. A call
+/// to an object that is busy waits.
+class PythonSequence {
+public:
+  explicit PythonSequence(const std::string& scene);
+
+  /// Throws InputError, ConvergenceError, and whatever a signal handler of Python raises.
+  std::shared_ptr<const SceneResult> solve(std::vector<SceneChange> changes, std::string model) const;
+
+private:
+  struct Shared { ///< with a solution that outlives the call (Ctrl-C), and perhaps this object
+    std::string text, source;
+    std::filesystem::path folder;
+    Sequence sequence;
+  };
+  std::shared_ptr<Shared> shared_;
+};
+
+/// Waits for solutions that outlived their calls. Python calls it before it ends.
+void end_stopped_solutions();
+
+} // namespace bem_contact

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "bem_contact/sequence/scene_result.hpp"
+
+#include <vector>
+
+namespace bem_contact {
+
+/// Longitudinal forces at one distance from free rolling.
+struct CreepForces {
+  double creepage = 0;    ///< beyond that of free rolling, which each model has its own of
+  std::vector<double> Fx; ///< on the rail, N; one a model
+};
+
+/// One scene solved with several models, all with elements of the same size.
+///
+/// Results at equal forces say what a vehicle feels: forces are given, and the wheelset finds its place. At
+/// equal position a wheel that stands a hundredth of a millimetre nearer to the gauge corner bears another
+/// lateral force, and most of the difference is of that hundredth. Which hundredth it is depends on what is
+/// counted as elastic: on the distance that structural = "removed" means, for instance.
+struct Comparison {
+  std::vector<Model> models; ///< as asked for
+  std::size_t reference = 0; ///< which of them the others are compared with: fem, or the last one
+  /// The same Fx (load.force_x, or 0 with friction: free rolling), Fy and Fz; one a model. Fy is
+  /// load.force_y, or what the reference bears at position.lateral. Of a patch: the same normal force. Empty
+  /// for transient rolling and shifts.
+  std::vector<SceneResult> at_forces;
+  std::vector<CreepForces> creep_forces; ///< where at_forces have friction and load.force_x is not given
+  /// The same Fz, position and creepages; one a model. Empty for a patch.
+  std::vector<SceneResult> at_position;
+
+  /// Those to look at first: at equal forces where there are some.
+  const std::vector<SceneResult>& leading() const { return at_forces.empty() ? at_position : at_forces; }
+};
+
+} // namespace bem_contact

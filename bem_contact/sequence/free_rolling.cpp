@@ -1,0 +1,95 @@
+#include "bem_contact/sequence/free_rolling.hpp"
+
+#include "bem_contact/base/error.hpp"
+
+namespace bem_contact {
+
+namespace {
+
+bool has_free_rolling(const ContactCase& asked) {
+  const SceneFile::Motion& motion = asked.scene.motion;
+  return asked.setup.wheel_rail() && asked.setup.motion.tangential && motion.kind == MotionKind::steady &&
+         (motion.free_rolling || motion.from_free_rolling);
+}
+
+/// Of a solution without longitudinal force.
+FreeRolling free_rolling_of(const ContactCase& asked, const SceneResult& solved) {
+  return {solved.xi, asked.setup.motion.creepage.rolling_radius / (1 - solved.xi)};
+}
+
+/// The case with load.force_x = 0 and the creepage of rolling_radius as a start. Nothing where it is not
+/// found.
+std::optional<FreeRolling> find_free_rolling(ContactCase asked, const SceneFile::Grid& grid,
+                                             SolveResources resources, SceneResult* solution = nullptr) {
+  asked.setup.motion.force_x = 0;
+  asked.scene.stresses.depths.clear();
+  resources.totals_only = true;
+  SceneResult solved = solve_case(asked, grid, resources);
+  if (!solved.result.converged || solved.result.patches.empty())
+    return std::nullopt;
+  const FreeRolling out = free_rolling_of(asked, solved);
+  if (solution)
+    *solution = std::move(solved);
+  return out;
+}
+
+SceneResult solve_from_free_rolling(const ContactCase& asked, const SceneFile::Grid& grid,
+                                    SolveResources resources) {
+  ContactCase counted = asked;
+  counted.setup.motion.creepage.xi = 0;
+  SceneResult free;
+  const std::optional<FreeRolling> found = find_free_rolling(counted, grid, resources, &free);
+  if (!found)
+    throw ConvergenceError(
+        "The creepage of free rolling was not found",
+        "no certified solution without longitudinal force came out",
+        "Count the creepage from motion.rolling_radius (motion.from_free_rolling = false).");
+  counted = beyond_free_rolling(std::move(counted), *found, asked.setup.motion.creepage.xi);
+  counted.scene.solver.model = free.model;
+  const std::optional<FormerSolution> start = former_of(free.problem, free.result, *asked.estimate);
+  resources.start = start ? &*start : resources.start;
+  SceneResult out = solve_case(counted, grid, resources);
+  out.reason = free.reason;
+  out.free_rolling = found;
+  return out;
+}
+
+} // namespace
+
+ContactCase beyond_free_rolling(ContactCase asked, const FreeRolling& free, double creepage) {
+  asked.setup.motion.creepage.xi = 0;
+  asked.setup.motion.creepage.slip_x = free.xi + creepage;
+  asked.setup.motion.force_x.reset();
+  return asked;
+}
+
+SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::Grid& grid,
+                                    const SolveResources& resources) {
+  if (!has_free_rolling(asked))
+    return solve_case(asked, grid, resources);
+  if (asked.scene.motion.from_free_rolling)
+    return solve_from_free_rolling(asked, grid, resources);
+  SceneResult out = solve_case(asked, grid, resources);
+  if (out.model == Model::hertz || !out.result.converged || out.result.patches.empty())
+    return out;
+  if (asked.setup.motion.force_x == 0.0) {
+    out.free_rolling = free_rolling_of(asked, out);
+    return out;
+  }
+  ContactCase free = asked;
+  free.scene.solver.model = out.model;
+  const std::optional<FormerSolution> start = former_of(out.problem, out.result, *asked.estimate);
+  WorkBudget work = resources.work.another(); // it must not end the case that is asked for
+  try {
+    out.free_rolling = find_free_rolling(free, grid,
+                                         {.work = work,
+                                          .numbers = resources.numbers,
+                                          .operators = resources.operators,
+                                          .start = start ? &*start : nullptr,
+                                          .coarse_start = resources.coarse_start});
+  } catch (const ConvergenceError&) { // free rolling is not what was asked for
+  }
+  return out;
+}
+
+} // namespace bem_contact

@@ -1,0 +1,272 @@
+#include "bem_contact/sequence/structural_motion.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/sequence/grow_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+Point2 turned(Point2 v, double angle) {
+  return Pose{{0, 0}, angle}.to_track(v);
+}
+
+/// Both parts, along and about the axes.
+SixNumbers turned(const SixNumbers& v, double angle) {
+  const Point2 along = turned(Point2{v[1], v[2]}, angle), about = turned(Point2{v[4], v[5]}, angle);
+  return {v[0], along.y, along.z, v[3], about.y, about.z};
+}
+
+/// The same matrix in axes that are turned back by `angle`: it takes vectors turned by `angle`.
+SixBySix turned(const SixBySix& matrix, double angle) {
+  SixBySix out{};
+  for (int j = 0; j < 6; ++j) {
+    SixNumbers unit{};
+    unit[j] = 1;
+    const SixNumbers column = turned(product(matrix, turned(unit, -angle)), angle);
+    for (int i = 0; i < 6; ++i)
+      out[i][j] = column[i];
+  }
+  return out;
+}
+
+/// The bodies whose structural compliance counts, about the reference point of the position that the scene
+/// gives. Nothing where there is none, or where the files do not hold it.
+std::optional<StructuralResult> structures_of(const ContactCase& asked, Model model) {
+  const WheelRailGeometry* placed = asked.setup.wheel_rail();
+  if (!placed || model != Model::fem)
+    return std::nullopt;
+  const Point2 point = placed->reference.position;
+  const auto one = [&](const Body& body, const InfluenceFunction& f,
+                       const Pose& pose) -> std::optional<BodyMotion> {
+    if (body.structural == StructuralCompliance::removed)
+      return std::nullopt;
+    const std::optional<SixBySix> own = structural_compliance(f, pose.to_section(point));
+    if (!own)
+      return std::nullopt;
+    BodyMotion out{.before = point, .after = point, .compliance = turned(*own, pose.angle), .stiffness = {}};
+    out.stiffness = inverse(out.compliance);
+    return out;
+  };
+  StructuralResult out{.rail = one(asked.setup.rail, *asked.files.rail, placed->pair.rail_pose),
+                       .wheel = one(asked.setup.wheel, *asked.files.wheel, placed->pair.wheel_pose)};
+  return out.rail || out.wheel ? std::optional(out) : std::nullopt;
+}
+
+/// Of tractions on rows, about a point at x = 0; N, N mm. `side_x`, `side`: signs of those along x and of the
+/// others.
+SixNumbers force_of(const GridSolution& solved, const std::vector<ContactRow>& rows, double side_x,
+                    double side, Point2 about) {
+  SixNumbers sum{};
+  const ContactProblem& problem = solved.contact.problem;
+  const ContactResult& result = solved.result;
+  for (int is = 0; is < problem.grid.ms; ++is) {
+    const ContactRow& row = rows[is];
+    const Point2 arm = row.position - about, s = tangent_of(row.delta), n = normal_of(row.delta);
+    for (int ix = 0; ix < problem.grid.mx; ++ix) {
+      const int i = is * problem.grid.mx + ix;
+      const double area = problem.element_area(), x = problem.grid.x(ix), fx = side_x * area * result.px[i];
+      const Point2 f = side * area * (result.ps[i] * s + result.pn[i] * n);
+      const double parts[6] = {
+          fx, f.y, f.z, arm.y * f.z - arm.z * f.y, arm.z * fx - x * f.z, x * f.y - arm.y * fx};
+      for (int k = 0; k < 6; ++k)
+        sum[k] += parts[k];
+    }
+  }
+  return sum;
+}
+
+PlaneMotion plane_motion(const std::optional<BodyMotion>& body) {
+  return body ? PlaneMotion{body->before, {body->motion[1], body->motion[2]}, body->motion[3]}
+              : PlaneMotion{};
+}
+
+/// In the section's axes, about the same point.
+PlaneMotion motion_in_numbers(const std::optional<BodyMotion>& body, const Pose& pose) {
+  if (!body)
+    return {};
+  const SixNumbers& m = body->motion_in_numbers;
+  return {pose.to_section(body->before), {m[1], m[2]}, m[3]};
+}
+
+/// `asked`: the case as the scene gives it.
+StructuralPlacement placement_of(const ContactCase& asked, const StructuralResult& structure) {
+  const WheelOnRail& pair = asked.setup.wheel_rail()->pair;
+  return {plane_motion(structure.rail), plane_motion(structure.wheel), 0.0,
+          motion_in_numbers(structure.rail, pair.rail_pose),
+          motion_in_numbers(structure.wheel, pair.wheel_pose)};
+}
+
+std::vector<ContactRow> rows_of(const TabulatedProfile& profile, const std::vector<double>& stations) {
+  std::vector<ContactRow> rows;
+  for (const double s : stations) {
+    const CurvePoint p = profile.at(s);
+    rows.push_back({s, p.position, p.delta});
+  }
+  return rows;
+}
+
+/// The motion under the force of a solution. `asked`: the case as the scene gives it.
+void take_motion(const ContactCase& asked, const GridSolution& solved, StructuralResult& structure) {
+  const WheelOnRail& pair = asked.setup.wheel_rail()->pair;
+  const auto take = [&](std::optional<BodyMotion>& body, double side, const Pose& pose,
+                        const std::vector<ContactRow>& own) {
+    if (!body)
+      return;
+    body->force = force_of(solved, solved.contact.problem.rows, side, side, body->after);
+    body->motion = product(body->compliance, body->force);
+    // The wheel's own s and n are opposite to the rail's, as the traction on it is; x is not.
+    const SixNumbers force = force_of(solved, own, side, 1, pose.to_section(body->before));
+    body->motion_in_numbers = product(turned(body->compliance, -pose.angle), force);
+  };
+  take(structure.rail, 1, pair.rail_pose, rows_of(pair.rail, solved.contact.rail_s));
+  take(structure.wheel, -1, pair.wheel_pose, rows_of(pair.wheel, solved.contact.wheel_s));
+}
+
+/// By how much the contact moves from one motion to another, mm: the bodies' points against each other, and
+/// the surfaces at the distance of a contact's half width from them.
+double change_between(const StructuralResult& a, const StructuralResult& b) {
+  const auto relative = [](const StructuralResult& of) {
+    const PlaneMotion rail = plane_motion(of.rail), wheel = plane_motion(of.wheel);
+    return std::pair(rail.by - wheel.by, rail.angle - wheel.angle);
+  };
+  const auto [by_a, angle_a] = relative(a);
+  const auto [by_b, angle_b] = relative(b);
+  const Point2 moved = by_b - by_a;
+  return std::hypot(moved.y, moved.z) + half_contact * std::abs(angle_b - angle_a);
+}
+
+/// The case with its bodies where `by` takes them.
+ContactCase placed_case(const ContactCase& asked, const StructuralPlacement& by) {
+  ContactCase out{asked.scene, moved(asked.scene, asked.setup, by), asked.files, std::nullopt};
+  out.estimate = estimate_contact(out.setup, true);
+  out.estimate->reach = asked.estimate->reach;
+  out.setup.load = asked.setup.load; // the approach is counted from where the scene puts the bodies
+  return out;
+}
+
+/// Where the bodies' points are in a placed case.
+void take_places(const WheelRailGeometry& placed, StructuralResult& structure) {
+  if (structure.rail)
+    structure.rail->after = placed.structure->rail.of(structure.rail->before);
+  if (structure.wheel)
+    structure.wheel->after =
+        placed.structure->wheel.of(structure.wheel->before) + Point2{0, placed.structure->lowered};
+  structure.lowered = placed.structure->lowered;
+}
+
+bool can_be_placed(const ContactCase& asked) {
+  const bool steady = asked.scene.motion.kind == MotionKind::steady || asked.scene.motion.frictionless;
+  return steady && asked.scene.solver.structural_motion == StructuralMotion::placed;
+}
+
+/// Solves the placed case, from the solution that `out` has; `out` then has the new one.
+void solve_where_placed(ContactCase placed, const SceneFile::Grid& grid, const SolveTask& task,
+                        const SolveResources& resources, PlacedSolution& out) {
+  const Stopwatch geometry;
+  const bool on_strips = task.model == Model::fem;
+  ContactOnGrid contact = placed.setup.on(first_plan(placed, grid, on_strips));
+  PhaseSeconds spent = out.solved.seconds;
+  spent.geometry += geometry.seconds();
+  const std::optional<FormerSolution> former =
+      former_of(out.solved.contact.problem, out.solved.result, *out.asked.estimate);
+  const bool start = former && alike(potential_areas(*placed.estimate), former->areas);
+  WorkBudget work = resources.work.another();
+  out.solved = solve_on_growing_grid(placed, std::move(contact), task,
+                                     {.work = work,
+                                      .numbers = resources.numbers,
+                                      .operators = resources.operators,
+                                      .start = start ? &*former : nullptr,
+                                      .coarse_start = resources.coarse_start,
+                                      .totals_only = resources.totals_only},
+                                     on_strips);
+  out.solved.seconds += spent;
+  out.asked = std::move(placed);
+}
+
+std::string body_datum(const Body& body, const InfluenceFunction& f) {
+  return body.structural == StructuralCompliance::included
+             ? fmt::format("where it is held ({})", f.held)
+             : "the mean of its remote section, 1 to 2 times the remote distance (20 mm by default) from the "
+               "strip";
+}
+
+} // namespace
+
+PlacedSolution solve_on_placed_bodies(const ContactCase& asked, const SceneFile::Grid& grid,
+                                      ContactOnGrid first, const SolveTask& task,
+                                      const SolveResources& resources) {
+  const bool on_strips = task.model == Model::fem;
+  PlacedSolution out{asked, solve_on_growing_grid(asked, std::move(first), task, resources, on_strips),
+                     structures_of(asked, task.model)};
+  if (!out.structure)
+    return out;
+  StructuralResult& structure = *out.structure;
+  take_motion(asked, out.solved, structure);
+  if (!can_be_placed(asked))
+    return out;
+  while (out.solved.result.converged) {
+    if (structure.solutions == most_placements)
+      throw ConvergenceError(
+          "The bodies do not come to rest under their structures' motion",
+          fmt::format("after {} solutions the contact still moves by {:.2g} mm", structure.solutions,
+                      structure.change),
+          "Set solver.structural_motion = \"linear\", or structural = \"removed\" for one of the bodies.");
+    solve_where_placed(placed_case(asked, placement_of(asked, structure)), grid, task, resources, out);
+    const StructuralResult former = structure;
+    take_places(*out.asked.setup.wheel_rail(), structure);
+    take_motion(asked, out.solved, structure);
+    structure.placed = true;
+    structure.change = change_between(former, structure);
+    ++structure.solutions;
+    if (structure.change < position_tolerance)
+      break;
+  }
+  return out;
+}
+
+double local_approach(const ContactCase& asked, const GridSolution& solved) {
+  const double q = solved.result.approach;
+  if (const WheelRailGeometry* placed = asked.setup.wheel_rail(); placed && placed->structure)
+    return q - placed->structure->lowered;
+  std::optional<StructuralResult> structure = structures_of(asked, solved.model);
+  if (!structure)
+    return q;
+  take_motion(asked, solved, *structure);
+  const Point2 away = plane_motion(structure->rail).by - plane_motion(structure->wheel).by;
+  const double delta = asked.setup.reference().delta;
+  return q - dot(away, normal_of(delta)) / std::cos(delta);
+}
+
+double unseen_slide(const ContactCase& asked, const GridSolution& solved) {
+  const ContactProblem& problem = solved.contact.problem;
+  const WheelRailGeometry* placed = asked.setup.wheel_rail();
+  double largest = 0;
+  for (int is = 0; is < problem.grid.ms; ++is)
+    for (int ix = 0; ix < problem.grid.mx; ++ix) {
+      const int i = is * problem.grid.mx + ix;
+      if (solved.result.displacements.us.empty() || solved.result.state[i] == ElementState::exterior)
+        continue;
+      const double known = placed && placed->structure
+                               ? -counted_twice(placed->pair, *placed->structure, solved.contact.rail_s[is],
+                                                solved.contact.wheel_s[is])
+                                      .y
+                               : 0.0;
+      largest = std::max(largest, std::abs(solved.result.displacements.us[i] - known));
+    }
+  return largest;
+}
+
+std::string approach_datum(const ContactCase& asked, Model model) {
+  if (model == Model::fem)
+    return fmt::format("rail: {}; wheel: {}", body_datum(asked.setup.rail, *asked.files.rail),
+                       body_datum(asked.setup.wheel, *asked.files.wheel));
+  return "points of the two half-spaces far from the contact";
+}
+
+} // namespace bem_contact

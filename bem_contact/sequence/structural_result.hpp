@@ -1,0 +1,33 @@
+#pragma once
+
+#include "bem_contact/influence/structure.hpp"
+
+#include <optional>
+
+namespace bem_contact {
+
+/// How one body gave way as a whole, about a point that is fixed in it. Track frame; of a left wheel
+/// counted to the left (placement.hpp). Motions are small: mm along x, y, z; rad about them.
+struct BodyMotion {
+  Point2 before, after; ///< the point, where the scene puts it and where it goes, mm (y, z)
+  SixNumbers force{};   ///< of the contact on the body, about `after`, N and N mm
+  SixNumbers motion{};  ///< compliance times force
+  /// The same as influence numbers have it, in the section's axes: their forces act along the normals of the
+  /// body's own profile, which differ a little from those of the rail where the surfaces are not parallel.
+  SixNumbers motion_in_numbers{};
+  SixBySix compliance{};
+  std::optional<SixBySix> stiffness; ///< compliance^-1; nothing where the body does not give way
+};
+
+/// The structural motion of a solution: of the bodies whose structural compliance is included.
+struct StructuralResult {
+  std::optional<BodyMotion> rail, wheel;
+  /// Whether the bodies stand where this motion takes them (StructuralMotion::placed); else the geometry is
+  /// that of the undeformed position.
+  bool placed = false;
+  int solutions = 1;  ///< until the bodies stood still
+  double change = 0;  ///< by how much the last solution still moved the contact, mm
+  double lowered = 0; ///< of the approach: what brings the moved bodies together again, mm
+};
+
+} // namespace bem_contact

@@ -1,0 +1,153 @@
+#include "bem_contact/base/output_file.hpp"
+
+#include "message.hpp"
+#include "temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <thread>
+
+namespace bem_contact {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+void write_word(std::ostream& out) {
+  out << "word";
+}
+
+/// Files of the folder that a write has left beside its output.
+int files_in(const fs::path& folder) {
+  return static_cast<int>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(OutputFile, ReplacesARegularFileWholeAndKeepsItsPermissions) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("a", "something longer");
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  for (const auto& write : {write_text, write_whole}) {
+    write(file, write_word);
+    EXPECT_EQ(text_of(file), "word");
+    EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  }
+  EXPECT_EQ(files_in(folder / ""), 1);
+}
+
+TEST(OutputFile, KeepsTheOldFileWhereWritingFails) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("a", "old");
+  EXPECT_THAT(
+      message_of([&] { write_text(file, [](std::ostream& out) { out.setstate(std::ios::badbit); }); }),
+      HasSubstr("cannot be written"));
+  EXPECT_EQ(text_of(file), "old");
+  EXPECT_EQ(files_in(folder / ""), 1);
+}
+
+TEST(OutputFile, FollowsALinkAndReplacesItsTarget) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "far");
+  const fs::path target = folder.write("far/target", "old"), link = folder / "link",
+                 second = folder / "second";
+  fs::create_symlink("far/target", link);
+  fs::create_symlink(link, second);
+  for (const auto& write : {write_text, write_whole}) {
+    write(second, write_word);
+    EXPECT_TRUE(fs::is_symlink(link) && fs::is_symlink(second));
+    EXPECT_FALSE(fs::is_symlink(target));
+    EXPECT_EQ(text_of(target), "word");
+    fs::remove(target); // the second round makes what the link leads to
+  }
+  fs::create_symlink("round", folder / "round");
+  EXPECT_THAT(message_of([&] { write_text(folder / "round", write_word); }), HasSubstr("back to itself"));
+}
+
+TEST(OutputFile, WritesTextThroughAPipe) {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder / "pipe", link = folder / "link";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  fs::create_symlink("pipe", link);
+  for (const fs::path& name : {pipe, link}) {
+    std::string read;
+    std::thread reader([&] { read = text_of(pipe); });
+    write_text(name, write_word);
+    reader.join();
+    EXPECT_EQ(read, "word");
+    EXPECT_TRUE(fs::is_fifo(pipe));
+  }
+  for (const fs::path& name : {pipe, link})
+    EXPECT_THAT(message_of([&] { write_whole(name, write_word); }), HasSubstr("a device or a pipe"));
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+/// Nodes of our own with the numbers of /dev/null and /dev/full: those of the machine are left alone.
+TEST(OutputFile, WritesTextThroughADevice) {
+  const TemporaryFolder folder;
+  const fs::path null = folder / "null", full = folder / "full";
+  if (mknod(null.c_str(), S_IFCHR | 0600, makedev(1, 3)) != 0 ||
+      mknod(full.c_str(), S_IFCHR | 0600, makedev(1, 7)) != 0)
+    GTEST_SKIP() << "only root can make a device";
+  write_text(null, write_word);
+  EXPECT_TRUE(fs::is_character_file(null));
+  EXPECT_THAT(message_of([&] { write_text(full, write_word); }), HasSubstr("No space left"));
+  EXPECT_TRUE(fs::is_character_file(full));
+  EXPECT_THAT(message_of([&] { write_whole(null, write_word); }), HasSubstr("a device or a pipe"));
+  EXPECT_TRUE(fs::is_character_file(null));
+  EXPECT_EQ(files_in(folder / ""), 2);
+  const fs::path disk = folder / "disk"; // no driver has these numbers; nothing opens it
+  ASSERT_EQ(mknod(disk.c_str(), S_IFBLK | 0600, makedev(240, 0)), 0);
+  EXPECT_THAT(message_of([&] { write_text(disk, write_word); }), HasSubstr("it is a disk"));
+}
+
+TEST(OutputFile, WhatIsOpenUnderANumberIsWrittenThrough) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const fs::path name = "/proc/self/fd/" + std::to_string(ends[1]);
+  write_text(name, write_word);
+  close(ends[1]);
+  std::string read(10, ' ');
+  read.resize(static_cast<std::size_t>(::read(ends[0], read.data(), read.size())));
+  close(ends[0]);
+  EXPECT_EQ(read, "word");
+}
+
+TEST(OutputFile, RefusesWhatCannotBeWrittenBeforeAnythingIsComputed) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("read-only", "old");
+  fs::permissions(file, fs::perms::owner_read);
+  fs::create_symlink("read-only", folder / "link");
+  for (const auto form : {OutputForm::text, OutputForm::whole_file}) {
+    const auto refused = [&](const fs::path& output) {
+      return message_of([&] { output_target(output, form); });
+    };
+    EXPECT_THAT(refused(file), AllOf(HasSubstr("protected from writing"), HasSubstr("read-only")));
+    EXPECT_THAT(refused(folder / "link"), HasSubstr("protected from writing"));
+    EXPECT_THAT(refused(folder / "none/a"), HasSubstr("there is no folder"));
+    EXPECT_THAT(refused(folder / "."), HasSubstr("it is a folder"));
+    EXPECT_THAT(refused(folder / "read-only/a"), HasSubstr("there is no folder"));
+    EXPECT_THAT(refused(""), HasSubstr("no file"));
+    EXPECT_EQ(refused(folder / "new"), "no error");
+  }
+  EXPECT_EQ(text_of(file), "old");
+}
+
+TEST(OutputFile, RefusesASocket) {
+  const TemporaryFolder folder;
+  const fs::path name = folder / "socket";
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  name.string().copy(address.sun_path, sizeof address.sun_path - 1);
+  const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  ASSERT_EQ(bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  EXPECT_THAT(message_of([&] { write_text(name, write_word); }), HasSubstr("it is a socket"));
+  close(socket);
+}
+
+} // namespace
+} // namespace bem_contact

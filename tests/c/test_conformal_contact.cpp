@@ -1,0 +1,246 @@
+#include "bem_contact/c/conformal_contact.h"
+#include "bem_contact/sequence/sequence.hpp"
+
+#include <gmock/gmock.h>
+#include <malloc.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+using namespace bem_contact;
+using testing::AllOf;
+using testing::HasSubstr;
+
+extern "C" int c89_solve(conformal_contact* contact, double* totals);
+
+namespace {
+
+const std::string corner = CONFORMAL_SOURCE_DIR "/data/scenes/conformal_small.toml";
+const std::string hertz = CONFORMAL_SOURCE_DIR "/data/scenes/hertz.toml";
+
+struct Close {
+  void operator()(conformal_contact* handle) const { conformal_close(handle); }
+};
+using Handle = std::unique_ptr<conformal_contact, Close>;
+
+Handle open_file(const std::string& scene) {
+  conformal_contact* handle = nullptr;
+  char message[500] = "?";
+  EXPECT_EQ(conformal_open_file(scene.c_str(), &handle, message, sizeof message), CONFORMAL_OK) << message;
+  EXPECT_STREQ(message, "");
+  return Handle(handle);
+}
+
+int key_of(const Handle& handle, const char* name) {
+  int key = -1;
+  EXPECT_EQ(conformal_key(handle.get(), name, &key), CONFORMAL_OK) << conformal_message(handle.get());
+  return key;
+}
+
+std::string message_of_text(const std::string& toml) {
+  conformal_contact* handle = nullptr;
+  char message[500] = "";
+  EXPECT_EQ(conformal_open_text(toml.c_str(), ".", &handle, message, sizeof message), CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(handle, nullptr);
+  return message;
+}
+
+TEST(C, IsWhatTheSequenceComputes) {
+  const Handle contact = open_file(corner);
+  const int lateral = key_of(contact, "position.lateral"), model = key_of(contact, "solver.model");
+  EXPECT_EQ(key_of(contact, "position.lateral"), lateral);
+  ASSERT_EQ(conformal_set_text(contact.get(), model, "halfspace"), CONFORMAL_OK);
+  Sequence sequence;
+  for (const double y : {6.4, 6.5}) {
+    const std::vector<SceneChange> changes{{"position.lateral", y}};
+    const SceneResult expected =
+        sequence.solve(with_model(read_scene_file(corner, changes), Model::halfspace));
+    double totals[CONFORMAL_TOTALS];
+    ASSERT_EQ(conformal_set_number(contact.get(), lateral, y), CONFORMAL_OK);
+    ASSERT_EQ(c89_solve(contact.get(), totals), CONFORMAL_OK) << conformal_message(contact.get());
+    EXPECT_EQ(totals[CONFORMAL_FX], expected.result.Fx);
+    EXPECT_EQ(totals[CONFORMAL_FY], expected.result.Fy);
+    EXPECT_EQ(totals[CONFORMAL_FZ], expected.result.Fz);
+    EXPECT_EQ(totals[CONFORMAL_MZ], expected.moment);
+    EXPECT_EQ(totals[CONFORMAL_PMAX], largest_pressure(expected.result));
+    EXPECT_LE(totals[CONFORMAL_CERTIFICATE], 1e-6);
+    int mx = 0, ms = 0;
+    ASSERT_EQ(conformal_grid(contact.get(), &mx, &ms), CONFORMAL_OK);
+    std::vector<double> pressure(static_cast<std::size_t>(mx * ms)), delta(static_cast<std::size_t>(ms));
+    ASSERT_EQ(conformal_array(contact.get(), CONFORMAL_P_N, pressure.data(), mx * ms), CONFORMAL_OK);
+    EXPECT_EQ(pressure, expected.result.pn);
+    ASSERT_EQ(conformal_array(contact.get(), CONFORMAL_DELTA, delta.data(), ms), CONFORMAL_OK);
+    EXPECT_EQ(delta.back(), expected.problem.rows.back().delta);
+  }
+}
+
+/// Exact: largest pressure 1237.56 MPa, force 1e5 N (data/scenes/hertz.toml).
+TEST(C, PatchesAndArraysAddUp) {
+  const Handle contact = open_file(hertz);
+  ASSERT_EQ(conformal_solve(contact.get()), CONFORMAL_OK) << conformal_message(contact.get());
+  int count = 0, mx = 0, ms = 0;
+  ASSERT_EQ(conformal_patch_count(contact.get(), &count), CONFORMAL_OK);
+  ASSERT_EQ(count, 1);
+  double patch[CONFORMAL_PATCH_VALUES];
+  ASSERT_EQ(conformal_patch(contact.get(), 0, patch, CONFORMAL_PATCH_VALUES), CONFORMAL_OK);
+  EXPECT_NEAR(patch[CONFORMAL_PATCH_FN], 1e5, 1e-2);
+  EXPECT_NEAR(patch[CONFORMAL_PATCH_PMAX] / 1237.56, 1, 5e-3);
+  ASSERT_EQ(conformal_grid(contact.get(), &mx, &ms), CONFORMAL_OK);
+  std::vector<double> x(static_cast<std::size_t>(mx));
+  ASSERT_EQ(conformal_array(contact.get(), CONFORMAL_X, x.data(), mx), CONFORMAL_OK);
+  EXPECT_NEAR(x[1] - x[0], 0.4, 1e-12);
+  std::vector<double> values(static_cast<std::size_t>(mx * ms));
+  for (int which = CONFORMAL_P_X; which <= CONFORMAL_STATE; ++which) {
+    EXPECT_EQ(conformal_array(contact.get(), which, values.data(), mx * ms), CONFORMAL_OK) << which;
+    for (const double value : values)
+      ASSERT_TRUE(std::isfinite(value)) << which;
+  }
+  EXPECT_EQ(std::ranges::count_if(values, [](double state) { return state > 0; }),
+            patch[CONFORMAL_PATCH_CONTACT]);
+}
+
+TEST(C, SaysWhatIsWrong) {
+  EXPECT_THAT(message_of_text("kind = \"wheel_rai\""), HasSubstr("wheel_rail"));
+  EXPECT_THAT(message_of_text("load.forze = 1"), HasSubstr("load.force"));
+  EXPECT_THAT(message_of_text("="), HasSubstr("not valid TOML"));
+  char tiny[4];
+  conformal_contact* none = nullptr;
+  EXPECT_EQ(conformal_open_file("no/such.toml", &none, tiny, sizeof tiny), CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(std::string(tiny).size(), 3u);
+  EXPECT_EQ(conformal_open_file("no/such.toml", &none, nullptr, 0), CONFORMAL_WRONG_INPUT);
+
+  const Handle contact = open_file(hertz);
+  const auto refused = [&](int code) {
+    return code == CONFORMAL_WRONG_INPUT ? std::string(conformal_message(contact.get())) : "no error";
+  };
+  int key = -1, number = 0;
+  double value[2] = {1, 2};
+  EXPECT_THAT(refused(conformal_key(contact.get(), "load.forze", &key)), HasSubstr("load.force"));
+  EXPECT_EQ(key, -1);
+  EXPECT_THAT(refused(conformal_set_number(contact.get(), 5, 1.0)), HasSubstr("no key with the index 5"));
+  EXPECT_THAT(refused(conformal_totals(contact.get(), value, 2)), HasSubstr("There is no result"));
+  EXPECT_THAT(refused(conformal_grid(contact.get(), &number, &number)), HasSubstr("There is no result"));
+  const int force = key_of(contact, "load.force");
+  EXPECT_THAT(refused(conformal_set_number(contact.get(), force, std::nan(""))), HasSubstr("must be finite"));
+  EXPECT_THAT(refused(conformal_set_text(contact.get(), force, "much")), HasSubstr("load.force is text"));
+  EXPECT_THAT(refused(conformal_set_numbers(contact.get(), force, value, 2)),
+              HasSubstr("load.force is a list"));
+  EXPECT_THAT(refused(conformal_set_numbers(contact.get(), force, value, -1)), HasSubstr("-1 numbers"));
+  EXPECT_THAT(refused(conformal_set_text(contact.get(), force, nullptr)), HasSubstr("null pointer"));
+  ASSERT_EQ(conformal_solve(contact.get()), CONFORMAL_OK); // the force is still that of the file
+  ASSERT_EQ(conformal_totals(contact.get(), value, 2), CONFORMAL_OK);
+  EXPECT_STREQ(conformal_message(contact.get()), "");
+  EXPECT_THAT(refused(conformal_totals(contact.get(), value, 99)), HasSubstr("there are 13"));
+  EXPECT_THAT(refused(conformal_array(contact.get(), CONFORMAL_P_N, value, 2)),
+              HasSubstr("mx = 40 by ms = 40"));
+  EXPECT_THAT(refused(conformal_array(contact.get(), CONFORMAL_P_N, value, -2)), HasSubstr("0 values"));
+  EXPECT_THAT(refused(conformal_array(contact.get(), 99, value, 2)), HasSubstr("no array 99"));
+  EXPECT_THAT(refused(conformal_patch(contact.get(), 1, value, 2)), HasSubstr("no patch 1"));
+  EXPECT_THAT(refused(conformal_warning(contact.get(), 7, nullptr)), HasSubstr("null pointer"));
+}
+
+TEST(C, NullPointersAreRefused) {
+  EXPECT_EQ(conformal_solve(nullptr), CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(conformal_stop(nullptr), CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(conformal_totals(nullptr, nullptr, 1), CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(conformal_open_file(nullptr, nullptr, nullptr, 0), CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(conformal_open_text(nullptr, nullptr, nullptr, nullptr, 0), CONFORMAL_WRONG_INPUT);
+  EXPECT_THAT(conformal_message(nullptr), HasSubstr("null pointer"));
+  conformal_close(nullptr);
+  const Handle contact = open_file(hertz);
+  EXPECT_EQ(conformal_key(contact.get(), nullptr, nullptr), CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(conformal_set_numbers(contact.get(), 0, nullptr, 3), CONFORMAL_WRONG_INPUT);
+}
+
+TEST(C, NumbersServeFlagsAndWholeNumbers) {
+  const Handle contact = open_file(hertz);
+  const int mx = key_of(contact, "grid.mx"), frictionless = key_of(contact, "motion.frictionless");
+  EXPECT_EQ(conformal_set_number(contact.get(), mx, 42), CONFORMAL_OK);
+  EXPECT_EQ(conformal_set_number(contact.get(), frictionless, 1), CONFORMAL_OK);
+  ASSERT_EQ(conformal_solve(contact.get()), CONFORMAL_OK) << conformal_message(contact.get());
+  int columns = 0, rows = 0;
+  conformal_grid(contact.get(), &columns, &rows);
+  EXPECT_EQ(columns, 42);
+  EXPECT_EQ(conformal_set_number(contact.get(), mx, 42.5), CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(conformal_set_number(contact.get(), mx, 1e300), CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(conformal_set_number(contact.get(), frictionless, 0.5), CONFORMAL_WRONG_INPUT);
+}
+
+TEST(C, ARefusedSolutionLeavesNoResult) {
+  const Handle contact = open_file(hertz);
+  ASSERT_EQ(conformal_solve(contact.get()), CONFORMAL_OK);
+  const int approach = key_of(contact, "load.approach");
+  ASSERT_EQ(conformal_set_number(contact.get(), approach, 0.1), CONFORMAL_OK);
+  EXPECT_EQ(conformal_solve(contact.get()), CONFORMAL_WRONG_INPUT);
+  EXPECT_THAT(conformal_message(contact.get()), HasSubstr("load.force is given too"));
+  double fx = 0;
+  EXPECT_EQ(conformal_totals(contact.get(), &fx, 1), CONFORMAL_WRONG_INPUT);
+}
+
+/// Whoever asks for a stop before the solution begins is overtaken by it; so the stop is repeated.
+TEST(C, AnotherThreadStopsASolution) {
+  const Handle contact = open_file(corner);
+  for (const char* key : {"grid.dx", "grid.ds"})
+    ASSERT_EQ(conformal_set_number(contact.get(), key_of(contact, key), 0.06), CONFORMAL_OK);
+  ASSERT_EQ(conformal_set_text(contact.get(), key_of(contact, "solver.model"), "halfspace"), CONFORMAL_OK);
+  std::atomic<bool> ended = false;
+  std::thread other([&] {
+    while (!ended) {
+      conformal_stop(contact.get());
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  });
+  EXPECT_EQ(conformal_solve(contact.get()), CONFORMAL_STOPPED);
+  ended = true;
+  other.join();
+  EXPECT_THAT(conformal_message(contact.get()), HasSubstr("stopped"));
+}
+
+TEST(C, HandlesWorkSideBySide) {
+  std::vector<double> forces(4), alone(4);
+  const auto solve = [](double y) {
+    const Handle contact = open_file(corner);
+    conformal_set_text(contact.get(), key_of(contact, "solver.model"), "fem");
+    conformal_set_number(contact.get(), key_of(contact, "position.lateral"), y);
+    double totals[CONFORMAL_TOTALS] = {};
+    EXPECT_EQ(c89_solve(contact.get(), totals), CONFORMAL_OK) << conformal_message(contact.get());
+    return totals[CONFORMAL_FY];
+  };
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    threads.emplace_back([&, i] { forces[i] = solve(6.3 + 0.1 * static_cast<double>(i)); });
+  for (std::thread& thread : threads)
+    thread.join();
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    alone[i] = solve(6.3 + 0.1 * static_cast<double>(i));
+  EXPECT_EQ(forces, alone);
+}
+
+/// Bytes in use after many calls are those after a few.
+TEST(C, MemoryDoesNotGrowWithTheNumberOfCalls) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the sanitizer's allocator does not count";
+#endif
+  const Handle contact = open_file(hertz);
+  const int force = key_of(contact, "load.force");
+  std::vector<double> pressure(1600);
+  const auto call = [&](int i) {
+    double totals[CONFORMAL_TOTALS];
+    conformal_set_number(contact.get(), force, 1e5 + 10 * (i % 7));
+    ASSERT_EQ(conformal_set_number(contact.get(), force, -1), CONFORMAL_WRONG_INPUT);
+    ASSERT_EQ(c89_solve(contact.get(), totals), CONFORMAL_OK);
+    ASSERT_EQ(conformal_array(contact.get(), CONFORMAL_P_N, pressure.data(), 1600), CONFORMAL_OK);
+  };
+  const auto calls = [&](int count) {
+    for (int i = 0; i < count; ++i)
+      call(i);
+    return mallinfo2().uordblks;
+  };
+  const auto few = calls(20);
+  EXPECT_LT(calls(100), few + 10'000);
+}
+
+} // namespace

@@ -1,0 +1,415 @@
+"""Bad input through every way in. It is refused with its reason: never a crash, never a number, never a lost file."""
+
+import contextlib
+import json
+import math
+import os
+import re
+import signal
+import socket
+import stat
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+import doors
+import keys
+
+SCENES = doors.SCENES
+WHEEL_RAIL = {"kind": "wheel_rail", "rail.profile": "60E1", "wheel.profile": "S1002", "load.force": 1e5,
+              "solver.model": "halfspace"}
+PATCH = {"kind": "patch", "load.force": 1e5, "motion.frictionless": True, "grid.dx": 0.4, "grid.ds": 0.3, "grid.mx": 40,
+         "grid.ms": 40, "gap.a": 1e-3, "gap.b": 1.6e-3}
+GRAMMAR = re.compile(r"\(.+\) \S", re.S)  # <problem> (<why>) <what to do>
+
+
+def toml_of(values):
+    return "".join(f"{key} = {json.dumps(v) if not isinstance(v, float) else repr(v)}\n" for key, v in values.items())
+
+
+
+class Hostile(unittest.TestCase):
+    count = 0
+
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.temporary.name)
+        cls.c = doors.c_library()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+        print(f"{Hostile.count} bad inputs", flush=True)
+
+    def refused(self, answer, *words, code=2):
+        Hostile.count += 1
+        found, message = answer
+        self.assertEqual(found, code, message)
+        self.assertRegex(message, GRAMMAR)
+        self.assertNotIn("did not foresee", message)
+        for word in words:
+            self.assertIn(word, message)
+
+    def write(self, name, text):
+        (self.folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
+        return self.folder / name
+
+    def scene(self, base, **changes):
+        return self.write("scene.toml", toml_of(base | {k.replace("__", "."): v for k, v in changes.items()}))
+
+
+class Keys(Hostile):
+    """Each key of a scene with values that it cannot have, through C and Python."""
+
+    def each_door(self, base, key, value, *words):
+        scene = self.write("base.toml", toml_of({k: v for k, v in base.items() if k != key}))
+        with self.subTest(key=key, value=value):
+            if self.c is None:
+                text = toml_of({k: v for k, v in base.items() if k != key})
+                shown = json.dumps(value) if isinstance(value, str) else repr(value)
+                self.refused(doors.program("solve", self.write("scene.toml", f"{text}{key} = {shown}\n")), *words)
+                return
+            self.refused(doors.python(scene, {key: value}), *words)
+            self.refused(self.c.change(scene, key, value), *words)
+
+    def test_wrong_types(self):
+        for key in keys.all_keys():
+            base = WHEEL_RAIL if key.wheel_rail else PATCH
+            self.each_door(base, key.name, 1 if key.kind == "text" else "some text", key.name)
+
+    def test_misspelt(self):
+        for key in keys.all_keys():
+            self.each_door(WHEEL_RAIL if key.wheel_rail else PATCH, keys.misspelt(key.name), 1, "unknown key")
+
+    def test_not_a_number(self):
+        for key in keys.all_keys():
+            if key.kind in ("number", "list of numbers"):
+                base = WHEEL_RAIL if key.wheel_rail else PATCH
+                for value in (math.nan, math.inf):
+                    self.each_door(base, key.name, value, key.name)
+
+    def test_out_of_range(self):
+        for key in keys.all_keys():
+            if key.kind in ("number", "whole number"):
+                base = WHEEL_RAIL if key.wheel_rail else PATCH
+                for value in key.out_of_range():
+                    if not ("0: " in key.words and value == 0):
+                        self.each_door(base, key.name, value, key.name)
+
+    def test_unknown_choices(self):
+        for key in keys.all_keys():
+            for choice in key.choices()[:1]:
+                self.each_door(WHEEL_RAIL if key.wheel_rail else PATCH, key.name, choice + "x", choice)
+
+    def test_keys_of_the_other_kind(self):
+        for key in keys.all_keys():
+            if not key.patch or not key.wheel_rail:
+                value = key.choices()[0] if key.choices() else {"text": "x", "true or false": 1}.get(key.kind, 1)
+                self.each_door(WHEEL_RAIL if not key.wheel_rail else PATCH, key.name, value, key.name)
+
+
+class Texts(Hostile):
+    """What is no scene, through the program and C."""
+
+    CASES = {
+        "empty": ("", "load"), "no TOML": ("]]]", "not valid TOML"), "half a line": ("kind =", "not valid TOML"),
+        "open text": ('kind = "wheel', "not valid TOML"), "twice": (toml_of(PATCH) + "load.force = 2\n", "TOML"),
+        "NUL": (b"kind = \"wheel_rail\"\0", "TOML"), "no UTF-8": (b"kind = \"\xff\xfe\"", "TOML"),
+        "binary": (bytes(range(256)) * 40, "TOML"), "unknown table": ("[loadd]\nforce = 1\n" + "", "loadd"),
+        "table for a value": ("[kind]\na = 1\n", "kind"), "value for a table": ("load = 3\n", "load"),
+        "list for a value": (toml_of(PATCH | {"load.force": 1}).replace("load.force = 1", "load.force = [1, 2]"),
+                             "a list"),
+        "date": (toml_of(PATCH).replace("load.force = 100000.0", "load.force = 2020-01-01"), "a date"),
+        "deep": ("a" + ".a" * 300 + " = 1\n", ""), "brackets": ("a = " + "[" * 20000, "TOML"),
+        "two loads": (toml_of(PATCH | {"load.approach": 0.1}), "load.force is given too"),
+        "no load": (toml_of({k: v for k, v in PATCH.items() if k != "load.force"}), "neither force nor approach"),
+        "no friction": (toml_of(PATCH | {"motion.frictionless": False, "motion.friction": 0}), "zero friction"),
+        "no grid": (toml_of({k: v for k, v in PATCH.items() if k != "grid.mx"}), "grid.mx"),
+        "no rail": (toml_of({k: v for k, v in WHEEL_RAIL.items() if k != "rail.profile"}), "rail.profile"),
+        "no wheel": (toml_of({k: v for k, v in WHEEL_RAIL.items() if k != "wheel.profile"}), "wheel.profile"),
+        "wheel as rail": (toml_of(WHEEL_RAIL | {"rail.profile": "S1002"}), "profile of a wheel"),
+        "rail as wheel": (toml_of(WHEEL_RAIL | {"wheel.profile": "60E1"}), "profile of a rail"),
+        "unknown profile": (toml_of(WHEEL_RAIL | {"rail.profile": "60E3"}), "60E1"),
+        "narrow gauge": (toml_of(WHEEL_RAIL | {"position.gauge": 1000.0}), "back_to_back"),
+        "far away": (toml_of(WHEEL_RAIL | {"position.lateral": 1e6}), "lateral"),
+        "fem without files": (toml_of(WHEEL_RAIL | {"solver.model": "fem"}), "influence"),
+        "rows backwards": (toml_of(WHEEL_RAIL | {"grid.s_from": 5.0, "grid.s_to": 1.0}), "s_to"),
+        "rates without speed": (toml_of(WHEEL_RAIL | {"motion.yaw_rate": 1.0}), "motion.speed"),
+        "steady steps": (toml_of(WHEEL_RAIL | {"motion.steps": 4}), "steady rolling has no steps"),
+        "forces without friction": (toml_of(PATCH | {"load.force_x": 5.0}), "no shear force"),
+        "beyond elasticity": (toml_of(PATCH | {"load.force": 1e12}), ""),
+        "tiny elements": (toml_of(WHEEL_RAIL | {"grid.dx": 1e-6, "grid.ds": 1e-6}), ""),
+        "circles without a strip": (toml_of(PATCH | {"strip.upper_radius": 100.0}), "strip.radius"),
+    }
+
+    def test_texts(self):
+        for name, (text, words) in self.CASES.items():
+            with self.subTest(name):
+                text = text.encode() if isinstance(text, str) else text
+                self.refused(doors.program("solve", self.write("scene.toml", text)), words)
+                if self.c and b"\0" not in text and b"\xff" not in text:
+                    self.refused(self.c.text(text.decode()), words)
+
+    def test_sweeps(self):
+        for name, (lines, words) in {
+                "single": ("load.force = 5", "a single value"), "empty": ("load.force = []", "empty"),
+                "unknown": ("load.forse = [1.0]", "load.force"), "endless": (
+                    "load.force = { from = 1, to = 1e9, step = 1e-9 }", ""),
+                "backwards": ("load.force = { from = 2, to = 1, step = 1 }", ""),
+                "no step": ("load.force = { from = 1, to = 2, step = 0 }", ""),
+                "mode": ('mode = "zig"\nload.force = [1.0]', "product"),
+                "unequal": ('mode = "zip"\nload.force = [1.0, 2.0]\nmotion.friction = [0.1]', ""),
+                "tables": ("load.force = [{}]", "no value"), "nothing": ("", "")}.items():
+            with self.subTest(name):
+                scene = self.write("sweep.toml", toml_of(PATCH) + f"[sweep]\n{lines}\n")
+                self.refused(doors.program("sweep", scene, "-o", self.folder / "out.h5"), words)
+                self.assertFalse((self.folder / "out.h5").exists())
+        self.refused(doors.program("sweep", self.scene(PATCH), "-o", self.folder / "out.h5"), "sweep")
+
+
+class Files(Hostile):
+    """Files that are none, or that others broke."""
+
+    def test_scenes(self):
+        loop = self.folder / "loop.toml"
+        loop.symlink_to("loop.toml")
+        for name, words in ((self.folder / "none.toml", "no such file"), (self.folder, "folder"), ("", ""),
+                            (loop, ""), ("x" * 5000, "")):
+            for command in ("solve", "compare", "check"):
+                with self.subTest(str(name)[:50] + command):
+                    self.refused(doors.program(command, name), words)
+
+    def test_profiles(self):
+        line = "".join(f"{y} {0.001 * y * y}\n" for y in range(-35, 36))
+        for name, text, words in (
+                ("empty", "", ""), ("one point", "0 0\n", ""), ("words", "a b\nc d\n", ""),
+                ("three columns", "1 2 3\n" * 9, "two numbers"), ("nan", line.replace("0.0 ", "nan ") + "nan nan\n", ""),
+                ("infinite", "inf 0\n" + line, "not a number"), ("huge numbers", "1e400 0\n" + line, ""),
+                ("same point", "1 1\n" * 100, ""), ("commas", line.replace(".", ","), ""),
+                ("tiny", "".join(f"{1e-3 * y} 0\n" for y in range(9)), ""),
+                ("wide", "".join(f"{100 * y} 0\n" for y in range(9)), ""), ("binary", bytes(range(256)) * 9, ""),
+                ("NUL", line + "\0\0\0\0", ""), ("zig-zag", "".join(f"{y} {(-1) ** y * 20}\n" for y in range(70)), ""),
+                ("ten million lines", "\n" * 10_000_001, "more than 10000000 points")):
+            with self.subTest(name):
+                self.write("profile.txt", text)
+                self.refused(doors.program("check", self.scene(WHEEL_RAIL, rail__profile="profile.txt")), words)
+
+    def test_endless_files(self):
+        zeros = self.folder / "zeros"
+        try:
+            os.mknod(zeros, 0o600 | stat.S_IFCHR, os.makedev(1, 5))  # a node of our own, as /dev/zero
+        except OSError:
+            self.skipTest("only root can make a device")
+        for changes in ({"rail__profile": "zeros"}, {"wheel__profile": "zeros"}, {"motion__friction_table": "zeros"},
+                        {"rail__influence": "zeros", "wheel__influence": "zeros", "solver__model": "fem"}):
+            with self.subTest(changes):
+                self.refused(doors.program("solve", self.scene(WHEEL_RAIL, **changes)), "zeros")
+        self.refused(doors.program("solve", zeros), "device")
+        self.refused(doors.program("info", zeros), "")
+        sparse = self.write("sparse.txt", "")
+        os.truncate(sparse, 1 << 40)
+        self.refused(doors.program("check", self.scene(WHEEL_RAIL, rail__profile="sparse.txt")), "1000000000 bytes")
+
+    def test_influence_files(self):
+        good = (doors.SOURCE / "data" / "influence" / "small_rail.h5").read_bytes()
+        for name, data, words in (("empty", b"", ""), ("text", b"hello\n" * 99, ""), ("half", good[:len(good) // 2], ""),
+                                  ("short", good[:-1], ""), ("long", good + b"x", ""), ("seal", b"x" + good[1:], ""),
+                                  ("a byte", good[:5000] + bytes([good[5000] ^ 1]) + good[5001:], "")):
+            self.write("broken.h5", data)
+            scene = self.write("scene.toml", (SCENES / "conformal_small.toml").read_text().replace(
+                "../influence/small_rail.h5", "broken.h5").replace("../influence", str(SCENES.parent / "influence")))
+            with self.subTest(name):
+                self.refused(doors.program("solve", scene), words)
+                self.refused(doors.program("info", self.folder / "broken.h5"), words)
+                self.refused(doors.program("influence", "expand", self.folder / "broken.h5", "--dx", "0.5", "--ds", "0.5",
+                                           "--mx", "4", "--my", "4", "-o", self.folder / "out.h5"), words)
+        pipe = self.folder / "pipe.h5"
+        os.mkfifo(pipe)
+        self.refused(doors.program("info", pipe), "")
+
+    def test_tables(self):
+        for name, text in (("empty", ""), ("header", "ix,is,h\n"), ("columns", "a,b,c\n1,2,3\n"),
+                           ("words", "ix,is,h\n0,0,x\n"), ("missing", "ix,is,h\n0,0,1\n"), ("nan", "ix,is,h\n0,0,nan\n"),
+                           ("outside", "ix,is,h\n99,0,1\n"), ("short", "ix,is,h\n0,0\n")):
+            with self.subTest(name):
+                self.write("gap.csv", text)
+                scene = toml_of({k: v for k, v in PATCH.items() if not k.startswith("gap")} | {"gap.table": "gap.csv"})
+                self.refused(doors.program("solve", self.write("scene.toml", scene)), "gap")
+        self.refused(doors.program("solve", self.scene(PATCH, motion__frictionless=False,
+                                                       motion__friction_table="none.csv")), "no such file")
+
+
+class CommandLine(Hostile):
+    def test_arguments(self):
+        hertz = SCENES / "hertz.toml"
+        small = doors.SOURCE / "data" / "influence" / "small_rail.h5"
+        grid = ["--dx", "0.5", "--ds", "0.5", "--mx", "4", "--my", "4"]
+        for arguments in (["slove", hertz], [hertz], ["solve"], ["solve", hertz, "--modell", "fem"],
+                          ["solve", hertz, "--model", "femm"], ["solve", hertz, hertz], ["sweep", hertz], ["info"],
+                          ["--jsn"], ["influence"], ["influence", "expnd"], ["influence", "expand", small],
+                          ["sweep", hertz, "-o", "x.h5", "--jobs", "-1"], ["sweep", hertz, "-o", "x.h5", "--jobs", "1e9"],
+                          ["sweep", hertz, "-o", "x.h5", "--part", "0/3"], ["sweep", hertz, "-o", "x.h5", "--part", "x"],
+                          ["influence", "expand", small, *grid, "-o", "x.dat"],
+                          ["influence", "expand", small, *grid[2:], "--dx", "nan", "-o", "x.h5"],
+                          ["influence", "expand", small, *grid[2:], "--dx", "-1", "-o", "x.h5"],
+                          ["influence", "expand", small, *grid[:4], "--mx", "0", "--my", "4", "-o", "x.h5"],
+                          ["influence", "expand", small, *grid[:4], "--mx", "99999", "--my", "99999", "-o", "x.h5"],
+                          ["influence", "expand", small, *grid, "--centre", "1e9", "-o", "x.h5"]):
+            with self.subTest(arguments):
+                Hostile.count += 1
+                code, message = doors.program(*arguments, cwd=self.folder)
+                self.assertEqual(code, 2, message)
+                self.assertTrue(message.strip())
+        self.assertEqual([f for f in os.listdir(self.folder) if f.startswith("x.")], [])
+
+
+class Outputs(Hostile):
+    """Nothing that an output's name leads to is lost."""
+
+    OUTPUTS = (("-o", "h5"), ("--vtk", "vts"))
+
+    def solve(self, option, output):
+        return doors.program("solve", SCENES / "hertz.toml", option, output)
+
+    def nodes(self):
+        null, full = self.folder / "null", self.folder / "full"
+        try:
+            os.mknod(null, 0o600 | stat.S_IFCHR, os.makedev(1, 3))
+            os.mknod(full, 0o600 | stat.S_IFCHR, os.makedev(1, 7))
+        except FileExistsError:
+            pass
+        except OSError:
+            self.skipTest("only root can make a device")
+        return null, full
+
+    def test_refused(self):
+        read_only = self.write("read-only", "mine")
+        read_only.chmod(0o444)
+        link, loop = self.folder / "to-read-only", self.folder / "loop"
+        link.symlink_to("read-only")
+        loop.symlink_to("loop")
+        (self.folder / "server").unlink(missing_ok=True)
+        with contextlib.closing(socket.socket(socket.AF_UNIX)) as server:
+            server.bind(str(self.folder / "server"))
+            for output, words in ((read_only, "protected"), (link, "protected"), (loop, "itself"),
+                                  (self.folder, "folder"), (self.folder / "none" / "x", "no folder"),
+                                  (read_only / "x", "no folder"), (self.folder / "server", "socket"),
+                                  (SCENES / "hertz.toml", "overwrite")):
+                for option, _ in self.OUTPUTS:
+                    with self.subTest(f"{option} {output}"):
+                        self.refused(self.solve(option, output), words)
+        self.assertEqual(read_only.read_text(), "mine")
+        self.assertTrue(link.is_symlink() and loop.is_symlink() and (self.folder / "server").is_socket())
+
+    def test_devices(self):
+        null, full = self.nodes()
+        self.refused(self.solve("-o", null), "device")
+        self.assertEqual(self.solve("--vtk", null)[0], 0)
+        self.refused(self.solve("--vtk", full), "No space left")
+        self.assertTrue(null.is_char_device() and full.is_char_device())
+
+    def test_pipes(self):
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        self.refused(self.solve("-o", pipe), "a pipe")
+        found = []
+        reader = threading.Thread(target=lambda: found.append(pipe.read_text()))
+        reader.start()
+        self.assertEqual(self.solve("--vtk", pipe)[0], 0)
+        reader.join()
+        self.assertTrue(found[0].startswith("<?xml") and found[0].endswith("</VTKFile>\n"))
+        self.assertTrue(pipe.is_fifo())
+
+    def test_links(self):
+        (self.folder / "far").mkdir()
+        for option, ending in self.OUTPUTS:
+            target, link = self.folder / "far" / f"target.{ending}", self.folder / f"link.{ending}"
+            target.write_text("old")
+            link.symlink_to(target)
+            self.assertEqual(self.solve(option, link)[0], 0)
+            self.assertTrue(link.is_symlink() and not target.is_symlink())
+            self.assertGreater(target.stat().st_size, 1000)
+        self.assertEqual(sorted(os.listdir(self.folder / "far")), ["target.h5", "target.vts"])
+
+    def test_where_standard_output_goes(self):
+        out = self.folder / "both"
+        with open(out, "wb") as file:
+            self.refused(doors.program("solve", SCENES / "hertz.toml", "-o", out, stdout=file), "standard output")
+        with open(out, "wb") as file:
+            code, _ = doors.program("solve", SCENES / "hertz.toml", "--vtk", "/dev/stdout", stdout=file)
+        text = out.read_text()
+        self.assertEqual(code, 0)
+        self.assertTrue(text.startswith("<?xml") and "</VTKFile>" in text and "certificate" in text)
+
+    def test_full_standard_output(self):
+        _, full = self.nodes()
+        hertz, small = SCENES / "hertz.toml", doors.SOURCE / "data" / "influence" / "small_rail.h5"
+        sweep = self.write("full_sweep.toml", toml_of(PATCH) + "[sweep]\nload.force = [1e5]\n")
+        commands = [[doors.PROGRAM, *c] for c in (
+            ["--help"], ["--version"], ["--print-default"], ["solve", hertz], ["solve", hertz, "--json"],
+            ["solve", "--help"], ["check", hertz], ["info", small], ["compare", SCENES / "conformal_small.toml"],
+            ["compare", SCENES / "conformal_small.toml", "--json"],
+            ["influence", "expand", small, "--dx", "0.5", "--ds", "0.5", "--mx", "2", "--my", "2", "-o",
+             self.folder / "numbers.h5"], ["sweep", sweep, "-o", self.folder / "full.h5"])]
+        if "MESH_BODY" in os.environ:
+            commands += [[os.environ["MESH_BODY"], o] for o in ("--help", "--version", "--print-default")]
+            commands += [[os.environ["FEM_INFLUENCE"], o] for o in ("--help", "--version")]
+        for command in commands:
+            with self.subTest(command), open(full, "wb") as out:
+                self.refused(doors.run(*command, stdout=out), "Standard output cannot be written", code=1)
+
+    def test_closed_standard_streams(self):
+        for closed in (">&-", "2>&-", "<&- >&- 2>&-"):
+            output = self.folder / "closed.h5"
+            done = subprocess.run(f"exec {doors.PROGRAM} solve {SCENES}/hertz.toml -o {output} {closed}", shell=True,
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            self.assertEqual(done.returncode, 0 if closed == "2>&-" else 1)
+            self.assertEqual(doors.program("info", output)[0], 0, closed)  # nothing was printed into it
+
+    @unittest.skipUnless("MESH_BODY" in os.environ, "mesh_body is not built")
+    def test_meshes(self):
+        mesh_body, body = os.environ["MESH_BODY"], doors.SOURCE / "data" / "bodies" / "small_rail.toml"
+        read_only = self.write("old.msh", "mine")
+        read_only.chmod(0o444)
+        pipe, link = self.folder / "mesh.pipe", self.folder / "mesh.link"
+        os.mkfifo(pipe)
+        link.symlink_to("mesh.target")
+        self.refused(doors.run(mesh_body, body, "-o", read_only), "protected")
+        self.refused(doors.run(mesh_body, body, "-o", self.folder), "folder")
+        self.refused(doors.run(mesh_body, body, "-o", body), "overwrite")
+        found = []
+        reader = threading.Thread(target=lambda: found.append(pipe.read_text()))
+        reader.start()
+        self.assertEqual(doors.run(mesh_body, body, "-o", pipe)[0], 0)
+        reader.join()
+        self.assertEqual(doors.run(mesh_body, body, "-o", link)[0], 0)
+        self.assertTrue(pipe.is_fifo() and link.is_symlink())
+        self.assertEqual((self.folder / "mesh.target").read_text(), found[0])
+        self.refused(doors.run(os.environ["FEM_INFLUENCE"], body, self.folder / "mesh.target", "-o", pipe), "a pipe")
+        self.refused(doors.run(os.environ["FEM_INFLUENCE"], body, pipe, "-o", self.folder / "x.h5"), "regular")
+
+
+class Interrupted(Hostile):
+    def test_a_sweep_says_how_to_go_on(self):
+        forces = ", ".join(str(1e5 + i) for i in range(400))
+        scene = self.write("long.toml", (SCENES / "steady_rolling.toml").read_text() +
+                           f"\n[sweep]\nload.force = [{forces}]\nfields = false\n")
+        output = self.folder / "long.h5"
+        run = subprocess.Popen([doors.PROGRAM, "sweep", scene, "-o", output, "--jobs", "1"], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE, text=True)
+        part = Path(f"{output}.part")
+        while run.poll() is None and not (part.exists() and part.stat().st_size > 2000):
+            time.sleep(0.01)
+        run.send_signal(signal.SIGINT)
+        message = run.communicate()[1]
+        self.assertEqual(run.returncode, -signal.SIGINT)
+        self.assertRegex(message, r"interrupted: [1-9]\d* of 400 cases are done\. Give the same command again")
+        self.assertFalse(output.exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,146 @@
+"""The installed tree: moved to another folder, found by CMake and pkg-config, used from C, C++, Fortran and Python."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+BUILD, SOURCE = Path(os.environ["CONFORMAL_BUILD"]), Path(os.environ["CONFORMAL_SOURCE"])
+VERSION = os.environ["CONFORMAL_VERSION"]
+CLIENTS = Path(__file__).resolve().parent / "consumers"
+HERTZ = 1237.56  # MPa at 1e5 N (data/scenes/hertz.toml); it goes with the cube root of the force
+
+
+def run(*command, **options):
+    done = subprocess.run([str(c) for c in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          **options)
+    if done.returncode != 0:
+        raise AssertionError(f"{command} ended with {done.returncode}:\n{done.stdout[-4000:]}")
+    return done.stdout
+
+
+class Installed(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        folder = Path(cls.temporary.name)
+        run("cmake", "--install", BUILD, "--prefix", folder / "first")
+        cls.prefix = folder / "moved"
+        (folder / "first").rename(cls.prefix)
+        cls.lib = next(cls.prefix.glob("lib/**/libconformal_contact.so")).parent
+        cls.scene = cls.prefix / "share/conformal_contact/scenes/hertz.toml"
+        cls.work = folder / "work"
+        cls.work.mkdir()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def check(self, *client, **options):
+        pressures = [float(line) for line in run(*client, self.scene, **options).split()]
+        self.assertEqual(len(pressures), 3)
+        for i, pressure in enumerate(pressures):
+            self.assertAlmostEqual(pressure / (HERTZ / (i + 1) ** (1 / 3)), 1, delta=1e-2)
+
+    def configure(self, *options):
+        return subprocess.run(["cmake", "-S", str(CLIENTS), "-B", str(self.work / "cmake"), "-Wno-dev",
+                               f"-DCMAKE_PREFIX_PATH={self.prefix}", *options],
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+    def test_cmake(self):
+        done = self.configure(f"-DWANTED_VERSION={VERSION}")
+        self.assertEqual(done.returncode, 0, done.stdout)
+        run("cmake", "--build", self.work / "cmake")
+        for client in ("c", "cpp", "f90", "static"):
+            with self.subTest(client):
+                self.check(self.work / "cmake" / f"client_{client}")
+
+    def test_cmake_refuses_another_version(self):
+        major, minor, patch = (int(part) for part in VERSION.split("."))
+        for wanted in (f"{major + 1}.0", f"{major}.{minor + 1}", f"{major}.{minor}.{patch + 1}"):
+            with tempfile.TemporaryDirectory() as other:
+                done = subprocess.run(["cmake", "-S", str(CLIENTS), "-B", other, "-Wno-dev",
+                                       f"-DCMAKE_PREFIX_PATH={self.prefix}", f"-DWANTED_VERSION={wanted}"],
+                                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            self.assertNotEqual(done.returncode, 0, wanted)
+            self.assertIn("conformal_contact", done.stdout)
+
+    def test_pkg_config(self):
+        environment = os.environ | {"PKG_CONFIG_PATH": str(self.lib / "pkgconfig")}
+        flags = run("pkg-config", "--cflags", "--libs", "conformal_contact", env=environment).split()
+        self.assertEqual(run("pkg-config", "--modversion", "conformal_contact", env=environment).strip(), VERSION)
+        loader = os.environ | {"LD_LIBRARY_PATH": str(self.lib)}
+        for compiler, source, options in (("gcc", "client.c", ("-std=c89", "-pedantic", "-Werror")),
+                                          ("g++", "client.cpp", ("-std=c++20",)),
+                                          ("gfortran", "client.f90", ())):
+            with self.subTest(source):
+                program = self.work / (source + ".out")
+                run(compiler, *options, CLIENTS / source, "-o", program, *flags, cwd=self.work)
+                self.check(program, env=loader)
+
+    def test_the_program_and_its_pages(self):
+        program = self.prefix / "bin" / "bem_contact"
+        self.assertEqual(run(program, "--version").strip(), f"bem_contact {VERSION}")
+        self.assertIn("holds", run(program, "solve", self.scene))
+        pages = self.prefix / "share/man/man1"
+        for name in ("bem_contact", "bem_contact-solve", "bem_contact-sweep", "bem_contact-influence-expand"):
+            self.assertIn("--help".replace("-", "\\-"), (pages / f"{name}.1").read_text())
+        completed = run("bash", "-c", f"""source {self.prefix}/share/bash-completion/completions/bem_contact
+COMP_WORDS=(bem_contact solve --mod); COMP_CWORD=2; _bem_contact; echo "${{COMPREPLY[@]}}"
+COMP_WORDS=(bem_contact solve --model ""); COMP_CWORD=3; _bem_contact; echo "${{COMPREPLY[@]}}"
+COMP_WORDS=(bem_contact comp); COMP_CWORD=1; _bem_contact; echo "${{COMPREPLY[@]}}" """).splitlines()
+        self.assertEqual(completed[0], "--model")
+        self.assertIn("tangent_plane", completed[1].split())
+        self.assertEqual(completed[2].split()[0], "compare")
+
+    def test_python(self):
+        package = next(self.prefix.glob("lib/**/bem_contact/__init__.py")).parent.parent
+        code = f"import bem_contact as b; print(b.__version__, b.solve({str(self.scene)!r}).pmax, b.__file__)"
+        version, pmax, file = run(sys.executable, "-c", code, cwd="/",
+                                  env=os.environ | {"PYTHONPATH": str(package)}).split()
+        self.assertEqual(version, VERSION)
+        self.assertAlmostEqual(float(pmax) / HERTZ, 1, delta=1e-2)
+        self.assertTrue(file.startswith(str(self.prefix)))
+
+    def test_pip(self):
+        """A virtual environment with Debian's packages and no network; the build that is there is used."""
+        folder = self.work / "environment"
+        run("/usr/bin/python3", "-m", "venv", "--system-site-packages", folder)
+        source = self.work / "source"  # setuptools writes beside what it builds
+        shutil.copytree(SOURCE / "bem_contact" / "python", source / "bem_contact" / "python",
+                        ignore=shutil.ignore_patterns("build", "*.egg-info", "__pycache__"))
+        shutil.copy(SOURCE / "CMakeLists.txt", source)
+        run(folder / "bin" / "pip", "install", "--no-build-isolation", "--no-index", "--no-deps",
+            source / "bem_contact" / "python", env=os.environ | {"BEM_CONTACT_BUILD": str(BUILD)})
+        clean = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "PATH")}
+        clean["PATH"] = "/usr/bin:/bin"
+        python = folder / "bin" / "python3"
+        code = f"import bem_contact as b; print(b.solve({str(self.scene)!r}).pmax, b.__file__)"
+        pmax, file = run(python, "-c", code, cwd="/", env=clean).split()
+        self.assertAlmostEqual(float(pmax) / HERTZ, 1, delta=1e-2)
+        self.assertTrue(file.startswith(str(folder)))
+        for program in ((python, "-m", "bem_contact"), (folder / "bin" / "bem_contact",)):
+            self.assertEqual(run(*program, "--version", cwd="/", env=clean).strip(), f"bem_contact {VERSION}")
+            self.assertIn("holds", run(*program, "solve", self.scene, cwd="/", env=clean))
+
+    def test_nothing_points_back(self):
+        """No file of the installed tree knows where it was built or first installed."""
+        for file in self.prefix.rglob("*"):
+            if file.is_file() and file.suffix in (".cmake", ".pc", ".h", ".hpp", ".py"):
+                text = file.read_text()
+                self.assertNotIn(str(BUILD), text, file)
+                self.assertNotIn(str(SOURCE), text, file)
+                self.assertNotIn("first/", text, file)
+
+    def test_public_headers_only(self):
+        headers = {str(h.relative_to(self.prefix / "include")) for h in (self.prefix / "include").rglob("*.h*")}
+        self.assertIn("conformal_contact.h", headers)
+        self.assertIn("bem_contact/sequence/sequence.hpp", headers)
+        self.assertFalse({h for h in headers if "/app/" in h or "/python/" in h or "operator" in h})
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,70 @@
+#include "bem_contact/sequence/sequence.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "tests/base/message.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace bem_contact;
+using ::testing::HasSubstr;
+
+const std::string small = CONFORMAL_SOURCE_DIR "/data/scenes/conformal_small.toml";
+
+TEST(Comparison, AtEqualForcesAllModelsBearTheSame) {
+  const Comparison c =
+      Sequence().compare(read_scene_file(small), {Model::halfspace, Model::tangent_plane, Model::fem});
+  ASSERT_EQ(c.models[c.reference], Model::fem);
+  ASSERT_EQ(c.at_forces.size(), 3u);
+  const ContactResult& fem = c.at_forces[2].result;
+  for (const SceneResult& r : c.at_forces) {
+    EXPECT_TRUE(r.result.certificate.holds());
+    EXPECT_NEAR(r.result.Fx, 0, 0.1) << "free rolling";
+    EXPECT_NEAR(r.result.Fy, fem.Fy, 0.2);
+    EXPECT_NEAR(r.result.Fz, fem.Fz, 0.1);
+  }
+  // What the independent 3-D analysis says: a shift of 0.02 mm makes most of the difference at equal
+  // position.
+  EXPECT_NEAR(*c.at_forces[0].lateral - *c.at_forces[2].lateral, 0.02, 0.01);
+  const auto off = [](const SceneResult& a, const SceneResult& b) {
+    return largest_pressure(b.result) / largest_pressure(a.result) - 1;
+  };
+  EXPECT_LT(off(c.at_position[0], c.at_position[2]), -0.05);
+  EXPECT_GT(off(c.at_forces[0], c.at_forces[2]), -0.02);
+}
+
+TEST(Comparison, CreepForcesBeyondFreeRollingAreNearlyTheSame) {
+  const Comparison c = Sequence().compare(read_scene_file(small));
+  ASSERT_EQ(c.creep_forces.size(), 3u);
+  for (const CreepForces& forces : c.creep_forces)
+    EXPECT_NEAR(forces.Fx[0], forces.Fx[1], 0.01 * 0.3 * 1.07e5) << forces.creepage; // 1 % of mu Fn
+  EXPECT_GT(c.at_forces[1].free_rolling->xi - c.at_forces[0].free_rolling->xi, 5e-4)
+      << "what differs is free rolling itself";
+}
+
+TEST(Comparison, APrescribedLateralForceIsTheCommonOne) {
+  SceneFile scene = read_scene_file(small);
+  scene.load.force_y = 3e4;
+  const Comparison c = Sequence().compare(scene);
+  for (const SceneResult& r : c.at_forces)
+    EXPECT_NEAR(r.result.Fy, 3e4, 0.2);
+  EXPECT_EQ(*c.at_position[0].lateral, *c.at_position[1].lateral);
+}
+
+TEST(Comparison, APatchIsComparedAtEqualForceAlone) {
+  const SceneFile scene = read_scene_file(CONFORMAL_SOURCE_DIR "/data/scenes/hertz.toml");
+  const Comparison c = Sequence().compare(scene, {Model::hertz, Model::halfspace});
+  EXPECT_EQ(c.models[c.reference], Model::halfspace) << "the last one, without fem";
+  EXPECT_TRUE(c.at_position.empty());
+  EXPECT_NEAR(c.at_forces[0].result.Fz, c.at_forces[1].result.Fz, 1e-6 * c.at_forces[1].result.Fz);
+}
+
+TEST(Comparison, OneModelIsNoComparison) {
+  const SceneFile scene = read_scene_file(small);
+  for (const std::vector<Model>& models : {std::vector{Model::fem}, std::vector{Model::fem, Model::fem}})
+    EXPECT_THAT(message_of([&] { Sequence().compare(scene, models); }), HasSubstr("two different models"));
+}
+
+} // namespace

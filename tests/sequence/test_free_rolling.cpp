@@ -1,0 +1,101 @@
+#include "bem_contact/sequence/sequence.hpp"
+
+#include "bem_contact/sequence/radial_displacement.hpp"
+#include "tests/base/message.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace bem_contact;
+using ::testing::HasSubstr;
+
+SceneFile rolling(const std::string& more) {
+  return parse_scene_file("rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nposition.lateral = 6.6\n"
+                          "load.force = 1e5\nsolver.model = \"halfspace\"\ngrid.dx = 1.0\ngrid.ds = 0.6\n" +
+                          more);
+}
+
+TEST(FreeRolling, IsTheCreepageOfNoLongitudinalForce) {
+  const SceneResult asked = Sequence().solve(rolling(""));
+  const SceneResult prescribed = Sequence().solve(rolling("load.force_x = 0\n"));
+  ASSERT_TRUE(asked.free_rolling && prescribed.free_rolling);
+  EXPECT_NEAR(prescribed.result.Fx, 0, 0.1);
+  EXPECT_NEAR(asked.free_rolling->xi, prescribed.xi, 1e-8);
+  EXPECT_NEAR(prescribed.free_rolling->xi, prescribed.xi, 0.0);
+  EXPECT_GT(asked.result.Fx, 1000) << "at xi = 0 the wheel does not roll freely here";
+}
+
+TEST(FreeRolling, LeavesTheResultAsItIs) {
+  const SceneResult with = Sequence().solve(rolling(""));
+  const SceneResult without = Sequence().solve(rolling("motion.free_rolling = false\n"));
+  EXPECT_FALSE(without.free_rolling);
+  EXPECT_EQ(with.result.Fx, without.result.Fx);
+  EXPECT_EQ(with.result.pn, without.result.pn);
+}
+
+TEST(FreeRolling, CreepageIsCountedFromThere) {
+  const SceneResult free = Sequence().solve(rolling("motion.from_free_rolling = true\n"));
+  EXPECT_NEAR(free.result.Fx, 0, 0.5);
+  // Which rolling radius is given hardly matters: that of free rolling is found. What is left is how the slip
+  // 1 - r / R_roll differs from row to row, in proportion to 1 / R_roll: 0.2 %.
+  const std::string driven = "motion.from_free_rolling = true\nmotion.xi = 1e-3\n";
+  const SceneResult one = Sequence().solve(rolling(driven + "motion.rolling_radius = 465\n"));
+  const SceneResult other = Sequence().solve(rolling(driven + "motion.rolling_radius = 466\n"));
+  EXPECT_GT(one.result.Fx, 4000);
+  EXPECT_NEAR(one.result.Fx, other.result.Fx, 3e-3 * one.result.Fx);
+  EXPECT_NEAR(one.xi - one.free_rolling->xi, 1e-3, 1e-12);
+  EXPECT_NEAR(one.free_rolling->rolling_radius, other.free_rolling->rolling_radius, 1e-2);
+}
+
+TEST(FreeRolling, WhatContradictsItIsRefused) {
+  EXPECT_THAT(message_of([] { rolling("motion.from_free_rolling = true\nload.force_x = 100\n"); }),
+              HasSubstr("its creepage is found"));
+  EXPECT_THAT(message_of([] { rolling("motion.from_free_rolling = true\nmotion.kind = \"transient\"\n"); }),
+              HasSubstr("free rolling is steady"));
+}
+
+/// A_nn and A_ns of the wheel all the same: u_r does not depend on x, and its integral is linear.
+TEST(RadialDisplacement, IsAUniformSlipUnderUniformNumbers) {
+  InfluenceNumbers wheel{4, 2, 0.5, 0.5, {}};
+  wheel.values.assign(wheel.expected_values(), 0.0);
+  InfluenceNumbers pair = wheel;
+  for (int m = 0; m < wheel.offsets; ++m)
+    for (int row_i = 0; row_i < 2; ++row_i)
+      for (int row_j = 0; row_j < 2; ++row_j) {
+        wheel.at(m, row_i, component_n, row_j, component_n) = 2e-6;
+        wheel.at(m, row_i, component_s, row_j, component_n) = 1e-6;
+      }
+  const double delta[] = {0.0, -0.5};
+  add_radial_displacement(wheel, delta, 400, pair);
+  for (int m = 0; m < wheel.offsets; ++m)
+    for (int row_i = 0; row_i < 2; ++row_i) {
+      // Pressure moves the wheel's surface towards the axle: u' = -A p falls with x by |u_r| / R per length.
+      const double towards_axle = 2e-6 * std::cos(delta[row_i]) + 1e-6 * std::sin(delta[row_i]);
+      EXPECT_NEAR(pair.at(m, row_i, component_x, 0, component_n), towards_axle * 0.5 * m / 400, 1e-20);
+      EXPECT_EQ(pair.at(m, row_i, component_n, 0, component_n), 0);
+    }
+}
+
+SceneFile conformal(bool radial) {
+  SceneFile scene = read_scene_file(CONFORMAL_SOURCE_DIR "/data/scenes/conformal_small.toml");
+  scene.motion.radial_displacement = radial;
+  return with_model(scene, Model::fem);
+}
+
+TEST(RadialDisplacement, MovesFreeRollingAndNothingElse) {
+  Sequence sequence;
+  SceneFile with = conformal(true), without = conformal(false);
+  const SceneResult a = sequence.solve(with), b = sequence.solve(without);
+  // 0.8e-4 by an independent 3-D analysis of these profiles, whose wheel is not this coarse one.
+  EXPECT_NEAR(a.free_rolling->xi - b.free_rolling->xi, -0.8e-4, 0.3e-4);
+  with.motion.from_free_rolling = without.motion.from_free_rolling = true;
+  with.motion.xi = without.motion.xi = 1e-3;
+  const double fx = sequence.solve(with).result.Fx;
+  EXPECT_NEAR(sequence.solve(without).result.Fx, fx, 5e-3 * fx);
+}
+
+} // namespace

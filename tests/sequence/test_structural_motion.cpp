@@ -1,0 +1,180 @@
+// Bodies placed by their structures' motion. The influence files that are shipped: rail held at its foot,
+// wheel at its bore.
+#include "bem_contact/sequence/sequence.hpp"
+
+#include "bem_contact/influence/influence_file.hpp"
+#include "tests/base/message.hpp"
+#include "tests/influence/sample_function.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace {
+
+using namespace bem_contact;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string files = CONFORMAL_SOURCE_DIR "/data/influence/";
+
+const std::string coarse = "grid.dx = 1.0\ngrid.ds = 0.5\n";
+
+/// S1002 on 60E1 at the gauge corner, without friction; on coarse elements unless `more` has others.
+SceneFile gauge_corner(double force, const std::string& structural, const std::string& more = "",
+                       const std::string& rail = files + "small_rail.h5",
+                       const std::string& wheel = files + "small_wheel.h5") {
+  SceneFile scene = parse_scene_file(fmt::format(
+      "rail.profile = '60E1'\nwheel.profile = 'S1002'\nrail.influence = '{}'\nwheel.influence = '{}'\n"
+      "rail.structural = '{}'\nwheel.structural = '{}'\n"
+      "load.force = {}\nposition.lateral = 6.6\n{}{}",
+      rail, wheel, structural, structural, force, more.find("grid.") == std::string::npos ? coarse : "",
+      more));
+  scene.motion.frictionless = true;
+  return with_model(scene, Model::fem);
+}
+
+const std::string linear = "solver.structural_motion = 'linear'\n";
+
+SceneResult solved(const SceneFile& scene) {
+  SceneResult out = Sequence().solve(scene);
+  EXPECT_TRUE(out.result.converged);
+  return out;
+}
+
+/// The same file with another table of the remote section's motions.
+std::string with_remote(const TemporaryFolder& folder, const std::string& name, double factor) {
+  InfluenceFunction f = read_influence_file(files + name);
+  for (double& value : f.remote)
+    value *= factor;
+  const std::string out = folder / name;
+  write_influence_file(out, f);
+  return out;
+}
+
+TEST(StructuralMotion, StandsWhereItsOwnForceTakesIt) {
+  const SceneResult r = solved(gauge_corner(5e4, "included"));
+  ASSERT_TRUE(r.structure && r.structure->rail && r.structure->wheel);
+  const StructuralResult& s = *r.structure;
+  EXPECT_TRUE(s.placed);
+  EXPECT_LT(s.change, 1e-4);
+  EXPECT_GT(s.solutions, 1);
+  for (const auto& [body, sign] : {std::pair(*s.rail, 1.0), std::pair(*s.wheel, -1.0)}) {
+    EXPECT_NEAR(body.force[1], sign * r.result.Fy, 1e-6 * r.result.Fz);
+    EXPECT_NEAR(body.force[2], sign * r.result.Fz, 1e-6 * r.result.Fz);
+    const SixNumbers motion = product(body.compliance, body.force);
+    for (int i = 0; i < 6; ++i)
+      EXPECT_DOUBLE_EQ(motion[i], body.motion[i]);
+    EXPECT_NEAR(body.after.y - body.before.y, body.motion[1], 1.1e-4);
+  }
+  EXPECT_NEAR(s.rail->after.z - s.rail->before.z, s.rail->motion[2], 1.1e-4);
+  // Pressed outwards, the rail goes there and the wheel goes the other way. Each force does work on its body.
+  EXPECT_GT(s.rail->motion[1], 0);
+  EXPECT_LT(s.wheel->motion[1], 0);
+  for (const BodyMotion& body : {*s.rail, *s.wheel})
+    EXPECT_GT(std::inner_product(body.force.begin(), body.force.end(), body.motion.begin(), 0.0), 0);
+}
+
+TEST(StructuralMotion, IsTheLinearSolutionToSecondOrder) {
+  // What placing the bodies changes is of second order in the force: relative to the force, of first.
+  const auto difference = [](double force) {
+    const std::string grid = "grid.dx = 0.5\ngrid.ds = 0.25\n";
+    const SceneResult placed = solved(gauge_corner(force, "included", grid));
+    const SceneResult undeformed = solved(gauge_corner(force, "included", grid + linear));
+    EXPECT_FALSE(undeformed.structure->placed);
+    return std::abs(placed.result.Fy - undeformed.result.Fy) / undeformed.result.Fy;
+  };
+  const double small = difference(1000), middle = difference(2000), large = difference(16000);
+  EXPECT_LT(small, 2e-3);
+  EXPECT_LT(small, 0.6 * middle);
+  EXPECT_LT(middle, large / 5);
+}
+
+TEST(StructuralMotion, AStructureThatDoesNotGiveWayChangesNothing) {
+  const TemporaryFolder folder;
+  const std::string rail = with_remote(folder, "small_rail.h5", 0);
+  const std::string wheel = with_remote(folder, "small_wheel.h5", 0);
+  const SceneResult placed = solved(gauge_corner(5e4, "included", "", rail, wheel));
+  const SceneResult undeformed = solved(gauge_corner(5e4, "included", linear, rail, wheel));
+  ASSERT_TRUE(placed.structure && placed.structure->rail);
+  EXPECT_FALSE(placed.structure->rail->stiffness);
+  EXPECT_EQ(placed.structure->change, 0);
+  EXPECT_NEAR(placed.result.Fy, undeformed.result.Fy, 1e-6 * placed.result.Fz);
+  EXPECT_NEAR(placed.result.approach, undeformed.result.approach, 1e-6 * placed.result.approach);
+}
+
+TEST(StructuralMotion, EqualsTheLocalContactOfRigidBodiesInThatPosition) {
+  // The same contact asked another way: bodies put by hand where the structures take them, relative to each
+  // other, and solved with the local compliance alone.
+  const SceneResult placed = solved(gauge_corner(5e4, "included"));
+  const StructuralResult& s = *placed.structure;
+  const double turn = s.rail->motion[3] - s.wheel->motion[3];
+  // The rail turns about the origin of its section, the motion is that of the reference point.
+  SceneFile by_hand = gauge_corner(5e4, "removed");
+  const ContactSetup setup = set_up_contact(by_hand, read_profiles(by_hand));
+  const Point2 arm = s.rail->before - setup.wheel_rail()->pair.rail_pose.origin;
+  const double across = s.rail->motion[1] - s.wheel->motion[1];
+  const double down = s.rail->motion[2] - s.wheel->motion[2];
+  by_hand.position.rail_roll = turn;
+  by_hand.position.rail_lateral = across + turn * arm.z;
+  by_hand.position.rail_vertical = down - turn * arm.y;
+  const SceneResult local = solved(by_hand);
+  EXPECT_NEAR(local.result.Fy, placed.result.Fy, 5e-3 * placed.result.Fz);
+  EXPECT_NEAR(largest_pressure(local.result), largest_pressure(placed.result),
+              5e-3 * largest_pressure(placed.result));
+  // While on the undeformed position the forces are others altogether.
+  const SceneResult removed = solved(gauge_corner(5e4, "removed"));
+  EXPECT_GT(std::abs(removed.result.Fy - placed.result.Fy), 2e-2 * placed.result.Fz);
+}
+
+TEST(StructuralMotion, SurfacesThatSlideUnseenAreWarnedOf) {
+  const auto warning = Contains(HasSubstr("the surfaces move past each other by up to"));
+  EXPECT_THAT(solved(gauge_corner(8e4, "included", linear)).warnings, warning);
+  EXPECT_THAT(solved(gauge_corner(8e4, "included")).warnings, Not(warning));
+  EXPECT_THAT(solved(gauge_corner(8e4, "removed")).warnings, Not(warning));
+}
+
+TEST(StructuralMotion, APrescribedApproachIsThatOfWhatIsHeld) {
+  // The approach found for a force gives that force.
+  const SceneResult by_force = solved(gauge_corner(5e4, "included"));
+  SceneFile scene = gauge_corner(5e4, "included");
+  scene.load.force.reset();
+  scene.load.approach = by_force.result.approach;
+  const SceneResult by_approach = solved(scene);
+  EXPECT_NEAR(by_approach.result.Fz, 5e4, 100);
+  EXPECT_NEAR(by_approach.result.Fy, by_force.result.Fy, 200);
+  EXPECT_EQ(by_approach.result.approach, by_force.result.approach);
+}
+
+TEST(StructuralMotion, ALeftWheelIsTheMirrorImage) {
+  const SceneResult right = solved(gauge_corner(5e4, "included"));
+  SceneFile mirrored = gauge_corner(5e4, "included", "position.side = 'left'\n");
+  mirrored.position.lateral = -6.6;
+  const SceneResult left = solved(mirrored);
+  EXPECT_EQ(left.result.Fy, right.result.Fy);
+  EXPECT_EQ(left.structure->wheel->motion, right.structure->wheel->motion);
+}
+
+TEST(StructuralMotion, TheApproachSaysWhatItIsRelativeTo) {
+  EXPECT_THAT(solved(gauge_corner(5e4, "removed")).approach_datum, HasSubstr("remote section"));
+  const std::string held = solved(gauge_corner(5e4, "included")).approach_datum;
+  EXPECT_THAT(held, HasSubstr("rail: where it is held (foot"));
+  EXPECT_THAT(held, HasSubstr("wheel: where it is held (bore"));
+  EXPECT_THAT(Sequence().solve(with_model(gauge_corner(5e4, "removed"), Model::halfspace)).approach_datum,
+              HasSubstr("half-spaces"));
+}
+
+TEST(StructuralMotion, WithFrictionTheBodiesStandToo) {
+  SceneFile scene = gauge_corner(5e4, "included", "motion.xi = 0.002\n");
+  scene.motion.frictionless = false;
+  const SceneResult r = solved(scene);
+  EXPECT_LT(r.structure->change, 1e-4);
+  EXPECT_NEAR(r.structure->rail->force[0], r.result.Fx, 1e-6 * r.result.Fz);
+}
+
+} // namespace

@@ -1,0 +1,81 @@
+# cmake --install: programs, the shared library with its C header, the C++ headers that callers need, the static
+# libraries, the Python package, small data, man pages and bash completion. Everything is found relative to the files
+# themselves, so that the installed tree may be moved.
+include(CMakePackageConfigHelpers)
+
+set(CONFORMAL_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where the Python package goes, below the prefix")
+set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/conformal_contact)
+
+# The headers of a C++ caller: what Sequence takes and returns, and all that these include.
+set(public_headers)
+set(todo bem_contact/sequence/sequence.hpp bem_contact/scene/scene_file.hpp bem_contact/scene/scene_reader.hpp
+         bem_contact/base/error.hpp bem_contact/base/provenance.hpp bem_contact/contact/work.hpp)
+while(todo)
+  list(POP_FRONT todo header)
+  if(NOT header IN_LIST public_headers)
+    list(APPEND public_headers ${header})
+    file(STRINGS ${PROJECT_SOURCE_DIR}/${header} includes REGEX "^#include \"bem_contact/")
+    list(TRANSFORM includes REPLACE "^#include \"([^\"]+)\".*" "\\1")
+    list(APPEND todo ${includes})
+  endif()
+endwhile()
+foreach(header ${public_headers})
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/bem_contact/c/conformal_contact.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+
+# The shared library needs nothing else of a caller. The static ones need the libraries that they were built with.
+install(TARGETS conformal_contact EXPORT conformal_contact_shared
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(TARGETS conformal_options bem_contact_base bem_contact_profile bem_contact_influence bem_contact_halfspace
+                bem_contact_reference bem_contact_contact bem_contact_geometry bem_contact_scene bem_contact_sequence
+                bem_contact_c
+  EXPORT conformal_contact_static
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+foreach(kind shared static)
+  install(EXPORT conformal_contact_${kind} NAMESPACE conformal_contact:: FILE conformal_contact-${kind}.cmake
+    DESTINATION ${cmake_dir})
+endforeach()
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/conformal_contact-config.cmake.in
+  ${PROJECT_BINARY_DIR}/conformal_contact-config.cmake INSTALL_DESTINATION ${cmake_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/conformal_contact-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/conformal_contact-config.cmake
+              ${PROJECT_BINARY_DIR}/conformal_contact-config-version.cmake DESTINATION ${cmake_dir})
+
+file(RELATIVE_PATH from_pc_to_prefix /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/conformal_contact.pc.in ${PROJECT_BINARY_DIR}/conformal_contact.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/conformal_contact.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+set(programs bem_contact)
+if(CONFORMAL_WITH_FEM)
+  list(APPEND programs mesh_body fem_influence)
+endif()
+install(TARGETS ${programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+
+if(TARGET bem_contact_python)
+  file(RELATIVE_PATH from_python_to_lib /prefix/${CONFORMAL_PYTHON_DIR}/bem_contact /prefix/${CMAKE_INSTALL_LIBDIR})
+  set_target_properties(bem_contact_python PROPERTIES INSTALL_RPATH "$ORIGIN/lib;$ORIGIN/${from_python_to_lib}")
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/bem_contact/python/bem_contact DESTINATION ${CONFORMAL_PYTHON_DIR}
+    PATTERN __pycache__ EXCLUDE)
+  install(TARGETS bem_contact_python LIBRARY DESTINATION ${CONFORMAL_PYTHON_DIR}/bem_contact)
+endif()
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/bodies ${PROJECT_SOURCE_DIR}/data/influence
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact)
+
+# Man pages and completion, from the programs' own help.
+set(pages ${PROJECT_BINARY_DIR}/pages)
+list(TRANSFORM programs REPLACE "(.+)" "$<TARGET_FILE:\\1>" OUTPUT_VARIABLE program_files)
+add_custom_command(OUTPUT ${pages}/made
+  COMMAND ${SYSTEM_PYTHON} ${PROJECT_SOURCE_DIR}/tools/makers/man_pages -o ${pages} ${program_files}
+  COMMAND ${CMAKE_COMMAND} -E touch ${pages}/made
+  DEPENDS ${programs} ${PROJECT_SOURCE_DIR}/tools/makers/man_pages
+  COMMENT "Man pages and bash completion from the programs' help")
+add_custom_target(man_pages ALL DEPENDS ${pages}/made)
+install(DIRECTORY ${pages}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+install(DIRECTORY ${pages}/completions/ DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)

@@ -1,0 +1,1 @@
+"""What tools/verify and tools/stability share: calling the program, exact solutions, a dense solver, pages."""
