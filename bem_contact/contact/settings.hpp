@@ -297,8 +297,9 @@ BEM_CONTACT_TUNED(int, least_companion, 40);
 BEM_CONTACT_TUNED(int, least_companion_line, 7);
 
 // Stated errors of printed numbers: a share of the change from elements twice as large, and a local part. All
-// shares are fitted to random cases, so that 96.5 in 100 true errors are below the stated ones and the median
-// of stated over true is least; tools/BENCHMARKS.md, section 9, judges them on other cases.
+// shares are fitted to 415 random cases (seeds 1 and 2 of tools/benchmarks/estimates), so that about 96 in
+// 100 true errors are below the stated ones and the median of stated over true is least. tools/BENCHMARKS.md,
+// section 9, judges them on other cases; those of the creepages were doubled after it.
 
 BEM_CONTACT_TUNED(double, pmax_change, 0.02);     ///< 1. Share of the change of pmax,
 BEM_CONTACT_TUNED(double, pmax_local, 0.092);     ///< 1. and of how far p_n falls beside its peak.
@@ -327,11 +328,11 @@ BEM_CONTACT_TUNED(double, approach_peak, 0.018); ///< 1. and of it times the rel
 BEM_CONTACT_TUNED(double, overlap_change, 0.11); ///< 1. Approach of a patch: the same.
 BEM_CONTACT_TUNED(double, overlap_local, 0.9);   ///< 1. As above.
 BEM_CONTACT_TUNED(double, overlap_peak, 0.034);  ///< 1. As above.
-BEM_CONTACT_TUNED(double, creepage_change, 0.26); ///< 1. A creepage found: share of its change, and of the
+BEM_CONTACT_TUNED(double, creepage_change, 0.52); ///< 1. A creepage found: share of its change, and of the
 BEM_CONTACT_TUNED(double, creepage_local,
-                  0.19); ///< 1. strain of full friction: over the elements in contact,
-BEM_CONTACT_TUNED(double, creepage_border, 0.25); ///< 1. and times the shares on both borders.
-BEM_CONTACT_TUNED(double, force_change, 0.85);    ///< 1. Normal force of a patch: share of its change,
+                  0.38); ///< 1. strain of full friction: over the elements in contact,
+BEM_CONTACT_TUNED(double, creepage_border, 0.5); ///< 1. and times the shares on both borders.
+BEM_CONTACT_TUNED(double, force_change, 0.85);   ///< 1. Normal force of a patch: share of its change,
 BEM_CONTACT_TUNED(double, force_local, 0.008); ///< 1. of that of one element (mean), and, by the inclination,
 BEM_CONTACT_TUNED(double, force_border,
                   0.65); ///< 1. of its friction times the root of the border of adhesion.

@@ -13,7 +13,6 @@
 namespace {
 
 using namespace bem_contact;
-using ::testing::Contains;
 using ::testing::HasSubstr;
 
 constexpr double pi = std::numbers::pi;
