@@ -102,33 +102,63 @@ Sparse third_derivative(std::span<const double> t) {
   return product;
 }
 
+/// The equations of one part between kinks, and its third derivative.
+struct Part {
+  Eigen::MatrixXd measured; ///< (y, z) of its points, mm
+  Eigen::VectorXd weight;   ///< length along the chords that a point stands for, mm
+  Eigen::VectorXd bend;     ///< of the square of each third derivative in the integral, mm^6
+  Sparse third;             ///< maps points to third derivatives, 1/mm^2
+};
+
+Part part_of(std::span<const Point2> p, double wavelength) {
+  const auto n = static_cast<Eigen::Index>(p.size());
+  const std::vector<double> t = chord_lengths(p);
+  Part out{Eigen::MatrixXd(n, 2), Eigen::VectorXd(n), Eigen::VectorXd(n - 3), third_derivative(t)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    out.measured.row(i) << p[i].y, p[i].z;
+    out.weight[i] = (t[std::min(i + 1, n - 1)] - t[std::max<Eigen::Index>(i - 1, 0)]) / 2;
+  }
+  for (Eigen::Index i = 0; i + 3 < n; ++i)
+    out.bend[i] = std::pow(wavelength / (2 * std::numbers::pi), 6) * (t[i + 3] - t[i]) / 3;
+  return out;
+}
+
+/// Minimises Huber's function by weighted least squares, repeated (Holland and Welsch 1977): where the third
+/// derivative is above `steepest`, the weight of its square is lowered by as much.
+Eigen::MatrixXd minimise(const Part& part, double steepest) {
+  const Sparse transposed = part.third.transpose();
+  const Sparse weight(part.weight.asDiagonal());
+  const Eigen::MatrixXd load = part.weight.asDiagonal() * part.measured;
+  Eigen::VectorXd share = Eigen::VectorXd::Ones(part.bend.size());
+  Eigen::SimplicialLDLT<Sparse> factors;
+  factors.analyzePattern(Sparse(transposed * part.third) + weight);
+  for (int round = 1;; ++round) {
+    factors.factorize(Sparse(transposed * part.bend.cwiseProduct(share).asDiagonal() * part.third) + weight);
+    Eigen::MatrixXd found = factors.solve(load);
+    const Eigen::ArrayXd bent = (part.third * found).rowwise().norm().array();
+    const Eigen::VectorXd next = (steepest / bent.max(steepest)).matrix();
+    const double change = (next - share).cwiseAbs().maxCoeff();
+    if (change <= smoothing_precision || round == most_smoothing_rounds)
+      return found;
+    share = next;
+  }
+}
+
 /// The points of one part between kinks; one that is too short to have a third derivative stays. An end that
 /// is a kink is held by a weight, because both parts end there.
 std::vector<Point2> smooth_part(std::span<const Point2> p, double wavelength, bool held_first,
                                 bool held_last) {
-  const auto n = static_cast<Eigen::Index>(p.size());
-  if (n < 5)
+  if (p.size() < 5)
     return {p.begin(), p.end()};
-  const std::vector<double> t = chord_lengths(p);
-  Eigen::VectorXd weight(n), bend(n - 3);
-  for (Eigen::Index i = 0; i < n; ++i)
-    weight[i] = (t[std::min(i + 1, n - 1)] - t[std::max<Eigen::Index>(i - 1, 0)]) / 2;
-  for (Eigen::Index i = 0; i + 3 < n; ++i)
-    bend[i] = std::pow(wavelength / (2 * std::numbers::pi), 6) * (t[i + 3] - t[i]) / 3;
+  Part part = part_of(p, wavelength);
   if (held_first)
-    weight[0] *= kink_weight;
+    part.weight[0] *= kink_weight;
   if (held_last)
-    weight[n - 1] *= kink_weight;
-  const Sparse third = third_derivative(t);
-  Sparse matrix = Sparse(third.transpose()) * bend.asDiagonal() * third;
-  matrix += Sparse(weight.asDiagonal());
-  Eigen::MatrixXd measured(n, 2);
-  for (Eigen::Index i = 0; i < n; ++i)
-    measured.row(i) << p[i].y, p[i].z;
-  const Eigen::MatrixXd found =
-      Eigen::SimplicialLDLT<Sparse>(matrix).solve(Eigen::MatrixXd(weight.asDiagonal() * measured));
+    part.weight[part.weight.size() - 1] *= kink_weight;
+  const double steepest = highest_wave * std::pow(2 * std::numbers::pi / wavelength, 3);
+  const Eigen::MatrixXd found = minimise(part, steepest);
   std::vector<Point2> out;
-  for (Eigen::Index i = 0; i < n; ++i)
+  for (Eigen::Index i = 0; i < found.rows(); ++i)
     out.push_back({found(i, 0), found(i, 1)});
   if (held_first)
     out.front() = p.front();

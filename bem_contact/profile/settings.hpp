@@ -100,8 +100,16 @@ BEM_CONTACT_TUNED(double, least_noise_pressure, 15);
 /// mm over mm^(3/2) to the exponent below. Smoothing advised for noise e at the distance h is this times
 /// (e sqrt(h)) to that exponent: the wavelength at which the scatter of the smoothed curvature, which grows
 /// as e sqrt(h) L^(-5/2), is the same for every file. Measured with tools/benchmarks/profile_noise.
-BEM_CONTACT_TUNED(double, smoothing_for_noise, 108);
+BEM_CONTACT_TUNED(double, smoothing_for_noise, 120);
 BEM_CONTACT_TUNED(double, smoothing_for_noise_exponent, 0.4); ///< 1. As above.
+/// mm. Half the height of a wave of the shortest length kept that smoothing still takes for noise. Higher
+/// ones are jumps of the curvature. Measured with tools/benchmarks/profile_noise: 8 um leaves noise beside
+/// the jumps of S1002, 16 um rounds them.
+BEM_CONTACT_TUNED(double, highest_wave, 0.0145);
+/// 1. Weights of the repeated least squares settle to this: it moves no point by a nanometre.
+BEM_CONTACT_TUNED(double, smoothing_precision, 1e-4);
+/// Repetitions. Far more than profiles need.
+BEM_CONTACT_TUNED(int, most_smoothing_rounds, 200);
 /// rad. Tangents on either side that differ by more make a kink. Noise of 10 um in points 0.25 mm apart,
 /// fitted over 3 mm, turns them by 0.012.
 BEM_CONTACT_TUNED(double, kink_turn, 0.2);

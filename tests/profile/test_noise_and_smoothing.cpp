@@ -118,6 +118,30 @@ TEST(Smoothing, KeepsParabolasAndArcsToTheirEnds) {
     EXPECT_NEAR(norm(p), 13, 4e-3); // (8 / 2 pi 13)^6 of it is 1e-5; the rest is at the ends
 }
 
+/// Where two arcs of a rail meet, the curvature jumps from 1/80 to 1/13. A square penalty of the third
+/// derivative would spread the jump over the wavelength, 8 mm.
+TEST(Smoothing, LetsTheCurvatureJump) {
+  const auto piece = [](double radius, double t) {
+    return Point2{radius * std::sin(t / radius), radius * (1 - std::cos(t / radius))};
+  };
+  Points arcs;
+  for (double t = -20; t < 15; t += 0.25)
+    arcs.push_back(piece(t < 0 ? 80 : 13, t));
+  const SmoothedProfile smooth = smoothed(noisy(arcs, 0.002, 8), 8);
+  EXPECT_THAT(smooth.kinks, IsEmpty());
+  const ProfileCurve curve = ProfileCurve::through_points("arcs", smooth.points, smooth.kinks);
+  const auto mean_curvature = [&](double from, double to) { // over 2 mm
+    const CurvePoint a = curve.nearest(piece(from < 0 ? 80 : 13, from));
+    const CurvePoint b = curve.nearest(piece(to <= 0 ? 80 : 13, to));
+    return std::abs((b.delta - a.delta) / (b.s - a.s));
+  };
+  EXPECT_NEAR(mean_curvature(-2.5, -0.5), 1.0 / 80, 0.08 / 13);
+  EXPECT_NEAR(mean_curvature(0.5, 2.5), 1.0 / 13, 0.08 / 13);
+  for (const Point2 p : smooth.points)
+    EXPECT_LT(std::abs(norm(p - Point2{0, p.y < 0 ? 80.0 : 13.0}) - (p.y < 0 ? 80 : 13)),
+              0.009); // 15 um with a square;
+}
+
 TEST(Smoothing, KeepsATrueKinkWhereItIs) {
   Points roof;
   for (double y = -20; y <= 20; y += 0.25)
@@ -139,7 +163,9 @@ TEST(Smoothing, FindsNoKinkInTheArcsOfRailsAndWheels) {
 TEST(Smoothing, WhatItRemovesIsTheNoise) {
   const Points smooth = sampled_curve(standard_profile("S1002"), 0.25);
   const SmoothedProfile done = smoothed(noisy(smooth, 0.002, 4), 7);
-  EXPECT_NEAR(done.rms, 0.002 * std::sqrt(2.0), 0.2 * 0.002);
+  // Scatter across the profile goes; scatter along it moves the points along the curve, and half of it stays.
+  EXPECT_GT(done.rms, 0.002);
+  EXPECT_LT(done.rms, 0.002 * std::sqrt(2.0));
   EXPECT_GT(done.largest, 2 * done.rms);
   // On the tread; at the flange the curvature jumps, and smoothing rounds the jumps.
   const ProfileCurve exact = standard_profile("S1002");
@@ -163,7 +189,7 @@ std::string said(const Points& points, const ProfileReading& reading = {}) {
 TEST(NoisyFile, IsWarnedOfWithFiguresAndTheSmoothingToUse) {
   const Points points = noisy(sampled_curve(standard_profile("S1002"), 0.25), 0.002, 6);
   EXPECT_THAT(said(points), AllOf(HasSubstr("scatter by 2"), HasSubstr("um, 0.25 mm apart"), HasSubstr("MPa"),
-                                  HasSubstr("(smoothing = 6.")));
+                                  HasSubstr("(smoothing = 7.")));
   EXPECT_THAT(said(points, {.smoothing = 7}), Not(HasSubstr("warning")));
   EXPECT_THAT(said(points, {.smoothing = 7}), HasSubstr("root mean square"));
   EXPECT_THAT(said(points, {.smoothing = 3}), HasSubstr("smoothing = 3 leaves noise"));
