@@ -45,16 +45,17 @@ Mesh the cross-section of a body, then compute on two processes (from the reposi
     mpirun -n 2 fem_influence data/bodies/small_rail.toml rail.msh -o rail.h5
 
 You should see a progress bar over 39 wavenumbers, and after some seconds four lines: what was solved,
-how long it took, two checks (Maxwell-Betti and reaction, both below 1e-6) and the estimated error,
-2.0e-03 of an influence number. A run that was stopped goes on when you give the same command again.
+how long it took, two checks, both below 1e-6 (Maxwell-Betti: the numbers are symmetric; reaction: the support
+bears the load), and the estimated error: 2.0e-03 of the number of a loaded element on itself. A run that was
+stopped goes on when you give the same command again.
 
 With --solid the mesh is 3-D (from mesh_body --solid, or your own). This compares the two methods:
 
     mesh_body data/bodies/small_rail.toml --solid -o rail3d.msh
     fem_influence data/bodies/small_rail.toml rail3d.msh --solid --check rail.h5
 
-You should see how much the two differ, in percent, by distance from the load: less than 0.1 % of the
-loaded element's own number. It takes a minute or two and 3.5 GB.)";
+You should see how much the two differ, by distance from the load, in percent of the number of the loaded
+element on itself: less than 0.1 %. It takes a minute or two and 3.5 GB of memory.)";
 
 struct Arguments {
   std::string body, mesh;
@@ -74,7 +75,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
                  "With --solid: influence file of the same body to compare with (.h5)");
   app.add_option(
       "--load-station", arguments.options.load_stations,
-      "With --check and --vtu: stations to load, from 0, as in 12 or 12,40 (default: the middle one)");
+      "With --check or --vtu: stations to load, the points of the strip, counted from 0: 12 or 12,40 "
+      "(default: the middle one)");
   app.add_option("--load-component", arguments.options.component,
                  "With --vtu: component of the load, 0 = x, 1 = s, 2 = n (default)")
       ->check(CLI::Range(0, 2));

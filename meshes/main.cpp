@@ -37,7 +37,7 @@ constexpr const char* example =
     "\n"
     "A body file of your own:\n"
     "  mesh_body --print-default > body.toml\n"
-    "writes every key with its default, unit and meaning. Keep the keys that you change.\n"
+    "writes every key with its default, unit and meaning. Delete the keys that you leave as they are.\n"
     "\n"
     "Physical groups of the mesh: curves contact = 1, held = 2, free = 3; surface body = 10.\n"
     "With --solid: half of the 3-D body (x >= 0) in coarse hexahedra, which fem_influence --solid refines\n"

@@ -21,36 +21,39 @@ namespace bem_contact::app {
 namespace {
 
 constexpr const char* influence_help =
-    R"(An influence file holds a function: it serves elements of any length and any patch on its strip.
-`expand` turns it into plain influence numbers for one grid: how far element (m, I) moves under 1 MPa on
-element (0, J). m counts elements along x; I and J count rows along the profile.
+    R"(An influence file holds a function, not a table. `expand` makes of it the influence numbers (influence coefficients)
+of one grid: how far element (m, I) moves under 1 MPa on element (0, J). m counts elements along x; I and J count
+rows along the profile.
 
-1 Look at the file first. It says the shortest --dx that it serves and the strip on which the rows must lie:
+1 Look at the file first. It says the shortest --dx, and the part of the profile on which the rows must lie:
     bem_contact info rail.h5
 
 2 One body: 20 offsets of 0.5 mm and 30 rows of 0.4 mm around the arc length s = -32 mm:
     bem_contact influence expand rail.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 --centre -32 -o numbers.h5
     bem_contact influence expand rail.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 --centre -32 -o numbers.csv
-  You should see one line with the size of the table and the number of the middle element, in mm/MPa.
-  The HDF5 file has one dataset [m][I][i][J][j]; i and j are 0 for x, 1 for s, 2 for n (into the body).
+  You should see one line with the size of the table and how far the middle element moves under its own pressure.
+  The HDF5 file has one dataset [m][I][i][J][j], displacement i under traction j; 0 is x, 1 is s, 2 is n (into the
+  body); mm/MPa.
   Numbers of negative m follow by symmetry: times -1 if exactly one of i and j is x. Without --centre the
   rows lie around the middle of the strip.
 
-3 A pair, the rail first. --centre on the rail lies opposite --wheel-centre on the wheel, and from there the
-  wheel's arc length runs backwards. `bem_contact check SCENE.toml` prints both for each touch point.
+3 A pair, the rail first. --centre on the rail lies opposite --wheel-centre on the wheel. Where s of the rail grows,
+  s of the wheel falls. `bem_contact check SCENE.toml` prints both for each touch point.
     bem_contact influence expand rail.h5 wheel.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 \
         --centre -32 --wheel-centre 35 -o pair.h5
-  These numbers belong to the contact: traction on the rail, displacement of the rail less that of the wheel.
+  The traction acts on the rail, and the opposite one on the wheel; the displacement is that of the rail less that
+  of the wheel.
 
 4 For the program CONTACT (numerical influence coefficients, C3 = 9): one matrix for each loaded row, or one
   matrix for all rows if the curvature is constant:
     bem_contact influence expand rail.h5 wheel.h5 ... --format contact --matrices each -o pair.txt
-  Use the same dx, dy and my in CONTACT's case, an mx that is not larger, and the G of both bodies. The rail
-  is CONTACT's upper body, z points into the rail. Our numbers are means over the displaced element; CONTACT's
-  own numbers are displacements of its centre.
+  Give CONTACT's case the same dx and my, our --ds as dy, an mx that is not larger, and the G of both bodies, which
+  the file's first lines name. In this file the rail is CONTACT's upper body: z points into the rail. Our numbers
+  are means over the displaced element, while CONTACT's own are displacements of its centre.
 
---structural-compliance removed (default) takes out the motion of the body as a whole; `included` lets the body
-bend on its support. data/INFLUENCE_FORMAT.md has every layout, unit and sign.)";
+--structural-compliance removed, the default, takes out how the body moves and turns as a whole; `included` lets it
+bend on its support. `solve` does what the scene says (rail.structural, wheel.structural).
+data/INFLUENCE_FORMAT.md has every layout, unit and sign.)";
 
 struct Body {
   InfluenceFunction function;
@@ -200,14 +203,16 @@ Command add_influence(CLI::App& program) {
   expand->add_option("--mx", r.mx, "Offsets along x: 0 .. MX-1 elements")->required();
   expand->add_option("--my", r.my, "Rows along s")->required();
   expand->add_option("--centre", r.centre,
-                     "Arc length of the middle of the rows, mm; else the middle of the strip");
+                     "Arc length of the middle of the rows, mm (default: the middle of the part covered)");
   expand->add_option("--wheel-centre", r.wheel_centre, "The same on the wheel of a pair");
   expand->add_option("--structural-compliance", r.structural, "The body's motion as a whole")
       ->check(CLI::IsMember({"included", "removed"}))
       ->capture_default_str();
   expand->add_option("--format", r.format, "Without it, the ending of the output decides: .h5 or .csv")
       ->check(CLI::IsMember({"hdf5", "csv", "contact"}));
-  expand->add_option("--matrices", r.matrices, "Format contact: one matrix, or one for each loaded row")
+  expand
+      ->add_option("--matrices", r.matrices,
+                   "Format contact: each = one matrix for each loaded row; one = one for all rows")
       ->check(CLI::IsMember({"each", "one"}))
       ->capture_default_str();
   expand->add_option("-o,--output", r.output, "File to write")->required();

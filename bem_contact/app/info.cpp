@@ -100,8 +100,9 @@ Command add_info(CLI::App& program) {
   line->footer(R"(Example:
     bem_contact info data/influence/small_rail.h5
 You should see which body the file is for (rail 60E1), its material, where it is held, the strip of its
-profile that the file covers (s = -44 .. -20 mm), the shortest element it serves (0.5 mm along x) and the
-estimated error. For a result or a sweep you see every dataset with its shape and unit.)");
+profile that the file covers (s = -44 .. -20 mm), the shortest element along x that it has numbers for (0.5 mm), and
+the estimated error of an influence number, relative to that of a loaded element on itself. For a result or a sweep
+you see every dataset with its shape and unit.)");
   return {line, [file] {
             fmt::print("{}", describe_file(*file));
             return success;

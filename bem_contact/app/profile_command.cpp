@@ -20,8 +20,10 @@ namespace bem_contact::app {
 namespace {
 
 constexpr const char* profile_help =
-    R"(The file is read as a scene would read it; warnings say what was repaired. Options are the keys of [rail] and
-[wheel] in a scene. Example, with a worn wheel of this project:
+    R"(The file is read as a scene would read it; warnings say what was repaired. It is a measured profile (MiniProf, Simpack,
+Vampire, or two columns y and z), the name of a standard (60E1, S1002) or a body file (.toml). The options do what keys
+of the same name do in [rail] and [wheel] of a scene (data/scenes/README.md). Example, with a worn wheel of this
+project:
     bem_contact profile data/bodies/hollow_wheel.txt --kind wheel
 You should see 307 points, 0.5 mm apart, a noise of 0.05 um, which needs no smoothing, and the mean radius of every
 5 mm of the profile: -13.2 mm (concave) at the root of the flange, 20.0 mm (convex) on its face.
@@ -139,21 +141,28 @@ Command add_profile(CLI::App& program) {
   const auto arguments = std::make_shared<ProfileArguments>();
   CLI::App* line =
       program.add_subcommand("profile", "Describe a profile file: noise, radii, what was repaired");
-  line->add_option("file", arguments->name, "Profile file, standard or body file")->required();
-  line->add_option("--kind", arguments->kind, "rail or wheel, where the file's ending does not say it")
+  line->add_option("file", arguments->name, "Measured profile, name of a standard, or body file")->required();
+  line->add_option("--kind", arguments->kind,
+                   "rail or wheel; needed where neither the file nor its ending says it")
       ->check(CLI::IsMember({"rail", "wheel"}));
-  line->add_option("--smoothing", arguments->reading.smoothing, "Shortest wavelength kept, mm")
+  line->add_option("--smoothing", arguments->reading.smoothing,
+                   "Remove waves shorter than this, mm; 0, the default, removes nothing")
       ->check(CLI::Range(0.0, 50.0));
-  line->add_option("--unit", arguments->unit, "Unit of the file")
+  line->add_option("--unit", arguments->unit,
+                   "Unit of the file; found, the default: by the size of the profile")
       ->check(CLI::IsMember(choices<ProfileUnit>()));
-  line->add_option("--profile-z", arguments->profile_z, "Where z of the file points")
+  line->add_option("--profile-z", arguments->profile_z,
+                   "Where z of the file points; 'as stated', the default: what its format says")
       ->check(CLI::IsMember(choices<ProfileZ>()));
-  line->add_flag("--mirror", arguments->reading.mirror, "y of the file points the other way");
+  line->add_flag("--mirror", arguments->reading.mirror,
+                 "y of the file points to the gauge side: turn it, y is to point to the field side");
   const CLI::Option* back =
-      line->add_option("--flange-back", arguments->flange_back, "y of the flange's back in the file, mm");
-  line->add_flag("--keep-origin", arguments->reading.keep_origin, "As with place = \"absolute\" in a scene");
+      line->add_option("--flange-back", arguments->flange_back,
+                       "Wheel: y of the back of the flange in the file, mm. It places the wheel laterally");
+  line->add_flag("--keep-origin", arguments->reading.keep_origin,
+                 "Keep y and z as the file has them (a scene: place = \"absolute\")");
   line->add_option("--csv", arguments->csv, "Write arc length, y, z, inclination and curvature to this file");
-  line->add_option("--step", arguments->step, "Step of that table at most, mm")
+  line->add_option("--step", arguments->step, "Longest step of that table, mm")
       ->check(CLI::Range(1e-3, 100.0));
   line->footer(profile_help);
   return {line, [arguments, back] { return run(*arguments, back->count() > 0); }};

@@ -25,37 +25,50 @@ constexpr const char* solve_help =
     R"(Example: a wheel-like body rolls steadily with creepage and spin.
     bem_contact solve data/scenes/steady_rolling.toml
 You should see one patch of 13.8 mm2 with a largest pressure of 437.0 MPa, nearly all of it in slip, and the
-forces on the rail: Fx 671.5 N, Fy 919.8 N, Fz 4000.0 N. The line `certificate` checks the result apart from
-the solver: it `holds` if every violation of the contact conditions is below the allowed one. Its
-`discretisation error` says how far the size of the elements puts the result off.
+forces on the rail: Fx 671.5 N, Fy 919.8 N, Fz 4000.0 N. Behind +- stands how far the size of the elements may put
+a number off. The line `certificate` `holds` if code that is not part of the solver finds every violation of the
+contact conditions below solver.tolerance (1e-6, relative).
+
+--model says where the influence numbers come from:
+  hertz          no elements: the closed form for a contact without friction and with constant curvatures
+  halfspace      the elastic half-space, the profiles unrolled: distances count along the arc
+  tangent_plane  a half-space at the tangent plane of each element: the surface turns, but has no other shape
+  fem            influence files of both bodies, computed by finite elements
+  auto           the cheapest of them whose predicted error is below solver.model_tolerance
 
 To plot the fields, write them to a file:
     bem_contact solve data/scenes/steady_rolling.toml -o result.h5 --vtk surface.vts
 `bem_contact info result.h5` lists what is in it. ParaView opens surface.vts; turn its view by 180 degrees
 about x, because z points down.
 
-Exit code 0: the certificate holds; 2: the input is wrong; 3: no certified result.)";
+Exit code 0: the certificate holds. 2: the input is wrong. 3: the solver did not converge, and nothing is written, or
+the certificate does not hold. 1: something else.)";
 
 constexpr const char* compare_help =
     R"(fem needs influence files of both bodies. Example, with the small files of this project:
     bem_contact compare data/scenes/conformal_small.toml --models halfspace,tangent_plane,fem
 You should see three tables with a column for each model:
-  1. at equal forces on the rail. Fz is the scene's, Fx is zero (the wheel rolls freely) unless load.force_x gives it, Fy
-     is what finite elements find at the scene's position unless load.force_y gives it. The other models stand a few
-     hundredths of a millimetre beside that position.
-  2. Fx at equal creepage beyond free rolling.
-  3. at equal position and creepage. Near a flange most of the difference here comes from that hundredth of a
-     millimetre, not from the pressure.
-All models have elements of the same size. A scene that gives the approach gets the force that finite elements find.
+  1. Equal forces on the rail. Fz is that of the scene. Fx is load.force_x; without that key it is 0, and the wheel
+     rolls freely. Fy is load.force_y; without that key it is what the reference finds at the scene's position. The
+     reference is fem, or the last of the models if fem is not among them. Each other model finds the lateral
+     position at which it bears the same Fy. In this scene it is some hundredths of a millimetre away.
+  2. Creep forces. Each model starts from its own free rolling, Fx = 0, and gets the same creepage beyond it: 0.0005,
+     0.001, 0.002.
+  3. Equal position and creepage, those of the scene. Near a flange most of the difference comes from the small shift
+     of table 1: a flange takes up much force in little way.
+All models have elements of the same size. If the scene gives an approach and no force, Fz is what the reference finds
+for it. The result file has all tables but the second.
 
-Exit code 0: all certificates hold; 2: the input is wrong; 3: no certified result.)";
+Exit code 0: all certificates hold. 2: the input is wrong. 3: a model did not converge, or a certificate does not hold.)";
 
 constexpr const char* check_help =
     R"(Example:
     bem_contact check data/scenes/conformal_small.toml
-You should see where wheel and rail touch first (rail s = -29.957 mm), the estimated approach, the grid that
-would be solved (46 x 28 elements), whether the rows lie on the strips of the influence files, and a warning
-for input that can be solved but is probably a mistake. Nothing is solved.)";
+You should see where wheel and rail touch first (rail s = -29.957 mm, in the gauge corner), the estimated vertical
+approach, the grid that would be solved (46 elements along x, 28 rows along s), and whether these rows lie on the part
+of either profile that its influence file covers. Input that can be solved but is probably a mistake gives a warning.
+
+Exit code 0: the scene can be solved. 2: it cannot, or --strict is set and there is a warning.)";
 
 struct SceneArguments {
   std::string file, model, output, vtk;
@@ -160,13 +173,13 @@ CLI::App* add_scene_command(CLI::App& program, const char* name, const char* wha
                             SceneArguments& arguments) {
   CLI::App* line = program.add_subcommand(name, what);
   line->add_option("scene", arguments.file, "Scene file (TOML)")->required();
-  line->add_flag("--strict", arguments.strict, "Take warnings as errors (exit code 2), and write no output");
+  line->add_flag("--strict", arguments.strict, "End with exit code 2 at a warning, and write no file");
   line->footer(help);
   return line;
 }
 
 void add_outputs(CLI::App& line, SceneArguments& arguments) {
-  line.add_flag("--json", arguments.json, "Print one JSON object on standard output");
+  line.add_flag("--json", arguments.json, "Print one JSON object instead of the text");
   line.add_option("-o,--output", arguments.output, "Result file (HDF5)");
 }
 
@@ -194,7 +207,7 @@ Command add_compare(CLI::App& program) {
       add_scene_command(program, "compare", "Solve a scene with several models, at equal forces first",
                         compare_help, *arguments);
   line->add_option("--models", arguments->models,
-                   "Models to compare, a column each; halfspace,fem by default")
+                   "Models to compare, with commas between: a column for each (default halfspace,fem)")
       ->delimiter(',')
       ->check(CLI::IsMember(EnumNames<Model>::names));
   add_outputs(*line, *arguments);

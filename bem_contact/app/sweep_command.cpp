@@ -34,20 +34,24 @@ namespace {
 constexpr const char* sweep_help =
     R"(Add a table [sweep] to a scene; it gives lists or ranges for any keys of the scene:
     [sweep]
-    position.lateral = { from = 6.2, to = 7.1, step = 0.05 }   # or count = 19
+    position.lateral = { from = 6.2, to = 7.1, step = 0.05 }   # both ends included; or count = 19 for step
     load.force = [ 5e4, 1e5 ]
-    mode = "product"        # or "zip": the first of each list, the second of each ...
-    fields = true           # false: keep only the totals of each case
+Two words below [sweep] are settings of the sweep, not keys of the scene:
+    mode = "product"        # the default: every value with every other; "zip": the first of each list, the second
+                            # of each ..., all lists equally long
+    fields = true           # the default; false: keep only the totals of each case
 Example, 64 contacts from tread to flange:
     bem_contact sweep data/scenes/cases_halfspace.toml -o sweep.h5 --csv sweep.csv
 You should see the progress, then `64 certified, of 64 cases`, and one line for each case in sweep.csv. If the
 program is stopped, call it again: sweep.h5.part holds the finished cases, and only the others are solved.
 
-On a cluster, share the cases among machines (tools/cluster/slurm_sweep does it), then join the shares:
+On a cluster, share the cases among machines that see the same folder (tools/cluster/slurm_sweep does it). Each share
+writes a file of its own beside SWEEP.h5. When all are done, join them:
     bem_contact sweep SCENE.toml -o SWEEP.h5 --part 1/8        # ... --part 8/8
     bem_contact sweep SCENE.toml -o SWEEP.h5 --merge
 
-Exit code 0: every case is certified; 2: the input is wrong; 3: a case is missing or not certified.)";
+Exit code 0: every case is certified (of a share: every case of the share). 2: the input is wrong. 3: a case is missing
+or not certified.)";
 
 constexpr int most_jobs = 4096; // a typing error, not a machine
 
@@ -261,12 +265,12 @@ Command add_sweep(CLI::App& program) {
   line->add_option("--csv", r.csv, "Summary with one line for each case");
   line->add_option("--model", r.model, "Model of the bodies, instead of the scene's own choice")
       ->check(CLI::IsMember(model_choices()));
-  line->add_flag("--strict", r.strict, "Refuse cases that have a warning");
+  line->add_flag("--strict", r.strict, "Count a case with a warning as refused, and keep no result of it");
   line->add_option("--jobs", r.jobs, "Number of processes; 0: one for each core")
       ->check(CLI::Range(0, most_jobs))
       ->capture_default_str();
   CLI::Option* part = line->add_option("--part", r.part, "I/N: solve the I-th of N shares");
-  line->add_flag("--merge", r.merge, "Solve nothing; write what the shares have solved")->excludes(part);
+  line->add_flag("--merge", r.merge, "Solve nothing; join what the shares have solved")->excludes(part);
   line->footer(sweep_help);
   return {line, [request] {
             const SweepSummary summary = run_sweep(*request);
