@@ -183,9 +183,15 @@ def write(group, records):
 
 
 def read(group):
+    """Records by name; that of a compared model is a path, "equal_forces/fem"."""
     records = {}
-    for name, item in group.items():
-        r = json.loads(item["record"][()])
-        r["fields"] = fields_of(item["fields"]) if "fields" in item else {}
-        records["" if name == "result" else name] = r
+
+    def keep(name, item):
+        if name.endswith("/record"):
+            r = json.loads(item[()])
+            name = name.removesuffix("/record")
+            r["fields"] = fields_of(group[name]["fields"]) if "fields" in group[name] else {}
+            records["" if name == "result" else name] = r
+
+    group.visititems(keep)
     return records
