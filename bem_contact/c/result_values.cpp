@@ -42,21 +42,32 @@ template <class Table> const auto& named(const Table& table, std::string_view na
   return *std::ranges::find_if(table, [&](const auto& entry) { return name == entry.name; });
 }
 
+/// The entries of those names: looked up once, because callers ask at each time step.
+template <class Table, std::size_t n>
+auto entries(const Table& table, const std::array<const char*, n>& names) {
+  std::array<const typename Table::value_type*, n> out{};
+  for (std::size_t i = 0; i < n; ++i)
+    out[i] = &named(table, names[i]);
+  return out;
+}
+
 } // namespace
 
 std::array<double, CONFORMAL_TOTALS> totals_of(const SceneResult& result) {
+  static const auto totals = entries(quantities(), total_names);
   std::array<double, CONFORMAL_TOTALS> out{};
   for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = named(quantities(), total_names[i]).value(result);
+    out[i] = totals[i]->value(result);
   if (std::isnan(out[CONFORMAL_DISCRETISATION]))
     out[CONFORMAL_DISCRETISATION] = -1;
   return out;
 }
 
 std::array<double, CONFORMAL_PATCH_VALUES> values_of(const SceneResult& result, std::size_t patch) {
+  static const auto numbers = entries(patch_quantities(), patch_names);
   std::array<double, CONFORMAL_PATCH_VALUES> out{};
   for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = named(patch_quantities(), patch_names[i]).value(result, patch);
+    out[i] = numbers[i]->value(result, patch);
   return out;
 }
 

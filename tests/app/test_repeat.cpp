@@ -18,7 +18,9 @@ const std::string data = CONFORMAL_SOURCE_DIR "/data/";
 /// Result files, and `solve` of them.
 class Repeat : public ProgramTest {
 protected:
-  std::string quoted(const fs::path& file) const { return "'" + (folder_ / file).string() + "'"; }
+  std::string quoted(const fs::path& file) const {
+    return std::string("'").append((folder_ / file).string()).append("'"); // gcc 12 warns of operator+
+  }
   void solve(const std::string& scene, const std::string& more = "") const {
     const Outcome r = run("solve " + quoted(scene) + " -o " + quoted("r.h5") + " " + more);
     ASSERT_EQ(r.code, 0) << r.err;

@@ -61,7 +61,7 @@ def field_scale(name, old, scales):
     last = name.split("/")[-1]
     if last in ("p_n", "p_x", "p_s", "stress", "von_mises", "largest_shear"):
         return scales["pressure"]
-    if last.endswith("_error"):
+    if last.endswith("_error") or name.startswith("patches/"):
         return scale_of(last, float(np.max(np.abs(old), initial=0.0)), scales)
     if last in ("u_x", "u_s", "u_n", "deformed_distance"):
         return max(scales["approach"], float(np.max(np.abs(old), initial=0.0)))
