@@ -1,6 +1,7 @@
 #include "bem_contact/app/comparison_report.hpp"
 
 #include "bem_contact/app/report.hpp"
+#include "bem_contact/sequence/quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,21 +45,16 @@ double scale_of(Scale scale, double own, const SceneResult& r) {
 }
 
 /// One line of a table.
-struct Quantity {
+struct ComparedQuantity {
   const char *name, *unit;
   std::string_view key; ///< in JSON
   Scale scale;
   std::optional<double> (*get)(const SceneResult&);
 };
 
-double share_in_adhesion(const SceneResult& r) {
-  const ElementCounts count = count_elements(r.result);
-  return count.contact > 0 ? double(count.adhesion) / count.contact : 0.0;
-}
-
 using Value = std::optional<double>;
 constexpr std::string_view approach_key = "approach";
-constexpr Quantity quantities[] = {
+constexpr ComparedQuantity compared[] = {
     {"pmax", "MPa", "pmax", Scale::own,
      [](const SceneResult& r) -> Value { return largest_pressure(r.result); }},
     {"area", "mm2", "area", Scale::own, [](const SceneResult& r) -> Value { return contact_area(r.result); }},
@@ -77,21 +73,21 @@ constexpr Quantity quantities[] = {
        return r.problem.has_friction() ? Value(friction_power(r.result, r.problem.element_area()))
                                        : std::nullopt;
      }},
-    {"adhesion", "share", "adhesion", Scale::plain,
+    {"adhesion", "share", "adhesion_share", Scale::plain,
      [](const SceneResult& r) -> Value {
-       return r.problem.has_friction() ? Value(share_in_adhesion(r)) : std::nullopt;
+       return r.problem.has_friction() ? Value(adhesion_share(r.result)) : std::nullopt;
      }},
-    {"free rolling", "xi", "xi_free_rolling", Scale::plain,
+    {"free rolling", "xi", "free_rolling_xi", Scale::plain,
      [](const SceneResult& r) -> Value { return r.free_rolling ? Value(r.free_rolling->xi) : std::nullopt; }},
-    {"rolling radius", "mm", "rolling_radius_mm", Scale::plain,
+    {"rolling radius", "mm", "free_rolling_radius", Scale::plain,
      [](const SceneResult& r) -> Value {
        return r.free_rolling ? Value(r.free_rolling->rolling_radius) : std::nullopt;
      }},
-    {"lateral", "mm", "lateral_mm", Scale::plain, [](const SceneResult& r) -> Value { return r.lateral; }},
+    {"lateral", "mm", "lateral", Scale::plain, [](const SceneResult& r) -> Value { return r.lateral; }},
 };
 
 /// What the reference is beyond the model; nothing where it would be of zero.
-Value difference(const Quantity& q, const SceneResult& model, const SceneResult& reference) {
+Value difference(const ComparedQuantity& q, const SceneResult& model, const SceneResult& reference) {
   const Value a = q.get(model), b = q.get(reference);
   // Approaches that are relative to different places are not the same quantity.
   const bool same_datum = q.key != approach_key || model.approach_datum == reference.approach_datum;
@@ -112,7 +108,7 @@ std::string text_of(Value value, double rounding) {
                            : fmt::format("{:.5g}", *value);
 }
 
-std::string difference_text(const Quantity& q, Value difference) {
+std::string difference_text(const ComparedQuantity& q, Value difference) {
   return !difference                    ? "-"
          : q.scale == Scale::plain      ? fmt::format("{:+.3g}", *difference)
          : std::abs(*difference) < 5e-5 ? "0.00 %"
@@ -161,7 +157,7 @@ std::string table(const Comparison& c, const std::vector<SceneResult>& results) 
     if (i != c.reference)
       out += cell(results.size() == 2 ? "difference" : "to " + title_of(c.models[i]));
   out += '\n';
-  for (const Quantity& q : quantities) {
+  for (const ComparedQuantity& q : compared) {
     if (std::ranges::none_of(results, [&](const SceneResult& r) { return q.get(r).has_value(); }))
       continue;
     out += line(q.name, q.unit);
@@ -222,7 +218,7 @@ json set_json(const Comparison& c, const std::vector<SceneResult>& results) {
     set[name] = to_json(results[i]);
     if (i == c.reference)
       continue;
-    for (const Quantity& q : quantities) {
+    for (const ComparedQuantity& q : compared) {
       const Value d = difference(q, results[i], results[c.reference]);
       differences[name][std::string(q.key)] = d ? json(*d) : json(nullptr);
     }

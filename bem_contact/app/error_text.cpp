@@ -1,6 +1,6 @@
 #include "bem_contact/app/error_text.hpp"
 
-#include "bem_contact/sequence/printed_errors.hpp"
+#include "bem_contact/sequence/quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +21,11 @@ std::string two_digits(double error) {
   return decimals < 7 ? fmt::format("{:.{}f}", error, decimals) : fmt::format("{:.1e}", error);
 }
 
+} // namespace
+
 json number_or_null(double value) {
   return std::isnan(value) ? json(nullptr) : json(value);
 }
-
-} // namespace
 
 std::string plus_minus(double error) {
   const std::string text = two_digits(error);
@@ -33,10 +33,8 @@ std::string plus_minus(double error) {
 }
 
 std::string plus_minus(const SceneResult& result, const char* name) {
-  for (const PrintedNumber& number : printed_numbers())
-    if (std::string_view(number.name) == name)
-      return plus_minus(number.error(result));
-  return "";
+  const Quantity& number = quantity(name);
+  return number.error ? plus_minus(number.error(result)) : "";
 }
 
 std::string pressure_text(const SceneResult& r) {
@@ -57,22 +55,16 @@ std::string pressure_text(const SceneResult& r) {
 std::string patch_errors_text(const SceneResult& r, std::size_t patch) {
   if (!r.result.discretisation || !r.result.discretisation->converges)
     return "";
-  const PatchErrors e = errors_of_patch(r.result, patch);
+  const PatchErrors e = r.result.discretisation->patches.at(patch);
   return fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10} {:>9} {:>9}\n", "+-", two_digits(e.fn),
                      two_digits(e.fx), two_digits(e.fs), two_digits(e.approach), two_digits(e.pmax),
                      two_digits(e.area));
 }
 
 void add_errors(const SceneResult& result, json& numbers) {
-  for (const PrintedNumber& number : printed_numbers())
-    if (numbers.contains(number.name))
-      numbers[number.error_name] = number_or_null(number.error(result));
-}
-
-void add_patch_errors(const SceneResult& result, std::size_t patch, json& numbers) {
-  const PatchErrors errors = errors_of_patch(result.result, patch);
-  for (const PrintedPatchNumber& number : printed_patch_numbers())
-    numbers[number.error_name] = number_or_null(errors.*number.error);
+  for (const Quantity& number : quantities())
+    if (number.error && numbers.contains(number.name))
+      numbers[error_name(number.name)] = number_or_null(number.error(result));
 }
 
 } // namespace bem_contact::app

@@ -11,7 +11,7 @@ namespace bem_contact::app {
 /// one that is not known.
 std::string plus_minus(double error);
 
-/// The number of this name (printed_numbers()), as plus_minus() has its error.
+/// The number of this name (quantities()), as plus_minus() has its error.
 std::string plus_minus(const SceneResult& result, const char* name);
 
 /// "pmax 437.0 +- 4.2 MPa, area ..." in one line, with what each stands for.
@@ -20,10 +20,11 @@ std::string pressure_text(const SceneResult& result);
 /// The line below a patch in the table of patches, of the same columns; "" where nothing is estimated.
 std::string patch_errors_text(const SceneResult& result, std::size_t patch);
 
-/// A member "<name>_error" beside each number of `numbers` that has an estimate (printed_numbers()); null
-/// where it has none.
+/// null for nan.
+nlohmann::json number_or_null(double value);
+
+/// A member "<name>_error" beside each number of `numbers` that has an estimate (quantities()); null where it
+/// has none.
 void add_errors(const SceneResult& result, nlohmann::json& numbers);
-/// The same for one patch (printed_patch_numbers()).
-void add_patch_errors(const SceneResult& result, std::size_t patch, nlohmann::json& numbers);
 
 } // namespace bem_contact::app

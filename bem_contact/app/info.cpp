@@ -1,5 +1,6 @@
 #include "bem_contact/app/info.hpp"
 
+#include "bem_contact/app/repeat.hpp"
 #include "bem_contact/app/result_file.hpp"
 #include "bem_contact/app/sweep_output.hpp"
 #include "bem_contact/base/error.hpp"
@@ -17,9 +18,7 @@ namespace bem_contact::app {
 namespace {
 
 H5Table without_cases(H5Table table) {
-  std::erase_if(table.attributes, [](const auto& a) {
-    return a.first.find('/') != std::string::npos || a.first == "scene_text";
-  });
+  std::erase_if(table.attributes, [](const auto& a) { return a.first.starts_with("cases/"); });
   return table;
 }
 
@@ -29,9 +28,14 @@ std::string describe_table(const H5Table& table, const std::string& title) {
     out += std::holds_alternative<std::string>(value)
                ? fmt::format("  {}: {}\n", name, std::get<std::string>(value))
                : fmt::format("  {}: {:g}\n", name, std::get<double>(value));
+  for (const auto& [name, text] : table.texts)
+    out += fmt::format("  {}: {} characters, {}\n", name, text.text.size(), text.description);
   out += "Datasets\n";
   for (const auto& [name, data] : table.datasets)
-    out += fmt::format("  {} [{}] {}: {}\n", name, fmt::join(data.shape, "]["), data.unit, data.description);
+    out += data.shape.empty()
+               ? fmt::format("  {} = {:.6g} {}: {}\n", name, data.values.front(), data.unit, data.description)
+               : fmt::format("  {} [{}] {}: {}\n", name, fmt::join(data.shape, "]["), data.unit,
+                             data.description);
   return out;
 }
 
@@ -77,15 +81,18 @@ std::string describe_file(const std::filesystem::path& file) {
   // Only files whose seal holds go to HDF5.
   if (begins_with_seal(file))
     return describe_influence(read_influence_file(file), std::filesystem::file_size(file));
-  const H5Table top = read_h5_top(file); // a sweep's fields may be large
+  const H5Table top = read_h5_top(file, "patches"); // a sweep's fields may be large
   const auto format = top.attributes.find("format");
   const auto is = [&](const char* name) {
     return format != top.attributes.end() && format->second == H5Attribute(std::string(name));
   };
   if (is(result_format))
     return describe_table(read_h5(file), "A result of bem_contact");
+  if (is(comparison_format))
+    return describe_table(read_h5(file), "A comparison of bem_contact");
   if (is(sweep_format))
-    return describe_table(without_cases(top), "A sweep of bem_contact; cases/000012/ is a result file");
+    return describe_table(without_cases(top),
+                          "A sweep of bem_contact; cases/000012/ has the fields of a case");
   if (is("conformal-contact influence numbers 1"))
     return describe_table(read_h5(file), "Plain influence numbers");
   throw InputError(fmt::format("'{}' is not a file of this project", file.string()),
@@ -96,15 +103,19 @@ std::string describe_file(const std::filesystem::path& file) {
 Command add_info(CLI::App& program) {
   CLI::App* line = program.add_subcommand("info", "Describe an influence file, a result file or a sweep");
   const auto file = std::make_shared<std::string>();
+  const auto scene = std::make_shared<bool>(false), with_defaults = std::make_shared<bool>(false);
   line->add_option("file", *file, "HDF5 file")->required();
+  line->add_flag("--scene", *scene, "Print the scene of a result, a comparison or a sweep, as it was given");
+  line->add_flag("--scene-with-defaults", *with_defaults, "Print this scene with the value of every key");
   line->footer(R"(Example:
     bem_contact info data/influence/small_rail.h5
 You should see which body the file is for (rail 60E1), its material, where it is held, the strip of its
 profile that the file covers (s = -44 .. -20 mm), the shortest element along x that it has numbers for (0.5 mm), and
 the estimated error of an influence number, relative to that of a loaded element on itself. For a result or a sweep
 you see every dataset with its shape and unit.)");
-  return {line, [file] {
-            fmt::print("{}", describe_file(*file));
+  return {line, [file, scene, with_defaults] {
+            fmt::print("{}",
+                       *scene || *with_defaults ? stored_scene(*file, *with_defaults) : describe_file(*file));
             return success;
           }};
 }

@@ -3,8 +3,9 @@
 #include "bem_contact/app/error_text.hpp"
 #include "bem_contact/app/stresses_output.hpp"
 #include "bem_contact/app/structure_output.hpp"
+#include "bem_contact/base/provenance.hpp"
 #include "bem_contact/contact/history.hpp"
-#include "bem_contact/sequence/printed_errors.hpp"
+#include "bem_contact/sequence/quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,20 +54,16 @@ json creepages_json(const ContactProblem& problem, const ContactResult& result) 
           {"eta", problem.force_s ? json(result.creepage_s) : json(nullptr)}};
 }
 
-/// One object a step, [] for steady rolling. Mz about the reference point.
+/// One object a step, [] for steady rolling.
 json history_json(const SceneResult& r) {
   json steps = json::array();
-  for (const ContactResult& step : r.history)
-    steps.push_back({{"Fx", step.Fx},
-                     {"Fy", step.Fy},
-                     {"Fz", step.Fz},
-                     {"Mz", step.Mz + r.reference.position.y * step.Fx - r.reference.x * step.Fy},
-                     {"Fs", step.Fs},
-                     {"approach", step.approach},
-                     {"creepage_found", creepages_json(r.problem, step)},
-                     {"friction_power", friction_power(step, r.problem.element_area())},
-                     {"certificate", step.certificate.worst()},
-                     {"converged", step.converged}});
+  for (const ContactResult& step : r.history) {
+    json numbers = {{"creepage_found", creepages_json(r.problem, step)}};
+    for (const StepQuantity& q : step_quantities())
+      numbers[q.name] = number_or_null(q.value(r, step));
+    numbers["converged"] = step.converged;
+    steps.push_back(std::move(numbers));
+  }
   return steps;
 }
 
@@ -98,18 +95,31 @@ json free_rolling_json(const SceneResult& r) {
           {"xi_from_there", r.xi - r.free_rolling->xi}};
 }
 
-/// Of all that to_json() of a result gives; what is not named is a pure number.
+/// The unit of every name in "quantities", "patches" and "history", and of what only this object has.
 json units_json(const SceneResult& r) {
-  const bool shift = r.problem.motion == MotionKind::shift;
-  return {{"Fx, Fy, Fz, Fs, Fn", "N"},
-          {"Mz", "N mm"},
-          {"pmax, stresses", "MPa"},
-          {"approach, x, s, y, z, dx, ds, s_from, s_to, lateral, other_laterals, rolling_radius", "mm"},
-          {"area", "mm2"},
-          {"delta", "rad"},
-          {"xi, eta, xi_from_there", shift ? "mm" : "1"},
-          {"friction_power", shift ? "N mm" : "N mm per mm rolled"},
-          {"seconds", "s"}};
+  json units = {{"seconds", "s"},         {"stress", "MPa"},        {"von_mises", "MPa"},
+                {"largest_shear", "MPa"}, {"depths", "mm"},         {"s_from", "mm"},
+                {"s_to", "mm"},           {"other_laterals", "mm"}, {"xi_from_there", "1"},
+                {"rolling_radius", "mm"}};
+  const auto add = [&](const auto& table) {
+    for (const auto& q : table)
+      units[q.name] = q.unit.of(r);
+  };
+  add(quantities());
+  add(patch_quantities());
+  add(step_quantities());
+  return units;
+}
+
+/// Every number of the result under the name that it has in all outputs, with its error.
+json quantities_json(const SceneResult& r) {
+  json out = json::object();
+  for (const Quantity& q : quantities()) {
+    out[q.name] = number_or_null(q.value(r));
+    if (q.error)
+      out[error_name(q.name)] = number_or_null(q.error(r));
+  }
+  return out;
 }
 
 /// With decimals that leave five digits of `largest`, at least one; never "-0.0".
@@ -122,19 +132,15 @@ std::string fixed(double value, double largest) {
 
 json patches_json(const SceneResult& r) {
   json patches = json::array();
-  for (const PatchSummary& p : r.result.patches) {
-    patches.push_back({{"Fn", p.fn},
-                       {"Fx", p.fx},
-                       {"Fs", p.fs},
-                       {"approach", p.approach},
-                       {"pmax", p.pmax},
-                       {"area", p.area},
-                       {"contact", p.contact},
-                       {"adhesion", p.adhesion},
-                       {"slip", p.slip},
-                       {"x", p.x},
-                       {"s", p.s}});
-    add_patch_errors(r, patches.size() - 1, patches.back());
+  for (std::size_t i = 0; i < r.result.patches.size(); ++i) {
+    json& patch = patches.emplace_back(json::object());
+    for (const PatchQuantity& q : patch_quantities()) {
+      patch[q.name] = number_or_null(q.value(r, i));
+      if (q.error)
+        patch[error_name(q.name)] = number_or_null(q.error(r, i));
+    }
+    for (const char* count : {"contact", "adhesion", "slip"}) // whole numbers, not 12.0
+      patch[count] = patch[count].get<int>();
   }
   return patches;
 }
@@ -191,9 +197,12 @@ std::string reference_text(const SceneResult& r) {
 }
 
 json to_json(const SceneResult& r) {
-  json out = {{"model", name_of(r.model)},
+  json out = {{"program", provenance("bem_contact")},
+              {"commit", commit()},
+              {"model", name_of(r.model)},
               {"reason", r.reason},
               {"frame", {{"y", r.left ? "to the left" : "to the right"}, {"units", units_json(r)}}},
+              {"quantities", quantities_json(r)},
               {"converged", r.result.converged},
               {"patches", patches_json(r)},
               {"totals",

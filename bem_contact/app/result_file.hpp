@@ -1,24 +1,34 @@
 #pragma once
 
+#include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 #include "bem_contact/sequence/comparison.hpp"
 
-#include <string>
+#include <filesystem>
 
 namespace bem_contact::app {
 
-/// The attribute "format" of a result file.
-inline constexpr const char* result_format = "bem_contact result 1";
+/// The attribute "format" of a result file, of a comparison, and of a case of a sweep.
+inline constexpr const char* result_format = "bem_contact result 2";
+inline constexpr const char* comparison_format = "bem_contact comparison 2";
+inline constexpr const char* case_format = "bem_contact case 2";
 
-/// A result file: coordinates of the grid at the top (x[mx], s, y, z, delta [ms], gap [ms][mx]), both
-/// profiles near the contact, and a group with the model's name ("fem") with fields [ms][mx]: p_x, p_s, p_n,
-/// slip_x, slip_s, deformed_distance, state (0 exterior, 1 adhesion, 2 slip). Totals and certificate are
-/// attributes of the group. Every dataset has a unit.
-H5Table to_table(const SceneResult& result, const std::string& scene);
+/// A result file. It says what was asked and with what (add_scene(), add_inputs()): enough to repeat it.
+/// At the top lie the coordinates of the grid (x[mx], s, y, z, delta [ms], gap [ms][mx]) and both profiles
+/// near the contact. A group with the model's name ("fem") holds the element_quantities() [ms][mx], and the
+/// groups quantities (one number each), patches [patch] and, where the scene asks for them, history [step],
+/// stresses and structure. Every dataset has a unit and a description. Attributes of the model's group tell
+/// which solver finished and whether the certificate holds; the text "warnings" has a line for each.
+/// `output`: where the table will be written.
+H5Table to_table(const SceneResult& result, const GivenScene& given, const std::filesystem::path& output);
 
-/// A file of a comparison: groups equal_forces/MODEL and equal_position/MODEL, each with coordinates,
-/// profiles, fields and attributes as above. Each result has a grid of its own: at equal forces the wheels
-/// stand at different places.
-H5Table to_table(const Comparison& comparison, const std::string& scene);
+/// A case of a sweep, which keeps scene, inputs and quantities of all cases at its top: coordinates, fields,
+/// patches.
+H5Table to_case_table(const SceneResult& result);
+
+/// A file of a comparison: scene and inputs as above, and groups equal_forces/MODEL and equal_position/MODEL,
+/// each with all else. Each result has a grid of its own: at equal forces the wheels stand at different
+/// places.
+H5Table to_table(const Comparison& comparison, const GivenScene& given, const std::filesystem::path& output);
 
 } // namespace bem_contact::app

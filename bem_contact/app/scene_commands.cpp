@@ -1,9 +1,12 @@
 #include "bem_contact/app/scene_commands.hpp"
 
 #include "bem_contact/app/comparison_report.hpp"
+#include "bem_contact/app/error_text.hpp"
+#include "bem_contact/app/repeat.hpp"
 #include "bem_contact/app/report.hpp"
 #include "bem_contact/app/result_file.hpp"
 #include "bem_contact/app/vtk_file.hpp"
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
@@ -20,6 +23,8 @@
 namespace bem_contact::app {
 
 namespace {
+
+using nlohmann::json;
 
 constexpr const char* solve_help =
     R"(Example: a wheel-like body rolls steadily with creepage and spin.
@@ -41,8 +46,13 @@ To plot the fields, write them to a file:
 `bem_contact info result.h5` lists what is in it. ParaView opens surface.vts; turn its view by 180 degrees
 about x, because z points down.
 
-Exit code 0: the certificate holds. 2: the input is wrong. 3: the solver did not converge, and nothing is written, or
-the certificate does not hold. 1: something else.)";
+A result file can be repeated: it keeps its scene and all its inputs but influence files.
+    bem_contact solve result.h5
+You should see which version made it, and `the same`, or each total that differs, by how much and beyond what.
+bem_contact info --scene result.h5 prints the scene.
+
+Exit code 0: the certificate holds, and a repeated result is the same. 2: the input is wrong. 3: the solver did not
+converge, and nothing is written; or the certificate does not hold; or a repeated result differs. 1: something else.)";
 
 constexpr const char* compare_help =
     R"(fem needs influence files of both bodies. Example, with the small files of this project:
@@ -72,6 +82,7 @@ Exit code 0: the scene can be solved. 2: it cannot, or --strict is set and there
 
 struct SceneArguments {
   std::string file, model, output, vtk;
+  std::string folder; ///< of a repeated result: where its scene's paths start
   std::vector<std::string> models{"halfspace", "fem"}; ///< of compare
   bool json = false, strict = false;
 };
@@ -107,16 +118,58 @@ ExitCode verdict(const SceneResult& r) {
   return no_convergence;
 }
 
+json difference_json(const QuantityDifference& d, const SceneResult& now) {
+  return {{"name", d.quantity->name},
+          {"unit", d.quantity->unit.of(now)},
+          {"before", number_or_null(d.before)},
+          {"now", number_or_null(d.now)},
+          {"allowed", d.allowed}};
+}
+
+json repetition_json(const Repetition& repetition) {
+  json differences = json::array();
+  for (const QuantityDifference& d : repetition.differences)
+    differences.push_back(difference_json(d, repetition.result));
+  return {{"same", repetition.same()},
+          {"made_by", {{"program", repetition.program}, {"commit", repetition.commit}}},
+          {"differences", differences},
+          {"other_differences", repetition.others},
+          {"result", to_json(repetition.result)}};
+}
+
+/// A result file in place of a scene.
+ExitCode run_repeat(const SceneArguments& arguments) {
+  const std::pair<const char*, const std::string*> options[] = {
+      {"--model", &arguments.model}, {"--output", &arguments.output}, {"--vtk", &arguments.vtk}};
+  for (const auto& [name, value] : options)
+    if (!value->empty())
+      throw InputError(fmt::format("{} cannot be given with the result file '{}'", name, arguments.file),
+                       "its case is repeated as it was, and compared",
+                       "Write its scene with bem_contact info --scene, and solve that.");
+  const Repetition repetition = repeat_result(arguments.file, arguments.folder);
+  for (const std::string& warning : repetition.warnings)
+    spdlog::warn("{}", warning);
+  if (arguments.strict)
+    refuse_warnings(repetition.result.warnings);
+  fmt::print("{}", arguments.json ? repetition_json(repetition).dump(2) + "\n" : to_text(repetition));
+  return std::max(verdict(repetition.result), repetition.same() ? success : no_convergence);
+}
+
 ExitCode run_solve(const SceneArguments& arguments) {
-  SceneFile scene = read_scene_file(arguments.file);
-  check_outputs(arguments, scene, arguments.output, {arguments.vtk});
-  if (!arguments.model.empty())
-    scene.solver.model = model_named(arguments.model);
-  const SceneResult result = Sequence().solve(scene);
+  if (is_hdf5(arguments.file))
+    return run_repeat(arguments);
+  if (!arguments.folder.empty())
+    throw InputError("--folder cannot be given with a scene", "a scene's paths start in its own folder",
+                     "Leave it out; it is for result files.");
+  GivenScene given = read_given_scene(arguments.file, arguments.model);
+  check_outputs(arguments, given.scene, arguments.output, {arguments.vtk});
+  if (!arguments.output.empty())
+    given.inputs = inputs_of(given.scene);
+  const SceneResult result = Sequence().solve(given.scene);
   if (arguments.strict)
     refuse_warnings(result.warnings);
   if (!arguments.output.empty())
-    write_h5(arguments.output, to_table(result, arguments.file));
+    write_h5(arguments.output, to_table(result, given, arguments.output));
   if (!arguments.vtk.empty())
     write_vts(arguments.vtk, result);
   fmt::print("{}", arguments.json ? to_json(result).dump(2) + "\n" : to_text(result));
@@ -131,7 +184,8 @@ std::vector<Model> models_of(const std::vector<std::string>& names) {
 }
 
 ExitCode run_compare(const SceneArguments& arguments) {
-  const SceneFile scene = read_scene_file(arguments.file);
+  GivenScene given = read_given_scene(arguments.file, "");
+  const SceneFile& scene = given.scene;
   const std::vector<Model> models = models_of(arguments.models);
   const auto surface_of = [&](Model model) {
     return fmt::format("{}_{}.vts", arguments.vtk, name_of(model));
@@ -140,12 +194,14 @@ ExitCode run_compare(const SceneArguments& arguments) {
   if (!arguments.vtk.empty())
     std::ranges::transform(models, std::back_inserter(surfaces), surface_of);
   check_outputs(arguments, scene, arguments.output, surfaces);
+  if (!arguments.output.empty())
+    given.inputs = inputs_of(scene);
   const Comparison comparison = Sequence().compare(scene, models);
   if (arguments.strict)
     for (const SceneResult& result : comparison.leading())
       refuse_warnings(result.warnings);
   if (!arguments.output.empty())
-    write_h5(arguments.output, to_table(comparison, arguments.file));
+    write_h5(arguments.output, to_table(comparison, given, arguments.output));
   if (!arguments.vtk.empty())
     for (const SceneResult& result : comparison.leading())
       write_vts(surface_of(result.model), result);
@@ -197,6 +253,8 @@ Command add_solve(CLI::App& program) {
   line->add_option("--model", arguments->model, "Model of the bodies, instead of the scene's own choice")
       ->check(CLI::IsMember(model_choices()));
   add_outputs(*line, *arguments);
+  line->add_option("--folder", arguments->folder,
+                   "With a result file: where the relative paths of its scene start, if it was moved");
   line->add_option("--vtk", arguments->vtk, "Surface with the result for ParaView (.vts)");
   return {line, [arguments] { return run_solve(*arguments); }};
 }

@@ -26,8 +26,11 @@ BEM_CONTACT_TUNED(std::size_t, chunks_of_a_sweep, 8);
 BEM_CONTACT_TUNED(std::size_t, smallest_chunk, 4);
 BEM_CONTACT_TUNED(std::size_t, largest_chunk, 32);
 
-/// Bytes. A longer scene is not copied into the sweep's file: HDF5 keeps attributes of up to 64 kB.
-BEM_CONTACT_TUNED(std::size_t, largest_attribute, 60000);
+// Result files.
+
+/// Bytes. A larger input is not kept in result files, only its digest. A measured profile has 100 kB; a step
+/// table of 100000 rows has 5 MB. Chosen.
+BEM_CONTACT_TUNED(std::size_t, largest_kept_input, 10'000'000);
 
 // Profiles in words.
 

@@ -40,7 +40,7 @@ std::string stresses_text(const std::optional<StressesBelow>& stresses) {
 void add_stresses(H5Table& table, const std::string& group, const StressesBelow& b) {
   table.datasets[group + "x"] = {{b.x.size()}, b.x, "mm", "x of the points"};
   table.datasets[group + "s"] = {{b.s.size()}, b.s, "mm", "arc length of the points along the rail"};
-  table.datasets[group + "depth"] = {
+  table.datasets[group + "depths"] = {
       {b.depths.size()}, b.depths, "mm", "depth of the points below the surface, along n"};
   const std::vector<std::size_t> shape{b.x.size(), b.s.size(), b.depths.size()};
   table.datasets[group + "von_mises"] = {shape, b.von_mises, "MPa", "von Mises' stress [x][s][depth]"};

@@ -16,7 +16,7 @@ nlohmann::json stresses_json(const std::optional<StressesBelow>& stresses);
 /// One line: the point where the largest shear stress is largest. Empty where there is none.
 std::string stresses_text(const std::optional<StressesBelow>& stresses);
 
-/// Datasets x, s, depth, von_mises, largest_shear, stress under `group`.
+/// Datasets x, s, depths, von_mises, largest_shear, stress under `group`.
 void add_stresses(H5Table& table, const std::string& group, const StressesBelow& stresses);
 
 } // namespace bem_contact::app

@@ -42,7 +42,8 @@ Two words below [sweep] are settings of the sweep, not keys of the scene:
     fields = true           # the default; false: keep only the totals of each case
 Example, 64 contacts from tread to flange:
     bem_contact sweep data/scenes/cases_halfspace.toml -o sweep.h5 --csv sweep.csv
-You should see the progress, then `64 certified, of 64 cases`, and one line for each case in sweep.csv. If the
+You should see the progress, then `64 certified, of 64 cases`. sweep.csv has a line for each case,
+sweep_patches.csv one for each patch, and sweep_units.csv the units of their columns. If the
 program is stopped, call it again: sweep.h5.part holds the finished cases, and only the others are solved.
 
 On a cluster, share the cases among machines that see the same folder (tools/cluster/slurm_sweep does it). Each share
@@ -106,7 +107,7 @@ CaseRecord solve_case(Sequence& sequence, const SweepFile& sweep, std::size_t in
     const SceneResult result = sequence.solve(scene);
     if (request.strict)
       refuse_warnings(result.warnings);
-    record = record_of(index, result, sweep.fields);
+    record = case_record(index, result, sweep.fields);
   } catch (const ConvergenceError& error) {
     failed(CaseStatus::not_certified, error.what());
   } catch (const Error& error) {
@@ -160,7 +161,8 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
 
 /// From the journals, case by case: fields need not fit into memory.
 void write_file(const std::filesystem::path& file, const std::vector<std::filesystem::path>& journals,
-                const std::string& digest, const SweepOutput& output, std::size_t cases) {
+                const std::string& digest, const SweepOutput& output, const GivenScene& given) {
+  const std::size_t cases = output.size();
   H5Writer writer(file);
   std::vector<char> written(cases, 0);
   for (const std::filesystem::path& journal : journals)
@@ -169,36 +171,47 @@ void write_file(const std::filesystem::path& file, const std::vector<std::filesy
         return;
       writer.add(group_of(record));
     });
-  writer.add(output.top());
+  H5Table top = output.top();
+  add_scene(top, given, file);
+  writer.add(top);
   writer.finish();
 }
 
 void write_csv_of(const std::filesystem::path& csv, const std::filesystem::path& file,
                   const SweepFile& sweep) {
-  const H5Table table = read_h5_top(file);
+  const H5Table table = read_h5_top(file, "patches");
   std::vector<std::string> reasons(sweep.size());
   for (std::size_t i = 0; i < sweep.size(); ++i)
     if (const auto at = table.attributes.find(fmt::format("cases/{:06}/reason", i));
         at != table.attributes.end())
       reasons[i] = std::get<std::string>(at->second);
-  write_csv(csv, sweep, table, reasons);
+  write_csv(csv_files(csv), sweep, table, reasons);
 }
 
 /// Refuses outputs that would overwrite an input or each other.
 void check_outputs(const SweepFile& sweep, const SweepRequest& request,
                    const std::filesystem::path& own_journal) {
   std::vector<std::filesystem::path> taken{request.scene};
-  for (const std::string& name : inputs_of(sweep))
+  for (const std::string& name : input_paths(sweep))
     taken.push_back(name);
-  for (const std::filesystem::path& file :
-       {std::filesystem::path(request.output), own_journal, std::filesystem::path(request.csv)}) {
+  const auto take = [&](const std::filesystem::path& file) {
     refuse_overwriting(file, taken);
     taken.push_back(file);
-  }
+  };
+  take(request.output);
+  take(own_journal);
+  take(request.csv);
   output_target(request.output, OutputForm::whole_file);
   output_target(own_journal, OutputForm::whole_file);
-  if (!request.csv.empty())
-    output_target(request.csv, OutputForm::text);
+  if (request.csv.empty())
+    return;
+  output_target(request.csv, OutputForm::text);
+  const CsvFiles files = csv_files(request.csv);
+  for (const std::filesystem::path& file : {files.patches, files.units}) {
+    take(file);
+    if (!file.empty())
+      output_target(file, OutputForm::text);
+  }
 }
 
 /// What is known from all journals, after this process has solved its part of the rest.
@@ -240,12 +253,13 @@ SweepSummary run_sweep(const SweepRequest& request) {
       if (read_journal(journal, digest, [](const CaseRecord&) {}) > 0)
         std::filesystem::remove(journal);
   } else {
+    const GivenScene given = given_sweep(sweep, request.model);
     const SweepOutput results = results_of(sweep, request, share, own_journal, digest);
     if (share.parts > 1)
       return summary_of(
           results.top(), share,
           fmt::format("share {} of {} is solved: --merge makes the file of all\n", share.part, share.parts));
-    write_file(output, journals_of(output), digest, results, sweep.size());
+    write_file(output, journals_of(output), digest, results, given);
     if (results.count(CaseStatus::missing) == 0)
       remove_journals(output);
   }
@@ -262,7 +276,9 @@ Command add_sweep(CLI::App& program) {
   CLI::App* line = program.add_subcommand("sweep", "Solve a scene for lists or ranges of any of its keys");
   line->add_option("scene", r.scene, "Scene file (TOML) with a table [sweep]")->required();
   line->add_option("-o,--output", r.output, "File of all cases (HDF5)")->required();
-  line->add_option("--csv", r.csv, "Summary with one line for each case");
+  line->add_option("--csv", r.csv,
+                   "S.csv: a line for each case; beside it S_patches.csv with a line for each patch, and "
+                   "S_units.csv with unit and meaning of each column");
   line->add_option("--model", r.model, "Model of the bodies, instead of the scene's own choice")
       ->check(CLI::IsMember(model_choices()));
   line->add_flag("--strict", r.strict, "Count a case with a warning as refused, and keep no result of it");

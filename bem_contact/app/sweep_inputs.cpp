@@ -5,6 +5,7 @@
 #include "bem_contact/influence/file_seal.hpp"
 
 #include <filesystem>
+#include <fmt/format.h>
 #include <limits>
 #include <span>
 
@@ -33,7 +34,7 @@ void check_values(const SweepFile& sweep) {
     sweep.scene(index);
 }
 
-std::set<std::string> inputs_of(const SweepFile& sweep) {
+std::set<std::string> input_paths(const SweepFile& sweep) {
   std::set<std::string> names;
   for (const std::filesystem::path& file : input_files(sweep.scene(0)))
     if (is_regular(file))
@@ -46,9 +47,25 @@ std::set<std::string> inputs_of(const SweepFile& sweep) {
   return names;
 }
 
+GivenScene given_sweep(const SweepFile& sweep, const std::string& model) {
+  GivenScene out{sweep.source, sweep.text, model, sweep.folder, sweep.scene(0), {}};
+  out.inputs = inputs_of(out.scene);
+  for (const SweepFile::Axis& axis : sweep.axes)
+    for (std::size_t k = 0; k < axis.values.size(); ++k) {
+      const auto* text = std::get_if<std::string>(&axis.values[k]);
+      if (text && !text->empty() && is_regular(sweep.folder / *text))
+        out.inputs.push_back(
+            record_of(NamedFile{fmt::format("{}[{}]", axis.key, k), *text, sweep.folder / *text}));
+    }
+  if (!model.empty())
+    out.scene.solver.model = model_named(model);
+  return out;
+}
+
 std::string digest_of(const SweepFile& sweep, const std::string& options) {
-  std::string all = provenance("bem_contact") + "\n" + options + "\n" + digest_of(sweep.text) + "\n";
-  for (const std::string& name : inputs_of(sweep))
+  std::string all = provenance("bem_contact") + "\n" + std::string(commit()) + "\n" + options + "\n" +
+                    digest_of(sweep.text) + "\n";
+  for (const std::string& name : input_paths(sweep))
     all += digest_of(read_text_file(name, "input", std::numeric_limits<std::size_t>::max() / 4)) + "\n";
   return digest_of(all);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 
 #include <set>
@@ -12,9 +13,13 @@ namespace bem_contact::app {
 void check_values(const SweepFile& sweep);
 
 /// The files that the cases read, each once.
-std::set<std::string> inputs_of(const SweepFile& sweep);
+std::set<std::string> input_paths(const SweepFile& sweep);
 
-/// Digest (SHA-256) of everything that the results depend on: version, options of the command
+/// The sweep's text, with the scene of its first case and all inputs: those of that case, and those that the
+/// lists name, with the key "rail.profile[1]" for the second of a list.
+GivenScene given_sweep(const SweepFile& sweep, const std::string& model);
+
+/// Digest (SHA-256) of everything that the results depend on: version and commit, options of the command
 /// (model, strictness), scene and the files it reads.
 std::string digest_of(const SweepFile& sweep, const std::string& options);
 

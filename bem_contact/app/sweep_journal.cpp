@@ -19,7 +19,7 @@ namespace bem_contact::app {
 
 namespace {
 
-constexpr std::string_view magic = "bem_contact sweep 1\n";
+constexpr std::string_view magic = "bem_contact sweep 2\n";
 constexpr std::size_t digest_size = 64;
 
 std::string header_of(const std::string& digest) {

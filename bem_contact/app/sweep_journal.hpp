@@ -13,7 +13,7 @@ namespace bem_contact::app {
 ///
 /// A kill at any moment loses no finished case: the next run cuts off a record that is only half written.
 /// Only one process writes a journal.
-///     bem_contact sweep 1\n<digest>\n
+///     bem_contact sweep 2\n<digest>\n
 ///     then [u64 bytes][record][SHA-256 of the record, 64 characters], in the machine's own byte order
 class SweepJournal {
 public:

@@ -1,19 +1,22 @@
 #include "bem_contact/app/sweep_output.hpp"
 
-#include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/base/provenance.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ostream.h>
-#include <limits>
+#include <numeric>
 #include <ostream>
 
 namespace bem_contact::app {
 
 namespace {
+
+constexpr const char* status_description =
+    "0 missing, 1 certified, 2 not certified, 3 refused, 4 its process died; CSV: in words";
+constexpr const char* seconds_description = "wall clock";
+constexpr const char* cpu_description = "of its process";
 
 double number(const SchemaValue& value) {
   if (const auto* v = std::get_if<double>(&value))
@@ -55,7 +58,8 @@ const char* status_text(CaseStatus status) {
 SweepOutput::SweepOutput(const SweepFile& sweep, std::string digest)
     : sweep_(&sweep), digest_(std::move(digest)), status_(sweep.size(), CaseStatus::missing),
       seconds_(sweep.size(), std::nan("")), cpu_seconds_(sweep.size(), std::nan("")),
-      summary_(summary_columns().size(), std::vector<double>(sweep.size(), std::nan(""))) {}
+      summary_(case_columns().size(), std::vector<double>(sweep.size(), std::nan(""))),
+      patches_(sweep.size()) {}
 
 void SweepOutput::add(const CaseRecord& record) {
   if (record.index >= status_.size() || status_[record.index] != CaseStatus::missing)
@@ -65,10 +69,52 @@ void SweepOutput::add(const CaseRecord& record) {
   cpu_seconds_[record.index] = record.cpu_seconds;
   for (std::size_t k = 0; k < record.summary.size() && k < summary_.size(); ++k)
     summary_[k][record.index] = record.summary[k];
+  patches_[record.index] = record.patches;
 }
 
 std::size_t SweepOutput::count(CaseStatus status) const {
   return static_cast<std::size_t>(std::ranges::count(status_, status));
+}
+
+void SweepOutput::add_axes(H5Table& table, const std::string& group,
+                           const std::vector<std::size_t>& cases) const {
+  for (std::size_t a = 0; a < sweep_->axes.size(); ++a) {
+    const SweepFile::Axis& axis = sweep_->axes[a];
+    const bool text = std::holds_alternative<std::string>(axis.values.front());
+    std::vector<double> values;
+    for (const std::size_t i : cases) {
+      const std::size_t at = sweep_->indices(i)[a];
+      values.push_back(text ? static_cast<double>(at) : number(axis.values[at]));
+    }
+    std::string description = text ? "which of" : "swept over";
+    for (const SchemaValue& value : axis.values)
+      if (text)
+        description.append(" ").append(to_text(value));
+    table.datasets[group + axis.key] = {
+        {cases.size()}, std::move(values), unit_of_key(axis.key), std::move(description)};
+  }
+}
+
+void SweepOutput::add_patches(H5Table& table) const {
+  std::vector<std::size_t> cases;
+  std::vector<double> case_of, rank;
+  std::vector<std::vector<double>> columns(patch_columns().size());
+  for (std::size_t i = 0; i < patches_.size(); ++i)
+    for (std::size_t patch = 0; patch < patches_[i].size(); ++patch) {
+      cases.push_back(i);
+      case_of.push_back(static_cast<double>(i));
+      rank.push_back(static_cast<double>(patch + 1));
+      for (std::size_t k = 0; k < columns.size(); ++k)
+        columns[k].push_back(patches_[i][patch].at(k));
+    }
+  const std::size_t n = cases.size();
+  table.datasets["patches/case"] = {{n}, std::move(case_of), "1", "the case, from 0"};
+  table.datasets["patches/patch"] = {{n}, std::move(rank), "1", "1: the largest force"};
+  add_axes(table, "patches/", cases);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const Column& column = patch_columns()[k];
+    table.datasets["patches/" + column.name] = {{n}, std::move(columns[k]), column.unit, column.description};
+  }
 }
 
 H5Table SweepOutput::top() const {
@@ -78,37 +124,22 @@ H5Table SweepOutput::top() const {
                         std::string description) {
     table.datasets[name] = {{n}, std::move(values), std::move(unit), std::move(description)};
   };
-  for (std::size_t a = 0; a < sweep_->axes.size(); ++a) {
-    const SweepFile::Axis& axis = sweep_->axes[a];
-    const bool text = std::holds_alternative<std::string>(axis.values.front());
-    std::vector<double> values(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t at = sweep_->indices(i)[a];
-      values[i] = text ? static_cast<double>(at) : number(axis.values[at]);
-    }
-    std::string description = text ? "which of" : "swept over";
-    for (const SchemaValue& value : axis.values)
-      if (text)
-        description.append(" ").append(to_text(value));
-    line(axis.key, std::move(values), "", std::move(description));
-  }
+  std::vector<std::size_t> cases(n);
+  std::iota(cases.begin(), cases.end(), std::size_t{0});
+  add_axes(table, "", cases);
   std::vector<double> status(n);
   std::ranges::transform(status_, status.begin(), [](CaseStatus s) { return static_cast<double>(s); });
-  line("status", std::move(status), "1",
-       "0 missing, 1 certified, 2 not certified, 3 refused, 4 its process died");
-  line("seconds", seconds_, "s", "wall clock");
-  line("cpu_seconds", cpu_seconds_, "s", "of its process");
+  line("status", std::move(status), "1", status_description);
+  line("seconds", seconds_, "s", seconds_description);
+  line("cpu_seconds", cpu_seconds_, "s", cpu_description);
   for (std::size_t k = 0; k < summary_.size(); ++k) {
-    const SummaryColumn& column = summary_columns()[k];
+    const Column& column = case_columns()[k];
     line(column.name, summary_[k], column.unit, column.description);
   }
+  add_patches(table);
   auto& a = table.attributes;
   a["format"] = std::string(sweep_format);
-  a["program"] = provenance("bem_contact");
   a["digest"] = digest_;
-  a["scene"] = sweep_->source;
-  if (sweep_->text.size() < largest_attribute)
-    a["scene_text"] = sweep_->text;
   a["cases"] = static_cast<double>(n);
   for (const CaseStatus s : {CaseStatus::missing, CaseStatus::certified, CaseStatus::not_certified,
                              CaseStatus::refused, CaseStatus::died}) {
@@ -126,38 +157,113 @@ H5Table group_of(const CaseRecord& record) {
     table.datasets[group + name] = data;
   for (const auto& [name, value] : record.fields.attributes)
     table.attributes[group + name] = value;
+  for (const auto& [name, text] : record.fields.texts)
+    table.texts[group + name] = text;
   if (!record.reason.empty())
     table.attributes[group + "reason"] = record.reason;
   return table;
 }
 
-void write_csv(const std::filesystem::path& csv, const SweepFile& sweep, const H5Table& top,
-               const std::vector<std::string>& reasons) {
-  write_text(csv, [&](std::ostream& out) {
-    fmt::print(out, "case");
+CsvFiles csv_files(const std::filesystem::path& csv) {
+  if (csv.empty() || output_target(csv, OutputForm::text).stream)
+    return {csv, {}, {}};
+  const auto beside = [&](const char* what) {
+    return csv.parent_path() / (csv.stem().string() + what + csv.extension().string());
+  };
+  return {csv, beside("_patches"), beside("_units")};
+}
+
+namespace {
+
+/// An empty cell for nan.
+std::string cell(const H5Table& table, const std::string& name, std::size_t i) {
+  const double value = table.datasets.at(name).values[i];
+  return std::isnan(value) ? std::string() : fmt::format("{}", value);
+}
+
+std::string model_cell(const H5Table& table, std::size_t i) {
+  const double model = table.datasets.at(model_column).values[i];
+  return std::isnan(model) ? std::string() : std::string(name_of(static_cast<Model>(model)));
+}
+
+const char* status_of(const H5Table& top, std::size_t i) {
+  return status_text(static_cast<CaseStatus>(top.datasets.at("status").values[i]));
+}
+
+void print_axes(std::ostream& out, const SweepFile& sweep) {
+  for (const SweepFile::Axis& axis : sweep.axes)
+    fmt::print(out, ",{}", axis.key);
+}
+
+void print_changes(std::ostream& out, const SweepFile& sweep, std::size_t i) {
+  for (const SceneChange& change : sweep.changes(i)) {
+    const auto* text = std::get_if<std::string>(&change.value);
+    fmt::print(out, ",{}", text ? quoted(*text) : to_text(change.value));
+  }
+}
+
+void print_cases(std::ostream& out, const SweepFile& sweep, const H5Table& top,
+                 const std::vector<std::string>& reasons) {
+  fmt::print(out, "case");
+  print_axes(out, sweep);
+  fmt::print(out, ",status,seconds,cpu_seconds");
+  for (const Column& column : case_columns())
+    fmt::print(out, ",{}", column.name);
+  fmt::print(out, ",reason\n");
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    fmt::print(out, "{}", i);
+    print_changes(out, sweep, i);
+    fmt::print(out, ",{},{},{}", status_of(top, i), cell(top, "seconds", i), cell(top, "cpu_seconds", i));
+    for (const Column& column : case_columns())
+      fmt::print(out, ",{}", column.name == model_column ? model_cell(top, i) : cell(top, column.name, i));
+    fmt::print(out, ",{}\n", reasons[i].empty() ? "" : quoted(reasons[i]));
+  }
+}
+
+void print_patches(std::ostream& out, const SweepFile& sweep, const H5Table& top) {
+  fmt::print(out, "case,patch");
+  print_axes(out, sweep);
+  fmt::print(out, ",status");
+  for (const Column& column : patch_columns())
+    fmt::print(out, ",{}", column.name);
+  fmt::print(out, "\n");
+  const std::vector<double>& cases = top.datasets.at("patches/case").values;
+  for (std::size_t row = 0; row < cases.size(); ++row) {
+    const auto i = static_cast<std::size_t>(cases[row]);
+    fmt::print(out, "{},{}", i, cell(top, "patches/patch", row));
+    print_changes(out, sweep, i);
+    fmt::print(out, ",{}", status_of(top, i));
+    for (const Column& column : patch_columns())
+      fmt::print(out, ",{}", cell(top, "patches/" + column.name, row));
+    fmt::print(out, "\n");
+  }
+}
+
+void print_units(std::ostream& out, const SweepFile& sweep) {
+  fmt::print(out, "table,name,unit,description\n");
+  for (const char* table : {"cases", "patches"})
     for (const SweepFile::Axis& axis : sweep.axes)
-      fmt::print(out, ",{}", axis.key);
-    fmt::print(out, ",status,seconds,cpu_seconds");
-    for (const SummaryColumn& column : summary_columns())
-      fmt::print(out, ",{}", column.name);
-    fmt::print(out, ",reason\n");
-    const auto cell = [&](const std::string& name, std::size_t i) {
-      const double value = top.datasets.at(name).values[i];
-      return std::isnan(value) ? std::string() : fmt::format("{}", value);
-    };
-    for (std::size_t i = 0; i < sweep.size(); ++i) {
-      fmt::print(out, "{}", i);
-      for (const SceneChange& change : sweep.changes(i)) {
-        const auto* text = std::get_if<std::string>(&change.value);
-        fmt::print(out, ",{}", text ? quoted(*text) : to_text(change.value));
-      }
-      fmt::print(out, ",{},{},{}", status_text(static_cast<CaseStatus>(top.datasets.at("status").values[i])),
-                 cell("seconds", i), cell("cpu_seconds", i));
-      for (const SummaryColumn& column : summary_columns())
-        fmt::print(out, ",{}", cell(column.name, i));
-      fmt::print(out, ",{}\n", reasons[i].empty() ? "" : quoted(reasons[i]));
-    }
-  });
+      fmt::print(out, "{},{},{},swept over\n", table, axis.key, unit_of_key(axis.key));
+  fmt::print(out, "cases,status,1,{}\n", quoted(status_description));
+  fmt::print(out, "cases,seconds,s,{}\ncases,cpu_seconds,s,{}\n", quoted(seconds_description),
+             quoted(cpu_description));
+  const auto print = [&](const char* table, std::span<const Column> columns) {
+    for (const Column& column : columns)
+      fmt::print(out, "{},{},{},{}\n", table, column.name, column.unit, quoted(column.description));
+  };
+  print("cases", case_columns());
+  print("patches", patch_columns());
+}
+
+} // namespace
+
+void write_csv(const CsvFiles& files, const SweepFile& sweep, const H5Table& top,
+               const std::vector<std::string>& reasons) {
+  write_text(files.cases, [&](std::ostream& out) { print_cases(out, sweep, top, reasons); });
+  if (!files.patches.empty())
+    write_text(files.patches, [&](std::ostream& out) { print_patches(out, sweep, top); });
+  if (!files.units.empty())
+    write_text(files.units, [&](std::ostream& out) { print_units(out, sweep); });
 }
 
 } // namespace bem_contact::app

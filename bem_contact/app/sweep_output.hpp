@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/app/sweep_record.hpp"
+#include "bem_contact/scene/sweep_file.hpp"
 
 #include <filesystem>
 #include <string>
@@ -9,40 +10,57 @@
 namespace bem_contact::app {
 
 /// The attribute "format" of the file of a sweep.
-inline constexpr const char* sweep_format = "bem_contact sweep 1";
+inline constexpr const char* sweep_format = "bem_contact sweep 2";
 
 /// The file of a sweep.
 ///
 /// At its top: one dataset [case] for each key of the sweep (of a text: the index of its value), for status
-/// (CaseStatus), seconds and cpu_seconds, and for each of summary_columns(); nan if a case has no result.
-/// "cases/000012/" is the result file of case 12 (result_file.hpp). Its attribute "reason" says in words what
-/// is wrong or doubtful. Attributes at the top: format, program, digest, scene, scene_text, and the number of
-/// cases of each status.
+/// (CaseStatus), seconds and cpu_seconds, and for each of case_columns(); nan if a case has no result. The
+/// group "patches" is a table of all patches of all cases: one dataset [row] for case (from 0), patch (from
+/// 1, the largest force first), each key of the sweep and each of patch_columns(). "cases/000012/" has the
+/// fields of case 12 (result_file.hpp). Its attribute "reason" says in words what is wrong or doubtful. The
+/// top also says what was asked and with what (scene_record.hpp; scene_with_defaults is that of the first
+/// case), and in attributes digest and the number of cases of each status.
 class SweepOutput {
 public:
   SweepOutput(const SweepFile& sweep, std::string digest);
 
   void add(const CaseRecord& record); ///< the first record of a case counts; its fields are not kept
+  std::size_t size() const { return status_.size(); } ///< cases
   CaseStatus status(std::size_t index) const { return status_[index]; }
   std::size_t count(CaseStatus status) const;
 
-  /// What is written at the file's top.
+  /// What is written at the file's top, but for scene and inputs.
   H5Table top() const;
 
 private:
+  void add_axes(H5Table& table, const std::string& group, const std::vector<std::size_t>& cases) const;
+  void add_patches(H5Table& table) const;
+
   const SweepFile* sweep_;
   std::string digest_;
   std::vector<CaseStatus> status_;
   std::vector<double> seconds_, cpu_seconds_;
   std::vector<std::vector<double>> summary_;
+  std::vector<std::vector<std::vector<double>>> patches_; ///< [case][patch][column]
 };
 
 /// The group of a case: its fields and its reason.
 H5Table group_of(const CaseRecord& record);
 
-/// The top of a sweep's file as CSV: case, the keys swept over, status in words, seconds, the summary,
-/// reason. Throws InputError if it cannot be written.
-void write_csv(const std::filesystem::path& csv, const SweepFile& sweep, const H5Table& top,
+/// The CSV files of a sweep. For S.csv: S_patches.csv and S_units.csv beside it; of a device or a pipe they
+/// are left out ("").
+struct CsvFiles {
+  std::filesystem::path cases, patches, units;
+};
+CsvFiles csv_files(const std::filesystem::path& csv);
+
+/// The top of a sweep's file, as CSV that pandas.read_csv() takes as it is: names in the first line, then
+///   cases    a line a case: case, the keys swept over, status in words, seconds, case_columns(), reason
+///   patches  a line a patch: case, patch, the keys swept over, status of the case, patch_columns()
+///   units    a line a column of either: table, name, unit, description
+/// `top` has the group "patches". Throws InputError if a file cannot be written.
+void write_csv(const CsvFiles& files, const SweepFile& sweep, const H5Table& top,
                const std::vector<std::string>& reasons);
 
 const char* status_text(CaseStatus status);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "bem_contact/influence/h5_table.hpp"
-#include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
 
 #include <cstddef>
@@ -23,22 +22,25 @@ enum class CaseStatus {
 struct CaseRecord {
   std::size_t index = 0;
   CaseStatus status = CaseStatus::missing;
-  std::string reason;          ///< why it is not certified; a remark of the solver, warnings
-  double seconds = 0;          ///< wall clock
-  double cpu_seconds = 0;      ///< of the process
-  std::vector<double> summary; ///< summary_columns; empty where there is no result
-  H5Table fields;              ///< as in a result file (result_file.hpp); may be empty
+  std::string reason;                       ///< why it is not certified; a remark of the solver, warnings
+  double seconds = 0;                       ///< wall clock
+  double cpu_seconds = 0;                   ///< of the process
+  std::vector<double> summary;              ///< case_columns(); empty where there is no result
+  std::vector<std::vector<double>> patches; ///< patch_columns() of each patch
+  H5Table fields;                           ///< a case of a sweep (result_file.hpp); may be empty
 };
 
-/// One number kept of every case.
-struct SummaryColumn {
-  const char *name, *unit, *description;
-  double (*get)(const SceneResult&);
+/// What stands in one column of a table: quantities() and patch_quantities(), errors after their numbers, and
+/// the model of a case (0 hertz, 1 halfspace, 2 tangent_plane, 3 fem).
+struct Column {
+  std::string name, unit, description;
 };
-std::span<const SummaryColumn> summary_columns();
+std::span<const Column> case_columns();
+std::span<const Column> patch_columns();
+inline constexpr const char* model_column = "model";
 
-/// Status, reason, totals and, with `fields`, the result file of a solved case.
-CaseRecord record_of(std::size_t index, const SceneResult& result, bool fields);
+/// Status, reason, quantities, patches and, with `fields`, the fields of a solved case.
+CaseRecord case_record(std::size_t index, const SceneResult& result, bool fields);
 
 /// The record as bytes (CBOR, RFC 8949) and back. Throws std::exception for bytes that are none.
 std::string to_bytes(const CaseRecord& record);

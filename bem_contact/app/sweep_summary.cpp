@@ -14,7 +14,7 @@ SweepSummary summary_of(const H5Table& top, const Share& share, const std::strin
   SweepSummary out;
   out.text = head;
   std::map<std::string, int> counts;
-  const std::vector<double>& warnings = top.datasets.at("warnings").values;
+  const std::vector<double>& warnings = top.datasets.at("warning_count").values;
   std::size_t cases = 0, warned = 0;
   std::vector<double> times;
   out.certified = true;
@@ -33,7 +33,7 @@ SweepSummary summary_of(const H5Table& top, const Share& share, const std::strin
     out.text += fmt::format("{} {}, ", number, name);
   out.text += fmt::format("of {} cases\n", cases);
   if (warned > 0)
-    out.text += fmt::format("{} of them have warnings (column warnings; reason says which)\n", warned);
+    out.text += fmt::format("{} of them have warnings (column warning_count; reason says which)\n", warned);
   if (!times.empty()) {
     std::ranges::sort(times);
     const auto at = [&](double quantile) {

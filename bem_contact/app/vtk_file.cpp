@@ -68,7 +68,7 @@ void write(std::ostream& out, const SceneResult& result) {
   data_array(out, "displacement", 3, n,
              [&](int i, int c) { return turned(i, c, at(u.ux, i), at(u.us, i), at(u.un, i)); });
   const std::vector<double> power = friction_power(r);
-  data_array(out, "friction_power", 1, n, [&](int i, int) { return at(power, i); });
+  data_array(out, "work_rate", 1, n, [&](int i, int) { return at(power, i); });
   data_array(out, "state", 1, n, [&](int i, int) { return r.state.empty() ? 0.0 : double(r.state[i]); });
   data_array(out, "undeformed_distance", 1, n, [&](int i, int) { return problem.gap[i]; });
   data_array(out, "deformed_distance", 1, n, [&](int i, int) { return at(r.deformed_distance, i); });

@@ -61,6 +61,11 @@ bool Schema::changed(std::string_view path) const {
          (std::holds_alternative<TableList>(key->target) || value_text(key->target) != key->default_text);
 }
 
+std::string Schema::unit(std::string_view path) const {
+  const Key* key = find(path);
+  return key ? key->rule.unit : "";
+}
+
 std::string Schema::name_of_choice(const Key& key) {
   const NamedChoice& choice = std::get<NamedChoice>(key.target);
   return choice.names[choice.get()];
@@ -179,7 +184,7 @@ std::string Schema::print() const {
     if (const std::string range = range_text(key.target, key.rule); !range.empty())
       facts.push_back(range);
     if (!std::holds_alternative<TableList>(key.target))
-      facts.push_back((key.rule.example ? "no default, for instance " : "default ") + value_text(key.target));
+      facts.push_back((key.rule.example ? "no default, for instance " : "default ") + key.default_text);
     if (!key.rule.kinds.empty())
       facts.push_back(fmt::format("only where {} is {}", kind_path_, fmt::join(key.rule.kinds, " or ")));
     const bool off = !belongs(key) || key.rule.commented_out ||

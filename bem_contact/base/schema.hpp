@@ -115,6 +115,9 @@ public:
   bool changed(std::string_view path) const;
   [[noreturn]] void refuse(std::string_view path, std::string_view why, std::string_view what_to_do) const;
 
+  /// Of the key, "" for none and for a key that is not there.
+  std::string unit(std::string_view path) const;
+
   /// Every key with its bound value, documented, as valid TOML. Commented out are keys of other kinds,
   /// optionals without a value, lists of tables (an example of them) and what its rule says.
   std::string print() const;

@@ -216,12 +216,13 @@ int conformal_patch_count(conformal_contact* handle, int* count) {
 int conformal_patch(conformal_contact* handle, int index, double* values, int count) {
   return with(handle, [&] {
     require(values, "the array");
-    const std::vector<PatchSummary>& patches = result_of(handle).result.patches;
+    const SceneResult& result = result_of(handle);
+    const std::vector<PatchSummary>& patches = result.result.patches;
     if (index < 0 || index >= static_cast<int>(patches.size()))
       throw InputError(fmt::format("There is no patch {}", index),
                        fmt::format("there are {}", patches.size()),
                        "Count them with conformal_patch_count(); the first is 0.");
-    copy_first(values_of(patches[static_cast<std::size_t>(index)]), values, count);
+    copy_first(values_of(result, static_cast<std::size_t>(index)), values, count);
     return CONFORMAL_OK;
   });
 }

@@ -89,6 +89,8 @@ int conformal_stop(conformal_contact* handle);
 int conformal_totals(conformal_contact* handle, double* totals, int count);
 
 /* Patches, the one with the largest force first: values of one patch. */
+/* A value that a patch does not have is not a number (not equal to itself): a patch scene has no profiles, a
+ * frictionless one no creepages. */
 #define CONFORMAL_PATCH_FN 0       /* N, sum of pressure */
 #define CONFORMAL_PATCH_FX 1       /* N */
 #define CONFORMAL_PATCH_FS 2       /* N */
@@ -100,7 +102,29 @@ int conformal_totals(conformal_contact* handle, double* totals, int count);
 #define CONFORMAL_PATCH_CONTACT 8  /* elements in contact */
 #define CONFORMAL_PATCH_ADHESION 9 /* elements in adhesion */
 #define CONFORMAL_PATCH_SLIP 10    /* elements in slip */
-#define CONFORMAL_PATCH_VALUES 11
+#define CONFORMAL_PATCH_FY 11      /* N, track frame */
+#define CONFORMAL_PATCH_FZ 12      /* N, track frame, down */
+#define CONFORMAL_PATCH_MX 13      /* N mm, about x through the centre of pressure */
+#define CONFORMAL_PATCH_MS 14      /* N mm, about s there */
+#define CONFORMAL_PATCH_MN 15      /* N mm, about n there */
+#define CONFORMAL_PATCH_SEMI_AXIS_A                                                                          \
+  16 /* mm, ellipse of Hertzian pressure with the same second moments: axis nearest to x */
+#define CONFORMAL_PATCH_SEMI_AXIS_B 17 /* mm, the other axis */
+#define CONFORMAL_PATCH_AXIS_ANGLE 18  /* rad, from x to the first axis, towards s */
+#define CONFORMAL_PATCH_Y 19           /* mm, centre of pressure, track frame */
+#define CONFORMAL_PATCH_Z 20           /* mm, track frame, down */
+#define CONFORMAL_PATCH_DELTA 21       /* rad, inclination there */
+#define CONFORMAL_PATCH_RAIL_Y 22      /* mm, the same point in the frame of the rail's profile */
+#define CONFORMAL_PATCH_RAIL_Z 23      /* mm */
+#define CONFORMAL_PATCH_WHEEL_S 24     /* mm, the point opposite, arc length along the wheel's profile */
+#define CONFORMAL_PATCH_WHEEL_Y 25     /* mm, in the frame of the wheel's profile */
+#define CONFORMAL_PATCH_WHEEL_Z 26     /* mm */
+#define CONFORMAL_PATCH_WHEEL_DELTA 27 /* rad, inclination there, 0: parallel to the axle */
+#define CONFORMAL_PATCH_XI 28          /* rigid slip along x at the centre (shift: mm) */
+#define CONFORMAL_PATCH_ETA 29         /* rigid slip along s there (shift: mm) */
+#define CONFORMAL_PATCH_PHI 30 /* 1/mm, its rotation about n, with that of the geometry (shift: rad) */
+#define CONFORMAL_PATCH_FRICTION_POWER 31 /* N mm per mm rolled (shift: N mm) */
+#define CONFORMAL_PATCH_VALUES 32         /* how many there are; later versions append */
 int conformal_patch_count(conformal_contact* handle, int* count);
 int conformal_patch(conformal_contact* handle, int index, double* values, int count);
 

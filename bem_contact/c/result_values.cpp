@@ -1,89 +1,73 @@
 #include "bem_contact/c/result_values.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/quantities.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <string_view>
 
 namespace bem_contact {
 
 namespace {
 
-/// The field of that name. It may be empty, as the slip of a frictionless result is.
-const std::vector<double>* field_of(const SceneResult& r, int which) {
-  switch (which) {
-  case CONFORMAL_P_X:
-    return &r.result.px;
-  case CONFORMAL_P_S:
-    return &r.result.ps;
-  case CONFORMAL_P_N:
-    return &r.result.pn;
-  case CONFORMAL_SLIP_X:
-    return &r.result.slip_x;
-  case CONFORMAL_SLIP_S:
-    return &r.result.slip_s;
-  case CONFORMAL_U_X:
-    return &r.result.displacements.ux;
-  case CONFORMAL_U_S:
-    return &r.result.displacements.us;
-  case CONFORMAL_U_N:
-    return &r.result.displacements.un;
-  case CONFORMAL_GAP:
-    return &r.problem.gap;
-  case CONFORMAL_DEFORMED_DISTANCE:
-    return &r.result.deformed_distance;
-  default:
-    return nullptr;
-  }
+/// The names of sequence/quantities.hpp in the order of conformal_contact.h.
+constexpr std::array<const char*, CONFORMAL_TOTALS> total_names{"Fx",
+                                                                "Fy",
+                                                                "Fz",
+                                                                "Fs",
+                                                                "Mz",
+                                                                "approach",
+                                                                "creepage_x",
+                                                                "creepage_s",
+                                                                "pmax",
+                                                                "area",
+                                                                "friction_power",
+                                                                "certificate",
+                                                                "discretisation"};
+constexpr std::array<const char*, CONFORMAL_PATCH_VALUES> patch_names{
+    "Fn",          "Fx",          "Fs",         "approach",    "pmax", "area",  "x",      "s",
+    "contact",     "adhesion",    "slip",       "Fy",          "Fz",   "Mx",    "Ms",     "Mn",
+    "semi_axis_a", "semi_axis_b", "axis_angle", "y",           "z",    "delta", "rail_y", "rail_z",
+    "wheel_s",     "wheel_y",     "wheel_z",    "wheel_delta", "xi",   "eta",   "phi",    "friction_power"};
+constexpr std::array<const char*, CONFORMAL_STATE + 1> array_names{
+    "x",    "s",   "y",   "z",      "delta",
+    "p_x",  "p_s", "p_n", "slip_x", "slip_s",
+    "u_x",  "u_s", "u_n", "gap",    "deformed_distance",
+    "state"};
+
+/// The entry of a table with that name.
+template <class Table> const auto& named(const Table& table, std::string_view name) {
+  return *std::ranges::find_if(table, [&](const auto& entry) { return name == entry.name; });
 }
 
-double row_value(const ContactRow& row, int which) {
-  switch (which) {
-  case CONFORMAL_S:
-    return row.s;
-  case CONFORMAL_Y:
-    return row.position.y;
-  case CONFORMAL_Z:
-    return row.position.z;
-  default:
-    return row.delta;
-  }
+/// The entries of those names: looked up once, because callers ask at each time step.
+template <class Table, std::size_t n>
+auto entries(const Table& table, const std::array<const char*, n>& names) {
+  std::array<const typename Table::value_type*, n> out{};
+  for (std::size_t i = 0; i < n; ++i)
+    out[i] = &named(table, names[i]);
+  return out;
 }
 
 } // namespace
 
 std::array<double, CONFORMAL_TOTALS> totals_of(const SceneResult& result) {
-  const ContactResult& r = result.result;
+  static const auto totals = entries(quantities(), total_names);
   std::array<double, CONFORMAL_TOTALS> out{};
-  out[CONFORMAL_FX] = r.Fx;
-  out[CONFORMAL_FY] = r.Fy;
-  out[CONFORMAL_FZ] = r.Fz;
-  out[CONFORMAL_FS] = r.Fs;
-  out[CONFORMAL_MZ] = result.moment;
-  out[CONFORMAL_APPROACH] = r.approach;
-  out[CONFORMAL_CREEPAGE_X] = r.creepage_x;
-  out[CONFORMAL_CREEPAGE_S] = r.creepage_s;
-  out[CONFORMAL_PMAX] = largest_pressure(r);
-  out[CONFORMAL_AREA] = contact_area(r);
-  out[CONFORMAL_FRICTION_POWER] = friction_power(r, result.problem.element_area());
-  out[CONFORMAL_CERTIFICATE] = r.certificate.worst();
-  out[CONFORMAL_DISCRETISATION] = r.certificate.discretisation < 0 ? -1 : r.certificate.discretisation;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = totals[i]->value(result);
+  if (std::isnan(out[CONFORMAL_DISCRETISATION]))
+    out[CONFORMAL_DISCRETISATION] = -1;
   return out;
 }
 
-std::array<double, CONFORMAL_PATCH_VALUES> values_of(const PatchSummary& patch) {
+std::array<double, CONFORMAL_PATCH_VALUES> values_of(const SceneResult& result, std::size_t patch) {
+  static const auto numbers = entries(patch_quantities(), patch_names);
   std::array<double, CONFORMAL_PATCH_VALUES> out{};
-  out[CONFORMAL_PATCH_FN] = patch.fn;
-  out[CONFORMAL_PATCH_FX] = patch.fx;
-  out[CONFORMAL_PATCH_FS] = patch.fs;
-  out[CONFORMAL_PATCH_APPROACH] = patch.approach;
-  out[CONFORMAL_PATCH_PMAX] = patch.pmax;
-  out[CONFORMAL_PATCH_AREA] = patch.area;
-  out[CONFORMAL_PATCH_X] = patch.x;
-  out[CONFORMAL_PATCH_S] = patch.s;
-  out[CONFORMAL_PATCH_CONTACT] = patch.contact;
-  out[CONFORMAL_PATCH_ADHESION] = patch.adhesion;
-  out[CONFORMAL_PATCH_SLIP] = patch.slip;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = numbers[i]->value(result, patch);
   return out;
 }
 
@@ -106,19 +90,16 @@ void copy_array(const SceneResult& result, int which, std::span<double> to) {
     throw InputError(fmt::format("The array {} does not fit into {} values", which, to.size()),
                      fmt::format("it has {}: the grid is mx = {} by ms = {}", size, grid.mx, grid.ms),
                      "Ask conformal_grid() after each solution.");
+  const char* name = array_names[static_cast<std::size_t>(which)];
   if (which == CONFORMAL_X) {
     for (int ix = 0; ix < grid.mx; ++ix)
       to[static_cast<std::size_t>(ix)] = grid.x(ix);
   } else if (which <= CONFORMAL_DELTA) {
-    std::ranges::transform(result.problem.rows, to.begin(),
-                           [&](const ContactRow& row) { return row_value(row, which); });
-  } else if (which == CONFORMAL_STATE) {
-    std::ranges::fill(to, 0.0);
-    std::ranges::transform(result.result.state, to.begin(),
-                           [](ElementState s) { return static_cast<double>(s); });
+    const RowQuantity& row = named(row_quantities(), name);
+    for (std::size_t is = 0; is < to.size(); ++is)
+      to[is] = row.value(result, is);
   } else {
-    std::ranges::fill(to, 0.0);
-    std::ranges::copy(*field_of(result, which), to.begin());
+    named(element_quantities(), name).copy(result, to);
   }
 }
 

@@ -10,7 +10,7 @@
 namespace bem_contact {
 
 std::array<double, CONFORMAL_TOTALS> totals_of(const SceneResult& result);
-std::array<double, CONFORMAL_PATCH_VALUES> values_of(const PatchSummary& patch);
+std::array<double, CONFORMAL_PATCH_VALUES> values_of(const SceneResult& result, std::size_t patch);
 
 /// The first `count` values. Throws InputError if there are fewer.
 void copy_first(std::span<const double> values, double* to, int count);

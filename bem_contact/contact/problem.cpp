@@ -105,6 +105,20 @@ void validate_friction(const ContactProblem& problem) {
 
 } // namespace
 
+double row_index(const ContactProblem& problem, double s) {
+  const double last = static_cast<double>(problem.rows.size()) - 1;
+  return std::clamp((s - problem.rows.front().s) / problem.grid.ds, 0.0, last);
+}
+
+ContactRow row_at(const ContactProblem& problem, double s) {
+  const double index = row_index(problem, s);
+  const auto below = static_cast<std::size_t>(index);
+  const ContactRow& a = problem.rows[below];
+  const ContactRow& b = problem.rows[std::min(below + 1, problem.rows.size() - 1)];
+  const double share = index - static_cast<double>(below);
+  return {s, (1 - share) * a.position + share * b.position, (1 - share) * a.delta + share * b.delta};
+}
+
 void validate(const ContactProblem& problem) {
   const ContactGrid& grid = problem.grid;
   require(grid.mx > 0 && grid.ms > 0, "the grid is empty",

@@ -80,6 +80,12 @@ struct ContactProblem {
   double lateral_share(int row) const { return std::cos(rows[row].delta - reference_delta); }
 };
 
+/// Where on the rows an arc length lies: 1.5 is half way between the second row and the third. Beyond the
+/// ends it is the first or the last row.
+double row_index(const ContactProblem& problem, double s);
+/// Position and inclination there, linear between the rows.
+ContactRow row_at(const ContactProblem& problem, double s);
+
 /// Throws InputError unless sizes agree and all values are finite and in range.
 void validate(const ContactProblem& problem);
 

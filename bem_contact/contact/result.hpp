@@ -121,6 +121,16 @@ struct PatchSummary {
   double area = 0;                         ///< mm^2
   int contact = 0, adhesion = 0, slip = 0; ///< element counts
   double x = 0, s = 0;                     ///< centre of pressure: x of the grid, arc length of the rows, mm
+  Point2 position;                         ///< of that centre on the rows, frame of the rows, mm
+  double delta = 0;                        ///< inclination there, rad
+  double fy = 0, fz = 0;                   ///< on the rail, N, frame of the rows
+  /// On the rail about that centre, N mm: about x, and about the directions s and n there.
+  double moment_x = 0, moment_s = 0, moment_n = 0;
+  double friction_power = 0; ///< as friction_power() of the whole result, N (shift: N mm)
+  /// Semi-axes of the ellipse whose Hertzian pressure has the second moments of this pressure, mm: `a` of the
+  /// axis nearest to x, turned from x towards s by `axis_angle` (-pi/4 .. pi/4), rad. Plane strain: b is half
+  /// the width of such a strip, and a is nan.
+  double semi_axis_a = 0, semi_axis_b = 0, axis_angle = 0;
 };
 
 /// Displacement differences u = u_wheel - u_rail = -A p of every element, mm; fields.

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/h5_attributes.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <numeric>
 #include <utility>
@@ -49,9 +50,25 @@ std::string text_of(hid_t object, const std::string& name) {
   return text ? *text : std::string();
 }
 
-bool read_dataset(hid_t set, H5Dataset& data) {
+/// A dataset of one text of fixed length; false where it cannot be read. Any other text is passed over.
+bool read_text_dataset(hid_t set, const std::string& path, H5Table& table) {
+  const H5Handle space(H5Dget_space(set), H5Sclose), type(H5Dget_type(set), H5Tclose);
+  if (H5Sget_simple_extent_npoints(space) != 1 || H5Tis_variable_str(type) > 0)
+    return true;
+  std::string text(H5Tget_size(type), '\0');
+  if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
+    return false;
+  text.erase(std::min(text.find('\0'), text.size()));
+  table.texts[path] = {std::move(text), text_of(set, "description")};
+  return true;
+}
+
+bool read_dataset(hid_t set, const std::string& path, H5Table& table) {
   const H5Handle space(H5Dget_space(set), H5Sclose), type(H5Dget_type(set), H5Tclose);
   const H5T_class_t kind = H5Tget_class(type);
+  if (kind == H5T_STRING)
+    return read_text_dataset(set, path, table);
+  H5Dataset& data = table.datasets[path];
   if (kind != H5T_FLOAT && kind != H5T_INTEGER)
     return true;
   const int rank = H5Sget_simple_extent_ndims(space);
@@ -75,9 +92,27 @@ void check_writing(bool good, const std::filesystem::path& file, const std::stri
         "Check that its folder exists, that you may write there, and that the disk is not full.");
 }
 
+namespace {
+
+void write_texts(hid_t root, hid_t links, const H5Table& table, const std::filesystem::path& file) {
+  for (const auto& [name, data] : table.texts) {
+    const H5Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
+    check_writing(H5Tset_size(type, data.text.size() + 1) >= 0 && H5Tset_cset(type, H5T_CSET_UTF8) >= 0, file,
+                  "text " + name);
+    const H5Handle set(H5Dcreate2(root, name.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT),
+                       H5Dclose);
+    check_writing(set >= 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.text.c_str()) >= 0,
+                  file, "text " + name);
+    check_writing(write_attribute(set, "description", data.description), file, "attribute description");
+  }
+}
+
+} // namespace
+
 void write_entries(hid_t root, const H5Table& table, const std::filesystem::path& file) {
   const H5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(links, 1);
+  write_texts(root, links, table, file);
   for (const auto& [name, data] : table.datasets) {
     std::vector<hsize_t> shape(data.shape.begin(), data.shape.end());
     const auto size =
@@ -108,17 +143,14 @@ void write_entries(hid_t root, const H5Table& table, const std::filesystem::path
   }
 }
 
-bool read_entry(hid_t root, const std::string& path, bool deep, H5Table& table) {
+bool read_entry(hid_t root, const std::string& path, bool wanted, H5Table& table) {
   const H5Handle object(H5Oopen(root, path.c_str(), H5P_DEFAULT), H5Oclose);
   if (object < 0)
     return false;
   const H5I_type_t kind = H5Iget_type(object);
-  if (kind == H5I_DATASET && (deep || path.find('/') == std::string::npos)) {
-    H5Dataset data;
-    if (!read_dataset(object, data))
-      return false;
-    table.datasets[path] = std::move(data);
-  } else if (kind == H5I_GROUP) {
+  if (kind == H5I_DATASET && wanted)
+    return read_dataset(object, path, table);
+  if (kind == H5I_GROUP) {
     for (const std::string& name : attribute_names(object))
       read_attribute(object, name, path == "." ? name : path + "/" + name, table);
   }

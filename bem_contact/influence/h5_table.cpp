@@ -7,13 +7,14 @@
 #include "bem_contact/influence/h5_handle.hpp"
 #include "bem_contact/influence/h5_image.hpp"
 
+#include <functional>
 #include <ostream>
 
 namespace bem_contact {
 
 namespace {
 
-H5Table read_paths(const std::filesystem::path& file, bool deep) {
+H5Table read_paths(const std::filesystem::path& file, const std::function<bool(const std::string&)>& wanted) {
   const QuietHdf5 silence;
   if (!is_regular(file))
     throw InputError("The file '" + file.string() + "' cannot be read",
@@ -27,7 +28,7 @@ H5Table read_paths(const std::filesystem::path& file, bool deep) {
   bool whole = root >= 0 && H5Ovisit2(root, H5_INDEX_NAME, H5_ITER_INC, add, &paths, H5O_INFO_BASIC) >= 0;
   H5Table table;
   for (const std::string& path : paths)
-    whole = whole && read_entry(root, path, deep, table);
+    whole = whole && read_entry(root, path, wanted(path), table);
   if (!whole)
     throw InputError("The file '" + file.string() + "' cannot be read", "it is not HDF5, or truncated",
                      "Name a result or an influence file, or make it again.");
@@ -43,11 +44,13 @@ void write_h5(const std::filesystem::path& file, const H5Table& table) {
 }
 
 H5Table read_h5(const std::filesystem::path& file) {
-  return read_paths(file, true);
+  return read_paths(file, [](const std::string&) { return true; });
 }
 
-H5Table read_h5_top(const std::filesystem::path& file) {
-  return read_paths(file, false);
+H5Table read_h5_top(const std::filesystem::path& file, const std::string& but) {
+  return read_paths(file, [&](const std::string& path) {
+    return path.find('/') == std::string::npos || (!but.empty() && path.starts_with(but + "/"));
+  });
 }
 
 } // namespace bem_contact

@@ -18,20 +18,28 @@ struct H5Dataset {
 
 using H5Attribute = std::variant<std::string, double>;
 
+/// One text, which may be long: an attribute holds at most 64 kB.
+struct H5Text {
+  std::string text, description;
+
+  bool operator==(const H5Text&) const = default;
+};
+
 /// A whole small HDF5 file. Names are paths ("fem/p_n"); groups come into being with them. The attribute
 /// "fem/model" is the attribute "model" of the group "fem", "model" one of the file.
 struct H5Table {
   std::map<std::string, H5Dataset> datasets;
   std::map<std::string, H5Attribute> attributes;
+  std::map<std::string, H5Text> texts; ///< datasets of one text (UTF-8)
 };
 
 /// Writes the whole file at once. Throws InputError where it cannot be written.
 void write_h5(const std::filesystem::path& file, const H5Table& table);
 
-/// Reads every dataset of numbers and every attribute (of the file and its groups) that is text or a number.
-/// Throws InputError for a missing file or one that is not whole HDF5.
+/// Reads every dataset of numbers or of one text, and every attribute (of the file and its groups) that is
+/// text or a number. Throws InputError for a missing file or one that is not whole HDF5.
 H5Table read_h5(const std::filesystem::path& file);
-/// The same without the datasets that lie in groups.
-H5Table read_h5_top(const std::filesystem::path& file);
+/// The same without the datasets that lie in groups, but for those of the group `but` ("" for none).
+H5Table read_h5_top(const std::filesystem::path& file, const std::string& but = "");
 
 } // namespace bem_contact

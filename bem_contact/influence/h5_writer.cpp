@@ -62,7 +62,9 @@ void H5Writer::add(const H5Table& table) {
   for (const auto& [name, value] : table.attributes)
     if (const auto* text = std::get_if<std::string>(&value))
       values += text->size() / sizeof(double) + 1;
-  impl_->reserve(values, 3 * table.datasets.size() + table.attributes.size());
+  for (const auto& [name, data] : table.texts)
+    values += data.text.size() / sizeof(double) + 1;
+  impl_->reserve(values, 3 * (table.datasets.size() + table.texts.size()) + table.attributes.size());
   write_entries(impl_->root, table, impl_->file);
 }
 

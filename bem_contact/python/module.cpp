@@ -1,19 +1,20 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/provenance.hpp"
-#include "bem_contact/contact/history.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/sequence_object.hpp"
 #include "bem_contact/python/values.hpp"
-#include "bem_contact/sequence/printed_errors.hpp"
+#include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <optional>
+#include <string>
 
 namespace py = pybind11;
 
@@ -23,69 +24,65 @@ namespace {
 
 /// None of the arguments is converted by pybind11, so that what is wrong with one is said in our words.
 std::unique_ptr<PythonSequence> sequence_of(const py::object& scene, const py::args& more,
-                                            const py::kwargs& unknown) {
+                                            const py::object& folder, const py::kwargs& unknown) {
   refuse_unknown("Sequence", more, unknown);
-  return std::make_unique<PythonSequence>(path_of(scene));
+  return std::make_unique<PythonSequence>(scene_of(scene, folder));
+}
+
+PythonResult solved(const PythonSequence& sequence, const py::object& changes, const py::object& model,
+                    const py::object& strict) {
+  PythonResult out{sequence.solve(changes_of(changes), model_of(model)), {}};
+  if (py::bool_(strict))
+    refuse_warnings(out.solved->warnings);
+  return out;
 }
 
 PythonResult solve_changed(const PythonSequence& sequence, const py::object& changes, const py::object& model,
                            const py::object& strict, const py::args& more, const py::kwargs& unknown) {
   refuse_unknown("solve", more, unknown);
-  PythonResult solved{sequence.solve(changes_of(changes), model_of(model)), {}};
-  if (py::bool_(strict))
-    refuse_warnings(solved.solved->warnings);
-  return solved;
+  return solved(sequence, changes, model, strict);
 }
 
 PythonResult solve_one(const py::object& scene, const py::object& changes, const py::object& model,
-                       const py::object& strict, const py::args& more, const py::kwargs& unknown) {
-  return solve_changed(PythonSequence(path_of(scene)), changes, model, strict, more, unknown);
+                       const py::object& strict, const py::args& more, const py::object& folder,
+                       const py::kwargs& unknown) {
+  refuse_unknown("solve", more, unknown);
+  return solved(PythonSequence(scene_of(scene, folder)), changes, model, strict);
 }
 
 py::array_t<double> line(std::vector<double> values) {
   return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-/// [ms][mx]; zeros where the result has none, as a frictionless one has no slip.
-py::array_t<double> field(const SceneResult& r, std::vector<double> values) {
+/// [ms][mx]
+py::array_t<double> field(const SceneResult& r, const ElementQuantity& quantity) {
   const ContactGrid& grid = r.problem.grid;
-  values.resize(grid.size(), 0.0);
-  return py::array_t<double>({grid.ms, grid.mx}, values.data());
-}
-
-template <class Of> std::vector<double> each_row(const SceneResult& r, const Of& of) {
-  std::vector<double> values;
-  for (const ContactRow& row : r.problem.rows)
-    values.push_back(of(row));
-  return values;
-}
-
-std::vector<double> columns(const ContactGrid& grid) {
-  std::vector<double> x;
-  for (int ix = 0; ix < grid.mx; ++ix)
-    x.push_back(grid.x(ix));
-  return x;
-}
-
-std::vector<double> states(const ContactResult& result) {
-  std::vector<double> out;
-  for (const ElementState state : result.state)
-    out.push_back(static_cast<double>(state));
+  py::array_t<double> out({grid.ms, grid.mx});
+  quantity.copy(r, {out.mutable_data(), static_cast<std::size_t>(grid.size())});
   return out;
 }
 
-std::optional<double> known(double error) {
-  return std::isnan(error) ? std::nullopt : std::optional(error);
+py::array_t<double> each_row(const SceneResult& r, const RowQuantity& quantity) {
+  std::vector<double> values;
+  for (std::size_t row = 0; row < r.problem.rows.size(); ++row)
+    values.push_back(quantity.value(r, row));
+  return line(std::move(values));
+}
+
+/// None for nan.
+std::optional<double> known(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
 py::dict patch_of(const SceneResult& r, std::size_t index) {
-  using namespace py::literals;
-  const PatchSummary& p = r.result.patches[index];
-  py::dict out("Fn"_a = p.fn, "Fx"_a = p.fx, "Fs"_a = p.fs, "approach"_a = p.approach, "pmax"_a = p.pmax,
-               "area"_a = p.area, "contact"_a = p.contact, "adhesion"_a = p.adhesion, "slip"_a = p.slip,
-               "x"_a = p.x, "s"_a = p.s);
-  for (const PrintedPatchNumber& number : printed_patch_numbers())
-    out[number.error_name] = known(errors_of_patch(r.result, index).*number.error);
+  py::dict out;
+  for (const PatchQuantity& q : patch_quantities()) {
+    out[q.name] = known(q.value(r, index));
+    if (q.error)
+      out[error_name(q.name).c_str()] = known(q.error(r, index));
+  }
+  for (const char* count : {"contact", "adhesion", "slip"})
+    out[count] = py::int_(out[count]);
   return out;
 }
 
@@ -96,24 +93,51 @@ std::vector<py::dict> patches_of(const SceneResult& r) {
   return out;
 }
 
-/// Totals of every step of a transient or a shift, [steps] each.
+/// Numbers of every step of a transient or of shifts, [steps] each.
 py::dict history_of(const SceneResult& r) {
   py::dict out;
-  const std::pair<const char*, double ContactResult::*> totals[] = {
-      {"Fx", &ContactResult::Fx},
-      {"Fy", &ContactResult::Fy},
-      {"Fz", &ContactResult::Fz},
-      {"Fs", &ContactResult::Fs},
-      {"approach", &ContactResult::approach},
-      {"creepage_x", &ContactResult::creepage_x},
-      {"creepage_s", &ContactResult::creepage_s}};
-  for (const auto& [name, member] : totals) {
+  for (const StepQuantity& q : step_quantities()) {
     std::vector<double> values;
     for (const ContactResult& step : r.history)
-      values.push_back(step.*member);
-    out[name] = line(std::move(values));
+      values.push_back(q.value(r, step));
+    out[q.name] = line(std::move(values));
   }
   return out;
+}
+
+/// The unit of every number, array and entry of a patch.
+py::dict units_of(const SceneResult& r) {
+  py::dict out;
+  const auto add = [&](const auto& table) {
+    for (const auto& q : table)
+      out[q.name] = q.unit.of(r);
+  };
+  out["x"] = "mm";
+  add(quantities());
+  add(patch_quantities());
+  add(step_quantities());
+  add(row_quantities());
+  add(element_quantities());
+  return out;
+}
+
+py::object stresses_of(const SceneResult& r) {
+  using namespace py::literals;
+  if (!r.stresses)
+    return py::none();
+  const StressesBelow& b = *r.stresses;
+  const std::vector<std::size_t> shape{b.x.size(), b.s.size(), b.depths.size()};
+  py::array_t<double> tensor(std::vector<std::size_t>{shape[0], shape[1], shape[2], 6});
+  double* to = tensor.mutable_data();
+  for (const halfspace::Stress& t : b.stress)
+    for (const double component : {t.xx, t.ss, t.nn, t.xs, t.xn, t.sn})
+      *to++ = component;
+  const auto at_points = [&](const std::vector<double>& values) {
+    return py::array_t<double>(shape, values.data());
+  };
+  return py::dict("x"_a = line(b.x), "s"_a = line(b.s), "depths"_a = line(b.depths),
+                  "components"_a = std::array{"xx", "ss", "nn", "xs", "xn", "sn"}, "stress"_a = tensor,
+                  "von_mises"_a = at_points(b.von_mises), "largest_shear"_a = at_points(b.largest_shear));
 }
 
 py::object body_of(const std::optional<BodyMotion>& body) {
@@ -138,90 +162,62 @@ py::object structure_of(const SceneResult& r) {
                   "last_change"_a = r.structure->change, "lowered"_a = r.structure->lowered);
 }
 
-void add_totals(ResultClass& c) {
-  const auto total = [&](const char* name, double ContactResult::*member, const char* doc) {
+/// "On the rail, N"
+std::string doc_of(const char* description, const QuantityUnit& unit, const char* shape = "") {
+  std::string text = std::string(description) + ", " + unit.text() + shape;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
+/// Every number of quantities(), and its error.
+void add_quantities(ResultClass& c) {
+  for (const Quantity& q : quantities()) {
     c.def_property_readonly(
-        name, [member](const SceneResult& r) { return r.result.*member; }, doc);
-  };
-  total("Fx", &ContactResult::Fx, "On the rail, N");
-  total("Fy", &ContactResult::Fy, "On the rail, N, towards the side of this wheel");
-  total("Fz", &ContactResult::Fz, "On the rail, N, down");
-  total("Fs", &ContactResult::Fs, "Shear force along the tangent at the reference point, N");
-  total("approach", &ContactResult::approach, "mm");
+        q.name, [value = q.value](const SceneResult& r) { return known(value(r)); },
+        doc_of(q.description, q.unit));
+    if (q.error)
+      c.def_property_readonly(
+          error_name(q.name), [error = q.error](const SceneResult& r) { return known(error(r)); },
+          "Estimated error by the size of the elements, absolute; None: not known");
+  }
+}
+
+void add_parts(ResultClass& c) {
+  c.def_property_readonly(
+      "patches", patches_of,
+      "One dict for each connected area, the largest force first: its forces, moments "
+      "about its centre, pmax, area, semi-axes, place on rail and wheel, creepages there, "
+      "friction power; `units` has their units");
+  c.def_property_readonly("history", history_of, "Numbers of every step: dict of arrays [steps]");
+  c.def_property_readonly("units", units_of, "{name: unit} of all numbers and arrays");
+  c.def_property_readonly("stresses", stresses_of,
+                          "Stresses below the surface, where the scene asks for them: dict of x, s, depths "
+                          "(mm), stress [x][s][depth][6] of `components`, von_mises and largest_shear "
+                          "[x][s][depth] (MPa, tension positive); else None");
   c.def_readonly("approach_datum", &SceneResult::approach_datum,
                  "Of which points of the bodies the approach is the relative displacement");
   c.def_property_readonly("structure", structure_of,
                           "Structural motion, dict of rail, wheel (force, motion, 6 x 6 compliance and "
                           "stiffness), placed, solutions, "
                           "last_change, lowered; None where no body gives way");
-  total("creepage_x", &ContactResult::creepage_x, "Found for load.force_x, added to motion.xi");
-  total("creepage_s", &ContactResult::creepage_s, "Found for load.force_s, added to motion.eta");
-  c.def_readonly("Mz", &SceneResult::moment, "About the vertical through the reference point, N mm");
-  c.def_readonly(
-      "lateral", &SceneResult::lateral,
-      "Lateral displacement of the wheelset, mm, given or found for load.force_y; None of a patch");
   c.def_property_readonly(
       "other_laterals",
       [](const SceneResult& r) { return r.found_lateral ? r.found_lateral->others : std::vector<double>(); },
       "Other displacements with the same load.force_y, to some hundredths, mm");
-  c.def_readonly("xi", &SceneResult::xi, "Longitudinal creepage, with what was found for load.force_x");
-  c.def_property_readonly(
-      "free_rolling_xi",
-      [](const SceneResult& r) { return r.free_rolling ? std::optional(r.free_rolling->xi) : std::nullopt; },
-      "Longitudinal creepage at which Fx is 0; None: not looked for");
-  c.def_property_readonly(
-      "free_rolling_radius",
-      [](const SceneResult& r) {
-        return r.free_rolling ? std::optional(r.free_rolling->rolling_radius) : std::nullopt;
-      },
-      "Rolling radius at which Fx is 0, mm; None: not looked for");
-  c.def_property_readonly(
-      "pmax", [](const SceneResult& r) { return largest_pressure(r.result); }, "MPa");
-  c.def_property_readonly(
-      "area", [](const SceneResult& r) { return contact_area(r.result); }, "mm2");
-  c.def_property_readonly(
-      "friction_power",
-      [](const SceneResult& r) { return friction_power(r.result, r.problem.element_area()); },
-      "N mm per mm rolled (shift: N mm)");
-  c.def_property_readonly("patches", patches_of, "One dict for each connected area, the largest force first");
-  c.def_property_readonly("history", history_of, "Totals of every step: dict of arrays [steps]");
 }
 
 void add_fields(ResultClass& c) {
-  const auto add = [&](const char* name, std::vector<double> ContactResult::*member, const char* doc) {
+  for (const ElementQuantity& q : element_quantities())
     c.def_property_readonly(
-        name, [member](const SceneResult& r) { return field(r, r.result.*member); }, doc);
-  };
-  add("p_x", &ContactResult::px, "Traction on the rail along x, MPa, [ms][mx]");
-  add("p_s", &ContactResult::ps, "Traction on the rail along s, MPa, [ms][mx]");
-  add("p_n", &ContactResult::pn, "Pressure, MPa, [ms][mx]");
-  add("slip_x", &ContactResult::slip_x, "Slip per unit of rolled distance (shift: mm), [ms][mx]");
-  add("slip_s", &ContactResult::slip_s, "Slip per unit of rolled distance (shift: mm), [ms][mx]");
-  add("deformed_distance", &ContactResult::deformed_distance, "mm, [ms][mx]");
+        q.name, [&q](const SceneResult& r) { return field(r, q); },
+        doc_of(q.description, q.unit, ", [ms][mx]"));
+  for (const RowQuantity& q : row_quantities())
+    c.def_property_readonly(
+        q.name, [&q](const SceneResult& r) { return each_row(r, q); },
+        doc_of(q.description, q.unit, ", [ms]"));
   c.def_property_readonly(
-      "state", [](const SceneResult& r) { return field(r, states(r.result)); },
-      "0 exterior, 1 adhesion, 2 slip, [ms][mx]");
-  c.def_property_readonly(
-      "gap", [](const SceneResult& r) { return field(r, r.problem.gap); },
-      "Undeformed distance along the rail's normal, mm, [ms][mx]");
-  c.def_property_readonly(
-      "u_n", [](const SceneResult& r) { return field(r, r.result.displacements.un); },
-      "Displacement difference along n, wheel less rail, mm, [ms][mx]");
-  c.def_property_readonly(
-      "x", [](const SceneResult& r) { return line(columns(r.problem.grid)); },
+      "x", [](const SceneResult& r) { return line(r.problem.grid.columns()); },
       "Middle of the columns, rolling direction, mm, [mx]");
-  const auto rows = [&](const char* name, auto of, const char* doc) {
-    c.def_property_readonly(
-        name, [of](const SceneResult& r) { return line(each_row(r, of)); }, doc);
-  };
-  rows(
-      "s", [](const ContactRow& row) { return row.s; }, "Arc length along the rail, mm, [ms]");
-  rows(
-      "y", [](const ContactRow& row) { return row.position.y; }, "Track frame, mm, [ms]");
-  rows(
-      "z", [](const ContactRow& row) { return row.position.z; }, "Track frame, down, mm, [ms]");
-  rows(
-      "delta", [](const ContactRow& row) { return row.delta; }, "Inclination, rad, [ms]");
 }
 
 void add_trust(ResultClass& c) {
@@ -234,23 +230,6 @@ void add_trust(ResultClass& c) {
   c.def_property_readonly(
       "certified", [](const SceneResult& r) { return r.result.certificate.holds(); },
       "Whether the certificate holds: look at it before you use any number");
-  c.def_property_readonly(
-      "certificate", [](const SceneResult& r) { return r.result.certificate.worst(); },
-      "Worst violation of the contact conditions, relative");
-  c.def_property_readonly(
-      "discretisation",
-      [](const SceneResult& r) -> std::optional<double> {
-        const double error = r.result.certificate.discretisation;
-        return error < 0 ? std::nullopt : std::optional(error);
-      },
-      "Estimated discretisation error, relative; None: not estimated");
-  for (const PrintedNumber& number : printed_numbers())
-    c.def_property_readonly(
-        number.error_name, [error = number.error](const SceneResult& r) { return known(error(r)); },
-        "Estimated error by the size of the elements, absolute; None: not known");
-  c.def_property_readonly(
-      "adhesion_share", [](const SceneResult& r) { return adhesion_share(r.result); },
-      "Of the elements in contact");
   c.def_property_readonly(
       "converges_with_elements",
       [](const SceneResult& r) {
@@ -270,22 +249,28 @@ void add_trust(ResultClass& c) {
 PYBIND11_MODULE(_core, m) {
   m.doc() = "The compiled part of the package bem_contact.";
   m.attr("__version__") = std::string(version());
+  m.attr("__commit__") = std::string(commit());
   py::register_exception<InputError>(m, "InputError", PyExc_ValueError);
   py::register_exception<ConvergenceError>(m, "ConvergenceError", PyExc_RuntimeError);
   ResultClass result(m, "One scene solved with one model. Arrays are copies. Can be copied and pickled.");
-  add_totals(result);
+  add_quantities(result);
+  add_parts(result);
   add_fields(result);
   add_trust(result);
 
   using namespace py::literals;
   constexpr const char* of_arguments =
+      "`scene`: the path of a scene file; the text of one (more than one line of TOML); or a dict, as "
+      "{\"load\": {\"force\": 1e5}, \"rail.profile\": \"60E1\"}. Relative paths start in the file's folder, "
+      "of a "
+      "text or a dict in `folder` (None: the working directory). "
       "`changes`: values of the scene's keys instead of the file's, as {\"position.lateral\": 6.6}; numbers "
       "and "
       "arrays may be NumPy's. `model`: "
       "auto, hertz, halfspace, tangent_plane or fem; \"\" takes the scene's own. Raises InputError (a "
       "ValueError) for wrong input. `strict`: warnings are errors. Lack of convergence is in the result.";
   m.def("solve", solve_one, "scene"_a = py::none(), "changes"_a = py::none(), "model"_a = py::none(),
-        "strict"_a = false, of_arguments);
+        "strict"_a = false, "folder"_a = py::none(), of_arguments);
   py::class_<PythonSequence>(
       m, "Sequence",
       "Solves one scene with many changes, each from what the former ones taught: files are read once, and a "
@@ -293,7 +278,7 @@ PYBIND11_MODULE(_core, m) {
       "the "
       "object is made. Several threads may call one object: each call waits for the one before. Several "
       "objects run side by side. Ctrl-C ends a running solve.")
-      .def(py::init(&sequence_of), "scene"_a = py::none())
+      .def(py::init(&sequence_of), "scene"_a = py::none(), "folder"_a = py::none())
       .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), "strict"_a = false,
            of_arguments);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_stopped_solutions));

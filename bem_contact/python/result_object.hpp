@@ -41,14 +41,14 @@ public:
 
   /// `of` takes a SceneResult.
   template <class Of>
-  ResultClass& def_property_readonly(const char* name, const Of& of, const char* doc = "") {
+  ResultClass& def_property_readonly(const std::string& name, const Of& of, const std::string& doc = "") {
     names_->push_back(name);
     class_.def_property_readonly(
-        name,
+        name.c_str(),
         [name, of](const PythonResult& r) -> pybind11::object {
-          return r.solved ? as_object(of(*r.solved)) : pybind11::object(r.kept[name]);
+          return r.solved ? as_object(of(*r.solved)) : pybind11::object(r.kept[name.c_str()]);
         },
-        doc);
+        doc.c_str());
     return *this;
   }
   template <class Value>

@@ -1,7 +1,5 @@
 #include "bem_contact/python/sequence_object.hpp"
 
-#include "bem_contact/base/input_file.hpp"
-
 #include <pybind11/pybind11.h>
 
 #include <atomic>
@@ -46,16 +44,15 @@ bool signal_came() {
 
 } // namespace
 
-PythonSequence::PythonSequence(const std::string& scene)
-    : shared_(std::make_shared<Shared>(Shared{read_text_file(scene, "scene file"), scene,
-                                              std::filesystem::absolute(scene).parent_path(), Sequence()})) {}
+PythonSequence::PythonSequence(PythonScene scene)
+    : shared_(std::make_shared<Shared>(Shared{std::move(scene), Sequence()})) {}
 
 Result PythonSequence::solve(std::vector<SceneChange> changes, std::string model) const {
   const auto stop = std::make_shared<std::atomic<bool>>(false);
   std::packaged_task<Result()> task(
       [stop, shared = shared_, changes = std::move(changes), model = std::move(model)]() -> Result {
-        SceneFile scene = parse_scene_file(shared->text, shared->source, changes);
-        scene.folder = shared->folder;
+        SceneFile scene = parse_scene_file(shared->scene.text, shared->scene.source, changes);
+        scene.folder = shared->scene.folder;
         if (!model.empty())
           scene = with_model(std::move(scene), model_named(model));
         return std::make_shared<const SceneResult>(shared->sequence.solve(scene, stop.get()));

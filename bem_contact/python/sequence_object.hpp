@@ -9,6 +9,13 @@
 
 namespace bem_contact {
 
+/// A scene that Python hands over.
+struct PythonScene {
+  std::string text;             ///< TOML
+  std::string source;           ///< of the text, for messages
+  std::filesystem::path folder; ///< absolute: where relative paths start
+};
+
 /// Python's Sequence: a scene whose text was read, and whose paths were fixed, when the object was made.
 ///
 /// A case is solved in a thread of its own while Python's threads go on; the calling thread looks for Ctrl-C.
@@ -16,15 +23,14 @@ namespace bem_contact {
 /// to an object that is busy waits.
 class PythonSequence {
 public:
-  explicit PythonSequence(const std::string& scene);
+  explicit PythonSequence(PythonScene scene);
 
   /// Throws InputError, ConvergenceError, and whatever a signal handler of Python raises.
   std::shared_ptr<const SceneResult> solve(std::vector<SceneChange> changes, std::string model) const;
 
 private:
   struct Shared { ///< with a solution that outlives the call (Ctrl-C), and perhaps this object
-    std::string text, source;
-    std::filesystem::path folder;
+    PythonScene scene;
     Sequence sequence;
   };
   std::shared_ptr<Shared> shared_;

@@ -1,9 +1,14 @@
 #include "bem_contact/python/values.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/schema_text.hpp"
+#include "bem_contact/scene/sweep_file.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdint>
 
 namespace py = pybind11;
@@ -27,6 +32,17 @@ py::object without_numpy(const py::object& value) {
 
 bool is_path(const py::object& value) {
   return py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__");
+}
+
+/// `what` is it for.
+std::string path_of(const py::object& given, const char* what) {
+  const py::object path = py::hasattr(given, "__fspath__") ? py::object(given.attr("__fspath__")()) : given;
+  if (!py::isinstance<py::str>(path))
+    refuse(fmt::format("The {} cannot be used", what),
+           py::isinstance<py::bytes>(path) ? "its path is of bytes"
+                                           : fmt::format("its type is {}", type_name(path)),
+           "Give the path as text or as pathlib.Path.");
+  return path.cast<std::string>();
 }
 
 bool is_number(const py::object& value) {
@@ -53,7 +69,7 @@ SchemaValue value_of(const std::string& key, const py::object& given) {
   if (py::isinstance<py::bool_>(value))
     return value.cast<bool>();
   if (is_path(value))
-    return path_of(value);
+    return path_of(value, key.c_str());
   if (py::hasattr(value, "__index__"))
     return whole_number(key, value);
   if (is_number(value))
@@ -76,16 +92,62 @@ SchemaValue value_of(const std::string& key, const py::object& given) {
   return numbers;
 }
 
+/// A part of a key, in quotes where TOML wants some: what is wrong with it is for the schema to say.
+std::string key_text(const std::string& key) {
+  const bool bare = !key.empty() && std::ranges::all_of(key, [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '-' || c == '.';
+  });
+  return bare ? key : toml_text(key);
+}
+
+std::string toml_of(SchemaValue value) {
+  if (auto* text = std::get_if<std::string>(&value))
+    return toml_text(*text);
+  if (auto* number = std::get_if<double>(&value))
+    return value_text(number);
+  if (auto* list = std::get_if<std::vector<double>>(&value))
+    return value_text(list);
+  return to_text(value);
+}
+
+/// One line `a.b.c = value` for each entry of the dict and of those in it.
+void add_table(const py::object& table, const std::string& prefix, std::string& text) {
+  for (const py::handle item : table.attr("items")()) {
+    const auto [key, value] = py::cast<std::pair<py::object, py::object>>(item);
+    if (!py::isinstance<py::str>(key))
+      refuse("The scene cannot be used", fmt::format("one of its keys is of type {}", type_name(key)),
+             "Name the keys of a scene, as {'load': {'force': 1e5}}.");
+    const std::string name = key_text(key.cast<std::string>()),
+                      path = prefix.empty() ? name : prefix + "." + name;
+    if (path == "sweep") // as in a file: for sweeps alone
+      continue;
+    if (py::hasattr(value, "items"))
+      add_table(value, path, text);
+    else
+      text += path + " = " + toml_of(value_of(path, value)) + "\n";
+  }
+}
+
 } // namespace
 
-std::string path_of(const py::object& scene) {
+PythonScene scene_of(const py::object& scene, const py::object& folder) {
+  const auto start = [&](const std::filesystem::path& own) {
+    return std::filesystem::absolute(folder.is_none() ? own
+                                                      : std::filesystem::path(path_of(folder, "folder")));
+  };
+  if (py::hasattr(scene, "items")) {
+    std::string text;
+    add_table(scene, "", text);
+    return {text, "dict", start(".")};
+  }
   if (!is_path(scene))
     refuse("The scene cannot be used", fmt::format("its type is {}", type_name(scene)),
-           "Give the path of a scene file, as text or as pathlib.Path.");
-  const py::object path = py::hasattr(scene, "__fspath__") ? py::object(scene.attr("__fspath__")()) : scene;
-  if (!py::isinstance<py::str>(path))
-    refuse("The scene cannot be used", "its path is of bytes", "Give the path as text or as pathlib.Path.");
-  return path.cast<std::string>();
+           "Give the path of a scene file, its text, or a dict.");
+  std::string name = path_of(scene, "scene");
+  // No scene fits into one line, and hardly a file has a name of two.
+  if (py::isinstance<py::str>(scene) && name.find('\n') != std::string::npos)
+    return {std::move(name), "text", start(".")};
+  return {read_text_file(name, "scene file"), name, start(std::filesystem::path(name).parent_path() / ".")};
 }
 
 std::vector<SceneChange> changes_of(const py::object& changes) {
@@ -121,10 +183,10 @@ void refuse_unknown(const char* function, const py::args& more, const py::kwargs
            fmt::format("{} more than it takes", more.size()), "See help(bem_contact.solve).");
   for (const auto& item : unknown) {
     const auto name = py::cast<std::string>(item.first);
-    const std::vector<std::string> known{"scene", "changes", "model"};
+    const std::vector<std::string> known{"scene", "changes", "model", "strict", "folder"};
     const auto like = nearest_names(name, known, 1);
     refuse(fmt::format("{}() has no argument '{}'", function, name),
-           "its arguments are scene, changes and model",
+           "its arguments are scene, changes, model, strict and folder",
            like.empty() ? "Put keys of the scene into the dict `changes`."
                         : fmt::format("Did you mean {}?", like.front()));
   }

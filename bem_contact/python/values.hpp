@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/python/sequence_object.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <pybind11/pybind11.h>
@@ -12,8 +13,10 @@
 /// for what has the wrong type.
 namespace bem_contact {
 
-/// A str or a path.
-std::string path_of(const pybind11::object& scene);
+/// A path of a scene file, the text of one (of more than one line), or a dict of its keys, nested or dotted.
+/// Relative paths start in `folder`; None: in the file's folder, of a text or a dict in the working
+/// directory.
+PythonScene scene_of(const pybind11::object& scene, const pybind11::object& folder);
 /// A dict of keys and values, or None. Values are numbers and arrays of any type of NumPy, too.
 std::vector<SceneChange> changes_of(const pybind11::object& changes);
 /// None and "": the scene's own.

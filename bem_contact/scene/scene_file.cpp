@@ -135,6 +135,15 @@ void check_wheel_rail(const SceneFile& f, const Schema& s) {
              "Give s_to greater than s_from, or leave both out.");
 }
 
+/// A scene whose keys without a default have examples.
+SceneFile example_scene() {
+  SceneFile file;
+  file.rail.profile = "60E1";
+  file.wheel.profile = "S1002";
+  file.load.force = 1e5;
+  return file;
+}
+
 /// `as_read` holds what `schema` is bound to.
 SceneFile checked(const SceneFile& as_read, const SceneKeysAsRead& read, const Schema& schema) {
   SceneFile file = as_read;
@@ -219,27 +228,60 @@ SceneFile with_model(SceneFile scene, std::optional<Model> model) {
   return scene;
 }
 
+std::vector<NamedFile> named_files(const SceneFile& scene) {
+  std::vector<NamedFile> files;
+  const auto add = [&](const char* key, const std::string& name, const std::filesystem::path& file) {
+    if (!name.empty())
+      files.push_back({key, name, file});
+  };
+  const auto profile = [&](const char* key, const std::string& name) {
+    add(key, name, profile_file_name(name, scene.folder).file);
+  };
+  const auto other = [&](const char* key, const std::string& name) { add(key, name, scene.folder / name); };
+  profile("rail.profile", scene.rail.profile);
+  profile("wheel.profile", scene.wheel.profile);
+  other("rail.influence", scene.rail.influence);
+  other("wheel.influence", scene.wheel.influence);
+  other("gap.table", scene.gap.table);
+  other("strip.inclination", scene.strip.inclination);
+  other("motion.slip_table", scene.motion.slip_table);
+  other("motion.friction_table", scene.motion.friction_table);
+  other("motion.step_table", scene.motion.step_table);
+  other("motion.start_table", scene.motion.start_table);
+  return files;
+}
+
 std::vector<std::filesystem::path> input_files(const SceneFile& scene) {
   std::vector<std::filesystem::path> files;
-  for (const std::string& profile : {scene.rail.profile, scene.wheel.profile})
-    if (!profile.empty())
-      files.push_back(profile_file_name(profile, scene.folder).file);
-  for (const std::string& name :
-       {scene.rail.influence, scene.wheel.influence, scene.gap.table, scene.strip.inclination,
-        scene.motion.slip_table, scene.motion.friction_table, scene.motion.step_table,
-        scene.motion.start_table})
-    if (!name.empty())
-      files.push_back(scene.folder / name);
+  for (NamedFile& named : named_files(scene))
+    files.push_back(std::move(named.file));
   return files;
 }
 
 std::string default_scene_file() {
-  SceneFile file;
-  file.rail.profile = "60E1";
-  file.wheel.profile = "S1002";
-  file.load.force = 1e5;
+  SceneFile file = example_scene();
   SceneKeysAsRead read;
   return scene_schema(file, read).print();
+}
+
+std::string unit_of_key(std::string_view key) {
+  SceneFile file;
+  SceneKeysAsRead read;
+  return scene_schema(file, read).unit(key);
+}
+
+std::string scene_with_defaults(const SceneFile& scene) {
+  SceneFile file = example_scene();
+  SceneKeysAsRead read;
+  const Schema schema = scene_schema(file, read); // remembers the defaults; stays bound to `file` and `read`
+  file = scene;
+  read.rail_young = scene.rail.material.young();
+  read.wheel_young = scene.wheel.material.young();
+  if (scene.grid.rows) {
+    read.s_from = scene.grid.rows->from;
+    read.s_to = scene.grid.rows->to;
+  }
+  return schema.print();
 }
 
 } // namespace bem_contact

@@ -159,11 +159,23 @@ SceneFile read_scene_file(const std::filesystem::path& file, std::span<const Sce
 SceneFile parse_scene_file(std::string_view toml, std::string_view source_name = "text",
                            std::span<const SceneChange> changes = {});
 std::string default_scene_file();
+/// The unit of a key of scenes, "" for none.
+std::string unit_of_key(std::string_view key);
+/// A scene as a file with the value of every key, defaults included: reading it gives the same scene, in this
+/// version and, because nothing is left to a default, in others.
+std::string scene_with_defaults(const SceneFile& scene);
 
 /// The same scene, to be answered with another model. Empty: with the cheapest that is accurate enough.
 SceneFile with_model(SceneFile scene, std::optional<Model> model);
 
-/// All files that the scene names, and all that it could: a profile may be a standard's name.
+/// A file that a scene names, or could: a profile may be a standard's name.
+struct NamedFile {
+  std::string key;            ///< "rail.profile"
+  std::string name;           ///< as the scene gives it
+  std::filesystem::path file; ///< in the scene's folder
+};
+std::vector<NamedFile> named_files(const SceneFile& scene);
+/// The paths of the same.
 std::vector<std::filesystem::path> input_files(const SceneFile& scene);
 
 } // namespace bem_contact

@@ -133,8 +133,19 @@ ContactResult without_contact(const ContactProblem& problem) {
   return result;
 }
 
-/// Forces and the one patch of the closed form, with `inside` elements.
-void add_totals(const HertzModel& model, int inside, ContactResult& result) {
+/// The axis nearest to x first, as PatchSummary has them.
+void add_axes(const HertzModel& model, PatchSummary& patch) {
+  const double quarter = std::numbers::pi / 2;
+  const double turns = std::round(model.angle / quarter);
+  const bool exchanged = std::fmod(std::abs(turns), 2) == 1;
+  patch.semi_axis_a = exchanged ? model.contact.semi_axis_s : model.contact.semi_axis_x;
+  patch.semi_axis_b = exchanged ? model.contact.semi_axis_x : model.contact.semi_axis_s;
+  patch.axis_angle = model.angle - turns * quarter;
+}
+
+/// Forces and the one patch of the closed form, with `inside` elements. The pressure is symmetric about the
+/// patch's centre and has no moments about it.
+void add_totals(const ContactProblem& problem, const HertzModel& model, int inside, ContactResult& result) {
   const reference::HertzContact& c = model.contact;
   const double area = std::numbers::pi * c.semi_axis_x * c.semi_axis_s;
   result.certificate.force_balance = std::abs(2.0 / 3 * area * c.max_pressure / c.force - 1);
@@ -149,6 +160,11 @@ void add_totals(const HertzModel& model, int inside, ContactResult& result) {
   patch.contact = patch.slip = inside;
   patch.x = model.x;
   patch.s = model.s;
+  patch.position = row_at(problem, model.s).position;
+  patch.delta = model.delta;
+  patch.fy = result.Fy;
+  patch.fz = result.Fz;
+  add_axes(model, patch);
   result.patches = {patch};
 }
 
@@ -220,7 +236,7 @@ ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model
         std::max(result.certificate.penetration, std::abs(compression - exact) / c.approach);
   }
   if (c.force > 0)
-    add_totals(model, inside, result);
+    add_totals(problem, model, inside, result);
   result.converged = result.certificate.holds();
   return result;
 }

@@ -3,6 +3,7 @@
 #include "bem_contact/scene/elastic_limit.hpp"
 #include "bem_contact/scene/outlines.hpp"
 #include "bem_contact/scene/warnings.hpp"
+#include "bem_contact/sequence/patch_places.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/structural_motion.hpp"
 
@@ -61,6 +62,17 @@ void add_stresses(const SceneFile& scene, SceneResult& out) {
                                        halfspace_text(turn)));
 }
 
+/// The creepages that the last step had.
+void add_creepages(const ContactSetup& setup, SceneResult& out) {
+  const Motion& motion = setup.motion;
+  if (!motion.tangential || (setup.patch() && setup.patch()->slip))
+    return;
+  const Creepage last = motion.steps.empty() ? motion.creepage : motion.creepage_of(motion.steps.back());
+  out.xi = last.xi + last.slip_x + out.result.creepage_x;
+  out.eta = last.eta + out.result.creepage_s;
+  out.phi = last.phi;
+}
+
 } // namespace
 
 SceneResult record_of(const ContactCase& asked, GridSolution solved, const ModelChoice& choice) {
@@ -68,6 +80,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   SceneResult out;
   out.approach_datum = approach_datum(asked, solved.model);
   warn_of_slide(asked, solved);
+  out.patch_places = patch_places(asked.setup, solved.contact, solved.result);
   out.model = solved.model;
   out.reason = choice.reason;
   out.problem = std::move(solved.contact.problem);
@@ -80,10 +93,12 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   std::ranges::move(input_warnings(asked.scene, asked.setup), std::back_inserter(out.warnings));
   out.left = asked.scene.position.side == WheelSide::left;
   out.reference = asked.setup.reference();
-  if (asked.setup.wheel_rail()) {
+  if (const WheelRailGeometry* placed = asked.setup.wheel_rail()) {
     out.lateral = asked.scene.position.lateral;
-    out.xi = asked.setup.motion.creepage.xi + asked.setup.motion.creepage.slip_x + out.result.creepage_x;
+    out.rail_geometry = placed->pair.rail.digest();
+    out.wheel_geometry = placed->pair.wheel.digest();
   }
+  add_creepages(asked.setup, out);
   out.moment = out.result.Mz + out.reference.position.y * out.result.Fx - out.reference.x * out.result.Fy;
   if (asked.setup.wheel_rail() || asked.files.complete())
     out.wheel_s = std::move(solved.contact.wheel_s);

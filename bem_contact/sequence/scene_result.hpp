@@ -3,9 +3,11 @@
 #include "bem_contact/contact/history.hpp"
 #include "bem_contact/geometry/rigid_slip.hpp"
 #include "bem_contact/scene/choices.hpp"
+#include "bem_contact/sequence/patch_place.hpp"
 #include "bem_contact/sequence/stresses.hpp"
 #include "bem_contact/sequence/structural_result.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,16 +51,21 @@ struct SceneResult {
   ContactProblem problem; ///< grid, rows (wheel_rail: track frame), undeformed distance, rigid slip; without
                           ///< the values of the influence numbers
   ContactResult result;   ///< of the last step
-  std::vector<ContactResult> history; ///< transient and shift: of every step
+  std::vector<ContactResult> history;   ///< transient and shift: of every step
+  std::vector<PatchPlace> patch_places; ///< of result.patches, in their order
   ReferencePoint reference;
   bool left = false;             ///< left wheel: y and s are counted to the left (placement.hpp)
   double moment = 0;             ///< Mz about the vertical axis through the reference point, N mm
   std::optional<double> lateral; ///< wheel_rail: position.lateral, mm: given, or found for load.force_y
   std::optional<LateralPosition> found_lateral; ///< where load.force_y is given
-  double xi =
-      0; ///< wheel_rail: longitudinal creepage, counted from motion.rolling_radius, found part included
+  /// Creepages at the reference point, with what was found for prescribed forces. wheel_rail: xi is counted
+  /// from motion.rolling_radius, and phi is without the spin of the geometry. Shift: mm, mm and rad. 0
+  /// without friction and where a table gives the rigid slip.
+  double xi = 0, eta = 0, phi = 0;
   std::optional<FreeRolling>
-      free_rolling;            ///< wheel_rail, steady with friction, unless the scene leaves it out
+      free_rolling; ///< wheel_rail, steady with friction, unless the scene leaves it out
+  /// ProfileCurve::digest() of both profiles, as influence files have it; 0 of a patch.
+  std::uint64_t rail_geometry = 0, wheel_geometry = 0;
   std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none
   std::vector<Point2> rail_profile, wheel_profile; ///< near the contact at approach 0, frame of the rows, mm
   std::optional<StressesBelow> stresses;           ///< where the scene asks for them

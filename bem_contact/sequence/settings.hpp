@@ -231,4 +231,13 @@ BEM_CONTACT_TUNED(double, most_stress_sums, 1e9); ///< 1. Most products of point
 /// 1 (widths). Half length of a plane-strain element where stresses are summed.
 BEM_CONTACT_TUNED(double, endless_element, 1e6);
 
+// Repeated results.
+
+/// mm. A length near zero is compared as if it were this long: a thousandth of a millimetre is what profiles
+/// are measured to.
+BEM_CONTACT_TUNED(double, least_length, 1e-3);
+/// 1. The same for creepages: at a thousandth a wheel has left the range where force and creepage are
+/// proportional.
+BEM_CONTACT_TUNED(double, least_creepage, 1e-3);
+
 } // namespace bem_contact

@@ -89,7 +89,7 @@ TEST_F(CommandLine, AHistoryHasOneObjectAStep) {
   const H5Table table = read_h5(file);
   EXPECT_THAT(table.datasets.at("halfspace/history/p_x").shape, ::testing::ElementsAre(3, 16, 16));
   EXPECT_NEAR(table.datasets.at("halfspace/history/Fx").values.at(1), 2000, 1e-2);
-  for (const char* name : {"u_x", "u_s", "u_n", "friction_power"})
+  for (const char* name : {"u_x", "u_s", "u_n", "work_rate", "element_power"})
     EXPECT_THAT(table.datasets.at("halfspace/" + std::string(name)).shape, ::testing::ElementsAre(16, 16));
   EXPECT_EQ(table.datasets.at("halfspace/slip_x").unit, "mm");
   EXPECT_THAT(run("check '" + scene + "'").out, HasSubstr("shift in 3 steps"));

@@ -23,6 +23,9 @@ TEST(H5Table, ComesBackAsItWent) {
   table.attributes["text"] = std::string("h\u00e9");
   table.attributes["a/number"] = 0.1;
   table.attributes["c/only_a_group"] = 2.0;
+  table.datasets["one"] = {{}, {7}, "N", "a single number"};
+  table.texts["scene"] = {std::string(200'000, 'a') + "h\u00e9\n", "longer than an attribute may be"};
+  table.texts["a/nothing"] = {"", "an empty text"};
   write_h5(file, table);
   const H5Table back = read_h5(file);
   EXPECT_EQ(back.attributes, table.attributes);
@@ -30,9 +33,15 @@ TEST(H5Table, ComesBackAsItWent) {
   EXPECT_EQ(back.datasets.at("a/b").shape, table.datasets["a/b"].shape);
   EXPECT_EQ(back.datasets.at("a/b").unit, "mm");
   EXPECT_TRUE(back.datasets.at("empty").values.empty());
+  EXPECT_TRUE(back.datasets.at("one").shape.empty());
+  EXPECT_EQ(back.datasets.at("one").values, std::vector<double>{7});
+  EXPECT_EQ(back.texts, table.texts);
+  EXPECT_TRUE(read_h5_top(file).texts.contains("scene"));
+  EXPECT_FALSE(read_h5_top(file).datasets.contains("a/b"));
+  EXPECT_TRUE(read_h5_top(file, "a").datasets.contains("a/b"));
   table.datasets["a/b"].shape = {4};
   EXPECT_THROW(write_h5(file, table), InputError);
-  EXPECT_EQ(read_h5(file).datasets.size(), 2u); // the old file is still whole
+  EXPECT_EQ(read_h5(file).datasets.size(), 3u); // the old file is still whole
   std::filesystem::remove(file);
 }
 

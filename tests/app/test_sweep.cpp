@@ -141,7 +141,7 @@ TEST_F(Sweep, AJournalCutAnywhereLosesOnlyTheLastCase) {
   ASSERT_EQ(sweep(few, "--part 1/2").code, 0); // the journal of a share stays
   fs::rename(folder_ / "o.h5.part-1-of-2", folder_ / "kept");
   const std::string bytes = text_of(folder_ / "kept");
-  const std::size_t header = std::string("bem_contact sweep 1\n").size() + 64 + 1;
+  const std::size_t header = std::string("bem_contact sweep 2\n").size() + 64 + 1;
   for (const std::size_t length :
        {std::size_t{0}, std::size_t{5}, header - 1, header, header + 3, bytes.size() / 2, bytes.size() - 1}) {
     fs::remove(out());

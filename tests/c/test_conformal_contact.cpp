@@ -88,6 +88,10 @@ TEST(C, PatchesAndArraysAddUp) {
   ASSERT_EQ(conformal_patch(contact.get(), 0, patch, CONFORMAL_PATCH_VALUES), CONFORMAL_OK);
   EXPECT_NEAR(patch[CONFORMAL_PATCH_FN], 1e5, 1e-2);
   EXPECT_NEAR(patch[CONFORMAL_PATCH_PMAX] / 1237.56, 1, 5e-3);
+  EXPECT_NEAR(patch[CONFORMAL_PATCH_FZ], 1e5, 1e-2);
+  EXPECT_NEAR(patch[CONFORMAL_PATCH_SEMI_AXIS_A] / 7.1617, 1, 2e-3);
+  EXPECT_NEAR(patch[CONFORMAL_PATCH_SEMI_AXIS_B] / 5.3872, 1, 2e-3);
+  EXPECT_TRUE(std::isnan(patch[CONFORMAL_PATCH_WHEEL_S])) << "a patch scene has no profiles";
   ASSERT_EQ(conformal_grid(contact.get(), &mx, &ms), CONFORMAL_OK);
   std::vector<double> x(static_cast<std::size_t>(mx));
   ASSERT_EQ(conformal_array(contact.get(), CONFORMAL_X, x.data(), mx), CONFORMAL_OK);
@@ -100,6 +104,37 @@ TEST(C, PatchesAndArraysAddUp) {
   }
   EXPECT_EQ(std::ranges::count_if(values, [](double state) { return state > 0; }),
             patch[CONFORMAL_PATCH_CONTACT]);
+}
+
+/// The order of the header is that of the table: each value is the one of its name.
+TEST(C, PatchValuesAreThoseOfTheirNames) {
+  const Handle contact = open_file(corner);
+  ASSERT_EQ(conformal_set_text(contact.get(), key_of(contact, "solver.model"), "halfspace"), CONFORMAL_OK);
+  ASSERT_EQ(conformal_solve(contact.get()), CONFORMAL_OK);
+  const SceneResult expected = Sequence().solve(with_model(read_scene_file(corner), Model::halfspace));
+  double patch[CONFORMAL_PATCH_VALUES];
+  ASSERT_EQ(conformal_patch(contact.get(), 0, patch, CONFORMAL_PATCH_VALUES), CONFORMAL_OK);
+  const PatchSummary& p = expected.result.patches.front();
+  const PatchPlace& place = expected.patch_places.front();
+  const std::pair<int, double> values[] = {{CONFORMAL_PATCH_FN, p.fn},
+                                           {CONFORMAL_PATCH_FS, p.fs},
+                                           {CONFORMAL_PATCH_X, p.x},
+                                           {CONFORMAL_PATCH_SLIP, p.slip},
+                                           {CONFORMAL_PATCH_FY, p.fy},
+                                           {CONFORMAL_PATCH_MX, p.moment_x},
+                                           {CONFORMAL_PATCH_MN, p.moment_n},
+                                           {CONFORMAL_PATCH_SEMI_AXIS_B, p.semi_axis_b},
+                                           {CONFORMAL_PATCH_AXIS_ANGLE, p.axis_angle},
+                                           {CONFORMAL_PATCH_Y, p.position.y},
+                                           {CONFORMAL_PATCH_DELTA, p.delta},
+                                           {CONFORMAL_PATCH_RAIL_Z, place.rail_z},
+                                           {CONFORMAL_PATCH_WHEEL_S, place.wheel_s},
+                                           {CONFORMAL_PATCH_WHEEL_DELTA, place.wheel_delta},
+                                           {CONFORMAL_PATCH_ETA, place.eta},
+                                           {CONFORMAL_PATCH_PHI, place.phi},
+                                           {CONFORMAL_PATCH_FRICTION_POWER, p.friction_power}};
+  for (const auto& [index, value] : values)
+    EXPECT_EQ(patch[index], value) << index;
 }
 
 TEST(C, SaysWhatIsWrong) {

@@ -3,7 +3,9 @@
 #include "bem_contact/base/error.hpp"
 #include "tests/base/message.hpp"
 
+#include <filesystem>
 #include <gmock/gmock.h>
+#include <vector>
 
 namespace bem_contact {
 namespace {
@@ -25,6 +27,26 @@ profile = "60E1"
 profile = "S1002"
 )";
 const std::string patch = "kind = 'patch'\n[grid]\nmx = 20\nms = 10\n[load]\nforce = 1000\n";
+
+/// Every scene that is shipped, and materials by Young's modulus, rows asked for, an absolute place.
+TEST(SceneFile, with_its_defaults_it_is_the_same_scene) {
+  std::vector<SceneFile> scenes;
+  for (const auto& entry : std::filesystem::directory_iterator(CONFORMAL_SOURCE_DIR "/data/scenes"))
+    if (entry.path().extension() == ".toml" && !entry.path().filename().string().starts_with("cases_"))
+      scenes.push_back(read_scene_file(entry.path()));
+  scenes.push_back(parse_scene_file(rolling +
+                                    "place = 'absolute'\ny = 3\nmaterial.young = 2e5\n[load]\nforce = 1e4\n"
+                                    "[grid]\ns_from = -3\ns_to = 5\n"));
+  EXPECT_GT(scenes.size(), 15u);
+  for (const SceneFile& scene : scenes) {
+    const std::string text = scene_with_defaults(scene);
+    SceneFile again = parse_scene_file(text);
+    again.folder = scene.folder;
+    again.unused = scene.unused;
+    EXPECT_TRUE(again == scene) << text;
+    EXPECT_EQ(scene_with_defaults(again), text);
+  }
+}
 
 TEST(SceneFile, the_printed_schema_is_a_valid_scene) {
   const SceneFile f = parse_scene_file(default_scene_file());

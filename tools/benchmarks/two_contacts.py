@@ -84,8 +84,8 @@ def read(file, model, border=FLANGE):
                 flange = delta < -np.radians(border)
                 case |= {"x": g["x"][:], "s": g["s"][:], "state": g[model]["state"][:], "dx": dx, "ds": ds,
                          "tread": pressure[~flange].sum() * dx * ds, "flange": pressure[flange].sum() * dx * ds,
-                         "patches": int(g[model].attrs["patches"]), "maxima": maxima(pressure),
-                         "pmax": pressure.max(), "Fx": g[model].attrs["Fx_N"], "Fy": g[model].attrs["Fy_N"]}
+                         "patches": int(f["patch_count"][i]), "maxima": maxima(pressure),
+                         "pmax": pressure.max(), "Fx": f["Fx"][i], "Fy": f["Fy"][i]}
             cases.append(case)
     return cases
 

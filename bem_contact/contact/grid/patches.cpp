@@ -7,6 +7,67 @@
 namespace bem_contact::contact {
 namespace {
 
+/// Moments of the tractions about the centre of pressure, turned into the directions x, s, n there.
+void add_moments(const ContactProblem& problem, const ContactResult& result, const std::vector<int>& elements,
+                 PatchSummary& patch) {
+  const int mx = problem.grid.mx;
+  const double area = problem.element_area();
+  double about_y = 0, about_z = 0;
+  for (const int i : elements) {
+    const ContactRow& row = problem.rows[i / mx];
+    const double x = problem.grid.x(i % mx) - patch.x;
+    const Point2 arm = row.position - patch.position;
+    const double fx = result.px[i] * area;
+    const Point2 f = area * (result.ps[i] * tangent_of(row.delta) + result.pn[i] * normal_of(row.delta));
+    patch.fy += f.y;
+    patch.fz += f.z;
+    patch.moment_x += cross(arm, f);
+    about_y += arm.z * fx - x * f.z;
+    about_z += x * f.y - arm.y * fx;
+  }
+  const Point2 about{about_y, about_z};
+  patch.moment_s = dot(about, tangent_of(patch.delta));
+  patch.moment_n = dot(about, normal_of(patch.delta));
+}
+
+/// Second moments of the pressure about its centre, over its sum, mm^2.
+struct SecondMoments {
+  double xx = 0, ss = 0, xs = 0;
+};
+
+SecondMoments second_moments(const ContactProblem& problem, const ContactResult& result,
+                             const std::vector<int>& elements, const PatchSummary& patch) {
+  const ContactGrid& grid = problem.grid;
+  SecondMoments m{grid.dx * grid.dx / 12, grid.ds * grid.ds / 12, 0}; // of each element about its own middle
+  for (const int i : elements) {
+    const double share = result.pn[i] * problem.element_area() / patch.fn;
+    const double x = grid.x(i % grid.mx) - patch.x, s = problem.rows[i / grid.mx].s - patch.s;
+    m.xx += share * x * x;
+    m.ss += share * s * s;
+    m.xs += share * x * s;
+  }
+  return m;
+}
+
+/// Hertz's pressure on an ellipse with semi-axes a, b has the second moments a^2/5, b^2/5 over its sum, on a
+/// strip b^2/4. Second moments of the area would change by leaps, with whole elements.
+void add_ellipse(const ContactProblem& problem, const SecondMoments& m, PatchSummary& patch) {
+  if (problem.plane_strain()) {
+    patch.semi_axis_a = std::numeric_limits<double>::quiet_NaN();
+    patch.semi_axis_b = std::sqrt(4 * m.ss);
+    return;
+  }
+  const double mean = 0.5 * (m.xx + m.ss), difference = 0.5 * (m.xx - m.ss);
+  const double deviation = std::hypot(difference, m.xs);
+  constexpr double rounding = 1e-12; // of the sums: a circle has no axes
+  // Half of the angle to the larger axis; that of the axis nearest to x has |angle| <= pi/4.
+  const bool larger_along_x = difference >= 0;
+  patch.semi_axis_a = std::sqrt(5 * (mean + (larger_along_x ? deviation : -deviation)));
+  patch.semi_axis_b = std::sqrt(5 * (mean - (larger_along_x ? deviation : -deviation)));
+  if (deviation > rounding * mean)
+    patch.axis_angle = 0.5 * std::atan2(larger_along_x ? m.xs : -m.xs, std::abs(difference));
+}
+
 PatchSummary summarise(const ContactProblem& problem, const ContactResult& result,
                        const std::vector<int>& elements) {
   const int mx = problem.grid.mx;
@@ -19,6 +80,7 @@ PatchSummary summarise(const ContactProblem& problem, const ContactResult& resul
     patch.fn += p * area;
     patch.fx += result.px[i] * area;
     patch.fs += result.ps[i] * area;
+    patch.friction_power += (result.px[i] * result.slip_x[i] + result.ps[i] * result.slip_s[i]) * area;
     patch.approach = std::max(patch.approach, result.approach * std::cos(row.delta) - problem.gap[i]);
     patch.pmax = std::max(patch.pmax, p);
     patch.area += area;
@@ -29,6 +91,11 @@ PatchSummary summarise(const ContactProblem& problem, const ContactResult& resul
   }
   patch.x /= patch.fn;
   patch.s /= patch.fn;
+  const ContactRow centre = row_at(problem, patch.s);
+  patch.position = centre.position;
+  patch.delta = centre.delta;
+  add_moments(problem, result, elements, patch);
+  add_ellipse(problem, second_moments(problem, result, elements, patch), patch);
   return patch;
 }
 

@@ -1,7 +1,7 @@
 #include "tools/benchmarks/cases/tables.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/sequence/printed_errors.hpp"
+#include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <algorithm>
@@ -63,25 +63,27 @@ void print_line(std::size_t index, const char* name, double value, double error,
 }
 
 /// The patch of `fine` that is nearest to this one.
-const PatchSummary& opposite(const PatchSummary& patch, const ContactResult& fine) {
-  return *std::ranges::min_element(
+std::size_t opposite(const PatchSummary& patch, const ContactResult& fine) {
+  const auto nearest = std::ranges::min_element(
       fine.patches, {}, [&](const PatchSummary& p) { return std::hypot(p.x - patch.x, p.s - patch.s); });
+  return static_cast<std::size_t>(nearest - fine.patches.begin());
 }
 
 void print_case(std::size_t index, const SceneResult& base, const SceneResult& fine) {
   const auto& estimate = base.result.discretisation;
   print_line(index, estimate && !estimate->converges ? "unconverged" : "stated", estimate.has_value(), 0,
              std::abs(largest_pressure(base.result) / largest_pressure(fine.result) - 1));
-  for (const PrintedNumber& number : printed_numbers())
-    print_line(index, number.name, number.value(base), number.error(base), number.value(fine));
+  for (const Quantity& number : quantities())
+    if (number.error)
+      print_line(index, number.name, number.value(base), number.error(base), number.value(fine));
   if (base.result.patches.size() != fine.result.patches.size())
     return;
   for (std::size_t i = 0; i < base.result.patches.size(); ++i) {
-    const PatchSummary &patch = base.result.patches[i], &exact = opposite(patch, fine.result);
-    const PatchErrors errors = errors_of_patch(base.result, i);
-    for (const PrintedPatchNumber& number : printed_patch_numbers())
-      print_line(index, fmt::format("patch {}", number.name).c_str(), patch.*number.value,
-                 errors.*number.error, exact.*number.value);
+    const std::size_t exact = opposite(base.result.patches[i], fine.result);
+    for (const PatchQuantity& number : patch_quantities())
+      if (number.error)
+        print_line(index, fmt::format("patch {}", number.name).c_str(), number.value(base, i),
+                   number.error(base, i), number.value(fine, exact));
   }
 }
 

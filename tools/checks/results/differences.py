@@ -13,8 +13,12 @@ import math
 import numpy as np
 
 WITHIN_CERTIFICATE = 1e-6  # what the certificate allows, and a solver may therefore leave open
-COUNTS = {"contact", "adhesion", "slip", "mx", "ms", "patches", "converged", "code", "model"}
+COUNTS = {"contact", "adhesion", "slip", "mx", "ms", "patches", "patch_count", "converged", "code", "model"}
 FORCES = {"Fx", "Fy", "Fz", "Fs", "Fn", "Fn_2"}
+MOMENTS = {"Mz", "Mx", "Ms", "Mn"}
+LENGTHS = {"x", "s", "y", "z", "reference_s", "reference_y", "reference_z", "s_from", "s_to", "semi_axis_a", "semi_axis_b",
+           "rail_y", "rail_z", "wheel_s", "wheel_y", "wheel_z"}
+ANGLES = {"delta", "reference_delta", "wheel_delta", "axis_angle"}
 LEAST = {"creepage": 1e-6, "power": 1e-6, "approach": 1e-4}  # 1 or mm; N mm per mm and N; mm
 
 
@@ -36,12 +40,12 @@ def scales_of(record):
 
 def scale_of(name, value, scales):
     last = name.split()[-1].removesuffix("_error")  # an error has the scale of what it is the error of
-    kind = ("force" if last in FORCES else "moment" if last == "Mz" else "creepage" if last in ("xi", "eta")
+    kind = ("force" if last in FORCES else "moment" if last in MOMENTS else "creepage" if last in ("xi", "eta")
             else "power" if last == "friction_power" else "pressure" if last == "pmax" else "approach" if last == "approach"
-            else "length" if last in ("x", "s", "y", "z", "reference_s", "s_from", "s_to") else None)
+            else "length" if last in LENGTHS else None)
     if kind:
         return scales[kind]
-    return 1.0 if last in ("delta", "reference_delta", "discretisation") else abs(value) or 1.0
+    return 1.0 if last in ANGLES | {"discretisation"} else abs(value) or 1.0
 
 
 def number_difference(name, old, new, scales):
@@ -57,7 +61,7 @@ def field_scale(name, old, scales):
     last = name.split("/")[-1]
     if last in ("p_n", "p_x", "p_s", "stress", "von_mises", "largest_shear"):
         return scales["pressure"]
-    if last.endswith("_error"):
+    if last.endswith("_error") or name.startswith("patches/"):
         return scale_of(last, float(np.max(np.abs(old), initial=0.0)), scales)
     if last in ("u_x", "u_s", "u_n", "deformed_distance"):
         return max(scales["approach"], float(np.max(np.abs(old), initial=0.0)))
@@ -95,10 +99,10 @@ def compare_records(old, new):
         return [("status", math.inf, f"{old['status']} -> {new['status']}: {message[:200]}")], []
     scales = scales_of(old)
     found = []
-    for name in old["numbers"] | new["numbers"]:
+    for name in old["numbers"]:  # a newer program may say more
         a, b = old["numbers"].get(name), new["numbers"].get(name)
         found.append((name, number_difference(name, a, b, scales), f"{digits(a)} -> {digits(b)}"))
-    for name in old["fields"] | new["fields"]:
+    for name in old["fields"]:
         found.append((f"field {name}", *field_difference(name, old["fields"].get(name), new["fields"].get(name), scales)))
     if old["words"].get("model") != new["words"].get("model"):
         found.append(("model", math.inf, f"{old['words'].get('model')} -> {new['words'].get('model')}"))

@@ -22,6 +22,9 @@ from .inputs import ENVIRONMENT
 
 SWEPT_FIELDS = ("state", "p_n", "p_x", "p_s")  # of a sweep's case; a scene on its own keeps every field
 EFFORT = {"seconds", "cpu_seconds", "outer_iterations", "normal_iterations", "tangential_iterations", "certificate"}
+RENAMED = {"friction_power": "work_rate", "stresses/depth": "stresses/depths"}  # fields, since the first programs
+AS_BEFORE = {"patch_count": "patches", "warning_count": "warnings"}  # columns of a sweep, as stores have them
+MODELS = ("hertz", "halfspace", "tangent_plane", "fem")
 TIME_LIMIT = 900  # s, for one command
 
 
@@ -59,13 +62,23 @@ def json_record(result, fields):
     return record("certified" if good else "not certified", numbers, words, effort, fields)
 
 
+def name_now(name):
+    """A store may be of a program that gave a field another name."""
+    return RENAMED.get(name, name.replace("patch/", "patches/", 1) if name.startswith("patch/") else name)
+
+
+def is_numbers(item):
+    return isinstance(item, h5py.Dataset) and item.dtype.kind in "fu"
+
+
 def fields_of(group, wanted=lambda name: True):
-    """Every dataset of a group of a result file, also of its groups (history, stresses)."""
+    """Every dataset of numbers of a group of a result file, also of its groups (history, stresses). The quantities are
+    in the JSON object, too."""
     found = {}
 
     def keep(name, item):
-        if isinstance(item, h5py.Dataset) and wanted(name):
-            found[name] = item[()]
+        if is_numbers(item) and wanted(name) and not name.startswith("quantities/"):
+            found[name_now(name)] = item[()]
 
     group.visititems(keep)
     if "state" in found:
@@ -100,7 +113,7 @@ def solve_or_compare(program, folder, scene, arguments):
         results = {"": found} if arguments[0] == "solve" else compared(found)
         records = {}
         with h5py.File(output) as file:
-            top = {name: item[()] for name, item in file.items() if isinstance(item, h5py.Dataset)}
+            top = {name: item[()] for name, item in file.items() if is_numbers(item)}
             for name, result in results.items():
                 records[name] = json_record(result, fields_of(file[name or result["model"]]) | top)
                 records[name]["words"]["message"] = words_of(messages, folder)
@@ -114,8 +127,11 @@ def case_record(row, group):
     words = {"reason": row["reason"]}
     numbers, effort = {}, {}
     for key, text in row.items():
-        if key not in inputs | {"case", "status", "reason"}:
-            (effort if key in EFFORT else numbers)[key] = float(text) if text else None
+        if key not in inputs | {"case", "status", "reason", "creepage_x", "creepage_s"}:
+            value = MODELS.index(text) if text in MODELS else float(text) if text else None
+            (effort if key in EFFORT else numbers)[AS_BEFORE.get(key, key)] = value
+    if row.get("creepage_s"):
+        numbers["eta"] = float(row["creepage_s"])  # the part that was found, as the first programs had it
     fields = {}
     if group is not None and row["status"] in ("certified", "not certified"):
         models = [name for name, item in group.items() if isinstance(item, h5py.Group)]
@@ -123,8 +139,11 @@ def case_record(row, group):
             fields |= fields_of(group[name], lambda field: field in SWEPT_FIELDS)
             attributes = group[name].attrs
             words["model"], words["model's reason"] = str(attributes["model"]), str(attributes["reason"])
-            numbers |= {"Fs": float(attributes["Fs_N"]), "friction_power": float(attributes["friction_power"]),
-                        "xi": float(attributes["creepage_found_x"]), "eta": float(attributes["creepage_found_s"])}
+            if "Fs_N" in attributes:
+                numbers |= {"Fs": float(attributes["Fs_N"]), "friction_power": float(attributes["friction_power"]),
+                            "xi": float(attributes["creepage_found_x"]), "eta": float(attributes["creepage_found_s"])}
+            else:
+                numbers["xi"] = float(row["creepage_x"])
     return record(row["status"], numbers, words, effort, fields)
 
 
@@ -164,9 +183,15 @@ def write(group, records):
 
 
 def read(group):
+    """Records by name; that of a compared model is a path, "equal_forces/fem"."""
     records = {}
-    for name, item in group.items():
-        r = json.loads(item["record"][()])
-        r["fields"] = fields_of(item["fields"]) if "fields" in item else {}
-        records["" if name == "result" else name] = r
+
+    def keep(name, item):
+        if name.endswith("/record"):
+            r = json.loads(item[()])
+            name = name.removesuffix("/record")
+            r["fields"] = fields_of(group[name]["fields"]) if "fields" in group[name] else {}
+            records["" if name == "result" else name] = r
+
+    group.visititems(keep)
     return records

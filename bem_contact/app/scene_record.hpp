@@ -1,0 +1,49 @@
+#pragma once
+
+#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/scene/scene_file.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bem_contact::app {
+
+/// Something that a result depends on besides the text of its scene.
+struct InputRecord {
+  std::string key;    ///< "rail.profile"
+  std::string name;   ///< as the scene gives it; of an absolute path the last part
+  std::string sha256; ///< of the file's bytes; "": a standard profile, which is part of the program
+  std::optional<std::string> content; ///< of a file of text: the scene can be repeated without it
+};
+
+/// A scene as a command was given it.
+struct GivenScene {
+  std::string source;              ///< name of its file
+  std::string text;                ///< of the file
+  std::string model;               ///< of the option --model; "": none
+  std::filesystem::path folder;    ///< where the scene's relative paths start
+  SceneFile scene;                 ///< with the model of the option
+  std::vector<InputRecord> inputs; ///< inputs_of() the scene, before it is solved; empty: not recorded
+};
+
+/// Reads the file once, so that it may be a pipe. Throws InputError for what is no scene.
+GivenScene read_given_scene(const std::string& file, const std::string& model);
+
+/// A file as an input of that key. What is no regular file can be read only once, and is not read here.
+InputRecord record_of(const NamedFile& named);
+
+/// All files and standard profiles of a scene.
+std::vector<InputRecord> inputs_of(const SceneFile& scene);
+
+/// Texts "scene_text" and "scene_with_defaults", attributes program, commit, scene, scene_folder (relative to
+/// the folder of `output`), model_option, and the groups "materials" and "inputs".
+void add_scene(H5Table& table, const GivenScene& given, const std::filesystem::path& output);
+
+/// "inputs/KEY": attributes name, sha256 ("" of a standard profile), and the text "inputs/KEY/content".
+void add_inputs(H5Table& table, const std::vector<InputRecord>& inputs);
+/// The same, read from a result file.
+std::vector<InputRecord> stored_inputs(const H5Table& table);
+
+} // namespace bem_contact::app

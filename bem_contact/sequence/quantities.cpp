@@ -1,0 +1,305 @@
+#include "bem_contact/sequence/quantities.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace bem_contact {
+
+namespace {
+
+using Kind = QuantityKind;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+constexpr QuantityUnit mm{"mm"}, newton{"N"}, moment_unit{"N mm"}, pascal{"MPa"}, square{"mm2"},
+    radian{"rad"}, number{"1"};
+constexpr QuantityUnit creepage_unit{"1", "mm"}, spin_unit{"1/mm", "rad"};
+constexpr QuantityUnit power_unit{"N mm per mm rolled", "N mm"}, work_unit{"MPa", "N/mm"};
+
+/// A member of the contact's result.
+template <auto member> double of_result(const SceneResult& r) {
+  return r.result.*member;
+}
+/// The error of a total.
+template <double TotalErrors::*error> double total(const SceneResult& r) {
+  return r.result.discretisation ? r.result.discretisation->errors.*error : none;
+}
+double moment_error(const SceneResult& r) {
+  return r.result.discretisation
+             ? r.result.discretisation->moment_error(r.result, r.reference.x, r.reference.position.y)
+             : none;
+}
+template <int ElementCounts::*count> double elements(const SceneResult& r) {
+  return count_elements(r.result).*count;
+}
+
+PatchErrors errors_of(const SceneResult& r, std::size_t patch) {
+  return r.result.discretisation ? r.result.discretisation->patches.at(patch) : PatchErrors{};
+}
+template <auto member> double of_patch(const SceneResult& r, std::size_t patch) {
+  return r.result.patches[patch].*member;
+}
+template <auto member> double of_place(const SceneResult& r, std::size_t patch) {
+  return r.patch_places[patch].*member;
+}
+template <auto member> double patch_error(const SceneResult& r, std::size_t patch) {
+  return errors_of(r, patch).*member;
+}
+
+template <auto member> double of_step(const SceneResult&, const ContactResult& step) {
+  return step.*member;
+}
+
+/// A stored field; it may be empty, as the slip of a frictionless result is.
+void copy_stored(const std::vector<double>& field, std::span<double> to) {
+  std::ranges::fill(to, 0.0);
+  std::ranges::copy(field, to.begin());
+}
+template <auto member> void copy_result(const SceneResult& r, std::span<double> to) {
+  copy_stored(r.result.*member, to);
+}
+template <auto member> void copy_displacement(const SceneResult& r, std::span<double> to) {
+  copy_stored(r.result.displacements.*member, to);
+}
+void copy_work_rate(const SceneResult& r, std::span<double> to) {
+  const ContactResult& c = r.result;
+  for (std::size_t i = 0; i < to.size(); ++i)
+    to[i] = c.slip_x.empty() ? 0.0 : c.px[i] * c.slip_x[i] + c.ps[i] * c.slip_s[i];
+}
+
+constexpr Quantity all[] = {
+    {"Fx", newton, Kind::force, "on the rail", of_result<&ContactResult::Fx>, total<&TotalErrors::Fx>},
+    {"Fy", newton, Kind::force, "on the rail, to the right (left wheel: to the left)",
+     of_result<&ContactResult::Fy>, total<&TotalErrors::Fy>},
+    {"Fz", newton, Kind::force, "on the rail, down", of_result<&ContactResult::Fz>, total<&TotalErrors::Fz>},
+    {"Fs", newton, Kind::force, "shear force along the tangent at the reference point",
+     of_result<&ContactResult::Fs>, total<&TotalErrors::Fs>},
+    {"Mz", moment_unit, Kind::moment, "on the rail, about the vertical axis through the reference point",
+     [](const SceneResult& r) { return r.moment; }, moment_error},
+    {"lateral", mm, Kind::length, "lateral displacement of the wheelset, given or found for load.force_y",
+     [](const SceneResult& r) { return r.lateral.value_or(none); }},
+    {"approach", mm, Kind::length, "along z", of_result<&ContactResult::approach>,
+     total<&TotalErrors::approach>},
+    {"pmax", pascal, Kind::pressure, "largest pressure",
+     [](const SceneResult& r) { return largest_pressure(r.result); }, total<&TotalErrors::pmax>},
+    {"area", square, Kind::area, "in contact", [](const SceneResult& r) { return contact_area(r.result); },
+     total<&TotalErrors::area>},
+    {"adhesion_share", number, Kind::share, "of the area in contact that adheres",
+     [](const SceneResult& r) { return adhesion_share(r.result); }, total<&TotalErrors::adhesion_share>},
+    {"friction_power", power_unit, Kind::power, "dissipated by friction",
+     [](const SceneResult& r) { return friction_power(r.result, r.problem.element_area()); },
+     total<&TotalErrors::friction_power>},
+    {"xi", creepage_unit, Kind::creepage, "longitudinal creepage, with what was found for load.force_x",
+     [](const SceneResult& r) { return r.xi; }, total<&TotalErrors::creepage_x>},
+    {"eta", creepage_unit, Kind::creepage, "lateral creepage, with what was found for load.force_s",
+     [](const SceneResult& r) { return r.eta; }, total<&TotalErrors::creepage_s>},
+    {"phi", spin_unit, Kind::creepage, "spin, without that of the geometry (patches have all of it)",
+     [](const SceneResult& r) { return r.phi; }},
+    {"creepage_x", creepage_unit, Kind::creepage, "longitudinal creepage found for load.force_x",
+     of_result<&ContactResult::creepage_x>, total<&TotalErrors::creepage_x>},
+    {"creepage_s", creepage_unit, Kind::creepage, "lateral creepage found for load.force_s",
+     of_result<&ContactResult::creepage_s>, total<&TotalErrors::creepage_s>},
+    {"free_rolling_xi", number, Kind::creepage, "longitudinal creepage at which Fx is 0; nan: not looked for",
+     [](const SceneResult& r) { return r.free_rolling ? r.free_rolling->xi : none; }},
+    {"free_rolling_radius", mm, Kind::length, "rolling radius at which Fx is 0; nan: not looked for",
+     [](const SceneResult& r) { return r.free_rolling ? r.free_rolling->rolling_radius : none; }},
+    {"patch_count", number, Kind::count, "connected areas in contact",
+     [](const SceneResult& r) { return double(r.result.patches.size()); }},
+    {"Fn_2", newton, Kind::force, "normal force of the second largest patch; 0: there is none",
+     [](const SceneResult& r) { return r.result.patches.size() > 1 ? r.result.patches[1].fn : 0.0; },
+     [](const SceneResult& r) { return r.result.patches.size() > 1 ? errors_of(r, 1).fn : none; }},
+    {"contact", number, Kind::count, "elements in contact", elements<&ElementCounts::contact>},
+    {"adhesion", number, Kind::count, "elements in adhesion", elements<&ElementCounts::adhesion>},
+    {"slip", number, Kind::count, "elements in slip", elements<&ElementCounts::slip>},
+    {"mx", number, Kind::count, "columns of the grid",
+     [](const SceneResult& r) { return double(r.problem.grid.mx); }},
+    {"ms", number, Kind::count, "rows of the grid",
+     [](const SceneResult& r) { return double(r.problem.grid.ms); }},
+    {"dx", mm, Kind::length, "length of an element", [](const SceneResult& r) { return r.problem.grid.dx; }},
+    {"ds", mm, Kind::length, "width of an element", [](const SceneResult& r) { return r.problem.grid.ds; }},
+    {"reference_s", mm, Kind::length, "reference point: arc length on the rail",
+     [](const SceneResult& r) { return r.reference.s; }},
+    {"reference_y", mm, Kind::length, "reference point, track frame",
+     [](const SceneResult& r) { return r.reference.position.y; }},
+    {"reference_z", mm, Kind::length, "reference point, track frame, down",
+     [](const SceneResult& r) { return r.reference.position.z; }},
+    {"reference_delta", radian, Kind::angle, "inclination at the reference point",
+     [](const SceneResult& r) { return r.reference.delta; }},
+    {"certificate", number, Kind::effort, "worst violation of the contact conditions, relative",
+     [](const SceneResult& r) { return r.result.certificate.worst(); }},
+    {"discretisation", number, Kind::effort, "estimated discretisation error, relative; nan: not estimated",
+     [](const SceneResult& r) {
+       const double error = r.result.certificate.discretisation;
+       return error < 0 ? none : error;
+     }},
+    {"outer_iterations", number, Kind::effort, "between the normal and the tangential problem",
+     [](const SceneResult& r) { return double(r.result.outer_iterations); }},
+    {"normal_iterations", number, Kind::effort, "changes of the active set",
+     [](const SceneResult& r) { return double(r.result.normal_iterations); }},
+    {"tangential_iterations", number, Kind::effort, "steps of the tangential solver",
+     [](const SceneResult& r) { return double(r.result.tangential_iterations); }},
+    {"warning_count", number, Kind::effort, "how many warnings there are",
+     [](const SceneResult& r) { return double(r.warnings.size()); }},
+};
+
+constexpr PatchQuantity all_of_patches[] = {
+    {"Fn", newton, "sum of the pressure", of_patch<&PatchSummary::fn>, patch_error<&PatchErrors::fn>},
+    {"Fx", newton, "on the rail", of_patch<&PatchSummary::fx>, patch_error<&PatchErrors::fx>},
+    {"Fs", newton, "sum of the shear traction along s", of_patch<&PatchSummary::fs>,
+     patch_error<&PatchErrors::fs>},
+    {"Fy", newton, "on the rail, track frame", of_patch<&PatchSummary::fy>},
+    {"Fz", newton, "on the rail, track frame, down", of_patch<&PatchSummary::fz>},
+    {"Mx", moment_unit, "on the rail, about x through the patch's centre", of_patch<&PatchSummary::moment_x>},
+    {"Ms", moment_unit, "on the rail, about s at the patch's centre", of_patch<&PatchSummary::moment_s>},
+    {"Mn", moment_unit, "on the rail, about n at the patch's centre", of_patch<&PatchSummary::moment_n>},
+    {"approach", mm, "largest overlap of the undeformed bodies, along n", of_patch<&PatchSummary::approach>,
+     patch_error<&PatchErrors::approach>},
+    {"pmax", pascal, "largest pressure", of_patch<&PatchSummary::pmax>, patch_error<&PatchErrors::pmax>},
+    {"area", square, "in contact", of_patch<&PatchSummary::area>, patch_error<&PatchErrors::area>},
+    {"semi_axis_a", mm,
+     "ellipse whose Hertzian pressure has the second moments of this one: semi-axis nearest to x",
+     of_patch<&PatchSummary::semi_axis_a>},
+    {"semi_axis_b", mm, "the other semi-axis of this ellipse", of_patch<&PatchSummary::semi_axis_b>},
+    {"axis_angle", radian, "from x to the first semi-axis, towards s", of_patch<&PatchSummary::axis_angle>},
+    {"x", mm, "centre of pressure, rolling direction", of_patch<&PatchSummary::x>},
+    {"s", mm, "centre of pressure, arc length along the rail", of_patch<&PatchSummary::s>},
+    {"y", mm, "centre of pressure, track frame, to the right (left wheel: to the left)",
+     [](const SceneResult& r, std::size_t i) { return r.result.patches[i].position.y; }},
+    {"z", mm, "centre of pressure, track frame, down",
+     [](const SceneResult& r, std::size_t i) { return r.result.patches[i].position.z; }},
+    {"delta", radian, "inclination there", of_patch<&PatchSummary::delta>},
+    {"rail_y", mm, "the same point in the frame of the rail's profile", of_place<&PatchPlace::rail_y>},
+    {"rail_z", mm, "the same point in the frame of the rail's profile", of_place<&PatchPlace::rail_z>},
+    {"wheel_s", mm, "the point opposite, arc length along the wheel's profile",
+     of_place<&PatchPlace::wheel_s>},
+    {"wheel_y", mm, "the point opposite, in the frame of the wheel's profile",
+     of_place<&PatchPlace::wheel_y>},
+    {"wheel_z", mm, "the point opposite, in the frame of the wheel's profile",
+     of_place<&PatchPlace::wheel_z>},
+    {"wheel_delta", radian, "inclination of the wheel's profile there, 0: parallel to the axle",
+     of_place<&PatchPlace::wheel_delta>},
+    {"xi", creepage_unit, "rigid slip along x at the patch's centre", of_place<&PatchPlace::xi>},
+    {"eta", creepage_unit, "rigid slip along s at the patch's centre", of_place<&PatchPlace::eta>},
+    {"phi", spin_unit, "rotation of the rigid slip about n there, with that of the geometry",
+     of_place<&PatchPlace::phi>},
+    {"friction_power", power_unit, "dissipated by friction", of_patch<&PatchSummary::friction_power>},
+    {"contact", number, "elements in contact", of_patch<&PatchSummary::contact>},
+    {"adhesion", number, "elements in adhesion", of_patch<&PatchSummary::adhesion>},
+    {"slip", number, "elements in slip", of_patch<&PatchSummary::slip>},
+};
+
+constexpr StepQuantity all_of_steps[] = {
+    {"Fx", newton, "on the rail", of_step<&ContactResult::Fx>},
+    {"Fy", newton, "on the rail, to the right (left wheel: to the left)", of_step<&ContactResult::Fy>},
+    {"Fz", newton, "on the rail, down", of_step<&ContactResult::Fz>},
+    {"Fs", newton, "shear force along the tangent at the reference point", of_step<&ContactResult::Fs>},
+    {"Mz", moment_unit, "on the rail, about the vertical axis through the reference point",
+     [](const SceneResult& r, const ContactResult& step) {
+       return step.Mz + r.reference.position.y * step.Fx - r.reference.x * step.Fy;
+     }},
+    {"approach", mm, "along z", of_step<&ContactResult::approach>},
+    {"pmax", pascal, "largest pressure",
+     [](const SceneResult&, const ContactResult& step) { return largest_pressure(step); }},
+    {"area", square, "in contact",
+     [](const SceneResult&, const ContactResult& step) { return contact_area(step); }},
+    {"friction_power", power_unit, "dissipated by friction",
+     [](const SceneResult& r, const ContactResult& step) {
+       return friction_power(step, r.problem.element_area());
+     }},
+    {"creepage_x", creepage_unit, "longitudinal creepage found for load.force_x",
+     of_step<&ContactResult::creepage_x>},
+    {"creepage_s", creepage_unit, "lateral creepage found for load.force_s",
+     of_step<&ContactResult::creepage_s>},
+    {"certificate", number, "worst violation of the contact conditions, relative",
+     [](const SceneResult&, const ContactResult& step) { return step.certificate.worst(); }},
+    {"converged", number, "1: the certificate holds", of_step<&ContactResult::converged>},
+};
+
+constexpr RowQuantity all_of_rows[] = {
+    {"s", mm, "middle of the rows, arc length along the rail",
+     [](const SceneResult& r, std::size_t row) { return r.problem.rows[row].s; }},
+    {"y", mm, "middle of the rows, track frame, to the right (left wheel: to the left)",
+     [](const SceneResult& r, std::size_t row) { return r.problem.rows[row].position.y; }},
+    {"z", mm, "middle of the rows, track frame, down",
+     [](const SceneResult& r, std::size_t row) { return r.problem.rows[row].position.z; }},
+    {"delta", radian, "inclination of the rows",
+     [](const SceneResult& r, std::size_t row) { return r.problem.rows[row].delta; }},
+    {"wheel_s", mm, "arc length along the wheel's profile opposite the rows; nan: it has none",
+     [](const SceneResult& r, std::size_t row) { return r.wheel_s.empty() ? none : r.wheel_s[row]; }},
+};
+
+constexpr ElementQuantity all_of_elements[] = {
+    {"p_x", pascal, "traction on the rail along x", copy_result<&ContactResult::px>},
+    {"p_s", pascal, "traction on the rail along s", copy_result<&ContactResult::ps>},
+    {"p_n", pascal, "pressure", copy_result<&ContactResult::pn>},
+    {"slip_x", creepage_unit, "slip along x, per unit of rolled distance (shift: in the step)",
+     copy_result<&ContactResult::slip_x>},
+    {"slip_s", creepage_unit, "slip along s, per unit of rolled distance (shift: in the step)",
+     copy_result<&ContactResult::slip_s>},
+    {"u_x", mm, "displacement of the wheel less that of the rail, along x",
+     copy_displacement<&Displacements::ux>},
+    {"u_s", mm, "displacement of the wheel less that of the rail, along s",
+     copy_displacement<&Displacements::us>},
+    {"u_n", mm, "displacement of the wheel less that of the rail, along n",
+     copy_displacement<&Displacements::un>},
+    {"work_rate", work_unit, "dissipated by friction per area and unit of rolled distance (shift: per area)",
+     copy_work_rate},
+    {"element_power", power_unit, "dissipated by friction by the whole element; the sum is friction_power",
+     [](const SceneResult& r, std::span<double> to) {
+       copy_work_rate(r, to);
+       for (double& value : to)
+         value *= r.problem.element_area();
+     }},
+    {"deformed_distance", mm, "between the deformed surfaces, along n",
+     copy_result<&ContactResult::deformed_distance>},
+    {"gap", mm, "undeformed distance along the rail's normal",
+     [](const SceneResult& r, std::span<double> to) { copy_stored(r.problem.gap, to); }},
+    {"state", number, "0 exterior, 1 adhesion, 2 slip",
+     [](const SceneResult& r, std::span<double> to) {
+       std::ranges::fill(to, 0.0);
+       std::ranges::transform(r.result.state, to.begin(),
+                              [](ElementState state) { return static_cast<double>(state); });
+     }},
+};
+
+} // namespace
+
+std::span<const Quantity> quantities() {
+  return all;
+}
+
+std::span<const PatchQuantity> patch_quantities() {
+  return all_of_patches;
+}
+
+std::span<const StepQuantity> step_quantities() {
+  return all_of_steps;
+}
+
+std::span<const RowQuantity> row_quantities() {
+  return all_of_rows;
+}
+
+std::span<const ElementQuantity> element_quantities() {
+  return all_of_elements;
+}
+
+std::vector<double> ElementQuantity::values(const SceneResult& result) const {
+  std::vector<double> out(static_cast<std::size_t>(result.problem.grid.size()));
+  copy(result, out);
+  return out;
+}
+
+const Quantity& quantity(std::string_view name) {
+  return *std::ranges::find(all, name, [](const Quantity& q) { return std::string_view(q.name); });
+}
+
+std::string error_name(const char* name) {
+  return std::string(name) + "_error";
+}
+
+double adhesion_share(const ContactResult& result) {
+  const ElementCounts counts = count_elements(result);
+  return counts.contact > 0 ? double(counts.adhesion) / counts.contact : 0.0;
+}
+
+} // namespace bem_contact

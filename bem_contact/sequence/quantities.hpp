@@ -1,0 +1,105 @@
+#pragma once
+
+#include "bem_contact/sequence/scene_result.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bem_contact {
+
+/// What all outputs are made of. JSON, HDF5, CSV, Python and the C interface take names, units and values
+/// from the tables of this header, so that a name means the same number in all of them. A number that is not
+/// known, or that a result does not have, is nan (JSON: null, CSV: an empty cell, Python: None).
+
+/// What a difference between two values of a quantity is measured by (compare_quantities.hpp).
+enum class QuantityKind {
+  force,
+  moment,
+  pressure,
+  length,
+  angle,
+  area,
+  creepage,
+  power,
+  share,
+  count,
+  effort ///< how the solver went: may differ where the result is the same
+};
+
+/// Unit of a quantity. That of shifts differs where others are per unit of rolled distance.
+struct QuantityUnit {
+  const char* rolling;
+  const char* shift = nullptr; ///< null: the same
+
+  const char* of(const SceneResult& result) const {
+    return shift && result.problem.motion == MotionKind::shift ? shift : rolling;
+  }
+  /// "1 (shift: mm)"
+  std::string text() const {
+    return shift ? std::string(rolling) + " (shift: " + shift + ")" : std::string(rolling);
+  }
+};
+
+/// One number of a result. If it has an estimate of the error that the size of the elements causes
+/// (Discretisation), outputs give that too, as "<name>_error" in the same unit.
+struct Quantity {
+  const char* name;
+  QuantityUnit unit;
+  QuantityKind kind;
+  const char* description;
+  double (*value)(const SceneResult&);
+  double (*error)(const SceneResult&) = nullptr; ///< null: it has none
+};
+std::span<const Quantity> quantities();
+
+/// One number of a patch.
+struct PatchQuantity {
+  const char* name;
+  QuantityUnit unit;
+  const char* description;
+  double (*value)(const SceneResult&, std::size_t patch);
+  double (*error)(const SceneResult&, std::size_t patch) = nullptr;
+};
+std::span<const PatchQuantity> patch_quantities();
+
+/// One number of a step of a transient or of shifts.
+struct StepQuantity {
+  const char* name;
+  QuantityUnit unit;
+  const char* description;
+  double (*value)(const SceneResult&, const ContactResult& step);
+};
+std::span<const StepQuantity> step_quantities();
+
+/// One number of each row of the grid.
+struct RowQuantity {
+  const char* name;
+  QuantityUnit unit;
+  const char* description;
+  double (*value)(const SceneResult&, std::size_t row);
+};
+std::span<const RowQuantity> row_quantities();
+
+/// One number of each element. `copy` fills mx times ms numbers, [ms][mx]; 0 where a result has none.
+struct ElementQuantity {
+  const char* name;
+  QuantityUnit unit;
+  const char* description;
+  void (*copy)(const SceneResult&, std::span<double> to);
+
+  std::vector<double> values(const SceneResult& result) const;
+};
+std::span<const ElementQuantity> element_quantities();
+
+/// The entry of that name, which must be there.
+const Quantity& quantity(std::string_view name);
+
+/// "Fx_error"
+std::string error_name(const char* name);
+
+/// Share of the elements in contact that adhere; 0 without contact.
+double adhesion_share(const ContactResult& result);
+
+} // namespace bem_contact

@@ -1,0 +1,202 @@
+"""One name, one number, one unit: in --json, HDF5, CSV and Python. And the type stubs."""
+
+import ast
+import csv
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+import bem_contact
+
+ROOT = Path(__file__).resolve().parents[2]
+SCENES = ROOT / "data" / "scenes"
+CORNER = SCENES / "conformal_small.toml"
+
+
+def program(*arguments):
+    subprocess.run([os.environ["BEM_CONTACT"], *map(str, arguments)], check=True, stdout=subprocess.DEVNULL,
+                   stderr=subprocess.DEVNULL)
+
+
+def rows_of(file):
+    """As pandas.read_csv reads it: names in the first line, an empty cell is nan."""
+    with open(file, newline="") as lines:
+        return list(csv.DictReader(lines))
+
+
+def number(cell):
+    return float(cell) if cell else np.nan
+
+
+def same(a, b):
+    return np.array_equal(np.asarray(a, dtype=float), np.asarray(b, dtype=float), equal_nan=True)
+
+
+class Names(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        folder = Path(cls.scratch.name)
+        cls.json = json.loads(subprocess.run([os.environ["BEM_CONTACT"], "solve", CORNER, "--json"], check=True,
+                                             stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout)
+        program("solve", CORNER, "-o", folder / "r.h5")
+        cls.h5 = h5py.File(folder / "r.h5")
+        cls.python = bem_contact.solve(CORNER)
+        text = CORNER.read_text().replace("../influence/", f"{SCENES.parent}/influence/")
+        (folder / "s.toml").write_text(text + "\n[sweep]\nposition.lateral = [6.6]\nwheel.profile = ['S1002']\n")
+        program("sweep", folder / "s.toml", "-o", folder / "s.h5", "--csv", folder / "s.csv")
+        cls.cases, cls.patches, cls.units = (rows_of(folder / f"s{kind}.csv") for kind in ("", "_patches", "_units"))
+        cls.sweep = h5py.File(folder / "s.h5")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.h5.close()
+        cls.sweep.close()
+        cls.scratch.cleanup()
+
+    def test_numbers(self):
+        quantities = self.json["quantities"]
+        self.assertEqual(set(self.h5["fem/quantities"]), set(quantities))
+        self.assertGreater(len(quantities), 40)
+        for name, value in quantities.items():
+            with self.subTest(name):
+                value = np.nan if value is None else value
+                of_python = getattr(self.python, name)
+                values = [self.h5["fem/quantities"][name][()], number(self.cases[0][name]), self.sweep[name][0],
+                          np.nan if of_python is None else of_python]
+                for other in values:
+                    self.assertTrue(same(other, value), (other, value))
+
+    def test_patches(self):
+        group = self.h5["fem/patches"]
+        for i, patch in enumerate(self.json["patches"]):
+            self.assertEqual(set(group), set(patch))
+            self.assertEqual(set(self.python.patches[i]), set(patch))
+            for name, value in patch.items():
+                value = np.nan if value is None else value
+                of_python = self.python.patches[i][name]
+                for other in (group[name][i], number(self.patches[i][name]), self.sweep["patches"][name][i],
+                              np.nan if of_python is None else of_python):
+                    self.assertTrue(same(other, value), name)
+
+    def test_units(self):
+        units = self.json["frame"]["units"]
+        for name, unit in self.python.units.items():
+            if name in units:
+                self.assertEqual(units[name], unit, name)
+        for group in ("fem/quantities", "fem/patches"):
+            for name, data in self.h5[group].items():
+                self.assertEqual(data.attrs["unit"].decode(), units[name.removesuffix("_error")], name)
+        for name in ("p_n", "u_x", "slip_s", "work_rate", "element_power"):
+            self.assertEqual(self.h5["fem"][name].attrs["unit"].decode(), self.python.units[name], name)
+        listed = {(row["table"], row["name"]): row["unit"] for row in self.units}
+        for table, rows in (("cases", self.cases), ("patches", self.patches)):
+            for name in rows[0]:
+                if name not in ("case", "patch", "reason") and (table, name) != ("patches", "status"):
+                    self.assertIn((table, name), listed)
+                    unit = listed[table, name].split(" (shift")[0]
+                    if name.removesuffix("_error") in units and name != "seconds":
+                        self.assertEqual(unit, units[name.removesuffix("_error")], name)
+        self.assertEqual(listed["patches", "position.lateral"], "mm")
+
+    def test_elements(self):
+        for name in ("p_x", "p_s", "p_n", "slip_x", "slip_s", "u_x", "u_s", "u_n", "work_rate", "element_power",
+                     "deformed_distance", "state"):
+            self.assertTrue(same(self.h5["fem"][name], getattr(self.python, name)), name)
+        for name in ("x", "s", "y", "z", "delta", "wheel_s", "gap"):
+            self.assertTrue(same(self.h5[name], getattr(self.python, name)), name)
+        r = self.python
+        work = r.p_x * r.slip_x + r.p_s * r.slip_s
+        np.testing.assert_allclose(r.work_rate, work, rtol=1e-12)
+        self.assertAlmostEqual(r.element_power.sum() / r.friction_power, 1, delta=1e-12)
+        np.testing.assert_allclose(r.element_power, work * r.dx * r.ds, rtol=1e-12)
+        # Where the bodies touch, the deformed distance is zero: h - q cos(delta) - u_n.
+        distance = r.gap - r.approach * np.cos(r.delta)[:, None] - r.u_n
+        self.assertLess(np.abs(distance[r.state > 0]).max(), 1e-5 * r.approach)
+
+    def test_stresses(self):
+        r = bem_contact.solve(SCENES / "stresses.toml")
+        shape = tuple(len(r.stresses[name]) for name in ("x", "s", "depths"))
+        self.assertEqual(r.stresses["stress"].shape, (*shape, 6))
+        self.assertEqual(r.stresses["von_mises"].shape, shape)
+        xx, ss, nn, xs, xn, sn = np.moveaxis(r.stresses["stress"], -1, 0)
+        mises = np.sqrt(0.5 * ((xx - ss)**2 + (ss - nn)**2 + (nn - xx)**2) + 3 * (xs**2 + xn**2 + sn**2))
+        np.testing.assert_allclose(r.stresses["von_mises"], mises, rtol=1e-9)
+        self.assertEqual(r.stresses["components"], ["xx", "ss", "nn", "xs", "xn", "sn"])
+        self.assertIsNone(self.python.stresses)
+
+    def test_scenes_as_text_and_as_dict(self):
+        expected = bem_contact.solve(CORNER, model="halfspace")
+        text = bem_contact.solve(CORNER.read_text(), model="halfspace", folder=SCENES)
+        self.assertTrue(same(text.p_n, expected.p_n))
+        nested = {"kind": "patch", "load": {"force": np.float32(1e4)}, "motion.frictionless": True,
+                  "grid": {"dx": 0.5, "ds": 0.5, "mx": np.int64(16), "ms": 16}, "gap": {"a": 1e-3, "b": 1e-3},
+                  "rail": {"material": {"poisson": 0.3}, "influence": Path("")}, "stresses.depths": np.array([0.5, 1])}
+        toml = ("kind = 'patch'\nload.force = 1e4\nmotion.frictionless = true\nrail.material.poisson = 0.3\n[grid]\n"
+                "dx = 0.5\nds = 0.5\nmx = 16\nms = 16\n[gap]\na = 1e-3\nb = 1e-3\n[stresses]\ndepths = [0.5, 1]\n")
+        del nested["rail"]["influence"]
+        of_dict, of_text = (bem_contact.Sequence(scene).solve() for scene in (nested, toml))
+        self.assertEqual(of_dict.pmax, of_text.pmax)
+        self.assertTrue(same(of_dict.stresses["stress"], of_text.stresses["stress"]))
+        with self.assertRaisesRegex(bem_contact.InputError, "dict:.*load.force"):
+            bem_contact.solve({"kind": "patch", "load": {"forze": 1}})
+        with self.assertRaisesRegex(TypeError, "keys is of type int"):
+            bem_contact.solve({1: 2})
+        with self.assertRaisesRegex(TypeError, "The folder cannot be used"):
+            bem_contact.solve(nested, folder=3)
+        with self.assertRaisesRegex(bem_contact.InputError, "text:2"):
+            bem_contact.solve("kind = 'patch'\nload.forze = 1\n")
+
+    def test_stubs_name_what_is_there(self):
+        stubs = ast.parse((ROOT / "bem_contact/python/bem_contact/__init__.pyi").read_text())
+        classes = {node.name: {m.name for m in node.body if isinstance(m, ast.FunctionDef)}
+                   for node in stubs.body if isinstance(node, ast.ClassDef)}
+        self.assertEqual(classes["Result"], {n for n in dir(bem_contact.Result) if not n.startswith("_")})
+        self.assertEqual(classes["Sequence"] - {"__init__"},
+                         {n for n in dir(bem_contact.Sequence) if not n.startswith("_")})
+        defined = {n.name for n in stubs.body if isinstance(n, (ast.ClassDef, ast.FunctionDef))}
+        defined |= {n.target.id for n in stubs.body if isinstance(n, ast.AnnAssign)}
+        self.assertEqual(defined, set(bem_contact.__all__))
+
+
+class TwoPointContact(unittest.TestCase):
+    """A sweep over two-point contact is plotted from its CSV files alone."""
+
+    def test_patches_add_up_to_cases(self):
+        with tempfile.TemporaryDirectory() as folder:
+            csv_file = Path(folder) / "s.csv"
+            program("sweep", SCENES / "cases_two_areas.toml", "-o", Path(folder) / "s.h5", "--csv", csv_file)
+            cases, patches = rows_of(csv_file), rows_of(Path(folder) / "s_patches.csv")
+            self.assertEqual([row["model"] for row in cases], ["halfspace"] * len(cases))
+            self.assertGreater(max(float(row["patch_count"]) for row in cases), 1)
+            for case in cases:
+                own = [row for row in patches if row["case"] == case["case"]]
+                self.assertEqual([row["patch"] for row in own], [str(i + 1) for i in range(len(own))])
+                self.assertEqual(len(own), float(case["patch_count"]))
+                for name in ("Fx", "Fy", "Fz", "area", "friction_power"):
+                    self.assertAlmostEqual(sum(float(row[name]) for row in own), float(case[name]),
+                                           delta=1e-9 * float(case["Fz"]), msg=name)
+                for row in own:
+                    for key in ("position.lateral", "wheel.profile", "load.force"):
+                        self.assertEqual(row[key], case[key])
+            # Tread and flange are told apart by the inclination.
+            self.assertTrue(any(float(row["delta"]) < -0.5 for row in patches))
+            self.assertTrue(any(abs(float(row["delta"])) < 0.5 for row in patches))
+
+    def test_a_stream_gets_the_cases_alone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = subprocess.run([os.environ["BEM_CONTACT"], "sweep", SCENES / "cases_two_areas.toml", "-o",
+                                  Path(folder) / "s.h5", "--csv", "/dev/stdout"], check=True, stdout=subprocess.PIPE,
+                                 stderr=subprocess.DEVNULL, text=True).stdout
+            self.assertTrue(out.startswith("case,"))
+            self.assertEqual([f.name for f in Path(folder).iterdir()], ["s.h5"])
+
+
+if __name__ == "__main__":
+    unittest.main()
