@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 /// A folder of its own, removed at the end.
@@ -11,7 +12,9 @@ class TemporaryFolder {
 public:
   TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "bem_contact_XXXXXX").string();
-    path_ = mkdtemp(name.data());
+    if (!mkdtemp(name.data()))
+      throw std::runtime_error("no temporary folder");
+    path_ = name;
   }
   ~TemporaryFolder() {
     std::error_code ignored;

@@ -3,9 +3,9 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/influence_function.hpp"
 #include "tests/base/message.hpp"
+#include "tests/base/temporary_folder.hpp"
 
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <string>
 
@@ -43,24 +43,3 @@ inline bem_contact::InfluenceFunction sample_function() {
   f.estimated_error = 3e-4;
   return f;
 }
-
-/// A folder of its own that goes with the object.
-class TemporaryFolder {
-public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "influence_test_XXXXXX").string();
-    if (!mkdtemp(name.data()))
-      throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-private:
-  std::filesystem::path path_;
-};
