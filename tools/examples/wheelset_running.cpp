@@ -132,6 +132,8 @@ private:
   /// approach.
   std::pair<Forces, Forces> equilibrium(const State& s) {
     const double arm = ConedPair{}.half_distance();
+    stand_.roll += roll_slope_ * (s[0] - lateral_);
+    lateral_ = s[0];
     for (int i = 0; i < 30; ++i) {
       const Forces r = right.forces(s, stand_, roll_slope_ * s[2], speed_, turning_),
                    l = left.forces(s, stand_, roll_slope_ * s[2], speed_, turning_);
@@ -166,7 +168,8 @@ private:
 
   double speed_, turning_ = 0, roll_slope_ = 0;
   Springs springs_;
-  Stand stand_{-0.03, 0}; ///< the last one
+  Stand stand_{-0.03, 0}; ///< the last one,
+  double lateral_ = 0;    ///< and where that was, mm
 };
 
 struct Motion {

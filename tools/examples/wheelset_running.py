@@ -63,7 +63,7 @@ def critical(amplitude=1.0, share=0.05):
     return float(np.interp(0, rates, speeds)), expected
 
 
-def limit_cycle(speed, duration, amplitude=3.0):
+def limit_cycle(speed, duration, amplitude=4.0):
     """S1002 on 60E1: motion and the largest lateral force of a wheel on its rail at each time, N."""
     track = Track(S1002, speed, reach=6.0)
     motion = solve_ivp(track, [0, duration], [amplitude, 0, 0, 0, track.pitch_rate], method="RK23", rtol=1e-4,
@@ -110,10 +110,10 @@ def report_cost():
 
 def report_limit_cycle(picture):
     runs = []
-    for speed, duration in ((25e3, 1.5), (40e3, 2.5)):
+    for speed, duration in ((25e3, 1.2), (40e3, 1.6)):
         motion, forces = limit_cycle(speed, duration)
         last = motion.t > 0.7 * duration
-        print(f"S1002 on 60E1 at {speed / 1000:.0f} m/s: from 3 mm to {abs(motion.y[0, last]).max():.2f} mm, lateral force "
+        print(f"S1002 on 60E1 at {speed / 1000:.0f} m/s: from 4 mm to {abs(motion.y[0, last]).max():.2f} mm, lateral force "
               f"up to {forces[last].max() / 1000:.1f} kN", flush=True)
         runs.append((speed, motion, forces))
     if picture:
