@@ -185,6 +185,7 @@ struct NamedFile {
   std::string name;           ///< as the scene gives it
   std::filesystem::path file; ///< in the scene's folder
 };
+/// All that it names, table by table.
 std::vector<NamedFile> named_files(const SceneFile& scene);
 /// The paths of the same.
 std::vector<std::filesystem::path> input_files(const SceneFile& scene);
