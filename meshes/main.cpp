@@ -3,6 +3,7 @@
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/standard_streams.hpp"
 #include "bem_contact/profile/body_file.hpp"
+#include "meshes/heartbeat.hpp"
 #include "meshes/section_mesh.hpp"
 #include "meshes/settings.hpp"
 #include "meshes/solid_mesh.hpp"
@@ -12,9 +13,11 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <iostream>
 #include <optional>
 #include <string>
 #include <utility>
@@ -62,9 +65,15 @@ int run(const std::string& body_file, const std::string& output, bool solid, boo
   for (const std::string& warning : body_warnings(body))
     fmt::print(stderr, "warning: {}\n", warning);
   std::optional<meshes::SolidMesh> whole;
-  if (solid)
+  const meshes::QuadMesh mesh = [&] {
+    const meshes::Heartbeat heartbeat(
+        "meshing " + body.body.name,
+        std::chrono::milliseconds(static_cast<long>(1000 * meshes::sign_of_life)), std::cerr);
+    if (!solid)
+      return meshes::mesh_section(body);
     whole = meshes::mesh_solid(body);
-  const meshes::QuadMesh mesh = solid ? whole->section : meshes::mesh_section(body);
+    return whole->section;
+  }();
   solid ? meshes::write_msh(*whole, output) : meshes::write_msh(mesh, output);
   const meshes::Quality quality = meshes::quality(mesh);
   if (quality.smallest < meshes::poor_quality)

@@ -146,6 +146,11 @@ BEM_CONTACT_TUNED(double, good_quality, 0.3);
 /// rad. Of one layer of a wheel at most, which is a straight hexahedron.
 BEM_CONTACT_TUNED(double, widest_sector, 20 * std::numbers::pi / 180);
 
+// Progress.
+
+/// s. How often a mesh that takes longer says that it is still made. Chosen: a usual mesh takes one to five.
+BEM_CONTACT_TUNED(double, sign_of_life, 10.0);
+
 // Files.
 
 /// 1 (share of the chord's square). An edge of the outline that bulges by less is straight.

@@ -47,21 +47,25 @@ constexpr int parity(int i, int j) {
 
 /// A point or vector of a cross-section (y, z), mm.
 struct Point2 {
-  double y = 0;
-  double z = 0;
+  double y = 0; ///< mm, to the right
+  double z = 0; ///< mm, down
 
   bool operator==(const Point2&) const = default;
 };
 
+/// Sum.
 constexpr Point2 operator+(Point2 a, Point2 b) {
   return {a.y + b.y, a.z + b.z};
 }
+/// Difference.
 constexpr Point2 operator-(Point2 a, Point2 b) {
   return {a.y - b.y, a.z - b.z};
 }
+/// Multiple.
 constexpr Point2 operator*(double c, Point2 a) {
   return {c * a.y, c * a.z};
 }
+/// Scalar product.
 constexpr double dot(Point2 a, Point2 b) {
   return a.y * b.y + a.z * b.z;
 }
@@ -69,14 +73,16 @@ constexpr double dot(Point2 a, Point2 b) {
 constexpr double cross(Point2 a, Point2 b) {
   return a.y * b.z - a.z * b.y;
 }
+/// Length.
 inline double norm(Point2 a) {
   return std::hypot(a.y, a.z);
 }
 
-/// Tangent e_s and normal e_n (into the body) for the inclination delta.
+/// Tangent e_s for the inclination delta.
 inline Point2 tangent_of(double delta) {
   return {std::cos(delta), std::sin(delta)};
 }
+/// Normal e_n, into the body, for the inclination delta.
 inline Point2 normal_of(double delta) {
   return {-std::sin(delta), std::cos(delta)};
 }

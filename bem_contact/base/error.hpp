@@ -11,19 +11,20 @@ namespace bem_contact {
 /// An error a user can act on. what() reads "<problem> (<why it is one>) <what to do>".
 class Error : public std::runtime_error {
 public:
+  /// The three parts of what(): "<problem> (<why>) <what to do>".
   Error(std::string_view problem, std::string_view why, std::string_view what_to_do);
 };
 
 /// The input is wrong: a file, a key, a value, or two inputs that do not fit. Programs exit with 2.
 class InputError : public Error {
 public:
-  using Error::Error;
+  using Error::Error; ///< as Error
 };
 
 /// The input is fine and no certified solution was found within the bounds. Programs exit with 3.
 class ConvergenceError : public Error {
 public:
-  using Error::Error;
+  using Error::Error; ///< as Error
 };
 
 /// The candidates most like `word`, best first, at most `most` of them; none that is hardly like it.

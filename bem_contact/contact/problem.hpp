@@ -14,13 +14,13 @@ namespace bem_contact {
 /// centre at x = x0 + ix dx on row number `is`. Its place in every field below is `is * mx + ix` ("field":
 /// [ms][mx], row-major, x fastest).
 struct ContactGrid {
-  int mx = 0, ms = 0;
+  int mx = 0, ms = 0;    ///< columns, rows
   double dx = 0, ds = 0; ///< mm
   double x0 = 0;         ///< centre of the first column, mm
 
-  int size() const { return mx * ms; }
-  double x(int ix) const { return x0 + ix * dx; }
-  std::vector<double> columns() const { ///< x of each, mm
+  int size() const { return mx * ms; }            ///< elements
+  double x(int ix) const { return x0 + ix * dx; } ///< middle of a column, mm
+  std::vector<double> columns() const {           ///< x of each, mm
     std::vector<double> all(mx);
     for (int ix = 0; ix < mx; ++ix)
       all[ix] = x(ix);
@@ -28,6 +28,7 @@ struct ContactGrid {
   }
 };
 
+/// What is prescribed, and presses the bodies together.
 enum class LoadKind { approach, force };
 
 /// How the surfaces move over each other. slip_step.hpp has the slip of each kind.
@@ -40,16 +41,16 @@ enum class MotionKind { steady, transient, shift };
 
 /// Tractions on the rail by the wheel, MPa; fields.
 struct Tractions {
-  std::vector<double> px, ps, pn;
+  std::vector<double> px, ps, pn; ///< along x and s, pressure
 };
 
 /// One contact problem. Signs: base/conventions.hpp.
 struct ContactProblem {
-  ContactGrid grid;
+  ContactGrid grid;             ///< the potential contact
   std::vector<ContactRow> rows; ///< ms of them
   InfluenceNumbers numbers;     ///< of the pair, at least grid.mx + 2 offsets (plane strain: 1), grid.ms rows
   std::vector<double> gap;      ///< undeformed distance along n at approach 0, mm; field
-  LoadKind load = LoadKind::force;
+  LoadKind load = LoadKind::force;    ///< whether approach or force below counts
   double approach = 0;                ///< q along z, mm (load == approach)
   double force = 0;                   ///< Fz, N (load == force); per mm of length in plane strain
   bool tangential = true;             ///< false: frictionless
@@ -61,8 +62,8 @@ struct ContactProblem {
   /// of them solve() finds a creepage (shift: mm) and adds it to the rigid slip: ContactResult::creepage_x to
   /// w_x, creepage_s cos(delta - reference_delta) to w_s.
   std::optional<double> force_x, force_s;
-  double reference_delta = 0; ///< rad
-  MotionKind motion = MotionKind::steady;
+  double reference_delta = 0;             ///< rad
+  MotionKind motion = MotionKind::steady; ///< what the rigid slip is a motion of
   /// Tractions of former steps, the latest first. Transient: one and two rolling steps ago, as slip_step.hpp
   /// weights both. Shift: one load step ago. If there are fewer, the bodies were at rest before, unloaded.
   std::vector<Tractions> previous;
@@ -71,10 +72,13 @@ struct ContactProblem {
   /// dx = 0, no friction. Forces are per mm of length.
   bool plane_strain() const { return numbers.dx == 0; }
   double element_area() const { return plane_strain() ? grid.ds : grid.dx * grid.ds; } ///< mm^2
+  /// Coulomb's mu of a row.
   double friction_of(int row) const { return friction_rows.empty() ? friction : friction_rows[row]; }
+  /// Of all rows.
   double largest_friction() const {
     return friction_rows.empty() ? friction : *std::max_element(friction_rows.begin(), friction_rows.end());
   }
+  /// Whether there is a tangential problem at all.
   bool has_friction() const { return tangential && largest_friction() > 0; }
   /// The slip along s on a row under a unit creepage along s: cos(delta - reference_delta).
   double lateral_share(int row) const { return std::cos(rows[row].delta - reference_delta); }

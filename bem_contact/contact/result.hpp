@@ -9,6 +9,7 @@
 
 namespace bem_contact {
 
+/// Of one element: outside the contact, or in contact without or with sliding.
 enum class ElementState : unsigned char { exterior, adhesion, slip };
 
 /// How far a result violates the equations. It is computed from the tractions alone, by code that shares
@@ -40,15 +41,17 @@ struct Certificate {
   double discretisation = -1;
 
   double worst() const; ///< largest violation; infinite if one is not a number
+  /// No violation is above the tolerance.
   bool holds() const { return worst() <= tolerance; }
 };
 
 /// Of an error that is not known.
 inline constexpr double unknown_error = std::numeric_limits<double>::quiet_NaN();
 
-struct ContactTotals { ///< as in ContactResult
-  double Fx = 0, Fy = 0, Fz = 0, Mz = 0, approach = 0;
-  double creepage_x = 0, creepage_s = 0;
+/// Some totals of a ContactResult, as it has them.
+struct ContactTotals {
+  double Fx = 0, Fy = 0, Fz = 0, Mz = 0, approach = 0; ///< N, N mm, mm
+  double creepage_x = 0, creepage_s = 0;               ///< found for prescribed forces
 };
 
 struct ContactResult;
@@ -71,8 +74,8 @@ struct TotalErrors {
 
 /// The same of the numbers of PatchSummary. nan too where the coarser elements have other patches.
 struct PatchErrors {
-  double fn = unknown_error, fx = unknown_error, fs = unknown_error;
-  double approach = unknown_error, pmax = unknown_error, area = unknown_error;
+  double fn = unknown_error, fx = unknown_error, fs = unknown_error;           ///< N
+  double approach = unknown_error, pmax = unknown_error, area = unknown_error; ///< mm, MPa, mm^2
 };
 
 /// Estimate of the error that the size of the elements causes, from the same problem on elements twice as
@@ -89,8 +92,8 @@ struct PatchErrors {
 /// Whole elements cover an area beyond the patch, up to 1.2 % of its area with 40 elements across.
 /// That area does not shrink in step with their size, and the area of adhesion behaves likewise.
 struct Discretisation {
-  int contact = 0; ///< elements of the companion in contact
-  ContactTotals coarse, extrapolated;
+  int contact = 0;                    ///< elements of the companion in contact
+  ContactTotals coarse, extrapolated; ///< of the companion; and as above
   double approach = 0;   ///< error of q, over the largest PatchSummary::approach; 0 if q is prescribed
   double normal = 0;     ///< error of the force of p_n as a vector in (y, z), over sum p_n dS
   double tangential = 0; ///< error of the vector (sum p_x dS, sum p_s dS), over sum mu p_n dS
@@ -109,9 +112,11 @@ struct Discretisation {
   /// `result`: the one that this estimate is of.
   double moment_error(const ContactResult& result, double x, double y) const;
 
+  /// The largest of the four relative errors.
   double worst() const { return std::max({approach, normal, tangential, moment}); }
 };
 
+/// One connected area of contact.
 struct PatchSummary {
   /// N. Sums over the patch of p_n dS, p_x dS and p_s dS, as numbers: the directions n and s may turn from
   /// row to row.
@@ -135,9 +140,10 @@ struct PatchSummary {
 
 /// Displacement differences u = u_wheel - u_rail = -A p of every element, mm; fields.
 struct Displacements {
-  std::vector<double> ux, us, un;
+  std::vector<double> ux, us, un; ///< along x, s and n
 };
 
+/// The solution of one contact problem. Fields: [ms][mx], as ContactGrid has its elements.
 struct ContactResult {
   std::vector<double> px, ps, pn; ///< tractions on the rail, MPa; fields
   /// Slip per unit of rolled distance (shift: mm), with all parts: rigid, found creepage, elastic; fields.
@@ -153,14 +159,14 @@ struct ContactResult {
   double Fs = 0;                         ///< sum p_s cos(delta - reference_delta) dS, N
   double creepage_x = 0, creepage_s = 0; ///< found for force_x, force_s (shift: mm); part of the slip above
   std::vector<PatchSummary> patches;     ///< connected areas of contact, largest force first
-  Certificate certificate;
+  Certificate certificate;               ///< look at it first
   std::optional<Discretisation> discretisation; ///< nothing: not estimated
 
-  bool touches_border = false; ///< contact at an edge of the grid: the potential contact is too small
-  bool converged = false;      ///< certificate.holds()
-  std::string normal_solver;   ///< the one that finished
-  std::string tangential_solver;
-  int outer_iterations = 0, normal_iterations = 0, tangential_iterations = 0;
+  bool touches_border = false;   ///< contact at an edge of the grid: the potential contact is too small
+  bool converged = false;        ///< certificate.holds()
+  std::string normal_solver;     ///< the one that finished
+  std::string tangential_solver; ///< the one that finished
+  int outer_iterations = 0, normal_iterations = 0, tangential_iterations = 0; ///< in all
   int creepage_iterations = 0; ///< tangential problems solved to find the creepages of prescribed forces
   double work = 0;             ///< of the case so far, companion included: work.hpp
   /// Mean factor by which an outer iteration changed the residual; 0: there was only one outer iteration.
@@ -184,8 +190,9 @@ double contact_area(const ContactResult& result);
 
 /// Elements of all patches. Each one in contact either adheres or slips.
 struct ElementCounts {
-  int contact = 0, adhesion = 0, slip = 0;
+  int contact = 0, adhesion = 0, slip = 0; ///< contact = adhesion + slip
 };
+/// Counts them.
 ElementCounts count_elements(const ContactResult& result);
 
 } // namespace bem_contact

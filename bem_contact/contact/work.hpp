@@ -19,13 +19,14 @@ public:
 class WorkBudget {
 public:
   WorkBudget(); ///< settings.hpp: most_work
+  /// So many units.
   explicit WorkBudget(double most) : most_(most) {}
   /// The usual budget, which ends when another thread sets `stop`. Null: nobody does.
   explicit WorkBudget(const std::atomic<bool>* stop);
 
   /// Throws ConvergenceError if less than `units` are left, Stopped if `stop` is set.
   void spend(double units);
-  double used() const { return used_; }
+  double used() const { return used_; } ///< units so far
   /// A usual budget of its own, which the same `stop` ends.
   WorkBudget another() const { return WorkBudget(stop_); }
 

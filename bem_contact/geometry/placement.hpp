@@ -7,6 +7,7 @@
 
 namespace bem_contact {
 
+/// Of the track, seen in the rolling direction.
 enum class WheelSide { right, left };
 
 /// Where a wheelset stands on its track, and where the rail under one of its wheels lies.
@@ -26,7 +27,8 @@ struct WheelsetPosition {
   /// Where the origin of a section is put, (y, z) in mm, for bodies without a gauge face or a flange. Rail:
   /// in the track frame, instead of gauge and gauge_height. Wheel: y from the wheelset's centre, instead of
   /// back_to_back; z below the height at which a wheel of wheel_radius has its tape circle.
-  std::optional<Point2> rail_origin = {}, wheel_origin = {};
+  std::optional<Point2> rail_origin = {};
+  std::optional<Point2> wheel_origin = {}; ///< as rail_origin
 
   bool operator==(const WheelsetPosition&) const = default;
 };
@@ -34,11 +36,11 @@ struct WheelsetPosition {
 /// Where a section stands in the track frame: track = origin + Rot(angle) section, the rotation taking
 /// the section's y towards z (about +x). Inclinations grow by `angle`.
 struct Pose {
-  Point2 origin;
+  Point2 origin;    ///< of the section, in the track frame, mm
   double angle = 0; ///< rad
 
-  Point2 to_track(Point2 section) const;
-  Point2 to_section(Point2 track) const;
+  Point2 to_track(Point2 section) const; ///< a point of the section in the track frame, mm
+  Point2 to_section(Point2 track) const; ///< and back
 };
 
 /// A point or vector of the track frame (x, y, z), mm.
@@ -47,7 +49,7 @@ using Vector3 = std::array<double, 3>;
 /// The wheel as it stands: the centre of its tape circle on the axle, and three unit vectors that are the
 /// track's x, y, z where it is neither rolled nor yawed.
 struct WheelFrame {
-  Vector3 centre{}, forward{}, axle{}, down{};
+  Vector3 centre{}, forward{}, axle{}, down{}; ///< mm; unit vectors
 };
 
 /// A wheel on a rail. Track frame: x from the wheelset's centre, y from the track's centre line towards the
@@ -68,15 +70,15 @@ struct WheelFrame {
 /// r = wheel_radius + z of its section.
 /// WheelsetPosition::rail_origin and wheel_origin put the origins of the sections elsewhere.
 struct WheelOnRail {
-  TabulatedProfile rail, wheel;
-  Pose rail_pose, wheel_pose; ///< wheel_pose is that before the yaw; rail_pose is final
-  double wheel_radius = 460;  ///< nominal, at the tape circle, mm
-  double yaw = 0;             ///< rad, towards +y in front
-  double centre_y = 0;        ///< the vertical about which it is yawed, mm
+  TabulatedProfile rail, wheel; ///< in their own section frames
+  Pose rail_pose, wheel_pose;   ///< wheel_pose is that before the yaw; rail_pose is final
+  double wheel_radius = 460;    ///< nominal, at the tape circle, mm
+  double yaw = 0;               ///< rad, towards +y in front
+  double centre_y = 0;          ///< the vertical about which it is yawed, mm
 
   /// A point of the rail's profile at its own arc length, in the track frame; delta too, curvature as it is.
   CurvePoint rail_at(double s) const;
-  WheelFrame wheel_frame() const;
+  WheelFrame wheel_frame() const; ///< the wheel as it is yawed and rolled
 };
 
 /// Places both. The wheelset's centre is at z = -wheel_radius, so that the wheel may hang above the rail or

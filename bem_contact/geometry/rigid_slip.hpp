@@ -30,7 +30,7 @@ struct Creepage {
 /// Rigid slip w of elements: velocity of the wheel's surface over the rail's, over the rolling speed V, in
 /// the local frames (x, s) of the rows; fields [rows][x]. Of a shift: its displacement, mm.
 struct RigidSlip {
-  std::vector<double> x, s;
+  std::vector<double> x, s; ///< along x and s, [rows][x]
 };
 
 /// Of a rolling wheel. It moves along x with V and turns about its axle a (WheelFrame::axle, which points to

@@ -6,8 +6,9 @@ namespace bem_contact::halfspace {
 
 /// Symmetric stress tensor in the frame (x, s, n), n into the body; MPa, tension positive.
 struct Stress {
-  double xx = 0, ss = 0, nn = 0, xs = 0, xn = 0, sn = 0;
+  double xx = 0, ss = 0, nn = 0, xs = 0, xn = 0, sn = 0; ///< MPa
 
+  /// Adds a multiple of another.
   Stress& add(double weight, const Stress& other);
 };
 

@@ -12,6 +12,7 @@
 /// What a scene chooses between, with the names that files, commands, reports and Python use.
 namespace bem_contact {
 
+/// A wheel on a rail, or one contact problem that is given directly.
 enum class SceneKind { wheel_rail, patch };
 template <> struct EnumNames<SceneKind> {
   static constexpr std::array<std::string_view, 2> names{"wheel_rail", "patch"};
@@ -53,6 +54,7 @@ template <> struct EnumNames<Model> {
 /// The name of an empty choice of model: the cheapest model that is accurate enough.
 inline constexpr std::string_view automatic_model = "auto";
 
+/// "auto" for none.
 std::string name_of(std::optional<Model> model);
 
 /// The model of that name, empty for "auto". Throws InputError for a text that is neither a model nor "auto".

@@ -12,7 +12,7 @@ struct GridPlan {
   double origin = 0; ///< mm
   int first = 0, rows = 0, columns = 0;
   double dx = 0, ds = 0; ///< mm
-  double x_centre = 0;   ///< wheel on rail: a whole multiple of dx, mm
+  double x_centre = 0;   ///< wheel on rail: whole multiples of dx from the deepest point, mm
   bool grown = false;    ///< larger than planned at first, because the contact did not fit
 
   double x0() const { return x_centre - 0.5 * (columns - 1) * dx; } ///< of the first column

@@ -18,45 +18,49 @@ namespace bem_contact {
 /// problem given directly). Keys and members have the same names. Paths are relative to the file's folder.
 /// An optional member is empty if the file does not have its key.
 struct SceneFile {
-  SceneKind kind = SceneKind::wheel_rail;
-  std::filesystem::path folder;    ///< not a key: where relative paths start
-  std::vector<std::string> unused; ///< not a key: which keys are given and have no effect, and why
+  SceneKind kind = SceneKind::wheel_rail; ///< what is described
+  std::filesystem::path folder;           ///< not a key: where relative paths start
+  std::vector<std::string> unused;        ///< not a key: which keys are given and have no effect, and why
 
-  struct Side {             ///< [rail], [wheel]
-    std::string profile;    ///< standard name or file (wheel_rail)
-    ProfileReading reading; ///< how a profile file is read: keys smoothing, unit, profile_z, ...
-    BodyPlace place = BodyPlace::gauge;
+  /// [rail], [wheel]
+  struct Side {
+    std::string profile;                ///< standard name or file (wheel_rail)
+    ProfileReading reading;             ///< how a profile file is read: keys smoothing, unit, profile_z, ...
+    BodyPlace place = BodyPlace::gauge; ///< by gauge and flange back, or where the file puts it
     double y = 0, z = 0;   ///< absolute: where the section's origin stands (WheelsetPosition), mm
     Material material;     ///< [rail.material], [wheel.material]
     std::string influence; ///< influence file; "" where only half-space numbers are used
-    StructuralCompliance structural = StructuralCompliance::removed;
+    StructuralCompliance structural = StructuralCompliance::removed; ///< deflection as a whole
 
     bool operator==(const Side&) const = default;
   };
   Side rail, wheel; ///< in a patch: the lower and the upper body
 
-  struct Position : WheelsetPosition { ///< [position], wheel_rail
+  /// [position], wheel_rail
+  struct Position : WheelsetPosition {
     /// Instead of a load: z of the wheelset's centre plus wheel_radius, mm, positive down.
     std::optional<double> vertical;
 
     bool operator==(const Position&) const = default;
-  } position;
+  } position; ///< [position]
 
-  struct Load {                          ///< [load]; exactly one of the two, or position.vertical
+  /// [load]; exactly one of force and approach, or position.vertical
+  struct Load {
     std::optional<double> force = {};    ///< vertical (patch: normal) force, N
     std::optional<double> approach = {}; ///< mm
-    std::optional<double> force_x = {},
-                          force_s = {}; ///< shear forces on the rail, N; the creepages are found
+    /// Shear forces on the rail, N; the creepages are found.
+    std::optional<double> force_x = {}, force_s = {};
     /// wheel_rail: lateral force on the rail, N, towards the side of this wheel; position.lateral is found.
     std::optional<double> force_y = {};
 
     bool operator==(const Load&) const = default;
-  } load;
+  } load; ///< [load]
 
-  struct Motion { ///< [motion]; creepages at the contact reference point
-    MotionKind kind = MotionKind::steady;
-    bool frictionless = false;
-    double friction = 0.3;
+  /// [motion]; creepages at the contact reference point
+  struct Motion {
+    MotionKind kind = MotionKind::steady;   ///< rolling, or shifts
+    bool frictionless = false;              ///< the normal problem alone
+    double friction = 0.3;                  ///< Coulomb's mu
     std::optional<double> kinetic_friction; ///< of what slips; empty: the same
     std::string friction_table;             ///< CSV file with columns s (mm), mu instead of friction
     int steps = 1;                          ///< of transient rolling (dx each) or of shifts
@@ -82,16 +86,17 @@ struct SceneFile {
     std::string slip_table;
 
     bool operator==(const Motion&) const = default;
-  } motion;
+  } motion; ///< [motion]
 
   /// From the outer border of the first row to that of the last, mm.
   struct RowRange {
-    double from = 0, to = 0;
+    double from = 0, to = 0; ///< arc length, mm
 
     bool operator==(const RowRange&) const = default;
   };
 
-  struct Grid {                     ///< [grid]
+  /// [grid]
+  struct Grid {
     double dx = 0.5, ds = 0.2;      ///< mm
     std::optional<int> mx, ms;      ///< patch: size; wheel_rail: empty = from the undeformed distance
     std::optional<int> elements;    ///< wheel_rail: wanted in contact, instead of dx and ds
@@ -102,16 +107,18 @@ struct SceneFile {
     bool planar = false; ///< wheel_rail: all rows in the tangent plane at the reference point
 
     bool operator==(const Grid&) const = default;
-  } grid;
+  } grid; ///< [grid]
 
-  struct Gap {                  ///< [gap], patch
+  /// [gap], patch
+  struct Gap {
     double a = 0, b = 0, c = 0; ///< h = a x^2 + b s^2 + c x s; 1/mm
     std::string table;          ///< CSV file with columns ix, is, h (mm) instead
 
     bool operator==(const Gap&) const = default;
-  } gap;
+  } gap; ///< [gap]
 
-  struct Strip {       ///< [strip], patch: a curved strip
+  /// [strip], patch: a curved strip
+  struct Strip {
     double radius = 0; ///< constant radius of the lower surface, mm (> 0 convex, < 0 concave); 0: flat
     /// Radius of the upper surface, mm (> 0 convex, < 0 concave, 0: not given). The distance between the two
     /// circles is added to a, b, c of [gap] (not to its table); arc lengths on the upper body follow its
@@ -121,43 +128,47 @@ struct SceneFile {
     std::string inclination;          ///< CSV file with columns is, delta (rad) instead of radius
 
     bool operator==(const Strip&) const = default;
-  } strip;
+  } strip; ///< [strip]
 
-  struct Stresses { ///< [stresses]: below the surface of the rail (patch: the lower body), at every (x, s,
-                    ///< depth)
+  /// [stresses]: below the surface of the rail (patch: the lower body), at every (x, s, depth)
+  struct Stresses {
     std::vector<double> x{0.0}; ///< mm
     std::vector<double> s{0.0}; ///< arc length from the reference point (patch: the middle of the grid), mm
     std::vector<double> depths; ///< along n, mm; none: not asked for
 
     bool operator==(const Stresses&) const = default;
-  } stresses;
+  } stresses; ///< [stresses]
 
-  struct Solver {                  ///< [solver]
+  /// [solver]
+  struct Solver {
     std::optional<Model> model;    ///< empty: the cheapest that is accurate enough
     double model_tolerance = 0.01; ///< of pmax, for auto
-    double tolerance = 1e-8;
-    int max_outer = 50;
+    double tolerance = 1e-8;       ///< relative, of the iterations
+    int max_outer = 50;            ///< outer iterations
+    /// What structural motion does to the geometry.
     StructuralMotion structural_motion = StructuralMotion::placed;
 
     bool operator==(const Solver&) const = default;
-  } solver;
+  } solver; ///< [solver]
 
   bool operator==(const SceneFile&) const = default;
 };
 
 /// A key of a scene with another value than its file says (sweep_file.hpp).
 struct SceneChange {
-  std::string key; ///< dotted: "position.lateral"
-  SchemaValue value;
-  int line = 0; ///< of the file, for messages; 0: none
+  std::string key;   ///< dotted: "position.lateral"
+  SchemaValue value; ///< a number, flag, text or list of numbers
+  int line = 0;      ///< of the file, for messages; 0: none
 };
 
 /// Read a scene; `changes` replace values of the file. A table [sweep] is ignored (sweep_file.hpp reads it).
 /// Relative paths start at the file's folder; in a text, at the working directory. Both throw InputError,
 /// naming source, line and key, for what is no valid scene.
 SceneFile read_scene_file(const std::filesystem::path& file, std::span<const SceneChange> changes = {});
+/// The same of a text.
 SceneFile parse_scene_file(std::string_view toml, std::string_view source_name = "text",
                            std::span<const SceneChange> changes = {});
+/// A scene file with every key: default, unit and meaning.
 std::string default_scene_file();
 /// The unit of a key of scenes, "" for none.
 std::string unit_of_key(std::string_view key);
@@ -174,6 +185,7 @@ struct NamedFile {
   std::string name;           ///< as the scene gives it
   std::filesystem::path file; ///< in the scene's folder
 };
+/// All that it names, table by table.
 std::vector<NamedFile> named_files(const SceneFile& scene);
 /// The paths of the same.
 std::vector<std::filesystem::path> input_files(const SceneFile& scene);

@@ -17,7 +17,7 @@ public:
   /// Throws InputError for a text that is no scene. Keys may still be missing that set() will give.
   SceneReader(std::string_view toml, std::string_view source_name, std::filesystem::path folder);
   ~SceneReader();
-  SceneReader(SceneReader&&) noexcept;
+  SceneReader(SceneReader&&) noexcept; ///< can be moved
 
   /// As if the text said so from here on. Throws InputError for an unknown key (with the
   /// nearest ones), a wrong type, or a value out of range; the key then keeps its value.

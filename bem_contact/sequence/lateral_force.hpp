@@ -10,6 +10,7 @@ namespace bem_contact {
 /// do not meet, or no solution was found.
 using LateralForce = std::function<std::optional<double>(double lateral)>;
 
+/// What one displacement gives.
 struct LateralSample {
   double lateral = 0; ///< mm
   double force = 0;   ///< N

@@ -57,6 +57,16 @@ void require_not_too_many(const GridPlan& plan, const PotentialArea& all) {
                      "Give larger elements (grid.dx, grid.ds), or fewer rows (grid.s_from, grid.s_to).");
 }
 
+/// x of the deepest point among the rows that are covered. Columns are centred there, so that tractions do
+/// not jump as a yawing wheel carries its contact along x by parts of an element.
+double deepest_x(const ContactEstimate& estimate, const PotentialArea& all) {
+  const RailSlice* deepest = nullptr;
+  for (const RailSlice& slice : estimate.slices)
+    if (all.s_from <= slice.s && slice.s <= all.s_to && (!deepest || slice.gap < deepest->gap))
+      deepest = &slice;
+  return deepest ? deepest->x : 0.0;
+}
+
 int row_of(const GridPlan& plan, double s) {
   return static_cast<int>(std::lround((s - plan.origin) / plan.ds));
 }
@@ -81,7 +91,8 @@ GridPlan plan_grid(const ContactEstimate& estimate, const SceneFile::Grid& asked
   }
   if (plan.columns == 0)
     plan.columns = columns_for(plan, 0.5 * (all.x_to - all.x_from));
-  plan.x_centre = plan.dx * std::round(0.5 * (all.x_from + all.x_to) / plan.dx);
+  const double deepest = deepest_x(estimate, all), middle = 0.5 * (all.x_from + all.x_to);
+  plan.x_centre = deepest + plan.dx * std::round((middle - deepest) / plan.dx);
   return plan;
 }
 

@@ -18,9 +18,10 @@ namespace bem_contact {
 struct PhaseSeconds {
   double geometry = 0; ///< files, profiles, contact search, undeformed distance
   double numbers = 0;  ///< influence numbers
-  double solve = 0;
-  double total = 0;
+  double solve = 0;    ///< pressures, shear tractions and error estimates
+  double total = 0;    ///< all of the call
 
+  /// Adds the seconds of another call.
   PhaseSeconds& operator+=(const PhaseSeconds& other) {
     geometry += other.geometry;
     numbers += other.numbers;
@@ -46,16 +47,16 @@ struct LateralPosition {
 
 /// One scene solved with one model.
 struct SceneResult {
-  Model model = Model::halfspace;
-  std::string reason;     ///< why this model, in a sentence
+  Model model = Model::halfspace; ///< that it was solved with
+  std::string reason;             ///< why this model, in a sentence
   ContactProblem problem; ///< grid, rows (wheel_rail: track frame), undeformed distance, rigid slip; without
                           ///< the values of the influence numbers
   ContactResult result;   ///< of the last step
   std::vector<ContactResult> history;   ///< transient and shift: of every step
   std::vector<PatchPlace> patch_places; ///< of result.patches, in their order
-  ReferencePoint reference;
-  bool left = false;             ///< left wheel: y and s are counted to the left (placement.hpp)
-  double moment = 0;             ///< Mz about the vertical axis through the reference point, N mm
+  ReferencePoint reference;             ///< of approach, creepages and moment
+  bool left = false;                    ///< left wheel: y and s are counted to the left (placement.hpp)
+  double moment = 0;                    ///< Mz about the vertical axis through the reference point, N mm
   std::optional<double> lateral; ///< wheel_rail: position.lateral, mm: given, or found for load.force_y
   std::optional<LateralPosition> found_lateral; ///< where load.force_y is given
   /// Creepages at the reference point, with what was found for prescribed forces. wheel_rail: xi is counted
@@ -73,8 +74,8 @@ struct SceneResult {
   /// different datums are not to be compared.
   std::string approach_datum;
   std::optional<StructuralResult> structure; ///< fem with structural compliance of at least one body
-  std::vector<std::string> warnings;
-  PhaseSeconds seconds;
+  std::vector<std::string> warnings;         ///< what to know before the numbers are used
+  PhaseSeconds seconds;                      ///< what the call took
 };
 
 } // namespace bem_contact

@@ -71,9 +71,9 @@ public:
   /// Since the object was made: scenes solved, solutions (several for a scene if an accuracy is asked for),
   /// how often influence numbers were there already, and solutions that started from a former case.
   struct Counts {
-    int cases = 0, solves = 0, numbers_kept = 0, starts = 0;
+    int cases = 0, solves = 0, numbers_kept = 0, starts = 0; ///< how many
   };
-  Counts counts() const;
+  Counts counts() const; ///< so far
 
 private:
   /// Rough lateral forces of a scene, for any load.force_y and position.lateral within reach.

@@ -15,13 +15,13 @@ struct BodyMotion {
   /// The same as influence numbers have it, in the section's axes: their forces act along the normals of the
   /// body's own profile, which differ a little from those of the rail where the surfaces are not parallel.
   SixNumbers motion_in_numbers{};
-  SixBySix compliance{};
+  SixBySix compliance{};             ///< mm and rad under N and N mm
   std::optional<SixBySix> stiffness; ///< compliance^-1; nothing where the body does not give way
 };
 
 /// The structural motion of a solution: of the bodies whose structural compliance is included.
 struct StructuralResult {
-  std::optional<BodyMotion> rail, wheel;
+  std::optional<BodyMotion> rail, wheel; ///< nothing: its compliance is not included
   /// Whether the bodies stand where this motion takes them (StructuralMotion::placed); else the geometry is
   /// that of the undeformed position.
   bool placed = false;

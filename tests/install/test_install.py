@@ -68,6 +68,13 @@ class Installed(unittest.TestCase):
             self.assertNotEqual(done.returncode, 0, wanted)
             self.assertIn("conformal_contact", done.stdout)
 
+    def test_the_wheelset_of_the_examples(self):
+        """A client that solves at each time step: tools/examples. It ends with 0 if the textbook's figures come out."""
+        build = self.work / "examples"
+        run("cmake", "-S", SOURCE / "tools" / "examples", "-B", build, "-Wno-dev", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        run("cmake", "--build", build)
+        self.assertIn("Klingel", run(build / "wheelset_running", SOURCE / "tools/examples/coned_wheelset.toml"))
+
     def test_pkg_config(self):
         environment = os.environ | {"PKG_CONFIG_PATH": str(self.lib / "pkgconfig")}
         flags = run("pkg-config", "--cflags", "--libs", "conformal_contact", env=environment).split()

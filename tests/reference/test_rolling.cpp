@@ -108,6 +108,15 @@ TEST(CreepCoefficients, AgreeWithKalkersTable) {
   near(creep_coefficients(1, 0.5), {5.20, 3.98, 1.63, 1.16});
 }
 
+/// tools/examples has them as figures (linear_model.py, wheelset_running.cpp).
+TEST(CreepCoefficients, OfTheExamplesAreThese) {
+  const CreepCoefficients k = creep_coefficients(1.3298, 0.28);
+  EXPECT_NEAR(k.c11, 4.5458, 1e-3);
+  EXPECT_NEAR(k.c22, 4.1367, 1e-3);
+  EXPECT_NEAR(k.c23, 1.8588, 1e-3);
+  EXPECT_NEAR(k.c33, 0.9916, 1e-3);
+}
+
 /// A list published with the means of a boundary element method, extrapolated at first order: C11, C22 within
 /// .4 %, C23 .7 %, C33 1 % (a/b = 2: its 2.640 is .6 % above, its .812 .9 % below). That method's own
 /// extrapolation in tests/contact/test_closed_forms.cpp, with a term of second order, comes to the values

@@ -25,6 +25,23 @@ foreach(header ${public_headers})
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/bem_contact/c/conformal_contact.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
+# Those that a caller writes in a program, for Doxygen: doxygen build/Doxyfile makes build/reference/html.
+set(doxygen_input bem_contact/c/conformal_contact.h)
+foreach(header sequence/sequence sequence/scene_result sequence/comparison sequence/describe_case sequence/lateral_force
+               sequence/stresses sequence/structural_result scene/scene_file scene/scene_reader scene/choices
+               contact/problem contact/result contact/work geometry/rigid_slip geometry/placement profile/contact_row
+               halfspace/stress base/conventions base/error base/material base/provenance)
+  list(APPEND doxygen_input bem_contact/${header}.hpp)
+endforeach()
+set(unknown ${doxygen_input})
+list(REMOVE_ITEM unknown ${public_headers} bem_contact/c/conformal_contact.h)
+if(unknown)
+  message(FATAL_ERROR "Headers are documented that are not public: ${unknown}")
+endif()
+list(TRANSFORM doxygen_input REPLACE "(.+)" "\"${PROJECT_SOURCE_DIR}/\\1\"")
+list(JOIN doxygen_input " " doxygen_input)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/Doxyfile.in ${PROJECT_BINARY_DIR}/Doxyfile @ONLY)
+
 # The shared library needs nothing else of a caller. The static ones need the libraries that they were built with.
 install(TARGETS conformal_contact EXPORT conformal_contact_shared
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -65,6 +82,9 @@ if(TARGET bem_contact_python)
   install(TARGETS bem_contact_python LIBRARY DESTINATION ${CONFORMAL_PYTHON_DIR}/bem_contact)
 endif()
 
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/conformal-contact RENAME copyright)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact
+  PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/bodies ${PROJECT_SOURCE_DIR}/data/influence
   DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact)
 
