@@ -8,7 +8,8 @@ set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/conformal_contact)
 
 # The headers of a C++ caller: what Sequence takes and returns, and all that these include.
 set(public_headers)
-set(todo bem_contact/sequence/sequence.hpp bem_contact/scene/scene_file.hpp bem_contact/scene/scene_reader.hpp
+set(todo bem_contact/sequence/sequence.hpp bem_contact/sequence/quantities.hpp
+         bem_contact/scene/scene_file.hpp bem_contact/scene/scene_reader.hpp
          bem_contact/base/error.hpp bem_contact/base/provenance.hpp bem_contact/contact/work.hpp)
 while(todo)
   list(POP_FRONT todo header)
@@ -27,7 +28,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/bem_contact/c/conformal_contact.h DESTINATIO
 
 # Those that a caller writes in a program, for Doxygen: doxygen build/Doxyfile makes build/reference/html.
 set(doxygen_input bem_contact/c/conformal_contact.h)
-foreach(header sequence/sequence sequence/scene_result sequence/comparison sequence/describe_case sequence/lateral_force
+foreach(header sequence/sequence sequence/quantities sequence/scene_result sequence/comparison sequence/describe_case sequence/lateral_force
                sequence/stresses sequence/structural_result scene/scene_file scene/scene_reader scene/choices
                contact/problem contact/result contact/work geometry/rigid_slip geometry/placement profile/contact_row
                halfspace/stress base/conventions base/error base/material base/provenance)
