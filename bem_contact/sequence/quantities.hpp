@@ -30,9 +30,10 @@ enum class QuantityKind {
 
 /// Unit of a quantity. That of shifts differs where others are per unit of rolled distance.
 struct QuantityUnit {
-  const char* rolling;
+  const char* rolling;         ///< in steady rolling, and of a transient
   const char* shift = nullptr; ///< null: the same
 
+  /// That of a result.
   const char* of(const SceneResult& result) const {
     return shift && result.problem.motion == MotionKind::shift ? shift : rolling;
   }
@@ -45,52 +46,58 @@ struct QuantityUnit {
 /// One number of a result. If it has an estimate of the error that the size of the elements causes
 /// (Discretisation), outputs give that too, as "<name>_error" in the same unit.
 struct Quantity {
-  const char* name;
-  QuantityUnit unit;
-  QuantityKind kind;
-  const char* description;
-  double (*value)(const SceneResult&);
+  const char* name;                              ///< in all outputs
+  QuantityUnit unit;                             ///< mm, N, MPa, rad
+  QuantityKind kind;                             ///< for comparisons
+  const char* description;                       ///< in a few words
+  double (*value)(const SceneResult&);           ///< of a result
   double (*error)(const SceneResult&) = nullptr; ///< null: it has none
 };
+/// All of them, in the order of the outputs.
 std::span<const Quantity> quantities();
 
 /// One number of a patch.
 struct PatchQuantity {
-  const char* name;
-  QuantityUnit unit;
-  const char* description;
-  double (*value)(const SceneResult&, std::size_t patch);
-  double (*error)(const SceneResult&, std::size_t patch) = nullptr;
+  const char* name;                                                 ///< in all outputs
+  QuantityUnit unit;                                                ///< mm, N, MPa, rad
+  const char* description;                                          ///< in a few words
+  double (*value)(const SceneResult&, std::size_t patch);           ///< patches in the order of their forces
+  double (*error)(const SceneResult&, std::size_t patch) = nullptr; ///< null: it has none
 };
+/// All of them, in the order of the outputs.
 std::span<const PatchQuantity> patch_quantities();
 
 /// One number of a step of a transient or of shifts.
 struct StepQuantity {
-  const char* name;
-  QuantityUnit unit;
-  const char* description;
-  double (*value)(const SceneResult&, const ContactResult& step);
+  const char* name;                                               ///< in all outputs
+  QuantityUnit unit;                                              ///< mm, N, MPa, rad
+  const char* description;                                        ///< in a few words
+  double (*value)(const SceneResult&, const ContactResult& step); ///< of one step of the history
 };
+/// All of them, in the order of the outputs.
 std::span<const StepQuantity> step_quantities();
 
 /// One number of each row of the grid.
 struct RowQuantity {
-  const char* name;
-  QuantityUnit unit;
-  const char* description;
-  double (*value)(const SceneResult&, std::size_t row);
+  const char* name;                                     ///< in all outputs
+  QuantityUnit unit;                                    ///< mm, N, MPa, rad
+  const char* description;                              ///< in a few words
+  double (*value)(const SceneResult&, std::size_t row); ///< rows in the order of the grid
 };
+/// All of them, in the order of the outputs.
 std::span<const RowQuantity> row_quantities();
 
 /// One number of each element. `copy` fills mx times ms numbers, [ms][mx]; 0 where a result has none.
 struct ElementQuantity {
-  const char* name;
-  QuantityUnit unit;
-  const char* description;
-  void (*copy)(const SceneResult&, std::span<double> to);
+  const char* name;                                       ///< in all outputs
+  QuantityUnit unit;                                      ///< mm, N, MPa, rad
+  const char* description;                                ///< in a few words
+  void (*copy)(const SceneResult&, std::span<double> to); ///< from a result
 
+  /// What `copy` gives, in a vector of its own.
   std::vector<double> values(const SceneResult& result) const;
 };
+/// All of them, in the order of the outputs.
 std::span<const ElementQuantity> element_quantities();
 
 /// The entry of that name, which must be there.
