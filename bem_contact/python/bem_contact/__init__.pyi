@@ -206,3 +206,18 @@ def solve(
     *,
     folder: str | PathLike[str] | None = None,
 ) -> Result: ...
+
+def conicity(
+    scene: str | PathLike[str] | None = None,
+    changes: _Changes = None,
+    *,
+    left_wheel: str = "",
+    left_rail: str = "",
+    roll: bool = False,
+    to: float = 10.0,
+    step: float = 1.0,
+) -> dict[str, Any]:
+    """Rolling radius difference and equivalent conicity (EN 15302) of a wheelset: a dict of NumPy arrays.
+
+    "function": over the lateral displacement (mm); "conicity": over the amplitude (mm), nan where there is no motion.
+    """
