@@ -221,3 +221,17 @@ def conicity(
 
     "function": over the lateral displacement (mm); "conicity": over the amplitude (mm), nan where there is no motion.
     """
+
+def creep_curves(
+    scene: str | PathLike[str],
+    changes: _Changes = None,
+    model: _Model = None,
+    *,
+    xi: Any = None,
+    eta: Any = None,
+    phi: Any = None,
+) -> dict[str, Any]:
+    """Forces over creepages (each of xi, eta, phi: values, or None), slopes at zero, sensitivities; NumPy arrays.
+
+    Matrices are [Fx, Fs, Mz][xi, eta, phi]. Without any values all three curves go from full slip to full slip.
+    """
