@@ -65,8 +65,7 @@ ExitCode run(const CreepArguments& arguments) {
   check_outputs(arguments, scene);
   if (!arguments.model.empty())
     scene.solver.model = model_named(arguments.model);
-  Sequence sequence;
-  const CreepCurves curves = creep_curves(sequence, scene, ranges);
+  const CreepCurves curves = creep_curves(scene, ranges);
   if (!arguments.output.empty())
     write_h5(arguments.output, to_table(curves, arguments.scene));
   if (!arguments.csv.empty())

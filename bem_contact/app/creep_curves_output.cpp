@@ -75,14 +75,20 @@ std::string slopes_text(const CreepCurves& c) {
 }
 
 std::string sensitivities_text(const CreepCurves& c) {
-  std::string out =
-      "Sensitivities at the scene's creepages\n              force      d/dxi     d/deta     d/dphi\n";
+  std::string out = "Sensitivities at the scene's creepages, by differences\n              force      d/dxi  "
+                    "   d/deta     d/dphi\n";
   const CreepForceValues forces = forces_of(c.solution);
   for (std::size_t f = 0; f < 3; ++f) {
     out += fmt::format("  {:4} {:12.5g}", EnumNames<CreepForce>::names[f], forces[f]);
     for (std::size_t k = 0; k < 3; ++k)
       out += fmt::format(" {:10.4g}", c.sensitivities.values[f][k]);
     out += '\n';
+  }
+  if (c.linearised) {
+    out += "  from the linear system at the solution, with the pressure held\n";
+    for (std::size_t f = 0; f < 3; ++f)
+      out += fmt::format("  {:4} {:12} {:10.4g} {:10.4g} {:10.4g}\n", EnumNames<CreepForce>::names[f], "",
+                         (*c.linearised)[f][0], (*c.linearised)[f][1], (*c.linearised)[f][2]);
   }
   return out;
 }
@@ -116,8 +122,11 @@ json to_json(const CreepCurves& c) {
               {"slopes_error", c.slopes.errors},
               {"sensitivities", c.sensitivities.values},
               {"sensitivities_error", c.sensitivities.errors},
+              {"linearised", nullptr},
               {"kalker", nullptr},
               {"curves", json::object()}};
+  if (c.linearised)
+    out["linearised"] = *c.linearised;
   if (const auto& l = c.linear)
     out["kalker"] = {{"slopes", l->slopes},           {"semi_axis_x", l->semi_axis_x},
                      {"semi_axis_s", l->semi_axis_s}, {"tilt", l->tilt},
@@ -156,6 +165,9 @@ H5Table to_table(const CreepCurves& c, const std::string& scene) {
   d["slopes_error"] = matrix(c.slopes.errors, "by the step of the differences");
   d["sensitivities"] = matrix(c.sensitivities.values, "[Fx, Fs, Mz][xi, eta, phi] at the scene's creepages");
   d["sensitivities_error"] = matrix(c.sensitivities.errors, "by the step of the differences");
+  if (c.linearised)
+    d["linearised"] =
+        matrix(*c.linearised, "the sensitivities from one linear system, with the pressure held");
   if (c.linear)
     d["kalker"] =
         matrix(c.linear->slopes, "[Fx, Fs, Mz][xi, eta, phi] by linear theory for the nearest ellipse");

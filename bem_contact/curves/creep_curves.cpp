@@ -1,6 +1,7 @@
 #include "bem_contact/curves/creep_curves.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/curves/linearised.hpp"
 #include "bem_contact/curves/settings.hpp"
 #include "bem_contact/sequence/printed_errors.hpp"
 
@@ -72,13 +73,14 @@ public:
   Creepages asked() const { return {scene_.motion.xi, scene_.motion.eta, scene_.motion.phi}; }
   /// Free rolling, as motion.xi counts it; 0 for a patch.
   double free_xi() const { return offset_ != 0 || !first_.free_rolling ? 0 : first_.free_rolling->xi; }
-  SceneResult at(const Creepages& creepages) {
+  SceneFile scene_at(const Creepages& creepages) const {
     SceneFile scene = scene_;
     scene.motion.xi = creepages[0] + offset_;
     scene.motion.eta = creepages[1];
     scene.motion.phi = creepages[2];
-    return sequence_.solve(scene);
+    return scene;
   }
+  SceneResult at(const Creepages& creepages) { return sequence_.solve(scene_at(creepages)); }
 
 private:
   Sequence& sequence_;
@@ -146,8 +148,10 @@ bool CreepCurves::certified() const {
          });
 }
 
-CreepCurves creep_curves(Sequence& sequence, const SceneFile& scene, std::span<const CreepRange> ranges) {
+CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ranges) {
   require_creepages(scene, ranges);
+  const auto files = std::make_shared<SequenceFiles>();
+  Sequence sequence({.displacements = false}, files);
   Contact contact(sequence, scene);
   CreepCurves out;
   out.solution = contact.first();
@@ -162,6 +166,8 @@ CreepCurves creep_curves(Sequence& sequence, const SceneFile& scene, std::span<c
     return Creepages{share * scale[0], share * scale[1], share * scale[2]};
   };
   out.sensitivities = derivatives(contact, asked, part(sensitivity_step), 2);
+  out.linearised =
+      linearised_sensitivities(contact.scene_at(asked), contact.at(asked), part(sensitivity_step), *files);
   const Creepages rigid = rigid_creepages(out.solution);
   const double found = out.solution.result.creepage_x;
   Creepages none{};

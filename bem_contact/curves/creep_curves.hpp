@@ -42,6 +42,8 @@ struct CreepCurves {
   double radius = 0;    ///< c = sqrt(a b) of the ellipse, or of the area in contact, mm
   /// At the scene's own creepages: what a vehicle model linearises with.
   CreepDerivatives sensitivities;
+  /// The same from one linear system, with the pressure held (linearised.hpp).
+  std::optional<CreepMatrix> linearised;
   /// Where the surfaces do not move over each other: the creepages of the geometry are cancelled.
   CreepDerivatives slopes;
   std::optional<LinearTheory> linear; ///< to compare the slopes with
@@ -55,6 +57,6 @@ struct CreepCurves {
 /// creepage of free rolling into a number, and the elements keep their size. Throws InputError for a scene
 /// without friction, one that is no steady rolling, or one that prescribes shear forces; ConvergenceError as
 /// Sequence::solve() does.
-CreepCurves creep_curves(Sequence& sequence, const SceneFile& scene, std::span<const CreepRange> ranges);
+CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ranges);
 
 } // namespace bem_contact

@@ -49,6 +49,7 @@ py::dict dict_of(const CreepCurves& c) {
       "curves"_a = curves, "slopes"_a = matrix(c.slopes.values), "slopes_error"_a = matrix(c.slopes.errors),
       "sensitivities"_a = matrix(c.sensitivities.values),
       "sensitivities_error"_a = matrix(c.sensitivities.errors),
+      "linearised"_a = c.linearised ? py::object(matrix(*c.linearised)) : py::none(),
       "kalker"_a = c.linear ? py::object(matrix(c.linear->slopes)) : py::none(),
       "forces"_a = py::array_t<double>(3, forces.data()), "bound"_a = c.bound, "radius"_a = c.radius,
       "model"_a = std::string(name_of(c.solution.model)), "certified"_a = c.certified());
@@ -83,8 +84,7 @@ py::dict curves(const py::object& scene, const py::object& changes, const py::ob
     ranges = {{CreepKind::xi, {}}, {CreepKind::eta, {}}, {CreepKind::phi, {}}};
   const CreepCurves found = [&] {
     const py::gil_scoped_release others_may_run;
-    Sequence sequence;
-    return creep_curves(sequence, file, ranges);
+    return creep_curves(file, ranges);
   }();
   return dict_of(found);
 }
@@ -93,16 +93,15 @@ py::dict curves(const py::object& scene, const py::object& changes, const py::ob
 
 void add_creep_curves(py::module_& module) {
   using namespace py::literals;
-  module.def("creep_curves", curves, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(),
-             py::kw_only(), "xi"_a = py::none(), "eta"_a = py::none(), "phi"_a = py::none(),
-             "Forces over creepages. `scene`, `changes`, `model`: as solve() takes them. `xi`, `eta`, `phi`: "
-             "the values of "
-             "a curve over this creepage, the other two being the scene's; without any, three curves from "
-             "full slip to "
-             "full slip. A dict: \"curves\" (a dict of arrays for each creepage), and matrices [Fx, Fs, "
-             "Mz][xi, eta, phi]: "
-             "\"slopes\" without creepage, \"kalker\" (linear theory for the nearest ellipse, or None), "
-             "\"sensitivities\" at the scene's creepages, with \"forces\" there. N, mm.");
+  module.def(
+      "creep_curves", curves, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),
+      "xi"_a = py::none(), "eta"_a = py::none(), "phi"_a = py::none(),
+      "Forces over creepages. `scene`, `changes`, `model`: as solve() takes them. `xi`, `eta`, `phi`: the "
+      "values of a curve over this creepage, the other two being the scene's; without any, three curves "
+      "from full slip to full slip. A dict: \"curves\" (a dict of arrays for each creepage), and matrices "
+      "[Fx, Fs, Mz][xi, eta, phi]: \"slopes\" without creepage, \"kalker\" (linear theory for the nearest "
+      "ellipse, or None), \"sensitivities\" at the scene's creepages, by differences, and \"linearised\", "
+      "by one linear system with the pressure held (or None); \"forces\" there. N, mm.");
 }
 
 } // namespace bem_contact

@@ -25,8 +25,7 @@ SceneFile hertz(int across, double curvature_s = 2e-3, const std::string& more =
 }
 
 CreepCurves curves(const SceneFile& scene, const std::vector<CreepRange>& ranges = {}) {
-  Sequence sequence;
-  return creep_curves(sequence, scene, ranges);
+  return creep_curves(scene, ranges);
 }
 
 /// Largest of the five slopes' differences from Kalker's, relative.
@@ -123,6 +122,40 @@ TEST(CreepCurves, SensitivitiesAreTheSlopesOfTheCurves) {
   }
   EXPECT_LT(c.sensitivities.values[Fx][xi], c.slopes.values[Fx][xi]); // saturation
   EXPECT_LT(c.sensitivities.values[Fs][xi], 0); // a larger xi turns the slip away from s
+}
+
+/// Equal materials on a plane: the pressure does not move, and one linear system gives what differences give.
+TEST(CreepCurves, TheLinearSystemGivesTheSensitivities) {
+  for (const char* motion : {"xi = 1e-4\neta = 5e-5\n", "xi = 4e-4\neta = 3e-4\nphi = 2e-4\n",
+                             "xi = 8e-4\neta = 6e-4\nphi = 5e-4\n", "phi = 1e-3\n", "xi = 1e-2\n"}) {
+    const CreepCurves c = curves(hertz(24, 2e-3, motion));
+    ASSERT_TRUE(c.linearised);
+    double worst = 0;
+    for (std::size_t f = 0; f < 3; ++f)
+      for (std::size_t k = 0; k < 3; ++k) {
+        // Derivatives by phi, times 1/c, are comparable with those by xi and eta.
+        const auto scaled = [&](const CreepMatrix& m, std::size_t j) {
+          return m[f][j] / (j == phi ? c.radius : 1);
+        };
+        double scale = 0;
+        for (const std::size_t other : {xi, eta, phi})
+          scale = std::max(scale, std::abs(scaled(c.sensitivities.values, other)));
+        worst =
+            std::max(worst, std::abs(scaled(*c.linearised, k) - scaled(c.sensitivities.values, k)) / scale);
+      }
+    fmt::print("linear system and differences are {:.4f} apart\n", worst);
+    EXPECT_LT(worst, 0.02) << motion;
+  }
+}
+
+/// With nothing slipping, they are the slopes; in full slip along x, dFs/deta = mu Fn / xi and dFx/dxi = 0.
+TEST(CreepCurves, TheLinearSystemIsExactAtBothEnds) {
+  const CreepCurves rest = curves(hertz(20, 2e-3, "xi = 1e-9\n"));
+  for (const auto& [f, k] : {std::pair(Fx, xi), {Fs, eta}, {Fs, phi}, {Mz, eta}, {Mz, phi}})
+    EXPECT_NEAR((*rest.linearised)[f][k] / rest.slopes.values[f][k], 1, 2e-3);
+  const CreepCurves slip = curves(hertz(20, 2e-3, "xi = 0.5\n"));
+  EXPECT_NEAR((*slip.linearised)[Fs][eta] / (slip.bound / 0.5), 1, 1e-2);
+  EXPECT_NEAR((*slip.linearised)[Fx][xi], 0, 1e-3 * slip.bound / 0.5);
 }
 
 /// Yaw and spin of the geometry are found from the rigid slip and cancelled: the slopes are those at rest.
