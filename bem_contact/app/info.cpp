@@ -1,5 +1,7 @@
 #include "bem_contact/app/info.hpp"
 
+#include "bem_contact/app/conicity_output.hpp"
+#include "bem_contact/app/creep_curves_output.hpp"
 #include "bem_contact/app/repeat.hpp"
 #include "bem_contact/app/result_file.hpp"
 #include "bem_contact/app/sweep_output.hpp"
@@ -93,6 +95,10 @@ std::string describe_file(const std::filesystem::path& file) {
   if (is(sweep_format))
     return describe_table(without_cases(top),
                           "A sweep of bem_contact; cases/000012/ has the fields of a case");
+  if (is(conicity_format))
+    return describe_table(read_h5(file), "The conicity of a wheelset");
+  if (is(creep_curves_format))
+    return describe_table(read_h5(file), "Creep curves");
   if (is("conformal-contact influence numbers 1"))
     return describe_table(read_h5(file), "Plain influence numbers");
   throw InputError(fmt::format("'{}' is not a file of this project", file.string()),

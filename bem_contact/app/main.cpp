@@ -1,3 +1,5 @@
+#include "bem_contact/app/conicity_command.hpp"
+#include "bem_contact/app/creep_curves_command.hpp"
 #include "bem_contact/app/influence_command.hpp"
 #include "bem_contact/app/info.hpp"
 #include "bem_contact/app/profile_command.hpp"
@@ -79,8 +81,9 @@ int run_program(int argc, char** argv) {
   cli.add_flag("--print-default", print_default,
                "Print a scene file with every key, its default and its unit");
   cli.footer(program_help);
-  const std::vector<Command> commands{add_solve(cli),     add_compare(cli), add_check(cli), add_info(cli),
-                                      add_influence(cli), add_profile(cli), add_sweep(cli)};
+  const std::vector<Command> commands{add_solve(cli), add_compare(cli),   add_check(cli),
+                                      add_info(cli),  add_influence(cli), add_profile(cli),
+                                      add_sweep(cli), add_conicity(cli),  add_creep_curves(cli)};
   try {
     refuse_unknown_command(cli, argc > 1 ? argv[1] : "");
     cli.parse(argc, argv);

@@ -142,6 +142,13 @@ BEM_CONTACT_TUNED(double, least_mean_slope, 1e-3);
 BEM_CONTACT_TUNED(double, newton_forcing, 0.3);
 BEM_CONTACT_TUNED(double, finest_newton_forcing, 1e-4);
 BEM_CONTACT_TUNED(double, coarsest_newton_forcing, 0.1);
+
+// Sensitivities.
+
+/// 1. Precision of the linear system at a solution, and times it is solved for what is left of it: each takes
+/// off four digits.
+BEM_CONTACT_TUNED(double, sensitivity_precision, 1e-9);
+BEM_CONTACT_TUNED(int, most_sensitivity_refinements, 12);
 /// 1. A linear system need not reach more than this share of the tolerance asked for. Chosen.
 BEM_CONTACT_TUNED(double, newton_end_forcing, 0.2);
 /// Lengths that the line search tries, and by how much the residual has to decrease (Armijo's condition).

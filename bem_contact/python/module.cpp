@@ -1,5 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/provenance.hpp"
+#include "bem_contact/python/conicity_function.hpp"
+#include "bem_contact/python/creep_curves_function.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/sequence_object.hpp"
 #include "bem_contact/python/values.hpp"
@@ -281,6 +283,8 @@ PYBIND11_MODULE(_core, m) {
       .def(py::init(&sequence_of), "scene"_a = py::none(), "folder"_a = py::none())
       .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), "strict"_a = false,
            of_arguments);
+  add_conicity(m);
+  add_creep_curves(m);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_stopped_solutions));
 }
 

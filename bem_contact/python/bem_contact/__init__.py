@@ -8,6 +8,6 @@
 `help(bem_contact.solve)` and `help(bem_contact.Result)` say what goes in and what comes out.
 """
 
-from ._core import ConvergenceError, InputError, Result, Sequence, __commit__, __version__, solve
+from ._core import ConvergenceError, InputError, Result, Sequence, __commit__, __version__, conicity, creep_curves, solve
 
-__all__ = ["ConvergenceError", "InputError", "Result", "Sequence", "__commit__", "__version__", "solve"]
+__all__ = ["ConvergenceError", "InputError", "Result", "Sequence", "__commit__", "__version__", "conicity", "creep_curves", "solve"]

@@ -206,3 +206,32 @@ def solve(
     *,
     folder: str | PathLike[str] | None = None,
 ) -> Result: ...
+
+def conicity(
+    scene: str | PathLike[str] | None = None,
+    changes: _Changes = None,
+    *,
+    left_wheel: str = "",
+    left_rail: str = "",
+    roll: bool = False,
+    to: float = 10.0,
+    step: float = 1.0,
+) -> dict[str, Any]:
+    """Rolling radius difference and equivalent conicity (EN 15302) of a wheelset: a dict of NumPy arrays.
+
+    "function": over the lateral displacement (mm); "conicity": over the amplitude (mm), nan where there is no motion.
+    """
+
+def creep_curves(
+    scene: str | PathLike[str],
+    changes: _Changes = None,
+    model: _Model = None,
+    *,
+    xi: Any = None,
+    eta: Any = None,
+    phi: Any = None,
+) -> dict[str, Any]:
+    """Forces over creepages (each of xi, eta, phi: values, or None), slopes at zero, sensitivities; NumPy arrays.
+
+    Matrices are [Fx, Fs, Mz][xi, eta, phi]. Without any values all three curves go from full slip to full slip.
+    """

@@ -1,0 +1,136 @@
+#include "bem_contact/app/conicity_command.hpp"
+
+#include "bem_contact/app/conicity_output.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/conicity/scene_wheelset.hpp"
+#include "bem_contact/conicity/wheelset_conicity.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+namespace bem_contact::app {
+
+namespace {
+
+constexpr const char* conicity_help =
+    R"(A rigid wheelset is moved sideways on its track: where do its wheels touch, and how much do their rolling radii
+differ? From that follow the wavelength of its free motion and the equivalent conicity of EN 15302, which is the slope
+of the cone with the same wavelength. Profiles and track come from a scene, from options, or from both; load, motion,
+and the displacement, roll and yaw of the scene's [position] do not count.
+
+Example:
+    bem_contact conicity --wheel S1002 --rail 60E1 --cant 0.025
+You should see the contact points for each millimetre from -12 to 12 mm and, for an amplitude of 3 mm, a conicity of
+0.1741 and a wavelength of 8.844 m. With --roll the wheelset rolls until both wheels stand on their rails; the reference
+results of EN 15302 leave that out. "none": no motion has this amplitude.
+
+To draw it:
+    tools/plot_conicity --wheel S1002 --rail 60E1 --cant 0.025 -o conicity.png)";
+
+struct ConicityArguments {
+  std::string scene, csv, output;
+  std::vector<SceneChange> changes;
+  LeftProfiles left;
+  Amplitudes amplitudes;
+  bool rolls = false, json = false;
+};
+
+/// A profile's name as a scene understands it from any folder: files are given from the working directory.
+std::string from_here(const std::string& name) {
+  const ProfileFileName given = profile_file_name(name);
+  if (!std::filesystem::exists(given.file))
+    return name;
+  const std::string file = std::filesystem::absolute(given.file).string();
+  return given.part > 0 ? fmt::format("{}#{}", file, given.part) : file;
+}
+
+/// Refuses outputs that would overwrite an input or each other, or that cannot be written.
+void check_outputs(const ConicityArguments& arguments, const SceneFile& scene) {
+  std::vector<std::filesystem::path> taken = input_files(scene);
+  for (const std::string& name : {arguments.left.rail, arguments.left.wheel})
+    taken.push_back(profile_file_name(name).file);
+  taken.push_back(arguments.scene);
+  for (const auto& [name, form] :
+       {std::pair(arguments.output, OutputForm::whole_file), std::pair(arguments.csv, OutputForm::text)}) {
+    if (name.empty())
+      continue;
+    refuse_overwriting(name, taken);
+    output_target(name, form);
+    taken.push_back(name);
+  }
+}
+
+ExitCode run(const ConicityArguments& arguments) {
+  const SceneFile scene = arguments.scene.empty() ? scene_without_file(arguments.changes)
+                                                  : read_scene_file(arguments.scene, arguments.changes);
+  check_outputs(arguments, scene);
+  WheelsetOnTrack wheelset = wheelset_of(scene, arguments.left);
+  wheelset.rolls = arguments.rolls;
+  const WheelsetConicity conicity = wheelset_conicity(wheelset, arguments.amplitudes);
+  if (!arguments.output.empty())
+    write_h5(arguments.output, to_table(conicity, wheelset));
+  if (!arguments.csv.empty())
+    write_text(arguments.csv, [&](std::ostream& out) { out << to_csv(conicity); });
+  fmt::print("{}", arguments.json ? to_json(conicity, wheelset).dump(2) + "\n" : to_text(conicity, wheelset));
+  return success;
+}
+
+/// Options that give a key of a scene.
+void add_keys(CLI::App& line, const std::shared_ptr<ConicityArguments>& arguments) {
+  const auto profile = [&](const char* option, const char* key, const char* what) {
+    line.add_option_function<std::string>(
+        option,
+        [=](const std::string& name) {
+          arguments->changes.push_back({key, from_here(name)});
+        },
+        what);
+  };
+  profile("--wheel", "wheel.profile", "Standard or profile file of the wheels");
+  profile("--rail", "rail.profile", "Standard or profile file of the rails");
+  const auto number = [&](const char* option, const char* key, const char* what) {
+    line.add_option_function<double>(
+        option,
+        [=](const double& value) {
+          arguments->changes.push_back({key, value});
+        },
+        what);
+  };
+  number("--gauge", "position.gauge", "Track gauge, mm");
+  number("--gauge-height", "position.gauge_height", "Where it is measured: below the top of the rail, mm");
+  number("--cant", "position.cant", "Inclination of the rails towards the track's centre, rad");
+  number("--back-to-back", "position.back_to_back", "Distance of the flange backs, mm");
+  number("--wheel-radius", "position.wheel_radius", "At the tape circle, mm");
+}
+
+} // namespace
+
+Command add_conicity(CLI::App& program) {
+  const auto arguments = std::make_shared<ConicityArguments>();
+  CLI::App* line =
+      program.add_subcommand("conicity", "Rolling radius difference and equivalent conicity of a wheelset");
+  line->add_option("scene", arguments->scene, "Scene file (TOML) with profiles and track");
+  add_keys(*line, arguments);
+  const auto left = [&](const char* option, std::string LeftProfiles::*member, const char* what) {
+    line->add_option_function<std::string>(
+        option, [=](const std::string& name) { arguments->left.*member = from_here(name); }, what);
+  };
+  left("--left-wheel", &LeftProfiles::wheel,
+       "The left wheel, if it has another profile (y to the field side)");
+  left("--left-rail", &LeftProfiles::rail, "The left rail, if it has another profile");
+  line->add_flag("--roll", arguments->rolls, "Let the wheelset roll until both wheels stand on their rails");
+  line->add_option("--to", arguments->amplitudes.largest, "Largest amplitude, mm")->capture_default_str();
+  line->add_option("--step", arguments->amplitudes.step, "Step of the amplitudes, mm")->capture_default_str();
+  line->add_flag("--json", arguments->json, "Print one JSON object on standard output");
+  line->add_option("--csv", arguments->csv,
+                   "Write radius difference and contact points over the displacement");
+  line->add_option("-o,--output", arguments->output, "All of it (HDF5)");
+  line->footer(conicity_help);
+  return {line, [arguments] { return run(*arguments); }};
+}
+
+} // namespace bem_contact::app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "bem_contact/base/tuned.hpp"
+
+/// The tuned numbers of this room (base/tuned.hpp).
+namespace bem_contact {
+
+/// mm. Lateral displacements of the table are at most this far apart. The standard's reference functions have
+/// this step.
+BEM_CONTACT_TUNED(double, lateral_step, 0.1);
+/// mm, arc length on a profile. Where a contact point moves by more between two displacements, another one is
+/// put between them: a jump of the contact becomes a steep stretch. Chosen: a twentieth of a contact's width.
+BEM_CONTACT_TUNED(double, largest_move, 0.5);
+/// mm. No two displacements get nearer. A jump of 2 mm in the radius difference, placed 2e-3 mm off, changes
+/// the conicity of an amplitude of 3 mm by less than 1e-3 of itself.
+BEM_CONTACT_TUNED(double, smallest_lateral_step, 2e-3);
+/// mm. The table reaches so much farther than the largest amplitude, because a motion need not have its
+/// middle at y = 0.
+BEM_CONTACT_TUNED(double, beyond_amplitude, 2.0);
+/// mm. Both wheels stand on their rails when the heights of the axle that they ask for differ by less.
+BEM_CONTACT_TUNED(double, height_difference, 1e-9);
+/// 1. Steps to the roll at which they do. Each is a secant step; 4 are usual. A bound.
+BEM_CONTACT_TUNED(int, roll_steps, 40);
+/// 1. Halvings of the level of a motion: to the last bit.
+BEM_CONTACT_TUNED(int, level_halvings, 100);
+/// mm. A motion whose width differs by more from the one asked for stands at a jump of the width: there is
+/// none of this amplitude.
+BEM_CONTACT_TUNED(double, width_tolerance, 1e-6);
+
+} // namespace bem_contact

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "bem_contact/curves/linear_theory.hpp"
+#include "bem_contact/sequence/sequence.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace bem_contact {
+
+/// A curve that is wanted: one creepage is varied, the other two stay what the scene says.
+struct CreepRange {
+  CreepKind which = CreepKind::xi;
+  /// As motion.xi, eta, phi mean it, in the order in which they are solved. Empty: chosen, to full slip on
+  /// both sides of free rolling (xi) or of zero.
+  std::vector<double> values;
+};
+
+struct CreepPoint {
+  double creepage = 0;
+  CreepForceValues forces{}, errors{}; ///< errors: by the size of the elements
+  double adhesion_share = 0;
+  bool certified = false;
+};
+
+struct CreepCurve {
+  CreepKind which = CreepKind::xi;
+  std::vector<CreepPoint> points;
+};
+
+/// Derivatives by central differences, from steps h and h/2.
+struct CreepDerivatives {
+  CreepMatrix values{};
+  CreepMatrix errors{}; ///< how far both steps are apart
+};
+
+/// The forces of a contact over its creepages.
+struct CreepCurves {
+  SceneResult solution; ///< of the scene as it is
+  double bound = 0;     ///< sum of mu p_n dS, N
+  double radius = 0;    ///< c = sqrt(a b) of the ellipse, or of the area in contact, mm
+  /// At the scene's own creepages: what a vehicle model linearises with.
+  CreepDerivatives sensitivities;
+  /// The same from one linear system, with the pressure held (linearised.hpp).
+  std::optional<CreepMatrix> linearised;
+  /// Where the surfaces do not move over each other: the creepages of the geometry are cancelled.
+  CreepDerivatives slopes;
+  std::optional<LinearTheory> linear; ///< to compare the slopes with
+  std::vector<CreepCurve> curves;
+
+  bool certified() const; ///< the solution and every point
+};
+
+/// Solves one scene in steady rolling for all points of all curves, each from the one before. The wheelset
+/// stays where it is: a lateral force (load.force_y) is turned into the displacement that bears it, the
+/// creepage of free rolling into a number, and the elements keep their size. Throws InputError for a scene
+/// without friction, one that is no steady rolling, or one that prescribes shear forces; ConvergenceError as
+/// Sequence::solve() does.
+CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ranges);
+
+} // namespace bem_contact

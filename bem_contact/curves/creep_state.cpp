@@ -1,0 +1,56 @@
+#include "bem_contact/curves/creep_state.hpp"
+
+#include "bem_contact/sequence/printed_errors.hpp"
+
+#include <algorithm>
+
+namespace bem_contact {
+
+namespace {
+
+const PrintedNumber& printed(std::string_view name) {
+  return *std::ranges::find_if(printed_numbers(), [&](const PrintedNumber& n) { return n.name == name; });
+}
+
+template <class Of> CreepForceValues each_force(const Of& of) {
+  CreepForceValues out{};
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = of(printed(EnumNames<CreepForce>::names[i]));
+  return out;
+}
+
+} // namespace
+
+CreepForceValues forces_of(const SceneResult& result) {
+  return each_force([&](const PrintedNumber& n) { return n.value(result); });
+}
+
+CreepForceValues force_errors_of(const SceneResult& result) {
+  return each_force([&](const PrintedNumber& n) { return n.error(result); });
+}
+
+double friction_bound(const SceneResult& r) {
+  double sum = 0;
+  for (int i = 0; i < r.problem.grid.size(); ++i)
+    sum += r.problem.friction_of(i / r.problem.grid.mx) * r.result.pn[i];
+  return sum * r.problem.element_area();
+}
+
+Creepages rigid_creepages(const SceneResult& r) {
+  const ContactGrid& grid = r.problem.grid;
+  // Weighted sums: 1, x, s, their squares, the slips, and slips times the other coordinate.
+  double w = 0, x1 = 0, s1 = 0, squares = 0, wx = 0, ws = 0, turning = 0;
+  for (int i = 0; i < grid.size(); ++i) {
+    const double p = r.result.pn[i], x = grid.x(i % grid.mx) - r.reference.x,
+                 s = r.problem.rows[i / grid.mx].s - r.reference.s;
+    w += p, x1 += p * x, s1 += p * s, squares += p * (x * x + s * s);
+    wx += p * r.problem.slip_x[i], ws += p * r.problem.slip_s[i];
+    turning += p * (x * r.problem.slip_s[i] - s * r.problem.slip_x[i]);
+  }
+  if (!(w > 0))
+    return {};
+  const double phi = (turning - (x1 * ws - s1 * wx) / w) / (squares - (x1 * x1 + s1 * s1) / w);
+  return {(wx + phi * s1) / w, (ws - phi * x1) / w, phi};
+}
+
+} // namespace bem_contact

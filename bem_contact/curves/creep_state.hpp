@@ -1,0 +1,41 @@
+#pragma once
+
+#include "bem_contact/base/enum_names.hpp"
+#include "bem_contact/sequence/scene_result.hpp"
+
+#include <array>
+
+namespace bem_contact {
+
+/// The three creepages, in the order of every array here.
+enum class CreepKind { xi, eta, phi };
+template <> struct EnumNames<CreepKind> {
+  static constexpr std::array<std::string_view, 3> names{"xi", "eta", "phi"};
+};
+
+/// The three forces that answer them, on the rail: Fx (N), Fs along the tangent at the reference point (N),
+/// Mz about the vertical through it (N mm).
+enum class CreepForce { Fx, Fs, Mz };
+template <> struct EnumNames<CreepForce> {
+  static constexpr std::array<std::string_view, 3> names{"Fx", "Fs", "Mz"};
+};
+
+/// Indexed by CreepKind: xi, eta (1) and phi (1/mm).
+using Creepages = std::array<double, 3>;
+/// Indexed by CreepForce: N, N, N mm.
+using CreepForceValues = std::array<double, 3>;
+/// [CreepForce][CreepKind]: derivatives of forces.
+using CreepMatrix = std::array<std::array<double, 3>, 3>;
+
+CreepForceValues forces_of(const SceneResult& result);
+/// Absolute errors that the size of the elements is estimated to cause; nan: not known.
+CreepForceValues force_errors_of(const SceneResult& result);
+
+/// Sum of mu p_n dS, N: no shear force is larger.
+double friction_bound(const SceneResult& result);
+
+/// The creepages whose rigid slip is nearest to that of the result, in the mean square over the contact,
+/// weighted by the pressure. Those that a scene gives are among them, and those of the geometry.
+Creepages rigid_creepages(const SceneResult& result);
+
+} // namespace bem_contact

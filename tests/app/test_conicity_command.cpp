@@ -1,0 +1,96 @@
+#include "bem_contact/influence/h5_table.hpp"
+#include "tests/app/run_program.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace {
+
+using namespace bem_contact;
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+class ConicityCommand : public ProgramTest {
+protected:
+  static double at(const json& table, const char* over, double where, const char* column) {
+    for (std::size_t i = 0; i < table[over].size(); ++i)
+      if (std::abs(table[over][i].get<double>() - where) < 1e-9)
+        return table[column][i].get<double>();
+    return NAN;
+  }
+  /// A cone of slope 0.05, as points.
+  std::string cone() const { return write("cone.txt", "60 -3\n30 -1.5\n0 0\n-30 1.5\n-60 3\n").string(); }
+};
+
+TEST_F(ConicityCommand, AConeHasKlingelsWavelength) {
+  const Outcome r = run("conicity --rail 60E1 --wheel '" + cone() + "' --json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const json j = json::parse(r.out);
+  for (const double amplitude : {1.0, 5.0, 10.0}) {
+    EXPECT_NEAR(at(j["conicity"], "amplitude", amplitude, "tan_gamma"), 0.05, 1e-6);
+    EXPECT_NEAR(at(j["conicity"], "amplitude", amplitude, "wavelength"),
+                2 * M_PI * std::sqrt(750 * 460 / 0.05), 0.5);
+  }
+  EXPECT_NEAR(at(j["function"], "lateral", -7, "difference"), -0.7, 1e-6);
+}
+
+TEST_F(ConicityCommand, TextJsonCsvAndHdf5AgreeAndTheHelpIsRight) {
+  const std::string wheelset = "conicity --wheel S1002 --rail 60E1 --cant 0.025 ";
+  const std::string files =
+      "--csv '" + (folder_ / "c.csv").string() + "' -o '" + (folder_ / "c.h5").string() + "'";
+  const Outcome text = run(wheelset + files), as_json = run(wheelset + "--json");
+  ASSERT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("     3     0.1741         8.844    -3.000     3.000\n")); // as --help says
+  const Outcome help = run("conicity --help");
+  EXPECT_THAT(help.out, HasSubstr("0.1741"));
+  EXPECT_THAT(help.out, HasSubstr("8.844"));
+  const json j = json::parse(as_json.out);
+  const H5Table table = read_h5(folder_ / "c.h5");
+  for (const char* group : {"function", "conicity"})
+    for (const auto& [name, values] : j[group].items()) {
+      const H5Dataset& data = table.datasets.at(std::string(group) + "/" + name);
+      EXPECT_FALSE(data.unit.empty());
+      EXPECT_EQ(data.values, values.get<std::vector<double>>()) << name;
+    }
+  EXPECT_THAT(run("info '" + (folder_ / "c.h5").string() + "'").out, HasSubstr("conicity/tan_gamma [10] 1:"));
+  const std::string csv = text_of(folder_ / "c.csv");
+  EXPECT_THAT(csv, HasSubstr("lateral_mm,difference_mm,roll_rad,"));
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + j["function"]["lateral"].size());
+}
+
+TEST_F(ConicityCommand, TakesASceneAndAnotherLeftWheel) {
+  const std::string scene =
+      write("s.toml", "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nload.force = 1e5\n"
+                      "position.cant = 0.025\nposition.lateral = 5\n")
+          .string();
+  const Outcome same = run("conicity '" + scene + "' --json"),
+                other = run("conicity '" + scene + "' --json --left-wheel '" + cone() + "'");
+  ASSERT_EQ(same.code, 0) << same.err;
+  ASSERT_EQ(other.code, 0) << other.err;
+  const json a = json::parse(same.out), b = json::parse(other.out);
+  EXPECT_NEAR(at(a["conicity"], "amplitude", 3, "tan_gamma"), 0.1741, 1e-4);
+  EXPECT_NEAR(at(a["function"], "lateral", 0, "difference"), 0, 1e-9);
+  EXPECT_EQ(b["left"]["wheel"].get<std::string>().find("S1002"), std::string::npos);
+  EXPECT_EQ(at(a["function"], "lateral", 2, "right_radius"), at(b["function"], "lateral", 2, "right_radius"));
+  EXPECT_NE(at(a["function"], "lateral", 2, "left_radius"), at(b["function"], "lateral", 2, "left_radius"));
+}
+
+TEST_F(ConicityCommand, SaysWhatIsMissingOrWrong) {
+  const auto refused = [&](const std::string& arguments, const char* word) {
+    const Outcome r = run("conicity " + arguments);
+    EXPECT_EQ(r.code, 2) << arguments;
+    EXPECT_EQ(r.out, "");
+    EXPECT_THAT(r.err, HasSubstr(word));
+  };
+  refused("--wheel S1002", "rail.profile");
+  refused("--wheel S1002 --rail 60E9", "60E1");
+  refused("--wheel S1002 --rail 60E1 --to 60", "at most 45 mm");
+  refused("--wheel S1002 --rail 60E1 --step 0", "above 0");
+  refused("--wheel S1002 --rail 60E1 --wheel-radius -5", "wheel_radius");
+  const std::string profile = cone();
+  refused("--rail 60E1 --wheel '" + profile + "' --csv '" + profile + "'", "cone.txt");
+}
+
+} // namespace

@@ -1,0 +1,71 @@
+#include "bem_contact/app/creep_curves_command.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/h5_table.hpp"
+#include "tests/app/run_program.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using namespace bem_contact;
+using nlohmann::json;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const std::string rolling = "'" CONFORMAL_SOURCE_DIR "/data/scenes/steady_rolling.toml'";
+
+class CreepCurvesCommand : public ProgramTest {};
+
+TEST_F(CreepCurvesCommand, TextJsonCsvAndHdf5AgreeAndTheHelpIsRight) {
+  const std::string command = "creep-curves " + rolling + " --xi=-0.001:0.001:3 --phi 0:0.001:2 ";
+  const Outcome text =
+      run(command + "--csv '" + (folder_ / "c.csv").string() + "' -o '" + (folder_ / "c.h5").string() + "'");
+  ASSERT_EQ(text.code, 0) << text.err;
+  for (const char* line : {"dFx/dxi     1.7149e+06", "1.719e+06      -0.24 %"})
+    EXPECT_THAT(text.out, HasSubstr(line));
+  const Outcome help = run("creep-curves --help");
+  for (const char* figure : {"1.7149e+06", "1.719e+06", "0.24 %", "6.092e+05"})
+    EXPECT_THAT(help.out, HasSubstr(figure));
+  const json j = json::parse(run(command + "--json").out);
+  EXPECT_TRUE(j["certified"].get<bool>());
+  EXPECT_NEAR(j["sensitivities"][0][0].get<double>(), 6.092e5, 100);
+  const H5Table table = read_h5(folder_ / "c.h5");
+  for (const char* kind : {"xi", "phi"})
+    for (const auto& [name, values] : j["curves"][kind].items()) {
+      const H5Dataset& data = table.datasets.at(std::string(kind) + "/" + name);
+      EXPECT_FALSE(data.unit.empty());
+      EXPECT_EQ(data.values, values.get<std::vector<double>>()) << name;
+    }
+  EXPECT_EQ(table.datasets.at("kalker").values.at(0), j["kalker"]["slopes"][0][0].get<double>());
+  const std::string csv = text_of(folder_ / "c.csv");
+  EXPECT_THAT(csv, HasSubstr("varied,creepage,Fx_N"));
+  EXPECT_THAT(csv, HasSubstr("\nxi,-0.001,"));
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 3 + 2);
+  EXPECT_THAT(run("info '" + (folder_ / "c.h5").string() + "'").out, HasSubstr("Creep curves"));
+}
+
+TEST(CreepRange, IsReadOrRefused) {
+  using app::creep_range;
+  EXPECT_THAT(creep_range(CreepKind::xi, "auto").values, IsEmpty());
+  EXPECT_THAT(creep_range(CreepKind::phi, "-1e-3:1e-3:3").values, ElementsAre(-1e-3, 0, 1e-3));
+  for (const char* wrong :
+       {"", "1", "1:2", "1:2:1", "1:2:2.5", "1:2:3:4", "a:2:3", "1:2:99999", "1:2:3x", "0:nan:"})
+    EXPECT_THROW(creep_range(CreepKind::eta, wrong), InputError) << wrong;
+}
+
+TEST_F(CreepCurvesCommand, SaysWhatIsWrong) {
+  const auto refused = [&](const std::string& arguments, const char* word) {
+    const Outcome r = run("creep-curves " + arguments);
+    EXPECT_EQ(r.code, 2) << arguments;
+    EXPECT_EQ(r.out, "");
+    EXPECT_THAT(r.err, HasSubstr(word));
+  };
+  refused("'" CONFORMAL_SOURCE_DIR "/data/scenes/hertz.toml'", "no friction");
+  refused("'" CONFORMAL_SOURCE_DIR "/data/scenes/cattaneo.toml'", "no steady rolling");
+  refused(rolling + " --xi 1:2", "FROM:TO:COUNT");
+  refused(rolling + " --xi 0:1e-3:2 -o " + rolling, "steady_rolling.toml");
+}
+
+} // namespace
