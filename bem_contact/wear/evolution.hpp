@@ -1,0 +1,59 @@
+#pragma once
+
+#include "bem_contact/scene/scene_file.hpp"
+#include "bem_contact/wear/worn_profile.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+namespace bem_contact::wear {
+
+/// One member of a load collective: a scene, and how often it occurs compared with the others.
+struct CollectiveCase {
+  SceneFile scene;
+  double weight = 1;
+};
+
+/// How profiles wear under a collective.
+struct EvolutionOptions {
+  Law law = EnergyLaw{};
+  bool rail = true, wheel = true; ///< which bodies wear
+  double cap = 0.02;              ///< largest depth of one step, mm
+  double smoothing = 3;           ///< of the wear of each step: shortest wavelength, mm
+  /// How many wheels pass a place of the rail while one wheel turns once. 1: roller and disc of equal size.
+  double passages = 1;
+};
+
+/// What has become of one body.
+struct WornBody {
+  std::vector<Point2> points; ///< of its profile, in walking order; own frame, mm
+  std::vector<double> depth;  ///< taken off at each point so far, along the normals, mm
+  double area = 0;            ///< gone from the section so far, mm^2: volume by length of the body
+
+  double largest() const; ///< of the depths, mm
+};
+
+/// The state between two steps.
+struct WornPair {
+  WornBody rail, wheel;
+  double revolutions = 0; ///< of the wheel
+
+  double largest() const { return std::max(rail.largest(), wheel.largest()); }
+};
+
+/// The unworn bodies of a scene.
+WornPair unworn(const SceneFile& scene);
+
+/// Solves every case with the profiles of `now`, which are written into `folder` as rail.txt and wheel.txt,
+/// and moves the profiles of the bodies that wear: explicit Euler, first order in the length of the step. The
+/// step takes off as much as `cap`, or less, where `until` (mm, largest depth of all) ends it. Throws
+/// InputError for wrong scenes, ConvergenceError where a case has no certified result.
+WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases,
+                   const EvolutionOptions& options, double until, const std::filesystem::path& folder);
+
+/// Throws InputError for an empty collective, weights that are not positive, scenes with influence files
+/// (those are of the unworn shape), other bodies from case to case, and options out of range.
+void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& options);
+
+} // namespace bem_contact::wear

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "bem_contact/base/tuned.hpp"
+
+/// The tuned numbers of this room (base/tuned.hpp).
+namespace bem_contact::wear {
+
+/// mm. Distance of the points of a profile that wears. Chosen: some elements of a contact problem.
+BEM_CONTACT_TUNED(double, profile_spacing, 0.25);
+/// 1 (wavelength). Spacing of the knots of the cubic B-spline that spreads the wear of a row: it keeps half
+/// of a wave of three times its spacing, (sin(pi/3) / (pi/3))^4 = 0.47.
+BEM_CONTACT_TUNED(double, knots_per_wavelength, 3.0);
+
+} // namespace bem_contact::wear
