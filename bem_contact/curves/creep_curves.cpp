@@ -3,7 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/curves/linearised.hpp"
 #include "bem_contact/curves/settings.hpp"
-#include "bem_contact/sequence/printed_errors.hpp"
+#include "bem_contact/sequence/quantities.hpp"
 
 #include <algorithm>
 #include <cmath>

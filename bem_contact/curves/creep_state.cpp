@@ -1,6 +1,6 @@
 #include "bem_contact/curves/creep_state.hpp"
 
-#include "bem_contact/sequence/printed_errors.hpp"
+#include "bem_contact/sequence/quantities.hpp"
 
 #include <algorithm>
 
@@ -8,25 +8,25 @@ namespace bem_contact {
 
 namespace {
 
-const PrintedNumber& printed(std::string_view name) {
-  return *std::ranges::find_if(printed_numbers(), [&](const PrintedNumber& n) { return n.name == name; });
+const Quantity& quantity(std::string_view name) {
+  return *std::ranges::find_if(quantities(), [&](const Quantity& q) { return q.name == name; });
 }
 
 template <class Of> CreepForceValues each_force(const Of& of) {
   CreepForceValues out{};
   for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = of(printed(EnumNames<CreepForce>::names[i]));
+    out[i] = of(quantity(EnumNames<CreepForce>::names[i]));
   return out;
 }
 
 } // namespace
 
 CreepForceValues forces_of(const SceneResult& result) {
-  return each_force([&](const PrintedNumber& n) { return n.value(result); });
+  return each_force([&](const Quantity& q) { return q.value(result); });
 }
 
 CreepForceValues force_errors_of(const SceneResult& result) {
-  return each_force([&](const PrintedNumber& n) { return n.error(result); });
+  return each_force([&](const Quantity& q) { return q.error(result); });
 }
 
 double friction_bound(const SceneResult& r) {

@@ -58,9 +58,9 @@ py::dict conicity_of(const WheelsetConicity& c) {
 }
 
 py::dict conicity(const py::object& scene, const py::object& changes, const std::string& left_wheel,
-                  const std::string& left_rail, bool roll, double to, double step) {
+                  const std::string& left_rail, bool roll, double to, double step, const py::object& folder) {
   const std::vector<SceneChange> list = changes_of(changes);
-  const SceneFile file = scene.is_none() ? scene_without_file(list) : read_scene_file(path_of(scene), list);
+  const SceneFile file = scene.is_none() ? scene_without_file(list) : scene_file_of(scene, folder, list);
   WheelsetOnTrack wheelset = wheelset_of(file, {.rail = left_rail, .wheel = left_wheel});
   wheelset.rolls = roll;
   const WheelsetConicity found = [&] {
@@ -80,6 +80,7 @@ void add_conicity(py::module_& module) {
   module.def(
       "conicity", conicity, "scene"_a = py::none(), "changes"_a = py::none(), py::kw_only(),
       "left_wheel"_a = "", "left_rail"_a = "", "roll"_a = false, "to"_a = 10.0, "step"_a = 1.0,
+      "folder"_a = py::none(),
       "Rolling radius difference and equivalent conicity (EN 15302) of a rigid wheelset. Profiles and "
       "track come from a scene, from `changes`, as {\"wheel.profile\": \"S1002\", \"rail.profile\": "
       "\"60E1\", \"position.cant\": 0.025}, or from both; paths start at the scene's folder, without a "

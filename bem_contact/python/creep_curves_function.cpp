@@ -72,8 +72,9 @@ void add_range(std::vector<CreepRange>& ranges, CreepKind kind, const py::object
 }
 
 py::dict curves(const py::object& scene, const py::object& changes, const py::object& model,
-                const py::object& xi, const py::object& eta, const py::object& phi) {
-  SceneFile file = read_scene_file(path_of(scene), changes_of(changes));
+                const py::object& xi, const py::object& eta, const py::object& phi,
+                const py::object& folder) {
+  SceneFile file = scene_file_of(scene, folder, changes_of(changes));
   if (const std::string name = model_of(model); !name.empty())
     file = with_model(std::move(file), model_named(name));
   std::vector<CreepRange> ranges;
@@ -95,7 +96,7 @@ void add_creep_curves(py::module_& module) {
   using namespace py::literals;
   module.def(
       "creep_curves", curves, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),
-      "xi"_a = py::none(), "eta"_a = py::none(), "phi"_a = py::none(),
+      "xi"_a = py::none(), "eta"_a = py::none(), "phi"_a = py::none(), "folder"_a = py::none(),
       "Forces over creepages. `scene`, `changes`, `model`: as solve() takes them. `xi`, `eta`, `phi`: the "
       "values of a curve over this creepage, the other two being the scene's; without any, three curves "
       "from full slip to full slip. A dict: \"curves\" (a dict of arrays for each creepage), and matrices "

@@ -150,6 +150,14 @@ PythonScene scene_of(const py::object& scene, const py::object& folder) {
   return {read_text_file(name, "scene file"), name, start(std::filesystem::path(name).parent_path() / ".")};
 }
 
+SceneFile scene_file_of(const py::object& scene, const py::object& folder,
+                        std::span<const SceneChange> changes) {
+  const PythonScene given = scene_of(scene, folder);
+  SceneFile file = parse_scene_file(given.text, given.source, changes);
+  file.folder = given.folder;
+  return file;
+}
+
 std::vector<SceneChange> changes_of(const py::object& changes) {
   std::vector<SceneChange> list;
   if (changes.is_none())

@@ -6,6 +6,7 @@
 #include <pybind11/pybind11.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ namespace bem_contact {
 /// Relative paths start in `folder`; None: in the file's folder, of a text or a dict in the working
 /// directory.
 PythonScene scene_of(const pybind11::object& scene, const pybind11::object& folder);
+/// The same, read with changes of its keys.
+SceneFile scene_file_of(const pybind11::object& scene, const pybind11::object& folder,
+                        std::span<const SceneChange> changes);
 /// A dict of keys and values, or None. Values are numbers and arrays of any type of NumPy, too.
 std::vector<SceneChange> changes_of(const pybind11::object& changes);
 /// None and "": the scene's own.

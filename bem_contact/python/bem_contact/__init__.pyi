@@ -208,7 +208,7 @@ def solve(
 ) -> Result: ...
 
 def conicity(
-    scene: str | PathLike[str] | None = None,
+    scene: _Scene | None = None,
     changes: _Changes = None,
     *,
     left_wheel: str = "",
@@ -216,6 +216,7 @@ def conicity(
     roll: bool = False,
     to: float = 10.0,
     step: float = 1.0,
+    folder: str | PathLike[str] | None = None,
 ) -> dict[str, Any]:
     """Rolling radius difference and equivalent conicity (EN 15302) of a wheelset: a dict of NumPy arrays.
 
@@ -223,13 +224,14 @@ def conicity(
     """
 
 def creep_curves(
-    scene: str | PathLike[str],
+    scene: _Scene,
     changes: _Changes = None,
     model: _Model = None,
     *,
     xi: Any = None,
     eta: Any = None,
     phi: Any = None,
+    folder: str | PathLike[str] | None = None,
 ) -> dict[str, Any]:
     """Forces over creepages (each of xi, eta, phi: values, or None), slopes at zero, sensitivities; NumPy arrays.
 
