@@ -1,8 +1,10 @@
+#include "bem_contact/app/fatigue_command.hpp"
 #include "bem_contact/app/influence_command.hpp"
 #include "bem_contact/app/info.hpp"
 #include "bem_contact/app/profile_command.hpp"
 #include "bem_contact/app/scene_commands.hpp"
 #include "bem_contact/app/sweep_command.hpp"
+#include "bem_contact/app/wear_command.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
@@ -73,8 +75,9 @@ int run_program(int argc, char** argv) {
   cli.set_version_flag("--version", provenance("bem_contact"));
   cli.add_flag("--print-default", print_default, "Print a scene file with every key, its default and unit");
   cli.footer(program_help);
-  const std::vector<Command> commands{add_solve(cli),     add_compare(cli), add_check(cli), add_info(cli),
-                                      add_influence(cli), add_profile(cli), add_sweep(cli)};
+  const std::vector<Command> commands{add_solve(cli), add_compare(cli),   add_check(cli),
+                                      add_info(cli),  add_influence(cli), add_profile(cli),
+                                      add_sweep(cli), add_wear(cli),      add_fatigue(cli)};
   try {
     refuse_unknown_command(cli, argc > 1 ? argv[1] : "");
     cli.parse(argc, argv);
