@@ -39,6 +39,8 @@ struct Reader {
         mode(node, line);
       else if (key == "fields" && node.is_boolean())
         sweep.fields = *node.value<bool>();
+      else if (key == "weight")
+        weights(node, line);
       else if (inner && (inner->contains("from") || inner->contains("to")))
         sweep.axes.push_back({key, range(*inner, key, line), line});
       else if (inner)
@@ -56,6 +58,19 @@ struct Reader {
     if (mode != "product" && mode != "zip")
       refuse(line, "sweep.mode cannot be that", "known are product and zip", "Use one of these.");
     sweep.zip = mode == "zip";
+  }
+
+  void weights(const toml::node& node, int line) {
+    const toml::array* list = node.as_array();
+    if (!list)
+      refuse(line, "sweep.weight is no list", "each case has a weight of its own", "Give [a, b, ...].");
+    for (const toml::node& one : *list) {
+      const auto weight = one.value<double>();
+      if (!weight || !std::isfinite(*weight) || *weight <= 0)
+        refuse(line, "sweep.weight holds something that is no weight", "weights are positive numbers",
+               "Correct the list.");
+      sweep.weights.push_back(*weight);
+    }
   }
 
   std::vector<SchemaValue> values(const toml::array& list, const std::string& key, int line) const {
@@ -189,6 +204,9 @@ SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name) 
   if (!sweep.zip && cases > double(most_cases))
     throw InputError(fmt::format("'{}' has {:.3g} cases", source_name, cases),
                      fmt::format("at most {} are possible", most_cases), "Sweep over fewer values.");
+  if (!sweep.weights.empty() && sweep.weights.size() != sweep.size())
+    throw InputError(fmt::format("'{}' has {} weights", source_name, sweep.weights.size()),
+                     fmt::format("it has {} cases", sweep.size()), "Give one weight for each case.");
   return sweep;
 }
 

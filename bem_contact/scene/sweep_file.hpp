@@ -31,6 +31,9 @@ struct SweepFile {
   std::string text, source; ///< of the file
   std::filesystem::path folder;
   std::vector<Axis> axes; ///< in the order of the file
+  /// sweep.weight: how often each case occurs compared with the others (a load collective); empty: alike. No
+  /// result of a case depends on it.
+  std::vector<double> weights;
   bool zip = false;
   bool fields = true; ///< keep the fields of each case, not only its totals
 

@@ -1,0 +1,155 @@
+#include "bem_contact/app/wear_command.hpp"
+
+#include "bem_contact/app/sweep_inputs.hpp"
+#include "bem_contact/app/wear_state.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/influence/h5_table.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <memory>
+
+namespace bem_contact::app {
+
+namespace {
+
+constexpr const char* wear_help =
+    R"(The table [sweep] of the scene is the load collective; sweep.weight says how often each case occurs:
+    [sweep]
+    mode = "zip"
+    position.lateral = [ 0.0, 2.0, 5.0 ]
+    weight           = [ 6, 3, 1 ]
+All cases are solved with the profiles as they are. Then these move until the deepest place of this step is --cap
+deep, and so on until --depth is reached. Example:
+    bem_contact wear data/scenes/wear_collective.toml -o worn --depth 0.2
+You should see one line a step. The folder has the profiles of each step (rail_0001.txt, wheel_0001.txt), wear.csv
+(mileage, depths, areas gone from the sections) and wear.h5. If the program is stopped, give the same command again: it
+goes on after the last finished step.
+
+    tools/plot_wear worn -o worn.png
+
+With both bodies, a place of the rail meets --passages wheels while a wheel turns once; 1 is that of two discs of one size.
+Influence files are refused: they are of the unworn shape.)";
+
+struct WearArguments {
+  std::string scene, output, law = "energy", body = "both";
+  double depth = 0.1, hardness = 3000, speed = 3e4;
+  wear::EvolutionOptions options;
+
+  /// All that the result depends on but --depth: a run may go deeper later.
+  std::string digest_text() const {
+    return fmt::format("wear {} {} {} {} {} {} {}", law, body, hardness, speed, options.cap,
+                       options.smoothing, options.passages);
+  }
+};
+
+wear::EvolutionOptions options_of(const WearArguments& a) {
+  wear::EvolutionOptions out = a.options;
+  if (a.law == "archard")
+    out.law =
+        wear::ArchardLaw{.hardness = a.hardness, .rolling_speed = a.speed, .map = wear::kth_map(a.hardness)};
+  out.rail = a.body != "wheel";
+  out.wheel = a.body != "rail";
+  return out;
+}
+
+std::vector<wear::CollectiveCase> collective_of(const SweepFile& sweep) {
+  std::vector<wear::CollectiveCase> out;
+  for (std::size_t i = 0; i < sweep.size(); ++i)
+    out.push_back({sweep.scene(i), sweep.weights.empty() ? 1.0 : sweep.weights[i]});
+  return out;
+}
+
+void write_table(const std::filesystem::path& file, const WearState& state) {
+  H5Table table;
+  const char* names[] = {"step",        "revolutions", "mileage",   "rail_depth",
+                         "wheel_depth", "rail_area",   "wheel_area"};
+  const char* units[] = {"1", "1", "km", "mm", "mm", "mm^2", "mm^2"};
+  for (int k = 0; k < 7; ++k) {
+    H5Dataset& data = table.datasets[names[k]];
+    data.shape = {state.history.size()};
+    data.unit = units[k];
+    data.description = "by step";
+    for (const std::vector<double>& row : state.history)
+      data.values.push_back(row[k]);
+  }
+  const auto body = [&](const std::string& name, const wear::WornBody& worn) {
+    H5Dataset &points = table.datasets[name + "/profile"], &depth = table.datasets[name + "/depth"];
+    points = {{worn.points.size(), 2}, {}, "mm", "worn profile (y, z), own frame, z down"};
+    depth = {{worn.depth.size()}, worn.depth, "mm", "taken off along the normals"};
+    for (const Point2& p : worn.points)
+      points.values.insert(points.values.end(), {p.y, p.z});
+  };
+  body("rail", state.pair.rail);
+  body("wheel", state.pair.wheel);
+  table.attributes["format"] = std::string("bem_contact wear");
+  write_h5(file, table);
+}
+
+ExitCode run(const WearArguments& arguments) {
+  const SweepFile sweep = read_sweep_file(arguments.scene);
+  check_values(sweep);
+  const std::vector<wear::CollectiveCase> cases = collective_of(sweep);
+  const wear::EvolutionOptions options = options_of(arguments);
+  wear::validate(cases, options);
+  const std::string digest = digest_of(sweep, arguments.digest_text());
+  const std::filesystem::path folder = arguments.output;
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed)
+    throw InputError(fmt::format("The folder '{}' cannot be made", folder.string()), failed.message(),
+                     "Give another one.");
+  const SceneFile& first = cases.front().scene;
+  WearState state = read_wear(folder, digest).value_or(WearState{0, wear::unworn(first), {}});
+  const Stopwatch watch;
+  if (state.history.empty()) {
+    state.history.push_back(history_row(0, state.pair, first.position.wheel_radius));
+    write_wear(folder, digest, state);
+  } else
+    fmt::print("continued after step {}\n", state.step);
+  const int before = state.step;
+  while (state.pair.largest() < arguments.depth * (1 - 1e-9)) {
+    state.pair = wear::wear_step(state.pair, cases, options, arguments.depth, folder);
+    state.history.push_back(history_row(++state.step, state.pair, first.position.wheel_radius));
+    write_wear(folder, digest, state);
+    const std::vector<double>& row = state.history.back();
+    fmt::print("step {}: {:.4g} km, rail {:.4f} mm deep, {:.4f} mm2; wheel {:.4f} mm deep, {:.4f} mm2\n",
+               state.step, row[2], row[3], row[5], row[4], row[6]);
+    std::fflush(stdout);
+  }
+  write_table(folder / "wear.h5", state);
+  fmt::print("{} steps, {} contact problems, {:.1f} minutes\n", state.step - before,
+             (state.step - before) * static_cast<int>(cases.size()), watch.seconds() / 60);
+  return success;
+}
+
+} // namespace
+
+Command add_wear(CLI::App& program) {
+  const auto arguments = std::make_shared<WearArguments>();
+  WearArguments& a = *arguments;
+  CLI::App* line = program.add_subcommand("wear", "Let profiles wear under a load collective");
+  line->add_option("scene", a.scene, "Scene file (TOML) with a table [sweep]")->required();
+  line->add_option("-o,--output", a.output, "Folder of the profiles and tables")->required();
+  const CLI::Range positive(1e-6, 1e6);
+  const auto number = [&](const char* name, double& value, const char* what) {
+    line->add_option(name, value, what)->check(positive)->capture_default_str();
+  };
+  number("--depth", a.depth, "End where the deepest place is so deep, mm");
+  number("--cap", a.options.cap, "Largest depth of one step, mm");
+  number("--smoothing", a.options.smoothing, "Shortest wavelength of the wear of a step, mm");
+  number("--passages", a.options.passages, "Passages on the rail while the wheel turns once");
+  number("--hardness", a.hardness, "Of the softer body, for archard, MPa");
+  number("--speed", a.speed, "Rolling speed, for archard, mm/s");
+  line->add_option("--law", a.law, "Wear law")
+      ->check(CLI::IsMember({"energy", "archard"}))
+      ->capture_default_str();
+  line->add_option("--body", a.body, "Which body wears")
+      ->check(CLI::IsMember({"both", "rail", "wheel"}))
+      ->capture_default_str();
+  line->footer(wear_help);
+  return {line, [arguments] { return run(*arguments); }};
+}
+
+} // namespace bem_contact::app

@@ -1,0 +1,98 @@
+#include "bem_contact/app/wear_state.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/output_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <numbers>
+#include <ostream>
+#include <sstream>
+
+namespace bem_contact::app {
+
+namespace {
+
+constexpr const char* state_format = "bem_contact wear 1";
+constexpr double mm_per_km = 1e6;
+
+void write_body(std::ostream& out, const wear::WornBody& body) {
+  out << fmt::format("{} {}\n", body.points.size(), body.area);
+  for (std::size_t i = 0; i < body.points.size(); ++i)
+    out << fmt::format("{} {} {}\n", body.points[i].y, body.points[i].z, body.depth[i]);
+}
+
+void read_body(std::istream& in, wear::WornBody& body) {
+  std::size_t points = 0;
+  in >> points >> body.area;
+  for (std::size_t i = 0; i < points && in; ++i) {
+    Point2 p;
+    double depth = 0;
+    in >> p.y >> p.z >> depth;
+    body.points.push_back(p);
+    body.depth.push_back(depth);
+  }
+}
+
+} // namespace
+
+std::vector<double> history_row(int step, const wear::WornPair& pair, double wheel_radius) {
+  return {double(step),
+          pair.revolutions,
+          pair.revolutions * 2 * std::numbers::pi * wheel_radius / mm_per_km,
+          pair.rail.largest(),
+          pair.wheel.largest(),
+          pair.rail.area,
+          pair.wheel.area};
+}
+
+void write_wear(const std::filesystem::path& folder, const std::string& digest, const WearState& state) {
+  wear::write_profile(folder / fmt::format("rail_{:04}.txt", state.step), state.pair.rail.points);
+  wear::write_profile(folder / fmt::format("wheel_{:04}.txt", state.step), state.pair.wheel.points);
+  write_whole(folder / "wear.csv", [&](std::ostream& out) {
+    out << wear_columns << '\n';
+    for (const std::vector<double>& row : state.history)
+      out << fmt::format("{:.9g}\n", fmt::join(row, ","));
+  });
+  write_whole(folder / "state.txt", [&](std::ostream& out) {
+    out << state_format << '\n' << digest << '\n';
+    out << fmt::format("{} {} {}\n", state.step, state.pair.revolutions, state.history.size());
+    for (const std::vector<double>& row : state.history)
+      out << fmt::format("{}\n", fmt::join(row, " "));
+    write_body(out, state.pair.rail);
+    write_body(out, state.pair.wheel);
+    out << "end\n";
+  });
+}
+
+std::optional<WearState> read_wear(const std::filesystem::path& folder, const std::string& digest) {
+  const std::filesystem::path file = folder / "state.txt";
+  if (!file_exists(file))
+    return std::nullopt;
+  std::istringstream in(read_text_file(file.string(), "state of wear"));
+  std::string format, known, end;
+  std::getline(in, format);
+  std::getline(in, known);
+  if (format != state_format || known != digest)
+    throw InputError(fmt::format("The output '{}' exists and is not of this wear", folder.string()),
+                     "the scene, a file that it names, an option or this program's version has changed since",
+                     "Give another folder, or remove it.");
+  WearState state;
+  std::size_t rows = 0;
+  in >> state.step >> state.pair.revolutions >> rows;
+  for (std::size_t i = 0; i < rows && in; ++i) {
+    std::vector<double>& row = state.history.emplace_back(7);
+    for (double& value : row)
+      in >> value;
+  }
+  read_body(in, state.pair.rail);
+  read_body(in, state.pair.wheel);
+  in >> end;
+  if (end != "end")
+    throw InputError(fmt::format("'{}' is damaged", file.string()), "its end is missing",
+                     "Remove the folder and begin again.");
+  return state;
+}
+
+} // namespace bem_contact::app
