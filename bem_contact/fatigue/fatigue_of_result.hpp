@@ -25,7 +25,7 @@ struct FatigueProperties {
 
 /// One area in contact.
 struct PatchFatigue {
-  double s = 0, y = 0;      ///< centre of pressure: arc length and y on the rail, mm
+  double s = 0, y = 0;      ///< centre of pressure: arc length on the rail, y of the rows' frame, mm
   double normal_force = 0;  ///< N: sum p_n dS
   double pmax = 0;          ///< MPa
   ShakedownPoint point;     ///< with the largest pressure of the patch as p0

@@ -87,6 +87,16 @@ TEST(SweepFile, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_THAT(message(""), HasSubstr("no table [sweep]"));
 }
 
+TEST(SweepFile, WeightsAreNoKeyOfAScene) {
+  const SweepFile sweep = parse_sweep_file(scene + "load.force = [1e3, 2e3]\nweight = [3, 1.5]\n");
+  EXPECT_EQ(sweep.size(), 2U);
+  EXPECT_EQ(sweep.weights, (std::vector<double>{3, 1.5}));
+  EXPECT_EQ(sweep.scene(1).load.force, 2e3);
+  EXPECT_THAT(message("load.force = [1, 2]\nweight = [1]\n"), HasSubstr("has 1 weights (it has 2 cases)"));
+  EXPECT_THAT(message("load.force = [1]\nweight = [-1]\n"), HasSubstr("weights are positive numbers"));
+  EXPECT_THAT(message("load.force = [1]\nweight = 2\n"), HasSubstr("sweep.weight is no list"));
+}
+
 TEST(SweepFile, ASceneWithASweepIsASceneToo) {
   std::string text = scene;
   text.replace(text.find("[motion]"), 8, "[load]\nforce = 5e3\n[motion]");

@@ -1,0 +1,75 @@
+// `bem_contact wear` and `bem_contact fatigue` as a user runs them.
+#include "tests/app/run_program.hpp"
+
+#include <gmock/gmock.h>
+
+namespace {
+
+using namespace bem_contact;
+using ::testing::HasSubstr;
+
+const std::string scene =
+    "kind = \"wheel_rail\"\nrail.profile = \"60E1\"\nwheel.profile = \"S1002\"\n"
+    "solver.model = \"halfspace\"\nload.force = 8e4\n[motion]\nxi = 2e-3\nfree_rolling = "
+    "false\n[grid]\ndx = 1\nds = 0.5\n[sweep]\nposition.lateral = [0.0, 1.0]\n";
+
+class WearCommand : public ProgramTest {
+protected:
+  std::string path(const std::string& name) const { return "'" + (folder_ / name).string() + "'"; }
+  std::string text(const std::string& name) const {
+    std::ifstream in(folder_ / name);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+};
+
+/// Whoever stops and goes on has the same profiles as who does not. Going on deeper needs no new beginning.
+TEST_F(WearCommand, GoesOnAfterTheLastStep) {
+  write("scene.toml", scene + "weight = [3, 1]\n");
+  ASSERT_EQ(run("wear " + path("scene.toml") + " -o " + path("one") + " --depth 0.06").code, 0);
+  ASSERT_EQ(run("wear " + path("scene.toml") + " -o " + path("two") + " --depth 0.06").code, 0);
+  EXPECT_EQ(text("one/state.txt"), text("two/state.txt"));
+  const Outcome nothing = run("wear " + path("scene.toml") + " -o " + path("one") + " --depth 0.06");
+  EXPECT_EQ(nothing.code, 0);
+  EXPECT_THAT(nothing.out, HasSubstr("0 steps, 0 contact problems"));
+  const Outcome deeper = run("wear " + path("scene.toml") + " -o " + path("one") + " --depth 0.07");
+  EXPECT_EQ(deeper.code, 0);
+  EXPECT_THAT(deeper.out, HasSubstr("continued after step"));
+  EXPECT_THAT(text("one/wear.csv"), HasSubstr(",0.07,"));
+  // what the run had before a kill is a finished state: the last line of a step's state is `end`
+  EXPECT_THAT(text("one/state.txt"), ::testing::EndsWith("end\n"));
+}
+
+TEST_F(WearCommand, RefusesAFolderOfAnotherWear) {
+  write("scene.toml", scene);
+  ASSERT_EQ(run("wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.01").code, 0);
+  const Outcome other =
+      run("wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.01 --cap 0.005");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("exists and is not of this wear"));
+  write("worn/state.txt", text("worn/state.txt").substr(0, 2000));
+  const Outcome damaged = run("wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.01");
+  EXPECT_EQ(damaged.code, 2);
+  EXPECT_THAT(damaged.err, HasSubstr("is damaged (its end is missing)"));
+}
+
+TEST_F(WearCommand, RefusesWhatHasNoProfiles) {
+  write("scene.toml",
+        "kind = \"patch\"\n[grid]\nmx = 8\nms = 8\n[gap]\na = 1e-3\nb = 1e-3\n[sweep]\nload.force "
+        "= [1e3]\n");
+  const Outcome refused = run("wear " + path("scene.toml") + " -o " + path("worn"));
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("This scene cannot wear (it has no profiles)"));
+}
+
+TEST_F(WearCommand, FatigueHasALineForEachPatch) {
+  write("scene.toml", scene);
+  const Outcome done = run("fatigue " + path("scene.toml") + " --csv " + path("f.csv"));
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_THAT(done.out, HasSubstr("2 cases, "));
+  EXPECT_THAT(text("f.csv"), HasSubstr("mu_used,FI_surf"));
+  const Outcome nodes = run("fatigue " + path("scene.toml") + " --nodes 20 10 --damage 0 1");
+  EXPECT_EQ(nodes.code, 2);
+  EXPECT_THAT(nodes.err, HasSubstr("T-gamma must be finite, not negative, and rise"));
+}
+
+} // namespace
