@@ -5,6 +5,7 @@
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/sequence_object.hpp"
 #include "bem_contact/python/values.hpp"
+#include "bem_contact/python/wear_functions.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 
@@ -285,6 +286,7 @@ PYBIND11_MODULE(_core, m) {
            of_arguments);
   add_conicity(m);
   add_creep_curves(m);
+  add_wear_functions(m);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_stopped_solutions));
 }
 

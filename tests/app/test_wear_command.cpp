@@ -15,7 +15,7 @@ const std::string scene =
 
 class WearCommand : public ProgramTest {
 protected:
-  std::string path(const std::string& name) const { return "'" + (folder_ / name).string() + "'"; }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::string text(const std::string& name) const {
     std::ifstream in(folder_ / name);
     return {std::istreambuf_iterator<char>(in), {}};

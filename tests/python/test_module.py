@@ -232,6 +232,20 @@ print(sequence.solve({{}}, "halfspace").certified)
         for i, fy in enumerate(found):
             self.assertEqual(fy, bem_contact.solve(CORNER, {"position.lateral": 1.0 * i}, "halfspace").Fy)
 
+    def test_wear_and_fatigue(self):
+        r = bem_contact.solve(SCENES / "steady_rolling.toml")  # mild wear: linear in T-gamma
+        wear, fatigue = bem_contact.wear(r), bem_contact.fatigue(r, stresses=False)
+        area = (r.x[1] - r.x[0]) * (r.s[1] - r.s[0])
+        self.assertAlmostEqual(wear["volume_per_distance"] * 7.8e-6 / 5.3e-12 / r.friction_power, 1, delta=1e-9)
+        self.assertAlmostEqual(wear["rate"].sum() * area / wear["volume_per_distance"], 1, delta=1e-9)
+        self.assertAlmostEqual(sum(p["T_gamma"] for p in fatigue["patches"]) / r.friction_power, 1, delta=1e-9)
+        self.assertEqual(fatigue["FI"].shape, r.p_n.shape)
+        self.assertNotIn("von_mises", fatigue)
+        with self.assertRaisesRegex(bem_contact.InputError, "there is no wear law 'x'"):
+            bem_contact.wear(r, "x")
+        with self.assertRaisesRegex(bem_contact.InputError, "solved here"):
+            bem_contact.wear(pickle.loads(pickle.dumps(r)))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -84,6 +84,9 @@ TEST(SweepFile, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_THAT(message("mode = \"zip\"\nload.force = [1, 2]\nmotion.xi = [0]\n"),
               HasSubstr("load.force has 2 values and motion.xi has 1"));
   EXPECT_THAT(message("load.force = [1]\n\"load.force\" = [2]\n"), HasSubstr("given twice"));
+  EXPECT_THAT(message("load.force = [1, 2]\nweight = [1]\n"), HasSubstr("has 1 weights (it has 2 cases)"));
+  EXPECT_THAT(message("load.force = [1]\nweight = [-1]\n"), HasSubstr("weights are positive numbers"));
+  EXPECT_THAT(message("load.force = [1]\nweight = 2\n"), HasSubstr("sweep.weight is no list"));
   EXPECT_THAT(message(""), HasSubstr("no table [sweep]"));
 }
 
@@ -92,9 +95,6 @@ TEST(SweepFile, WeightsAreNoKeyOfAScene) {
   EXPECT_EQ(sweep.size(), 2U);
   EXPECT_EQ(sweep.weights, (std::vector<double>{3, 1.5}));
   EXPECT_EQ(sweep.scene(1).load.force, 2e3);
-  EXPECT_THAT(message("load.force = [1, 2]\nweight = [1]\n"), HasSubstr("has 1 weights (it has 2 cases)"));
-  EXPECT_THAT(message("load.force = [1]\nweight = [-1]\n"), HasSubstr("weights are positive numbers"));
-  EXPECT_THAT(message("load.force = [1]\nweight = 2\n"), HasSubstr("sweep.weight is no list"));
 }
 
 TEST(SweepFile, ASceneWithASweepIsASceneToo) {

@@ -237,3 +237,16 @@ def creep_curves(
 
     Matrices are [Fx, Fs, Mz][xi, eta, phi]. Without any values all three curves go from full slip to full slip.
     """
+
+def wear(result: Result, law: str = "energy", hardness: float = 3000, speed: float = 3e4) -> dict[str, Any]:
+    """What a result wears away: depth by passage and revolution over s, sliding distance, volume by rolled distance."""
+
+def fatigue(
+    result: Result,
+    yield_shear: float = 300,
+    poisson: float = 0.28,
+    nodes: _List[float] = ...,
+    damage: _List[float] = ...,
+    stresses: bool = True,
+) -> dict[str, Any]:
+    """Shakedown point, FI_surf, T-gamma and damage of each patch; largest stresses below the surface."""

@@ -1,0 +1,92 @@
+#include "bem_contact/python/wear_functions.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/fatigue/fatigue_of_result.hpp"
+#include "bem_contact/python/result_object.hpp"
+#include "bem_contact/wear/wear_of_result.hpp"
+
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+const SceneResult& solved(const PythonResult& result, const char* function) {
+  if (!result.solved)
+    throw InputError(fmt::format("{} needs a result that was solved here", function),
+                     "one that was pickled holds only its properties", "Solve the scene again.");
+  return *result.solved;
+}
+
+py::array_t<double> field(const SceneResult& r, const std::vector<double>& values) {
+  return py::array_t<double>({r.problem.grid.ms, r.problem.grid.mx}, values.data());
+}
+
+py::array_t<double> line(const std::vector<double>& values) {
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+wear::Law law_named(const std::string& name, double hardness, double speed) {
+  if (name == "energy")
+    return wear::EnergyLaw{};
+  if (name == "archard")
+    return wear::ArchardLaw{.hardness = hardness, .rolling_speed = speed, .map = wear::kth_map(hardness)};
+  throw InputError(fmt::format("there is no wear law '{}'", name), "known are energy and archard",
+                   "Use one of these.");
+}
+
+py::dict wear_of(const PythonResult& result, const std::string& law, double hardness, double speed) {
+  const SceneResult& r = solved(result, "wear");
+  const wear::Wear w = wear::wear_of(r, law_named(law, hardness, speed));
+  return py::dict("rate"_a = field(r, w.rate), "s"_a = line(w.rail.s), "wheel_s"_a = line(w.wheel.s),
+                  "depth"_a = line(w.rail.depth), "sliding_distance"_a = line(w.sliding_over_s),
+                  "volume_per_distance"_a = w.volume_per_distance);
+}
+
+py::dict peak(const fatigue::StressPeak& p) {
+  return py::dict("stress"_a = p.stress, "x"_a = p.x, "s"_a = p.s, "depth"_a = p.depth);
+}
+
+py::dict fatigue_of(const PythonResult& result, double yield_shear, double poisson, std::vector<double> nodes,
+                    std::vector<double> damage, bool stresses) {
+  const SceneResult& r = solved(result, "fatigue");
+  const fatigue::Fatigue f =
+      fatigue::fatigue_of(r, {.yield_shear = yield_shear,
+                              .poisson = poisson,
+                              .damage = {.t_gamma = std::move(nodes), .damage = std::move(damage)},
+                              .stresses = stresses});
+  py::list patches;
+  for (const fatigue::PatchFatigue& p : f.patches)
+    patches.append(py::dict("s"_a = p.s, "y"_a = p.y, "Fn"_a = p.normal_force, "pmax"_a = p.pmax,
+                            "p0_over_k"_a = p.point.load, "mu_used"_a = p.point.traction,
+                            "FI_surf"_a = p.surface_index, "FI_worst_element"_a = p.largest_index,
+                            "T_gamma"_a = p.t_gamma, "damage"_a = p.damage));
+  py::dict out("FI"_a = field(r, f.element_index), "patches"_a = patches);
+  if (f.peaks) {
+    out["von_mises"] = peak(f.peaks->von_mises);
+    out["tresca"] = peak(f.peaks->tresca);
+  }
+  return out;
+}
+
+} // namespace
+
+void add_wear_functions(py::module_& module) {
+  module.def(
+      "wear", &wear_of, "result"_a, "law"_a = "energy", "hardness"_a = 3000.0, "speed"_a = 3e4,
+      "What a Result wears away: `rate` (depth per mm rolled, [ms][mx]), `depth` over `s` of the rail in "
+      "a passage and over `wheel_s` of the wheel in a revolution (mm), `sliding_distance` (mm), "
+      "`volume_per_distance` (mm^3/mm). `law`: energy (T-gamma) or archard, with `hardness` (MPa) and "
+      "rolling `speed` (mm/s). Raises InputError for what does not roll steadily with friction.");
+  const fatigue::DamageFunction defaults;
+  module.def("fatigue", &fatigue_of, "result"_a, "yield_shear"_a = 300.0, "poisson"_a = 0.28,
+             "nodes"_a = defaults.t_gamma, "damage"_a = defaults.damage, "stresses"_a = true,
+             "Rolling contact fatigue of a Result: `FI` of each element ([ms][mx]), `patches` with shakedown "
+             "point, FI_surf, T_gamma (N) and damage of a passage, and the largest `von_mises` and `tresca` "
+             "stress below the surface (MPa) with x, s and depth (mm). `yield_shear`: k, MPa.");
+}
+
+} // namespace bem_contact
