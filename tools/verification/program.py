@@ -51,8 +51,8 @@ class Program:
         file.write_text("".join(f"{key} = {self.text(key, value)}\n" for key, value in scene.items()))
         printed = self.run(self.path, "solve", file, "--model", model, "--json", "-o", output)
         with h5py.File(output) as f:
-            fields = {name: data[:] for name, data in f.items() if isinstance(data, h5py.Dataset)}
-            fields |= {name: data[:] for name, data in f[model].items() if isinstance(data, h5py.Dataset)}
+            fields = {name: data[()] for name, data in f.items() if isinstance(data, h5py.Dataset)}
+            fields |= {name: data[()] for name, data in f[model].items() if isinstance(data, h5py.Dataset)}
         return Result(json.loads(printed), fields)
 
     def text(self, key, value):
