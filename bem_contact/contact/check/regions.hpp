@@ -1,0 +1,61 @@
+#pragma once
+
+#include "bem_contact/contact/problem.hpp"
+#include "bem_contact/contact/result.hpp"
+
+#include <vector>
+
+/// Sums over elements in contact, from which errors are estimated (error_estimates.hpp).
+namespace bem_contact::contact {
+
+/// A sum over elements, and what of it is uncertain because whole elements adhere or slip.
+struct UncertainSum {
+  double total = 0;
+  double size = 0;     ///< sum of the absolute values
+  double adhering = 0; ///< sum of the squares of the elements in adhesion
+
+  void add(double value, bool adheres) {
+    total += value;
+    size += std::abs(value);
+    adhering += adheres ? value * value : 0.0;
+  }
+};
+
+/// A set of elements in contact: all of them, or a patch.
+struct Region {
+  int contact = 0, border = 0;           ///< elements; border: one beside it is exterior
+  int adhesion = 0, adhesion_border = 0; ///< border: one beside it slips
+  double fn = 0;                         ///< sum of p_n dS, N
+  UncertainSum fx, fs;                   ///< of p_x dS, p_s dS, N
+  double pmax = 0;                       ///< MPa
+  double curvature = 0;                  ///< at the peak: how far p_n falls to its neighbours, twice the mean
+                                         ///< along x and twice that along s, MPa
+  double approach = 0;                   ///< PatchSummary::approach, mm
+  double area = 0;                       ///< mm^2
+  double x = 0, s = 0;                   ///< centre of pressure, mm
+
+  /// How far the pressure falls from its peak to the next elements, over the peak.
+  double relative_fall() const { return curvature / pmax; }
+  double adhesion_share() const { return double(adhesion) / contact; }
+};
+
+/// The whole contact, which must not be empty.
+Region contact_of(const ContactProblem& problem, const ContactResult& result);
+/// The patches, in the order of ContactResult::patches.
+std::vector<Region> patches_of(const ContactProblem& problem, const ContactResult& result);
+/// Coarse patches that lie where the fine ones do; empty where their numbers differ.
+std::vector<Region> matched(const std::vector<Region>& fine, std::vector<Region> coarse);
+
+/// What an error in the shear tractions changes besides Fx and Fs. Where the vertical force is prescribed,
+/// the pressure makes up for what the shear tractions bear of it.
+struct ShearEffects {
+  UncertainSum moment; ///< about the centre of pressure, N mm
+  UncertainSum fy, fz; ///< N
+  UncertainSum fn;     ///< normal force, N
+};
+
+/// `contact`: contact_of() the result.
+ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult& result,
+                              const Region& contact);
+
+} // namespace bem_contact::contact
