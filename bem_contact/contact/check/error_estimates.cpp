@@ -65,16 +65,43 @@ double shear_error(double change, const UncertainSum& sum, int contact) {
   return shear_change * std::abs(change) + local_error(sum, contact);
 }
 
-PatchErrors patch_errors(const Region& fine, const Region& coarse, double local_fn) {
+/// What no change shows of the error of an approach, over that approach.
+double local_approach(const Region& r) {
+  return approach_local / r.contact + approach_peak * r.relative_fall();
+}
+
+/// The same of the normal force at a given approach, N. Hertz's grows as approach^1.5.
+double local_normal_force(const Region& r) {
+  return 1.5 * r.fn * local_approach(r);
+}
+
+PatchErrors patch_errors(const Region& fine, const Region& coarse) {
   PatchErrors out;
   out.pmax = pmax_error(fine, coarse);
   out.area = area_error(fine);
-  out.fn = normal_change * std::abs(fine.fn - coarse.fn) + local_fn;
   out.approach = overlap_change * std::abs(fine.approach - coarse.approach) +
                  fine.approach * (overlap_local / fine.contact + overlap_peak * fine.relative_fall());
   out.fx = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine.contact);
   out.fs = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine.contact);
   return out;
+}
+
+/// Of the patches; nan where the coarse result has other ones. `contact`: elements of all patches.
+void estimate_patches(const ContactProblem& problem, const std::vector<Region>& fine,
+                      const std::vector<Region>& coarse, const ShearEffects& effects, int contact,
+                      std::vector<PatchErrors>& errors) {
+  const std::vector<Region> opposite = matched(fine, coarse);
+  // Several patches share the force by how stiff they are at their common approach.
+  const bool shared = problem.load == LoadKind::approach || fine.size() > 1;
+  const double common = local_error(effects.fn, contact) + effects.turned / contact;
+  for (std::size_t i = 0; i < opposite.size(); ++i) {
+    errors[i] = patch_errors(fine[i], opposite[i]);
+    const double change = std::max(std::abs(fine[i].fn - opposite[i].fn),
+                                   effects.slope * std::abs(fine[i].fs.total - opposite[i].fs.total));
+    errors[i].fn = shear_change * change + common + (shared ? local_normal_force(fine[i]) : 0.0);
+  }
+  if (problem.force_x && opposite.size() == 1)
+    errors[0].fx = 0; // prescribed
 }
 
 /// Strain of the surface under a shear force, over that force, 1/N: from the displacement of one element that
@@ -96,13 +123,13 @@ void estimate_shear(const ContactProblem& problem, const ContactResult& result, 
       (adhesion_local + adhesion_border * std::sqrt(double(fine.adhesion_border))) / fine.contact;
   e.friction_power = power_change * std::abs(power_gained) +
                      power_local * std::abs(friction_power(result, problem.element_area())) / fine.contact;
-  const double local = strain_per_force(problem, fine) *
-                       (creepage_local * std::hypot(fine.fx.size, fine.fs.size) / fine.contact +
-                        creepage_adhesion * std::sqrt(fine.fx.adhering + fine.fs.adhering));
+  const double strain = strain_per_force(problem, fine);
   if (problem.force_x)
-    e.creepage_x = creepage_change * std::abs(result.creepage_x - coarse.creepage_x) + local;
+    e.creepage_x = creepage_change * std::abs(result.creepage_x - coarse.creepage_x) +
+                   strain * local_error(fine.fx, fine.contact);
   if (problem.force_s)
-    e.creepage_s = creepage_change * std::abs(result.creepage_s - coarse.creepage_s) + local;
+    e.creepage_s = creepage_change * std::abs(result.creepage_s - coarse.creepage_s) +
+                   strain * local_error(fine.fs, fine.contact);
 }
 
 } // namespace
@@ -127,19 +154,14 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
                        friction_power(coarse, coarse_problem.element_area()),
                    e);
   const bool force = problem.load == LoadKind::force;
-  e.approach =
-      force ? approach_change * std::abs(result.approach - coarse.approach) +
-                  fine.approach * (approach_local / fine.contact + approach_peak * fine.relative_fall())
-            : 0;
+  e.approach = force ? approach_change * std::abs(result.approach - coarse.approach) +
+                           fine.approach * local_approach(fine)
+                     : 0;
   const ShearEffects effects = effects_of_shear(problem, result, fine);
   e.Fy = shear_error(result.Fy - coarse.Fy, effects.fy, fine.contact);
-  e.Fz = force ? 0 : normal_change * std::abs(result.Fz - coarse.Fz) + local_error(effects.fz, fine.contact);
+  e.Fz = force ? 0 : shear_error(result.Fz - coarse.Fz, effects.fz, fine.contact) + local_normal_force(fine);
   out.local_moment = local_error(effects.moment, fine.contact);
-  const std::vector<Region> coarse_patches = matched(patches, patches_of(coarse_problem, coarse));
-  for (std::size_t i = 0; i < coarse_patches.size(); ++i)
-    out.patches[i] = patch_errors(patches[i], coarse_patches[i], local_error(effects.fn, fine.contact));
-  if (problem.force_x && coarse_patches.size() == 1)
-    out.patches[0].fx = 0; // prescribed
+  estimate_patches(problem, patches, patches_of(coarse_problem, coarse), effects, fine.contact, out.patches);
 }
 
 } // namespace bem_contact::contact

@@ -107,15 +107,19 @@ ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult
     across += result.pn[i] * dS * std::sin(delta);
     down += result.pn[i] * dS * std::cos(delta);
   }
-  const bool made_up = problem.load == LoadKind::force && down > 0;
   ShearEffects out;
+  const bool made_up = problem.load == LoadKind::force && down > 0;
+  if (made_up) {
+    out.slope = std::abs(across) / down;
+    out.turned = contact.fn - std::hypot(across, down);
+  }
   for (int i = 0; i < problem.grid.size(); ++i) {
     const ContactRow& row = problem.rows[i / mx];
     const double fx = result.px[i] * dS, fs = result.ps[i] * dS;
     const double cosine = std::cos(row.delta), sine = std::abs(std::sin(row.delta));
     const bool adheres = result.state[i] == ElementState::adhesion;
     out.moment.add((problem.grid.x(i % mx) - contact.x) * fs - (row.s - contact.s) * fx, adheres);
-    out.fy.add(fs * (cosine + (made_up ? std::abs(across) / down * sine : 0.0)), adheres);
+    out.fy.add(fs * (cosine + out.slope * sine), adheres);
     out.fz.add(made_up ? 0.0 : fs * sine, adheres);
     out.fn.add(made_up ? fs * sine * contact.fn / down : 0.0, adheres);
   }

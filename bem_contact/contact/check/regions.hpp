@@ -51,7 +51,9 @@ std::vector<Region> matched(const std::vector<Region>& fine, std::vector<Region>
 struct ShearEffects {
   UncertainSum moment; ///< about the centre of pressure, N mm
   UncertainSum fy, fz; ///< N
-  UncertainSum fn;     ///< normal force, N
+  UncertainSum fn;     ///< sum of p_n dS, N
+  double slope = 0;    ///< change of that sum with Fs: tan of the pressure's mean direction
+  double turned = 0;   ///< what that sum exceeds the resultant of the pressure by, because normals turn, N
 };
 
 /// `contact`: contact_of() the result.
