@@ -57,7 +57,8 @@ double area_error(const Region& r) {
 
 /// What no change shows of the error of a sum of shear tractions.
 double local_error(const UncertainSum& sum, int contact) {
-  return shear_local * sum.size / contact + shear_adhesion * std::sqrt(sum.adhering);
+  return shear_local * std::min(sum.size, shear_deviation * sum.deviation) / contact +
+         shear_adhesion * std::sqrt(sum.adhering);
 }
 
 /// Of such a sum that changed so much from the coarse result.

@@ -40,6 +40,7 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
   const Field field{problem, result};
   const double dS = problem.element_area();
   Region out;
+  std::vector<Part> fx, fs;
   for (const int i : elements) {
     const int ix = i % problem.grid.mx, is = i / problem.grid.mx;
     const double fn = result.pn[i] * dS;
@@ -49,8 +50,8 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
     out.adhesion += adheres;
     out.adhesion_border += adheres && field.beside(ix, is, ElementState::slip);
     out.fn += fn;
-    out.fx.add(result.px[i] * dS, adheres);
-    out.fs.add(result.ps[i] * dS, adheres);
+    fx.push_back({result.px[i] * dS, fn, adheres});
+    fs.push_back({result.ps[i] * dS, fn, adheres});
     out.x += fn * problem.grid.x(ix);
     out.s += fn * problem.rows[is].s;
     out.approach =
@@ -60,6 +61,8 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
       out.curvature = field.curvature(ix, is);
     }
   }
+  out.fx = sum_of(fx);
+  out.fs = sum_of(fs);
   out.area = out.contact * dS;
   out.x /= out.fn;
   out.s /= out.fn;
@@ -67,6 +70,20 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
 }
 
 } // namespace
+
+UncertainSum sum_of(std::span<const Part> parts) {
+  UncertainSum out;
+  double fn = 0;
+  for (const Part& part : parts) {
+    fn += part.fn;
+    out.total += part.value;
+    out.size += std::abs(part.value);
+    out.adhering += part.adheres ? part.value * part.value : 0.0;
+  }
+  for (const Part& part : parts)
+    out.deviation += std::abs(part.value - out.total * part.fn / fn);
+  return out;
+}
 
 std::vector<Region> patches_of(const ContactProblem& problem, const ContactResult& result) {
   std::vector<Region> out;
@@ -113,16 +130,26 @@ ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult
     out.slope = std::abs(across) / down;
     out.turned = contact.fn - std::hypot(across, down);
   }
+  std::vector<Part> moment, fy, fz, fn;
   for (int i = 0; i < problem.grid.size(); ++i) {
+    if (result.state[i] == ElementState::exterior)
+      continue;
     const ContactRow& row = problem.rows[i / mx];
     const double fx = result.px[i] * dS, fs = result.ps[i] * dS;
     const double cosine = std::cos(row.delta), sine = std::abs(std::sin(row.delta));
-    const bool adheres = result.state[i] == ElementState::adhesion;
-    out.moment.add((problem.grid.x(i % mx) - contact.x) * fs - (row.s - contact.s) * fx, adheres);
-    out.fy.add(fs * (cosine + out.slope * sine), adheres);
-    out.fz.add(made_up ? 0.0 : fs * sine, adheres);
-    out.fn.add(made_up ? fs * sine * contact.fn / down : 0.0, adheres);
+    const double lever_x = problem.grid.x(i % mx) - contact.x, lever_s = row.s - contact.s;
+    const auto part = [&](double value) {
+      return Part{value, result.pn[i] * dS, result.state[i] == ElementState::adhesion};
+    };
+    moment.push_back(part(lever_x * fs - lever_s * fx));
+    fy.push_back(part(fs * (cosine + out.slope * sine)));
+    fz.push_back(part(made_up ? 0.0 : fs * sine));
+    fn.push_back(part(made_up ? fs * sine * contact.fn / down : 0.0));
   }
+  out.moment = sum_of(moment);
+  out.fy = sum_of(fy);
+  out.fz = sum_of(fz);
+  out.fn = sum_of(fn);
   return out;
 }
 

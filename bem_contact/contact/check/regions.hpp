@@ -3,23 +3,30 @@
 #include "bem_contact/contact/problem.hpp"
 #include "bem_contact/contact/result.hpp"
 
+#include <span>
 #include <vector>
 
 /// Sums over elements in contact, from which errors are estimated (error_estimates.hpp).
 namespace bem_contact::contact {
 
-/// A sum over elements, and what of it is uncertain because whole elements adhere or slip.
+/// What an element contributes to a sum.
+struct Part {
+  double value = 0;
+  double fn = 0; ///< p_n dS of the element, N
+  bool adheres = false;
+};
+
+/// A sum over elements, and what of it is uncertain.
 struct UncertainSum {
   double total = 0;
-  double size = 0;     ///< sum of the absolute values
-  double adhering = 0; ///< sum of the squares of the elements in adhesion
-
-  void add(double value, bool adheres) {
-    total += value;
-    size += std::abs(value);
-    adhering += adheres ? value * value : 0.0;
-  }
+  double size = 0; ///< sum of the absolute values
+  /// Sum of the absolute deviations from parts in proportion to fn. Nothing where all elements slip in one
+  /// direction: then the normal force alone tells the sum.
+  double deviation = 0;
+  double adhering = 0; ///< sum of the squares of the elements in adhesion: each is off by chance
 };
+
+UncertainSum sum_of(std::span<const Part> parts);
 
 /// A set of elements in contact: all of them, or a patch.
 struct Region {
