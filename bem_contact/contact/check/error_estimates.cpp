@@ -82,7 +82,7 @@ PatchErrors patch_errors(const Region& fine, const Region& coarse) {
   out.area = area_error(fine);
   out.approach = overlap_change * std::abs(fine.approach - coarse.approach) +
                  fine.approach * (overlap_local / fine.contact + overlap_peak * fine.relative_fall());
-  out.fx = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine.contact);
+  out.fx = shear_x_share * shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine.contact);
   out.fs = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine.contact);
   return out;
 }
@@ -94,12 +94,13 @@ void estimate_patches(const ContactProblem& problem, const std::vector<Region>& 
   const std::vector<Region> opposite = matched(fine, coarse);
   // Several patches share the force by how stiff they are at their common approach.
   const bool shared = problem.load == LoadKind::approach || fine.size() > 1;
-  const double common = local_error(effects.fn, contact) + effects.turned / contact;
+  const double common_shear = local_error(effects.fn, contact), turned = effects.turned / contact;
   for (std::size_t i = 0; i < opposite.size(); ++i) {
     errors[i] = patch_errors(fine[i], opposite[i]);
     const double change = std::max(std::abs(fine[i].fn - opposite[i].fn),
                                    effects.slope * std::abs(fine[i].fs.total - opposite[i].fs.total));
-    errors[i].fn = shear_change * change + common + (shared ? local_normal_force(fine[i]) : 0.0);
+    errors[i].fn = normal_share * (shear_change * change + common_shear) + turned +
+                   (shared ? local_normal_force(fine[i]) : 0.0);
   }
   if (problem.force_x && opposite.size() == 1)
     errors[0].fx = 0; // prescribed
@@ -117,7 +118,7 @@ double strain_per_force(const ContactProblem& problem, const Region& r) {
 void estimate_shear(const ContactProblem& problem, const ContactResult& result, const ContactResult& coarse,
                     const std::pair<Region, Region>& regions, double power_gained, TotalErrors& e) {
   const auto& [fine, rough] = regions;
-  e.Fx = problem.force_x ? 0 : shear_error(result.Fx - coarse.Fx, fine.fx, fine.contact);
+  e.Fx = problem.force_x ? 0 : shear_x_share * shear_error(result.Fx - coarse.Fx, fine.fx, fine.contact);
   e.Fs = problem.force_s ? 0 : shear_error(result.Fs - coarse.Fs, fine.fs, fine.contact);
   e.adhesion_share =
       adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
@@ -161,7 +162,7 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   const ShearEffects effects = effects_of_shear(problem, result, fine);
   e.Fy = shear_error(result.Fy - coarse.Fy, effects.fy, fine.contact);
   e.Fz = force ? 0 : shear_error(result.Fz - coarse.Fz, effects.fz, fine.contact) + local_normal_force(fine);
-  out.local_moment = local_error(effects.moment, fine.contact);
+  out.local_moment = shear_x_share * local_error(effects.moment, fine.contact);
   estimate_patches(problem, patches, patches_of(coarse_problem, coarse), effects, fine.contact, out.patches);
 }
 
