@@ -63,6 +63,7 @@ TEST(ErrorEstimates, HoldOnHertzContacts) {
         EXPECT_EQ(errors.Fz, 0) << "prescribed";
         EXPECT_EQ(errors.Fx, 0) << "without friction";
         ASSERT_EQ(result.discretisation->patches.size(), 1u);
+        EXPECT_EQ(result.discretisation->patches[0].fn, 0) << "prescribed, because the surface is flat";
         EXPECT_EQ(result.discretisation->patches[0].pmax, errors.pmax);
         EXPECT_EQ(result.discretisation->patches[0].area, errors.area);
       }

@@ -10,6 +10,8 @@
 namespace bem_contact::contact {
 namespace {
 
+constexpr double rounding = 1e-9; ///< 1. A smaller relative error is one of rounding.
+
 /// Root mean square of the fourth differences of the undeformed distance from element to element within the
 /// contact, mm. Where it is smooth on the scale of the elements they all but vanish; noise and kinks remain.
 double roughness_of_gap(const ContactProblem& problem, const ContactResult& result) {
@@ -101,6 +103,8 @@ void estimate_patches(const ContactProblem& problem, const std::vector<Region>& 
                                    effects.slope * std::abs(fine[i].fs.total - opposite[i].fs.total));
     errors[i].fn = normal_share * (shear_change * change + common_shear) + turned +
                    (shared ? local_normal_force(fine[i]) : 0.0);
+    if (errors[i].fn < rounding * fine[i].fn)
+      errors[i].fn = 0; // in the plane it is the prescribed vertical force
   }
   if (problem.force_x && opposite.size() == 1)
     errors[0].fx = 0; // prescribed
