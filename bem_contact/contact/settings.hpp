@@ -306,8 +306,8 @@ BEM_CONTACT_TUNED(int, least_companion_line, 7);
 // Stated errors of printed numbers: a share of the change from elements twice as large, and a local part.
 // They are fitted to random cases of tools/benchmarks/estimates: those of shear to 870 (seeds 1, 2, 6 and 7),
 // those of creepages and power to 600 (1, 2 and 6), the others to 415 (1 and 2), so that about 96 in 100 true
-// errors are below the stated ones and the median of stated over true is least. tools/BENCHMARKS.md, section 9,
-// judges them on other cases.
+// errors are below the stated ones and the median of stated over true is least. tools/BENCHMARKS.md, section
+// 9, judges them on other cases.
 
 BEM_CONTACT_TUNED(double, pmax_change, 0.02);     ///< 1. Share of the change of pmax,
 BEM_CONTACT_TUNED(double, pmax_local, 0.092);     ///< 1. and of how far p_n falls beside its peak.
