@@ -59,9 +59,9 @@ struct ContactResult;
 /// Absolute errors of the totals that the size of the elements is estimated to cause, each in the unit of its
 /// number. 0: the number is prescribed. nan: no number can be given.
 ///
-/// Meaning: the result on elements of vanishing size lies within number +- error in about 95 of 100 cases (92
-/// to 100, by the number), and in the median case the stated error is two to six times the true one
-/// (tools/BENCHMARKS.md, section 9).
+/// Meaning: the result on elements of vanishing size lies within number +- error in about 95 of 100 cases,
+/// and in the median case the stated error is two to five times the true one. Figures of each number are in
+/// tools/BENCHMARKS.md, section 9.
 struct TotalErrors {
   double Fx = unknown_error, Fy = unknown_error, Fz = unknown_error, Fs = unknown_error; ///< N
   double approach = unknown_error;                                                       ///< mm

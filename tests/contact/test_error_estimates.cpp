@@ -63,6 +63,7 @@ TEST(ErrorEstimates, HoldOnHertzContacts) {
         EXPECT_EQ(errors.Fz, 0) << "prescribed";
         EXPECT_EQ(errors.Fx, 0) << "without friction";
         ASSERT_EQ(result.discretisation->patches.size(), 1u);
+        EXPECT_EQ(result.discretisation->patches[0].fn, 0) << "prescribed, because the surface is flat";
         EXPECT_EQ(result.discretisation->patches[0].pmax, errors.pmax);
         EXPECT_EQ(result.discretisation->patches[0].area, errors.area);
       }
@@ -72,28 +73,97 @@ TEST(ErrorEstimates, HoldOnHertzContacts) {
   }
 }
 
+/// The force at a given approach, against Hertz.
+TEST(ErrorEstimates, HoldForAForceThatIsFound) {
+  const double modulus = 82000 / (1 - 0.28);
+  Tally fz, fn;
+  for (const double b : {1e-3, 2e-3, 5e-3})
+    for (int across = 16; across <= 30; across += 2)
+      for (const double shift : {0.0, 0.3, 0.5}) {
+        ContactProblem problem = ellipse(1e-3, b, across, shift, 0.7 * shift);
+        problem.load = LoadKind::approach;
+        problem.approach = reference::hertz_by_force(1e-3, b, modulus, force).approach;
+        const ContactResult result = solve(problem);
+        ASSERT_TRUE(result.converged && result.discretisation) << across;
+        EXPECT_EQ(result.discretisation->errors.approach, 0) << "prescribed";
+        fz.add(result.discretisation->errors.Fz, result.Fz, force);
+        fn.add(result.discretisation->patches[0].fn, result.patches[0].fn, force);
+      }
+  for (Tally* tally : {&fz, &fn}) {
+    EXPECT_GE(tally->share(), 0.95);
+    EXPECT_LE(tally->median(), 5);
+  }
+}
+
+/// Rolling from nearly full adhesion to full slip, on `across` elements, on rows that are inclined by
+/// `delta`.
+ContactProblem rolling(int across, double xi, double phi, double delta) {
+  ContactProblem problem = ellipse(1e-3, 2e-3, across, 0, 0);
+  scenes::set_creepage(problem, 0.3, xi, 0.5 * xi, phi);
+  for (ContactRow& row : problem.rows)
+    row.delta = delta;
+  return problem;
+}
+
 /// Shear against the same problem on elements a third as large. Of so few cases one may be
 /// outside: the errors are meant for 95 in 100.
 TEST(ErrorEstimates, HoldForShearForces) {
-  Tally fx, power;
+  Tally fx, fs, power;
   for (const double xi : {1e-4, 3e-4, 1e-3})
     for (const double phi : {0.0, 2e-4, 4e-4}) {
-      const auto rolling = [&](int across) {
-        ContactProblem problem = ellipse(1e-3, 2e-3, across, 0, 0);
-        scenes::set_creepage(problem, 0.3, xi, 0.5 * xi, phi);
-        return problem;
-      };
-      const ContactProblem problem = rolling(16), fine_problem = rolling(48);
+      const ContactProblem problem = rolling(16, xi, phi, 0), fine_problem = rolling(48, xi, phi, 0);
       const ContactResult result = solve(problem);
       const ContactResult fine = solve(fine_problem, {.estimate_discretisation = false});
       ASSERT_TRUE(result.converged && result.discretisation && fine.converged);
       fx.add(result.discretisation->errors.Fx, result.Fx, fine.Fx);
+      fs.add(result.discretisation->errors.Fs, result.Fs, fine.Fs);
       power.add(result.discretisation->errors.friction_power, friction_power(result, problem.element_area()),
                 friction_power(fine, fine_problem.element_area()));
       EXPECT_LE(std::abs(result.Mz - fine.Mz), result.discretisation->moment_error(result, 0, 0)) << xi;
     }
-  EXPECT_GE(fx.held + 1, fx.cases);
-  EXPECT_GE(power.held + 1, power.cases);
+  for (const Tally* tally : {&fx, &fs, &power})
+    EXPECT_GE(tally->held + 1, tally->cases);
+}
+
+/// On an inclined surface the pressure makes up for what the shear tractions bear of the vertical force, so
+/// their error is also one of the normal force and, by 1 / cos(delta), of Fy.
+TEST(ErrorEstimates, OfShearReachOtherForcesOnAnIncline) {
+  constexpr double delta = 1;
+  Tally fy, fn;
+  for (const double xi : {1e-4, 3e-4, 1e-3})
+    for (const double phi : {0.0, 2e-4, 4e-4}) {
+      const ContactResult result = solve(rolling(16, xi, phi, delta));
+      const ContactResult fine = solve(rolling(48, xi, phi, delta), {.estimate_discretisation = false});
+      ASSERT_TRUE(result.converged && result.discretisation && fine.converged);
+      const TotalErrors& errors = result.discretisation->errors;
+      fy.add(errors.Fy, result.Fy, fine.Fy);
+      fn.add(result.discretisation->patches[0].fn, result.patches[0].fn, fine.patches[0].fn);
+      EXPECT_EQ(errors.Fz, 0) << "prescribed";
+      EXPECT_NEAR(errors.Fy, result.discretisation->patches[0].fs / std::cos(delta), 0.02 * errors.Fy);
+    }
+  for (const Tally* tally : {&fy, &fn})
+    EXPECT_GE(tally->held + 1, tally->cases);
+}
+
+/// A prescribed shear force has no error; that of the creepage found for it holds.
+TEST(ErrorEstimates, HoldForCreepagesFound) {
+  Tally xi;
+  for (const double share : {-0.6, 0.2, 0.4, 0.6, 0.8})
+    for (const double phi : {0.0, 2e-4}) {
+      const auto pulled = [&](int across) {
+        ContactProblem problem = rolling(across, 0, phi, 0);
+        problem.force_x = share * 0.3 * force;
+        return problem;
+      };
+      const ContactResult result = solve(pulled(16));
+      const ContactResult fine = solve(pulled(48), {.estimate_discretisation = false});
+      ASSERT_TRUE(result.converged && result.discretisation && fine.converged);
+      EXPECT_EQ(result.discretisation->errors.Fx, 0);
+      EXPECT_EQ(result.discretisation->patches[0].fx, 0);
+      EXPECT_LT(result.discretisation->errors.creepage_x, 0.1 * std::abs(result.creepage_x));
+      xi.add(result.discretisation->errors.creepage_x, result.creepage_x, fine.creepage_x);
+    }
+  EXPECT_GE(xi.held + 1, xi.cases);
 }
 
 /// With noise of some micrometres smaller elements show another pressure: no number may be stated.

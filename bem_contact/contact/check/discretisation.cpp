@@ -114,7 +114,7 @@ std::optional<Discretisation> compare(const ContactProblem& problem, const Conta
     if (fine.friction_moment > 0)
       out.moment = std::abs(fine.shear.moment - rough.shear.moment) / fine.friction_moment;
   }
-  estimate_errors(problem, result, coarse_problem, coarse, fine.friction_moment, out);
+  estimate_errors(problem, result, coarse_problem, coarse, out);
   return out;
 }
 

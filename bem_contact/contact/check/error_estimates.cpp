@@ -1,98 +1,16 @@
 #include "bem_contact/contact/check/error_estimates.hpp"
 
-#include "bem_contact/contact/grid/patches.hpp"
+#include "bem_contact/contact/check/regions.hpp"
 #include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 
 namespace bem_contact::contact {
 namespace {
 
-/// A set of elements in contact: all of them, or a patch.
-struct Region {
-  int contact = 0, border = 0;           ///< elements; border: one beside it is exterior
-  int adhesion = 0, adhesion_border = 0; ///< border: one beside it slips
-  double fn = 0, fx = 0, fs = 0;         ///< sums of p_n dS, p_x dS, p_s dS, N
-  double friction = 0;                   ///< sum of mu p_n dS, N
-  double pmax = 0;                       ///< MPa
-  double curvature = 0;                  ///< at the peak: how far p_n falls to its neighbours, twice the mean
-                                         ///< along x and twice that along s, MPa
-  double approach = 0;                   ///< PatchSummary::approach, mm
-  double area = 0;                       ///< mm^2
-  double x = 0, s = 0;                   ///< centre of pressure, mm
-
-  double steepness = 0; ///< sum of |p_n sin(delta)| dS over fn
-
-  double border_root() const { return std::sqrt(double(adhesion_border)); }
-  /// Share of the elements on the border of adhesion, times that on the border of the contact.
-  double border_share() const { return double(adhesion_border) / contact * border / contact; }
-  /// How far the pressure falls from its peak to the next elements, over the peak.
-  double relative_fall() const { return curvature / pmax; }
-  double adhesion_share() const { return double(adhesion) / contact; }
-};
-
-/// Looks up fields by column and row; zero pressure and exterior beyond the grid.
-struct Field {
-  const ContactProblem& problem;
-  const ContactResult& result;
-
-  bool inside(int ix, int is) const {
-    return ix >= 0 && ix < problem.grid.mx && is >= 0 && is < problem.grid.ms;
-  }
-  double pressure(int ix, int is) const {
-    return inside(ix, is) ? std::max(0.0, result.pn[is * problem.grid.mx + ix]) : 0.0;
-  }
-  ElementState state(int ix, int is) const {
-    return inside(ix, is) ? result.state[is * problem.grid.mx + ix] : ElementState::exterior;
-  }
-  bool beside(int ix, int is, ElementState wanted) const {
-    const bool along_x = state(ix - 1, is) == wanted || state(ix + 1, is) == wanted;
-    const bool along_s = state(ix, is - 1) == wanted || state(ix, is + 1) == wanted;
-    return (problem.grid.mx > 1 && along_x) || (problem.grid.ms > 1 && along_s);
-  }
-  double curvature(int ix, int is) const {
-    const double p = pressure(ix, is);
-    const double x = 2 * p - pressure(ix - 1, is) - pressure(ix + 1, is);
-    const double s = 2 * p - pressure(ix, is - 1) - pressure(ix, is + 1);
-    return (problem.grid.mx > 1 ? std::abs(x) : 0.0) + (problem.grid.ms > 1 ? std::abs(s) : 0.0);
-  }
-};
-
-Region region_of(const ContactProblem& problem, const ContactResult& result, std::span<const int> elements) {
-  const Field field{problem, result};
-  const double dS = problem.element_area();
-  Region out;
-  for (const int i : elements) {
-    const int ix = i % problem.grid.mx, is = i / problem.grid.mx;
-    const double fn = result.pn[i] * dS;
-    const bool adheres = result.state[i] == ElementState::adhesion;
-    ++out.contact;
-    out.border += field.beside(ix, is, ElementState::exterior);
-    out.adhesion += adheres;
-    out.adhesion_border += adheres && field.beside(ix, is, ElementState::slip);
-    out.fn += fn;
-    out.fx += result.px[i] * dS;
-    out.fs += result.ps[i] * dS;
-    out.friction += problem.has_friction() ? problem.friction_of(is) * fn : 0.0;
-    out.x += fn * problem.grid.x(ix);
-    out.s += fn * problem.rows[is].s;
-    out.steepness += std::abs(fn * std::sin(problem.rows[is].delta));
-    out.approach =
-        std::max(out.approach, result.approach * std::cos(problem.rows[is].delta) - problem.gap[i]);
-    if (result.pn[i] > out.pmax) {
-      out.pmax = result.pn[i];
-      out.curvature = field.curvature(ix, is);
-    }
-  }
-  out.area = out.contact * dS;
-  out.x /= out.fn;
-  out.s /= out.fn;
-  out.steepness /= out.fn;
-  return out;
-}
+constexpr double rounding = 1e-9; ///< 1. A smaller relative error is one of rounding.
 
 /// Root mean square of the fourth differences of the undeformed distance from element to element within the
 /// contact, mm. Where it is smooth on the scale of the elements they all but vanish; noise and kinks remain.
@@ -131,23 +49,6 @@ bool converges(const ContactProblem& problem, const ContactResult& result, const
          roughness_of_gap(problem, result) <= largest_roughness * fine.pmax * self;
 }
 
-/// Of the patches, in the order of ContactResult::patches.
-std::vector<Region> patches_of(const ContactProblem& problem, const ContactResult& result) {
-  std::vector<Region> out;
-  for (const std::vector<int>& elements : connected_elements(problem.grid, result.state))
-    out.push_back(region_of(problem, result, elements));
-  std::ranges::stable_sort(out, std::ranges::greater{}, &Region::fn);
-  return out;
-}
-
-Region contact_of(const ContactProblem& problem, const ContactResult& result) {
-  std::vector<int> all;
-  for (int i = 0; i < problem.grid.size(); ++i)
-    if (result.state[i] != ElementState::exterior)
-      all.push_back(i);
-  return region_of(problem, result, all);
-}
-
 double pmax_error(const Region& r, const Region& coarse) {
   return pmax_change * std::abs(r.pmax - coarse.pmax) + pmax_local * r.curvature;
 }
@@ -156,57 +57,64 @@ double area_error(const Region& r) {
   return area_border * r.area * r.border / r.contact;
 }
 
-/// How the parts of an estimate that have to do with friction are weighted.
-struct Weights {
-  double change, of_element, of_border;
-};
-
-Weights shear_x() {
-  return {shear_x_change, shear_x_local, shear_x_border};
+/// What no change shows of the error of a sum of shear tractions.
+double local_error(const UncertainSum& sum, int contact) {
+  return shear_local * std::min(sum.size, shear_deviation * sum.deviation) / contact +
+         shear_adhesion * std::sqrt(sum.adhering);
 }
 
-Weights shear_s() {
-  return {shear_s_change, shear_s_local, shear_s_border};
+/// Of such a sum that changed so much from the coarse result.
+double shear_error(double change, const UncertainSum& sum, int contact) {
+  return shear_change * std::abs(change) + local_error(sum, contact);
 }
 
-/// Of a force, N. The border of adhesion lies somewhere within its elements, each by chance: the root of
-/// their number counts.
-double force_error(const Weights& w, double change, const Region& r) {
-  return w.change * std::abs(change) +
-         (w.of_element + w.of_border * r.border_root()) * r.friction / r.contact;
+/// What no change shows of the error of an approach, over that approach.
+double local_approach(const Region& r) {
+  return approach_local / r.contact + approach_peak * r.relative_fall();
 }
 
-/// Coarse patches that lie where the fine ones do; empty where their numbers differ.
-std::vector<Region> matched(const std::vector<Region>& fine, std::vector<Region> coarse) {
-  std::vector<Region> out;
-  if (fine.size() != coarse.size())
-    return out;
-  for (const Region& patch : fine) {
-    const auto distance = [&](const Region& r) { return std::hypot(r.x - patch.x, r.s - patch.s); };
-    const auto nearest = std::ranges::min_element(coarse, {}, distance);
-    out.push_back(*nearest);
-    coarse.erase(nearest);
-  }
-  return out;
+/// The same of the normal force at a given approach, N. Hertz's grows as approach^1.5.
+double local_normal_force(const Region& r) {
+  return 1.5 * r.fn * local_approach(r);
 }
 
 PatchErrors patch_errors(const Region& fine, const Region& coarse) {
   PatchErrors out;
   out.pmax = pmax_error(fine, coarse);
   out.area = area_error(fine);
-  out.fn = force_change * std::abs(fine.fn - coarse.fn) + force_local * fine.fn / fine.contact +
-           force_border * fine.steepness * fine.border_root() * fine.friction / fine.contact;
   out.approach = overlap_change * std::abs(fine.approach - coarse.approach) +
                  fine.approach * (overlap_local / fine.contact + overlap_peak * fine.relative_fall());
-  out.fx = fine.friction > 0 ? force_error(shear_x(), fine.fx - coarse.fx, fine) : 0;
-  out.fs = fine.friction > 0 ? force_error(shear_s(), fine.fs - coarse.fs, fine) : 0;
+  out.fx = shear_x_share * shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine.contact);
+  out.fs = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine.contact);
   return out;
 }
 
-/// The strain of the surface under full friction, from the displacement of one element that bears pmax.
-double friction_strain(const ContactProblem& problem, const Region& r) {
+/// Of the patches; nan where the coarse result has other ones. `contact`: elements of all patches.
+void estimate_patches(const ContactProblem& problem, const std::vector<Region>& fine,
+                      const std::vector<Region>& coarse, const ShearEffects& effects, int contact,
+                      std::vector<PatchErrors>& errors) {
+  const std::vector<Region> opposite = matched(fine, coarse);
+  // Several patches share the force by how stiff they are at their common approach.
+  const bool shared = problem.load == LoadKind::approach || fine.size() > 1;
+  const double common_shear = local_error(effects.fn, contact), turned = effects.turned / contact;
+  for (std::size_t i = 0; i < opposite.size(); ++i) {
+    errors[i] = patch_errors(fine[i], opposite[i]);
+    const double change = std::max(std::abs(fine[i].fn - opposite[i].fn),
+                                   effects.slope * std::abs(fine[i].fs.total - opposite[i].fs.total));
+    errors[i].fn = normal_share * (shear_change * change + common_shear) + turned +
+                   (shared ? local_normal_force(fine[i]) : 0.0);
+    if (errors[i].fn < rounding * fine[i].fn)
+      errors[i].fn = 0; // in the plane it is the prescribed vertical force
+  }
+  if (problem.force_x && opposite.size() == 1)
+    errors[0].fx = 0; // prescribed
+}
+
+/// Strain of the surface under a shear force, over that force, 1/N: from the displacement of one element that
+/// bears pmax.
+double strain_per_force(const ContactProblem& problem, const Region& r) {
   const double self = problem.numbers.at(0, 0, component_n, 0, component_n);
-  return r.friction / r.fn * r.pmax * self / std::sqrt(problem.element_area());
+  return r.pmax * self / std::sqrt(problem.element_area()) / r.fn;
 }
 
 /// Sets what needs friction: shear forces, adhesion, creepages, power. `power_gained`: the power of the
@@ -214,25 +122,26 @@ double friction_strain(const ContactProblem& problem, const Region& r) {
 void estimate_shear(const ContactProblem& problem, const ContactResult& result, const ContactResult& coarse,
                     const std::pair<Region, Region>& regions, double power_gained, TotalErrors& e) {
   const auto& [fine, rough] = regions;
-  e.Fx = problem.force_x ? 0 : force_error(shear_x(), result.Fx - coarse.Fx, fine);
-  e.Fs = problem.force_s ? 0 : force_error(shear_s(), result.Fs - coarse.Fs, fine);
-  e.adhesion_share = adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
-                     (adhesion_local + adhesion_border * fine.border_root()) / fine.contact;
+  e.Fx = problem.force_x ? 0 : shear_x_share * shear_error(result.Fx - coarse.Fx, fine.fx, fine.contact);
+  e.Fs = problem.force_s ? 0 : shear_error(result.Fs - coarse.Fs, fine.fs, fine.contact);
+  e.adhesion_share =
+      adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
+      (adhesion_local + adhesion_border * std::sqrt(double(fine.adhesion_border))) / fine.contact;
   e.friction_power = power_change * std::abs(power_gained) +
                      power_local * std::abs(friction_power(result, problem.element_area())) / fine.contact;
-  const double local = friction_strain(problem, fine) *
-                       (creepage_local / fine.contact + creepage_border * fine.border_share());
+  const double strain = strain_per_force(problem, fine);
   if (problem.force_x)
-    e.creepage_x = creepage_change * std::abs(result.creepage_x - coarse.creepage_x) + local;
+    e.creepage_x = creepage_change * std::abs(result.creepage_x - coarse.creepage_x) +
+                   strain * local_error(fine.fx, fine.contact);
   if (problem.force_s)
-    e.creepage_s = creepage_change * std::abs(result.creepage_s - coarse.creepage_s) + local;
+    e.creepage_s = creepage_change * std::abs(result.creepage_s - coarse.creepage_s) +
+                   strain * local_error(fine.fs, fine.contact);
 }
 
 } // namespace
 
 void estimate_errors(const ContactProblem& problem, const ContactResult& result,
-                     const ContactProblem& coarse_problem, const ContactResult& coarse,
-                     double friction_moment, Discretisation& out) {
+                     const ContactProblem& coarse_problem, const ContactResult& coarse, Discretisation& out) {
   const std::pair<Region, Region> regions{contact_of(problem, result), contact_of(coarse_problem, coarse)};
   const auto& [fine, rough] = regions;
   const std::vector<Region> patches = patches_of(problem, result);
@@ -251,19 +160,14 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
                        friction_power(coarse, coarse_problem.element_area()),
                    e);
   const bool force = problem.load == LoadKind::force;
-  e.approach =
-      force ? approach_change * std::abs(result.approach - coarse.approach) +
-                  fine.approach * (approach_local / fine.contact + approach_peak * fine.relative_fall())
-            : 0;
-  const Weights lateral{lateral_change, lateral_local, lateral_border};
-  e.Fy = force_error(lateral, result.Fy - coarse.Fy, fine);
-  e.Fz = force ? 0 : force_error(lateral, result.Fz - coarse.Fz, fine);
-  out.local_moment = friction_moment * (moment_local + moment_border * fine.border_root()) / fine.contact;
-  const std::vector<Region> coarse_patches = matched(patches, patches_of(coarse_problem, coarse));
-  for (std::size_t i = 0; i < coarse_patches.size(); ++i)
-    out.patches[i] = patch_errors(patches[i], coarse_patches[i]);
-  if (problem.force_x && coarse_patches.size() == 1)
-    out.patches[0].fx = 0; // prescribed
+  e.approach = force ? approach_change * std::abs(result.approach - coarse.approach) +
+                           fine.approach * local_approach(fine)
+                     : 0;
+  const ShearEffects effects = effects_of_shear(problem, result, fine);
+  e.Fy = shear_error(result.Fy - coarse.Fy, effects.fy, fine.contact);
+  e.Fz = force ? 0 : shear_error(result.Fz - coarse.Fz, effects.fz, fine.contact) + local_normal_force(fine);
+  out.local_moment = shear_x_share * local_error(effects.moment, fine.contact);
+  estimate_patches(problem, patches, patches_of(coarse_problem, coarse), effects, fine.contact, out.patches);
 }
 
 } // namespace bem_contact::contact

@@ -1,0 +1,156 @@
+#include "bem_contact/contact/check/regions.hpp"
+
+#include "bem_contact/contact/grid/patches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace bem_contact::contact {
+namespace {
+
+/// Looks up fields by column and row; zero pressure and exterior beyond the grid.
+struct Field {
+  const ContactProblem& problem;
+  const ContactResult& result;
+
+  bool inside(int ix, int is) const {
+    return ix >= 0 && ix < problem.grid.mx && is >= 0 && is < problem.grid.ms;
+  }
+  double pressure(int ix, int is) const {
+    return inside(ix, is) ? std::max(0.0, result.pn[is * problem.grid.mx + ix]) : 0.0;
+  }
+  ElementState state(int ix, int is) const {
+    return inside(ix, is) ? result.state[is * problem.grid.mx + ix] : ElementState::exterior;
+  }
+  bool beside(int ix, int is, ElementState wanted) const {
+    const bool along_x = state(ix - 1, is) == wanted || state(ix + 1, is) == wanted;
+    const bool along_s = state(ix, is - 1) == wanted || state(ix, is + 1) == wanted;
+    return (problem.grid.mx > 1 && along_x) || (problem.grid.ms > 1 && along_s);
+  }
+  double curvature(int ix, int is) const {
+    const double p = pressure(ix, is);
+    const double x = 2 * p - pressure(ix - 1, is) - pressure(ix + 1, is);
+    const double s = 2 * p - pressure(ix, is - 1) - pressure(ix, is + 1);
+    return (problem.grid.mx > 1 ? std::abs(x) : 0.0) + (problem.grid.ms > 1 ? std::abs(s) : 0.0);
+  }
+};
+
+Region region_of(const ContactProblem& problem, const ContactResult& result, std::span<const int> elements) {
+  const Field field{problem, result};
+  const double dS = problem.element_area();
+  Region out;
+  std::vector<Part> fx, fs;
+  for (const int i : elements) {
+    const int ix = i % problem.grid.mx, is = i / problem.grid.mx;
+    const double fn = result.pn[i] * dS;
+    const bool adheres = result.state[i] == ElementState::adhesion;
+    ++out.contact;
+    out.border += field.beside(ix, is, ElementState::exterior);
+    out.adhesion += adheres;
+    out.adhesion_border += adheres && field.beside(ix, is, ElementState::slip);
+    out.fn += fn;
+    fx.push_back({result.px[i] * dS, fn, adheres});
+    fs.push_back({result.ps[i] * dS, fn, adheres});
+    out.x += fn * problem.grid.x(ix);
+    out.s += fn * problem.rows[is].s;
+    out.approach =
+        std::max(out.approach, result.approach * std::cos(problem.rows[is].delta) - problem.gap[i]);
+    if (result.pn[i] > out.pmax) {
+      out.pmax = result.pn[i];
+      out.curvature = field.curvature(ix, is);
+    }
+  }
+  out.fx = sum_of(fx);
+  out.fs = sum_of(fs);
+  out.area = out.contact * dS;
+  out.x /= out.fn;
+  out.s /= out.fn;
+  return out;
+}
+
+} // namespace
+
+UncertainSum sum_of(std::span<const Part> parts) {
+  UncertainSum out;
+  double fn = 0;
+  for (const Part& part : parts) {
+    fn += part.fn;
+    out.total += part.value;
+    out.size += std::abs(part.value);
+    out.adhering += part.adheres ? part.value * part.value : 0.0;
+  }
+  for (const Part& part : parts)
+    out.deviation += std::abs(part.value - out.total * part.fn / fn);
+  return out;
+}
+
+std::vector<Region> patches_of(const ContactProblem& problem, const ContactResult& result) {
+  std::vector<Region> out;
+  for (const std::vector<int>& elements : connected_elements(problem.grid, result.state))
+    out.push_back(region_of(problem, result, elements));
+  std::ranges::stable_sort(out, std::ranges::greater{}, &Region::fn);
+  return out;
+}
+
+Region contact_of(const ContactProblem& problem, const ContactResult& result) {
+  std::vector<int> all;
+  for (int i = 0; i < problem.grid.size(); ++i)
+    if (result.state[i] != ElementState::exterior)
+      all.push_back(i);
+  return region_of(problem, result, all);
+}
+
+std::vector<Region> matched(const std::vector<Region>& fine, std::vector<Region> coarse) {
+  std::vector<Region> out;
+  if (fine.size() != coarse.size())
+    return out;
+  for (const Region& patch : fine) {
+    const auto distance = [&](const Region& r) { return std::hypot(r.x - patch.x, r.s - patch.s); };
+    const auto nearest = std::ranges::min_element(coarse, {}, distance);
+    out.push_back(*nearest);
+    coarse.erase(nearest);
+  }
+  return out;
+}
+
+ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult& result,
+                              const Region& contact) {
+  const int mx = problem.grid.mx;
+  const double dS = problem.element_area();
+  double across = 0, down = 0; // of the pressure, N
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    const double delta = problem.rows[i / mx].delta;
+    across += result.pn[i] * dS * std::sin(delta);
+    down += result.pn[i] * dS * std::cos(delta);
+  }
+  ShearEffects out;
+  const bool made_up = problem.load == LoadKind::force && down > 0;
+  if (made_up) {
+    out.slope = std::abs(across) / down;
+    out.turned = contact.fn - std::hypot(across, down);
+  }
+  std::vector<Part> moment, fy, fz, fn;
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    if (result.state[i] == ElementState::exterior)
+      continue;
+    const ContactRow& row = problem.rows[i / mx];
+    const double fx = result.px[i] * dS, fs = result.ps[i] * dS;
+    const double cosine = std::cos(row.delta), sine = std::abs(std::sin(row.delta));
+    const double lever_x = problem.grid.x(i % mx) - contact.x, lever_s = row.s - contact.s;
+    const auto part = [&](double value) {
+      return Part{value, result.pn[i] * dS, result.state[i] == ElementState::adhesion};
+    };
+    moment.push_back(part(lever_x * fs - lever_s * fx));
+    fy.push_back(part(fs * (cosine + out.slope * sine)));
+    fz.push_back(part(made_up ? 0.0 : fs * sine));
+    fn.push_back(part(made_up ? fs * sine * contact.fn / down : 0.0));
+  }
+  out.moment = sum_of(moment);
+  out.fy = sum_of(fy);
+  out.fz = sum_of(fz);
+  out.fn = sum_of(fn);
+  return out;
+}
+
+} // namespace bem_contact::contact

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "bem_contact/contact/problem.hpp"
+#include "bem_contact/contact/result.hpp"
+
+#include <span>
+#include <vector>
+
+/// Sums over elements in contact, from which errors are estimated (error_estimates.hpp).
+namespace bem_contact::contact {
+
+/// What an element contributes to a sum.
+struct Part {
+  double value = 0;
+  double fn = 0; ///< p_n dS of the element, N
+  bool adheres = false;
+};
+
+/// A sum over elements, and what of it is uncertain.
+struct UncertainSum {
+  double total = 0;
+  double size = 0; ///< sum of the absolute values
+  /// Sum of the absolute deviations from parts in proportion to fn. Nothing where all elements slip in one
+  /// direction: then the normal force alone tells the sum.
+  double deviation = 0;
+  double adhering = 0; ///< sum of the squares of the elements in adhesion: each is off by chance
+};
+
+UncertainSum sum_of(std::span<const Part> parts);
+
+/// A set of elements in contact: all of them, or a patch.
+struct Region {
+  int contact = 0, border = 0;           ///< elements; border: one beside it is exterior
+  int adhesion = 0, adhesion_border = 0; ///< border: one beside it slips
+  double fn = 0;                         ///< sum of p_n dS, N
+  UncertainSum fx, fs;                   ///< of p_x dS, p_s dS, N
+  double pmax = 0;                       ///< MPa
+  double curvature = 0;                  ///< at the peak: how far p_n falls to its neighbours, twice the mean
+                                         ///< along x and twice that along s, MPa
+  double approach = 0;                   ///< PatchSummary::approach, mm
+  double area = 0;                       ///< mm^2
+  double x = 0, s = 0;                   ///< centre of pressure, mm
+
+  /// How far the pressure falls from its peak to the next elements, over the peak.
+  double relative_fall() const { return curvature / pmax; }
+  double adhesion_share() const { return double(adhesion) / contact; }
+};
+
+/// The whole contact, which must not be empty.
+Region contact_of(const ContactProblem& problem, const ContactResult& result);
+/// The patches, in the order of ContactResult::patches.
+std::vector<Region> patches_of(const ContactProblem& problem, const ContactResult& result);
+/// Coarse patches that lie where the fine ones do; empty where their numbers differ.
+std::vector<Region> matched(const std::vector<Region>& fine, std::vector<Region> coarse);
+
+/// What an error in the shear tractions changes besides Fx and Fs. Where the vertical force is prescribed,
+/// the pressure makes up for what the shear tractions bear of it.
+struct ShearEffects {
+  UncertainSum moment; ///< about the centre of pressure, N mm
+  UncertainSum fy, fz; ///< N
+  UncertainSum fn;     ///< sum of p_n dS, N
+  double slope = 0;    ///< change of that sum with Fs: tan of the pressure's mean direction
+  double turned = 0;   ///< what that sum exceeds the resultant of the pressure by, because normals turn, N
+};
+
+/// `contact`: contact_of() the result.
+ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult& result,
+                              const Region& contact);
+
+} // namespace bem_contact::contact
