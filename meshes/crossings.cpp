@@ -32,7 +32,7 @@ bool within(const VertexLoop& loop, Point2 p) {
   double turn = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Point2 a = loop[i].position - p, b = loop[(i + 1) % loop.size()].position - p;
-    turn += std::atan2(cross(a, b), dot(a, b));
+    turn += angle_from_to(a, b);
   }
   return std::abs(turn) > std::numbers::pi;
 }

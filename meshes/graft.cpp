@@ -129,7 +129,7 @@ Joint joint_at(const WalkedLoop& base, const CurvePoint& end) {
   Joint joint{end.position, tangent_of(end.delta), base.nearest(end.position)};
   const Point2 tangent = base.tangent(joint.place);
   joint.distance = norm(end.position - base.at(joint.place));
-  joint.slope = std::abs(std::atan2(cross(tangent, joint.tangent), dot(tangent, joint.tangent)));
+  joint.slope = std::abs(angle_from_to(tangent, joint.tangent));
   return joint;
 }
 

@@ -8,10 +8,6 @@
 namespace bem_contact::meshes {
 namespace {
 
-double angle_between(Point2 a, Point2 b) {
-  return std::abs(std::atan2(cross(a, b), dot(a, b)));
-}
-
 Point2 direction(const Piece& piece, double at_part, double to_part) {
   const double range = piece.to - piece.from;
   return piece.at(piece.from + range * to_part) - piece.at(piece.from + range * at_part);
@@ -47,7 +43,7 @@ void sample(Span& span) {
     if (norm(step) < coinciding) // a joint of two pieces is sampled twice
       continue;
     if (norm(last) > 0)
-      s[i].turn += angle_between(last, step);
+      s[i].turn += std::abs(angle_from_to(last, step));
     last = step;
   }
 }
@@ -55,7 +51,7 @@ void sample(Span& span) {
 } // namespace
 
 bool corner_between(const Piece& a, const Piece& b) {
-  return angle_between(direction(a, 1 - tangent_step, 1), direction(b, 0, tangent_step)) > corner;
+  return std::abs(angle_from_to(direction(a, 1 - tangent_step, 1), direction(b, 0, tangent_step))) > corner;
 }
 
 std::vector<Span> sample_spans(const Loop& loop) {

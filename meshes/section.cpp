@@ -19,7 +19,7 @@
 namespace bem_contact::meshes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The profile in walking order, the strip marked; the strip comes first, what lies before it last.
 struct Running {

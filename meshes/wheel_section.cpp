@@ -11,7 +11,7 @@
 namespace bem_contact::meshes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A side of the web, vertical at both ends.
 Piece web_side(Point2 from, Point2 to) {

@@ -16,7 +16,6 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
-#include <span>
 #include <string_view>
 
 namespace bem_contact::app {
@@ -63,10 +62,6 @@ std::string text_attribute(const H5Table& table, const std::string& name) {
   const auto at = table.attributes.find(name);
   const auto* text = at == table.attributes.end() ? nullptr : std::get_if<std::string>(&at->second);
   return text ? *text : std::string();
-}
-
-std::string digest_of(const std::string& bytes) {
-  return sha256({std::as_bytes(std::span(bytes))});
 }
 
 void require_result(const H5Table& table, const fs::path& file) {
@@ -147,10 +142,10 @@ private:
   }
 
   fs::path unpack(const InputRecord& input, std::vector<std::string>& warnings) const {
-    if (digest_of(*input.content) != input.sha256)
+    if (sha256(*input.content) != input.sha256)
       throw InputError(fmt::format("The result file's copy of '{}' is damaged", input.name),
                        fmt::format("{}: its SHA-256 should be {} and is {}", input.key, input.sha256,
-                                   digest_of(*input.content)),
+                                   sha256(*input.content)),
                        "Copy the result file again from where it was whole.");
     const fs::path place = place_of(input, folder_);
     if (is_regular(place)) {

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <limits>
 #include <set>
-#include <span>
 
 namespace bem_contact::app {
 
@@ -64,7 +63,7 @@ InputRecord record_of(const NamedFile& named) {
   if (!is_regular(named.file))
     return {named.key, without_machine(named.name), "not a regular file", {}};
   const std::string bytes = read_text_file(named.file.string(), "input", any_size);
-  InputRecord out{named.key, without_machine(named.name), sha256({std::as_bytes(std::span(bytes))}), {}};
+  InputRecord out{named.key, without_machine(named.name), sha256(bytes), {}};
   // A text in HDF5 ends at its first NUL.
   const bool kept =
       !is_influence(named.key) && bytes.size() <= largest_kept_input && bytes.find('\0') == std::string::npos;

@@ -7,17 +7,8 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <limits>
-#include <span>
 
 namespace bem_contact::app {
-
-namespace {
-
-std::string digest_of(const std::string& text) {
-  return sha256({std::as_bytes(std::span(text))});
-}
-
-} // namespace
 
 void check_values(const SweepFile& sweep) {
   std::set<std::size_t> cases{0};
@@ -64,10 +55,10 @@ GivenScene given_sweep(const SweepFile& sweep, const std::string& model) {
 
 std::string digest_of(const SweepFile& sweep, const std::string& options) {
   std::string all = provenance("bem_contact") + "\n" + std::string(commit()) + "\n" + options + "\n" +
-                    digest_of(sweep.text) + "\n";
+                    sha256(sweep.text) + "\n";
   for (const std::string& name : input_paths(sweep))
-    all += digest_of(read_text_file(name, "input", std::numeric_limits<std::size_t>::max() / 4)) + "\n";
-  return digest_of(all);
+    all += sha256(read_text_file(name, "input", std::numeric_limits<std::size_t>::max() / 4)) + "\n";
+  return sha256(all);
 }
 
 } // namespace bem_contact::app

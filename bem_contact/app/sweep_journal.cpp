@@ -12,7 +12,6 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
-#include <span>
 #include <string_view>
 
 namespace bem_contact::app {
@@ -24,10 +23,6 @@ constexpr std::size_t digest_size = 64;
 
 std::string header_of(const std::string& digest) {
   return std::string(magic) + digest + "\n";
-}
-
-std::string digest_of(const std::string& bytes) {
-  return sha256({std::as_bytes(std::span(bytes))});
 }
 
 void write_all(int handle, const std::string& bytes, const std::filesystem::path& file) {
@@ -72,7 +67,7 @@ std::size_t read_journal(const std::filesystem::path& file, const std::string& d
     std::string record(bytes, '\0'), seal(digest_size, '\0');
     in.read(record.data(), static_cast<std::streamsize>(bytes));
     in.read(seal.data(), digest_size);
-    if (!in || digest_of(record) != seal)
+    if (!in || sha256(record) != seal)
       return good;
     seen(from_bytes(record));
     good += sizeof bytes + bytes + digest_size;
@@ -112,7 +107,7 @@ void SweepJournal::append(const std::string& record) {
   const std::uint64_t bytes = record.size();
   std::string out(reinterpret_cast<const char*>(&bytes), sizeof bytes);
   out += record;
-  out += digest_of(record);
+  out += sha256(record);
   write_all(handle_, out, file_);
 }
 

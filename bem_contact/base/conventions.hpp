@@ -78,6 +78,16 @@ inline double norm(Point2 a) {
   return std::hypot(a.y, a.z);
 }
 
+/// Angle from a to b, rad, in (-pi, pi]: above 0 where b is turned from a towards +z.
+inline double angle_from_to(Point2 a, Point2 b) {
+  return std::atan2(cross(a, b), dot(a, b));
+}
+/// Turned about the origin by an angle, rad, from +y towards +z.
+inline Point2 turned(Point2 a, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * a.y - s * a.z, s * a.y + c * a.z};
+}
+
 /// Tangent e_s for the inclination delta.
 inline Point2 tangent_of(double delta) {
   return {std::cos(delta), std::sin(delta)};

@@ -8,16 +8,6 @@ namespace bem_contact {
 
 namespace {
 
-/// Angle from a to b, of unit vectors.
-double turn(Point2 a, Point2 b) {
-  return std::atan2(a.y * b.z - a.z * b.y, dot(a, b));
-}
-
-Point2 turned(Point2 p, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * p.y - s * p.z, s * p.y + c * p.z};
-}
-
 /// sin and cos of theta at which the normal has no component along x; nothing where there is none.
 struct Meridian {
   double sine = 0, cosine = 1;
@@ -51,7 +41,7 @@ ContactLocus::ContactLocus(const WheelOnRail& pair)
   };
   for (int k = 0; k < static_cast<int>(table.size()); ++k) {
     add(k, table[k].before);
-    const double angle = turn(table[k].before, table[k].after);
+    const double angle = angle_from_to(table[k].before, table[k].after);
     if (std::abs(angle) < smooth_turn || frame_.axle[0] == 0)
       continue;
     const int steps = 1 + static_cast<int>(std::abs(angle) / edge_step);
@@ -76,7 +66,8 @@ ContactLocus::Point ContactLocus::between(int k, double t) const {
   const Node &a = nodes_[k], &b = nodes_[k + 1];
   std::optional<Point> p;
   if (a.s == b.s) {
-    p = point(a.s, wheel_.nodes()[a.interval].position, turned(a.tangent, t * turn(a.tangent, b.tangent)));
+    p = point(a.s, wheel_.nodes()[a.interval].position,
+              turned(a.tangent, t * angle_from_to(a.tangent, b.tangent)));
   } else {
     const TabulatedProfile::Point q = wheel_.between(a.interval, t);
     p = point(a.s + t * (b.s - a.s), q.position, q.tangent);
@@ -95,7 +86,7 @@ double ContactLocus::curvature_along_x(int k, double t) const {
     return 0;
   // Euler's formula with the principal directions, along the profile and around the axle.
   const auto table = wheel_.nodes();
-  const double profile = turn(table[a.interval].after, table[a.interval + 1].before) / (b.s - a.s);
+  const double profile = angle_from_to(table[a.interval].after, table[a.interval + 1].before) / (b.s - a.s);
   const double around = -q.tangent.y / (radius_ + q.position.z);
   const double share =
       q.tangent.y * frame_.axle[0] + q.tangent.z * (m->cosine * frame_.down[0] + m->sine * frame_.forward[0]);

@@ -13,11 +13,6 @@ namespace bem_contact {
 
 namespace {
 
-Point2 turned(Point2 p, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * p.y - s * p.z, s * p.y + c * p.z};
-}
-
 /// t in [0, 1] at which f, positive at 0 and not at 1, vanishes.
 template <class F> double where_it_vanishes(const F& f) {
   return bisect(0, 1, placement_halvings, [&](double t) { return f(t) > 0; }).second;

@@ -22,11 +22,6 @@ TabulatedProfile::Point hermite(const Node& a, const Node& b, double t) {
   return {position, slope};
 }
 
-/// Angle from a to b.
-double turn(Point2 a, Point2 b) {
-  return std::atan2(a.y * b.z - a.z * b.y, dot(a, b));
-}
-
 /// Nodes after `a` up to and with `b`, both within one piece.
 void refine(const ProfileCurve& curve, const Node& a, const Node& b, std::vector<Node>& out) {
   const double middle = 0.5 * (a.s + b.s), length = b.s - a.s;
@@ -94,7 +89,8 @@ CurvePoint TabulatedProfile::quick(double s, int& near) const {
   near = interval(s, near);
   const Node &a = data_->nodes[near], &b = data_->nodes[near + 1];
   const Point p = between(near, b.s > a.s ? (s - a.s) / (b.s - a.s) : 0.0);
-  return {s, p.position, a.delta + turn(a.after, p.tangent), turn(a.after, b.before) / (b.s - a.s)};
+  return {s, p.position, a.delta + angle_from_to(a.after, p.tangent),
+          angle_from_to(a.after, b.before) / (b.s - a.s)};
 }
 
 } // namespace bem_contact

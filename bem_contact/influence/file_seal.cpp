@@ -84,6 +84,10 @@ std::string sha256(std::initializer_list<std::span<const std::byte>> pieces) {
   return hash.hex();
 }
 
+std::string sha256(std::string_view text) {
+  return sha256({std::as_bytes(std::span(text))});
+}
+
 void seal(std::span<std::byte> whole_file, int format_major, int format_minor) {
   const auto text =
       make_seal(format_major, format_minor, whole_file.size(), sha256({whole_file.subspan(seal_size)}));

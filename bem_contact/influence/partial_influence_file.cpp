@@ -92,8 +92,7 @@ struct PartialInfluenceFile::Impl {
       if (found.size() - good < body + digest_size)
         break;
       const std::string_view record = std::string_view(found).substr(good, body);
-      if (sha256({std::as_bytes(std::span(record))}) !=
-          std::string_view(found).substr(good + body, digest_size))
+      if (sha256(record) != std::string_view(found).substr(good + body, digest_size))
         break;
       std::vector<double> values(count);
       std::memcpy(values.data(), record.data() + sizeof head, count * sizeof(double));

@@ -10,7 +10,7 @@ namespace bem_contact {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Gauss-Legendre, 10 points on (-1, 1).
 constexpr std::array<double, 5> gauss_x{0.1488743389816312, 0.4333953941292472, 0.6794095682990244,

@@ -19,7 +19,7 @@ namespace bem_contact {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double to_branch(double angle, double near) {
   return angle + 2 * pi * std::round((near - angle) / (2 * pi));

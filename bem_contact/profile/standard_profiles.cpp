@@ -17,7 +17,7 @@ namespace bem_contact {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 ProfileCurve rail_head_profile(std::string_view name) {
   const std::vector<SectionPiece> right = rail_head(name);

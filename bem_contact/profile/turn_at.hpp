@@ -11,8 +11,7 @@ namespace bem_contact {
 inline double turn_at(std::span<const Point2> p, std::size_t i) {
   if (i == 0 || i + 1 >= p.size())
     return 0;
-  const Point2 a = p[i] - p[i - 1], b = p[i + 1] - p[i];
-  return std::abs(std::atan2(cross(a, b), dot(a, b)));
+  return std::abs(angle_from_to(p[i] - p[i - 1], p[i + 1] - p[i]));
 }
 
 } // namespace bem_contact

@@ -10,7 +10,7 @@
 namespace bem_contact::reference {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void require_half_angle(double half_angle) {
   if (!(half_angle > 0 && half_angle < pi))

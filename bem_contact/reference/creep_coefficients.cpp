@@ -26,7 +26,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Monomials x^i s^j of the coordinates over the semi-axes, i + j <= degree.
 struct Monomials {

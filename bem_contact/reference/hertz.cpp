@@ -14,7 +14,7 @@
 namespace bem_contact::reference {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Complete elliptic integrals of the parameter m = 1 - k^2: K, D = (K - E)/m and B = K - D.
 struct Elliptic {

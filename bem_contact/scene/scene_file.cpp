@@ -228,6 +228,20 @@ SceneFile with_model(SceneFile scene, std::optional<Model> model) {
   return scene;
 }
 
+SceneFile with_lateral(SceneFile scene, double lateral) {
+  scene.position.lateral = lateral;
+  scene.load.force_y.reset();
+  return scene;
+}
+
+SceneFile with_elements(SceneFile scene, double dx, double ds) {
+  scene.grid.dx = dx;
+  scene.grid.ds = ds;
+  scene.grid.elements.reset();
+  scene.grid.accuracy.reset();
+  return scene;
+}
+
 std::vector<NamedFile> named_files(const SceneFile& scene) {
   std::vector<NamedFile> files;
   const auto add = [&](const char* key, const std::string& name, const std::filesystem::path& file) {

@@ -178,6 +178,10 @@ std::string scene_with_defaults(const SceneFile& scene);
 
 /// The same scene, to be answered with another model. Empty: with the cheapest that is accurate enough.
 SceneFile with_model(SceneFile scene, std::optional<Model> model);
+/// The same scene at a given lateral displacement, mm, instead of a given lateral force.
+SceneFile with_lateral(SceneFile scene, double lateral);
+/// The same scene on elements of a given size, mm.
+SceneFile with_elements(SceneFile scene, double dx, double ds);
 
 /// A file that a scene names, or could: a profile may be a standard's name.
 struct NamedFile {

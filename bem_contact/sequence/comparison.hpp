@@ -2,6 +2,7 @@
 
 #include "bem_contact/sequence/scene_result.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace bem_contact {
@@ -32,5 +33,15 @@ struct Comparison {
   /// Those to look at first: at equal forces where there are some.
   const std::vector<SceneResult>& leading() const { return at_forces.empty() ? at_position : at_forces; }
 };
+
+/// Answers a scene with the model that it names.
+using SceneSolver = std::function<SceneResult(const SceneFile&)>;
+/// Fx, N, on the rail of a scene at so much longitudinal creepage beyond free rolling.
+using CreepForceSolver = std::function<double(const SceneFile&, const FreeRolling& free, double creepage)>;
+
+/// One scene with each of the models: at the same position, at the same forces, and beyond free rolling.
+/// Throws what the solvers throw, and InputError for models or scenes that cannot be compared.
+Comparison compare_models(const SceneFile& scene, std::vector<Model> models, const SceneSolver& solve,
+                          const CreepForceSolver& force_beyond);
 
 } // namespace bem_contact

@@ -143,4 +143,18 @@ double solve_lateral_force(const LateralForce& force, double wanted, const Later
   refuse_search(wanted, here.lateral, here.force);
 }
 
+void refuse_lateral_force(double wanted, const std::vector<LateralSample>& samples) {
+  if (samples.empty())
+    throw InputError(fmt::format("No lateral displacement gives a lateral force of {:g} N", wanted),
+                     "wheel and rail have no elastic contact at any displacement that was looked at",
+                     "Check load, gauge and profiles, or give another position.lateral.");
+  const auto [least, most] = std::ranges::minmax(samples, {}, &LateralSample::force);
+  throw InputError(
+      fmt::format("No lateral displacement gives a lateral force of {:g} N", wanted),
+      fmt::format("from {:.4g} to {:.4g} mm the force on the rail is between {:.4g} and {:.4g} N",
+                  samples.front().lateral, samples.back().lateral, least.force, most.force),
+      "Give load.force_y in this range (its sign: towards the side of this wheel), or another "
+      "position.lateral.");
+}
+
 } // namespace bem_contact

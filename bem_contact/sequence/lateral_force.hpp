@@ -38,4 +38,7 @@ std::vector<LateralRoot> find_lateral_roots(const LateralForce& force, std::vect
 double solve_lateral_force(const LateralForce& force, double wanted, const LateralRoot& start,
                            double tolerance);
 
+/// Throws InputError: no displacement gives the force that is wanted, and what the samples reach.
+[[noreturn]] void refuse_lateral_force(double wanted, const std::vector<LateralSample>& samples);
+
 } // namespace bem_contact

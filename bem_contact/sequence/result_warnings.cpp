@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/result_warnings.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/element_size.hpp"
 #include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
@@ -144,6 +145,16 @@ std::vector<std::string> result_warnings(const ContactCase& asked, const SceneRe
   if (r.model != Model::hertz && !r.result.touches_border)
     warn_of_large_elements(r, out);
   return out;
+}
+
+void warn_of_accuracy(const SceneFile::Grid& asked, const std::string& why, SceneResult& out) {
+  const double error = asked_error(asked, out);
+  if (!asked.accuracy || !out.result.converged || error <= *asked.accuracy)
+    return;
+  out.warnings.push_back(
+      fmt::format("the estimated discretisation error reached is {:.2g} %, above the {:.2g} % that "
+                  "grid.accuracy asks for ({} elements in contact; {})",
+                  100 * error, 100 * *asked.accuracy, count_elements(out.result).contact, why));
 }
 
 void refuse_warnings(const std::vector<std::string>& warnings) {

@@ -13,6 +13,10 @@ namespace bem_contact {
 /// elements that are too large, fields that do not converge.
 std::vector<std::string> result_warnings(const ContactCase& asked, const SceneResult& result);
 
+/// A warning more where the estimated error of a solution is above the grid.accuracy asked for. `why`: it was
+/// not reached.
+void warn_of_accuracy(const SceneFile::Grid& asked, const std::string& why, SceneResult& out);
+
 /// For those who take warnings as errors: throws InputError with all of them unless there are none.
 void refuse_warnings(const std::vector<std::string>& warnings);
 

@@ -5,10 +5,10 @@
 #include "bem_contact/sequence/contact_estimate.hpp"
 #include "bem_contact/sequence/describe_case.hpp"
 #include "bem_contact/sequence/free_rolling.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <tuple>
 
 namespace bem_contact {
@@ -18,31 +18,6 @@ namespace {
 /// Whether the former elements are so much larger that their tractions are no start for many elements.
 bool fine_enough(const ContactGrid& former, const SceneFile::Grid& wanted) {
   return former.dx <= coarse_former * wanted.dx && former.ds <= coarse_former * wanted.ds;
-}
-
-/// A warning where a solution misses the accuracy that its scene asks for. `why`: it was not reached.
-void warn_of_accuracy(const SceneFile& scene, const std::string& why, SceneResult& out) {
-  const double error = asked_error(scene.grid, out);
-  if (!scene.grid.accuracy || !out.result.converged || error <= *scene.grid.accuracy)
-    return;
-  out.warnings.push_back(
-      fmt::format("the estimated discretisation error reached is {:.2g} %, above the {:.2g} % that "
-                  "grid.accuracy asks for ({} elements in contact; {})",
-                  100 * error, 100 * *scene.grid.accuracy, count_elements(out.result).contact, why));
-}
-
-SceneFile at_lateral(SceneFile scene, double lateral) {
-  scene.position.lateral = lateral;
-  scene.load.force_y.reset();
-  return scene;
-}
-
-SceneFile with_elements_of(SceneFile scene, const SceneResult& solved) {
-  scene.grid.dx = solved.problem.grid.dx;
-  scene.grid.ds = solved.problem.grid.ds;
-  scene.grid.elements.reset();
-  scene.grid.accuracy.reset();
-  return scene;
 }
 
 /// What rough solutions of lateral forces are of: the same question with half-space numbers.
@@ -60,31 +35,6 @@ SceneFile rough_scene(const SceneFile& scene) {
 std::optional<double> lateral_force_of(const SceneResult& solved) {
   const bool known = solved.result.converged && !solved.result.patches.empty();
   return known ? std::optional(solved.result.Fy) : std::nullopt;
-}
-
-[[noreturn]] void refuse_lateral_force(double wanted, const std::vector<LateralSample>& samples) {
-  if (samples.empty())
-    throw InputError(fmt::format("No lateral displacement gives a lateral force of {:g} N", wanted),
-                     "wheel and rail have no elastic contact at any displacement that was looked at",
-                     "Check load, gauge and profiles, or give another position.lateral.");
-  const auto [least, most] = std::ranges::minmax(samples, {}, &LateralSample::force);
-  throw InputError(
-      fmt::format("No lateral displacement gives a lateral force of {:g} N", wanted),
-      fmt::format("from {:.4g} to {:.4g} mm the force on the rail is between {:.4g} and {:.4g} N",
-                  samples.front().lateral, samples.back().lateral, least.force, most.force),
-      "Give load.force_y in this range (its sign: towards the side of this wheel), or another "
-      "position.lateral.");
-}
-
-void require_comparable(const SceneFile& scene, const std::vector<Model>& models) {
-  std::vector<Model> sorted = models;
-  std::ranges::sort(sorted);
-  if (models.size() < 2 || std::ranges::adjacent_find(sorted) != sorted.end())
-    throw InputError("These models cannot be compared", "a comparison needs two different models or more",
-                     "Name them, for instance halfspace and fem.");
-  if (!scene.load.force && scene.motion.kind != MotionKind::steady)
-    throw InputError("The models cannot be compared over these steps", "only the approach is given",
-                     "Give load.force, at which they are compared, or solve the scene with either model.");
 }
 
 } // namespace
@@ -160,7 +110,7 @@ SceneResult Sequence::solve_steady_rolling(const ContactCase& asked, bool totals
     remember(out, *asked.estimate);
     if (again && round < most_solves)
       continue;
-    warn_of_accuracy(asked.scene, memory_.element_size.limit(grid.dx), out);
+    warn_of_accuracy(asked.scene.grid, memory_.element_size.limit(grid.dx), out);
     return out;
   }
 }
@@ -179,7 +129,7 @@ void Sequence::remember(const SceneResult& result, const ContactEstimate& estima
 
 std::optional<double> Sequence::rough_lateral_force(SceneFile scene, double lateral) {
   try {
-    const ContactCase asked = prepare(at_lateral(std::move(scene), lateral));
+    const ContactCase asked = prepare(with_lateral(std::move(scene), lateral));
     SceneFile::Grid grid;
     std::tie(grid.dx, grid.ds) =
         size_of_elements(*asked.estimate, lateral_map_elements, 1, 0, longest_element);
@@ -206,7 +156,7 @@ SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene) {
   const std::vector<LateralRoot> roots = find_lateral_roots(
       [&](double lateral) { return rough_lateral_force(rough, lateral); }, branches.samples, wanted);
   if (roots.empty()) {
-    check(at_lateral(scene, scene.position.lateral)); // a scene that cannot be solved anywhere says why
+    check(with_lateral(scene, scene.position.lateral)); // a scene that cannot be solved anywhere says why
     refuse_lateral_force(wanted, branches.samples);
   }
   const auto nearest = std::ranges::min_element(
@@ -216,91 +166,43 @@ SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene) {
   std::string reason;
   if (!scene.solver.model || scene.grid.elements ||
       scene.grid.accuracy) { // the same model and elements all the way
-    const SceneResult first = solve_at_position(at_lateral(scene, nearest->lateral + branches.offset));
-    asked = with_elements_of(with_model(std::move(asked), first.model), first);
+    const SceneResult first = solve_at_position(with_lateral(scene, nearest->lateral + branches.offset));
+    asked = with_elements(with_model(std::move(asked), first.model), first.problem.grid.dx,
+                          first.problem.grid.ds);
     reason = first.reason;
   }
   SceneFile on_the_way = asked;
   on_the_way.motion.free_rolling = false;
   const double tolerance = lateral_tolerance * std::hypot(wanted, *scene.load.force);
   const double lateral = solve_lateral_force(
-      [&](double at) { return lateral_force_of(solve_at_position(at_lateral(on_the_way, at), true)); },
+      [&](double at) { return lateral_force_of(solve_at_position(with_lateral(on_the_way, at), true)); },
       wanted, {nearest->lateral + branches.offset, nearest->slope}, tolerance);
   memory_.lateral->offset = lateral - nearest->lateral;
 
-  SceneResult out = solve_at_position(at_lateral(asked, lateral));
+  SceneResult out = solve_at_position(with_lateral(asked, lateral));
   out.reason = reason.empty() ? out.reason : reason;
   out.found_lateral = LateralPosition{lateral, {}};
   for (const LateralRoot& root : roots)
     if (root.lateral != nearest->lateral)
       out.found_lateral->others.push_back(root.lateral);
-  warn_of_accuracy(scene, "all displacements are tried on the elements of the first one", out);
+  warn_of_accuracy(scene.grid, "all displacements are tried on the elements of the first one", out);
   return out;
 }
 
-std::vector<CreepForces> Sequence::creep_forces(const SceneFile& scene,
-                                                const std::vector<SceneResult>& at_forces) {
-  std::vector<CreepForces> out;
-  for (const double creepage : compared_creepages) {
-    CreepForces forces{creepage, {}};
-    for (const SceneResult& free : at_forces) {
-      WorkBudget work(stop_);
-      SolveResources tools = resources(work);
-      tools.totals_only = true;
-      const ContactCase asked = prepare(with_model(at_lateral(scene, *free.lateral), free.model));
-      forces.Fx.push_back(
-          solve_case(beyond_free_rolling(asked, *free.free_rolling, creepage), scene.grid, tools).result.Fx);
-    }
-    out.push_back(std::move(forces));
-  }
-  return out;
+double Sequence::force_beyond(const SceneFile& scene, const FreeRolling& free, double creepage) {
+  WorkBudget work(stop_);
+  SolveResources tools = resources(work);
+  tools.totals_only = true;
+  return solve_case(beyond_free_rolling(prepare(scene), free, creepage), scene.grid, tools).result.Fx;
 }
 
 Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models) {
   const std::lock_guard turn(*turn_);
-  require_comparable(scene, models);
-  Comparison out;
-  const auto fem = std::ranges::find(models, Model::fem);
-  out.reference = fem != models.end() ? fem - models.begin() : models.size() - 1;
-  out.models = std::move(models);
-  const Model reference = out.models[out.reference];
-  const bool patch = scene.kind == SceneKind::patch;
-
-  // What the others have to meet: the size of the elements, Fz, the place.
-  SceneFile asked = scene;
-  if (scene.grid.elements || scene.grid.accuracy || !scene.load.force || scene.load.force_y) {
-    const SceneResult first = solve(with_model(scene, reference));
-    asked = with_elements_of(std::move(asked), first);
-    asked.position.lateral = first.lateral.value_or(asked.position.lateral);
-    asked.load.force_y.reset();
-    asked.load.force = first.result.Fz;
-    asked.load.approach.reset();
-    asked.position.vertical.reset();
-  }
-  std::vector<SceneResult>& first = patch ? out.at_forces : out.at_position;
-  for (const Model model : out.models) {
-    first.push_back(solve(with_model(asked, model)));
-    warn_of_accuracy(scene, "all models have the elements of the reference", first.back());
-  }
-  if (patch || (scene.motion.kind != MotionKind::steady && !scene.motion.frictionless))
-    return out;
-
-  SceneFile equal = asked;
-  equal.motion.from_free_rolling = false;
-  if (!scene.motion.frictionless)
-    equal.load.force_x = scene.load.force_x.value_or(0);
-  const bool the_same = scene.motion.frictionless || scene.load.force_x;
-  const SceneResult& place = out.at_position[out.reference];
-  SceneResult there = the_same ? place : solve(with_model(equal, reference));
-  equal.load.force_y = scene.load.force_y.value_or(there.result.Fy);
-  for (const Model model : out.models)
-    out.at_forces.push_back(model == reference && !scene.load.force_y ? there
-                                                                      : solve(with_model(equal, model)));
-  equal.load.force_y.reset();
-  if (!the_same &&
-      std::ranges::all_of(out.at_forces, [](const SceneResult& r) { return r.free_rolling.has_value(); }))
-    out.creep_forces = creep_forces(equal, out.at_forces);
-  return out;
+  return compare_models(
+      scene, std::move(models), [&](const SceneFile& asked) { return solve(asked); },
+      [&](const SceneFile& asked, const FreeRolling& free, double creepage) {
+        return force_beyond(asked, free, creepage);
+      });
 }
 
 SceneDescription Sequence::check(const SceneFile& scene) {

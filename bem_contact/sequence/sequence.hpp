@@ -100,7 +100,7 @@ private:
   SceneResult solve_at_lateral_force(const SceneFile& scene);
   std::optional<double> rough_lateral_force(SceneFile scene, double lateral);
   const LateralBranches& lateral_branches(const SceneFile& scene);
-  std::vector<CreepForces> creep_forces(const SceneFile& scene, const std::vector<SceneResult>& at_forces);
+  double force_beyond(const SceneFile& scene, const FreeRolling& free, double creepage);
   SceneResult solve_steady_rolling(const ContactCase& asked, bool totals_only);
   const FormerSolution* start_for(const std::vector<PotentialArea>& areas, const SceneFile::Grid& grid) const;
   void remember(const SceneResult& result, const ContactEstimate& estimate);

@@ -12,13 +12,10 @@ namespace bem_contact {
 
 namespace {
 
-Point2 turned(Point2 v, double angle) {
-  return Pose{{0, 0}, angle}.to_track(v);
-}
-
 /// Both parts, along and about the axes.
 SixNumbers turned(const SixNumbers& v, double angle) {
-  const Point2 along = turned(Point2{v[1], v[2]}, angle), about = turned(Point2{v[4], v[5]}, angle);
+  const Point2 along = bem_contact::turned(Point2{v[1], v[2]}, angle),
+               about = bem_contact::turned(Point2{v[4], v[5]}, angle);
   return {v[0], along.y, along.z, v[3], about.y, about.z};
 }
 

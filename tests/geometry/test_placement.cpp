@@ -14,7 +14,7 @@ namespace {
 using namespace bem_contact;
 using ::testing::HasSubstr;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 WheelOnRail s1002_on_60e1(WheelsetPosition position) {
   return place(position, named_profile("60E1", ProfileKind::rail),

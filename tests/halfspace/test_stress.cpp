@@ -11,7 +11,7 @@ namespace {
 using namespace bem_contact;
 using namespace bem_contact::halfspace;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double Stress::*components[] = {&Stress::xx, &Stress::ss, &Stress::nn,
                                           &Stress::xs, &Stress::xn, &Stress::sn};
 

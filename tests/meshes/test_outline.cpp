@@ -13,7 +13,7 @@
 namespace bem_contact::meshes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(SizeField, GrowsFromItsSourcesUpToTheLargest) {
   SizeField size(5, 0.5);

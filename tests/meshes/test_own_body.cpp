@@ -14,7 +14,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A block 40 wide and 20 high, its top the contact surface, with holes.
 BodyFile block(std::vector<BodyFile::Hole> holes) {

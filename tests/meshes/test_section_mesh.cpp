@@ -17,7 +17,7 @@
 namespace bem_contact::meshes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double distance_to_strip(const std::vector<Point2>& strip, Point2 p) {
   double nearest = std::numeric_limits<double>::infinity();

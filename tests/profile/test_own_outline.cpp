@@ -16,7 +16,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A body file of kind outline, strip and all, from its pieces and further lines of [body].
 std::string toml(const std::string& pieces, const std::string& more = "") {

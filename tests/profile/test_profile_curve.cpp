@@ -12,7 +12,7 @@
 namespace bem_contact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Points of a circle of radius r about the origin, walked as an upper body over its lower part.
 std::vector<Point2> arc_points(double r, double half_angle, int intervals) {

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(S1002, is_the_formula_on_the_tread_and_within_the_joints_jumps_elsewhere) {
   const ProfileCurve curve = standard_profile("S1002");

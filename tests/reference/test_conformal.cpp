@@ -11,7 +11,8 @@ using namespace bem_contact;
 using namespace bem_contact::reference;
 
 namespace {
-constexpr double pi = std::numbers::pi, degree = pi / 180;
+using std::numbers::pi;
+constexpr double degree = pi / 180;
 const Material steel{82000, 0.28};
 } // namespace
 

@@ -15,7 +15,7 @@ namespace {
 using namespace bem_contact;
 using ::testing::HasSubstr;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 SceneFile scene_of(const std::string& text) {
   return parse_scene_file(text);

@@ -27,15 +27,32 @@ function(conformal_room target)
   target_link_libraries(${target} PUBLIC conformal_options ${ARG_ROOMS} PRIVATE ${ARG_LIBRARIES})
 endfunction()
 
+# What every test includes, compiled once and used by all test programs.
+if(CONFORMAL_TESTS)
+  file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/test_headers.cpp CONTENT "")
+  add_library(conformal_test_headers OBJECT ${CMAKE_BINARY_DIR}/test_headers.cpp)
+  target_link_libraries(conformal_test_headers PUBLIC conformal_options fmt::fmt GTest::gmock)
+  target_compile_options(conformal_test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_precompile_headers(conformal_test_headers PRIVATE
+    <algorithm> <cmath> <filesystem> <fstream> <string> <vector> <fmt/format.h> <gmock/gmock.h>)
+endif()
+
 # conformal_test(<name> SOURCES ... [SOLVERS ...] ROOMS ... [LIBRARIES ...]): one GoogleTest program a room.
 #   SOLVERS    sources that compute much themselves. The others are hardly optimised: they call the rooms,
 #              and compile in two thirds of the time.
 function(conformal_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;SOLVERS;ROOMS;LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES} ${ARG_SOLVERS})
-  set_source_files_properties(${ARG_SOURCES} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if(ARG_SOLVERS)
+    set_source_files_properties(${ARG_SOLVERS} PROPERTIES
+      COMPILE_OPTIONS $<$<CONFIG:Release>:-O3> SKIP_PRECOMPILE_HEADERS ON)
+  endif()
+  # Tests define the same helpers file by file.
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
+  target_precompile_headers(${name} REUSE_FROM conformal_test_headers)
   target_link_libraries(${name} PRIVATE conformal_options ${ARG_ROOMS} ${ARG_LIBRARIES}
-                        GTest::gmock GTest::gtest_main)
+                        fmt::fmt GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     CONFORMAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     CONFORMAL_BINARY_DIR="${PROJECT_BINARY_DIR}")

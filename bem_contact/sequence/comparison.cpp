@@ -1,0 +1,102 @@
+#include "bem_contact/sequence/comparison.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/sequence/settings.hpp"
+
+#include <algorithm>
+
+namespace bem_contact {
+
+namespace {
+
+void require_comparable(const SceneFile& scene, const std::vector<Model>& models) {
+  std::vector<Model> sorted = models;
+  std::ranges::sort(sorted);
+  if (models.size() < 2 || std::ranges::adjacent_find(sorted) != sorted.end())
+    throw InputError("These models cannot be compared", "a comparison needs two different models or more",
+                     "Name them, for instance halfspace and fem.");
+  if (!scene.load.force && scene.motion.kind != MotionKind::steady)
+    throw InputError("The models cannot be compared over these steps", "only the approach is given",
+                     "Give load.force, at which they are compared, or solve the scene with either model.");
+}
+
+/// What all models have to meet: the size of the elements, Fz and the place. What the scene leaves open is
+/// taken from the reference's answer.
+SceneFile same_for_all(const SceneFile& scene, Model reference, const SceneSolver& solve) {
+  const bool all_given =
+      !scene.grid.elements && !scene.grid.accuracy && scene.load.force && !scene.load.force_y;
+  if (all_given)
+    return scene;
+  const SceneResult first = solve(with_model(scene, reference));
+  SceneFile asked = with_elements(scene, first.problem.grid.dx, first.problem.grid.ds);
+  asked = with_lateral(std::move(asked), first.lateral.value_or(scene.position.lateral));
+  asked.load.force = first.result.Fz;
+  asked.load.approach.reset();
+  asked.position.vertical.reset();
+  return asked;
+}
+
+std::vector<SceneResult> solve_each(const SceneFile& asked, const std::vector<Model>& models,
+                                    const SceneFile::Grid& wanted, const SceneSolver& solve) {
+  std::vector<SceneResult> out;
+  for (const Model model : models) {
+    out.push_back(solve(with_model(asked, model)));
+    warn_of_accuracy(wanted, "all models have the elements of the reference", out.back());
+  }
+  return out;
+}
+
+/// `equal`: without load.force_y.
+std::vector<CreepForces> creep_forces(const SceneFile& equal, const std::vector<SceneResult>& at_forces,
+                                      const CreepForceSolver& force_beyond) {
+  std::vector<CreepForces> out;
+  for (const double creepage : compared_creepages) {
+    CreepForces forces{creepage, {}};
+    for (const SceneResult& free : at_forces)
+      forces.Fx.push_back(force_beyond(with_model(with_lateral(equal, *free.lateral), free.model),
+                                       *free.free_rolling, creepage));
+    out.push_back(std::move(forces));
+  }
+  return out;
+}
+
+} // namespace
+
+Comparison compare_models(const SceneFile& scene, std::vector<Model> models, const SceneSolver& solve,
+                          const CreepForceSolver& force_beyond) {
+  require_comparable(scene, models);
+  Comparison out;
+  const auto fem = std::ranges::find(models, Model::fem);
+  out.reference = fem != models.end() ? fem - models.begin() : models.size() - 1;
+  out.models = std::move(models);
+  const Model reference = out.models[out.reference];
+
+  const SceneFile asked = same_for_all(scene, reference, solve);
+  if (scene.kind == SceneKind::patch) {
+    out.at_forces = solve_each(asked, out.models, scene.grid, solve);
+    return out;
+  }
+  out.at_position = solve_each(asked, out.models, scene.grid, solve);
+  if (scene.motion.kind != MotionKind::steady && !scene.motion.frictionless)
+    return out;
+
+  SceneFile equal = asked;
+  equal.motion.from_free_rolling = false;
+  if (!scene.motion.frictionless)
+    equal.load.force_x = scene.load.force_x.value_or(0);
+  const bool the_same = scene.motion.frictionless || scene.load.force_x;
+  const SceneResult& place = out.at_position[out.reference];
+  const SceneResult there = the_same ? place : solve(with_model(equal, reference));
+  equal.load.force_y = scene.load.force_y.value_or(there.result.Fy);
+  for (const Model model : out.models)
+    out.at_forces.push_back(model == reference && !scene.load.force_y ? there
+                                                                      : solve(with_model(equal, model)));
+  const bool free_rolling =
+      std::ranges::all_of(out.at_forces, [](const SceneResult& r) { return r.free_rolling.has_value(); });
+  if (!the_same && free_rolling)
+    out.creep_forces = creep_forces(equal, out.at_forces, force_beyond);
+  return out;
+}
+
+} // namespace bem_contact
