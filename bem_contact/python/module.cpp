@@ -53,10 +53,6 @@ PythonResult solve_one(const py::object& scene, const py::object& changes, const
   return solved(PythonSequence(scene_of(scene, folder)), changes, model, strict);
 }
 
-py::array_t<double> line(std::vector<double> values) {
-  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
-}
-
 /// [ms][mx]
 py::array_t<double> field(const SceneResult& r, const ElementQuantity& quantity) {
   const ContactGrid& grid = r.problem.grid;
@@ -69,7 +65,7 @@ py::array_t<double> each_row(const SceneResult& r, const RowQuantity& quantity) 
   std::vector<double> values;
   for (std::size_t row = 0; row < r.problem.rows.size(); ++row)
     values.push_back(quantity.value(r, row));
-  return line(std::move(values));
+  return array_of(values);
 }
 
 /// None for nan.
@@ -103,7 +99,7 @@ py::dict history_of(const SceneResult& r) {
     std::vector<double> values;
     for (const ContactResult& step : r.history)
       values.push_back(q.value(r, step));
-    out[q.name] = line(std::move(values));
+    out[q.name] = array_of(values);
   }
   return out;
 }
@@ -138,7 +134,7 @@ py::object stresses_of(const SceneResult& r) {
   const auto at_points = [&](const std::vector<double>& values) {
     return py::array_t<double>(shape, values.data());
   };
-  return py::dict("x"_a = line(b.x), "s"_a = line(b.s), "depths"_a = line(b.depths),
+  return py::dict("x"_a = array_of(b.x), "s"_a = array_of(b.s), "depths"_a = array_of(b.depths),
                   "components"_a = std::array{"xx", "ss", "nn", "xs", "xn", "sn"}, "stress"_a = tensor,
                   "von_mises"_a = at_points(b.von_mises), "largest_shear"_a = at_points(b.largest_shear));
 }
@@ -150,8 +146,8 @@ py::object body_of(const std::optional<BodyMotion>& body) {
   const auto matrix = [](const SixBySix& m) { return py::array_t<double>({6, 6}, m.front().data()); };
   return py::dict("before"_a = std::array{body->before.y, body->before.z},
                   "after"_a = std::array{body->after.y, body->after.z},
-                  "force"_a = line({body->force.begin(), body->force.end()}),
-                  "motion"_a = line({body->motion.begin(), body->motion.end()}),
+                  "force"_a = array_of({body->force.begin(), body->force.end()}),
+                  "motion"_a = array_of({body->motion.begin(), body->motion.end()}),
                   "compliance"_a = matrix(body->compliance),
                   "stiffness"_a = body->stiffness ? py::object(matrix(*body->stiffness)) : py::none());
 }
@@ -219,7 +215,7 @@ void add_fields(ResultClass& c) {
         q.name, [&q](const SceneResult& r) { return each_row(r, q); },
         doc_of(q.description, q.unit, ", [ms]"));
   c.def_property_readonly(
-      "x", [](const SceneResult& r) { return line(r.problem.grid.columns()); },
+      "x", [](const SceneResult& r) { return array_of(r.problem.grid.columns()); },
       "Middle of the columns, rolling direction, mm, [mx]");
 }
 

@@ -1,5 +1,6 @@
 #include "fem_influence/harmonic/section.hpp"
 
+#include "fem_influence/shared/points.hpp"
 #include "fem_influence/shared/read_msh.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -15,15 +16,6 @@
 #include <algorithm>
 
 namespace bem_contact::fem {
-
-namespace {
-
-// A point of deal.II is (y, z) here.
-Point2 plain(const dealii::Point<2>& p) {
-  return {p[0], p[1]};
-}
-
-} // namespace
 
 struct Section::Impl {
   dealii::Triangulation<2> mesh;

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "fem_influence/shared/curved_outline.hpp"
+#include "fem_influence/shared/points.hpp"
 #include "fem_influence/shared/read_msh.hpp"
 #include "fem_influence/shared/settings.hpp"
 
@@ -16,10 +17,6 @@
 namespace bem_contact::fem {
 
 namespace {
-
-Point2 plain(const dealii::Point<2>& p) {
-  return {p[0], p[1]};
-}
 
 void require_groups(const dealii::Triangulation<2>& mesh, const std::filesystem::path& path) {
   bool contact = false, held = false;

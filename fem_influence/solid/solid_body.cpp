@@ -1,6 +1,7 @@
 #include "fem_influence/solid/solid_body.hpp"
 
 #include "bem_contact/base/output_file.hpp"
+#include "fem_influence/shared/points.hpp"
 #include "fem_influence/shared/read_msh.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -20,14 +21,6 @@
 #include <algorithm>
 
 namespace bem_contact::fem {
-
-namespace {
-
-Vector3 plain(const dealii::Point<3>& p) {
-  return {p[0], p[1], p[2]};
-}
-
-} // namespace
 
 struct SolidBody::Impl {
   ContactSurface surface;

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "fem_influence/shared/curved_outline.hpp"
+#include "fem_influence/shared/points.hpp"
 #include "fem_influence/shared/read_msh.hpp"
 #include "fem_influence/shared/settings.hpp"
 
@@ -17,13 +18,6 @@
 namespace bem_contact::fem {
 
 namespace {
-
-Vector3 plain(const dealii::Point<3>& p) {
-  return {p[0], p[1], p[2]};
-}
-dealii::Point<3> point(const Vector3& p) {
-  return {p[0], p[1], p[2]};
-}
 
 /// New points are means in the swept section's coordinates: x, and (y, z) as they come, along the profile or
 /// on one of the outline's other arcs.
