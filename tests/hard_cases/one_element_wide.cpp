@@ -1,5 +1,7 @@
 #include "tests/hard_cases/hard_case.hpp"
 
+#include <fmt/format.h>
+
 /// A patch one element wide, along x and along s.
 namespace bem_contact {
 namespace {
@@ -12,7 +14,7 @@ TEST(HardCases, OneElementWide) {
     for (const double size : {1.0, 10.0}) {
       scenes::set_creepage(problem, 0.3, 2e-4 * size, 1e-4 * size, 5e-5 * size);
       const ContactResult result = hard::certified(
-          std::string("one element wide, along ") + (along_x ? "x" : "s") + (size > 1 ? ", full slip" : ""),
+          fmt::format("one element wide, along {}{}", along_x ? "x" : "s", size > 1 ? ", full slip" : ""),
           "a single line of elements in contact, others around it free", problem);
       ASSERT_EQ(result.patches.size(), 1u);
       int lines = 0;
