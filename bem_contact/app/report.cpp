@@ -241,6 +241,8 @@ json to_json(const SceneResult& r) {
                {{"geometry", r.seconds.geometry},
                 {"numbers", r.seconds.numbers},
                 {"solve", r.seconds.solve},
+                {"check", r.seconds.check},
+                {"estimate", r.seconds.estimate},
                 {"total", r.seconds.total}}}};
   add_errors(r, out);
   add_errors(r, out["totals"]);
@@ -283,8 +285,10 @@ std::string to_text(const SceneResult& r) {
              : fmt::format("; discretisation error about {:.1f} %\n", 100 * certificate.discretisation);
   if (!r.result.remark.empty())
     out += fmt::format("solver: {}\n", r.result.remark);
-  out += fmt::format("seconds: geometry {:.2f}, influence numbers {:.2f}, solve {:.2f}, total {:.2f}\n",
-                     r.seconds.geometry, r.seconds.numbers, r.seconds.solve, r.seconds.total);
+  const PhaseSeconds& spent = r.seconds;
+  out += fmt::format("seconds: geometry {:.2f}, influence numbers {:.2f}, solve {:.2f}, certificate {:.2f}, "
+                     "error estimate {:.2f}, total {:.2f}\n",
+                     spent.geometry, spent.numbers, spent.solve, spent.check, spent.estimate, spent.total);
   return out;
 }
 

@@ -108,7 +108,7 @@ void add_trust(H5Table& table, const std::string& group, const SceneResult& r) {
   a[group + "normal_solver"] = c.normal_solver;
   a[group + "tangential_solver"] = c.tangential_solver;
   a[group + "remark"] = c.remark;
-  a[group + "seconds"] = r.seconds.numbers + r.seconds.solve;
+  a[group + "seconds"] = r.seconds.total;
   std::string warnings;
   for (const std::string& warning : r.warnings)
     warnings += warning + "\n";

@@ -169,6 +169,8 @@ struct ContactResult {
   int outer_iterations = 0, normal_iterations = 0, tangential_iterations = 0; ///< in all
   int creepage_iterations = 0; ///< tangential problems solved to find the creepages of prescribed forces
   double work = 0;             ///< of the case so far, companion included: work.hpp
+  double check_seconds = 0;    ///< wall clock, of the certificate and the displacements
+  double estimate_seconds = 0; ///< of the companion
   /// Mean factor by which an outer iteration changed the residual; 0: there was only one outer iteration.
   double outer_rate = 0;
   std::string remark; ///< why a solver of the chain gave up, or ""

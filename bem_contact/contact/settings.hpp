@@ -217,6 +217,8 @@ BEM_CONTACT_TUNED(int, most_slow_steps, 3);
 /// relative to the creepage of the outer iteration before, if there was one. Chosen.
 BEM_CONTACT_TUNED(double, first_creepage_step, 10);
 BEM_CONTACT_TUNED(double, near_creepage_step, 1e-3);
+/// Newton steps with creepages among the unknowns; then they are searched for. Chosen.
+BEM_CONTACT_TUNED(int, most_forced_steps, 20);
 /// Newton steps for two creepages, and how many of them may fail. Chosen.
 BEM_CONTACT_TUNED(int, most_creepage_newton, 40);
 BEM_CONTACT_TUNED(int, most_creepage_stops, 4);
@@ -281,10 +283,13 @@ BEM_CONTACT_TUNED(int, start_newton_steps, 30);
 
 // --- check ---
 
-/// Terms. Direct sums of more would take longer than the solution (about 10,000 elements in contact).
+/// Terms. Direct sums of more take longer than a transform: where numbers are translational, and where they
+/// are not (about 10,000 elements in contact).
+BEM_CONTACT_TUNED(double, many_plane_terms, 2e7);
 BEM_CONTACT_TUNED(double, many_terms, 3e8);
-/// Elements at which direct sums check the FFT that replaces them, and how closely (relative) they agree.
-BEM_CONTACT_TUNED(int, checked_elements, 100);
+/// Direct sums confirm a transform at an element of each row in contact and at so many all over the grid, and
+/// agree with it so closely (relative).
+BEM_CONTACT_TUNED(int, confirmed_elsewhere, 30);
 BEM_CONTACT_TUNED(double, agreement_of_sums, 1e-9);
 /// 1. The certificate's slip scale is at least this times pmax times the largest self number: displacements
 /// have rounding errors in proportion to that product. In steady rolling slip is the difference of

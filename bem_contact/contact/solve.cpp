@@ -1,6 +1,7 @@
 #include "bem_contact/contact/solve.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/contact/check/discretisation.hpp"
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
@@ -99,7 +100,9 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
   sum_forces(problem, result);
   result.patches = contact::find_patches(problem, result);
   result.touches_border = contact::touches_border(problem.grid, result.state);
+  const Stopwatch checking;
   result.certificate = certify(problem, result, options.displacements ? &result.displacements : nullptr);
+  result.check_seconds = checking.seconds();
   result.converged = result.certificate.holds();
   result.normal_solver = solution.normal.solver;
   result.tangential_solver = solution.shear.solver;
@@ -150,7 +153,9 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options,
   contact::ContactOperators only_now;
   contact::ContactOperators& operators = options.workspace ? options.workspace->of(problem) : only_now;
   ContactResult result = solve_on_this_grid(problem, options, operators, work);
+  const Stopwatch estimating;
   result.discretisation = estimate(problem, options, operators, work, result);
+  result.estimate_seconds = estimating.seconds();
   if (result.discretisation)
     result.certificate.discretisation = result.discretisation->worst();
   result.work = work.used();

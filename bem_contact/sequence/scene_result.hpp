@@ -18,7 +18,9 @@ namespace bem_contact {
 struct PhaseSeconds {
   double geometry = 0; ///< files, profiles, contact search, undeformed distance
   double numbers = 0;  ///< influence numbers
-  double solve = 0;    ///< pressures, shear tractions and error estimates
+  double solve = 0;    ///< pressures and shear tractions
+  double check = 0;    ///< certificate and displacements
+  double estimate = 0; ///< the same on elements twice as large, for the stated errors
   double total = 0;    ///< all of the call
 
   /// Adds the seconds of another call.
@@ -26,6 +28,8 @@ struct PhaseSeconds {
     geometry += other.geometry;
     numbers += other.numbers;
     solve += other.solve;
+    check += other.check;
+    estimate += other.estimate;
     total += other.total;
     return *this;
   }

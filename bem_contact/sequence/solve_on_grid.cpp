@@ -5,6 +5,7 @@
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/hertz_model.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace bem_contact {
@@ -136,7 +137,14 @@ void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const Sol
     solve_steps(asked.setup, options, problem, out);
     asked.setup.prescribe(asked.setup.motion.steps.back(), out.contact.problem);
   }
-  out.seconds.solve = solving.seconds();
+  const auto add = [&](const ContactResult& result) {
+    out.seconds.check += result.check_seconds;
+    out.seconds.estimate += result.estimate_seconds;
+  };
+  if (out.history.empty())
+    add(out.result);
+  std::ranges::for_each(out.history, add);
+  out.seconds.solve = solving.seconds() - out.seconds.check - out.seconds.estimate;
 }
 
 } // namespace

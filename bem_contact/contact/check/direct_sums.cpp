@@ -16,51 +16,98 @@ double number(const InfluenceNumbers& a, int m, int row_i, int i, int row_j, int
   return (m < 0 ? parity(i, j) : 1) * a.at(std::abs(m), row_i, i, row_j, j);
 }
 
-/// (A p)_i of one element; the column may lie ahead of the grid.
-double displacement_of(const ContactProblem& problem, const ComponentSpans& p, int row_i, int column, int i) {
+/// An element with tractions.
+struct LoadedElement {
+  int column, row;
+  std::array<double, 3> p; ///< MPa
+};
+
+/// In the order of memory: along rows, column after column.
+std::vector<LoadedElement> loaded_elements(const ContactProblem& problem, const ComponentSpans& p) {
   const int mx = problem.grid.mx;
-  double sum = 0;
-  for (int j = 0; j < 3; ++j)
-    for (int load = 0; load < problem.grid.size(); ++load)
-      if (p[j][load] != 0)
-        sum += number(problem.numbers, column - load % mx, row_i, i, load / mx, j) * p[j][load];
-  return sum;
+  std::vector<LoadedElement> out;
+  for (int column = 0; column < mx; ++column)
+    for (int row = 0; row < problem.grid.ms; ++row) {
+      const int i = row * mx + column;
+      if (p[0][i] != 0 || p[1][i] != 0 || p[2][i] != 0)
+        out.push_back({column, row, {p[0][i], p[1][i], p[2][i]}});
+    }
+  return out;
 }
 
-/// By FFT, columns 0 .. mx + 1; nothing where direct sums disagree.
+/// A p at one element.
+std::array<double, 3> displacement_of(const InfluenceNumbers& a, std::span<const LoadedElement> loads,
+                                      int row, int column) {
+  std::array<double, 3> u{};
+  const std::ptrdiff_t next = a.translational ? 3 : 3 * static_cast<std::ptrdiff_t>(a.rows); // displacement
+  for (const LoadedElement& load : loads) {
+    const int m = column - load.column;
+    const double sign = m < 0 ? -1 : 1; // parity: numbers with one index x are odd in x
+    const double* number = &a.values[a.index(std::abs(m), row, 0, load.row, 0)];
+    const double px = sign * load.p[0], ps = load.p[1], pn = load.p[2];
+    u[0] += sign * (number[0] * px + number[1] * ps + number[2] * pn);
+    number += next;
+    u[1] += number[0] * px + number[1] * ps + number[2] * pn;
+    number += next;
+    u[2] += number[0] * px + number[1] * ps + number[2] * pn;
+  }
+  return u;
+}
+
+/// Where direct sums confirm a transform: an element of each loaded row, each time in another part of it, and
+/// elements all over the grid.
+std::vector<int> confirmed_elements(const ContactProblem& problem, std::span<const LoadedElement> loads) {
+  constexpr double golden = 0.6180339887498949; // multiples of it fall evenly between 0 and 1
+  const auto& [mx, ms, dx, ds, x0] = problem.grid;
+  std::vector<std::vector<int>> loaded(ms);
+  for (const LoadedElement& load : loads)
+    loaded[load.row].push_back(load.row * mx + load.column);
+  std::vector<int> out;
+  for (int row = 0; row < ms; ++row)
+    if (const std::size_t count = loaded[row].size(); count > 0)
+      out.push_back(loaded[row][static_cast<std::size_t>(std::fmod(golden * row, 1.0) * count)]);
+  for (int k = 0; k < confirmed_elsewhere; ++k)
+    out.push_back(static_cast<int>(problem.grid.size() * (k + 0.5) / confirmed_elsewhere));
+  return out;
+}
+
+/// By FFT, columns 0 .. mx + 1; nothing where direct sums disagree. The operator is made here, from the
+/// numbers: nothing of it is the solvers'.
 std::optional<ComponentFields> transformed_displacements(const ContactProblem& problem, bool shear,
                                                          const ComponentSpans& p) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
+  const std::vector<LoadedElement> loads = loaded_elements(problem, p);
+  const int columns = mx + rolling_columns;
+  const std::size_t n = static_cast<std::size_t>(columns) * ms;
   std::vector<int> loaded;
   std::vector<double> tractions;
   for (int j = 0; j < 3; ++j)
-    if (std::any_of(p[j].begin(), p[j].end(), [](double v) { return v != 0; })) {
+    if (std::ranges::any_of(loads, [j](const LoadedElement& load) { return load.p[j] != 0; })) {
       loaded.push_back(j);
-      tractions.insert(tractions.end(), p[j].begin(), p[j].end());
+      tractions.resize(n * loaded.size());
+      for (int row = 0; row < ms; ++row)
+        std::copy_n(&p[j][static_cast<std::size_t>(row) * mx], mx,
+                    &tractions[n * (loaded.size() - 1) + static_cast<std::size_t>(row) * columns]);
     }
   const std::vector<int> wanted =
       shear ? std::vector<int>{component_x, component_s, component_n} : std::vector<int>{component_n};
-  const std::size_t n = problem.grid.size(), columns = mx + rolling_columns;
-  const StripOperator numbers(problem.numbers, mx, wanted, loaded);
-  ComponentFields u;
-  u.fill(std::vector<double>(columns * ms, 0.0));
   std::vector<double> out(wanted.size() * n);
-  for (int ahead = 0; ahead <= (shear ? rolling_columns : 0); ++ahead) {
-    numbers.apply(tractions, out, ahead);
-    for (std::size_t c = 0; c < wanted.size(); ++c)
-      for (int is = 0; is < ms; ++is)
-        std::copy_n(&out[c * n + static_cast<std::size_t>(is) * mx], mx, &u[wanted[c]][is * columns + ahead]);
+  if (!loaded.empty())
+    StripOperator(problem.numbers, columns, wanted, loaded).apply(tractions, out);
+  ComponentFields u;
+  u.fill(std::vector<double>(n, 0.0));
+  std::array<double, 3> allowed{};
+  for (std::size_t c = 0; c < wanted.size(); ++c) {
+    std::copy_n(&out[c * n], n, u[wanted[c]].begin());
+    for (const double v : u[wanted[c]])
+      allowed[wanted[c]] = std::max(allowed[wanted[c]], agreement_of_sums * std::abs(v));
   }
-  for (const int i : wanted) {
-    double largest = 0;
-    for (const double v : u[i])
-      largest = std::max(largest, std::abs(v));
-    for (int k = 0; k < checked_elements; ++k) {
-      const int element = static_cast<int>(n * (k + 0.5) / checked_elements);
-      const double sum = displacement_of(problem, p, element / mx, element % mx, i);
-      if (!(std::abs(sum - u[i][element / mx * columns + element % mx]) <= agreement_of_sums * largest))
+  for (const int element : confirmed_elements(problem, loads)) {
+    const std::array<double, 3> sum = displacement_of(problem.numbers, loads, element / mx, element % mx);
+    for (const int i : wanted)
+      if (!(std::abs(sum[i] - u[i][element / mx * static_cast<std::size_t>(columns) + element % mx]) <=
+            allowed[i]))
         return std::nullopt;
-    }
   }
   return u;
 }
@@ -130,12 +177,16 @@ void add_full(const Terms& terms, int i, const std::vector<char>& wanted, double
   const auto& [a, mx, columns, loads] = terms;
   const int offsets = std::max(mx, columns);
   std::vector<double> lines(static_cast<std::size_t>(3) * a.rows * (mx + columns)); // [J][j][..]
+  std::vector<int> loaded;
+  for (int row = 0; row < a.rows; ++row)
+    if (std::ranges::any_of(loads, [row](const auto& rows) { return rows[row].count > 0; }))
+      loaded.push_back(row);
   for (int row_i = 0; row_i < a.rows; ++row_i) {
     if (!wanted[row_i])
       continue;
-    for (int m = 0; m < offsets; ++m) {
-      double* at = &lines[mx - 1];
-      for (int row_j = 0; row_j < a.rows; ++row_j)
+    for (int m = 0; m < offsets; ++m)
+      for (const int row_j : loaded) {
+        double* at = &lines[static_cast<std::size_t>(3 * row_j) * (mx + columns) + mx - 1];
         for (int j = 0; j < 3; ++j, at += mx + columns) {
           const double number = a.at(m, row_i, i, row_j, j);
           if (m > 0 && m < mx)
@@ -143,8 +194,8 @@ void add_full(const Terms& terms, int i, const std::vector<char>& wanted, double
           if (m < columns)
             at[m] = number;
         }
-    }
-    for (int row_j = 0; row_j < a.rows; ++row_j)
+      }
+    for (const int row_j : loaded)
       for (int j = 0; j < 3; ++j)
         if (const LoadedRow& load = loads[j][row_j]; load.count > 0)
           add_convolved(
@@ -165,7 +216,7 @@ ComponentFields direct_displacements(const ContactProblem& problem, const std::v
   for (int j = 0; j < 3; ++j)
     count += (slips.empty() ? 1.0 : 3.0) * problem.grid.size() *
              std::count_if(p[j].begin(), p[j].end(), [](double v) { return v != 0; });
-  if (count > many_terms && columns == mx + rolling_columns)
+  if (count > (a.translational ? many_plane_terms : many_terms) && columns == mx + rolling_columns)
     if (auto u = transformed_displacements(problem, !slips.empty(), p))
       return std::move(*u);
   ComponentFields u;

@@ -2,6 +2,7 @@
 
 #include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/tangential/kinetic_friction.hpp"
+#include "bem_contact/contact/tangential/newton.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 namespace bem_contact::contact {
 
 using Eigen::Vector2d;
+using Eigen::VectorXd;
 
 CreepageForces::CreepageForces(const TangentialSystem& system, const SolverOptions& options, WorkBudget& work,
                                TangentialTask& task, TangentialState& state)
@@ -25,17 +27,27 @@ CreepageForces::CreepageForces(const TangentialSystem& system, const SolverOptio
 Vector2d CreepageForces::at(const Vector2d& creepage) {
   const int n = system_.size();
   task_ = given_;
-  const double length = system_.rule.length;
-  for (int i = 0; i < n; ++i) {
-    task_.rigid[i] += creepage[0] * length;
-    task_.rigid[n + i] += creepage[1] * length * share_[i];
-    task_.drive[i] += creepage[0] * length;
-    task_.drive[n + i] += creepage[1] * length * share_[i];
-  }
+  add_creepage(system_, share_, creepage, task_);
   solve_with_kinetic_friction(system_, options_, work_, task_, state_);
   ++solves_;
   last_ = system_.problem->element_area() * Vector2d(state_.p.head(n).sum(), state_.p.tail(n).dot(share_));
   return last_;
+}
+
+bool CreepageForces::find(const std::vector<int>& components, const Vector2d& wanted, double tolerance,
+                          Vector2d& creepage) {
+  if (system_.problem->kinetic != 1 || given_.contact.empty())
+    return false;
+  const VectorXd start = state_.p;
+  Vector2d found = creepage;
+  ++solves_;
+  if (newton_for_forces(system_, given_, {components, wanted, share_, tolerance}, options_, work_, task_,
+                        state_, found)) {
+    creepage = found;
+    return true;
+  }
+  state_.p = start;
+  return false;
 }
 
 void CreepageForces::blend(const Solved& one, const Solved& other, double share) {
@@ -45,7 +57,11 @@ void CreepageForces::blend(const Solved& one, const Solved& other, double share)
 }
 
 double CreepageForces::demand(const Vector2d& force) const {
-  const double area = system_.problem->element_area();
+  // The share is one of rows, and so are sums of bounds.
+  const int mx = system_.columns();
+  VectorXd bounds = VectorXd::Zero(system_.size() / mx);
+  for (const int i : given_.contact)
+    bounds[i / mx] += given_.bound[i] * system_.problem->element_area();
   double largest = 0;
   for (int k = 0; k <= capacity_directions; ++k) {
     Vector2d d = force.normalized();
@@ -53,8 +69,8 @@ double CreepageForces::demand(const Vector2d& force) const {
       d = {std::cos(2 * std::numbers::pi * k / capacity_directions),
            std::sin(2 * std::numbers::pi * k / capacity_directions)};
     double carried = 0;
-    for (const int i : given_.contact)
-      carried += given_.bound[i] * area * std::hypot(d[0], d[1] * share_[i]);
+    for (Eigen::Index row = 0; row < bounds.size(); ++row)
+      carried += bounds[row] * std::hypot(d[0], d[1] * share_[row * mx]);
     largest = std::max(largest, force.dot(d) / carried);
   }
   return largest;

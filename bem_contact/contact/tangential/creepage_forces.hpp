@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace bem_contact::contact {
 
 /// The shear forces as a function of the creepages: each evaluation solves a tangential problem. Pairs are
@@ -17,6 +19,11 @@ public:
   /// Forces at these creepages, N. Leaves task and state as solved there.
   Eigen::Vector2d at(const Eigen::Vector2d& creepage);
   const Eigen::Vector2d& last() const { return last_; } ///< of the last at() or blend()
+
+  /// Finds the creepages `components` with which these forces are `wanted`, by newton_for_forces() from
+  /// `creepage` and the state. False where it finds none: the state is as before.
+  bool find(const std::vector<int>& components, const Eigen::Vector2d& wanted, double tolerance,
+            Eigen::Vector2d& creepage);
 
   /// The solution of the last at().
   struct Solved {

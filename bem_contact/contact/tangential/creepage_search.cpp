@@ -172,9 +172,10 @@ void solve_friction(const TangentialSystem& system, const SolverOptions& options
     return;
   }
   const double tolerance = settling_factor * options.tolerance * forces.capacity();
-  creepage.reached = unknown.size() == 1 ? find_one(forces, unknown[0], wanted[unknown[0]], tolerance,
-                                                    creepage.iterations > 0, w)
-                                         : find_both(forces, wanted, tolerance, w);
+  creepage.reached = forces.find(unknown, wanted, tolerance, w) ||
+                     (unknown.size() == 1 ? find_one(forces, unknown[0], wanted[unknown[0]], tolerance,
+                                                     creepage.iterations > 0, w)
+                                          : find_both(forces, wanted, tolerance, w));
   if (creepage.reached) {
     creepage.x = w[0];
     creepage.s = w[1];

@@ -4,6 +4,8 @@
 #include "bem_contact/contact/tangential/newton_matrix.hpp"
 #include "bem_contact/contact/tangential/row_sweeps.hpp"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -12,13 +14,16 @@
 namespace bem_contact::contact {
 namespace {
 
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 class Newton {
 public:
-  Newton(const TangentialSystem& system, const TangentialTask& task, WorkBudget& work, const VectorXd& start)
+  Newton(const TangentialSystem& system, const TangentialTask& task, WorkBudget& work, const VectorXd& start,
+         const PrescribedForces* forces = nullptr)
       : system_(system), work_(work), elements_(system, task), matrix_(system, elements_, work),
-        drive_(elements_.gather(task.drive)), now_(at(elements_.gather(start))) {}
+        forces_(forces), slips_(unit_slips()), drive_(elements_.gather(task.drive)),
+        now_(at(elements_.gather(start))) {}
 
   VectorXd tractions() const { return elements_.scatter(now_.p); }
   VectorXd slip() const { return elements_.scatter(now_.slip); }
@@ -27,45 +32,100 @@ public:
   /// solved more precisely.
   bool step(double enough, TangentialState& state);
   bool stalls() const { return failed_searches_ >= most_failed_searches; }
+  /// What the tractions miss of the prescribed forces, N; and what the steps changed the creepages by. One
+  /// value an unknown creepage.
+  VectorXd missing() const { return missing(now_.p); }
+  const VectorXd& creepages() const { return now_.creepages; }
 
 private:
   struct Point {
-    VectorXd p, slip;
+    VectorXd p, slip, creepages;
     Linearisation linearisation;
-    double residual() const { return linearisation.residual.norm(); }
+    double residual; ///< MPa; what forces miss counts as a traction on all elements
   };
-  Point at(VectorXd p) const {
+  struct Step {
+    VectorXd p, creepages;
+  };
+  MatrixXd unit_slips() const;
+  VectorXd missing(const VectorXd& p) const;
+  Point at(VectorXd p) const { return at(std::move(p), VectorXd::Zero(slips_.cols())); }
+  Point at(VectorXd p, VectorXd creepages) const {
     VectorXd slip;
     matrix_.step(p, slip);
-    slip = drive_ - slip;
-    return point(std::move(p), std::move(slip));
+    slip = drive_ + slips_ * creepages - slip;
+    return point(std::move(p), std::move(slip), std::move(creepages));
   }
-  Point point(VectorXd p, VectorXd slip) const {
+  Point point(VectorXd p, VectorXd slip, VectorXd creepages) const {
     Linearisation linearisation = linearise(elements_.stiffness, elements_.bound, p, slip);
-    return {std::move(p), std::move(slip), std::move(linearisation)};
+    const double spread = system_.problem->element_area() * std::sqrt(double(elements_.contact.size()));
+    const double residual = std::hypot(linearisation.residual.norm(), missing(p).norm() / spread);
+    return {std::move(p), std::move(slip), std::move(creepages), std::move(linearisation), residual};
   }
-  bool search(const VectorXd& step, double before);
+  Step step_from_here(double forcing, TangentialState& state) const;
+  bool search(const Step& step, double before);
   void help_worst_rows();
 
   const TangentialSystem& system_;
   WorkBudget& work_;
   ContactElements elements_;
   NewtonMatrix matrix_;
+  const PrescribedForces* forces_; ///< null: none
+  MatrixXd slips_;                 ///< of a unit of each unknown creepage, mm
   VectorXd drive_;
   Point now_;
   double last_ = 0; ///< residual before the former step; 0: there was none
   int failed_searches_ = 0;
 };
 
+MatrixXd Newton::unit_slips() const {
+  MatrixXd slips = MatrixXd::Zero(elements_.unknowns(), forces_ ? forces_->components.size() : 0);
+  for (Eigen::Index k = 0; k < slips.cols(); ++k)
+    for (std::size_t a = 0; a < elements_.contact.size(); ++a) {
+      const int component = forces_->components[k];
+      slips(2 * a + component, k) =
+          system_.rule.length * (component == component_x ? 1.0 : forces_->share[elements_.contact[a]]);
+    }
+  return slips;
+}
+
+VectorXd Newton::missing(const VectorXd& p) const {
+  VectorXd out = slips_.transpose() * p * (-system_.problem->element_area() / system_.rule.length);
+  for (Eigen::Index k = 0; k < out.size(); ++k)
+    out[k] += forces_->force[forces_->components[k]];
+  return out;
+}
+
+Newton::Step Newton::step_from_here(double forcing, TangentialState& state) const {
+  VectorXd p = matrix_.newton_step(now_.linearisation, forcing, work_, state);
+  if (slips_.cols() == 0)
+    return {std::move(p), VectorXd(0)};
+  // Tractions under a unit of each creepage; then so much of them that the forces are met.
+  MatrixXd under_unit(p.size(), slips_.cols());
+  Linearisation load = now_.linearisation;
+  for (Eigen::Index k = 0; k < slips_.cols(); ++k) {
+    for (std::size_t a = 0; a < elements_.contact.size(); ++a)
+      load.residual.segment<2>(2 * a) =
+          -elements_.stiffness[a] * (load.projection[a] * slips_.col(k).segment<2>(2 * a)).eval();
+    under_unit.col(k) = matrix_.newton_step(load, forcing, work_, state);
+  }
+  const double sum = system_.problem->element_area() / system_.rule.length;
+  const VectorXd creepages = MatrixXd(sum * slips_.transpose() * under_unit)
+                                 .fullPivLu()
+                                 .solve(missing(now_.p) - sum * slips_.transpose() * p);
+  p += under_unit * creepages;
+  return {std::move(p), creepages};
+}
+
 /// Halves the step until the residual decreases. If it does not, takes the shortest step.
-bool Newton::search(const VectorXd& step, double before) {
+bool Newton::search(const Step& step, double before) {
   VectorXd step_slip;
-  matrix_.step(step, step_slip);
-  step_slip = -step_slip;
+  matrix_.step(step.p, step_slip);
+  step_slip = slips_ * step.creepages - step_slip;
   double length = 1;
   for (int halving = 0; halving < newton_halvings; ++halving, length *= 0.5) {
-    Point there = point(now_.p + length * step, now_.slip + length * step_slip);
-    const bool decreased = there.residual() < (1 - newton_decrease * length) * before;
+    Point there = point(now_.p + length * step.p, now_.slip + length * step_slip,
+                        now_.creepages + length * step.creepages);
+    const bool decreased = there.residual < (1 - newton_decrease * length) * before;
     if (decreased || halving == newton_halvings - 1) {
       now_ = std::move(there);
       return decreased;
@@ -78,23 +138,23 @@ void Newton::help_worst_rows() {
   VectorXd trial = now_.p;
   if (!sweep_rows(system_, elements_, now_.slip, now_.linearisation, work_, trial))
     return;
-  if (Point there = at(std::move(trial)); there.residual() < now_.residual())
+  if (Point there = at(std::move(trial), now_.creepages); there.residual < now_.residual)
     now_ = std::move(there);
 }
 
 bool Newton::step(double enough, TangentialState& state) {
   // Linear systems are solved only as precisely as the states are known: quadratic convergence shows that
   // they are.
-  const double before = now_.residual();
+  const double before = now_.residual;
   const double ratio = last_ == 0 ? 1 : before / last_;
   const double forcing = std::clamp(newton_forcing * ratio * ratio, std::max(finest_newton_forcing, enough),
                                     coarsest_newton_forcing);
   last_ = before;
-  const VectorXd step = matrix_.newton_step(now_.linearisation, forcing, work_, state);
-  if (!step.allFinite())
+  const Step step = step_from_here(forcing, state);
+  if (!step.p.allFinite() || !step.creepages.allFinite())
     return false;
   failed_searches_ += !search(step, before);
-  if (now_.residual() > slow_newton_step * before)
+  if (now_.residual > slow_newton_step * before)
     help_worst_rows();
   return true;
 }
@@ -119,6 +179,49 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
   }
   if (!state.converged)
     state.remark += "Newton: no answer in " + std::to_string(steps) + " steps; ";
+}
+
+void add_creepage(const TangentialSystem& system, const VectorXd& share, const Eigen::Vector2d& creepage,
+                  TangentialTask& task) {
+  const int n = system.size();
+  const Eigen::Vector2d slip = system.rule.length * creepage;
+  for (VectorXd* field : {&task.rigid, &task.drive}) {
+    field->head(n).array() += slip[0];
+    field->tail(n) += slip[1] * share;
+  }
+}
+
+bool newton_for_forces(const TangentialSystem& system, const TangentialTask& given,
+                       const PrescribedForces& forces, const SolverOptions& options, WorkBudget& work,
+                       TangentialTask& task, TangentialState& state, Eigen::Vector2d& creepage) {
+  const int n = system.size();
+  if (state.p.size() != 2 * n)
+    state.p = VectorXd::Zero(2 * n);
+  state.remark.clear();
+  const Eigen::Vector2d start = creepage;
+  task = given;
+  add_creepage(system, forces.share, creepage, task);
+  Newton method(system, task, work, state.p, &forces);
+  for (int steps = 0;; ++steps) {
+    creepage = start;
+    for (std::size_t k = 0; k < forces.components.size(); ++k)
+      creepage[forces.components[k]] += method.creepages()[k];
+    task = given;
+    add_creepage(system, forces.share, creepage, task);
+    state.p = method.tractions();
+    state.slip = method.slip();
+    state.violation = coulomb_violation(task, state.p, state.slip);
+    const double missing = method.missing().norm() / forces.tolerance;
+    state.converged = state.violation <= options.tolerance && missing <= 1;
+    if (state.converged)
+      return true;
+    if (steps == most_forced_steps || method.stalls())
+      return false;
+    ++state.iterations;
+    const double rest = std::max(state.violation / options.tolerance, missing);
+    if (!method.step(std::min(coarsest_newton_forcing, newton_end_forcing / rest), state))
+      return false;
+  }
 }
 
 } // namespace bem_contact::contact
