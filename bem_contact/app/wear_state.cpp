@@ -68,8 +68,13 @@ void write_wear(const std::filesystem::path& folder, const std::string& digest, 
 
 std::optional<WearState> read_wear(const std::filesystem::path& folder, const std::string& digest) {
   const std::filesystem::path file = folder / "state.txt";
-  if (!file_exists(file))
+  if (!file_exists(file)) {
+    if (!std::filesystem::is_empty(folder))
+      throw InputError(fmt::format("The output '{}' exists and is not of this wear", folder.string()),
+                       "it is not empty, and there is no state.txt in it: its files might be overwritten",
+                       "Give a new folder, or an empty one.");
     return std::nullopt;
+  }
   std::istringstream in(read_text_file(file.string(), "state of wear"));
   std::string format, known, end;
   std::getline(in, format);

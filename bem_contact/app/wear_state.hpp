@@ -26,7 +26,8 @@ std::vector<double> history_row(int step, const wear::WornPair& pair, double whe
 /// at all: a kill at any moment leaves the state of a finished step.
 void write_wear(const std::filesystem::path& folder, const std::string& digest, const WearState& state);
 
-/// The state of a folder; nothing where it has none. Throws InputError if it is of another scene or damaged.
+/// The state of a folder; nothing if the folder is empty. Throws InputError if the state is of another scene
+/// or damaged, and if there are only other files: writing would overwrite those of the same name.
 std::optional<WearState> read_wear(const std::filesystem::path& folder, const std::string& digest);
 
 } // namespace bem_contact::app
