@@ -185,6 +185,10 @@ std::string model_of(const py::object& model) {
   return model.cast<std::string>();
 }
 
+py::array_t<double> array_of(const std::vector<double>& values) {
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
 void refuse_unknown(const char* function, const py::args& more, const py::kwargs& unknown) {
   if (!more.empty())
     refuse(fmt::format("{}() has too many arguments", function),

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/fatigue/fatigue_of_result.hpp"
 #include "bem_contact/python/result_object.hpp"
+#include "bem_contact/python/values.hpp"
 #include "bem_contact/wear/wear_of_result.hpp"
 
 #include <fmt/format.h>
@@ -25,24 +26,11 @@ py::array_t<double> field(const SceneResult& r, const std::vector<double>& value
   return py::array_t<double>({r.problem.grid.ms, r.problem.grid.mx}, values.data());
 }
 
-py::array_t<double> line(const std::vector<double>& values) {
-  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
-}
-
-wear::Law law_named(const std::string& name, double hardness, double speed) {
-  if (name == "energy")
-    return wear::EnergyLaw{};
-  if (name == "archard")
-    return wear::ArchardLaw{.hardness = hardness, .rolling_speed = speed, .map = wear::kth_map(hardness)};
-  throw InputError(fmt::format("there is no wear law '{}'", name), "known are energy and archard",
-                   "Use one of these.");
-}
-
 py::dict wear_of(const PythonResult& result, const std::string& law, double hardness, double speed) {
   const SceneResult& r = solved(result, "wear");
-  const wear::Wear w = wear::wear_of(r, law_named(law, hardness, speed));
-  return py::dict("rate"_a = field(r, w.rate), "s"_a = line(w.rail.s), "wheel_s"_a = line(w.wheel.s),
-                  "depth"_a = line(w.rail.depth), "sliding_distance"_a = line(w.sliding_over_s),
+  const wear::Wear w = wear::wear_of(r, wear::law_named(law, hardness, speed));
+  return py::dict("rate"_a = field(r, w.rate), "s"_a = array_of(w.rail.s), "wheel_s"_a = array_of(w.wheel.s),
+                  "depth"_a = array_of(w.rail.depth), "sliding_distance"_a = array_of(w.sliding_over_s),
                   "volume_per_distance"_a = w.volume_per_distance);
 }
 
