@@ -74,8 +74,8 @@ Law law_named(std::string_view name, double hardness, double rolling_speed) {
     return EnergyLaw{};
   if (name == law_names[1])
     return ArchardLaw{.hardness = hardness, .rolling_speed = rolling_speed, .map = kth_map(hardness)};
-  throw InputError(fmt::format("There is no wear law '{}'", name),
-                   fmt::format("there are {}", fmt::join(law_names, " and ")), "Give one of these.");
+  throw InputError(fmt::format("there is no wear law '{}'", name),
+                   fmt::format("known are {}", fmt::join(law_names, " and ")), "Use one of these.");
 }
 
 WearMap kth_map(double hardness) {
