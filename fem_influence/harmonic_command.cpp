@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -46,7 +45,8 @@ void harmonic_command(const std::string& body_file, const std::string& mesh, con
   std::optional<ProfileCurve> curve;
   together([&] {
     body = read_body_file(body_file);
-    refuse_overwriting(output, std::array<std::filesystem::path, 2>{body_file, mesh});
+    require_outputs({body_file, profile_file_of(*body), mesh},
+                    {{"--output", output, OutputForm::whole_file}});
     curve = body_profile(*body);
   });
   const auto stations = std::lround((body->strip.to - body->strip.from) / body->strip.station_width);

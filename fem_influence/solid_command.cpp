@@ -16,7 +16,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <numeric>
@@ -66,16 +65,11 @@ void print_check(const std::vector<SolidDifference>& bands) {
   }
 }
 
-void check_files(const std::string& body_file, const std::string& mesh, const SolidOptions& options) {
-  for (const std::string& file : {options.output, options.vtu})
-    refuse_overwriting(file, std::array<std::filesystem::path, 3>{body_file, mesh, options.check});
+void check_files(const std::vector<std::filesystem::path>& inputs, const SolidOptions& options) {
   if (options.output.empty() && options.check.empty() && options.vtu.empty())
     throw InputError("There is nothing to do with the 3-D numbers", "they would be computed and forgotten",
                      "give -o OUT.h5, --check INFLUENCE.h5 or --vtu FIELD.vtu");
-  if (!options.output.empty())
-    output_target(options.output, OutputForm::whole_file);
-  if (!options.vtu.empty())
-    output_target(options.vtu, OutputForm::text);
+  require_outputs(inputs, {{"--output", options.output, OutputForm::whole_file}, {"--vtu", options.vtu}});
 }
 
 void write_table(const BodyFile& body, const ProfileCurve& curve, const std::string& mesh,
@@ -105,7 +99,7 @@ void compare_with(const std::string& file, const BodyFile& body, const ProfileCu
 
 void solid_command(const std::string& body_file, const std::string& mesh, const SolidOptions& options) {
   const BodyFile body = read_body_file(body_file);
-  check_files(body_file, mesh, options);
+  check_files({body_file, profile_file_of(body), mesh, options.check}, options);
   const ProfileCurve curve = body_profile(body);
   require_mesh_of(body, curve, mesh);
   const std::size_t stations = make_stations(body.strip, curve).size();

@@ -3,6 +3,7 @@
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/standard_streams.hpp"
 #include "bem_contact/profile/body_file.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
 #include "meshes/heartbeat.hpp"
 #include "meshes/section_mesh.hpp"
 #include "meshes/settings.hpp"
@@ -12,7 +13,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -60,8 +60,7 @@ void print_quality(std::FILE* words, const meshes::QuadMesh& mesh, const meshes:
 
 int run(const std::string& body_file, const std::string& output, bool solid, bool report) {
   const BodyFile body = read_body_file(body_file);
-  refuse_overwriting(output, std::array<std::filesystem::path, 1>{body_file});
-  output_target(output, OutputForm::text);
+  require_outputs({body_file, profile_file_of(body)}, {{"--output", output}});
   for (const std::string& warning : body_warnings(body))
     fmt::print(stderr, "warning: {}\n", warning);
   std::optional<meshes::SolidMesh> whole;

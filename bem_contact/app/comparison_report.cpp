@@ -17,14 +17,6 @@ namespace {
 
 using nlohmann::json;
 
-/// sum mu p_n dS, N.
-double friction_force(const SceneResult& r) {
-  double sum = 0;
-  for (int i = 0; i < r.problem.grid.size() && r.problem.has_friction(); ++i)
-    sum += r.problem.friction_of(i / r.problem.grid.mx) * r.result.pn[i] * r.problem.element_area();
-  return sum;
-}
-
 /// What a difference is divided by, and how it is printed.
 enum class Scale { own, resultant, friction, friction_moment, plain };
 
@@ -35,62 +27,51 @@ double scale_of(Scale scale, double own, const SceneResult& r) {
   case Scale::resultant:
     return std::hypot(r.result.Fy, r.result.Fz);
   case Scale::friction:
-    return friction_force(r);
+    return friction_bound(r.problem, r.result);
   case Scale::friction_moment:
-    return friction_force(r) * std::sqrt(contact_area(r.result) / std::numbers::pi);
+    return friction_bound(r.problem, r.result) * std::sqrt(contact_area(r.result) / std::numbers::pi);
   case Scale::plain:
     break;
   }
   return 1;
 }
 
+using Value = std::optional<double>;
+
 /// One line of a table.
 struct ComparedQuantity {
-  const char *name, *unit;
-  std::string_view key; ///< in JSON
+  const char *label, *unit;
+  std::string_view name; ///< of the quantity
   Scale scale;
-  std::optional<double> (*get)(const SceneResult&);
+  bool friction = false; ///< without friction there is none
+
+  Value of(const SceneResult& r) const {
+    const double value = quantity(name).value(r);
+    return std::isnan(value) || (friction && !r.problem.has_friction()) ? Value() : Value(value);
+  }
 };
 
-using Value = std::optional<double>;
-constexpr std::string_view approach_key = "approach";
+constexpr std::string_view approach_name = "approach";
 constexpr ComparedQuantity compared[] = {
-    {"pmax", "MPa", "pmax", Scale::own,
-     [](const SceneResult& r) -> Value { return largest_pressure(r.result); }},
-    {"area", "mm2", "area", Scale::own, [](const SceneResult& r) -> Value { return contact_area(r.result); }},
-    {"approach", "mm", approach_key, Scale::own,
-     [](const SceneResult& r) -> Value { return r.result.approach; }},
-    {"Fx", "N", "Fx", Scale::friction,
-     [](const SceneResult& r) -> Value {
-       return r.problem.has_friction() ? Value(r.result.Fx) : std::nullopt;
-     }},
-    {"Fy", "N", "Fy", Scale::resultant, [](const SceneResult& r) -> Value { return r.result.Fy; }},
-    {"Fz", "N", "Fz", Scale::resultant, [](const SceneResult& r) -> Value { return r.result.Fz; }},
-    {"Mz", "N mm", "Mz", Scale::friction_moment,
-     [](const SceneResult& r) -> Value { return r.problem.has_friction() ? Value(r.moment) : std::nullopt; }},
-    {"friction power", "N", "friction_power", Scale::own,
-     [](const SceneResult& r) -> Value {
-       return r.problem.has_friction() ? Value(friction_power(r.result, r.problem.element_area()))
-                                       : std::nullopt;
-     }},
-    {"adhesion", "share", "adhesion_share", Scale::plain,
-     [](const SceneResult& r) -> Value {
-       return r.problem.has_friction() ? Value(adhesion_share(r.result)) : std::nullopt;
-     }},
-    {"free rolling", "xi", "free_rolling_xi", Scale::plain,
-     [](const SceneResult& r) -> Value { return r.free_rolling ? Value(r.free_rolling->xi) : std::nullopt; }},
-    {"rolling radius", "mm", "free_rolling_radius", Scale::plain,
-     [](const SceneResult& r) -> Value {
-       return r.free_rolling ? Value(r.free_rolling->rolling_radius) : std::nullopt;
-     }},
-    {"lateral", "mm", "lateral", Scale::plain, [](const SceneResult& r) -> Value { return r.lateral; }},
+    {"pmax", "MPa", "pmax", Scale::own},
+    {"area", "mm2", "area", Scale::own},
+    {"approach", "mm", approach_name, Scale::own},
+    {"Fx", "N", "Fx", Scale::friction, true},
+    {"Fy", "N", "Fy", Scale::resultant},
+    {"Fz", "N", "Fz", Scale::resultant},
+    {"Mz", "N mm", "Mz", Scale::friction_moment, true},
+    {"friction power", "N", "friction_power", Scale::own, true},
+    {"adhesion", "share", "adhesion_share", Scale::plain, true},
+    {"free rolling", "xi", "free_rolling_xi", Scale::plain},
+    {"rolling radius", "mm", "free_rolling_radius", Scale::plain},
+    {"lateral", "mm", "lateral", Scale::plain},
 };
 
 /// What the reference is beyond the model; nothing where it would be of zero.
 Value difference(const ComparedQuantity& q, const SceneResult& model, const SceneResult& reference) {
-  const Value a = q.get(model), b = q.get(reference);
+  const Value a = q.of(model), b = q.of(reference);
   // Approaches that are relative to different places are not the same quantity.
-  const bool same_datum = q.key != approach_key || model.approach_datum == reference.approach_datum;
+  const bool same_datum = q.name != approach_name || model.approach_datum == reference.approach_datum;
   if (!a || !b || !same_datum)
     return std::nullopt;
   const double scale = scale_of(q.scale, *a, model);
@@ -158,13 +139,13 @@ std::string table(const Comparison& c, const std::vector<SceneResult>& results) 
       out += cell(results.size() == 2 ? "difference" : "to " + title_of(c.models[i]));
   out += '\n';
   for (const ComparedQuantity& q : compared) {
-    if (std::ranges::none_of(results, [&](const SceneResult& r) { return q.get(r).has_value(); }))
+    if (std::ranges::none_of(results, [&](const SceneResult& r) { return q.of(r).has_value(); }))
       continue;
-    out += line(q.name, q.unit);
+    out += line(q.label, q.unit);
     for (const SceneResult& r : results)
-      out += cell(text_of(q.get(r), q.scale == Scale::plain || q.scale == Scale::own
-                                        ? 0
-                                        : rounding * scale_of(q.scale, 0, r)));
+      out += cell(text_of(q.of(r), q.scale == Scale::plain || q.scale == Scale::own
+                                       ? 0
+                                       : rounding * scale_of(q.scale, 0, r)));
     for (std::size_t i = 0; i < results.size(); ++i)
       if (i != c.reference)
         out += cell(difference_text(q, difference(q, results[i], reference)));
@@ -200,7 +181,8 @@ std::string creep_text(const Comparison& c) {
     out += line(fmt::format("{:+.1e}", forces.creepage), "N");
     for (const double fx : forces.Fx)
       out += cell(text_of(fx, 0));
-    const double scale = friction_force(c.at_forces[c.reference]);
+    const SceneResult& reference = c.at_forces[c.reference];
+    const double scale = friction_bound(reference.problem, reference.result);
     for (std::size_t i = 0; i < forces.Fx.size(); ++i)
       if (i != c.reference)
         out += cell(fmt::format("{:+.2f} %", 100 * (forces.Fx[c.reference] - forces.Fx[i]) / scale));
@@ -220,7 +202,7 @@ json set_json(const Comparison& c, const std::vector<SceneResult>& results) {
       continue;
     for (const ComparedQuantity& q : compared) {
       const Value d = difference(q, results[i], results[c.reference]);
-      differences[name][std::string(q.key)] = d ? json(*d) : json(nullptr);
+      differences[name][std::string(q.name)] = d ? json(*d) : json(nullptr);
     }
   }
   set["difference"] = differences;

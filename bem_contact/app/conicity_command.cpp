@@ -1,14 +1,17 @@
 #include "bem_contact/app/conicity_command.hpp"
 
 #include "bem_contact/app/conicity_output.hpp"
+#include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/conicity/scene_wheelset.hpp"
 #include "bem_contact/conicity/wheelset_conicity.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -49,31 +52,38 @@ std::string from_here(const std::string& name) {
   return given.part > 0 ? fmt::format("{}#{}", file, given.part) : file;
 }
 
-/// Refuses outputs that would overwrite an input or each other, or that cannot be written.
-void check_outputs(const ConicityArguments& arguments, const SceneFile& scene) {
-  std::vector<std::filesystem::path> taken = input_files(scene);
-  for (const std::string& name : {arguments.left.rail, arguments.left.wheel})
-    taken.push_back(profile_file_name(name).file);
-  taken.push_back(arguments.scene);
-  for (const auto& [name, form] :
-       {std::pair(arguments.output, OutputForm::whole_file), std::pair(arguments.csv, OutputForm::text)}) {
-    if (name.empty())
-      continue;
-    refuse_overwriting(name, taken);
-    output_target(name, form);
-    taken.push_back(name);
-  }
+/// The scene of the file and the options. Without a file its text has all keys.
+GivenScene given_scene(const ConicityArguments& arguments) {
+  if (!arguments.scene.empty())
+    return read_given_scene(arguments.scene, "", arguments.changes);
+  const SceneFile scene = scene_without_file(arguments.changes);
+  return {"options", scene_with_defaults(scene), "", {}, scene, {}};
+}
+
+std::vector<NamedFile> left_files(const LeftProfiles& left) {
+  std::vector<NamedFile> files = files_of_key("left_rail.profile", left.rail, {});
+  std::ranges::move(files_of_key("left_wheel.profile", left.wheel, {}), std::back_inserter(files));
+  return files;
 }
 
 ExitCode run(const ConicityArguments& arguments) {
-  const SceneFile scene = arguments.scene.empty() ? scene_without_file(arguments.changes)
-                                                  : read_scene_file(arguments.scene, arguments.changes);
-  check_outputs(arguments, scene);
-  WheelsetOnTrack wheelset = wheelset_of(scene, arguments.left);
+  GivenScene given = given_scene(arguments);
+  const std::vector<NamedFile> left = left_files(arguments.left);
+  std::vector<std::filesystem::path> inputs = files_read(arguments.scene, given.scene);
+  std::ranges::move(paths_of(left), std::back_inserter(inputs));
+  require_outputs(inputs, {{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}});
+  if (!arguments.output.empty()) {
+    given.inputs = inputs_of(given.scene);
+    std::ranges::move(records_of(left), std::back_inserter(given.inputs));
+  }
+  WheelsetOnTrack wheelset = wheelset_of(given.scene, arguments.left);
   wheelset.rolls = arguments.rolls;
   const WheelsetConicity conicity = wheelset_conicity(wheelset, arguments.amplitudes);
-  if (!arguments.output.empty())
-    write_h5(arguments.output, to_table(conicity, wheelset));
+  if (!arguments.output.empty()) {
+    H5Table table = to_table(conicity, wheelset);
+    add_scene(table, given, arguments.output);
+    write_h5(arguments.output, table);
+  }
   if (!arguments.csv.empty())
     write_text(arguments.csv, [&](std::ostream& out) { out << to_csv(conicity); });
   fmt::print("{}", arguments.json ? to_json(conicity, wheelset).dump(2) + "\n" : to_text(conicity, wheelset));

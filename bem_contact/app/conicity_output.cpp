@@ -1,86 +1,17 @@
 #include "bem_contact/app/conicity_output.hpp"
 
-#include "bem_contact/base/provenance.hpp"
+#include "bem_contact/app/csv_name.hpp"
+#include "bem_contact/conicity/conicity_columns.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <span>
 
 namespace bem_contact::app {
 
 namespace {
 
 using nlohmann::json;
-
-struct FunctionColumn {
-  const char *name, *unit, *description;
-  double (*value)(const WheelsetStand&);
-};
-
-std::span<const FunctionColumn> function_columns() {
-  using S = WheelsetStand;
-  static const FunctionColumn columns[] = {
-      {"lateral", "mm", "lateral displacement of the wheelset, to the right",
-       [](const S& s) { return s.lateral; }},
-      {"difference", "mm", "rolling radius difference, right less left",
-       [](const S& s) { return s.difference(); }},
-      {"roll", "rad", "roll of the wheelset, right side down", [](const S& s) { return s.roll; }},
-      {"right_radius", "mm", "rolling radius of the right wheel", [](const S& s) { return s.right.radius; }},
-      {"right_wheel_y", "mm", "contact on the right wheel, from the tape circle to the field side",
-       [](const S& s) { return s.right.wheel.y; }},
-      {"right_wheel_s", "mm", "the same, arc length", [](const S& s) { return s.right.wheel_s; }},
-      {"right_rail_y", "mm", "contact on the right rail, from its origin to the field side",
-       [](const S& s) { return s.right.rail.y; }},
-      {"right_rail_s", "mm", "the same, arc length", [](const S& s) { return s.right.rail_s; }},
-      {"right_delta", "rad", "inclination of the right contact", [](const S& s) { return s.right.delta; }},
-      {"left_radius", "mm", "rolling radius of the left wheel", [](const S& s) { return s.left.radius; }},
-      {"left_wheel_y", "mm", "contact on the left wheel, from the tape circle to the field side",
-       [](const S& s) { return s.left.wheel.y; }},
-      {"left_wheel_s", "mm", "the same, arc length", [](const S& s) { return s.left.wheel_s; }},
-      {"left_rail_y", "mm", "contact on the left rail, from its origin to the field side",
-       [](const S& s) { return s.left.rail.y; }},
-      {"left_rail_s", "mm", "the same, arc length", [](const S& s) { return s.left.rail_s; }},
-      {"left_delta", "rad", "inclination of the left contact, in the mirror image",
-       [](const S& s) { return s.left.delta; }}};
-  return columns;
-}
-
-struct ConicityColumn {
-  const char *name, *unit, *description;
-  double EquivalentConicity::*value;
-};
-
-std::span<const ConicityColumn> conicity_columns() {
-  static constexpr ConicityColumn columns[] = {
-      {"tan_gamma", "1", "equivalent conicity", &EquivalentConicity::tan_gamma},
-      {"wavelength", "mm", "wavelength of the free lateral motion", &EquivalentConicity::wavelength},
-      {"from", "mm", "its leftmost displacement", &EquivalentConicity::from},
-      {"to", "mm", "its rightmost displacement", &EquivalentConicity::to}};
-  return columns;
-}
-
-std::vector<double> column(const WheelsetConicity& c, const FunctionColumn& of) {
-  std::vector<double> out;
-  for (const WheelsetStand& s : c.stands)
-    out.push_back(of.value(s));
-  return out;
-}
-
-std::vector<double> column(const WheelsetConicity& c, const ConicityColumn& of) {
-  std::vector<double> out;
-  for (const WheelsetConicity::Value& v : c.values)
-    out.push_back(v.motion ? (*v.motion).*of.value : std::numeric_limits<double>::quiet_NaN());
-  return out;
-}
-
-std::vector<double> amplitudes(const WheelsetConicity& c) {
-  std::vector<double> out;
-  for (const WheelsetConicity::Value& v : c.values)
-    out.push_back(v.amplitude);
-  return out;
-}
 
 bool is_whole(double millimetres) {
   return std::abs(millimetres - std::round(millimetres)) < 1e-9;
@@ -124,23 +55,22 @@ json to_json(const WheelsetConicity& c, const WheelsetOnTrack& w) {
               {"wheel_radius", c.lengths.wheel_radius},
               {"contact_distance", c.lengths.contact_distance},
               {"rolls", w.rolls}};
-  for (const FunctionColumn& of : function_columns())
-    out["function"][of.name] = column(c, of);
-  out["conicity"]["amplitude"] = amplitudes(c);
-  for (const ConicityColumn& of : conicity_columns())
-    out["conicity"][of.name] = column(c, of); // nlohmann writes nan as null
+  for (const StandColumn& column : stand_columns())
+    out["function"][column.name] = column.values(c);
+  for (const ConicityColumn& column : conicity_columns())
+    out["conicity"][column.name] = column.values(c); // nlohmann writes nan as null
   return out;
 }
 
 std::string to_csv(const WheelsetConicity& c) {
   std::string out;
-  for (const FunctionColumn& of : function_columns())
-    out += fmt::format("{}{}_{}", out.empty() ? "" : ",", of.name, of.unit);
+  for (const StandColumn& column : stand_columns())
+    out += fmt::format("{}{}", out.empty() ? "" : ",", csv_name(column.name, column.unit));
   out += '\n';
   for (const WheelsetStand& s : c.stands) {
     std::string line;
-    for (const FunctionColumn& of : function_columns())
-      line += fmt::format("{}{:.9g}", line.empty() ? "" : ",", of.value(s));
+    for (const StandColumn& column : stand_columns())
+      line += fmt::format("{}{:.9g}", line.empty() ? "" : ",", column.value(s));
     out += line + '\n';
   }
   return out;
@@ -148,17 +78,17 @@ std::string to_csv(const WheelsetConicity& c) {
 
 H5Table to_table(const WheelsetConicity& c, const WheelsetOnTrack& w) {
   H5Table table;
-  for (const FunctionColumn& of : function_columns())
-    table.datasets[fmt::format("function/{}", of.name)] = {
-        {c.stands.size()}, column(c, of), of.unit, of.description};
-  table.datasets["conicity/amplitude"] = {
-      {c.values.size()}, amplitudes(c), "mm", "half of the way from the leftmost to the rightmost point"};
-  for (const ConicityColumn& of : conicity_columns())
-    table.datasets[fmt::format("conicity/{}", of.name)] = {
-        {c.values.size()}, column(c, of), of.unit, of.description};
+  const auto add = [&](const std::string& group, const auto& columns) {
+    for (const auto& column : columns) {
+      std::vector<double> values = column.values(c);
+      table.datasets[group + column.name] = {
+          {values.size()}, std::move(values), column.unit, column.description};
+    }
+  };
+  add("function/", stand_columns());
+  add("conicity/", conicity_columns());
   auto& a = table.attributes;
   a["format"] = std::string(conicity_format);
-  a["program"] = provenance("bem_contact");
   a["right_rail"] = w.right_rail.name();
   a["right_wheel"] = w.right_wheel.name();
   a["left_rail"] = w.left_rail.name();

@@ -21,7 +21,8 @@ nlohmann::json to_json(const WheelsetConicity& conicity, const WheelsetOnTrack& 
 /// One line for each lateral displacement.
 std::string to_csv(const WheelsetConicity& conicity);
 
-/// The groups "function" and "conicity" with the same names as in JSON; nan where there is no motion.
+/// The groups "function" and "conicity" with the same names as in JSON; nan where there is no motion. Without
+/// the record of the scene (add_scene()).
 H5Table to_table(const WheelsetConicity& conicity, const WheelsetOnTrack& wheelset);
 
 } // namespace bem_contact::app

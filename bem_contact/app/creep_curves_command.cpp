@@ -2,6 +2,7 @@
 
 #include "bem_contact/app/creep_curves_output.hpp"
 #include "bem_contact/app/scene_commands.hpp"
+#include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 
@@ -36,19 +37,6 @@ struct CreepArguments {
   bool json = false;
 };
 
-void check_outputs(const CreepArguments& arguments, const SceneFile& scene) {
-  std::vector<std::filesystem::path> taken = input_files(scene);
-  taken.push_back(arguments.scene);
-  for (const auto& [name, form] :
-       {std::pair(arguments.output, OutputForm::whole_file), std::pair(arguments.csv, OutputForm::text)}) {
-    if (name.empty())
-      continue;
-    refuse_overwriting(name, taken);
-    output_target(name, form);
-    taken.push_back(name);
-  }
-}
-
 std::vector<CreepRange> ranges_of(const std::array<std::string, 3>& texts) {
   std::vector<CreepRange> out;
   for (const CreepKind kind : {CreepKind::xi, CreepKind::eta, CreepKind::phi})
@@ -60,14 +48,18 @@ std::vector<CreepRange> ranges_of(const std::array<std::string, 3>& texts) {
 }
 
 ExitCode run(const CreepArguments& arguments) {
-  SceneFile scene = read_scene_file(arguments.scene);
+  GivenScene given = read_given_scene(arguments.scene, arguments.model);
   const std::vector<CreepRange> ranges = ranges_of(arguments.ranges);
-  check_outputs(arguments, scene);
-  if (!arguments.model.empty())
-    scene.solver.model = model_named(arguments.model);
-  const CreepCurves curves = creep_curves(scene, ranges);
+  require_outputs(files_read(arguments.scene, given.scene),
+                  {{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}});
   if (!arguments.output.empty())
-    write_h5(arguments.output, to_table(curves, arguments.scene));
+    given.inputs = inputs_of(given.scene);
+  const CreepCurves curves = creep_curves(given.scene, ranges);
+  if (!arguments.output.empty()) {
+    H5Table table = to_table(curves);
+    add_scene(table, given, arguments.output);
+    write_h5(arguments.output, table);
+  }
   if (!arguments.csv.empty())
     write_text(arguments.csv, [&](std::ostream& out) { out << to_csv(curves); });
   fmt::print("{}", arguments.json ? to_json(curves).dump(2) + "\n" : to_text(curves));

@@ -1,6 +1,7 @@
 #include "bem_contact/app/creep_curves_output.hpp"
 
-#include "bem_contact/base/provenance.hpp"
+#include "bem_contact/app/csv_name.hpp"
+#include "bem_contact/curves/creep_columns.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -12,38 +13,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* creepage_units[] = {"1", "1", "1/mm"};
-constexpr const char* force_units[] = {"N", "N", "N mm"};
 /// The derivatives that linear theory does not set to zero: [force][creepage].
 constexpr std::pair<std::size_t, std::size_t> in_linear_theory[] = {{0, 0}, {1, 1}, {1, 2}, {2, 1}, {2, 2}};
 
-std::string_view name(CreepKind kind) {
-  return EnumNames<CreepKind>::names[static_cast<std::size_t>(kind)];
-}
-
-template <class Of> std::vector<double> column(const CreepCurve& curve, const Of& of) {
-  std::vector<double> out;
-  for (const CreepPoint& p : curve.points)
-    out.push_back(of(p));
-  return out;
-}
-
-/// name, unit, description, values of all columns of a curve after the creepage.
-template <class Add> void each_column(const CreepCurve& curve, const Add& add) {
-  for (std::size_t f = 0; f < 3; ++f) {
-    const std::string force(EnumNames<CreepForce>::names[f]);
-    add(force, force_units[f], "on the rail",
-        column(curve, [f](const CreepPoint& p) { return p.forces[f]; }));
-    add(force + "_error", force_units[f], "estimated error by the size of the elements",
-        column(curve, [f](const CreepPoint& p) { return p.errors[f]; }));
-  }
-  add("adhesion_share", "1", "of the area in contact that adheres",
-      column(curve, [](const CreepPoint& p) { return p.adhesion_share; }));
-  add("certified", "1", "1: the certificate holds",
-      column(curve, [](const CreepPoint& p) { return p.certified ? 1.0 : 0.0; }));
-}
-
-H5Dataset matrix(const CreepMatrix& m, const char* description) {
+H5Dataset dataset(const CreepMatrix& m, const char* description) {
   H5Dataset out{{3, 3}, {}, "N; Mz: N mm; by phi: times mm", description};
   for (const auto& row : m)
     out.values.insert(out.values.end(), row.begin(), row.end());
@@ -101,7 +74,7 @@ std::string to_text(const CreepCurves& c) {
   out += slopes_text(c) + sensitivities_text(c);
   for (const CreepCurve& curve : c.curves) {
     out += fmt::format("Over {}\n  {:>12}        Fx N        Fs N     Mz N mm  |F|/(mu Fn)  adhesion\n",
-                       name(curve.which), name(curve.which));
+                       name_of(curve.which), name_of(curve.which));
     for (const CreepPoint& p : curve.points)
       out +=
           fmt::format("  {:12.5g} {:11.5g} {:11.5g} {:11.5g} {:12.4f} {:8.1f} %{}\n", p.creepage, p.forces[0],
@@ -118,15 +91,11 @@ json to_json(const CreepCurves& c) {
               {"radius", c.radius},
               {"certified", c.certified()},
               {"forces", forces_of(c.solution)},
-              {"slopes", c.slopes.values},
-              {"slopes_error", c.slopes.errors},
-              {"sensitivities", c.sensitivities.values},
-              {"sensitivities_error", c.sensitivities.errors},
-              {"linearised", nullptr},
-              {"kalker", nullptr},
               {"curves", json::object()}};
-  if (c.linearised)
-    out["linearised"] = *c.linearised;
+  for (const CreepMatrixEntry& entry : creep_matrices()) {
+    const CreepMatrix* matrix = entry.of(c);
+    out[entry.name] = matrix ? json(*matrix) : json(nullptr);
+  }
   if (const auto& l = c.linear)
     out["kalker"] = {{"slopes", l->slopes},           {"semi_axis_x", l->semi_axis_x},
                      {"semi_axis_s", l->semi_axis_s}, {"tilt", l->tilt},
@@ -135,58 +104,47 @@ json to_json(const CreepCurves& c) {
                      {"c22", l->coefficients.c22},    {"c23", l->coefficients.c23},
                      {"c33", l->coefficients.c33}};
   for (const CreepCurve& curve : c.curves) {
-    json& of = out["curves"][std::string(name(curve.which))];
-    of["creepage"] = column(curve, [](const CreepPoint& p) { return p.creepage; });
-    each_column(curve, [&](const std::string& what, const char*, const char*, std::vector<double> values) {
-      of[what] = std::move(values);
-    });
+    json& of = out["curves"][std::string(name_of(curve.which))];
+    of["creepage"] = creepages_of(curve);
+    for (const CreepColumn& column : creep_columns())
+      of[column.name] = column.values(curve);
   }
   return out;
 }
 
 std::string to_csv(const CreepCurves& c) {
-  std::string out =
-      "varied,creepage,Fx_N,Fx_error_N,Fs_N,Fs_error_N,Mz_Nmm,Mz_error_Nmm,adhesion_share,certified\n";
+  std::string out = "varied,creepage";
+  for (const CreepColumn& column : creep_columns())
+    out += ',' + csv_name(column.name, column.unit);
+  out += '\n';
   for (const CreepCurve& curve : c.curves)
     for (const CreepPoint& p : curve.points) {
-      out += fmt::format("{},{:.9g}", name(curve.which), p.creepage);
-      for (std::size_t f = 0; f < 3; ++f)
-        out += fmt::format(",{:.9g},{}", p.forces[f],
-                           std::isnan(p.errors[f]) ? "" : fmt::format("{:.3g}", p.errors[f]));
-      out += fmt::format(",{:.6g},{}\n", p.adhesion_share, p.certified ? 1 : 0);
+      out += fmt::format("{},{:.9g}", name_of(curve.which), p.creepage);
+      for (const CreepColumn& column : creep_columns()) {
+        const double value = column.value(p);
+        out += std::isnan(value) ? "," : fmt::format(",{:.{}g}", value, column.digits);
+      }
+      out += '\n';
     }
   return out;
 }
 
-H5Table to_table(const CreepCurves& c, const std::string& scene) {
+H5Table to_table(const CreepCurves& c) {
   H5Table table;
   auto& d = table.datasets;
-  d["slopes"] = matrix(c.slopes.values, "[Fx, Fs, Mz][xi, eta, phi] where nothing moves over the other");
-  d["slopes_error"] = matrix(c.slopes.errors, "by the step of the differences");
-  d["sensitivities"] = matrix(c.sensitivities.values, "[Fx, Fs, Mz][xi, eta, phi] at the scene's creepages");
-  d["sensitivities_error"] = matrix(c.sensitivities.errors, "by the step of the differences");
-  if (c.linearised)
-    d["linearised"] =
-        matrix(*c.linearised, "the sensitivities from one linear system, with the pressure held");
-  if (c.linear)
-    d["kalker"] =
-        matrix(c.linear->slopes, "[Fx, Fs, Mz][xi, eta, phi] by linear theory for the nearest ellipse");
+  for (const CreepMatrixEntry& entry : creep_matrices())
+    if (const CreepMatrix* matrix = entry.of(c))
+      d[entry.name] = dataset(*matrix, entry.description);
   for (const CreepCurve& curve : c.curves) {
-    const std::string group = fmt::format("{}/", name(curve.which));
+    const std::string group = fmt::format("{}/", name_of(curve.which));
     const std::size_t n = curve.points.size();
-    d[group + "creepage"] = {{n},
-                             column(curve, [](const CreepPoint& p) { return p.creepage; }),
-                             creepage_units[static_cast<std::size_t>(curve.which)],
-                             "varied; the other two as the scene has them"};
-    each_column(curve, [&](const std::string& what, const char* unit, const char* description,
-                           std::vector<double> values) {
-      d[group + what] = {{n}, std::move(values), unit, description};
-    });
+    d[group + "creepage"] = {
+        {n}, creepages_of(curve), unit_of(curve.which), "varied; the other two as the scene has them"};
+    for (const CreepColumn& column : creep_columns())
+      d[group + column.name] = {{n}, column.values(curve), column.unit, column.description};
   }
   auto& a = table.attributes;
   a["format"] = std::string(creep_curves_format);
-  a["program"] = provenance("bem_contact");
-  a["scene"] = scene;
   a["model"] = std::string(name_of(c.solution.model));
   a["Fz_N"] = c.solution.result.Fz;
   a["bound_N"] = c.bound;

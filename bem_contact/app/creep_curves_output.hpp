@@ -22,6 +22,7 @@ nlohmann::json to_json(const CreepCurves& curves);
 std::string to_csv(const CreepCurves& curves);
 
 /// Groups "xi", "eta", "phi" for the curves; the matrices at the top. Errors that are not known are nan.
-H5Table to_table(const CreepCurves& curves, const std::string& scene);
+/// Without the record of the scene (add_scene()).
+H5Table to_table(const CreepCurves& curves);
 
 } // namespace bem_contact::app

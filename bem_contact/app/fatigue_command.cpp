@@ -53,10 +53,7 @@ ExitCode run(FatigueArguments arguments) {
   const SweepFile sweep = read_sweep_file(arguments.scene);
   check_values(sweep);
   validate(arguments.properties.damage);
-  if (!arguments.csv.empty()) {
-    refuse_overwriting(arguments.csv, std::array{std::filesystem::path(arguments.scene)});
-    output_target(arguments.csv, OutputForm::text);
-  }
+  require_outputs(files_read(arguments.scene, sweep), {{"--csv", arguments.csv}});
   Sequence sequence({.displacements = false});
   std::string table = fatigue_columns;
   int beyond = 0, patches = 0;
@@ -69,7 +66,7 @@ ExitCode run(FatigueArguments arguments) {
                              "Solve it alone to see why.");
     arguments.properties.poisson = scene.rail.material.poisson;
     const fatigue::Fatigue f = fatigue_of(result, arguments.properties);
-    const double weight = sweep.weights.empty() ? 1 : sweep.weights[i];
+    const double weight = sweep.weight(i);
     weights += weight;
     for (const fatigue::PatchFatigue& patch : f.patches) {
       ++patches;

@@ -111,9 +111,9 @@ void describe(PlainNumbers& out, const ExpandRequest& r, const Body& body, const
 
 /// Refuses what cannot be done with any file, before any file is read.
 void check(const ExpandRequest& r, const std::string& format) {
-  const std::vector<std::filesystem::path> inputs(r.files.begin(), r.files.end());
-  refuse_overwriting(r.output, inputs);
-  output_target(r.output, format == "hdf5" ? OutputForm::whole_file : OutputForm::text);
+  require_outputs(
+      {r.files.begin(), r.files.end()},
+      {{"--output", r.output, format == "hdf5" ? OutputForm::whole_file : OutputForm::text, true}});
   if (!(r.dx > 0 && std::isfinite(r.dx)) || !(r.ds > 0 && std::isfinite(r.ds)) || r.mx < 1 || r.my < 1)
     throw InputError("There are no such elements",
                      fmt::format("dx = {:g}, ds = {:g} mm, mx = {}, my = {}", r.dx, r.ds, r.mx, r.my),

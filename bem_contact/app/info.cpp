@@ -84,10 +84,7 @@ std::string describe_file(const std::filesystem::path& file) {
   if (begins_with_seal(file))
     return describe_influence(read_influence_file(file), std::filesystem::file_size(file));
   const H5Table top = read_h5_top(file, "patches"); // a sweep's fields may be large
-  const auto format = top.attributes.find("format");
-  const auto is = [&](const char* name) {
-    return format != top.attributes.end() && format->second == H5Attribute(std::string(name));
-  };
+  const auto is = [format = text_attribute(top, "format")](const char* name) { return format == name; };
   if (is(result_format))
     return describe_table(read_h5(file), "A result of bem_contact");
   if (is(comparison_format))
@@ -111,7 +108,7 @@ Command add_info(CLI::App& program) {
   const auto file = std::make_shared<std::string>();
   const auto scene = std::make_shared<bool>(false), with_defaults = std::make_shared<bool>(false);
   line->add_option("file", *file, "HDF5 file")->required();
-  line->add_flag("--scene", *scene, "Print the scene of a result, a comparison or a sweep, as it was given");
+  line->add_flag("--scene", *scene, "Print the scene of a result, comparison, sweep, ..., as it was given");
   line->add_flag("--scene-with-defaults", *with_defaults, "Print this scene with the value of every key");
   line->footer(R"(Example:
     bem_contact info data/influence/small_rail.h5

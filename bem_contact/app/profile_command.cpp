@@ -4,6 +4,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/scene/scene_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -58,7 +59,7 @@ ExitCode run(ProfileArguments arguments, bool flange_back_given) {
   arguments.reading.profile_z = choice<ProfileZ>(arguments.profile_z);
   if (flange_back_given)
     arguments.reading.flange_back = arguments.flange_back;
-  refuse_overwriting(arguments.csv, std::array{profile_file_name(arguments.name).file});
+  require_outputs(paths_of(files_of_key("file.profile", arguments.name, {})), {{"--csv", arguments.csv}});
   const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
   const MeasuredProfile profile = read(arguments, kind);
   if (!arguments.csv.empty())

@@ -58,12 +58,6 @@ private:
   fs::path path_;
 };
 
-std::string text_attribute(const H5Table& table, const std::string& name) {
-  const auto at = table.attributes.find(name);
-  const auto* text = at == table.attributes.end() ? nullptr : std::get_if<std::string>(&at->second);
-  return text ? *text : std::string();
-}
-
 void require_result(const H5Table& table, const fs::path& file) {
   const std::string format = text_attribute(table, "format");
   if (format == result_format && table.texts.contains("scene_with_defaults"))
@@ -122,7 +116,7 @@ public:
       if (input.content)
         reader.set({input.key, unpack(input, warnings).string() + part_of(input.name)});
       else if (input.key.ends_with(".body.profile"))
-        require_unchanged(input, body_of(input).parent_path() / input.name);
+        require_unchanged(input, place_of(input, body_of(input).parent_path()));
       else {
         const fs::path place = place_of(input, folder_);
         require_unchanged(input, place);
@@ -248,8 +242,8 @@ std::string stored_scene(const fs::path& file, bool with_defaults) {
   const auto text = top.texts.find(with_defaults ? "scene_with_defaults" : "scene_text");
   if (text == top.texts.end())
     throw InputError(fmt::format("'{}' holds no scene", file.string()),
-                     "it is no result, comparison or sweep of this version",
-                     "Name a file that bem_contact solve, compare or sweep wrote.");
+                     "it is no file of this version that says what was solved",
+                     "Name a file that solve, compare, sweep, creep-curves or conicity wrote.");
   return text->second.text;
 }
 

@@ -13,9 +13,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <fmt/format.h>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
@@ -87,24 +85,6 @@ struct SceneArguments {
   bool json = false, strict = false;
 };
 
-/// Refuses, before anything is computed, an output that is an input or another output, or that cannot be
-/// written. Empty names are passed over.
-void check_outputs(const SceneArguments& arguments, const SceneFile& scene, const std::string& h5,
-                   std::vector<std::filesystem::path> vtk) {
-  std::vector<std::filesystem::path> taken{arguments.file};
-  std::ranges::move(input_files(scene), std::back_inserter(taken));
-  const auto check = [&](const std::filesystem::path& output, OutputForm form) {
-    if (output.empty())
-      return;
-    refuse_overwriting(output, taken);
-    output_target(output, form);
-    taken.push_back(output);
-  };
-  check(h5, OutputForm::whole_file);
-  for (const std::filesystem::path& output : vtk)
-    check(output, OutputForm::text);
-}
-
 /// Prints the warnings; success only if the certificate holds.
 ExitCode verdict(const SceneResult& r) {
   for (const std::string& warning : r.warnings)
@@ -162,7 +142,8 @@ ExitCode run_solve(const SceneArguments& arguments) {
     throw InputError("--folder cannot be given with a scene", "a scene's paths start in its own folder",
                      "Leave it out; it is for result files.");
   GivenScene given = read_given_scene(arguments.file, arguments.model);
-  check_outputs(arguments, given.scene, arguments.output, {arguments.vtk});
+  require_outputs(files_read(arguments.file, given.scene),
+                  {{"--output", arguments.output, OutputForm::whole_file}, {"--vtk", arguments.vtk}});
   if (!arguments.output.empty())
     given.inputs = inputs_of(given.scene);
   const SceneResult result = Sequence().solve(given.scene);
@@ -190,10 +171,11 @@ ExitCode run_compare(const SceneArguments& arguments) {
   const auto surface_of = [&](Model model) {
     return fmt::format("{}_{}.vts", arguments.vtk, name_of(model));
   };
-  std::vector<std::filesystem::path> surfaces;
+  std::vector<Output> outputs{{"--output", arguments.output, OutputForm::whole_file}};
   if (!arguments.vtk.empty())
-    std::ranges::transform(models, std::back_inserter(surfaces), surface_of);
-  check_outputs(arguments, scene, arguments.output, surfaces);
+    for (const Model model : models)
+      outputs.push_back({"--vtk-prefix", surface_of(model)});
+  require_outputs(files_read(arguments.file, scene), outputs);
   if (!arguments.output.empty())
     given.inputs = inputs_of(scene);
   const Comparison comparison = Sequence().compare(scene, models);

@@ -4,7 +4,6 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/influence/file_seal.hpp"
-#include "bem_contact/profile/body_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 
@@ -28,17 +27,6 @@ std::string without_machine(const std::string& name) {
   return path.is_absolute() ? path.filename().string() : name;
 }
 
-/// The profile that a body file names, where it is a file.
-std::optional<NamedFile> profile_of_body(const NamedFile& named) {
-  if (named.file.extension() != ".toml" || !is_regular(named.file))
-    return std::nullopt;
-  const BodyFile body = read_body_file(named.file);
-  const std::string& name = body.body.profile;
-  if (name.empty() || is_standard_profile(name) || !file_exists(body.folder / name))
-    return std::nullopt;
-  return NamedFile{named.key + ".body.profile", name, body.folder / name};
-}
-
 bool is_profile(const std::string& key) {
   return key.ends_with(".profile");
 }
@@ -50,10 +38,14 @@ void add_number(H5Table& table, const std::string& name, double value, const cha
 
 } // namespace
 
-GivenScene read_given_scene(const std::string& file, const std::string& model) {
+GivenScene read_given_scene(const std::string& file, const std::string& model,
+                            std::span<const SceneChange> changes) {
   GivenScene out{
       file, read_text_file(file, "scene file"), model, std::filesystem::path(file).parent_path(), {}, {}};
-  out.scene = SceneReader(out.text, file, out.folder).scene();
+  SceneReader reader(out.text, file, out.folder);
+  for (const SceneChange& change : changes)
+    reader.set(change);
+  out.scene = reader.scene();
   if (!model.empty())
     out.scene.solver.model = model_named(model);
   return out;
@@ -72,23 +64,28 @@ InputRecord record_of(const NamedFile& named) {
   return out;
 }
 
-std::vector<InputRecord> inputs_of(const SceneFile& scene) {
+std::vector<InputRecord> records_of(const std::vector<NamedFile>& files) {
   std::vector<InputRecord> inputs;
-  for (const NamedFile& named : named_files(scene)) {
-    if (is_profile(named.key) && is_standard_profile(named.name)) {
-      inputs.push_back({named.key, named.name, "", {}});
-      continue;
-    }
-    inputs.push_back(record_of(named));
-    if (!is_profile(named.key))
-      continue;
-    if (const auto points = profile_of_body(named)) {
-      inputs.back().content.reset(); // it names a file by a path that only its own folder gives a meaning
-      inputs.push_back(record_of(*points));
+  for (const NamedFile& named : files) {
+    const bool standard = is_profile(named.key) && is_standard_profile(named.name);
+    inputs.push_back(standard ? InputRecord{named.key, named.name, "", {}} : record_of(named));
+    if (named.key.ends_with(".body.profile")) {
+      // The body file before it names it by a path that only its own folder gives a meaning.
+      inputs.rbegin()[1].content.reset();
       inputs.back().content.reset();
     }
   }
   return inputs;
+}
+
+std::vector<InputRecord> inputs_of(const SceneFile& scene) {
+  return records_of(named_files(scene));
+}
+
+std::vector<std::filesystem::path> files_read(const std::filesystem::path& file, const SceneFile& scene) {
+  std::vector<std::filesystem::path> files = input_files(scene);
+  files.push_back(file);
+  return files;
 }
 
 void add_scene(H5Table& table, const GivenScene& given, const std::filesystem::path& output) {
@@ -123,11 +120,6 @@ void add_inputs(H5Table& table, const std::vector<InputRecord>& inputs) {
 }
 
 std::vector<InputRecord> stored_inputs(const H5Table& table) {
-  const auto text = [&](const std::string& name) {
-    const auto at = table.attributes.find(name);
-    const auto* found = at == table.attributes.end() ? nullptr : std::get_if<std::string>(&at->second);
-    return found ? *found : std::string();
-  };
   std::set<std::string> keys;
   for (const auto& [name, value] : table.attributes)
     if (name.starts_with("inputs/") && name.ends_with("/name"))
@@ -135,7 +127,8 @@ std::vector<InputRecord> stored_inputs(const H5Table& table) {
   std::vector<InputRecord> inputs;
   for (const std::string& key : keys) {
     const std::string group = "inputs/" + key + "/";
-    InputRecord input{key, text(group + "name"), text(group + "sha256"), {}};
+    InputRecord input{
+        key, text_attribute(table, group + "name"), text_attribute(table, group + "sha256"), {}};
     if (const auto content = table.texts.find(group + "content"); content != table.texts.end())
       input.content = content->second.text;
     inputs.push_back(std::move(input));

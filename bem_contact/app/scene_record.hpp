@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,14 +29,21 @@ struct GivenScene {
   std::vector<InputRecord> inputs; ///< inputs_of() the scene, before it is solved; empty: not recorded
 };
 
-/// Reads the file once, so that it may be a pipe. Throws InputError for what is no scene.
-GivenScene read_given_scene(const std::string& file, const std::string& model);
+/// Reads the file once, so that it may be a pipe; `changes` replace its values. Throws InputError for what is
+/// no scene.
+GivenScene read_given_scene(const std::string& file, const std::string& model,
+                            std::span<const SceneChange> changes = {});
 
 /// A file as an input of that key. What is no regular file can be read only once, and is not read here.
 InputRecord record_of(const NamedFile& named);
 
+std::vector<InputRecord> records_of(const std::vector<NamedFile>& files);
+
 /// All files and standard profiles of a scene.
 std::vector<InputRecord> inputs_of(const SceneFile& scene);
+/// The scene's own file, which may be empty, and all files that the scene names: no output may be one of
+/// them.
+std::vector<std::filesystem::path> files_read(const std::filesystem::path& file, const SceneFile& scene);
 
 /// Texts "scene_text" and "scene_with_defaults", attributes program, commit, scene, scene_folder (relative to
 /// the folder of `output`), model_option, and the groups "materials" and "inputs".

@@ -77,8 +77,7 @@ bool is_complete(const std::filesystem::path& output, const std::string& digest)
   } catch (const InputError&) {
   }
   const auto is = [&](const char* name, const std::string& value) {
-    const auto at = top.attributes.find(name);
-    return at != top.attributes.end() && at->second == H5Attribute(value);
+    return text_attribute(top, name) == value;
   };
   if (!is("format", sweep_format) || !is("digest", digest))
     throw InputError(
@@ -182,36 +181,19 @@ void write_csv_of(const std::filesystem::path& csv, const std::filesystem::path&
   const H5Table table = read_h5_top(file, "patches");
   std::vector<std::string> reasons(sweep.size());
   for (std::size_t i = 0; i < sweep.size(); ++i)
-    if (const auto at = table.attributes.find(fmt::format("cases/{:06}/reason", i));
-        at != table.attributes.end())
-      reasons[i] = std::get<std::string>(at->second);
+    reasons[i] = text_attribute(table, fmt::format("cases/{:06}/reason", i));
   write_csv(csv_files(csv), sweep, table, reasons);
 }
 
-/// Refuses outputs that would overwrite an input or each other.
 void check_outputs(const SweepFile& sweep, const SweepRequest& request,
                    const std::filesystem::path& own_journal) {
-  std::vector<std::filesystem::path> taken{request.scene};
-  for (const std::string& name : input_paths(sweep))
-    taken.push_back(name);
-  const auto take = [&](const std::filesystem::path& file) {
-    refuse_overwriting(file, taken);
-    taken.push_back(file);
-  };
-  take(request.output);
-  take(own_journal);
-  take(request.csv);
-  output_target(request.output, OutputForm::whole_file);
-  output_target(own_journal, OutputForm::whole_file);
-  if (request.csv.empty())
-    return;
-  output_target(request.csv, OutputForm::text);
-  const CsvFiles files = csv_files(request.csv);
-  for (const std::filesystem::path& file : {files.patches, files.units}) {
-    take(file);
-    if (!file.empty())
-      output_target(file, OutputForm::text);
-  }
+  const CsvFiles csv = csv_files(request.csv);
+  require_outputs(files_read(request.scene, sweep),
+                  {{"--output", request.output, OutputForm::whole_file, true},
+                   {"--output", own_journal, OutputForm::whole_file},
+                   {"--csv", request.csv},
+                   {"--csv", csv.patches},
+                   {"--csv", csv.units}});
 }
 
 /// What is known from all journals, after this process has solved its part of the rest.

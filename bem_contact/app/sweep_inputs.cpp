@@ -4,8 +4,10 @@
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <iterator>
 #include <limits>
 
 namespace bem_contact::app {
@@ -25,29 +27,45 @@ void check_values(const SweepFile& sweep) {
     sweep.scene(index);
 }
 
+namespace {
+
+/// The files that the lists name, with the key "rail.profile[1]" for the second of a list.
+std::vector<NamedFile> files_of_lists(const SweepFile& sweep) {
+  std::vector<NamedFile> out;
+  for (const SweepFile::Axis& axis : sweep.axes)
+    for (std::size_t k = 0; k < axis.values.size(); ++k)
+      if (const auto* text = std::get_if<std::string>(&axis.values[k]))
+        for (NamedFile& named : files_of_key(axis.key, *text, sweep.folder))
+          if (is_regular(named.file)) {
+            named.key.insert(axis.key.size(), fmt::format("[{}]", k));
+            out.push_back(std::move(named));
+          }
+  return out;
+}
+
+} // namespace
+
 std::set<std::string> input_paths(const SweepFile& sweep) {
   std::set<std::string> names;
   for (const std::filesystem::path& file : input_files(sweep.scene(0)))
     if (is_regular(file))
       names.insert(file.string());
-  for (const SweepFile::Axis& axis : sweep.axes)
-    for (const SchemaValue& value : axis.values)
-      if (const auto* text = std::get_if<std::string>(&value))
-        if (!text->empty() && is_regular(sweep.folder / *text))
-          names.insert((sweep.folder / *text).string());
+  for (const NamedFile& named : files_of_lists(sweep))
+    names.insert(named.file.string());
   return names;
+}
+
+std::vector<std::filesystem::path> files_read(const std::filesystem::path& file, const SweepFile& sweep) {
+  const std::set<std::string> names = input_paths(sweep);
+  std::vector<std::filesystem::path> files(names.begin(), names.end());
+  files.push_back(file);
+  return files;
 }
 
 GivenScene given_sweep(const SweepFile& sweep, const std::string& model) {
   GivenScene out{sweep.source, sweep.text, model, sweep.folder, sweep.scene(0), {}};
   out.inputs = inputs_of(out.scene);
-  for (const SweepFile::Axis& axis : sweep.axes)
-    for (std::size_t k = 0; k < axis.values.size(); ++k) {
-      const auto* text = std::get_if<std::string>(&axis.values[k]);
-      if (text && !text->empty() && is_regular(sweep.folder / *text))
-        out.inputs.push_back(
-            record_of(NamedFile{fmt::format("{}[{}]", axis.key, k), *text, sweep.folder / *text}));
-    }
+  std::ranges::move(records_of(files_of_lists(sweep)), std::back_inserter(out.inputs));
   if (!model.empty())
     out.scene.solver.model = model_named(model);
   return out;

@@ -15,6 +15,9 @@ void check_values(const SweepFile& sweep);
 /// The files that the cases read, each once.
 std::set<std::string> input_paths(const SweepFile& sweep);
 
+/// These and the sweep's own file: no output may be one of them.
+std::vector<std::filesystem::path> files_read(const std::filesystem::path& file, const SweepFile& sweep);
+
 /// The sweep's text, with the scene of its first case and all inputs: those of that case, and those that the
 /// lists name, with the key "rail.profile[1]" for the second of a list.
 GivenScene given_sweep(const SweepFile& sweep, const std::string& model);

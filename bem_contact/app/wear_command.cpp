@@ -46,9 +46,7 @@ struct WearArguments {
 
 wear::EvolutionOptions options_of(const WearArguments& a) {
   wear::EvolutionOptions out = a.options;
-  if (a.law == "archard")
-    out.law =
-        wear::ArchardLaw{.hardness = a.hardness, .rolling_speed = a.speed, .map = wear::kth_map(a.hardness)};
+  out.law = wear::law_named(a.law, a.hardness, a.speed);
   out.rail = a.body != "wheel";
   out.wheel = a.body != "rail";
   return out;
@@ -57,22 +55,17 @@ wear::EvolutionOptions options_of(const WearArguments& a) {
 std::vector<wear::CollectiveCase> collective_of(const SweepFile& sweep) {
   std::vector<wear::CollectiveCase> out;
   for (std::size_t i = 0; i < sweep.size(); ++i)
-    out.push_back({sweep.scene(i), sweep.weights.empty() ? 1.0 : sweep.weights[i]});
+    out.push_back({sweep.scene(i), sweep.weight(i)});
   return out;
 }
 
 void write_table(const std::filesystem::path& file, const WearState& state) {
   H5Table table;
-  const char* names[] = {"step",        "revolutions", "mileage",   "rail_depth",
-                         "wheel_depth", "rail_area",   "wheel_area"};
-  const char* units[] = {"1", "1", "km", "mm", "mm", "mm^2", "mm^2"};
-  for (int k = 0; k < 7; ++k) {
-    H5Dataset& data = table.datasets[names[k]];
-    data.shape = {state.history.size()};
-    data.unit = units[k];
-    data.description = "by step";
-    for (const std::vector<double>& row : state.history)
-      data.values.push_back(row[k]);
+  for (const WearColumn& column : wear_columns) {
+    H5Dataset& data = table.datasets[column.name];
+    data = {{state.history.size()}, {}, column.unit, "by step"};
+    for (const WearRow& row : state.history)
+      data.values.push_back(row.*column.member);
   }
   const auto body = [&](const std::string& name, const wear::WornBody& worn) {
     H5Dataset &points = table.datasets[name + "/profile"], &depth = table.datasets[name + "/depth"];
@@ -113,9 +106,9 @@ ExitCode run(const WearArguments& arguments) {
     state.pair = wear::wear_step(state.pair, cases, options, arguments.depth, folder);
     state.history.push_back(history_row(++state.step, state.pair, first.position.wheel_radius));
     write_wear(folder, digest, state);
-    const std::vector<double>& row = state.history.back();
+    const WearRow& row = state.history.back();
     fmt::print("step {}: {:.4g} km, rail {:.4f} mm deep, {:.4f} mm2; wheel {:.4f} mm deep, {:.4f} mm2\n",
-               state.step, row[2], row[3], row[5], row[4], row[6]);
+               state.step, row.mileage, row.rail_depth, row.rail_area, row.wheel_depth, row.wheel_area);
     std::fflush(stdout);
   }
   write_table(folder / "wear.h5", state);
@@ -131,7 +124,9 @@ Command add_wear(CLI::App& program) {
   WearArguments& a = *arguments;
   CLI::App* line = program.add_subcommand("wear", "Let profiles wear under a load collective");
   line->add_option("scene", a.scene, "Scene file (TOML) with a table [sweep]")->required();
-  line->add_option("-o,--output", a.output, "Folder of the profiles and tables")->required();
+  line->add_option("-o,--output", a.output,
+                   "Folder of the profiles and tables: a new or empty one, or one to go on in")
+      ->required();
   const CLI::Range positive(1e-6, 1e6);
   const auto number = [&](const char* name, double& value, const char* what) {
     line->add_option(name, value, what)->check(positive)->capture_default_str();
@@ -142,9 +137,7 @@ Command add_wear(CLI::App& program) {
   number("--passages", a.options.passages, "Passages on the rail while the wheel turns once");
   number("--hardness", a.hardness, "Of the softer body, for archard, MPa");
   number("--speed", a.speed, "Rolling speed, for archard, mm/s");
-  line->add_option("--law", a.law, "Wear law")
-      ->check(CLI::IsMember({"energy", "archard"}))
-      ->capture_default_str();
+  line->add_option("--law", a.law, "Wear law")->check(CLI::IsMember(wear::law_names))->capture_default_str();
   line->add_option("--body", a.body, "Which body wears")
       ->check(CLI::IsMember({"both", "rail", "wheel"}))
       ->capture_default_str();

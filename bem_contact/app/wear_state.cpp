@@ -1,5 +1,6 @@
 #include "bem_contact/app/wear_state.hpp"
 
+#include "bem_contact/app/csv_name.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -16,6 +17,13 @@ namespace {
 
 constexpr const char* state_format = "bem_contact wear 1";
 constexpr double mm_per_km = 1e6;
+
+std::vector<double> values_of(const WearRow& row) {
+  std::vector<double> out;
+  for (const WearColumn& column : wear_columns)
+    out.push_back(row.*column.member);
+  return out;
+}
 
 void write_body(std::ostream& out, const wear::WornBody& body) {
   out << fmt::format("{} {}\n", body.points.size(), body.area);
@@ -37,29 +45,32 @@ void read_body(std::istream& in, wear::WornBody& body) {
 
 } // namespace
 
-std::vector<double> history_row(int step, const wear::WornPair& pair, double wheel_radius) {
-  return {double(step),
-          pair.revolutions,
-          pair.revolutions * 2 * std::numbers::pi * wheel_radius / mm_per_km,
-          pair.rail.largest(),
-          pair.wheel.largest(),
-          pair.rail.area,
-          pair.wheel.area};
+WearRow history_row(int step, const wear::WornPair& pair, double wheel_radius) {
+  return {.step = double(step),
+          .revolutions = pair.revolutions,
+          .mileage = pair.revolutions * 2 * std::numbers::pi * wheel_radius / mm_per_km,
+          .rail_depth = pair.rail.largest(),
+          .wheel_depth = pair.wheel.largest(),
+          .rail_area = pair.rail.area,
+          .wheel_area = pair.wheel.area};
 }
 
 void write_wear(const std::filesystem::path& folder, const std::string& digest, const WearState& state) {
   wear::write_profile(folder / fmt::format("rail_{:04}.txt", state.step), state.pair.rail.points);
   wear::write_profile(folder / fmt::format("wheel_{:04}.txt", state.step), state.pair.wheel.points);
   write_whole(folder / "wear.csv", [&](std::ostream& out) {
-    out << wear_columns << '\n';
-    for (const std::vector<double>& row : state.history)
-      out << fmt::format("{:.9g}\n", fmt::join(row, ","));
+    std::vector<std::string> names;
+    for (const WearColumn& column : wear_columns)
+      names.push_back(csv_name(column.name, column.unit));
+    out << fmt::format("{}\n", fmt::join(names, ","));
+    for (const WearRow& row : state.history)
+      out << fmt::format("{:.9g}\n", fmt::join(values_of(row), ","));
   });
   write_whole(folder / "state.txt", [&](std::ostream& out) {
     out << state_format << '\n' << digest << '\n';
     out << fmt::format("{} {} {}\n", state.step, state.pair.revolutions, state.history.size());
-    for (const std::vector<double>& row : state.history)
-      out << fmt::format("{}\n", fmt::join(row, " "));
+    for (const WearRow& row : state.history)
+      out << fmt::format("{}\n", fmt::join(values_of(row), " "));
     write_body(out, state.pair.rail);
     write_body(out, state.pair.wheel);
     out << "end\n";
@@ -68,8 +79,13 @@ void write_wear(const std::filesystem::path& folder, const std::string& digest, 
 
 std::optional<WearState> read_wear(const std::filesystem::path& folder, const std::string& digest) {
   const std::filesystem::path file = folder / "state.txt";
-  if (!file_exists(file))
+  if (!file_exists(file)) {
+    if (!std::filesystem::is_empty(folder))
+      throw InputError(fmt::format("The output '{}' exists and is not of this wear", folder.string()),
+                       "it is not empty, and there is no state.txt in it: its files might be overwritten",
+                       "Give a new folder, or an empty one.");
     return std::nullopt;
+  }
   std::istringstream in(read_text_file(file.string(), "state of wear"));
   std::string format, known, end;
   std::getline(in, format);
@@ -82,9 +98,9 @@ std::optional<WearState> read_wear(const std::filesystem::path& folder, const st
   std::size_t rows = 0;
   in >> state.step >> state.pair.revolutions >> rows;
   for (std::size_t i = 0; i < rows && in; ++i) {
-    std::vector<double>& row = state.history.emplace_back(7);
-    for (double& value : row)
-      in >> value;
+    WearRow& row = state.history.emplace_back();
+    for (const WearColumn& column : wear_columns)
+      in >> row.*column.member;
   }
   read_body(in, state.pair.rail);
   read_body(in, state.pair.wheel);

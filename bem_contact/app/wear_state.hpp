@@ -2,6 +2,7 @@
 
 #include "bem_contact/wear/evolution.hpp"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,24 +10,42 @@
 
 namespace bem_contact::app {
 
+/// What has become of both bodies after a step.
+struct WearRow {
+  double step = 0, revolutions = 0, mileage = 0; ///< 1, 1, km
+  double rail_depth = 0, wheel_depth = 0;        ///< largest depth of each body, mm
+  double rail_area = 0, wheel_area = 0;          ///< gone from each section, mm^2
+};
+
+/// A column of wear.csv and a dataset of wear.h5.
+struct WearColumn {
+  const char *name, *unit;
+  double WearRow::*member;
+};
+inline constexpr std::array<WearColumn, 7> wear_columns{{{"step", "1", &WearRow::step},
+                                                         {"revolutions", "1", &WearRow::revolutions},
+                                                         {"mileage", "km", &WearRow::mileage},
+                                                         {"rail_depth", "mm", &WearRow::rail_depth},
+                                                         {"wheel_depth", "mm", &WearRow::wheel_depth},
+                                                         {"rail_area", "mm^2", &WearRow::rail_area},
+                                                         {"wheel_area", "mm^2", &WearRow::wheel_area}}};
+
 /// What `bem_contact wear` keeps between two steps, and after the last.
 struct WearState {
   int step = 0;
   wear::WornPair pair;
-  std::vector<std::vector<double>> history; ///< one row a step, 0 included; columns of wear_columns
+  std::vector<WearRow> history; ///< one row a step, 0 included
 };
 
-inline constexpr const char* wear_columns =
-    "step,revolutions,mileage_km,rail_depth_mm,wheel_depth_mm,rail_area_mm2,wheel_area_mm2";
-
-/// Largest depths, areas gone and mileage of a state, as a row of the history.
-std::vector<double> history_row(int step, const wear::WornPair& pair, double wheel_radius);
+/// The row of the history of a state; the mileage is that of a wheel of this radius, mm.
+WearRow history_row(int step, const wear::WornPair& pair, double wheel_radius);
 
 /// Writes profiles of this step (rail_0001.txt), wear.csv, and last the state (state.txt), each whole or not
 /// at all: a kill at any moment leaves the state of a finished step.
 void write_wear(const std::filesystem::path& folder, const std::string& digest, const WearState& state);
 
-/// The state of a folder; nothing where it has none. Throws InputError if it is of another scene or damaged.
+/// The state of a folder; nothing if the folder is empty. Throws InputError if the state is of another scene
+/// or damaged, and if there are only other files: writing would overwrite those of the same name.
 std::optional<WearState> read_wear(const std::filesystem::path& folder, const std::string& digest);
 
 } // namespace bem_contact::app

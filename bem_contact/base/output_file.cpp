@@ -8,8 +8,10 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <fmt/format.h>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -20,12 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int most_links = 40; // as many as Linux follows
-
-bool same_file(const fs::path& a, const fs::path& b) {
-  std::error_code ignored;
-  return fs::equivalent(a, b, ignored) ||
-         fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored);
-}
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why, const std::string& what_to_do) {
   throw InputError("The file '" + file.string() + "' cannot be written", why, what_to_do);
@@ -41,9 +37,9 @@ bool stands_for_something_open(const fs::path& link) {
   return statfs(folder_of(link).c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC;
 }
 
-/// The end of a chain of links, which need not exist.
-fs::path follow_links(const fs::path& output) {
-  fs::path at = output;
+/// The end of a chain of links, which need not exist. Nothing if it has no end.
+std::optional<fs::path> end_of_links(const fs::path& name) {
+  fs::path at = name;
   std::error_code failed;
   for (int links = 0; links < most_links; ++links) {
     if (!fs::is_symlink(fs::symlink_status(at, failed)) || stands_for_something_open(at))
@@ -51,7 +47,23 @@ fs::path follow_links(const fs::path& output) {
     const fs::path to = fs::read_symlink(at, failed);
     at = to.is_absolute() ? to : folder_of(at) / to;
   }
-  refuse(output, "it is a link that leads back to itself", "Give another file.");
+  return std::nullopt;
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  const auto whole = [&](const fs::path& name) {
+    return fs::weakly_canonical(fs::absolute(end_of_links(name).value_or(name), ignored), ignored);
+  };
+  return fs::equivalent(a, b, ignored) || whole(a) == whole(b);
+}
+
+/// Throws where `output` is the file `taken`. `why` names what that is.
+void refuse_overwriting(const Output& output, const fs::path& taken, const std::string& why) {
+  if (!taken.empty() && same_file(output.file, taken))
+    throw InputError(fmt::format("The output '{}' of {} would overwrite '{}'", output.file.string(),
+                                 output.option, taken.string()),
+                     why, "Give the output another name.");
 }
 
 bool is_open_as(int descriptor, const struct stat& file) {
@@ -126,15 +138,23 @@ void replace(const fs::path& file, const std::function<void(std::ostream&)>& wri
 
 } // namespace
 
-void refuse_overwriting(const fs::path& output, std::span<const fs::path> taken) {
-  for (const fs::path& file : taken)
-    if (!output.empty() && !file.empty() && same_file(output, file))
-      throw InputError("The output '" + output.string() + "' would overwrite '" + file.string() + "'",
-                       "it is an input or another output of this run", "Give the output another name.");
+void require_outputs(const std::vector<fs::path>& inputs, const std::vector<Output>& outputs) {
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+    if (output->file.empty() && !output->required)
+      continue;
+    for (const fs::path& input : inputs)
+      refuse_overwriting(*output, input, "this run reads it");
+    for (auto other = outputs.begin(); other != output; ++other)
+      refuse_overwriting(*output, other->file, "it is the output of " + other->option);
+    output_target(output->file, output->form);
+  }
 }
 
 OutputTarget output_target(const fs::path& output, OutputForm form) {
-  const fs::path file = follow_links(output);
+  const std::optional<fs::path> end = end_of_links(output);
+  if (!end)
+    refuse(output, "it is a link that leads back to itself", "Give another file.");
+  const fs::path& file = *end;
   struct stat found {};
   if (stat(file.c_str(), &found) != 0) {
     require_folder(file, output);

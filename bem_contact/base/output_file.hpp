@@ -3,19 +3,29 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
-#include <span>
+#include <string>
+#include <vector>
 
 namespace bem_contact {
-
-/// Throws InputError where `output` is one of `taken` (inputs, other outputs), by whatever name: a program
-/// never loses a file it was given. Empty paths are passed over; files need not exist.
-void refuse_overwriting(const std::filesystem::path& output, std::span<const std::filesystem::path> taken);
 
 /// What an output must be.
 enum class OutputForm {
   text,      ///< anything that takes bytes one after the other
   whole_file ///< a regular file (HDF5)
 };
+
+/// A file that a program is asked to write.
+struct Output {
+  std::string option;         ///< that names it: "--csv"
+  std::filesystem::path file; ///< empty: it is not asked for
+  OutputForm form = OutputForm::text;
+  bool required = false; ///< an empty name is refused
+};
+
+/// Programs call it before they compute. Throws InputError for an output that is an input or the same file as
+/// another output, by whatever name, so that no program loses a file that it was given; and for one that
+/// cannot be written (output_target()). Empty paths are passed over; files need not exist.
+void require_outputs(const std::vector<std::filesystem::path>& inputs, const std::vector<Output>& outputs);
 
 /// What the name of an output leads to.
 struct OutputTarget {
@@ -25,7 +35,7 @@ struct OutputTarget {
   bool stream = false;
 };
 
-/// Finds out what `output` leads to. Programs ask before they compute. Throws InputError if it cannot be
+/// Finds out what `output` leads to. Throws InputError if it cannot be
 /// written: a folder, a socket, a disk, a file without write permission (for root too), a folder that is not
 /// there or may not be written to; for a whole file also a stream.
 OutputTarget output_target(const std::filesystem::path& output, OutputForm form);

@@ -30,7 +30,7 @@ Tractions tractions_of(const ContactResult& result) {
 
 std::vector<double> friction_power(const ContactResult& result) {
   std::vector<double> power(result.px.size());
-  for (std::size_t i = 0; i < power.size(); ++i)
+  for (std::size_t i = 0; i < result.slip_x.size(); ++i)
     power[i] = result.px[i] * result.slip_x[i] + result.ps[i] * result.slip_s[i];
   return power;
 }
@@ -40,6 +40,13 @@ double friction_power(const ContactResult& result, double element_area) {
   for (const double power : friction_power(result))
     sum += power * element_area;
   return sum;
+}
+
+double friction_bound(const ContactProblem& problem, const ContactResult& result) {
+  double sum = 0;
+  for (int i = 0; i < problem.grid.size() && problem.has_friction(); ++i)
+    sum += problem.friction_of(i / problem.grid.mx) * result.pn[i];
+  return sum * problem.element_area();
 }
 
 double largest_pressure(const ContactResult& result) {

@@ -180,10 +180,16 @@ struct ContactResult {
 Tractions tractions_of(const ContactResult& result);
 
 /// p_x slip_x + p_s slip_s, the power that friction dissipates on each element per area and unit of rolled
-/// distance (shift: the work of the load step per area), MPa (shift: MPa mm); field.
+/// distance (shift: the work of the load step per area), MPa (shift: MPa mm); field. 0 without slip.
 std::vector<double> friction_power(const ContactResult& result);
 /// The same summed over all elements times their area (mm^2), N (shift: N mm).
 double friction_power(const ContactResult& result, double element_area);
+
+/// Sum of mu p_n dS, N: no shear force is larger. 0 without friction.
+double friction_bound(const ContactProblem& problem, const ContactResult& result);
+
+/// The elements of each connected area of contact (8 neighbours), in the order of ContactResult::patches.
+std::vector<std::vector<int>> patch_elements(const ContactProblem& problem, const ContactResult& result);
 
 /// Largest pressure of all patches, MPa.
 double largest_pressure(const ContactResult& result);

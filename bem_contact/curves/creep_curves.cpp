@@ -50,8 +50,9 @@ void require_creepages(const SceneFile& scene, std::span<const CreepRange> range
 /// but their creepages.
 class Contact {
 public:
-  Contact(Sequence& sequence, const SceneFile& scene) : sequence_(sequence), scene_(scene) {
-    first_ = sequence.solve(scene);
+  Contact(Sequence& sequence, const SceneFile& scene, const std::atomic<bool>* stop)
+      : sequence_(sequence), scene_(scene), stop_(stop) {
+    first_ = sequence.solve(scene, stop);
     scene_ = with_model(scene, first_.model);
     scene_.grid.dx = first_.problem.grid.dx;
     scene_.grid.ds = first_.problem.grid.ds;
@@ -80,12 +81,13 @@ public:
     scene.motion.phi = creepages[2];
     return scene;
   }
-  SceneResult at(const Creepages& creepages) { return sequence_.solve(scene_at(creepages)); }
+  SceneResult at(const Creepages& creepages) { return sequence_.solve(scene_at(creepages), stop_); }
 
 private:
   Sequence& sequence_;
   SceneFile scene_;
   SceneResult first_;
+  const std::atomic<bool>* stop_;
   double offset_ = 0; ///< of free rolling, where motion.xi counts from there
 };
 
@@ -148,14 +150,15 @@ bool CreepCurves::certified() const {
          });
 }
 
-CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ranges) {
+CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ranges,
+                         const std::atomic<bool>* stop) {
   require_creepages(scene, ranges);
   const auto files = std::make_shared<SequenceFiles>();
   Sequence sequence({.displacements = false}, files);
-  Contact contact(sequence, scene);
+  Contact contact(sequence, scene, stop);
   CreepCurves out;
   out.solution = contact.first();
-  out.bound = friction_bound(out.solution);
+  out.bound = friction_bound(out.solution.problem, out.solution.result);
   if (!(out.bound > 0))
     throw InputError("This scene has no creep curves", "its bodies do not touch, or their friction is zero",
                      "Press them together, and set motion.friction.");
@@ -167,7 +170,7 @@ CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ran
   };
   out.sensitivities = derivatives(contact, asked, part(sensitivity_step), 2);
   out.linearised =
-      linearised_sensitivities(contact.scene_at(asked), contact.at(asked), part(sensitivity_step), *files);
+      linearised_sensitivities(contact.scene_at(asked), out.solution, part(sensitivity_step), *files);
   const Creepages rigid = rigid_creepages(out.solution);
   const double found = out.solution.result.creepage_x;
   Creepages none{};

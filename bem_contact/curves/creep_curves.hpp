@@ -3,6 +3,7 @@
 #include "bem_contact/curves/linear_theory.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
+#include <atomic>
 #include <optional>
 #include <span>
 #include <vector>
@@ -56,7 +57,8 @@ struct CreepCurves {
 /// stays where it is: a lateral force (load.force_y) is turned into the displacement that bears it, the
 /// creepage of free rolling into a number, and the elements keep their size. Throws InputError for a scene
 /// without friction, one that is no steady rolling, or one that prescribes shear forces; ConvergenceError as
-/// Sequence::solve() does.
-CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ranges);
+/// Sequence::solve() does, and Stopped where another thread sets `stop`.
+CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ranges,
+                         const std::atomic<bool>* stop = nullptr);
 
 } // namespace bem_contact

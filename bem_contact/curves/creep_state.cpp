@@ -2,15 +2,9 @@
 
 #include "bem_contact/sequence/quantities.hpp"
 
-#include <algorithm>
-
 namespace bem_contact {
 
 namespace {
-
-const Quantity& quantity(std::string_view name) {
-  return *std::ranges::find_if(quantities(), [&](const Quantity& q) { return q.name == name; });
-}
 
 template <class Of> CreepForceValues each_force(const Of& of) {
   CreepForceValues out{};
@@ -27,13 +21,6 @@ CreepForceValues forces_of(const SceneResult& result) {
 
 CreepForceValues force_errors_of(const SceneResult& result) {
   return each_force([&](const Quantity& q) { return q.error(result); });
-}
-
-double friction_bound(const SceneResult& r) {
-  double sum = 0;
-  for (int i = 0; i < r.problem.grid.size(); ++i)
-    sum += r.problem.friction_of(i / r.problem.grid.mx) * r.result.pn[i];
-  return sum * r.problem.element_area();
 }
 
 Creepages rigid_creepages(const SceneResult& r) {

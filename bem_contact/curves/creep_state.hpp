@@ -31,9 +31,6 @@ CreepForceValues forces_of(const SceneResult& result);
 /// Absolute errors that the size of the elements is estimated to cause; nan: not known.
 CreepForceValues force_errors_of(const SceneResult& result);
 
-/// Sum of mu p_n dS, N: no shear force is larger.
-double friction_bound(const SceneResult& result);
-
 /// The creepages whose rigid slip is nearest to that of the result, in the mean square over the contact,
 /// weighted by the pressure. Those that a scene gives are among them, and those of the geometry.
 Creepages rigid_creepages(const SceneResult& result);

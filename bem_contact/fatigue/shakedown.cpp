@@ -12,8 +12,6 @@ namespace bem_contact::fatigue {
 
 namespace {
 
-constexpr double least_index = -0.5; // the map of Ekberg et al. is not read below it
-
 void require_positive(double value, const char* name) {
   if (!(std::isfinite(value) && value > 0))
     throw InputError(fmt::format("{} cannot be {}", name, value), "it must be a positive number",
@@ -45,7 +43,7 @@ ShakedownPoint shakedown_point(const HertzPatch& patch, double yield_shear) {
 }
 
 double element_index(double shear_traction, double pressure, double yield_shear) {
-  return std::max(least_index, (shear_traction - yield_shear) / pressure);
+  return std::max(least_element_index, (shear_traction - yield_shear) / pressure);
 }
 
 } // namespace bem_contact::fatigue

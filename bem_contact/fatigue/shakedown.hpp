@@ -28,8 +28,11 @@ struct HertzPatch {
 /// InputError for what is not positive (shear may be 0).
 ShakedownPoint shakedown_point(const HertzPatch& patch, double yield_shear);
 
-/// FI of one element, from its own tractions: max(-0.5, (|p_t| - k) / p_n). The lower bound is that of
-/// elements under almost no pressure. p_n > 0, MPa.
+/// FI of an element that bears no pressure. The map of Ekberg et al. is not read below it.
+inline constexpr double least_element_index = -0.5;
+
+/// FI of one element, from its own tractions: (|p_t| - k) / p_n, or least_element_index if that is more.
+/// p_n > 0, MPa.
 double element_index(double shear_traction, double pressure, double yield_shear);
 
 /// Throws InputError unless the yield stress in shear is positive.

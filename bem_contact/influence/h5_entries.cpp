@@ -45,9 +45,7 @@ std::string text_of(hid_t object, const std::string& name) {
   H5Table one;
   if (H5Aexists(object, name.c_str()) > 0)
     read_attribute(object, name, name, one);
-  const auto at = one.attributes.find(name);
-  const auto* text = at == one.attributes.end() ? nullptr : std::get_if<std::string>(&at->second);
-  return text ? *text : std::string();
+  return text_attribute(one, name);
 }
 
 /// A dataset of one text of fixed length; false where it cannot be read. Any other text is passed over.

@@ -37,6 +37,12 @@ H5Table read_paths(const std::filesystem::path& file, const std::function<bool(c
 
 } // namespace
 
+std::string text_attribute(const H5Table& table, const std::string& name) {
+  const auto at = table.attributes.find(name);
+  const auto* text = at == table.attributes.end() ? nullptr : std::get_if<std::string>(&at->second);
+  return text ? *text : std::string();
+}
+
 void write_h5(const std::filesystem::path& file, const H5Table& table) {
   const QuietHdf5 silence;
   const H5Image image(0, [&](hid_t root) { write_entries(root, table, file); });

@@ -33,6 +33,9 @@ struct H5Table {
   std::map<std::string, H5Text> texts; ///< datasets of one text (UTF-8)
 };
 
+/// The attribute of that name; "" where there is none, or a number.
+std::string text_attribute(const H5Table& table, const std::string& name);
+
 /// Writes the whole file at once. Throws InputError where it cannot be written.
 void write_h5(const std::filesystem::path& file, const H5Table& table);
 

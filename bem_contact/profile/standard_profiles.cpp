@@ -90,6 +90,12 @@ std::string graft_base(const BodyFile::Body& body) {
   return base;
 }
 
+std::filesystem::path profile_file_of(const BodyFile& body) {
+  const std::string& name = body.body.profile;
+  return name.empty() || is_standard_profile(name) ? std::filesystem::path()
+                                                   : profile_file_name(name, body.folder).file;
+}
+
 std::string held_part(const BodyFile::Body& body) {
   if (!body.held.empty())
     return body.held;

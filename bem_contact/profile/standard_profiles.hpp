@@ -30,6 +30,9 @@ std::span<const std::string> standard_profile_names();
 ///   outline: its contact pieces (own_outline.hpp)
 ProfileCurve body_profile(const BodyFile& body);
 
+/// The profile file that a body names; empty where it names a standard or nothing.
+std::filesystem::path profile_file_of(const BodyFile& body);
+
 /// The standard whose body carries a profile that comes from a file: 60E1 or S1002 unless said.
 /// Throws InputError for a standard of the other kind.
 std::string graft_base(const BodyFile::Body& body);

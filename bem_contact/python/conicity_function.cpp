@@ -1,12 +1,13 @@
 #include "bem_contact/python/conicity_function.hpp"
 
+#include "bem_contact/conicity/conicity_columns.hpp"
 #include "bem_contact/conicity/scene_wheelset.hpp"
-#include "bem_contact/conicity/wheelset_conicity.hpp"
+#include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
 
 #include <pybind11/numpy.h>
 
-#include <limits>
+#include <span>
 
 namespace py = pybind11;
 
@@ -14,46 +15,10 @@ namespace bem_contact {
 
 namespace {
 
-template <class Range, class Of> py::array_t<double> line(const Range& range, const Of& of) {
-  std::vector<double> values;
-  for (const auto& element : range)
-    values.push_back(of(element));
-  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
-}
-
-py::dict function_of(const WheelsetConicity& c) {
-  using S = WheelsetStand;
+template <class Column> py::dict dict_of(std::span<const Column> columns, const WheelsetConicity& c) {
   py::dict out;
-  const auto add = [&](const char* name, auto of) { out[name] = line(c.stands, of); };
-  add("lateral", [](const S& s) { return s.lateral; });
-  add("difference", [](const S& s) { return s.difference(); });
-  add("roll", [](const S& s) { return s.roll; });
-  for (const auto& [side, touch] : {std::pair("right", &S::right), std::pair("left", &S::left)}) {
-    const auto of_side = [&, side = std::string(side), touch = touch](const char* name, auto of) {
-      add((side + name).c_str(), [&](const S& s) { return of(s.*touch); });
-    };
-    of_side("_radius", [](const WheelTouch& t) { return t.radius; });
-    of_side("_wheel_y", [](const WheelTouch& t) { return t.wheel.y; });
-    of_side("_wheel_s", [](const WheelTouch& t) { return t.wheel_s; });
-    of_side("_rail_y", [](const WheelTouch& t) { return t.rail.y; });
-    of_side("_rail_s", [](const WheelTouch& t) { return t.rail_s; });
-    of_side("_delta", [](const WheelTouch& t) { return t.delta; });
-  }
-  return out;
-}
-
-py::dict conicity_of(const WheelsetConicity& c) {
-  py::dict out;
-  out["amplitude"] = line(c.values, [](const auto& v) { return v.amplitude; });
-  const auto add = [&](const char* name, double EquivalentConicity::*member) {
-    out[name] = line(c.values, [&](const auto& v) {
-      return v.motion ? (*v.motion).*member : std::numeric_limits<double>::quiet_NaN();
-    });
-  };
-  add("tan_gamma", &EquivalentConicity::tan_gamma);
-  add("wavelength", &EquivalentConicity::wavelength);
-  add("from", &EquivalentConicity::from);
-  add("to", &EquivalentConicity::to);
+  for (const Column& column : columns)
+    out[column.name] = array_of(column.values(c));
   return out;
 }
 
@@ -63,12 +28,11 @@ py::dict conicity(const py::object& scene, const py::object& changes, const std:
   const SceneFile file = scene.is_none() ? scene_without_file(list) : scene_file_of(scene, folder, list);
   WheelsetOnTrack wheelset = wheelset_of(file, {.rail = left_rail, .wheel = left_wheel});
   wheelset.rolls = roll;
-  const WheelsetConicity found = [&] {
-    const py::gil_scoped_release others_may_run;
-    return wheelset_conicity(wheelset, {.largest = to, .step = step});
-  }();
+  const WheelsetConicity found = stoppable(
+      [=](const std::atomic<bool>*) { return wheelset_conicity(wheelset, {.largest = to, .step = step}); });
   using namespace py::literals;
-  return py::dict("function"_a = function_of(found), "conicity"_a = conicity_of(found),
+  return py::dict("function"_a = dict_of(stand_columns(), found),
+                  "conicity"_a = dict_of(conicity_columns(), found),
                   "wheel_radius"_a = found.lengths.wheel_radius,
                   "contact_distance"_a = found.lengths.contact_distance, "rolls"_a = roll);
 }

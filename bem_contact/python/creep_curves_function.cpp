@@ -1,7 +1,8 @@
 #include "bem_contact/python/creep_curves_function.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/curves/creep_curves.hpp"
+#include "bem_contact/curves/creep_columns.hpp"
+#include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
 
 #include <pybind11/numpy.h>
@@ -19,23 +20,11 @@ py::array_t<double> matrix(const CreepMatrix& m) {
   return py::array_t<double>({3, 3}, m.front().data());
 }
 
-template <class Of> py::array_t<double> column(const CreepCurve& curve, const Of& of) {
-  std::vector<double> values;
-  for (const CreepPoint& p : curve.points)
-    values.push_back(of(p));
-  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
-}
-
 py::dict curve_of(const CreepCurve& curve) {
   py::dict out;
-  out["creepage"] = column(curve, [](const CreepPoint& p) { return p.creepage; });
-  for (std::size_t f = 0; f < 3; ++f) {
-    const std::string force(EnumNames<CreepForce>::names[f]);
-    out[force.c_str()] = column(curve, [f](const CreepPoint& p) { return p.forces[f]; });
-    out[(force + "_error").c_str()] = column(curve, [f](const CreepPoint& p) { return p.errors[f]; });
-  }
-  out["adhesion_share"] = column(curve, [](const CreepPoint& p) { return p.adhesion_share; });
-  out["certified"] = column(curve, [](const CreepPoint& p) { return p.certified ? 1.0 : 0.0; });
+  out["creepage"] = array_of(creepages_of(curve));
+  for (const CreepColumn& column : creep_columns())
+    out[column.name] = array_of(column.values(curve));
   return out;
 }
 
@@ -45,14 +34,14 @@ py::dict dict_of(const CreepCurves& c) {
   for (const CreepCurve& curve : c.curves)
     curves[py::str(std::string(name_of(curve.which)))] = curve_of(curve);
   const CreepForceValues forces = forces_of(c.solution);
-  return py::dict(
-      "curves"_a = curves, "slopes"_a = matrix(c.slopes.values), "slopes_error"_a = matrix(c.slopes.errors),
-      "sensitivities"_a = matrix(c.sensitivities.values),
-      "sensitivities_error"_a = matrix(c.sensitivities.errors),
-      "linearised"_a = c.linearised ? py::object(matrix(*c.linearised)) : py::none(),
-      "kalker"_a = c.linear ? py::object(matrix(c.linear->slopes)) : py::none(),
-      "forces"_a = py::array_t<double>(3, forces.data()), "bound"_a = c.bound, "radius"_a = c.radius,
-      "model"_a = std::string(name_of(c.solution.model)), "certified"_a = c.certified());
+  py::dict out("curves"_a = curves, "forces"_a = py::array_t<double>(3, forces.data()), "bound"_a = c.bound,
+               "radius"_a = c.radius, "model"_a = std::string(name_of(c.solution.model)),
+               "certified"_a = c.certified());
+  for (const CreepMatrixEntry& entry : creep_matrices()) {
+    const CreepMatrix* m = entry.of(c);
+    out[entry.name] = m ? py::object(matrix(*m)) : py::none();
+  }
+  return out;
 }
 
 /// Numbers in a list or an array of one dimension; None: no curve.
@@ -83,11 +72,7 @@ py::dict curves(const py::object& scene, const py::object& changes, const py::ob
   add_range(ranges, CreepKind::phi, phi);
   if (ranges.empty())
     ranges = {{CreepKind::xi, {}}, {CreepKind::eta, {}}, {CreepKind::phi, {}}};
-  const CreepCurves found = [&] {
-    const py::gil_scoped_release others_may_run;
-    return creep_curves(file, ranges);
-  }();
-  return dict_of(found);
+  return dict_of(stoppable([=](const std::atomic<bool>* stop) { return creep_curves(file, ranges, stop); }));
 }
 
 } // namespace

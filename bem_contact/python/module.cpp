@@ -4,6 +4,7 @@
 #include "bem_contact/python/creep_curves_function.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/sequence_object.hpp"
+#include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/python/wear_functions.hpp"
 #include "bem_contact/sequence/quantities.hpp"

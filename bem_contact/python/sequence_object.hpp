@@ -18,9 +18,8 @@ struct PythonScene {
 
 /// Python's Sequence: a scene whose text was read, and whose paths were fixed, when the object was made.
 ///
-/// A case is solved in a thread of its own while Python's threads go on; the calling thread looks for Ctrl-C.
-/// After Ctrl-C the call ends at once with KeyboardInterrupt, and the solution with its next product. A call
-/// to an object that is busy waits.
+/// After Ctrl-C the call ends at once with KeyboardInterrupt (stoppable.hpp), and the solution with its next
+/// product. A call to an object that is busy waits.
 class PythonSequence {
 public:
   explicit PythonSequence(PythonScene scene);
@@ -35,8 +34,5 @@ private:
   };
   std::shared_ptr<Shared> shared_;
 };
-
-/// Waits for solutions that outlived their calls. Python calls it before it ends.
-void end_stopped_solutions();
 
 } // namespace bem_contact

@@ -185,8 +185,8 @@ std::string model_of(const py::object& model) {
   return model.cast<std::string>();
 }
 
-pybind11::array_t<double> array_of(const std::vector<double>& values) {
-  return pybind11::array_t<double>(static_cast<pybind11::ssize_t>(values.size()), values.data());
+py::array_t<double> array_of(const std::vector<double>& values) {
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
 void refuse_unknown(const char* function, const py::args& more, const py::kwargs& unknown) {

@@ -26,7 +26,7 @@ SceneFile scene_file_of(const pybind11::object& scene, const pybind11::object& f
 std::vector<SceneChange> changes_of(const pybind11::object& changes);
 /// None and "": the scene's own.
 std::string model_of(const pybind11::object& model);
-/// A NumPy array of its own.
+/// A copy, as an array of one dimension.
 pybind11::array_t<double> array_of(const std::vector<double>& values);
 /// Throws TypeError if there are any, naming the nearest known argument.
 void refuse_unknown(const char* function, const pybind11::args& more, const pybind11::kwargs& unknown);

@@ -26,18 +26,9 @@ py::array_t<double> field(const SceneResult& r, const std::vector<double>& value
   return py::array_t<double>({r.problem.grid.ms, r.problem.grid.mx}, values.data());
 }
 
-wear::Law law_named(const std::string& name, double hardness, double speed) {
-  if (name == "energy")
-    return wear::EnergyLaw{};
-  if (name == "archard")
-    return wear::ArchardLaw{.hardness = hardness, .rolling_speed = speed, .map = wear::kth_map(hardness)};
-  throw InputError(fmt::format("there is no wear law '{}'", name), "known are energy and archard",
-                   "Use one of these.");
-}
-
 py::dict wear_of(const PythonResult& result, const std::string& law, double hardness, double speed) {
   const SceneResult& r = solved(result, "wear");
-  const wear::Wear w = wear::wear_of(r, law_named(law, hardness, speed));
+  const wear::Wear w = wear::wear_of(r, wear::law_named(law, hardness, speed));
   return py::dict("rate"_a = field(r, w.rate), "s"_a = array_of(w.rail.s), "wheel_s"_a = array_of(w.wheel.s),
                   "depth"_a = array_of(w.rail.depth), "sliding_distance"_a = array_of(w.sliding_over_s),
                   "volume_per_distance"_a = w.volume_per_distance);

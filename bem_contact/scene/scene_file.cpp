@@ -1,7 +1,9 @@
 #include "bem_contact/scene/scene_file.hpp"
 
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/scene/accuracy_of.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
@@ -10,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace bem_contact {
@@ -242,34 +245,52 @@ SceneFile with_elements(SceneFile scene, double dx, double ds) {
   return scene;
 }
 
-std::vector<NamedFile> named_files(const SceneFile& scene) {
-  std::vector<NamedFile> files;
-  const auto add = [&](const char* key, const std::string& name, const std::filesystem::path& file) {
-    if (!name.empty())
-      files.push_back({key, name, file});
-  };
-  const auto profile = [&](const char* key, const std::string& name) {
-    add(key, name, profile_file_name(name, scene.folder).file);
-  };
-  const auto other = [&](const char* key, const std::string& name) { add(key, name, scene.folder / name); };
-  profile("rail.profile", scene.rail.profile);
-  profile("wheel.profile", scene.wheel.profile);
-  other("rail.influence", scene.rail.influence);
-  other("wheel.influence", scene.wheel.influence);
-  other("gap.table", scene.gap.table);
-  other("strip.inclination", scene.strip.inclination);
-  other("motion.slip_table", scene.motion.slip_table);
-  other("motion.friction_table", scene.motion.friction_table);
-  other("motion.step_table", scene.motion.step_table);
-  other("motion.start_table", scene.motion.start_table);
+std::vector<NamedFile> files_of_key(const std::string& key, const std::string& name,
+                                    const std::filesystem::path& folder) {
+  if (name.empty())
+    return {};
+  if (!key.ends_with(".profile"))
+    return {{key, name, folder / name}};
+  std::vector<NamedFile> files{{key, name, profile_file_name(name, folder).file}};
+  const std::filesystem::path& file = files.front().file;
+  if (is_standard_profile(name) || file.extension() != ".toml" || !is_regular(file))
+    return files;
+  try {
+    const BodyFile body = read_body_file(file);
+    if (const std::filesystem::path points = profile_file_of(body); file_exists(points))
+      files.push_back({key + ".body.profile", body.body.profile, points});
+  } catch (const InputError&) { // whoever uses the body says what is wrong with it
+  }
   return files;
 }
 
-std::vector<std::filesystem::path> input_files(const SceneFile& scene) {
-  std::vector<std::filesystem::path> files;
-  for (NamedFile& named : named_files(scene))
-    files.push_back(std::move(named.file));
+std::vector<NamedFile> named_files(const SceneFile& scene) {
+  std::vector<NamedFile> files;
+  const auto add = [&](const char* key, const std::string& name) {
+    std::ranges::move(files_of_key(key, name, scene.folder), std::back_inserter(files));
+  };
+  add("rail.profile", scene.rail.profile);
+  add("wheel.profile", scene.wheel.profile);
+  add("rail.influence", scene.rail.influence);
+  add("wheel.influence", scene.wheel.influence);
+  add("gap.table", scene.gap.table);
+  add("strip.inclination", scene.strip.inclination);
+  add("motion.slip_table", scene.motion.slip_table);
+  add("motion.friction_table", scene.motion.friction_table);
+  add("motion.step_table", scene.motion.step_table);
+  add("motion.start_table", scene.motion.start_table);
   return files;
+}
+
+std::vector<std::filesystem::path> paths_of(const std::vector<NamedFile>& files) {
+  std::vector<std::filesystem::path> paths;
+  for (const NamedFile& named : files)
+    paths.push_back(named.file);
+  return paths;
+}
+
+std::vector<std::filesystem::path> input_files(const SceneFile& scene) {
+  return paths_of(named_files(scene));
 }
 
 std::string default_scene_file() {

@@ -189,9 +189,14 @@ struct NamedFile {
   std::string name;           ///< as the scene gives it
   std::filesystem::path file; ///< in the scene's folder
 };
-/// All that it names, table by table.
+/// What a key names: nothing if `name` is empty. If it is the body file of a profile, also the profile file
+/// that this one names, with the key "rail.profile.body.profile".
+std::vector<NamedFile> files_of_key(const std::string& key, const std::string& name,
+                                    const std::filesystem::path& folder);
+/// All that a scene names, table by table.
 std::vector<NamedFile> named_files(const SceneFile& scene);
-/// The paths of the same.
+std::vector<std::filesystem::path> paths_of(const std::vector<NamedFile>& files);
+/// The paths of all that a scene names.
 std::vector<std::filesystem::path> input_files(const SceneFile& scene);
 
 } // namespace bem_contact

@@ -38,6 +38,8 @@ struct SweepFile {
   bool fields = true; ///< keep the fields of each case, not only its totals
 
   std::size_t size() const;
+  /// How often a case occurs; 1 without sweep.weight.
+  double weight(std::size_t index) const { return weights.empty() ? 1 : weights[index]; }
   /// Which value of each axis a case has.
   std::vector<std::size_t> indices(std::size_t index) const;
   std::vector<SceneChange> changes(std::size_t index) const;

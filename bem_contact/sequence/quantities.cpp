@@ -61,9 +61,7 @@ template <auto member> void copy_displacement(const SceneResult& r, std::span<do
   copy_stored(r.result.displacements.*member, to);
 }
 void copy_work_rate(const SceneResult& r, std::span<double> to) {
-  const ContactResult& c = r.result;
-  for (std::size_t i = 0; i < to.size(); ++i)
-    to[i] = c.slip_x.empty() ? 0.0 : c.px[i] * c.slip_x[i] + c.ps[i] * c.slip_s[i];
+  copy_stored(friction_power(r.result), to);
 }
 
 constexpr Quantity all[] = {
@@ -193,9 +191,7 @@ constexpr StepQuantity all_of_steps[] = {
     {"Fz", newton, "on the rail, down", of_step<&ContactResult::Fz>},
     {"Fs", newton, "shear force along the tangent at the reference point", of_step<&ContactResult::Fs>},
     {"Mz", moment_unit, "on the rail, about the vertical axis through the reference point",
-     [](const SceneResult& r, const ContactResult& step) {
-       return step.Mz + r.reference.position.y * step.Fx - r.reference.x * step.Fy;
-     }},
+     [](const SceneResult& r, const ContactResult& step) { return moment_about(r.reference, step); }},
     {"approach", mm, "along z", of_step<&ContactResult::approach>},
     {"pmax", pascal, "largest pressure",
      [](const SceneResult&, const ContactResult& step) { return largest_pressure(step); }},

@@ -99,7 +99,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
     out.wheel_geometry = placed->pair.wheel.digest();
   }
   add_creepages(asked.setup, out);
-  out.moment = out.result.Mz + out.reference.position.y * out.result.Fx - out.reference.x * out.result.Fy;
+  out.moment = moment_about(out.reference, out.result);
   if (asked.setup.wheel_rail() || asked.files.complete())
     out.wheel_s = std::move(solved.contact.wheel_s);
   Outlines bodies = outlines(asked.setup, out.problem);

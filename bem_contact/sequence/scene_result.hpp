@@ -49,6 +49,11 @@ struct LateralPosition {
       others; ///< other displacements with the same force, to some hundredths of a millimetre, mm
 };
 
+/// Mz about the vertical axis through the reference point, N mm.
+inline double moment_about(const ReferencePoint& reference, const ContactResult& result) {
+  return result.Mz + reference.position.y * result.Fx - reference.x * result.Fy;
+}
+
 /// One scene solved with one model.
 struct SceneResult {
   Model model = Model::halfspace; ///< that it was solved with
@@ -60,7 +65,7 @@ struct SceneResult {
   std::vector<PatchPlace> patch_places; ///< of result.patches, in their order
   ReferencePoint reference;             ///< of approach, creepages and moment
   bool left = false;                    ///< left wheel: y and s are counted to the left (placement.hpp)
-  double moment = 0;                    ///< Mz about the vertical axis through the reference point, N mm
+  double moment = 0;                    ///< moment_about() the reference point, N mm
   std::optional<double> lateral; ///< wheel_rail: position.lateral, mm: given, or found for load.force_y
   std::optional<LateralPosition> found_lateral; ///< where load.force_y is given
   /// Creepages at the reference point, with what was found for prescribed forces. wheel_rail: xi is counted

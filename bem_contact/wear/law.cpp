@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <string_view>
 
 namespace bem_contact::wear {
@@ -67,6 +68,15 @@ double rate(const ArchardLaw& law, const Rubbing& rubbing) {
 }
 
 } // namespace
+
+Law law_named(std::string_view name, double hardness, double rolling_speed) {
+  if (name == law_names[0])
+    return EnergyLaw{};
+  if (name == law_names[1])
+    return ArchardLaw{.hardness = hardness, .rolling_speed = rolling_speed, .map = kth_map(hardness)};
+  throw InputError(fmt::format("there is no wear law '{}'", name),
+                   fmt::format("known are {}", fmt::join(law_names, " and ")), "Use one of these.");
+}
 
 WearMap kth_map(double hardness) {
   return {.speeds = {200, 700},

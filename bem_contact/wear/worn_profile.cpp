@@ -21,14 +21,6 @@ double b_spline(double t) {
   return t >= 1 ? (2 - t) * (2 - t) * (2 - t) / 6 : 2.0 / 3 - t * t * (1 - t / 2);
 }
 
-std::vector<double> arc_lengths(std::span<const Point2> points) {
-  const ProfileCurve curve = ProfileCurve::through_points("worn", points);
-  std::vector<double> s;
-  for (const Point2& p : points)
-    s.push_back(curve.nearest(p).s);
-  return s;
-}
-
 /// Half the distances to both neighbours, mm.
 std::vector<double> lengths(std::span<const Point2> points) {
   std::vector<double> out(points.size(), 0.0);
@@ -52,8 +44,9 @@ std::vector<Point2> points_of(const ProfileCurve& curve) {
 }
 
 Depths::Depths(std::span<const Point2> points, double smoothing)
-    : s_(arc_lengths(points)), length_(lengths(points)), depth_(points.size(), 0.0),
-      knot_spacing_(std::max(smoothing / knots_per_wavelength, profile_spacing)) {}
+    : s_(ProfileCurve::through_points("worn", points).joints()), length_(lengths(points)),
+      depth_(points.size(), 0.0), knot_spacing_(std::max(smoothing / knots_per_wavelength, profile_spacing)) {
+}
 
 void Depths::add(const DepthOverS& wear, double weight) {
   for (std::size_t row = 0; row < wear.s.size(); ++row) {
@@ -83,10 +76,11 @@ std::vector<Point2> worn(std::span<const Point2> points, const std::vector<doubl
   if (!(area > 0))
     return out;
   const ProfileCurve curve = ProfileCurve::through_points("worn", points);
+  const std::vector<double> s = curve.joints(); // of the points
   std::vector<Point2> move(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     if (depth[i] > 0)
-      move[i] = depth[i] * normal_of(curve.nearest(points[i]).delta);
+      move[i] = depth[i] * normal_of(curve.at(s[i]).delta);
   double linear = 0, square = 0; // of the area under the moves times a factor
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Point2 edge = points[i + 1] - points[i];

@@ -215,6 +215,28 @@ TEST_F(CommandLine, AnOutputNeverReplacesAnInput) {
   EXPECT_EQ(text_of(scene), hertz);
 }
 
+/// Also a file that the scene names, and one that only a body file of the scene names.
+TEST_F(CommandLine, NoCommandOverwritesAFileThatItReads) {
+  const std::string points = write("points.txt", "-20 1\n0 0\n20 1\n").string();
+  const std::string body = write("rail.toml", "body.profile = \"points.txt\"\n").string();
+  std::string text = wheel_rail + "[sweep]\nposition.lateral = [0.0, 1.0]\n";
+  text.replace(text.find("60E1"), 4, "rail.toml");
+  const std::string scene = "'" + write("s.toml", text).string() + "'";
+  for (const std::string& file : {points, body})
+    for (const std::string& command :
+         {"solve " + scene + " --vtk", "creep-curves " + scene + " --csv", "conicity " + scene + " --csv",
+          "conicity --wheel S1002 --rail 60E1 --left-rail '" + body + "' --csv",
+          "profile '" + body + "' --csv", "fatigue " + scene + " --csv",
+          "sweep " + scene + " -o '" + (folder_ / "new.h5").string() + "' --csv"})
+      refused(run(command + " '" + file + "'"), {"would overwrite '", file, "(this run reads it)"});
+  EXPECT_EQ(text_of(points), "-20 1\n0 0\n20 1\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "new.h5"));
+  write("surface_fem.vts", "mine");
+  refused(run("compare " + scene + " -o '" + (folder_ / "surface_fem.vts").string() + "' --vtk-prefix '" +
+              (folder_ / "surface").string() + "'"),
+          {"surface_fem.vts' of --vtk-prefix would overwrite", "(it is the output of --output)"});
+}
+
 TEST_F(CommandLine, WhatIsTooLargeIsRefusedAtOnce) {
   std::string large = hertz;
   for (const char* size : {"mx = 16", "ms = 16"})

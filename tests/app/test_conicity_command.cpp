@@ -81,6 +81,20 @@ TEST_F(ConicityCommand, TakesASceneAndAnotherLeftWheel) {
   EXPECT_NE(at(a["function"], "lateral", 2, "left_radius"), at(b["function"], "lateral", 2, "left_radius"));
 }
 
+TEST_F(ConicityCommand, TheFileKeepsItsInputs) {
+  const std::string file = (folder_ / "c.h5").string();
+  ASSERT_EQ(
+      run("conicity --rail 60E1 --wheel S1002 --to 1 --left-wheel '" + cone() + "' -o '" + file + "'").code,
+      0);
+  const H5Table table = read_h5(file);
+  EXPECT_EQ(text_attribute(table, "inputs/rail.profile/name"), "60E1");
+  EXPECT_EQ(text_attribute(table, "inputs/left_wheel.profile/name"), "cone.txt");
+  EXPECT_EQ(text_attribute(table, "inputs/left_wheel.profile/sha256").size(), 64u);
+  EXPECT_EQ(table.texts.at("inputs/left_wheel.profile/content").text, text_of(folder_ / "cone.txt"));
+  EXPECT_FALSE(text_attribute(table, "commit").empty());
+  EXPECT_THAT(run("info --scene-with-defaults '" + file + "'").out, HasSubstr("profile = \"S1002\""));
+}
+
 TEST_F(ConicityCommand, SaysWhatIsMissingOrWrong) {
   const auto refused = [&](const std::string& arguments, const char* word) {
     const Outcome r = run("conicity " + arguments);

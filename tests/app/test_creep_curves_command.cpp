@@ -47,7 +47,11 @@ TEST_F(CreepCurvesCommand, TextJsonCsvAndHdf5AgreeAndTheHelpIsRight) {
   EXPECT_THAT(csv, HasSubstr("varied,creepage,Fx_N"));
   EXPECT_THAT(csv, HasSubstr("\nxi,-0.001,"));
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 3 + 2);
-  EXPECT_THAT(run("info '" + (folder_ / "c.h5").string() + "'").out, HasSubstr("Creep curves"));
+  const std::string file = "'" + (folder_ / "c.h5").string() + "'";
+  EXPECT_THAT(run("info " + file).out, HasSubstr("Creep curves"));
+  EXPECT_EQ(run("info --scene " + file).out,
+            text_of(CONFORMAL_SOURCE_DIR "/data/scenes/steady_rolling.toml"));
+  EXPECT_FALSE(text_attribute(table, "commit").empty());
 }
 
 TEST(CreepRange, IsReadOrRefused) {

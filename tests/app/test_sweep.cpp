@@ -1,3 +1,4 @@
+#include "bem_contact/app/sweep_inputs.hpp"
 #include "bem_contact/app/sweep_journal.hpp"
 #include "bem_contact/app/sweep_workers.hpp"
 #include "bem_contact/influence/h5_table.hpp"
@@ -223,6 +224,22 @@ TEST_F(Sweep, AnotherSweepIsNeverMixedInOrLost) {
   EXPECT_THAT(sweep(patch + "load.force = [1e3]\n").err, HasSubstr("belongs to another sweep"));
   EXPECT_THAT(run("sweep " + scene(cases) + " -o '" + (folder_ / "s.toml").string() + "'").err,
               HasSubstr("would overwrite"));
+}
+
+/// What they hold is part of the digest: with other points the cases are solved again.
+TEST_F(Sweep, FilesThatABodyFileNamesAreInputs) {
+  const std::string points = write("points.txt", "-20 1\n0 0\n20 1\n").string(),
+                    body = write("rail.toml", "body.profile = \"points.txt\"\n").string();
+  const fs::path file =
+      write("b.toml", "wheel.profile = \"S1002\"\nload.force = 1e4\n[sweep]\nrail.profile = "
+                      "[\"60E1\", \"rail.toml\", \"points.txt\"]\n");
+  const SweepFile sweep = read_sweep_file(file);
+  EXPECT_THAT(app::input_paths(sweep), testing::UnorderedElementsAre(points, body));
+  std::vector<std::string> keys;
+  for (const app::InputRecord& input : app::given_sweep(sweep, "").inputs)
+    keys.push_back(input.key);
+  EXPECT_THAT(keys, testing::UnorderedElementsAre("rail.profile", "wheel.profile", "rail.profile[1]",
+                                                  "rail.profile[1].body.profile", "rail.profile[2]"));
 }
 
 TEST_F(Sweep, WrongInputIsRefusedBeforeAnythingIsSolved) {

@@ -52,6 +52,23 @@ TEST_F(WearCommand, RefusesAFolderOfAnotherWear) {
   EXPECT_THAT(damaged.err, HasSubstr("is damaged (its end is missing)"));
 }
 
+/// Files that no wear study wrote stay as they are.
+TEST_F(WearCommand, RefusesAFolderOfOtherFiles) {
+  write("scene.toml", scene);
+  std::filesystem::create_directory(folder_ / "mine");
+  write("mine/wear.csv", "years of measurements");
+  const std::string command = "wear " + path("scene.toml") + " --depth 0.01 -o ";
+  const Outcome refused = run(command + path("mine"));
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err,
+              HasSubstr("exists and is not of this wear (it is not empty, and there is no state.txt in "
+                        "it: its files might be overwritten) Give a new folder, or an empty one."));
+  EXPECT_EQ(text("mine/wear.csv"), "years of measurements");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "mine/rail_0000.txt"));
+  std::filesystem::create_directory(folder_ / "empty");
+  EXPECT_EQ(run(command + path("empty")).code, 0);
+}
+
 TEST_F(WearCommand, RefusesWhatHasNoProfiles) {
   write("scene.toml",
         "kind = \"patch\"\n[grid]\nmx = 8\nms = 8\n[gap]\na = 1e-3\nb = 1e-3\n[sweep]\nload.force "

@@ -137,6 +137,30 @@ TEST(OutputFile, RefusesWhatCannotBeWrittenBeforeAnythingIsComputed) {
   EXPECT_EQ(text_of(file), "old");
 }
 
+/// By whatever name: another spelling, a link, a hard link, a link to a file that is not there yet.
+TEST(OutputFile, RefusesToOverwriteAnInputOrAnotherOutput) {
+  const TemporaryFolder folder;
+  const fs::path input = folder.write("scene.toml", "mine");
+  fs::create_symlink("scene.toml", folder / "link");
+  fs::create_hard_link(input, folder / "hard");
+  fs::create_symlink("later", folder / "to_later");
+  const auto refused = [&](const std::vector<Output>& outputs) {
+    return message_of([&] { require_outputs({"", input}, outputs); });
+  };
+  for (const fs::path& name : {input, folder / "./scene.toml", folder / "link", folder / "hard"})
+    EXPECT_EQ(refused({{"--csv", name}}), "The output '" + name.string() + "' of --csv would overwrite '" +
+                                              input.string() +
+                                              "' (this run reads it) Give the output another name.");
+  for (const fs::path& name : {folder / "later", folder / "to_later"})
+    EXPECT_EQ(refused({{"--output", folder / "later", OutputForm::whole_file}, {"--csv", name}}),
+              "The output '" + name.string() + "' of --csv would overwrite '" + (folder / "later").string() +
+                  "' (it is the output of --output) Give the output another name.");
+  EXPECT_THAT(refused({{"--csv", folder / "none/a"}}), HasSubstr("there is no folder"));
+  EXPECT_THAT(refused({{"--output", "", OutputForm::text, true}}), HasSubstr("it names no file"));
+  EXPECT_EQ(refused({{"--output", ""}, {"--csv", ""}, {"--vtk", folder / "new"}}), "no error");
+  EXPECT_EQ(text_of(input), "mine");
+}
+
 TEST(OutputFile, RefusesASocket) {
   const TemporaryFolder folder;
   const fs::path name = folder / "socket";

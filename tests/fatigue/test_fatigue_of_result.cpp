@@ -1,4 +1,5 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/grid/patches.hpp"
 #include "bem_contact/fatigue/fatigue_of_result.hpp"
 #include "bem_contact/halfspace/stress.hpp"
 #include "bem_contact/sequence/sequence.hpp"
@@ -98,6 +99,10 @@ TEST(FatigueOfResult, EachPatchOnItsOwn) {
   r.result.pn[13] = 900;
   r.result.px[13] = 270;
   r.result.slip_x[13] = 0.1;
+  r.problem.gap.assign(15, 0.0);
+  for (const double p : r.result.pn)
+    r.result.state.push_back(p > 0 ? ElementState::slip : ElementState::exterior);
+  r.result.patches = contact::find_patches(r.problem, r.result);
   const Fatigue f = fatigue_of(r, {.stresses = false});
   ASSERT_EQ(f.patches.size(), 2U);
   EXPECT_DOUBLE_EQ(f.patches[0].normal_force, 1800);
@@ -107,6 +112,8 @@ TEST(FatigueOfResult, EachPatchOnItsOwn) {
   EXPECT_NEAR(f.patches[0].damage, (54.0 - 20) / 45 * 1e-5, 1e-15);
   EXPECT_DOUBLE_EQ(f.patches[1].normal_force, 1600);
   EXPECT_DOUBLE_EQ(f.patches[1].pmax, 500);
+  EXPECT_DOUBLE_EQ(f.patches[0].largest_index, (270.0 - 300) / 900);
+  EXPECT_EQ(f.patches[1].largest_index, -0.5);
   EXPECT_EQ(f.element_index[1], -0.5);
 }
 

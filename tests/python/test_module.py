@@ -197,26 +197,39 @@ class Module(unittest.TestCase):
                 self.assertAlmostEqual(r.Fy, alone.Fy, delta=1e-5 * alone.Fz)
         self.assertEqual(sorted(found), [0, 1, 2, 3])
 
-    def test_interrupted(self):
-        """Ctrl-C ends a long solution; the sequence can be used again, and the process ends in order."""
+    def interrupted(self, begin, call, after=""):
+        """Presses Ctrl-C during a long call, in a process of its own, which must end in order; what it prints then."""
         code = f"""
 import os, signal, threading, time
 import bem_contact
-sequence = bem_contact.Sequence({str(CORNER)!r})
+{begin}
 pressed = []
 def press():
     pressed.append(time.monotonic())
     os.kill(os.getpid(), signal.SIGINT)
 threading.Timer(0.3, press).start()
 try:
-    sequence.solve({{"grid.dx": 0.06, "grid.ds": 0.06}}, "halfspace")
+    {call}
     print("was not interrupted")
 except KeyboardInterrupt:
     print("interrupted after", time.monotonic() - pressed[0])
-print(sequence.solve({{}}, "halfspace").certified)
+{after}
 """
         run = subprocess.run([sys.executable, "-c", code], check=True, stdout=subprocess.PIPE, text=True)
-        self.assertRegex(run.stdout, r"^interrupted after .*\nTrue\n$")
+        return run.stdout
+
+    def test_interrupted(self):
+        """Ctrl-C ends a long solution; the sequence can be used again."""
+        out = self.interrupted(f"sequence = bem_contact.Sequence({str(CORNER)!r})",
+                               'sequence.solve({"grid.dx": 0.06, "grid.ds": 0.06}, "halfspace")',
+                               'print(sequence.solve({}, "halfspace").certified)')
+        self.assertRegex(out, r"^interrupted after .*\nTrue\n$")
+
+    def test_interrupted_curves(self):
+        for call in (f'bem_contact.creep_curves({str(CORNER)!r}, model="halfspace")',
+                     'bem_contact.conicity(changes={"wheel.profile": "S1002", "rail.profile": "60E1"}, roll=True, to=40, '
+                     'step=0.01)'):
+            self.assertRegex(self.interrupted("", call), r"^interrupted after .*\n$")
 
     def test_threads(self):
         found = [None] * 4

@@ -76,6 +76,13 @@ std::string message_of(const Law& law) {
   return "";
 }
 
+TEST(WearLaw, HasAName) {
+  EXPECT_EQ(law_named("energy", 3000, 3e4), Law(EnergyLaw{}));
+  EXPECT_EQ(law_named("archard", 2000, 1e4),
+            Law(ArchardLaw{.hardness = 2000, .rolling_speed = 1e4, .map = kth_map(2000)}));
+  EXPECT_THROW(law_named("usual", 3000, 3e4), InputError);
+}
+
 TEST(WearLaw, RefusesWhatIsNoLaw) {
   EXPECT_EQ(message_of(EnergyLaw{}), "");
   EXPECT_EQ(message_of(ArchardLaw{.map = kth_map(3000)}), "");

@@ -1,7 +1,5 @@
 #include "bem_contact/contact/check/regions.hpp"
 
-#include "bem_contact/contact/grid/patches.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -87,9 +85,8 @@ UncertainSum sum_of(std::span<const Part> parts) {
 
 std::vector<Region> patches_of(const ContactProblem& problem, const ContactResult& result) {
   std::vector<Region> out;
-  for (const std::vector<int>& elements : connected_elements(problem.grid, result.state))
+  for (const std::vector<int>& elements : patch_elements(problem, result))
     out.push_back(region_of(problem, result, elements));
-  std::ranges::stable_sort(out, std::ranges::greater{}, &Region::fn);
   return out;
 }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 
 namespace bem_contact::contact {
 namespace {
@@ -69,7 +71,7 @@ void add_ellipse(const ContactProblem& problem, const SecondMoments& m, PatchSum
 }
 
 PatchSummary summarise(const ContactProblem& problem, const ContactResult& result,
-                       const std::vector<int>& elements) {
+                       const std::vector<double>& power, const std::vector<int>& elements) {
   const int mx = problem.grid.mx;
   const double area = problem.element_area();
   PatchSummary patch;
@@ -80,7 +82,7 @@ PatchSummary summarise(const ContactProblem& problem, const ContactResult& resul
     patch.fn += p * area;
     patch.fx += result.px[i] * area;
     patch.fs += result.ps[i] * area;
-    patch.friction_power += (result.px[i] * result.slip_x[i] + result.ps[i] * result.slip_s[i]) * area;
+    patch.friction_power += power[i] * area;
     patch.approach = std::max(patch.approach, result.approach * std::cos(row.delta) - problem.gap[i]);
     patch.pmax = std::max(patch.pmax, p);
     patch.area += area;
@@ -99,8 +101,7 @@ PatchSummary summarise(const ContactProblem& problem, const ContactResult& resul
   return patch;
 }
 
-} // namespace
-
+/// The elements of each connected area (8 neighbours) of state != exterior, in no order.
 std::vector<std::vector<int>> connected_elements(const ContactGrid& grid,
                                                  const std::vector<ElementState>& state) {
   const int mx = grid.mx, ms = grid.ms;
@@ -127,12 +128,13 @@ std::vector<std::vector<int>> connected_elements(const ContactGrid& grid,
   return areas;
 }
 
+} // namespace
+
 std::vector<PatchSummary> find_patches(const ContactProblem& problem, const ContactResult& result) {
+  const std::vector<double> power = friction_power(result);
   std::vector<PatchSummary> patches;
-  for (const std::vector<int>& elements : connected_elements(problem.grid, result.state))
-    patches.push_back(summarise(problem, result, elements));
-  std::stable_sort(patches.begin(), patches.end(),
-                   [](const PatchSummary& a, const PatchSummary& b) { return a.fn > b.fn; });
+  for (const std::vector<int>& elements : patch_elements(problem, result))
+    patches.push_back(summarise(problem, result, power, elements));
   return patches;
 }
 
@@ -148,3 +150,23 @@ bool touches_border(const ContactGrid& grid, const std::vector<ElementState>& st
 }
 
 } // namespace bem_contact::contact
+
+namespace bem_contact {
+
+std::vector<std::vector<int>> patch_elements(const ContactProblem& problem, const ContactResult& result) {
+  const double area = problem.element_area();
+  std::vector<std::pair<double, std::vector<int>>> patches; // with their normal forces
+  for (std::vector<int>& elements : contact::connected_elements(problem.grid, result.state)) {
+    double fn = 0;
+    for (const int i : elements)
+      fn += result.pn[i] * area;
+    patches.emplace_back(fn, std::move(elements));
+  }
+  std::ranges::stable_sort(patches, std::greater<>(), &std::pair<double, std::vector<int>>::first);
+  std::vector<std::vector<int>> out;
+  for (auto& [fn, elements] : patches)
+    out.push_back(std::move(elements));
+  return out;
+}
+
+} // namespace bem_contact
