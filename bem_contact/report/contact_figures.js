@@ -1,5 +1,5 @@
 // Figures of one contact. One colour has one meaning on the whole page; line styles and marks say the same without it.
-const INK = "#1c2733", RAIL = "#5b6f82", WHEEL = "#b4533c", ADHESION = "#d95f02", BOUND = "#8a949e";
+const INK = "#1c2733", RAIL = "#5b6f82", RAIL_FACE = "#a9b6c3", WHEEL = "#b4533c", ADHESION = "#d95f02", BOUND = "#8a949e";
 const ALONG_X = "#6a3d9a", ALONG_S = "#1b7f79";
 const PRESSURE = [[0, "#eef4fb"], [1, "#3b7cc4"]];
 const EXTERIOR = 0, ADHERES = 1, SLIPS = 2;
@@ -102,7 +102,7 @@ const patchFigure = contact => {
   traces.push(line(outline(contact, state => state !== EXTERIOR), "contact", {color: INK, width: 2}));
   if (arrow.longest > 0) {
     traces.push(line(arrow, "", {color: "#ffffff", width: 4.5}, {showlegend: false}));
-    traces.push(line(arrow, `traction on the rail, the longest ${arrow.longest.toPrecision(3)} MPa`,
+    traces.push(line(arrow, `shear, at most ${arrow.longest.toPrecision(3)} MPa`,
                      {color: INK, width: 1.8}));
   }
   const range = (middles, [from, to], step) => [middles[from] - 3 * step, middles[to] + 3 * step];
@@ -149,47 +149,68 @@ const sectionFigure = contact => {
              yaxis: {title: "z down, mm", autorange: "reversed", scaleanchor: "x"}}};
 };
 
-/// A surface of one colour through lines of points [x, y, z].
-const plainSurface = (lines, name, colour, opacity) => ({
-  type: "surface", x: lines.map(l => l.map(p => p[0])), y: lines.map(l => l.map(p => p[1])),
-  z: lines.map(l => l.map(p => p[2])), surfacecolor: lines.map(l => l.map(() => 0)),
-  colorscale: [[0, colour], [1, colour]], showscale: false, opacity, name, showlegend: true, hoverinfo: "skip",
-  lighting: {ambient: 0.65, diffuse: 0.5, specular: 0.05}});
+/// Triangles of the surface through lines of points [x, y, z], two for each quadrangle that `shown` (of line and
+/// place) keeps.
+const triangles = (lines, shown = () => true) => {
+  const width = lines[0].length, points = lines.flat(), mesh = {i: [], j: [], k: [], cells: []};
+  for (let l = 0; l + 1 < lines.length; ++l)
+    for (let m = 0; m + 1 < width; ++m)
+      if (shown(l, m)) {
+        const at = l * width + m;
+        mesh.i.push(at, at + 1);
+        mesh.j.push(at + 1, at + width + 1);
+        mesh.k.push(at + width, at + width);
+        mesh.cells.push([l, m], [l, m]);
+      }
+  const {cells, ...corners} = mesh;
+  return {cells, mesh: {type: "mesh3d", x: points.map(p => p[0]), y: points.map(p => p[1]), z: points.map(p => p[2]), ...corners}};
+};
+
+const plainSurface = (lines, name, color, opacity) => ({
+  ...triangles(lines).mesh, name, color, opacity, showlegend: true, hoverinfo: "skip",
+  lighting: {ambient: 0.8, diffuse: 0.3, specular: 0}});
 
 /// Wheel and rail in place, with the pressure on the patch. `radius`: of the wheel at the contact; undefined: no wheel.
 const solidFigure = (contact, radius) => {
-  const window = extent(contact);
-  const half = Math.max(12, 1.5 * Math.abs(contact.x[window.columns[0]]), 1.5 * Math.abs(contact.x[window.columns[1]]));
+  const window = extent(contact), [row, column] = peak(contact);
+  const width = Math.max(...contact.rail.map(p => p[0])) - Math.min(...contact.rail.map(p => p[0]));
+  const half = Math.max(0.4 * width, ...window.columns.map(k => 1.5 * Math.abs(contact.x[k])));
   const span = Array.from({length: 25}, (_, k) => half * (k - 12) / 12);
-  const traces = [plainSurface(contact.rail.map(([y, z]) => span.map(x => [x, y, z])), "rail", RAIL, 1)];
+  const traces = [plainSurface(contact.rail.map(([y, z]) => span.map(x => [x, y, z])), "rail", RAIL_FACE, 1)];
   const lineOf = (points, name, colour, width, dash) => ({
     type: "scatter3d", mode: "lines", x: points.map(p => p[0]), y: points.map(p => p[1]), z: points.map(p => p[2]),
     name, showlegend: false, hoverinfo: "skip", line: {color: colour, width, dash}});
   for (const x of [-half, half])
     traces.push(lineOf(contact.rail.map(([y, z]) => [x, y, z]), "rail", INK, 4));
-  const [row] = peak(contact);
   if (radius) {
     const axle = contact.z[row] - radius;
     const turned = (y, z, x) => { const r = z - axle; return [x, y, axle + Math.sqrt(r * r - x * x)]; };
-    traces.push(plainSurface(contact.wheel.map(([y, z]) => span.map(x => turned(y, z, x))), "wheel", WHEEL, 0.35));
+    traces.push(plainSurface(contact.wheel.map(([y, z]) => span.map(x => turned(y, z, x))), "wheel", WHEEL, 0.18));
     for (const x of [-half, 0, half])
       traces.push(lineOf(contact.wheel.map(([y, z]) => turned(y, z, x)), "wheel", WHEEL, 4));
   }
   const raised = 0.06; // mm above the rail, so that it is seen
-  const grid = value => contact.pn.map((line, i) => line.map((p, j) => value(i, j, p)));
-  const inside = (i, j) => contact.state[i][j] !== EXTERIOR;
-  traces.push({type: "surface", x: grid((i, j) => contact.x[j]),
-               y: grid(i => contact.y[i] + raised * Math.sin(contact.delta[i])),
-               z: grid((i, j) => inside(i, j) ? contact.z[i] - raised * Math.cos(contact.delta[i]) : null),
-               surfacecolor: grid((i, j, p) => p), colorscale: PRESSURE, cmin: 0, name: "patch", showlegend: true,
+  const {dx, ds} = contact, columns = [...contact.x.map(x => x - dx / 2), contact.x.at(-1) + dx / 2];
+  const edge = k => { // half way between two rows, or half a row beyond the last
+    const [a, b] = k === 0 ? [0, 0] : k === contact.s.length ? [k - 1, k - 1] : [k - 1, k], delta = contact.delta[a];
+    const out = a !== b ? 0 : (k === 0 ? -0.5 : 0.5) * ds;
+    return [(contact.y[a] + contact.y[b]) / 2 + out * Math.cos(delta) + raised * Math.sin(delta),
+            (contact.z[a] + contact.z[b]) / 2 + out * Math.sin(delta) - raised * Math.cos(delta)];
+  };
+  const patch = triangles(contact.s.concat(0).map((_, k) => columns.map(x => [x, ...edge(k)])),
+                          (i, j) => contact.state[i][j] !== EXTERIOR);
+  traces.push({...patch.mesh, intensity: patch.cells.map(([i, j]) => contact.pn[i][j]), intensitymode: "cell",
+               colorscale: PRESSURE, cmin: 0, cmax: contact.pn[row][column], name: "patch", showlegend: true,
                colorbar: {title: {text: "pressure, MPa", side: "right"}, thickness: 14, len: 0.7},
-               lighting: {ambient: 1, diffuse: 0}, hovertemplate: "%{surfacecolor:.1f} MPa<extra></extra>"});
+               lighting: {ambient: 1, diffuse: 0, specular: 0}, flatshading: true, hoverinfo: "skip"});
+  const side = contact.delta[row] < 0 ? 1 : -1; // looks at the patch from where the rail's surface faces
   const view = (label, x, y, z) => ({label, method: "relayout", args: ["scene.camera.eye", {x, y, z}]});
+  const aslant = [-1.0, 1.4 * side, 0.95];
   return {traces, height: 520, layout: {
-    scene: {aspectmode: "data", camera: {eye: {x: -1.1, y: -1.0, z: 0.9}}, xaxis: {title: "x, mm"},
+    scene: {aspectmode: "data", camera: {eye: {x: aslant[0], y: aslant[1], z: aslant[2]}}, xaxis: {title: "x, mm"},
             yaxis: {title: "y, mm", autorange: "reversed"}, zaxis: {title: "z down, mm", autorange: "reversed"}},
-    margin: {t: 40, l: 0, r: 0, b: 0}, legend: {orientation: "h", y: 1.0, yanchor: "bottom", x: 0.5},
+    margin: {t: 40, l: 0, r: 0, b: 30}, legend: {orientation: "h", y: 0, yanchor: "top", x: 0},
     updatemenus: [{type: "buttons", direction: "right", x: 0, xanchor: "left", y: 1.0, yanchor: "bottom", showactive: false,
-                   buttons: [view("aslant", -1.1, -1.0, 0.9), view("along the track", -1.9, 0, 0.15),
-                             view("from above", -0.01, 0, 2.0), view("from the side", 0, -1.9, 0.2)]}]}};
+                   buttons: [view("aslant", ...aslant), view("along the track", -1.9, 0, 0.15),
+                             view("from above", -0.01, 0, 2.0), view("from the side", 0, 1.6 * side, 0.3)]}]}};
 };

@@ -37,8 +37,23 @@ const creepFigure = (data, which) => {
 const sweptKeys = data => Object.keys(data.patches ?? data)
     .filter(key => /^(swept over|which of)/.test((data.patches ?? data)[key]?.description ?? ""));
 
-/// The first key that takes several values; undefined: none does.
-const leadingKey = (data, keys) => keys.find(key => new Set(data[key].values).size > 1) ?? keys[0];
+const titled = (name, dataset) => dataset.unit && dataset.unit !== "1" ? `${name}, ${unitText(dataset.unit)}` : name;
+
+/// Values of a key, or the cases' numbers.
+const along = (data, key) => key ? {...data[key], title: titled(key, data[key])}
+                                 : {values: data.status.values.map((_, i) => i), title: "case"};
+
+/// The key to draw over: the first, if each case differs from some other in it alone; undefined: the cases' numbers.
+const leadingKey = (data, keys) => {
+  const rest = new Set(data.status.values.map((_, i) => keys.slice(1).map(k => data[k].values[i]).join(" ")));
+  return keys.length < 2 || rest.size < data.status.values.length ? keys[0] : undefined;
+};
+
+/// A value of a key that was swept over; of a text that text.
+const keyText = (dataset, i) => {
+  const texts = dataset.description.startsWith("which of") ? dataset.description.match(/"[^"]*"/g) : null;
+  return texts?.[dataset.values[i]]?.replaceAll('"', "") ?? number(dataset.values[i]);
+};
 
 /// Each patch as a bar over y, as wide as it is, one line a value of the key; its mark grows with the force.
 const patchesFigure = (data, key) => {
@@ -51,40 +66,39 @@ const patchesFigure = (data, key) => {
   const text = p.y.values.map((_, k) => `case ${p.case.values[k]}, patch ${p.patch.values[k]}<br>` +
       `Fn ${p.Fn.values[k].toPrecision(5)} N<br>pmax ${p.pmax.values[k].toPrecision(5)} MPa`);
   return {height: 400, traces: [{
-    type: "scatter", mode: "markers", x: p.y.values, y: p[key].values, text, name: "patch",
+    type: "scatter", mode: "markers", x: p.y.values, text,
+    y: p.case.values.map(i => along(data, key).values[i]), name: "patch",
     hovertemplate: "y %{x:.2f} mm<br>%{text}<extra></extra>",
     error_x: {type: "data", array: half, thickness: 4, width: 0, color: RAIL},
     marker: {size: p.Fn.values.map(f => 4 + 12 * Math.sqrt(f / largest)), color: p.pmax.values, colorscale: PRESSURE,
              cmin: 0, line: {color: INK, width: 1}, colorbar: {title: {text: "pmax, MPa", side: "right"}, thickness: 14}}}],
-    layout: {xaxis: {title: "y to the right, mm"}, yaxis: {title: titled(key, data[key])}, showlegend: false}};
+    layout: {xaxis: {title: "y to the right, mm"}, yaxis: {title: along(data, key).title}, showlegend: false}};
 };
 
-const titled = (name, dataset) => dataset.unit && dataset.unit !== "1" ? `${name}, ${dataset.unit}` : name;
-
-/// Columns of a sweep over one key. Cases that differ in other keys are joined only among themselves.
+/// Columns of a sweep over one key. Only cases that have the same other keys are joined.
 const sweepFigure = (data, keys, key, names) => {
-  const others = keys.filter(k => k !== key), groups = new Map();
-  data[key].values.forEach((_, i) => {
-    const same = others.filter(k => new Set(data[k].values).size > 1).map(k => `${k} ${data[k].values[i]}`).join(", ");
+  const over = along(data, key), groups = new Map();
+  over.values.forEach((_, i) => {
+    const same = key ? keys.filter(k => k !== key).map(k => `${k} ${keyText(data[k], i)}`).join(", ") : "";
     groups.set(same, [...(groups.get(same) ?? []), i]);
   });
   const traces = [], marks = ["circle", "square", "diamond", "cross", "triangle-up", "x", "star", "hexagon"];
   let count = 0;
   for (const [same, cases] of groups) {
-    cases.sort((a, b) => data[key].values[a] - data[key].values[b]);
+    cases.sort((a, b) => over.values[a] - over.values[b]);
     for (const name of names) {
       const style = FORCES[name] ?? {colour: name === "pmax" ? PRESSURE[1][1] : INK, dash: "solid", mark: "circle"};
       const pick = column => cases.map(i => column.values[i]);
       const label = [names.length > 1 ? name : "", same].filter(Boolean).join("; ") || name;
-      traces.push(lineOver(pick(data[key]), pick(data[name]), label,
+      traces.push(lineOver(pick(over), pick(data[name]), label,
                            groups.size > 1 ? {...style, mark: marks[count % marks.length]} : style,
                            data[`${name}_error`] && pick(data[`${name}_error`])));
     }
     ++count;
   }
-  return {traces, height: 330, layout: {xaxis: {title: titled(key, data[key])},
+  return {traces, height: 330, layout: {xaxis: {title: over.title},
                                         yaxis: {title: titled(names.join(", "), data[names[0]])},
-                                        showlegend: traces.length > 1, legend: ABOVE}};
+                                        showlegend: traces.length > 1 && traces.length <= 12, legend: ABOVE}};
 };
 
 /// How deep a body is worn over its y, a line a step: later steps are darker and thicker.

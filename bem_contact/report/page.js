@@ -29,16 +29,20 @@ const number = (value, error) => {
   if (value === null || value === undefined)
     return "–";
   if (!(error > 0))
-    return String(Number(value.toPrecision(6)));
+    return Math.abs(value) < 1e-3 && value !== 0 ? value.toExponential(3) : String(Number(value.toPrecision(6)));
   const digits = Math.min(12, Math.max(0, Math.ceil(-Math.log10(error) + 0.3)));
   return `${value.toFixed(digits)} ± ${error.toFixed(digits)}`;
 };
 
-/// A table; cells of a row after the first `words` are numbers.
-const addTable = (caption, head, lines, {parent = page, words = 1, id = ""} = {}) => {
-  const table = add("table", "", parent, {id});
+/// "mm2" as people write it.
+const unitText = unit => unit.replace(/mm\^?2/g, "mm²").replace(/mm\^?3/g, "mm³");
+
+/// A table; the cells numbered `numbers` from the left, or all of them, are numbers.
+const addTable = (caption, head, lines, {parent = page, numbers, id = "", wide = false} = {}) => {
+  const table = add("table", "", parent, {id, className: wide ? "wide" : ""});
   add("caption", caption, table);
-  const fill = (row, kind, cells) => cells.forEach((cell, k) => add(kind, cell, row, {className: k < words ? "" : "number"}));
+  const fill = (row, kind, cells) => cells.forEach((cell, k) =>
+      add(kind, cell, row, {className: !numbers || numbers.includes(k) ? "number" : ""}));
   fill(add("tr", "", add("thead", "", table)), "th", head);
   const body = add("tbody", "", table);
   for (const cells of lines)
@@ -89,7 +93,7 @@ const sceneInWords = () => {
              `${data.attributes.certified} are certified, ${data.attributes.not_certified} are not, ` +
              `${data.attributes.refused} were refused, ${data.attributes.died} died, ${data.attributes.missing} are missing.`);
   if (report.kind === "creep curves")
-    out.push(`The scene ${data.attributes.scene}, model ${data.attributes.model}: vertical force ` +
+    out.push(`The scene ${data.attributes.scene.split("/").pop()}, model ${data.attributes.model}: vertical force ` +
              `${number(data.attributes.Fz_N)} N, friction bound μ Fn = ${number(data.attributes.bound_N)} N.`);
   if (report.kind === "wear")
     out.push(`${data.step.values.length - 1} steps, ${number(data.mileage.values.at(-1))} km: the rail has lost ` +
@@ -112,14 +116,15 @@ const addQuantities = (contacts, caption, id) => {
   const value = (contact, name) => number(contact.group.quantities[name]?.values[0],
                                           contact.group.quantities[`${name}_error`]?.values[0]);
   const line = name => { const q = contacts[0].group.quantities[name];
-                         return [name, ...contacts.map(c => value(c, name)), q.unit, q.description]; };
+                         return [name, ...contacts.map(c => value(c, name)), unitText(q.unit), q.description]; };
   const all = Object.keys(contacts[0].group.quantities).filter(name => !name.endsWith("_error"));
   const head = ["", ...contacts.map(c => contacts.length > 1 ? TITLES[c.name] : "value ± error"), "unit", ""];
   const known = name => contacts.some(c => c.group.quantities[name]?.values[0] !== null);
-  addTable(caption, head, MAIN.filter(name => all.includes(name) && known(name)).map(line), {id});
+  const numbers = contacts.map((_, k) => k + 1);
+  addTable(caption, head, MAIN.filter(name => all.includes(name) && known(name)).map(line), {numbers, id});
   const rest = add("details");
   add("summary", "all other numbers", rest);
-  addTable("", head, all.filter(name => !MAIN.includes(name)).map(line), {parent: rest});
+  addTable("", head, all.filter(name => !MAIN.includes(name)).map(line), {parent: rest, numbers});
 };
 
 const addPatches = contact => {
@@ -130,7 +135,8 @@ const addPatches = contact => {
   addTable("Patches, the largest force first", ["", ...Array.from({length: count}, (_, k) => `patch ${k + 1}`), "unit", ""],
            PATCH.filter(name => p[name]).map(name =>
              [name, ...Array.from({length: count}, (_, k) => number(p[name].values[k], p[`${name}_error`]?.values[k])),
-              p[name].unit, p[name].description]), {id: `patches-${contact.name}`});
+              unitText(p[name].unit), p[name].description]),
+           {numbers: Array.from({length: count}, (_, k) => k + 1), id: `patches-${contact.name}`});
 };
 
 /// Radius of the wheel at the contact; undefined where there is no wheel.
@@ -191,19 +197,20 @@ const addComparison = () => {
 };
 
 const addSweep = () => {
-  const keys = sweptKeys(data), key = leadingKey(data, keys), columns = ["pmax", "area", "Fx", "Fy", "Fz", "Mz"];
+  const keys = sweptKeys(data).filter(k => new Set(data[k].values).size > 1), columns = ["pmax", "area", "Fx", "Fy", "Fz", "Mz"];
+  const key = leadingKey(data, keys);
   add("h2", "Cases");
   if (data.patches.y.values.some(y => y !== null))
     addFigure("patches-over-y", "Where the patches lie on the rail: each bar is as wide as its patch; larger marks carry larger " +
               "normal forces, darker ones larger pressures.", patchesFigure(data, key));
   for (const names of [["pmax"], ["area"], ["Fx", "Fy"], ["Mz"]])
-    addFigure(`over-${names.join("-")}`, `${names.join(", ")} over ${key}.`, sweepFigure(data, keys, key, names));
+    addFigure(`over-${names.join("-")}`, `${names.join(", ")} over ${key ?? "the cases"}.`, sweepFigure(data, keys, key, names));
   const status = ["missing", "certified", "not certified", "refused", "died"];
   addTable("All cases", ["case", ...keys, ...columns.map(name => titled(name, data[name])), "status"],
            data.status.values.map((state, i) =>
-             [i, ...keys.map(k => number(data[k].values[i])),
+             [i, ...keys.map(k => keyText(data[k], i)),
               ...columns.map(name => number(data[name].values[i], data[`${name}_error`]?.values[i])), status[state]]),
-           {words: 0, id: "cases"});
+           {id: "cases", wide: true});
   for (const [name, one] of Object.entries(data.cases ?? {}))
     if (one.attributes?.reason)
       add("p", `Case ${Number(name)}: ${one.attributes.reason}`);
@@ -213,7 +220,7 @@ const addCreepCurves = () => {
   add("h2", "Slopes and sensitivities");
   const matrix = (name, caption) => data[name] && addTable(caption, ["", "d/dxi", "d/deta", "d/dphi"],
     ["Fx", "Fs", "Mz"].map((force, row) => [force, ...[0, 1, 2].map(k =>
-      number(data[name].values[3 * row + k], data[`${name}_error`]?.values[3 * row + k]))]), {id: name});
+      number(data[name].values[3 * row + k], data[`${name}_error`]?.values[3 * row + k]))]), {numbers: [1, 2, 3], id: name});
   matrix("slopes", "Slopes where nothing moves over the other (N; Mz: N mm; by phi: times mm)");
   matrix("kalker", "The same by Kalker's linear theory, for the nearest ellipse");
   matrix("sensitivities", "Sensitivities at the scene's creepages");
@@ -231,8 +238,8 @@ const addWear = () => {
   addFigure("wear-depth", "Depth of the deepest place.", wearFigure(data, "depth", "mm"));
   addFigure("wear-area", "Area gone from the sections.", wearFigure(data, "area", "mm²"));
   const names = ["mileage", "revolutions", "rail_depth", "wheel_depth", "rail_area", "wheel_area"];
-  addTable("By step", ["step", ...names.map(name => titled(name.replace("_", ", "), data[name]))],
-           data.step.values.map((step, i) => [step, ...names.map(name => number(data[name].values[i]))]), {words: 0, id: "steps"});
+  addTable("By step", ["step", ...names.map(name => titled(name.replace("_", " "), data[name]))],
+           data.step.values.map((step, i) => [step, ...names.map(name => number(data[name].values[i]))]), {id: "steps", wide: true});
 };
 
 const addScene = () => {
