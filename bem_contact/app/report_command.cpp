@@ -28,7 +28,8 @@ struct ReportArguments {
 Command add_report(CLI::App& program) {
   const auto arguments = std::make_shared<ReportArguments>();
   CLI::App* line = program.add_subcommand("report", "One HTML page of a result file: words, tables, figures");
-  line->add_option("file", arguments->file, "Result, comparison, sweep, creep curves or wear (HDF5)")->required();
+  line->add_option("file", arguments->file, "Result, comparison, sweep, creep curves or wear (HDF5)")
+      ->required();
   line->add_option("-o,--output", arguments->output, "The page (HTML)")->required();
   line->footer(report_help);
   return {line, [arguments] {

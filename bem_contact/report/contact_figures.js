@@ -175,6 +175,7 @@ const solidFigure = (contact, radius) => {
   const window = extent(contact), [row, column] = peak(contact);
   const width = Math.max(...contact.rail.map(p => p[0])) - Math.min(...contact.rail.map(p => p[0]));
   const half = Math.max(0.4 * width, ...window.columns.map(k => 1.5 * Math.abs(contact.x[k])));
+  const raised = 0.06; // mm above the rail, so that the patch is seen
   const span = Array.from({length: 25}, (_, k) => half * (k - 12) / 12);
   const traces = [plainSurface(contact.rail.map(([y, z]) => span.map(x => [x, y, z])), "rail", RAIL_FACE, 1)];
   const lineOf = (points, name, colour, width, dash) => ({
@@ -183,13 +184,12 @@ const solidFigure = (contact, radius) => {
   for (const x of [-half, half])
     traces.push(lineOf(contact.rail.map(([y, z]) => [x, y, z]), "rail", INK, 4));
   if (radius) {
-    const axle = contact.z[row] - radius;
+    const axle = contact.z[row] - radius - 8 * raised; // above the patch, and apart from the rail
     const turned = (y, z, x) => { const r = z - axle; return [x, y, axle + Math.sqrt(r * r - x * x)]; };
     traces.push(plainSurface(contact.wheel.map(([y, z]) => span.map(x => turned(y, z, x))), "wheel", WHEEL, 0.18));
     for (const x of [-half, 0, half])
       traces.push(lineOf(contact.wheel.map(([y, z]) => turned(y, z, x)), "wheel", WHEEL, 4));
   }
-  const raised = 0.06; // mm above the rail, so that it is seen
   const {dx, ds} = contact, columns = [...contact.x.map(x => x - dx / 2), contact.x.at(-1) + dx / 2];
   const edge = k => { // half way between two rows, or half a row beyond the last
     const [a, b] = k === 0 ? [0, 0] : k === contact.s.length ? [k - 1, k - 1] : [k - 1, k], delta = contact.delta[a];

@@ -52,7 +52,7 @@ const leadingKey = (data, keys) => {
 /// A value of a key that was swept over; of a text that text.
 const keyText = (dataset, i) => {
   const texts = dataset.description.startsWith("which of") ? dataset.description.match(/"[^"]*"/g) : null;
-  return texts?.[dataset.values[i]]?.replaceAll('"', "") ?? number(dataset.values[i]);
+  return texts?.[dataset.values[i]]?.replaceAll('"', "").split("/").pop() ?? number(dataset.values[i]);
 };
 
 /// Each patch as a bar over y, as wide as it is, one line a value of the key; its mark grows with the force.
@@ -93,10 +93,11 @@ const sweepFigure = (data, keys, key, names) => {
       traces.push(lineOver(pick(over), pick(data[name]), label,
                            groups.size > 1 ? {...style, mark: marks[count % marks.length]} : style,
                            data[`${name}_error`] && pick(data[`${name}_error`])));
+      traces.at(-1).mode = key ? "lines+markers" : "markers";
     }
     ++count;
   }
-  return {traces, height: 330, layout: {xaxis: {title: over.title},
+  return {traces, height: 330, layout: {xaxis: {title: over.title, dtick: key ? undefined : Math.ceil(over.values.length / 15)},
                                         yaxis: {title: titled(names.join(", "), data[names[0]])},
                                         showlegend: traces.length > 1 && traces.length <= 12, legend: ABOVE}};
 };

@@ -22,7 +22,8 @@ struct Kind {
 };
 /// By the attribute "format" without its version.
 constexpr std::array kinds{Kind{"bem_contact result", "result"}, Kind{"bem_contact comparison", "comparison"},
-                           Kind{"bem_contact sweep", "sweep"}, Kind{"bem_contact creep curves", "creep curves"},
+                           Kind{"bem_contact sweep", "sweep"},
+                           Kind{"bem_contact creep curves", "creep curves"},
                            Kind{"bem_contact wear", "wear"}};
 
 std::string kind_of(const H5Table& table, const std::filesystem::path& file) {
@@ -40,8 +41,9 @@ std::string kind_of(const H5Table& table, const std::filesystem::path& file) {
 bool left_out(const std::string& name) {
   constexpr std::array fields{"u_x", "u_s", "u_n", "work_rate", "element_power", "deformed_distance"};
   const std::string last = name.substr(name.rfind('/') + 1);
-  return name.starts_with("cases/") || name.starts_with("inputs/") || name.find("stresses/") != std::string::npos ||
-         name.find("structure/") != std::string::npos || std::ranges::find(fields, last) != fields.end();
+  return name.starts_with("cases/") || name.starts_with("inputs/") ||
+         name.find("stresses/") != std::string::npos || name.find("structure/") != std::string::npos ||
+         std::ranges::find(fields, last) != fields.end();
 }
 
 /// The place of "fem/quantities/Fx" in the tree.
@@ -69,7 +71,8 @@ json tree_of(const H5Table& table) {
     const std::string group = slash == std::string::npos ? "" : name.substr(0, slash + 1);
     if (group.starts_with("cases/") && !name.ends_with("/reason"))
       continue;
-    std::visit([&](const auto& v) { place(tree, group + "attributes/" + name.substr(group.size())) = v; }, value);
+    std::visit([&](const auto& v) { place(tree, group + "attributes/" + name.substr(group.size())) = v; },
+               value);
   }
   return tree;
 }

@@ -11,7 +11,7 @@
 // embedded.S; each ends with a NUL.
 extern "C" {
 extern const char report_page_html[], report_page_css[], report_page_js[], report_contact_figures_js[],
-    report_curve_figures_js[], report_plotting_library[];
+    report_curve_figures_js[], report_words_js[], report_plotting_library[];
 }
 
 namespace bem_contact::report {
@@ -27,7 +27,8 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
 
 std::string report_page(const nlohmann::json& data) {
   if (*report_plotting_library == '\0')
-    throw InputError("This build draws no reports", "the Debian package python3-plotly was missing when it was built",
+    throw InputError("This build draws no reports",
+                     "the Debian package python3-plotly was missing when it was built",
                      "Run tools/install_packages contact-only, configure again (cmake --fresh) and build.");
   std::string json = data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   replace_all(json, "</", "<\\/"); // no text of a scene ends the script that holds it
@@ -35,7 +36,8 @@ std::string report_page(const nlohmann::json& data) {
   std::string page = report_page_html;
   const std::array<std::pair<std::string, std::string>, 4> parts{
       {{"@STYLE@", report_page_css},
-       {"@SCRIPT@", std::string(report_contact_figures_js) + report_curve_figures_js + report_page_js},
+       {"@SCRIPT@",
+        std::string(report_contact_figures_js) + report_curve_figures_js + report_words_js + report_page_js},
        {"@LIBRARY@", report_plotting_library},
        {"@DATA@", json}}};
   for (const auto& [name, part] : parts)

@@ -6,8 +6,8 @@
 
 namespace bem_contact::report {
 
-/// One HTML page that needs no other file and no network: report_data() as JSON, the plotting library, and the
-/// scripts that draw. Throws InputError if this build has no plotting library.
+/// One HTML page that needs no other file and no network: report_data() as JSON, the plotting library, and
+/// the scripts that draw. Throws InputError if this build has no plotting library.
 std::string report_page(const nlohmann::json& data);
 
 /// Reads `file` (see report_data()) and writes its page to `output`, whole or not at all. Throws InputError
