@@ -15,11 +15,19 @@ const contactOf = (name, coordinates, group) => ({
   name, group,
   x: coordinates.x.values, s: coordinates.s.values, y: coordinates.y?.values, z: coordinates.z?.values,
   delta: coordinates.delta?.values, dx: coordinates.attributes.dx_mm, ds: coordinates.attributes.ds_mm,
-  friction: coordinates.attributes.friction,
+  friction: coordinates.attributes.friction, left: coordinates.attributes.frame.includes("y left"),
   rail: coordinates.rail_profile && rows(coordinates.rail_profile),
   wheel: coordinates.wheel_profile && rows(coordinates.wheel_profile),
   state: rows(group.state), pn: rows(group.p_n), px: rows(group.p_x), ps: rows(group.p_s),
 });
+
+/// Whether the rail has no shape that is worth a picture.
+const flat = contact => {
+  const size = k => Math.max(...contact.rail.map(p => p[k])) - Math.min(...contact.rail.map(p => p[k]));
+  return size(1) < 0.02 * size(0);
+};
+
+const sideways = contact => `y to the ${contact.left ? "left" : "right"}, mm`;
 
 /// Indices of the first and last row and column in contact; undefined without contact.
 const extent = contact => {
@@ -145,7 +153,7 @@ const sectionFigure = contact => {
     line(touching, "contact", {color: PRESSURE[1][1], width: 8}),
     line(contact.rail, "rail", {color: RAIL, width: 2.5}),
     line(contact.wheel, "wheel, at approach 0", {color: WHEEL, width: 2, dash: "dash"})],
-    layout: {xaxis: {title: "y to the right, mm"}, legend: {orientation: "h", y: 1.02, yanchor: "bottom"},
+    layout: {xaxis: {title: sideways(contact)}, legend: {orientation: "h", y: 1.02, yanchor: "bottom"},
              yaxis: {title: "z down, mm", autorange: "reversed", scaleanchor: "x"}}};
 };
 
@@ -176,6 +184,7 @@ const solidFigure = (contact, radius) => {
   const width = Math.max(...contact.rail.map(p => p[0])) - Math.min(...contact.rail.map(p => p[0]));
   const half = Math.max(0.4 * width, ...window.columns.map(k => 1.5 * Math.abs(contact.x[k])));
   const raised = 0.06; // mm above the rail, so that the patch is seen
+  const lifted = 1; // mm: the wheel, so that its surface can be told from the rail's
   const span = Array.from({length: 25}, (_, k) => half * (k - 12) / 12);
   const traces = [plainSurface(contact.rail.map(([y, z]) => span.map(x => [x, y, z])), "rail", RAIL_FACE, 1)];
   const lineOf = (points, name, colour, width, dash) => ({
@@ -184,7 +193,7 @@ const solidFigure = (contact, radius) => {
   for (const x of [-half, half])
     traces.push(lineOf(contact.rail.map(([y, z]) => [x, y, z]), "rail", INK, 4));
   if (radius) {
-    const axle = contact.z[row] - radius - 8 * raised; // above the patch, and apart from the rail
+    const axle = contact.z[row] - radius - lifted;
     const turned = (y, z, x) => { const r = z - axle; return [x, y, axle + Math.sqrt(r * r - x * x)]; };
     traces.push(plainSurface(contact.wheel.map(([y, z]) => span.map(x => turned(y, z, x))), "wheel", WHEEL, 0.18));
     for (const x of [-half, 0, half])
@@ -203,12 +212,12 @@ const solidFigure = (contact, radius) => {
                colorscale: PRESSURE, cmin: 0, cmax: contact.pn[row][column], name: "patch", showlegend: true,
                colorbar: {title: {text: "pressure, MPa", side: "right"}, thickness: 14, len: 0.7},
                lighting: {ambient: 1, diffuse: 0, specular: 0}, flatshading: true, hoverinfo: "skip"});
-  const side = contact.delta[row] < 0 ? 1 : -1; // looks at the patch from where the rail's surface faces
+  const side = contact.delta[row] < 0 !== contact.left ? 1 : -1; // looks at the patch from where the rail's surface faces
   const view = (label, x, y, z) => ({label, method: "relayout", args: ["scene.camera.eye", {x, y, z}]});
   const aslant = [-1.0, 1.4 * side, 0.95];
   return {traces, height: 520, layout: {
     scene: {aspectmode: "data", camera: {eye: {x: aslant[0], y: aslant[1], z: aslant[2]}}, xaxis: {title: "x, mm"},
-            yaxis: {title: "y, mm", autorange: "reversed"}, zaxis: {title: "z down, mm", autorange: "reversed"}},
+            yaxis: {title: "y, mm", autorange: contact.left ? true : "reversed"}, zaxis: {title: "z down, mm", autorange: "reversed"}},
     margin: {t: 40, l: 0, r: 0, b: 30}, legend: {orientation: "h", y: 0, yanchor: "top", x: 0},
     updatemenus: [{type: "buttons", direction: "right", x: 0, xanchor: "left", y: 1.0, yanchor: "bottom", showactive: false,
                    buttons: [view("aslant", ...aslant), view("along the track", -1.9, 0, 0.15),

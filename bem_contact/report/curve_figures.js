@@ -72,7 +72,7 @@ const patchesFigure = (data, key) => {
     error_x: {type: "data", array: half, thickness: 4, width: 0, color: RAIL},
     marker: {size: p.Fn.values.map(f => 4 + 12 * Math.sqrt(f / largest)), color: p.pmax.values, colorscale: PRESSURE,
              cmin: 0, line: {color: INK, width: 1}, colorbar: {title: {text: "pmax, MPa", side: "right"}, thickness: 14}}}],
-    layout: {xaxis: {title: "y to the right, mm"}, yaxis: {title: along(data, key).title}, showlegend: false}};
+    layout: {xaxis: {title: `y to the ${sceneValue("position.side") || "right"}, mm`}, yaxis: {title: along(data, key).title}, showlegend: false}};
 };
 
 /// Columns of a sweep over one key. Only cases that have the same other keys are joined.

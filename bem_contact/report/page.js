@@ -9,18 +9,29 @@ const addContactFigures = (contact, solid) => {
   const title = TITLES[contact.name];
   if (!extent(contact))
     return add("p", "Nothing is in contact.");
-  if (solid && contact.rail && contact.y && contact.delta)
-    addFigure(`solid-${contact.name}`, "Wheel and rail in place, with the pressure on the patch. Turn it with the mouse; a " +
+  const shaped = contact.rail && contact.wheel && contact.y && contact.delta && !flat(contact);
+  if (solid && shaped)
+    addFigure(`solid-${contact.name}`, "Wheel and rail in place, with the pressure on the patch; the wheel is lifted by 1 mm. Turn it with the mouse; a " +
               "click on a name hides or shows that body.", solidFigure(contact, radiusOf(contact)));
-  addFigure(`patch-${contact.name}`, `${title}: the patch from above. Hatched elements slip; those within the thick orange line ` +
-            "adhere. Arrows: shear traction on the rail.", patchFigure(contact));
+  addFigure(`patch-${contact.name}`, `${title}: the patch from above.` + (contact.friction > 0 ?
+            " Hatched elements slip; those within the thick orange line adhere. Arrows: shear traction on the rail." : ""),
+            patchFigure(contact));
   for (const along of ["x", "s"]) {
     const cut = cutFigure(contact, along);
     addFigure(`cut-${along}-${contact.name}`, `${title}: ${contact.friction > 0 ? "shear traction within the bound of friction"
               : "pressure"} along ${along} through the largest pressure (${cut.where}).`, cut);
   }
-  if (solid && contact.rail && contact.wheel && contact.y)
+  if (solid && shaped)
     addFigure(`section-${contact.name}`, "The section at the contact, looking along the track.", sectionFigure(contact));
+};
+
+/// Forces by step, of a transient or of shifts.
+const addHistory = ({group: {history}}) => {
+  if (!history?.Fx)
+    return;
+  const steps = history.Fx.values.map((_, k) => k + 1);
+  addFigure("history", "Forces on the rail by step.", {height: 330, traces: ["Fx", "Fy", "Fz"].map(name =>
+    lineOver(steps, history[name].values, name, FORCES[name])), layout: {xaxis: {title: "step"}, yaxis: {title: "N"}, legend: ABOVE}});
 };
 
 const addResult = () => {
@@ -31,6 +42,7 @@ const addResult = () => {
   addPatches(contact);
   add("h2", "Contact");
   addContactFigures(contact, true);
+  addHistory(contact);
 };
 
 const addComparison = () => {
@@ -154,7 +166,7 @@ const start = async () => {
   ({result: addResult, comparison: addComparison, sweep: addSweep, "creep curves": addCreepCurves, wear: addWear})[report.kind]();
   addScene();
   const a = data.attributes;
-  add("p", `${a.program ?? "bem_contact"}. x is the direction of rolling, y points to the right, z down; s runs along the rail's ` +
+  add("p", `${a.program ?? "bem_contact"}. x is the direction of rolling, y points to the right (left wheel: to the left), z down; s runs along the rail's ` +
       "profile, n into the rail. Forces are those on the rail. Figures: plotly.js (MIT licence), © Plotly, Inc.",
       document.getElementById("notes"));
   await loadLibrary();
