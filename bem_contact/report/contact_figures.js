@@ -193,8 +193,8 @@ const solidFigure = (contact, radius) => {
   for (const x of [-half, half])
     traces.push(lineOf(contact.rail.map(([y, z]) => [x, y, z]), "rail", INK, 4));
   if (radius) {
-    const axle = contact.z[row] - radius - lifted;
-    const turned = (y, z, x) => { const r = z - axle; return [x, y, axle + Math.sqrt(r * r - x * x)]; };
+    const axle = contact.z[row] - radius;
+    const turned = (y, z, x) => { const r = z - axle; return [x, y, axle + Math.sqrt(r * r - x * x) - lifted]; };
     traces.push(plainSurface(contact.wheel.map(([y, z]) => span.map(x => turned(y, z, x))), "wheel", WHEEL, 0.18));
     for (const x of [-half, 0, half])
       traces.push(lineOf(contact.wheel.map(([y, z]) => turned(y, z, x)), "wheel", WHEEL, 4));
