@@ -30,16 +30,16 @@ std::string report_page(const nlohmann::json& data) {
     throw InputError("This build draws no reports",
                      "the Debian package python3-plotly was missing when it was built",
                      "Run tools/install_packages contact-only, configure again (cmake --fresh) and build.");
-  std::string json = data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  replace_all(json, "</", "<\\/"); // no text of a scene ends the script that holds it
-  replace_all(json, "<!--", "<\\u0021--");
+  std::string text = data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  replace_all(text, "</", "<\\/"); // no text of a scene ends the script that holds it
+  replace_all(text, "<!--", "<\\u0021--");
   std::string page = report_page_html;
   const std::array<std::pair<std::string, std::string>, 4> parts{
       {{"@STYLE@", report_page_css},
        {"@SCRIPT@",
         std::string(report_contact_figures_js) + report_curve_figures_js + report_words_js + report_page_js},
        {"@LIBRARY@", report_plotting_library},
-       {"@DATA@", json}}};
+       {"@DATA@", text}}};
   for (const auto& [name, part] : parts)
     page.replace(page.find(name), name.size(), part);
   return page;
