@@ -7,13 +7,15 @@ import subprocess
 import tempfile
 import unittest
 from pathlib import Path
+from xml.etree import ElementTree
 
 import h5py
 import numpy as np
 
 import browser
 
-SCENES = Path(__file__).resolve().parents[2] / "data" / "scenes"
+ROOT = Path(__file__).resolve().parents[2]
+SCENES, TOOLS = ROOT / "data" / "scenes", ROOT / "tools"
 PATCH = """kind = "patch"
 load.force = 4000
 motion = { friction = 0.3, xi = 4e-4, eta = 3e-4, phi = 1e-4 }
@@ -94,6 +96,24 @@ class Report(unittest.TestCase):
         self.assertEqual(page.read_bytes(), self.pages["result"].read_bytes())
         with self.assertRaisesRegex(bem_contact.InputError, "no_such.h5"):
             bem_contact.report(self.folder / "no_such.h5", page)
+
+    def test_the_files_for_paraview(self):
+        vtm = self.folder / "in_space.vtm"
+        subprocess.run([TOOLS / "paraview", self.files["result"], "-o", vtm], check=True)
+        parts = [block.attrib["file"] for block in ElementTree.parse(vtm).iter("DataSet")]
+        self.assertEqual(parts, [f"in_space/{part}.vts" for part in ("contact", "rail", "wheel")])
+        arrays = {a.attrib["Name"]: np.array(a.text.split(), dtype=float)
+                  for a in ElementTree.parse(self.folder / parts[0]).iter("DataArray")}
+        with h5py.File(self.files["result"]) as h5:
+            pressure = h5["fem/p_n"][()]
+            np.testing.assert_allclose(arrays["pressure"], pressure.ravel(), rtol=1e-8)
+            corners = arrays["points"].reshape(pressure.shape[0] + 1, pressure.shape[1] + 1, 3)
+            # The elements' centres are the file's, but for the sag of a row's arc.
+            centres = (corners[1:, 1:] + corners[:-1, :-1]) / 2
+            np.testing.assert_allclose(centres[..., 0], np.tile(h5["x"][()], (len(pressure), 1)), atol=1e-9)
+            for k, name in ((1, "y"), (2, "z")):
+                np.testing.assert_allclose(centres[:, 0, k], h5[name][()], atol=0.01)
+        compile(vtm.with_suffix(".py").read_text(), "state", "exec")
 
     def test_what_cannot_be_reported_is_refused(self):
         numbers = self.folder / "numbers.h5"
