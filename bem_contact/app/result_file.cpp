@@ -146,8 +146,8 @@ void add_coordinates(H5Table& table, const std::string& group, const SceneResult
       d[group + q.name] = line(std::move(values), q.unit.of(r), q.description);
   }
   d[group + "gap"] = field(problem.grid, problem.gap, "mm", "undeformed distance along the rail's normal");
-  d[group + "rail_profile"] = points(r.rail_profile, "rail near the contact: y, z");
-  d[group + "wheel_profile"] = points(r.wheel_profile, "wheel near the contact at approach 0: y, z");
+  d[group + "rail_profile"] = points(r.rail_profile, "rail, fine near the contact: y, z");
+  d[group + "wheel_profile"] = points(r.wheel_profile, "wheel at approach 0, fine near the contact: y, z");
   auto& a = table.attributes;
   a[group + "frame"] = "x rolling direction, y " + side + ", z down; s along the rail, n into the rail";
   a[group + "dx_mm"] = problem.grid.dx;

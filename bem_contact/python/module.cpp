@@ -7,12 +7,14 @@
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/python/wear_functions.hpp"
+#include "bem_contact/report/report_page.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <array>
 #include <cctype>
@@ -284,6 +286,10 @@ PYBIND11_MODULE(_core, m) {
   add_conicity(m);
   add_creep_curves(m);
   add_wear_functions(m);
+  m.def("report", &report::write_report, "file"_a, "output"_a, py::call_guard<py::gil_scoped_release>(),
+        "Writes one HTML page of a result, a comparison, a sweep, creep curves or wear (HDF5): the scene in "
+        "words, numbers with errors, certificate, figures. It needs no network. Raises InputError for other "
+        "files, and where `output` is `file` or cannot be written.");
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_stopped_solutions));
 }
 

@@ -4,23 +4,39 @@
 #include "bem_contact/scene/settings.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace bem_contact {
 
 namespace {
 
-Outlines profiles_near(const WheelRailGeometry& placed, double s_from, double s_to) {
+/// Every node between `from` and `to`, and beyond them one every outline_spacing.
+struct Thinning {
+  double from, to;
+  double last = -std::numeric_limits<double>::infinity();
+
+  bool keeps(double s) {
+    if ((s < from || s > to) && s - last < outline_spacing)
+      return false;
+    last = s;
+    return true;
+  }
+};
+
+Outlines whole_profiles(const WheelRailGeometry& placed, double s_from, double s_to) {
   const WheelOnRail& pair = placed.pair;
   const CurvePoint first = pair.rail_at(s_from), last = pair.rail_at(s_to);
   const std::vector<double> wheel_s =
       placed.wheel_stations({{s_from, first.position, first.delta}, {s_to, last.position, last.delta}});
   const auto [lo, hi] = std::ranges::minmax(wheel_s);
   Outlines out;
+  Thinning rail{s_from - outline_margin, s_to + outline_margin};
   for (const TabulatedProfile::Node& node : pair.rail.nodes())
-    if (node.s >= s_from - outline_margin && node.s <= s_to + outline_margin)
+    if (rail.keeps(node.s))
       out.rail.push_back(pair.rail_pose.to_track(node.position));
+  Thinning wheel{lo - outline_margin, hi + outline_margin};
   for (const ContactLocus::Node& node : placed.locus.nodes())
-    if (node.s >= lo - outline_margin && node.s <= hi + outline_margin)
+    if (wheel.keeps(node.s))
       out.wheel.push_back(node.position);
   return out;
 }
@@ -29,7 +45,7 @@ Outlines profiles_near(const WheelRailGeometry& placed, double s_from, double s_
 
 Outlines outlines(const ContactSetup& setup, const ContactProblem& problem) {
   if (setup.wheel_rail())
-    return profiles_near(*setup.wheel_rail(), problem.rows.front().s, problem.rows.back().s);
+    return whole_profiles(*setup.wheel_rail(), problem.rows.front().s, problem.rows.back().s);
   Outlines out;
   for (std::size_t is = 0; is < problem.rows.size(); ++is) {
     const ContactRow& row = problem.rows[is];

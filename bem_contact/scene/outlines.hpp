@@ -6,9 +6,9 @@
 
 namespace bem_contact {
 
-/// Both bodies near a contact at approach 0, for pictures: points in the frame of the rows, mm. Wheel on
-/// rail: the profile of the rail and the contact locus of the wheel, some mm beyond the rows; patch: the
-/// rows, and the upper body above the middle column.
+/// Both bodies at approach 0, for pictures: points in the frame of the rows, mm. Wheel on rail: the whole
+/// profile of the rail and the contact locus of the wheel, fine near the rows; patch: the rows, and the
+/// upper body above the middle column.
 struct Outlines {
   std::vector<Point2> rail, wheel;
 };

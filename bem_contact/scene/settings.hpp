@@ -51,8 +51,10 @@ BEM_CONTACT_TUNED(int, flange_samples, 400);
 
 // Pictures.
 
-/// mm. How much of both profiles a picture shows on either side of the rows.
+/// mm. How much of both profiles a picture shows finely on either side of the rows.
 BEM_CONTACT_TUNED(double, outline_margin, 12.0);
+/// mm. Of the points that it shows of the rest: a fillet of 10 mm still looks round.
+BEM_CONTACT_TUNED(double, outline_spacing, 1.0);
 
 /// mm. The approach of a plane-strain contact is relative to a point this far away; on a curved strip to one
 /// at the distance of its radius.

@@ -77,7 +77,7 @@ struct SceneResult {
   /// ProfileCurve::digest() of both profiles, as influence files have it; 0 of a patch.
   std::uint64_t rail_geometry = 0, wheel_geometry = 0;
   std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none
-  std::vector<Point2> rail_profile, wheel_profile; ///< near the contact at approach 0, frame of the rows, mm
+  std::vector<Point2> rail_profile, wheel_profile; ///< Outlines: at approach 0, frame of the rows, mm
   std::optional<StressesBelow> stresses;           ///< where the scene asks for them
   /// Of which points of the bodies the approach is the relative displacement, in words. Approaches of
   /// different datums are not to be compared.

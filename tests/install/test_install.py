@@ -92,6 +92,9 @@ class Installed(unittest.TestCase):
         program = self.prefix / "bin" / "bem_contact"
         self.assertEqual(run(program, "--version").strip(), f"bem_contact {VERSION}")
         self.assertIn("holds", run(program, "solve", self.scene))
+        run(program, "solve", self.scene, "-o", self.work / "r.h5")
+        run(program, "report", self.work / "r.h5", "-o", self.work / "r.html")  # the plotting library is in the program
+        self.assertGreater((self.work / "r.html").stat().st_size, 1e6)
         pages = self.prefix / "share/man/man1"
         for name in ("bem_contact", "bem_contact-solve", "bem_contact-sweep", "bem_contact-influence-expand"):
             self.assertIn("--help".replace("-", "\\-"), (pages / f"{name}.1").read_text())

@@ -24,6 +24,12 @@ find_program(SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
 set(PYTHON_EXECUTABLE ${SYSTEM_PYTHON})
 find_package(pybind11 REQUIRED)
 
+# The pages of `bem_contact report`. Without it all else is built, and this command says what is missing.
+find_file(PLOTLY_LIBRARY NAMES plotly.min.js plotly.js PATHS /usr/share/python3-plotly NO_DEFAULT_PATH)
+if(NOT PLOTLY_LIBRARY)
+  message(WARNING "plotly.js was not found (`bem_contact report` draws with it) run tools/install_packages")
+endif()
+
 if(CONFORMAL_TESTS)
   find_package(GTest REQUIRED)
   find_package(rapidcheck REQUIRED)

@@ -1,0 +1,41 @@
+#include "bem_contact/app/report_command.hpp"
+
+#include "bem_contact/report/report_page.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+namespace bem_contact::app {
+
+namespace {
+
+constexpr const char* report_help =
+    R"(Takes what solve, compare, sweep and creep-curves wrote with -o, and the wear.h5 of wear. Example:
+    bem_contact solve data/scenes/conformal_small.toml -o corner.h5
+    bem_contact report corner.h5 -o corner.html
+Open corner.html in a browser. You should see the scene in words, whether the certificate holds, the numbers with their
+errors, wheel and rail with the patch between them, which you can turn, and the pressure with adhesion, slip and
+tractions. Two cuts show the shear traction within the bound of friction. The page needs no network and no other file, so it can be
+sent to others; printed, it fits on A4.)";
+
+struct ReportArguments {
+  std::string file, output;
+};
+
+} // namespace
+
+Command add_report(CLI::App& program) {
+  const auto arguments = std::make_shared<ReportArguments>();
+  CLI::App* line = program.add_subcommand("report", "One HTML page of a result file: words, tables, figures");
+  line->add_option("file", arguments->file, "Result, comparison, sweep, creep curves or wear (HDF5)")
+      ->required();
+  line->add_option("-o,--output", arguments->output, "The page (HTML)")->required();
+  line->footer(report_help);
+  return {line, [arguments] {
+            report::write_report(arguments->file, arguments->output);
+            return success;
+          }};
+}
+
+} // namespace bem_contact::app

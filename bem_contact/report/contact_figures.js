@@ -1,0 +1,225 @@
+// Figures of one contact. One colour has one meaning on the whole page; line styles and marks say the same without it.
+const INK = "#1c2733", RAIL = "#5b6f82", RAIL_FACE = "#a9b6c3", WHEEL = "#b4533c", ADHESION = "#d95f02", BOUND = "#8a949e";
+const ALONG_X = "#6a3d9a", ALONG_S = "#1b7f79";
+const PRESSURE = [[0, "#eef4fb"], [1, "#3b7cc4"]];
+const EXTERIOR = 0, ADHERES = 1, SLIPS = 2;
+
+/// Row-major values as rows.
+const rows = data => {
+  const [count, width] = data.shape;
+  return Array.from({length: count}, (_, i) => data.values.slice(i * width, (i + 1) * width));
+};
+
+/// What the figures need of a result: coordinates lie in one group of the file, fields in another.
+const contactOf = (name, coordinates, group) => ({
+  name, group,
+  x: coordinates.x.values, s: coordinates.s.values, y: coordinates.y?.values, z: coordinates.z?.values,
+  delta: coordinates.delta?.values, dx: coordinates.attributes.dx_mm, ds: coordinates.attributes.ds_mm,
+  friction: coordinates.attributes.friction, left: coordinates.attributes.frame.includes("y left"),
+  rail: coordinates.rail_profile && rows(coordinates.rail_profile),
+  wheel: coordinates.wheel_profile && rows(coordinates.wheel_profile),
+  state: rows(group.state), pn: rows(group.p_n), px: rows(group.p_x), ps: rows(group.p_s),
+});
+
+/// Whether the rail has no shape that is worth a picture.
+const flat = contact => {
+  const size = k => Math.max(...contact.rail.map(p => p[k])) - Math.min(...contact.rail.map(p => p[k]));
+  return size(1) < 0.02 * size(0);
+};
+
+const sideways = contact => `y to the ${contact.left ? "left" : "right"}, mm`;
+
+/// Indices of the first and last row and column in contact; undefined without contact.
+const extent = contact => {
+  const found = [];
+  contact.state.forEach((row, i) => row.forEach((state, j) => { if (state !== EXTERIOR) found.push([i, j]); }));
+  if (!found.length)
+    return undefined;
+  const of = k => found.reduce(([lo, hi], at) => [Math.min(lo, at[k]), Math.max(hi, at[k])], [Infinity, -Infinity]);
+  return {rows: of(0), columns: of(1)};
+};
+
+/// Row and column of the largest pressure.
+const peak = contact => {
+  let at = [0, 0];
+  contact.pn.forEach((row, i) => row.forEach((p, j) => { if (p > contact.pn[at[0]][at[1]]) at = [i, j]; }));
+  return at;
+};
+
+/// The border of the elements that `inside` names, along their edges, as one line with gaps.
+const outline = (contact, inside) => {
+  const x = [], y = [], {dx, ds} = contact;
+  const is = (i, j) => contact.state[i]?.[j] !== undefined && inside(contact.state[i][j]);
+  const add = (x0, y0, x1, y1) => { x.push(x0, x1, null); y.push(y0, y1, null); };
+  for (let i = 0; i <= contact.s.length; ++i)
+    for (let j = 0; j <= contact.x.length; ++j) {
+      const left = contact.x[0] + (j - 0.5) * dx, low = contact.s[0] + (i - 0.5) * ds;
+      if (is(i, j) !== is(i - 1, j)) add(left, low, left + dx, low);
+      if (is(i, j) !== is(i, j - 1)) add(left, low, left, low + ds);
+    }
+  return {x, y};
+};
+
+const hatching = contact => {
+  const x = [], y = [];
+  contact.state.forEach((row, i) => row.forEach((state, j) => {
+    if (state !== SLIPS)
+      return;
+    x.push(contact.x[j] - contact.dx / 2, contact.x[j] + contact.dx / 2, null);
+    y.push(contact.s[i] - contact.ds / 2, contact.s[i] + contact.ds / 2, null);
+  }));
+  return {x, y};
+};
+
+/// Traction arrows on some elements; the longest stands for `longest` MPa.
+const arrows = (contact, window) => {
+  const size = k => window[k][1] - window[k][0] + 1;
+  const every = [Math.max(1, Math.floor(size("rows") / 12)), Math.max(1, Math.floor(size("columns") / 14))];
+  const shown = [];
+  for (let i = window.rows[0] + (every[0] >> 1); i <= window.rows[1]; i += every[0])
+    for (let j = window.columns[0] + (every[1] >> 1); j <= window.columns[1]; j += every[1])
+      if (contact.state[i][j] !== EXTERIOR)
+        shown.push([contact.x[j], contact.s[i], contact.px[i][j], contact.ps[i][j]]);
+  const longest = Math.max(0, ...shown.map(([, , a, b]) => Math.hypot(a, b)));
+  const x = [], y = [];
+  const scale = 1.3 * Math.max(every[0] * contact.ds, every[1] * contact.dx) / longest;
+  for (const [at, up, a, b] of longest > 0 ? shown : []) {
+    const [u, v] = [a * scale, b * scale], [tipX, tipY] = [at + u / 2, up + v / 2];
+    x.push(at - u / 2, tipX, null, tipX - 0.35 * u + 0.18 * v, tipX, tipX - 0.35 * u - 0.18 * v, null);
+    y.push(up - v / 2, tipY, null, tipY - 0.35 * v - 0.18 * u, tipY, tipY - 0.35 * v + 0.18 * u, null);
+  }
+  return {x, y, longest};
+};
+
+/// The patch from above the rail: pressure, adhesion and slip, traction.
+const patchFigure = contact => {
+  const window = extent(contact);
+  if (!window)
+    return undefined;
+  const pressure = contact.pn.map((row, i) => row.map((p, j) => contact.state[i][j] === EXTERIOR ? null : p));
+  const line = (points, name, style, more = {}) =>
+      ({type: "scatter", mode: "lines", ...points, name, line: style, hoverinfo: "skip", ...more});
+  const arrow = arrows(contact, window);
+  const traces = [{type: "heatmap", x: contact.x, y: contact.s, z: pressure, colorscale: PRESSURE, zmin: 0,
+                   colorbar: {title: {text: "pressure, MPa", side: "right"}, thickness: 14}, hoverongaps: false,
+                   hovertemplate: "x %{x:.3f} mm<br>s %{y:.3f} mm<br>%{z:.1f} MPa<extra></extra>"}];
+  if (contact.friction > 0) {
+    traces.push(line(hatching(contact), "slip (hatched)", {color: INK, width: 0.7}));
+    traces.push(line(outline(contact, state => state === ADHERES), "adhesion", {color: ADHESION, width: 3}));
+  }
+  traces.push(line(outline(contact, state => state !== EXTERIOR), "contact", {color: INK, width: 2}));
+  if (arrow.longest > 0) {
+    traces.push(line(arrow, "", {color: "#ffffff", width: 4.5}, {showlegend: false}));
+    traces.push(line(arrow, `shear, at most ${arrow.longest.toPrecision(3)} MPa`,
+                     {color: INK, width: 1.8}));
+  }
+  const range = (middles, [from, to], step) => [middles[from] - 3 * step, middles[to] + 3 * step];
+  const x = range(contact.x, window.columns, contact.dx), s = range(contact.s, window.rows, contact.ds);
+  const height = Math.min(620, Math.max(240, 520 * (s[1] - s[0]) / (x[1] - x[0])));
+  return {traces, height: height + 120, layout: {
+    xaxis: {title: "x, rolling direction, mm", range: x, constrain: "domain"},
+    yaxis: {title: "s along the rail, mm", range: s, scaleanchor: "x", constrain: "domain"},
+    legend: {orientation: "h", y: 1.02, yanchor: "bottom", x: 0}, margin: {t: 60}}};
+};
+
+/// Traction and friction bound along one line through the largest pressure; `along`: "x" or "s".
+const cutFigure = (contact, along) => {
+  const [row, column] = peak(contact);
+  const of = field => along === "x" ? field[row] : field.map(line => line[column]);
+  const [at, pn, px, ps] = [contact[along], of(contact.pn), of(contact.px), of(contact.ps)];
+  const line = (y, name, style) => ({type: "scatter", mode: "lines", x: at, y, name, line: style});
+  const traces = contact.friction > 0 ? [
+    {...line(pn.map(p => contact.friction * p), `friction bound, ${contact.friction} × pressure`,
+             {color: BOUND, width: 1.5, dash: "dot"}), fill: "tozeroy", fillcolor: "rgba(138,148,158,0.18)"},
+    line(px, "along x", {color: ALONG_X, width: 2, dash: "dash"}),
+    line(ps, "along s", {color: ALONG_S, width: 2, dash: "dashdot"}),
+    line(px.map((p, k) => Math.hypot(p, ps[k])), "size of the shear traction", {color: INK, width: 2})]
+    : [line(pn, "pressure", {color: PRESSURE[1][1], width: 2})];
+  const where = along === "x" ? `s = ${contact.s[row].toFixed(2)} mm` : `x = ${contact.x[column].toFixed(2)} mm`;
+  const title = along === "x" ? "x, rolling direction, mm" : "s along the rail, mm";
+  const touched = at.filter((_, k) => pn[k] > 0), step = along === "x" ? contact.dx : contact.ds;
+  return {traces, height: 320, where, layout: {
+    xaxis: {title, range: [touched[0] - 3 * step, touched[touched.length - 1] + 3 * step]}, yaxis: {title: "MPa"},
+    legend: {orientation: "h", y: 1.02, yanchor: "bottom"}}};
+};
+
+/// Both profiles at the contact, looking along the track.
+const sectionFigure = contact => {
+  const line = (points, name, style) => ({type: "scatter", mode: "lines", x: points.map(p => p[0]),
+                                          y: points.map(p => p[1]), name, line: style});
+  const touching = contact.state.map((row, i) => row.some(state => state !== EXTERIOR)
+                                                 ? [contact.y[i], contact.z[i]] : [null, null]);
+  return {height: 380, traces: [
+    line(touching, "contact", {color: PRESSURE[1][1], width: 8}),
+    line(contact.rail, "rail", {color: RAIL, width: 2.5}),
+    line(contact.wheel, "wheel, at approach 0", {color: WHEEL, width: 2, dash: "dash"})],
+    layout: {xaxis: {title: sideways(contact)}, legend: {orientation: "h", y: 1.02, yanchor: "bottom"},
+             yaxis: {title: "z down, mm", autorange: "reversed", scaleanchor: "x"}}};
+};
+
+/// Triangles of the surface through lines of points [x, y, z], two for each quadrangle that `shown` (of line and
+/// place) keeps.
+const triangles = (lines, shown = () => true) => {
+  const width = lines[0].length, points = lines.flat(), mesh = {i: [], j: [], k: [], cells: []};
+  for (let l = 0; l + 1 < lines.length; ++l)
+    for (let m = 0; m + 1 < width; ++m)
+      if (shown(l, m)) {
+        const at = l * width + m;
+        mesh.i.push(at, at + 1);
+        mesh.j.push(at + 1, at + width + 1);
+        mesh.k.push(at + width, at + width);
+        mesh.cells.push([l, m], [l, m]);
+      }
+  const {cells, ...corners} = mesh;
+  return {cells, mesh: {type: "mesh3d", x: points.map(p => p[0]), y: points.map(p => p[1]), z: points.map(p => p[2]), ...corners}};
+};
+
+const plainSurface = (lines, name, color, opacity) => ({
+  ...triangles(lines).mesh, name, color, opacity, showlegend: true, hoverinfo: "skip",
+  lighting: {ambient: 0.8, diffuse: 0.3, specular: 0}});
+
+/// Wheel and rail in place, with the pressure on the patch. `radius`: of the wheel at the contact; undefined: no wheel.
+const solidFigure = (contact, radius) => {
+  const window = extent(contact), [row, column] = peak(contact);
+  const width = Math.max(...contact.rail.map(p => p[0])) - Math.min(...contact.rail.map(p => p[0]));
+  const half = Math.max(0.4 * width, ...window.columns.map(k => 1.5 * Math.abs(contact.x[k])));
+  const raised = 0.06; // mm above the rail, so that the patch is seen
+  const lifted = 1; // mm: the wheel, so that its surface can be told from the rail's
+  const span = Array.from({length: 25}, (_, k) => half * (k - 12) / 12);
+  const traces = [plainSurface(contact.rail.map(([y, z]) => span.map(x => [x, y, z])), "rail", RAIL_FACE, 1)];
+  const lineOf = (points, name, colour, width, dash) => ({
+    type: "scatter3d", mode: "lines", x: points.map(p => p[0]), y: points.map(p => p[1]), z: points.map(p => p[2]),
+    name, showlegend: false, hoverinfo: "skip", line: {color: colour, width, dash}});
+  for (const x of [-half, half])
+    traces.push(lineOf(contact.rail.map(([y, z]) => [x, y, z]), "rail", INK, 4));
+  if (radius) {
+    const axle = contact.z[row] - radius;
+    const turned = (y, z, x) => { const r = z - axle; return [x, y, axle + Math.sqrt(r * r - x * x) - lifted]; };
+    traces.push(plainSurface(contact.wheel.map(([y, z]) => span.map(x => turned(y, z, x))), "wheel", WHEEL, 0.18));
+    for (const x of [-half, 0, half])
+      traces.push(lineOf(contact.wheel.map(([y, z]) => turned(y, z, x)), "wheel", WHEEL, 4));
+  }
+  const {dx, ds} = contact, columns = [...contact.x.map(x => x - dx / 2), contact.x.at(-1) + dx / 2];
+  const edge = k => { // half way between two rows, or half a row beyond the last
+    const [a, b] = k === 0 ? [0, 0] : k === contact.s.length ? [k - 1, k - 1] : [k - 1, k], delta = contact.delta[a];
+    const out = a !== b ? 0 : (k === 0 ? -0.5 : 0.5) * ds;
+    return [(contact.y[a] + contact.y[b]) / 2 + out * Math.cos(delta) + raised * Math.sin(delta),
+            (contact.z[a] + contact.z[b]) / 2 + out * Math.sin(delta) - raised * Math.cos(delta)];
+  };
+  const patch = triangles(contact.s.concat(0).map((_, k) => columns.map(x => [x, ...edge(k)])),
+                          (i, j) => contact.state[i][j] !== EXTERIOR);
+  traces.push({...patch.mesh, intensity: patch.cells.map(([i, j]) => contact.pn[i][j]), intensitymode: "cell",
+               colorscale: PRESSURE, cmin: 0, cmax: contact.pn[row][column], name: "patch", showlegend: true,
+               colorbar: {title: {text: "pressure, MPa", side: "right"}, thickness: 14, len: 0.7},
+               lighting: {ambient: 1, diffuse: 0, specular: 0}, flatshading: true, hoverinfo: "skip"});
+  const side = contact.delta[row] < 0 !== contact.left ? 1 : -1; // looks at the patch from where the rail's surface faces
+  const view = (label, x, y, z) => ({label, method: "relayout", args: ["scene.camera.eye", {x, y, z}]});
+  const aslant = [-1.0, 1.4 * side, 0.95];
+  return {traces, height: 520, layout: {
+    scene: {aspectmode: "data", camera: {eye: {x: aslant[0], y: aslant[1], z: aslant[2]}}, xaxis: {title: "x, mm"},
+            yaxis: {title: "y, mm", autorange: contact.left ? true : "reversed"}, zaxis: {title: "z down, mm", autorange: "reversed"}},
+    margin: {t: 40, l: 0, r: 0, b: 30}, legend: {orientation: "h", y: 0, yanchor: "top", x: 0},
+    updatemenus: [{type: "buttons", direction: "right", x: 0, xanchor: "left", y: 1.0, yanchor: "bottom", showactive: false,
+                   buttons: [view("aslant", ...aslant), view("along the track", -1.9, 0, 0.15),
+                             view("from above", -0.01, 0, 2.0), view("from the side", 0, 1.6 * side, 0.3)]}]}};
+};

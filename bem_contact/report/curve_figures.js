@@ -1,0 +1,125 @@
+// Figures over many contacts: sweeps, creep curves, wear.
+const FORCES = {Fx: {colour: ALONG_X, dash: "solid", mark: "circle"}, Fs: {colour: ALONG_S, dash: "dash", mark: "square"},
+                Fy: {colour: ALONG_S, dash: "dash", mark: "square"}, Fz: {colour: INK, dash: "dot", mark: "diamond"},
+                Mz: {colour: INK, dash: "dashdot", mark: "diamond-open"}};
+
+const lineOver = (x, y, name, {colour, dash, mark}, errors) => ({
+  type: "scatter", mode: "lines+markers", x, y, name, line: {color: colour, width: 1.8, dash},
+  marker: {symbol: mark, size: 6, color: colour},
+  error_y: errors?.some(e => e > 0) ? {type: "data", array: errors, thickness: 1, width: 3} : undefined});
+
+const ABOVE = {orientation: "h", y: 1.02, yanchor: "bottom"};
+
+/// The forces over one creepage, with the bound of friction and the slopes of linear theory.
+const creepFigure = (data, which) => {
+  const curve = data[which], x = curve.creepage.values, bound = data.attributes.bound_N, traces = [];
+  const column = ["xi", "eta", "phi"].indexOf(which), spans = [x[0], x[x.length - 1]];
+  for (const y of [bound, -bound])
+    traces.push({type: "scatter", mode: "lines", x: spans, y: [y, y], name: "friction bound μ Fn", showlegend: y > 0,
+                 line: {color: BOUND, width: 1.5, dash: "dot"}});
+  ["Fx", "Fs"].forEach((force, row) => {
+    traces.push(lineOver(x, curve[force].values, `${force}, N`, FORCES[force], curve[`${force}_error`].values));
+    const slope = data.kalker?.values[3 * row + column];
+    if (slope && row === (which === "xi" ? 0 : 1)) {
+      const reach = Math.min(bound / Math.abs(slope), ...spans.map(Math.abs).filter(v => v > 0));
+      traces.push({type: "scatter", mode: "lines", x: [-reach, reach], y: [-slope * reach, slope * reach],
+                   name: `${force} by linear theory`, line: {color: FORCES[force].colour, width: 1}});
+    }
+  });
+  traces.push({...lineOver(x, curve.Mz.values, "Mz, N mm (right)", FORCES.Mz, curve.Mz_error.values), yaxis: "y2"});
+  const unit = curve.creepage.unit === "1" ? "" : `, ${curve.creepage.unit}`;
+  return {traces, height: 380, layout: {xaxis: {title: which + unit}, yaxis: {title: "force on the rail, N"},
+                                        yaxis2: {title: "Mz, N mm", overlaying: "y", side: "right", showgrid: false},
+                                        legend: ABOVE, margin: {r: 70}}};
+};
+
+/// The keys that a sweep varies: those columns of the patches that say so.
+const sweptKeys = data => Object.keys(data.patches ?? data)
+    .filter(key => /^(swept over|which of)/.test((data.patches ?? data)[key]?.description ?? ""));
+
+const titled = (name, dataset) => dataset.unit && dataset.unit !== "1" ? `${name}, ${unitText(dataset.unit)}` : name;
+
+/// Values of a key, or the cases' numbers.
+const along = (data, key) => key ? {...data[key], title: titled(key, data[key])}
+                                 : {values: data.status.values.map((_, i) => i), title: "case"};
+
+/// The key to draw over: the first, if each case differs from some other in it alone; undefined: the cases' numbers.
+const leadingKey = (data, keys) => {
+  const rest = new Set(data.status.values.map((_, i) => keys.slice(1).map(k => data[k].values[i]).join(" ")));
+  return keys.length < 2 || rest.size < data.status.values.length ? keys[0] : undefined;
+};
+
+/// A value of a key that was swept over; of a text that text.
+const keyText = (dataset, i) => {
+  const texts = dataset.description.startsWith("which of") ? dataset.description.match(/"[^"]*"/g) : null;
+  return texts?.[dataset.values[i]]?.replaceAll('"', "").split("/").pop() ?? number(dataset.values[i]);
+};
+
+/// Each patch as a bar over y, as wide as it is, one line a value of the key; its mark grows with the force.
+const patchesFigure = (data, key) => {
+  const p = data.patches, largest = Math.max(...p.Fn.values);
+  const half = p.y.values.map((_, k) => {
+    const angle = p.axis_angle.values[k]; // from x towards s
+    return Math.hypot(p.semi_axis_a.values[k] * Math.sin(angle), p.semi_axis_b.values[k] * Math.cos(angle)) *
+           Math.cos(p.delta.values[k]);
+  });
+  const text = p.y.values.map((_, k) => `case ${p.case.values[k]}, patch ${p.patch.values[k]}<br>` +
+      `Fn ${p.Fn.values[k].toPrecision(5)} N<br>pmax ${p.pmax.values[k].toPrecision(5)} MPa`);
+  return {height: 400, traces: [{
+    type: "scatter", mode: "markers", x: p.y.values, text,
+    y: p.case.values.map(i => along(data, key).values[i]), name: "patch",
+    hovertemplate: "y %{x:.2f} mm<br>%{text}<extra></extra>",
+    error_x: {type: "data", array: half, thickness: 4, width: 0, color: RAIL},
+    marker: {size: p.Fn.values.map(f => 4 + 12 * Math.sqrt(f / largest)), color: p.pmax.values, colorscale: PRESSURE,
+             cmin: 0, line: {color: INK, width: 1}, colorbar: {title: {text: "pmax, MPa", side: "right"}, thickness: 14}}}],
+    layout: {xaxis: {title: `y to the ${sceneValue("position.side") || "right"}, mm`}, yaxis: {title: along(data, key).title}, showlegend: false}};
+};
+
+/// Columns of a sweep over one key. Only cases that have the same other keys are joined.
+const sweepFigure = (data, keys, key, names) => {
+  const over = along(data, key), groups = new Map();
+  over.values.forEach((_, i) => {
+    const same = key ? keys.filter(k => k !== key).map(k => `${k} ${keyText(data[k], i)}`).join(", ") : "";
+    groups.set(same, [...(groups.get(same) ?? []), i]);
+  });
+  const traces = [], marks = ["circle", "square", "diamond", "cross", "triangle-up", "x", "star", "hexagon"];
+  let count = 0;
+  for (const [same, cases] of groups) {
+    cases.sort((a, b) => over.values[a] - over.values[b]);
+    for (const name of names) {
+      const style = FORCES[name] ?? {colour: name === "pmax" ? PRESSURE[1][1] : INK, dash: "solid", mark: "circle"};
+      const pick = column => cases.map(i => column.values[i]);
+      const label = [names.length > 1 ? name : "", same].filter(Boolean).join("; ") || name;
+      traces.push(lineOver(pick(over), pick(data[name]), label,
+                           groups.size > 1 ? {...style, mark: marks[count % marks.length]} : style,
+                           data[`${name}_error`] && pick(data[`${name}_error`])));
+      traces.at(-1).mode = key ? "lines+markers" : "markers";
+    }
+    ++count;
+  }
+  return {traces, height: 330, layout: {xaxis: {title: over.title, dtick: key ? undefined : Math.ceil(over.values.length / 15)},
+                                        yaxis: {title: titled(names.join(", "), data[names[0]])},
+                                        showlegend: traces.length > 1 && traces.length <= 12, legend: ABOVE}};
+};
+
+/// How deep a body is worn over its y, a line a step: later steps are darker and thicker.
+const wornFigure = (steps, data, body) => {
+  const first = steps[0][body], mileage = step => data.mileage.values[data.step.values.indexOf(step)];
+  const traces = steps.slice(1).map((at, k) => ({
+    type: "scatter", mode: "lines", x: first.map(p => p[0]),
+    y: at[body].map((p, i) => Math.hypot(p[0] - first[i][0], p[1] - first[i][1])),
+    name: `step ${at.step}, ${mileage(at.step).toPrecision(3)} km`,
+    line: {color: body === "rail" ? RAIL : WHEEL, width: 1 + 0.6 * k, dash: ["dot", "dash", "dashdot", "longdash", "solid"]
+                                                                        .slice(1 - steps.length)[k]}}));
+  const worn = first.filter((_, i) => traces.some(t => t.y[i] > 1e-6)).map(p => p[0]);
+  const [lo, hi] = worn.length ? [Math.min(...worn), Math.max(...worn)] : [-40, 40];
+  return {traces, height: 340, layout: {xaxis: {title: `y of the ${body}, mm`, range: [lo - 2, hi + 2]},
+                                        yaxis: {title: "worn away, mm", autorange: "reversed"}, legend: ABOVE}};
+};
+
+const wearFigure = (data, what, unit) => ({
+  height: 320,
+  traces: [["rail", RAIL, "solid", "circle"], ["wheel", WHEEL, "dash", "square"]].map(([body, colour, dash, mark]) =>
+      lineOver(data.mileage.values, data[`${body}_${what}`].values, body, {colour, dash, mark})),
+  layout: {xaxis: {title: "mileage, km"}, yaxis: {title: `${what === "depth" ? "largest depth" : "area gone from the section"}, ${unit}`},
+           legend: ABOVE}});

@@ -1,0 +1,177 @@
+// The page: which words, tables and figures each kind of file gets; then the figures are drawn.
+/// Radius of the wheel at the contact; undefined where there is no wheel.
+const radiusOf = contact => {
+  const depth = contact.group.patches?.wheel_z?.values[0], radius = Number(sceneValue("position.wheel_radius"));
+  return radius > 0 && depth !== null && depth !== undefined ? radius + depth : undefined;
+};
+
+const addContactFigures = (contact, solid) => {
+  const title = TITLES[contact.name];
+  if (!extent(contact))
+    return add("p", "Nothing is in contact.");
+  const shaped = contact.rail && contact.wheel && contact.y && contact.delta && !flat(contact);
+  if (solid && shaped)
+    addFigure(`solid-${contact.name}`, "Wheel and rail in place, with the pressure on the patch; the wheel is lifted by 1 mm. Turn it with the mouse; a " +
+              "click on a name hides or shows that body.", solidFigure(contact, radiusOf(contact)));
+  addFigure(`patch-${contact.name}`, `${title}: the patch from above.` + (contact.friction > 0 ?
+            " Hatched elements slip; those within the thick orange line adhere. Arrows: shear traction on the rail." : ""),
+            patchFigure(contact));
+  for (const along of ["x", "s"]) {
+    const cut = cutFigure(contact, along);
+    addFigure(`cut-${along}-${contact.name}`, `${title}: ${contact.friction > 0 ? "shear traction within the bound of friction"
+              : "pressure"} along ${along} through the largest pressure (${cut.where}).`, cut);
+  }
+  if (solid && shaped)
+    addFigure(`section-${contact.name}`, "The section at the contact, looking along the track.", sectionFigure(contact));
+};
+
+/// Forces by step, of a transient or of shifts.
+const addHistory = ({group: {history}}) => {
+  if (!history?.Fx)
+    return;
+  const steps = history.Fx.values.map((_, k) => k + 1);
+  addFigure("history", "Forces on the rail by step.", {height: 330, traces: ["Fx", "Fy", "Fz"].map(name =>
+    lineOver(steps, history[name].values, name, FORCES[name])), layout: {xaxis: {title: "step"}, yaxis: {title: "N"}, legend: ABOVE}});
+};
+
+const addResult = () => {
+  const [contact] = contactsOf(data);
+  addCertificate(contact);
+  add("h2", "Numbers");
+  addQuantities([contact], "The errors are those that the size of the elements is estimated to cause", "quantities");
+  addPatches(contact);
+  add("h2", "Contact");
+  addContactFigures(contact, true);
+  addHistory(contact);
+};
+
+const addComparison = () => {
+  const sets = Object.keys(SETS).filter(name => contactsOf(data[name]).length);
+  const all = sets.flatMap(name => contactsOf(data[name]).map(contact => [`${SETS[name]}, ${SHORT[contact.name]}`, contact]));
+  const broken = all.filter(([, contact]) => contact.group.attributes.certificate_holds !== 1);
+  const box = add("div", "", page, {className: broken.length ? "certificate broken" : "certificate"});
+  add("p", broken.length ? `DO NOT HOLD: the certificates of ${broken.map(([title]) => title).join("; ")}.`
+                         : "All certificates hold.", box);
+  addTable("", ["", "worst violation of a contact condition, relative", "at most", "solvers"], all.map(([title, {group: {attributes: a}}]) =>
+    [title, a.certificate_worst.toExponential(1), a.certificate_tolerance.toExponential(0),
+     `${a.normal_solver}${a.tangential_solver ? ", " + a.tangential_solver : ""}`]), {parent: box, numbers: [1, 2]});
+  for (const [title, contact] of all)
+    for (const warning of warningsOf(contact))
+      add("p", `Warning (${title}): ${warning}`, box);
+  add("h2", "Numbers");
+  for (const name of sets)
+    addQuantities(contactsOf(data[name]), SETS[name], `quantities-${name}`);
+  const contacts = contactsOf(data[sets[0]]);
+  add("h2", SETS[sets[0]]);
+  const dashes = ["solid", "dash", "dot", "dashdot"];
+  addFigure("pressures", "Pressure along s through its largest value, by each model.", {
+    height: 340, traces: contacts.map((contact, k) => {
+      const [, column] = peak(contact);
+      return {type: "scatter", mode: "lines", x: contact.s, y: contact.pn.map(line => line[column]),
+              name: TITLES[contact.name], line: {color: PRESSURE[1][1], width: 2.5 - 0.5 * k, dash: dashes[k]}};
+    }), layout: {xaxis: {title: "s along the rail, mm"}, yaxis: {title: "pressure, MPa"}, legend: ABOVE}});
+  contacts.forEach((contact, k) => {
+    add("h3", TITLES[contact.name]);
+    addContactFigures(contact, k === 0);
+  });
+};
+
+const addSweep = () => {
+  const keys = sweptKeys(data).filter(k => new Set(data[k].values).size > 1), columns = ["pmax", "area", "Fx", "Fy", "Fz", "Mz"];
+  const key = leadingKey(data, keys);
+  add("h2", "Cases");
+  if (data.patches.y.values.some(y => y !== null))
+    addFigure("patches-over-y", "Where the patches lie on the rail: each bar is as wide as its patch; larger marks carry larger " +
+              "normal forces, darker ones larger pressures.", patchesFigure(data, key));
+  for (const names of [["pmax"], ["area"], ["Fx", "Fy"], ["Mz"]])
+    addFigure(`over-${names.join("-")}`, `${names.join(", ")} over ${key ?? "the cases"}.`, sweepFigure(data, keys, key, names));
+  const status = ["missing", "certified", "not certified", "refused", "died"];
+  addTable("All cases", ["case", ...keys.map(k => titled(k, data[k]).replace(".", ".\u200b")), ...columns.map(name => titled(name, data[name])), "status"],
+           data.status.values.map((state, i) =>
+             [i, ...keys.map(k => keyText(data[k], i)),
+              ...columns.map(name => number(data[name].values[i], data[`${name}_error`]?.values[i])), status[state]]),
+           {id: "cases", wide: true});
+  for (const [name, one] of Object.entries(data.cases ?? {}))
+    if (one.attributes?.reason)
+      add("p", `Case ${Number(name)}: ${one.attributes.reason}`);
+};
+
+const addCreepCurves = () => {
+  add("h2", "Slopes and sensitivities");
+  const matrix = (name, caption) => data[name] && addTable(caption, ["", "d/dxi", "d/deta", "d/dphi"],
+    ["Fx", "Fs", "Mz"].map((force, row) => [force, ...[0, 1, 2].map(k =>
+      number(data[name].values[3 * row + k], data[`${name}_error`]?.values[3 * row + k]))]), {numbers: [1, 2, 3], id: name});
+  matrix("slopes", "Slopes where nothing moves over the other (N; Mz: N mm; by phi: times mm)");
+  matrix("kalker", "The same by Kalker's linear theory, for the nearest ellipse");
+  matrix("sensitivities", "Sensitivities at the scene's creepages");
+  add("h2", "Curves");
+  for (const which of ["xi", "eta", "phi"])
+    if (data[which])
+      addFigure(`curve-${which}`, `Forces over ${which}; the other two creepages are the scene's.`, creepFigure(data, which));
+};
+
+const addWear = () => {
+  add("h2", "Wear");
+  for (const body of report.steps.length > 1 ? ["rail", "wheel"] : [])
+    if (data[`${body}_depth`].values.at(-1) > 0)
+      addFigure(`worn-${body}`, `What is gone from the ${body}, by step.`, wornFigure(report.steps, data, body));
+  addFigure("wear-depth", "Depth of the deepest place.", wearFigure(data, "depth", "mm"));
+  addFigure("wear-area", "Area gone from the sections.", wearFigure(data, "area", "mm²"));
+  const names = ["mileage", "revolutions", "rail_depth", "wheel_depth", "rail_area", "wheel_area"];
+  addTable("By step", ["step", ...names.map(name => titled(name.replace("_", " "), data[name]))],
+           data.step.values.map((step, i) => [step, ...names.map(name => number(data[name].values[i]))]), {id: "steps", wide: true});
+};
+
+const addScene = () => {
+  for (const [name, title] of [["scene_text", "The scene as it was given"], ["scene_with_defaults", "The scene with every key"]])
+    if (data[name]) {
+      const fold = add("details", "", page, {id: name});
+      add("summary", title, fold);
+      add("pre", data[name].text, fold);
+    }
+};
+
+/// The library is kept compressed in the page.
+const loadLibrary = async () => {
+  const bytes = Uint8Array.from(atob(document.getElementById("library").textContent), c => c.charCodeAt(0));
+  const text = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).text();
+  add("script", text, document.head);
+};
+
+const draw = async ([frame, {traces, layout, height}]) => {
+  const drawing = frame.firstChild, size = {width: 700, height};
+  const axis = {showline: true, linecolor: INK, ticks: "outside", zeroline: false, gridcolor: "#e3e7eb"};
+  const whole = {...size, font: {family: "sans-serif", size: 12, color: INK}, hovermode: "closest", ...layout,
+                 margin: {t: 50, l: 65, r: 20, b: 50, ...layout.margin}};
+  for (const name of ["xaxis", "yaxis"])
+    if (layout[name])
+      whole[name] = {...axis, ...layout[name]};
+  await Plotly.newPlot(drawing, traces, whole, {displaylogo: false, modeBarButtonsToRemove: ["select2d", "lasso2d"]});
+  if (!frame.classList.contains("solid"))
+    return;
+  const picture = add("img", "", frame, {className: "paper", alt: "wheel, rail and patch"});
+  const take = async () => { 
+    const shown = {data: drawing.data, layout: {...drawing.layout, updatemenus: []}};
+    picture.src = await Plotly.toImage(shown, {format: "png", ...size, scale: 2});
+  };
+  await take();
+  drawing.on("plotly_relayout", take); // paper shows it as it was turned last
+};
+
+const start = async () => {
+  document.title = `${report.file}: bem_contact report`;
+  add("h1", `${{result: "Contact of wheel and rail", comparison: "Comparison of models", sweep: "Sweep", "creep curves":
+                "Creep curves", wear: "Wear"}[report.kind]}: ${report.file}`);
+  add("p", sceneInWords().join(" "), page, {id: "words"});
+  ({result: addResult, comparison: addComparison, sweep: addSweep, "creep curves": addCreepCurves, wear: addWear})[report.kind]();
+  addScene();
+  const a = data.attributes;
+  add("p", `${a.program ?? "bem_contact"}. x is the direction of rolling, y points to the right (left wheel: to the left), z down; s runs along the rail's ` +
+      "profile, n into the rail. Forces are those on the rail. Figures: plotly.js (MIT licence), © Plotly, Inc.",
+      document.getElementById("notes"));
+  await loadLibrary();
+  for (const one of figures)
+    await draw(one);
+  document.body.dataset.drawn = figures.length;
+};
+start().catch(failed);

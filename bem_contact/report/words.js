@@ -1,0 +1,145 @@
+// Words and tables of the page. They need no library.
+const page = document.getElementById("page"), report = JSON.parse(document.getElementById("data").textContent);
+const data = report.data;
+const figures = []; // [element, figure]: drawn once the library is there
+
+const failed = error => {
+  const list = document.getElementById("script-errors");
+  list.hidden = false;
+  list.append(Object.assign(document.createElement("li"), {textContent: `This page was not drawn to its end: ${error}`}));
+};
+window.addEventListener("error", event => failed(event.message));
+window.addEventListener("unhandledrejection", event => failed(event.reason));
+
+const add = (kind, text = "", parent = page, more = {}) =>
+    parent.appendChild(Object.assign(document.createElement(kind), {textContent: text}, more));
+
+const addFigure = (id, caption, figure) => {
+  if (!figure)
+    return;
+  const block = add("div", "", page, {className: "block"});
+  const frame = add("div", "", block, {id, className: id.startsWith("solid") ? "figure solid" : "figure"});
+  add("div", "", frame, {className: "drawing"});
+  add("p", caption, block, {className: "caption"});
+  figures.push([frame, figure]);
+};
+
+/// "1859 ± 4": as many digits as the error has meaning.
+const number = (value, error) => {
+  if (value === null || value === undefined)
+    return "–";
+  if (!(error > 0))
+    return Math.abs(value) < 1e-3 && value !== 0 ? value.toExponential(3) : String(Number(value.toPrecision(6)));
+  const digits = Math.min(12, Math.max(0, Math.ceil(-Math.log10(error) + 0.3)));
+  return `${value.toFixed(digits)} ± ${error.toFixed(digits)}`;
+};
+
+/// "mm2" as people write it.
+const unitText = unit => unit.replace(/mm\^?2/g, "mm²").replace(/mm\^?3/g, "mm³");
+
+/// A table; the cells numbered `numbers` from the left, or all of them, are numbers.
+const addTable = (caption, head, lines, {parent = page, numbers, id = "", wide = false} = {}) => {
+  const table = add("table", "", parent, {id, className: !wide ? "" : head.length > 10 ? "wide widest" : "wide"});
+  add("caption", caption, table);
+  const fill = (row, kind, cells) => cells.forEach((cell, k) =>
+      add(kind, cell, row, {className: !numbers || numbers.includes(k) ? "number" : ""}));
+  fill(add("tr", "", add("thead", "", table)), "th", head);
+  const body = add("tbody", "", table);
+  for (const cells of lines)
+    fill(add("tr", "", body), "td", cells);
+};
+
+const TITLES = {fem: "Finite-element influence functions", tangent_plane: "Tangent planes", halfspace: "Half-space",
+                hertz: "Hertz"};
+const SHORT = {fem: "FEM", tangent_plane: "tangent plane", halfspace: "half-space", hertz: "Hertz"};
+const SETS = {equal_forces: "At equal forces", equal_position: "At equal position and vertical force"};
+const MAIN = ["Fx", "Fy", "Fz", "Fs", "Mz", "lateral", "approach", "pmax", "area", "adhesion_share", "friction_power", "xi",
+              "eta", "phi", "free_rolling_xi", "free_rolling_radius", "patch_count"];
+const PATCH = ["Fn", "Fx", "Fs", "Mn", "pmax", "area", "y", "z", "s", "delta", "semi_axis_a", "semi_axis_b", "xi", "eta", "phi"];
+
+const contactsOf = group => Object.keys(TITLES).filter(name => group?.[name]?.p_n)
+    .map(name => contactOf(name, group[name].x ? group[name] : group, group[name]));
+
+/// A value of the scene with all defaults; "" if it has none.
+const sceneValue = key => {
+  const [table, name] = key.split(".");
+  const lines = (data.scene_with_defaults?.text ?? "").split("\n");
+  const from = lines.findIndex(line => line.trim() === `[${table}]`);
+  const found = lines.slice(from + 1).find(line => line.trim().split(/\s*=/)[0] === name);
+  return found === undefined ? "" : found.split("=")[1].split("#")[0].trim().replaceAll('"', "");
+};
+
+const sceneInWords = () => {
+  const swept = report.kind === "sweep" ? sweptKeys(data) : [];
+  const profile = body => swept.includes(`${body}.profile`) ? "of several profiles"
+      : data.inputs?.[`${body}.profile`] && `with the profile ${data.inputs[`${body}.profile`].attributes.name.split("/").pop()}`;
+  const out = [], contact = contactsOf(data)[0] ?? contactsOf(data.equal_forces)[0] ?? contactsOf(data.equal_position)[0];
+  const quantities = contact?.group.quantities ?? {}, q = name => number(quantities[name]?.values[0]);
+  if (profile("rail"))
+    out.push(`A ${sceneValue("position.side") || "right"} wheel ${profile("wheel")} and the nominal radius ` +
+             `${Number(sceneValue("position.wheel_radius"))} mm, on a rail ${profile("rail")}.`);
+  else if (data.scene_text)
+    out.push("One contact problem, given directly by undeformed distance, load and creepages.");
+  if (contact) {
+    out.push(`The vertical force is ${q("Fz")} N` +
+             (profile("rail") && report.kind === "result" ? `, and the wheelset is displaced by ${q("lateral")} mm to the right.` : "."));
+    out.push(contact.friction > 0
+      ? `The coefficient of friction is ${contact.friction}.` + (report.kind !== "result" ? "" :
+        ` The creepages are xi ${q("xi")}, eta ${q("eta")} and phi ${q("phi")} ${quantities.phi?.unit ?? ""}.`)
+      : "There is no friction.");
+    for (const {name, group} of report.kind === "result" ? [contact] : [])
+      out.push(`The model is ${name} (${TITLES[name].toLowerCase()}): ${group.attributes.reason}. The grid has ${q("mx")} × ` +
+               `${q("ms")} elements of ${q("dx")} × ${q("ds")} mm.`);
+  }
+  if (swept.length)
+    out.push(`${data.attributes.cases} cases: ${swept.join(", ")} ${swept.length > 1 ? "vary" : "varies"}. ` +
+             `${data.attributes.certified} are certified, ${data.attributes.not_certified} are not, ` +
+             `${data.attributes.refused} were refused, ${data.attributes.died} died, ${data.attributes.missing} are missing.`);
+  if (report.kind === "creep curves")
+    out.push(`The scene ${data.attributes.scene.split("/").pop()}, model ${data.attributes.model}: vertical force ` +
+             `${number(data.attributes.Fz_N)} N, friction bound μ Fn = ${number(data.attributes.bound_N)} N.`);
+  if (report.kind === "wear")
+    out.push(`${data.step.values.length - 1} steps, ${number(data.mileage.values.at(-1))} km: the rail has lost ` +
+             `${number(data.rail_area.values.at(-1))} mm² of its section, the wheel ${number(data.wheel_area.values.at(-1))} mm².`);
+  return out;
+};
+
+const warningsOf = contact => (contact.group.warnings?.text ?? "").split("\n").filter(Boolean);
+
+const addCertificate = contact => {
+  const a = contact.group.attributes, holds = a.certificate_holds === 1;
+  const box = add("div", "", page, {className: holds ? "certificate" : "certificate broken"});
+  add("p", `The certificate ${holds ? "holds" : "DOES NOT HOLD"}: the worst violation of a contact condition is ` +
+      `${a.certificate_worst.toExponential(1)} (relative; at most ${a.certificate_tolerance.toExponential(0)}). It was computed by ` +
+      `code that shares nothing with the solvers (${a.normal_solver}${a.tangential_solver ? ", " + a.tangential_solver : ""}).` +
+      (a.remark ? ` ${a.remark}.` : ""), box);
+  for (const warning of warningsOf(contact))
+    add("p", `Warning: ${warning}`, box);
+};
+
+const addQuantities = (contacts, caption, id) => {
+  const value = (contact, name) => number(contact.group.quantities[name]?.values[0],
+                                          contact.group.quantities[`${name}_error`]?.values[0]);
+  const line = name => { const q = contacts[0].group.quantities[name];
+                         return [name, ...contacts.map(c => value(c, name)), unitText(q.unit), q.description]; };
+  const all = Object.keys(contacts[0].group.quantities).filter(name => !name.endsWith("_error"));
+  const head = ["", ...contacts.map(c => contacts.length > 1 ? SHORT[c.name] : "value ± error"), "unit", ""];
+  const known = name => contacts.some(c => c.group.quantities[name]?.values[0] !== null);
+  const numbers = contacts.map((_, k) => k + 1);
+  addTable(caption, head, MAIN.filter(name => all.includes(name) && known(name)).map(line), {numbers, id});
+  const rest = add("details");
+  add("summary", "all other numbers", rest);
+  addTable("", head, all.filter(name => !MAIN.includes(name)).map(line), {parent: rest, numbers});
+};
+
+const addPatches = contact => {
+  const p = contact.group.patches;
+  if (!p)
+    return;
+  const count = p.Fn.values.length;
+  addTable("Patches, the largest force first", ["", ...Array.from({length: count}, (_, k) => `patch ${k + 1}`), "unit", ""],
+           PATCH.filter(name => p[name]).map(name =>
+             [name, ...Array.from({length: count}, (_, k) => number(p[name].values[k], p[`${name}_error`]?.values[k])),
+              unitText(p[name].unit), p[name].description]),
+           {numbers: Array.from({length: count}, (_, k) => k + 1), id: `patches-${contact.name}`});
+};

@@ -1,0 +1,167 @@
+"""`bem_contact report`: what is in the page is what is in the file, and a browser draws it without an error."""
+
+import json
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+from xml.etree import ElementTree
+
+import h5py
+import numpy as np
+
+import browser
+
+ROOT = Path(__file__).resolve().parents[2]
+SCENES, TOOLS = ROOT / "data" / "scenes", ROOT / "tools"
+PATCH = """kind = "patch"
+load.force = 4000
+motion = { friction = 0.3, xi = 4e-4, eta = 3e-4, phi = 1e-4 }
+grid = { dx = 0.4, ds = 0.4, mx = 20, ms = 14 }
+gap = { a = 1e-3, b = 2e-3 }
+"""
+WEAR = """rail.profile = "60E1"
+wheel.profile = "S1002"
+solver.model = "halfspace"
+load.force = 8e4
+motion = { xi = 2e-3, free_rolling = false }
+grid = { dx = 1, ds = 0.5 }
+sweep.position.lateral = [0.0, 1.0]
+"""
+
+
+def program(*arguments):
+    return subprocess.run([os.environ["BEM_CONTACT"], *map(str, arguments)], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True)
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.temporary.name)
+        (cls.folder / "patch.toml").write_text(PATCH + "# </script><!--\n")
+        (cls.folder / "wear.toml").write_text(WEAR)
+        patch = cls.folder / "patch.toml"
+        cls.files = {kind: cls.folder / f"{kind}.h5" for kind in ("result", "comparison", "curves", "sweep")}
+        cls.files["wear"] = cls.folder / "worn" / "wear.h5"
+        for command in (("solve", SCENES / "conformal_small.toml", "-o", cls.files["result"]),
+                        ("compare", patch, "--models", "halfspace", "tangent_plane", "-o", cls.files["comparison"]),
+                        ("creep-curves", patch, "--xi=0:4e-3:5", "--phi=0:1e-3:3", "-o", cls.files["curves"]),
+                        ("sweep", SCENES / "cases_two_areas.toml", "-o", cls.files["sweep"]),
+                        ("wear", cls.folder / "wear.toml", "-o", cls.folder / "worn", "--depth", "0.03")):
+            done = program(*command)
+            assert done.returncode in (0, 3), (command, done.stderr)
+        cls.pages = {}
+        for kind, file in cls.files.items():
+            cls.pages[kind] = cls.folder / f"{kind}.html"
+            done = program("report", file, "-o", cls.pages[kind])
+            assert done.returncode == 0, (kind, done.stderr)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def report_of(self, kind):
+        text = self.pages[kind].read_text()
+        return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', text, re.DOTALL)[1])
+
+    def test_the_page_has_the_numbers_of_the_file(self):
+        for kind, file in self.files.items():
+            data, compared = self.report_of(kind)["data"], 0
+            with h5py.File(file) as h5:
+                def compare(name, item):
+                    nonlocal compared
+                    at = data
+                    for part in name.split("/"):
+                        at = at.get(part, {}) if isinstance(at, dict) else {}
+                    if isinstance(item, h5py.Dataset) and item.dtype.kind == "f" and "values" in at:
+                        values = np.array(at["values"], dtype=float).reshape(at["shape"])
+                        self.assertTrue(np.array_equal(values, item[()], equal_nan=True), (kind, name))
+                        self.assertEqual(at["unit"], item.attrs["unit"].decode(), (kind, name))
+                        compared += 1
+                h5.visititems(compare)
+            self.assertGreater(compared, 10, kind)
+        self.assertEqual(set(self.report_of("result")["data"]["fem"]) & {"p_n", "u_x", "quantities"}, {"p_n", "quantities"})
+        self.assertIn("</script><!--", self.report_of("comparison")["data"]["scene_text"]["text"])
+        worn = self.report_of("wear")["steps"]
+        np.testing.assert_array_equal(worn[-1]["rail"], np.loadtxt(self.folder / "worn" / f"rail_{worn[-1]['step']:04}.txt"))
+
+    def test_python_writes_the_same_page(self):
+        import bem_contact
+        page = self.folder / "python.html"
+        bem_contact.report(self.files["result"], page)
+        self.assertEqual(page.read_bytes(), self.pages["result"].read_bytes())
+        with self.assertRaisesRegex(bem_contact.InputError, "no_such.h5"):
+            bem_contact.report(self.folder / "no_such.h5", page)
+
+    def test_the_files_for_paraview(self):
+        vtm = self.folder / "in_space.vtm"
+        subprocess.run([TOOLS / "paraview", self.files["result"], "-o", vtm], check=True)
+        parts = [block.attrib["file"] for block in ElementTree.parse(vtm).iter("DataSet")]
+        self.assertEqual(parts, [f"in_space/{part}.vts" for part in ("contact", "rail", "wheel")])
+        arrays = {a.attrib["Name"]: np.array(a.text.split(), dtype=float)
+                  for a in ElementTree.parse(self.folder / parts[0]).iter("DataArray")}
+        with h5py.File(self.files["result"]) as h5:
+            pressure = h5["fem/p_n"][()]
+            np.testing.assert_allclose(arrays["pressure"], pressure.ravel(), rtol=1e-8)
+            corners = arrays["points"].reshape(pressure.shape[0] + 1, pressure.shape[1] + 1, 3)
+            # The elements' centres are the file's, but for the sag of a row's arc.
+            centres = (corners[1:, 1:] + corners[:-1, :-1]) / 2
+            np.testing.assert_allclose(centres[..., 0], np.tile(h5["x"][()], (len(pressure), 1)), atol=1e-9)
+            for k, name in ((1, "y"), (2, "z")):
+                np.testing.assert_allclose(centres[:, 0, k], h5[name][()], atol=0.01)
+        compile(vtm.with_suffix(".py").read_text(), "state", "exec")
+
+    def test_what_cannot_be_reported_is_refused(self):
+        numbers = self.folder / "numbers.h5"
+        with h5py.File(numbers, "w") as h5:
+            h5.attrs["format"] = "something else"
+        page = self.folder / "refused.html"
+        for file, output, words in ((numbers, page, "is HDF5, but no result, comparison, sweep"),
+                                    (self.folder / "patch.toml", page, "patch.toml"),
+                                    (self.files["result"], self.files["result"], "result.h5"),
+                                    (self.files["result"], self.folder / "none" / "page.html", "none")):
+            done = program("report", file, "-o", output)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(words, done.stderr)
+            self.assertFalse(page.exists())
+        self.assertTrue(h5py.is_hdf5(self.files["result"]))
+
+    @unittest.skipUnless(browser.PROGRAM, "chromium is not installed")
+    def test_a_browser_draws_it(self):
+        contact = ["patch", "cut-x", "cut-s"]
+        wanted = {"result": ["quantities", "patches-fem", "solid-fem", "section-fem", *(f"{c}-fem" for c in contact)],
+                  "comparison": ["pressures", "quantities-equal_forces", *(f"{c}-{m}" for c in contact
+                                                                          for m in ("halfspace", "tangent_plane"))],
+                  "curves": ["slopes", "kalker", "sensitivities", "curve-xi", "curve-phi"],
+                  "sweep": ["patches-over-y", "over-pmax", "over-Fx-Fy", "cases"],
+                  "wear": ["worn-rail", "worn-wheel", "wear-depth", "wear-area", "steps"]}
+        show = browser.Browser()
+        try:
+            for kind, page in self.pages.items():
+                show.open(page)
+                self.assertEqual(show.value("document.getElementById('script-errors').innerText"), "", kind)
+                self.assertEqual([r for r in show.requests if not r.startswith(("file:", "data:", "blob:"))], [], kind)
+                for name in wanted[kind]:
+                    drawn = f"!!document.getElementById('{name}')?.matches('table, :has(svg.main-svg)')"
+                    self.assertTrue(show.value(drawn), (kind, name))
+                self.assertGreater(len(show.value("document.getElementById('words').textContent")), 50, kind)
+                if kind == "result":
+                    pixels = show.value("document.querySelector('#solid-fem .paper').src.length")
+                    self.assertGreater(pixels, 20000)  # a picture of the bodies for paper, not an empty one
+                    certificate = show.value("document.querySelector('.certificate').innerText")
+                    self.assertIn("The certificate holds", certificate)
+            # The record of script errors, which was empty so far, can be filled.
+            page = self.folder / "damaged.html"
+            page.write_text(self.pages["curves"].read_text().replace('"kind":"creep curves"', '"kind":"unheard of"'))
+            show.open(page)
+            self.assertIn("not drawn to its end", show.value("document.getElementById('script-errors').innerText"))
+        finally:
+            show.close()
+
+
+if __name__ == "__main__":
+    unittest.main()
