@@ -3,6 +3,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/scene/accuracy_of.hpp"
+#include "bem_contact/scene/check_wheelset.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/scene/unused_keys.hpp"
@@ -148,7 +149,9 @@ SceneFile example_scene() {
 SceneFile checked(const SceneFile& as_read, const SceneKeysAsRead& read, const Schema& schema) {
   SceneFile file = as_read;
   settle(file, schema, read);
-  check_load(file, schema);
+  check_wheelset(file, schema);
+  if (!file.wheelset.force)
+    check_load(file, schema);
   check_motion(file, schema);
   check_steps(file, schema);
   if (file.kind == SceneKind::patch)

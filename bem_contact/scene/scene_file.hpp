@@ -56,6 +56,17 @@ struct SceneFile {
     bool operator==(const Load&) const = default;
   } load; ///< [load]
 
+  /// [wheelset], wheel_rail: both wheels of a wheelset, whose sums are given. Instead of [load]; the room
+  /// wheelset answers such a scene.
+  struct Wheelset {
+    std::optional<double> force = {};   ///< vertical force on the axle, N
+    std::optional<double> force_y = {}; ///< lateral force on the axle, N, to the right; position.lateral is found
+    double roll_moment = 0;             ///< on the axle, about its centre, N mm, right side down
+    double torque = 0;                  ///< that drives the axle, N mm; the rolling radius is found
+
+    bool operator==(const Wheelset&) const = default;
+  } wheelset; ///< [wheelset]
+
   /// [motion]; creepages at the contact reference point
   struct Motion {
     MotionKind kind = MotionKind::steady;   ///< rolling, or shifts

@@ -1,0 +1,150 @@
+#include "bem_contact/wheelset/solve_wheelset.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/wheelset/equilibrium.hpp"
+#include "bem_contact/wheelset/lateral_search.hpp"
+#include "bem_contact/wheelset/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+/// Whether the rolling radius of the axle follows from its torque.
+bool finds_rolling_radius(const SceneFile& scene) {
+  const SceneFile::Motion& m = scene.motion;
+  return !m.frictionless && !m.rolling_radius && !m.pitch_rate;
+}
+
+/// Of the wheel where its largest patch lies, mm.
+double radius_at_contact(const SceneResult& r, double wheel_radius) {
+  return wheel_radius + (r.patch_places.empty() ? 0.0 : r.patch_places.front().wheel_z);
+}
+
+/// Approaches and rolling radius by rule of thumb.
+EquilibriumStart first_guess(const SceneFile& scene) {
+  const double softer = std::min(scene.rail.material.young(), scene.wheel.material.young());
+  const double share = 0.5 * *scene.wheelset.force / 1e5 * Material().young() / softer;
+  const double approach = usual_approach * std::pow(share, 1 / hertz_exponent);
+  return {approach, approach, 0, {}};
+}
+
+/// The start for the equations, from a solution at the guess: elements are chosen there and kept.
+EquilibriumStart begin(WheelPair& wheels, double lateral) {
+  EquilibriumStart start = first_guess(wheels.scene());
+  const WheelsetState s = wheels.at(stand(wheels, lateral, start));
+  wheels.fix_elements(s);
+  start.roll = s.pose.roll;
+  const double half = 0.5 * *wheels.scene().wheelset.force;
+  const auto nearer = [&](const SceneResult& r) {
+    const double ratio = std::clamp(half / std::max(r.result.Fz, 0.1 * half), 0.1, 10.0);
+    return r.result.approach * std::pow(ratio, 1 / hertz_exponent);
+  };
+  start.right = nearer(s.right);
+  start.left = nearer(s.left);
+  if (finds_rolling_radius(wheels.scene()))
+    start.rolling_radius = 0.5 * (radius_at_contact(s.right, s.wheel_radius) +
+                                  radius_at_contact(s.left, s.wheel_radius));
+  return start;
+}
+
+/// The same question on larger elements of half-spaces.
+SceneFile rough_scene(const SceneFile& scene, const WheelsetState& like) {
+  const ContactGrid& grid = like.right.problem.grid;
+  SceneFile out = with_elements(with_model(scene, Model::halfspace), rough_elements * grid.dx,
+                                rough_elements * grid.ds);
+  out.stresses.depths.clear();
+  return out;
+}
+
+/// An equilibrium at each displacement that is tried, from the one before.
+struct Follower {
+  WheelPair& wheels;
+  EquilibriumStart start;
+  double tolerance;
+  std::optional<Equilibrium> last = {};
+
+  std::optional<double> force(double lateral) {
+    try {
+      last = find_equilibrium(wheels, lateral, start, tolerance);
+    } catch (const InputError&) { // a wheel lifts, or leaves its rail
+      return std::nullopt;
+    } catch (const ConvergenceError&) {
+      return std::nullopt;
+    }
+    start = last->start();
+    return last->state.sum().force[1];
+  }
+};
+
+/// The equilibrium under wheelset.force_y.
+Equilibrium at_lateral_force(WheelPair& wheels, const EquilibriumStart& start, const LateralGuess& guess) {
+  const SceneFile::Wheelset& given = wheels.scene().wheelset;
+  Follower follower{wheels, start, equilibrium_tolerance / 10};
+  const double lateral = solve_lateral_force([&](double y) { return follower.force(y); }, *given.force_y,
+                                             {guess.lateral, guess.slope},
+                                             lateral_balance * std::hypot(*given.force, *given.force_y));
+  if (follower.last->state.pose.lateral != lateral)
+    return find_equilibrium(wheels, lateral, follower.start, equilibrium_tolerance / 10);
+  return std::move(*follower.last);
+}
+
+/// Whether some wheel's elements are too large for the accuracy asked for.
+bool too_coarse(const SceneFile& scene, const WheelsetState& s) {
+  const auto coarse = [&](const SceneResult& r) { return asked_error(scene.grid, r) > *scene.grid.accuracy; };
+  return scene.grid.accuracy && (coarse(s.right) || coarse(s.left));
+}
+
+void add_warnings(const SceneFile& scene, WheelsetResult& out) {
+  for (const WheelSide side : {WheelSide::right, WheelSide::left})
+    for (const std::string& warning : out.state.solved(side).warnings)
+      out.warnings.push_back(fmt::format("{} wheel: {}", name_of(side), warning));
+  if (too_coarse(scene, out.state))
+    out.warnings.push_back("the accuracy asked for was not reached: the equilibrium is found on the elements "
+                           "that were chosen near it");
+}
+
+} // namespace
+
+WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop) {
+  if (!scene.wheelset.force)
+    throw InputError("This scene is of one wheel", "wheelset.force is not given",
+                     "Give the vertical force on the axle as force in a table [wheelset], instead of [load].");
+  const Stopwatch clock;
+  WheelPair wheels(scene, stop);
+  EquilibriumStart start = begin(wheels, scene.position.lateral);
+  int rough_problems = 0;
+  LateralGuess guess{scene.position.lateral, 0};
+  if (const std::optional<double> wanted = scene.wheelset.force_y) {
+    WheelPair rough(rough_scene(scene, wheels.at(stand(wheels, scene.position.lateral, start))), stop);
+    Follower follower{rough, start, rough_tolerance};
+    guess = search_lateral([&](double y) { return follower.force(y); }, scene.position.lateral, *wanted);
+    start = follower.start;
+    rough_problems = rough.contact_problems();
+  }
+  std::optional<Equilibrium> found;
+  for (int round = 1;; ++round) {
+    found = scene.wheelset.force_y ? at_lateral_force(wheels, start, guess)
+                                   : find_equilibrium(wheels, guess.lateral, start, equilibrium_tolerance);
+    if (round == most_element_rounds || !too_coarse(scene, found->state))
+      break;
+    wheels.free_elements();
+    wheels.fix_elements(wheels.at(found->state.pose));
+    start = found->start();
+    guess.lateral = found->state.pose.lateral;
+  }
+  WheelsetResult out{.state = std::move(found->state), .residual = found->residual};
+  if (scene.wheelset.force_y)
+    out.lateral_residual =
+        std::abs(out.state.sum().force[1] - *scene.wheelset.force_y) / *scene.wheelset.force;
+  out.contact_problems = wheels.contact_problems() + rough_problems;
+  add_warnings(scene, out);
+  out.seconds = clock.seconds();
+  return out;
+}
+
+} // namespace bem_contact
