@@ -38,8 +38,8 @@ std::string pose_text(const WheelsetResult& r) {
       pose.lateral, std::isnan(r.lateral_residual) ? "" : " (found for the lateral force)", pose.roll,
       r.state.yaw, pose.vertical, r.state.wheel_radius);
   if (pose.rolling_radius)
-    out += fmt::format("the axle rolls on a radius of {:.4f} mm (found for the torque)\n",
-                       *pose.rolling_radius);
+    out +=
+        fmt::format("the axle rolls on a radius of {:.4f} mm (found for the torque)\n", *pose.rolling_radius);
   return out;
 }
 
@@ -62,12 +62,13 @@ std::string to_text(const WheelsetResult& r) {
   for (const WheelQuantity& q : wheel_quantities())
     out += line_of(q, r);
   const Wrench sum = r.state.sum();
-  out += fmt::format("on the axle: roll moment {:.6g} N mm and yaw moment {:.6g} N mm about its centre, torque "
-                     "{:.6g} N mm\n",
-                     r.state.roll_moment(sum), sum.moment[2], r.state.torque(sum));
-  out += fmt::format("equilibrium: largest residual {:.1e} of {:.0e} allowed; {} contact problems, {:.2f} s\n",
-                     std::fmax(r.residual, r.lateral_residual), equilibrium_tolerance, r.contact_problems,
-                     r.seconds);
+  out +=
+      fmt::format("on the axle: roll moment {:.6g} N mm and yaw moment {:.6g} N mm about its centre, torque "
+                  "{:.6g} N mm\n",
+                  r.state.roll_moment(sum), sum.moment[2], r.state.torque(sum));
+  out += fmt::format(
+      "equilibrium: largest residual {:.1e} of {:.0e} allowed; {} contact problems, {:.2f} s\n",
+      std::fmax(r.residual, r.lateral_residual), equilibrium_tolerance, r.contact_problems, r.seconds);
   for (const WheelSide side : sides)
     out += fmt::format("\n{} wheel\n{}", side == WheelSide::right ? "Right" : "Left",
                        to_text(r.state.solved(side)));

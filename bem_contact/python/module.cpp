@@ -6,6 +6,7 @@
 #include "bem_contact/python/sequence_object.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/python/wear_functions.hpp"
+#include "bem_contact/python/wheelset_function.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 
@@ -286,6 +287,7 @@ PYBIND11_MODULE(_core, m) {
            of_arguments);
   add_conicity(m);
   add_creep_curves(m);
+  add_wheelset(m);
   add_wear_functions(m);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_stopped_solutions));
 }

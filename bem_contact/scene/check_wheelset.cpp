@@ -1,5 +1,7 @@
 #include "bem_contact/scene/check_wheelset.hpp"
 
+#include <tuple>
+
 namespace bem_contact {
 
 namespace {
@@ -29,11 +31,20 @@ constexpr OneWheelKey of_one_wheel[] = {
 
 void check_wheelset(const SceneFile& file, const Schema& schema) {
   if (!file.wheelset.force) {
-    for (const char* key : {"wheelset.force_y", "wheelset.roll_moment", "wheelset.torque"})
+    for (const char* key : {"wheelset.force_y", "wheelset.roll_moment", "wheelset.torque",
+                            "wheelset.left_rail", "wheelset.left_wheel", "wheelset.left_friction"})
       if (schema.changed(key))
         schema.refuse(key, "wheelset.force is not given", "Give the vertical force on the axle in N.");
     return;
   }
+  const SceneFile::Wheelset& w = file.wheelset;
+  for (const auto& [influence, profile, key] :
+       {std::tuple(&w.left_rail_influence, &w.left_rail, "wheelset.left_rail_influence"),
+        {&w.left_wheel_influence, &w.left_wheel, "wheelset.left_wheel_influence"}})
+    if (!influence->empty() && profile->empty())
+      schema.refuse(key, "its profile is not given", "Give the left side's profile too.");
+  if (w.left_friction && !file.motion.friction_table.empty())
+    schema.refuse("wheelset.left_friction", "motion.friction_table is given", "Give either of the two.");
   for (const OneWheelKey& k : of_one_wheel)
     if (schema.changed(k.key))
       schema.refuse(k.key, k.why, k.what_to_do);

@@ -237,6 +237,23 @@ SceneFile with_lateral(SceneFile scene, double lateral) {
   return scene;
 }
 
+SceneFile one_wheel(SceneFile scene, WheelSide side) {
+  const SceneFile::Wheelset given = std::exchange(scene.wheelset, {});
+  scene.position.side = side;
+  if (side == WheelSide::right)
+    return scene;
+  const auto differ = [](SceneFile::Side& body, const std::string& profile, const std::string& influence) {
+    if (profile.empty())
+      return;
+    body.profile = profile;
+    body.influence = influence;
+  };
+  differ(scene.rail, given.left_rail, given.left_rail_influence);
+  differ(scene.wheel, given.left_wheel, given.left_wheel_influence);
+  scene.motion.friction = given.left_friction.value_or(scene.motion.friction);
+  return scene;
+}
+
 SceneFile with_elements(SceneFile scene, double dx, double ds) {
   scene.grid.dx = dx;
   scene.grid.ds = ds;
@@ -257,6 +274,10 @@ std::vector<NamedFile> named_files(const SceneFile& scene) {
   const auto other = [&](const char* key, const std::string& name) { add(key, name, scene.folder / name); };
   profile("rail.profile", scene.rail.profile);
   profile("wheel.profile", scene.wheel.profile);
+  profile("wheelset.left_rail", scene.wheelset.left_rail);
+  profile("wheelset.left_wheel", scene.wheelset.left_wheel);
+  other("wheelset.left_rail_influence", scene.wheelset.left_rail_influence);
+  other("wheelset.left_wheel_influence", scene.wheelset.left_wheel_influence);
   other("rail.influence", scene.rail.influence);
   other("wheel.influence", scene.wheel.influence);
   other("gap.table", scene.gap.table);

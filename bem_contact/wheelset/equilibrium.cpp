@@ -222,8 +222,8 @@ Equilibrium find_equilibrium(WheelPair& wheels, double lateral, const Equilibriu
     if (search.step(here))
       continue;
     const double approach = std::min(here.right.result.approach, here.left.result.approach);
-    const auto better = search.exact ? std::nullopt
-                                     : differences(balance, search.u, search.f, difference_share * approach);
+    const auto better =
+        search.exact ? std::nullopt : differences(balance, search.u, search.f, difference_share * approach);
     if (!better)
       break;
     search.slope = *better;

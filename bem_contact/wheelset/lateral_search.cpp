@@ -57,9 +57,10 @@ LateralGuess search_lateral(const AxleLateralForce& force, double start, double 
   }
   throw InputError(
       fmt::format("No lateral displacement gives the wheelset a lateral force of {:g} N", wanted),
-      fmt::format("from {:g} mm on, the rails bear up to {:.5g} N, at {:.2f} mm; beyond that the flange climbs "
-                  "the rail or a wheel lifts",
-                  start, best.force, best.lateral),
+      fmt::format(
+          "from {:g} mm on, the rails bear up to {:.5g} N, at {:.2f} mm; beyond that the flange climbs "
+          "the rail or a wheel lifts",
+          start, best.force, best.lateral),
       "Give a smaller wheelset.force_y, less friction, or another position.lateral.");
 }
 

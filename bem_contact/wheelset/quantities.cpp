@@ -47,7 +47,8 @@ double friction_power_of(const State& s, WheelSide side) {
 }
 
 constexpr WheelsetQuantity of_wheelset[] = {
-    {"lateral", "mm", "lateral displacement, to the right", [](const Result& r) { return r.state.pose.lateral; }},
+    {"lateral", "mm", "lateral displacement, to the right",
+     [](const Result& r) { return r.state.pose.lateral; }},
     {"vertical", "mm", "of the centre below wheel_radius above the rails",
      [](const Result& r) { return r.state.pose.vertical; }},
     {"roll", "rad", "right side down", [](const Result& r) { return r.state.pose.roll; }},
@@ -83,7 +84,9 @@ constexpr WheelQuantity of_wheel[] = {
     {"Fy", "N", "on the rail, to the right", force<1>},
     {"Fz", "N", "on the rail", force<2>},
     {"Y_over_Q", "1", "|Fy| / Fz: derailment quotient",
-     [](const State& s, WheelSide side) { return std::abs(s.wrench(side).force[1]) / s.wrench(side).force[2]; }},
+     [](const State& s, WheelSide side) {
+       return std::abs(s.wrench(side).force[1]) / s.wrench(side).force[2];
+     }},
     {"Mx", "N mm", "on the rail, about the wheelset's centre", moment<0>},
     {"My", "N mm", "on the rail, about the wheelset's centre", moment<1>},
     {"Mz", "N mm", "on the rail, about the wheelset's centre", moment<2>},
@@ -103,13 +106,15 @@ constexpr WheelQuantity of_wheel[] = {
        return p ? sign(side) * p->delta : PatchPlace::none;
      }},
     {"rail_y", "mm", "of the contact on the rail's profile, to the field side", place<&PatchPlace::rail_y>},
-    {"wheel_y", "mm", "of the contact on the wheel's profile, to the field side", place<&PatchPlace::wheel_y>},
+    {"wheel_y", "mm", "of the contact on the wheel's profile, to the field side",
+     place<&PatchPlace::wheel_y>},
     {"radius", "mm", "of the wheel at the contact",
      [](const State& s, WheelSide side) { return s.wheel_radius + place<&PatchPlace::wheel_z>(s, side); }},
     {"xi", "1", "longitudinal creepage", place<&PatchPlace::xi>},
     {"eta", "1", "lateral creepage, to the right", mirrored_place<&PatchPlace::eta>},
     {"phi", "1/mm", "spin creepage", mirrored_place<&PatchPlace::phi>},
-    {"approach", "mm", "of wheel and rail, vertically", [](const State& s, WheelSide side) { return s.solved(side).result.approach; }},
+    {"approach", "mm", "of wheel and rail, vertically",
+     [](const State& s, WheelSide side) { return s.solved(side).result.approach; }},
     {"pmax", "MPa", "largest pressure",
      [](const State& s, WheelSide side) { return largest_pressure(s.solved(side).result); }},
     {"area", "mm2", "in contact",

@@ -33,7 +33,8 @@ BEM_CONTACT_TUNED(double, kalker_c11, 4.2);
 /// 1. Least share of that slope that is left when friction is used up: of the theory of Vermeulen and
 /// Johnson, whose slope vanishes there, and a search could go anywhere.
 BEM_CONTACT_TUNED(double, least_creep_slope, 0.03);
-/// 1. Creepage that counts in steps like an approach of 1 mm: both then change forces by about their own size.
+/// 1. Creepage that counts in steps like an approach of 1 mm: both then change forces by about their own
+/// size.
 BEM_CONTACT_TUNED(double, creepage_scale, 0.05);
 /// 1. Most that the rolling radius changes in one step, as a creepage: more lies beyond full slip.
 BEM_CONTACT_TUNED(double, largest_creepage_step, 3e-3);

@@ -47,16 +47,16 @@ EquilibriumStart begin(WheelPair& wheels, double lateral) {
   start.right = nearer(s.right);
   start.left = nearer(s.left);
   if (finds_rolling_radius(wheels.scene()))
-    start.rolling_radius = 0.5 * (radius_at_contact(s.right, s.wheel_radius) +
-                                  radius_at_contact(s.left, s.wheel_radius));
+    start.rolling_radius =
+        0.5 * (radius_at_contact(s.right, s.wheel_radius) + radius_at_contact(s.left, s.wheel_radius));
   return start;
 }
 
 /// The same question on larger elements of half-spaces.
 SceneFile rough_scene(const SceneFile& scene, const WheelsetState& like) {
   const ContactGrid& grid = like.right.problem.grid;
-  SceneFile out = with_elements(with_model(scene, Model::halfspace), rough_elements * grid.dx,
-                                rough_elements * grid.ds);
+  SceneFile out =
+      with_elements(with_model(scene, Model::halfspace), rough_elements * grid.dx, rough_elements * grid.ds);
   out.stresses.depths.clear();
   return out;
 }
@@ -112,8 +112,9 @@ void add_warnings(const SceneFile& scene, WheelsetResult& out) {
 
 WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop) {
   if (!scene.wheelset.force)
-    throw InputError("This scene is of one wheel", "wheelset.force is not given",
-                     "Give the vertical force on the axle as force in a table [wheelset], instead of [load].");
+    throw InputError(
+        "This scene is of one wheel", "wheelset.force is not given",
+        "Give the vertical force on the axle as force in a table [wheelset], instead of [load].");
   const Stopwatch clock;
   WheelPair wheels(scene, stop);
   EquilibriumStart start = begin(wheels, scene.position.lateral);

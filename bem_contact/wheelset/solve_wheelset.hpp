@@ -21,13 +21,13 @@ struct WheelsetResult {
   double residual = 0; ///< largest of the equilibrium's (Equilibrium::residual)
   /// |sum Fy - force_y| over force; nan where the displacement is given.
   double lateral_residual = std::numeric_limits<double>::quiet_NaN();
-  int contact_problems = 0;          ///< solved on the way, both wheels
-  std::vector<std::string> warnings; ///< of both wheels
-  double seconds = 0;                ///< of the call
+  int contact_problems = 0;               ///< solved on the way, both wheels
+  std::vector<std::string> warnings = {}; ///< of both wheels
+  double seconds = 0;                     ///< of the call
 };
 
-/// Throws InputError for a scene without [wheelset], wrong input, a wheel that lifts, and a lateral force that
-/// no displacement gives; ConvergenceError where no equilibrium was found. `stop`: as Sequence::solve().
+/// Throws InputError for a scene without [wheelset], wrong input, a wheel that lifts, and a lateral force
+/// that no displacement gives; ConvergenceError where no equilibrium was found. `stop`: as Sequence::solve().
 WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop = nullptr);
 
 } // namespace bem_contact

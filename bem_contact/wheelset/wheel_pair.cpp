@@ -25,13 +25,12 @@ double WheelsetState::torque(const Wrench& w) const {
   return -dot(w.moment, {-std::sin(yaw) * c, std::cos(yaw) * c, std::sin(pose.roll)});
 }
 
-WheelPair::WheelPair(const SceneFile& scene, const std::atomic<bool>* stop) : scene_(scene), stop_(stop) {}
+WheelPair::WheelPair(const SceneFile& scene, const std::atomic<bool>* stop) : scene_(scene), stop_(stop) {
+  free_elements();
+}
 
 SceneFile WheelPair::wheel_scene(WheelSide side, const WheelsetPose& pose) const {
-  const std::optional<SceneFile>& fixed = side == WheelSide::right ? fixed_right_ : fixed_left_;
-  SceneFile out = fixed.value_or(scene_);
-  out.wheelset = {};
-  out.position.side = side;
+  SceneFile out = side == WheelSide::right ? right_scene_ : left_scene_;
   out.position.lateral = pose.lateral;
   out.position.vertical = pose.vertical;
   out.position.roll = pose.roll;
@@ -57,19 +56,19 @@ WheelsetState WheelPair::at(const WheelsetPose& pose) {
 }
 
 void WheelPair::fix_elements(const WheelsetState& like) {
-  fixed_right_ = with_elements_of(scene_, like.right);
-  fixed_left_ = with_elements_of(scene_, like.left);
+  right_scene_ = with_elements_of(right_scene_, like.right);
+  left_scene_ = with_elements_of(left_scene_, like.left);
 }
 
 void WheelPair::free_elements() {
-  fixed_right_.reset();
-  fixed_left_.reset();
+  right_scene_ = one_wheel(scene_, WheelSide::right);
+  left_scene_ = one_wheel(scene_, WheelSide::left);
 }
 
 double WheelPair::lowered(WheelSide side, double lateral, double roll) {
-  const WheelRailProfiles& profiles = files_->profiles(scene_);
-  WheelsetPosition position = scene_.position;
-  position.side = side;
+  const SceneFile& scene = side == WheelSide::right ? right_scene_ : left_scene_;
+  const WheelRailProfiles& profiles = files_->profiles(scene);
+  WheelsetPosition position = scene.position;
   position.lateral = lateral;
   position.roll = roll;
   WheelOnRail pair = place(position, profiles.rail, profiles.wheel);

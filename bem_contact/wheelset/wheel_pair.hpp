@@ -25,9 +25,7 @@ struct WheelsetState {
   Wrench right_wrench{}, left_wrench{}; ///< on the rails, track frame, about the wheelset's centre
 
   const SceneResult& solved(WheelSide side) const { return side == WheelSide::right ? right : left; }
-  const Wrench& wrench(WheelSide side) const {
-    return side == WheelSide::right ? right_wrench : left_wrench;
-  }
+  const Wrench& wrench(WheelSide side) const { return side == WheelSide::right ? right_wrench : left_wrench; }
   Wrench sum() const { return right_wrench + left_wrench; }
   /// About the forward axis through the wheelset's centre, N mm: what does work as the wheelset rolls.
   double roll_moment(const Wrench& w) const;
@@ -59,7 +57,7 @@ private:
   SceneFile wheel_scene(WheelSide side, const WheelsetPose& pose) const;
 
   SceneFile scene_;
-  std::optional<SceneFile> fixed_right_, fixed_left_; ///< with grid and model fixed
+  SceneFile right_scene_, left_scene_; ///< perhaps with elements and model fixed
   const std::atomic<bool>* stop_;
   std::shared_ptr<SequenceFiles> files_ = std::make_shared<SequenceFiles>();
   Sequence right_{{}, files_}, left_{{}, files_};

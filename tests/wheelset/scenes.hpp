@@ -11,11 +11,12 @@ namespace bem_contact {
 /// Wheels that are cones of 1:40 on rail heads of radius 300 mm; `more`: lines of TOML with dotted keys.
 inline SceneFile cones(const std::string& more) {
   const std::string folder = CONFORMAL_SOURCE_DIR "/tools/examples/";
-  return parse_scene_file(fmt::format("rail = {{ profile = '{0}coned_rail.toml', place = 'absolute', y = 750 }}\n"
-                                      "wheel = {{ profile = '{0}coned_wheel.toml', place = 'absolute', y = 750 }}\n"
-                                      "solver.model = 'halfspace'\nwheelset.force = 1e5\n"
-                                      "grid = {{ dx = 0.8, ds = 0.8 }}\n{1}",
-                                      folder, more));
+  return parse_scene_file(
+      fmt::format("rail = {{ profile = '{0}coned_rail.toml', place = 'absolute', y = 750 }}\n"
+                  "wheel = {{ profile = '{0}coned_wheel.toml', place = 'absolute', y = 750 }}\n"
+                  "solver.model = 'halfspace'\nwheelset.force = 1e5\n"
+                  "grid = {{ dx = 0.8, ds = 0.8 }}\n{1}",
+                  folder, more));
 }
 
 /// S1002 on 60E1, inclined 1:40.
