@@ -15,17 +15,19 @@ struct Sample {
   double lateral = 0, force = 0;
 };
 
-/// Halves an interval at whose ends the force is on different sides of `wanted`.
+/// Narrows an interval at whose ends the force is on different sides of `wanted`: where the line between both
+/// meets it, but not too near to an end, because on a flange the force is no line.
 LateralGuess narrow(const AxleLateralForce& force, Sample a, Sample b, double wanted) {
+  const auto met = [&] { return (wanted - a.force) / (b.force - a.force); };
   while (std::abs(b.lateral - a.lateral) > rough_lateral_width) {
-    const double middle = 0.5 * (a.lateral + b.lateral);
-    const std::optional<double> there = force(middle);
+    const double share = std::clamp(met(), least_narrowing, 1 - least_narrowing);
+    const double between = a.lateral + share * (b.lateral - a.lateral);
+    const std::optional<double> there = force(between);
     if (!there)
       break;
-    ((*there - wanted) * (a.force - wanted) > 0 ? a : b) = {middle, *there};
+    ((*there - wanted) * (a.force - wanted) > 0 ? a : b) = {between, *there};
   }
-  const double slope = (b.force - a.force) / (b.lateral - a.lateral);
-  return {a.lateral + (wanted - a.force) / slope, slope};
+  return {a.lateral + met() * (b.lateral - a.lateral), (b.force - a.force) / (b.lateral - a.lateral)};
 }
 
 } // namespace

@@ -54,6 +54,8 @@ BEM_CONTACT_TUNED(double, lateral_search_reach, 14.0);
 BEM_CONTACT_TUNED(double, rough_elements, 2.0);
 /// 1. Residuals of rough solutions, which only say about where the force is met.
 BEM_CONTACT_TUNED(double, rough_tolerance, 1e-3);
+/// 1. An interval that holds such a displacement gets narrower by at least this share of it.
+BEM_CONTACT_TUNED(double, least_narrowing, 0.15);
 /// mm. Rough displacements are found within this.
 BEM_CONTACT_TUNED(double, rough_lateral_width, 0.01);
 

@@ -52,11 +52,9 @@ EquilibriumStart begin(WheelPair& wheels, double lateral) {
   return start;
 }
 
-/// The same question on larger elements of half-spaces.
-SceneFile rough_scene(const SceneFile& scene, const WheelsetState& like) {
-  const ContactGrid& grid = like.right.problem.grid;
-  SceneFile out =
-      with_elements(with_model(scene, Model::halfspace), rough_elements * grid.dx, rough_elements * grid.ds);
+/// The same question for half-spaces.
+SceneFile rough_scene(const SceneFile& scene) {
+  SceneFile out = with_model(scene, Model::halfspace);
   out.stresses.depths.clear();
   return out;
 }
@@ -81,6 +79,22 @@ struct Follower {
   }
 };
 
+/// About where the lateral force is met.
+struct RoughPlace {
+  LateralGuess guess;
+  WheelsetPose pose;      ///< of the last equilibrium that was tried, near it
+  EquilibriumStart start; ///< there
+  int contact_problems = 0;
+};
+RoughPlace search_roughly(const SceneFile& scene, const std::atomic<bool>* stop) {
+  WheelPair wheels(rough_scene(scene), stop);
+  Follower follower{wheels, begin(wheels, scene.position.lateral), rough_tolerance};
+  wheels.scale_elements(rough_elements);
+  const LateralGuess guess = search_lateral([&](double y) { return follower.force(y); },
+                                            scene.position.lateral, *scene.wheelset.force_y);
+  return {guess, follower.last->state.pose, follower.start, wheels.contact_problems()};
+}
+
 /// The equilibrium under wheelset.force_y.
 Equilibrium at_lateral_force(WheelPair& wheels, const EquilibriumStart& start, const LateralGuess& guess) {
   const SceneFile::Wheelset& given = wheels.scene().wheelset;
@@ -93,9 +107,12 @@ Equilibrium at_lateral_force(WheelPair& wheels, const EquilibriumStart& start, c
   return std::move(*follower.last);
 }
 
-/// Whether some wheel's elements are too large for the accuracy asked for.
+/// Whether some wheel's elements are too large for the accuracy asked for, or to tell.
 bool too_coarse(const SceneFile& scene, const WheelsetState& s) {
-  const auto coarse = [&](const SceneResult& r) { return asked_error(scene.grid, r) > *scene.grid.accuracy; };
+  const auto coarse = [&](const SceneResult& r) {
+    const double error = asked_error(scene.grid, r);
+    return error < 0 || error > *scene.grid.accuracy;
+  };
   return scene.grid.accuracy && (coarse(s.right) || coarse(s.left));
 }
 
@@ -117,32 +134,30 @@ WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* s
         "Give the vertical force on the axle as force in a table [wheelset], instead of [load].");
   const Stopwatch clock;
   WheelPair wheels(scene, stop);
-  EquilibriumStart start = begin(wheels, scene.position.lateral);
-  int rough_problems = 0;
-  LateralGuess guess{scene.position.lateral, 0};
-  if (const std::optional<double> wanted = scene.wheelset.force_y) {
-    WheelPair rough(rough_scene(scene, wheels.at(stand(wheels, scene.position.lateral, start))), stop);
-    Follower follower{rough, start, rough_tolerance};
-    guess = search_lateral([&](double y) { return follower.force(y); }, scene.position.lateral, *wanted);
-    start = follower.start;
-    rough_problems = rough.contact_problems();
+  RoughPlace rough{{scene.position.lateral, 0}, {}, {}};
+  if (scene.wheelset.force_y) {
+    rough = search_roughly(scene, stop);
+    wheels.fix_elements(wheels.at(rough.pose));
+  } else {
+    rough.start = begin(wheels, scene.position.lateral);
   }
   std::optional<Equilibrium> found;
   for (int round = 1;; ++round) {
-    found = scene.wheelset.force_y ? at_lateral_force(wheels, start, guess)
-                                   : find_equilibrium(wheels, guess.lateral, start, equilibrium_tolerance);
+    found = scene.wheelset.force_y
+                ? at_lateral_force(wheels, rough.start, rough.guess)
+                : find_equilibrium(wheels, rough.guess.lateral, rough.start, equilibrium_tolerance);
     if (round == most_element_rounds || !too_coarse(scene, found->state))
       break;
     wheels.free_elements();
     wheels.fix_elements(wheels.at(found->state.pose));
-    start = found->start();
-    guess.lateral = found->state.pose.lateral;
+    rough.start = found->start();
+    rough.guess.lateral = found->state.pose.lateral;
   }
   WheelsetResult out{.state = std::move(found->state), .residual = found->residual};
   if (scene.wheelset.force_y)
     out.lateral_residual =
         std::abs(out.state.sum().force[1] - *scene.wheelset.force_y) / *scene.wheelset.force;
-  out.contact_problems = wheels.contact_problems() + rough_problems;
+  out.contact_problems = wheels.contact_problems() + rough.contact_problems;
   add_warnings(scene, out);
   out.seconds = clock.seconds();
   return out;

@@ -60,6 +60,11 @@ void WheelPair::fix_elements(const WheelsetState& like) {
   left_scene_ = with_elements_of(left_scene_, like.left);
 }
 
+void WheelPair::scale_elements(double factor) {
+  for (SceneFile* scene : {&right_scene_, &left_scene_})
+    *scene = with_elements(*scene, factor * scene->grid.dx, factor * scene->grid.ds);
+}
+
 void WheelPair::free_elements() {
   right_scene_ = one_wheel(scene_, WheelSide::right);
   left_scene_ = one_wheel(scene_, WheelSide::left);

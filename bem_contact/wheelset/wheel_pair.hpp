@@ -44,6 +44,8 @@ public:
   WheelsetState at(const WheelsetPose& pose);
   /// From here on both wheels are solved with these models and elements.
   void fix_elements(const WheelsetState& like);
+  /// From here on elements are so many times as long and wide as fix_elements() made them.
+  void scale_elements(double factor);
   /// From here on elements and model are those that the scene asks for.
   void free_elements();
   /// By how much the wheelset is lowered until that wheel touches its rail, from where vertical is 0, mm.

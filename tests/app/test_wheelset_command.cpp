@@ -33,7 +33,8 @@ TEST_F(WheelsetCommand, TextJsonHdf5AndVtkAgreeAndThePagesAreRight) {
       EXPECT_EQ(table.datasets.at("wheelset/" + name).values.at(0), value.get<double>()) << name;
     }
   for (const char* side : {"right", "left"}) {
-    EXPECT_EQ(table.datasets.at(std::string(side) + "/track/Fy").values.at(0), j[side]["track"]["Fy"].get<double>());
+    EXPECT_EQ(table.datasets.at(std::string(side) + "/track/Fy").values.at(0),
+              j[side]["track"]["Fy"].get<double>());
     EXPECT_EQ(table.datasets.at(std::string(side) + "/p_n").shape.size(), 2u);
     EXPECT_TRUE(std::filesystem::exists(folder_ / (std::string("w_") + side + ".vts")));
   }
