@@ -18,6 +18,7 @@ struct Sample {
 /// Narrows an interval at whose ends the force is on different sides of `wanted`: where the line between both
 /// meets it, but not too near to an end, because on a flange the force is no line.
 LateralGuess narrow(const AxleLateralForce& force, Sample a, Sample b, double wanted) {
+  const double first_slope = (b.force - a.force) / (b.lateral - a.lateral);
   const auto met = [&] { return (wanted - a.force) / (b.force - a.force); };
   while (std::abs(b.lateral - a.lateral) > rough_lateral_width) {
     const double share = std::clamp(met(), least_narrowing, 1 - least_narrowing);
@@ -27,7 +28,9 @@ LateralGuess narrow(const AxleLateralForce& force, Sample a, Sample b, double wa
       break;
     ((*there - wanted) * (a.force - wanted) > 0 ? a : b) = {between, *there};
   }
-  return {a.lateral + met() * (b.lateral - a.lateral), (b.force - a.force) / (b.lateral - a.lateral)};
+  const double slope = (b.force - a.force) / (b.lateral - a.lateral);
+  return slope > 0 ? LateralGuess{a.lateral + (wanted - a.force) / slope, slope}
+                   : LateralGuess{a.lateral, first_slope}; // rough forces so near to each other say nothing
 }
 
 } // namespace

@@ -52,13 +52,17 @@ BEM_CONTACT_TUNED(double, largest_lateral_step, 1.0);
 BEM_CONTACT_TUNED(double, lateral_search_reach, 14.0);
 /// 1. Elements of the rough half-space solutions are so many times as long and wide.
 BEM_CONTACT_TUNED(double, rough_elements, 2.0);
-/// 1. Residuals of rough solutions, which only say about where the force is met.
-BEM_CONTACT_TUNED(double, rough_tolerance, 1e-3);
+/// 1. Residuals of rough solutions: on the tread the lateral force changes by some 1e-3 of the vertical one
+/// in rough_lateral_width.
+BEM_CONTACT_TUNED(double, rough_tolerance, 1e-5);
 /// 1. An interval that holds such a displacement gets narrower by at least this share of it.
 BEM_CONTACT_TUNED(double, least_narrowing, 0.15);
 /// mm. Rough displacements are found within this.
-BEM_CONTACT_TUNED(double, rough_lateral_width, 0.01);
+BEM_CONTACT_TUNED(double, rough_lateral_width, 0.03);
 
+/// 1. Elements are chosen for so much of the accuracy asked for, because they are chosen near the
+/// equilibrium, not at it: a second round costs more than smaller elements.
+BEM_CONTACT_TUNED(double, accuracy_reserve, 0.8);
 /// 1. Most rounds in which elements are chosen again for the accuracy asked for.
 BEM_CONTACT_TUNED(int, most_element_rounds, 3);
 

@@ -1,5 +1,7 @@
 #include "bem_contact/wheelset/wheel_pair.hpp"
 
+#include "bem_contact/wheelset/settings.hpp"
+
 #include <cmath>
 
 namespace bem_contact {
@@ -68,6 +70,9 @@ void WheelPair::scale_elements(double factor) {
 void WheelPair::free_elements() {
   right_scene_ = one_wheel(scene_, WheelSide::right);
   left_scene_ = one_wheel(scene_, WheelSide::left);
+  for (SceneFile* scene : {&right_scene_, &left_scene_})
+    if (scene->grid.accuracy)
+      *scene->grid.accuracy *= accuracy_reserve;
 }
 
 double WheelPair::lowered(WheelSide side, double lateral, double roll) {
