@@ -24,9 +24,16 @@ constexpr const char* wheelset_help =
     force = 2e5          # N, vertical force on the axle; both wheels share it
 Example:
     bem_contact wheelset data/scenes/wheelset.toml
-You should see EXAMPLE
+You should see that a lateral force of 20 kN moves the wheelset by 6.07 mm to the right, where the right wheel bears
+0.547 of the vertical force and the axle rolls on a radius of 461.93 mm. Then comes what solve prints of each wheel.
 
-Both forces act at the wheelset's centre, on the axle; y and moments are in the track frame for both wheels.)";
+Both forces act at the wheelset's centre, on the axle. Roll follows from the moments about the forward axis through
+that centre: vertical forces have the lever arm y of their contacts, lateral forces the height of the axle, and their
+sum is wheelset.roll_moment (0). The first table is in the track frame for both wheels; the left wheel's own result
+counts y, s, Fy, Mz, eta and phi to the left.
+
+Exit code 0: both certificates hold. 2: the input is wrong, a wheel lifts, or no displacement gives the lateral force.
+3: no equilibrium was found, or a certificate does not hold.)";
 
 struct WheelsetArguments {
   std::string scene, model, output, vtk;

@@ -19,27 +19,34 @@ using nlohmann::json;
 
 constexpr WheelSide sides[] = {WheelSide::right, WheelSide::left};
 
-/// "  Fz              N       100000       100000       200000": the sum only where there is one.
+/// Newtons to the last, all else with five digits.
+std::string number(double value) {
+  const double size = std::abs(value);
+  return size >= 1e4 && size < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.5g}", value);
+}
+
+/// "  Fz               N          109328         90672        200000": the sum only where there is one.
 std::string line_of(const WheelQuantity& q, const WheelsetResult& r) {
   std::string out = fmt::format("  {:16} {:5}", q.name, q.unit);
   for (const WheelSide side : sides)
-    out += fmt::format(" {:>13.6g}", q.value(r.state, side));
+    out += fmt::format(" {:>13}", number(q.value(r.state, side)));
   for (const WheelsetQuantity& sum : wheelset_quantities())
     if (std::string_view(sum.name) == q.name)
-      out += fmt::format(" {:>13.6g}", sum.value(r));
+      out += fmt::format(" {:>13}", number(sum.value(r)));
   return out + "\n";
 }
 
 std::string pose_text(const WheelsetResult& r) {
   const WheelsetPose& pose = r.state.pose;
-  std::string out = fmt::format(
-      "Wheelset: lateral {:.5g} mm{}, roll {:.6g} rad (right side down), yaw {:g} rad; its centre {:.5f} mm "
-      "below {:g} mm above the rails\n",
-      pose.lateral, std::isnan(r.lateral_residual) ? "" : " (found for the lateral force)", pose.roll,
-      r.state.yaw, pose.vertical, r.state.wheel_radius);
+  std::string out =
+      fmt::format("Wheelset: lateral {:.4f} mm{}, roll {:.4e} rad (right side down), yaw {:g} rad; its "
+                  "centre is {:.4f} mm "
+                  "above the rails\n",
+                  pose.lateral, std::isnan(r.lateral_residual) ? "" : " (found for the lateral force)",
+                  pose.roll, r.state.yaw, r.state.wheel_radius - pose.vertical);
   if (pose.rolling_radius)
     out +=
-        fmt::format("the axle rolls on a radius of {:.4f} mm (found for the torque)\n", *pose.rolling_radius);
+        fmt::format("the axle rolls on a radius of {:.3f} mm (found for the torque)\n", *pose.rolling_radius);
   return out;
 }
 
@@ -63,8 +70,8 @@ std::string to_text(const WheelsetResult& r) {
     out += line_of(q, r);
   const Wrench sum = r.state.sum();
   out +=
-      fmt::format("on the axle: roll moment {:.6g} N mm and yaw moment {:.6g} N mm about its centre, torque "
-                  "{:.6g} N mm\n",
+      fmt::format("on the axle: roll moment {:.5g} N mm and yaw moment {:.5g} N mm about its centre, torque "
+                  "{:.5g} N mm\n",
                   r.state.roll_moment(sum), sum.moment[2], r.state.torque(sum));
   out += fmt::format(
       "equilibrium: largest residual {:.1e} of {:.0e} allowed; {} contact problems, {:.2f} s\n",

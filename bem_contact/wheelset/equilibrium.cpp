@@ -166,7 +166,13 @@ struct Search {
   }
 };
 
-[[noreturn]] void refuse_search(const WheelsetState& s, double residual) {
+[[noreturn]] void refuse_search(const WheelsetState& s, const SceneFile::Wheelset& given, double residual) {
+  const double torque = s.torque(s.sum());
+  if (s.pose.rolling_radius && std::abs(given.torque) > std::abs(torque) &&
+      std::abs(given.torque - torque) >= 0.99 * residual * *given.force * s.wheel_radius)
+    throw InputError(fmt::format("The rails cannot bear a torque of {:g} N mm", given.torque),
+                     fmt::format("with friction used up they bear {:.4g} N mm", torque),
+                     "Give a smaller wheelset.torque or more friction.");
   throw ConvergenceError(
       "The wheelset does not stand",
       fmt::format("at a lateral displacement of {:g} mm no height and roll balance the forces; the search "
@@ -229,7 +235,7 @@ Equilibrium find_equilibrium(WheelPair& wheels, double lateral, const Equilibriu
     search.slope = *better;
     search.exact = true;
   }
-  refuse_search(here, search.f.lpNorm<Eigen::Infinity>());
+  refuse_search(here, wheels.scene().wheelset, search.f.lpNorm<Eigen::Infinity>());
 }
 
 } // namespace bem_contact

@@ -51,7 +51,7 @@ LateralGuess search_lateral(const AxleLateralForce& force, double start, double 
       return narrow(force, here, {at, *there}, wanted);
     if (!there) {
       step *= 0.5;
-      if (step < rough_lateral_width)
+      if (step < least_lateral_step)
         break;
       continue;
     }

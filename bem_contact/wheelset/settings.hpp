@@ -48,6 +48,9 @@ BEM_CONTACT_TUNED(double, first_lateral_step, 0.25);
 BEM_CONTACT_TUNED(double, lateral_step_growth, 1.4); ///< 1. As above.
 /// mm. Longest step: a flange takes up its force within a few tenths, and holds it for some millimetres.
 BEM_CONTACT_TUNED(double, largest_lateral_step, 1.0);
+/// mm. Shortest step towards displacements at which the wheelset does not stand: two flanges in their gauge
+/// corners have some hundredths.
+BEM_CONTACT_TUNED(double, least_lateral_step, 2e-3);
 /// mm. The search ends so far from position.lateral: a wheelset has some 7 mm to either side.
 BEM_CONTACT_TUNED(double, lateral_search_reach, 14.0);
 /// 1. Elements of the rough half-space solutions are so many times as long and wide.

@@ -44,6 +44,8 @@ TEST(WheelsetScene, RefusesWhatHasNoEquilibrium) {
       AllOf(HasSubstr("left wheel lifts"), HasSubstr("roll_moment")));
   EXPECT_THAT(message_of([] { solve_wheelset(standard("wheelset.force_y = 4e5\n")); }),
               AllOf(HasSubstr("No lateral displacement"), HasSubstr("climbs")));
+  EXPECT_THAT(message_of([] { solve_wheelset(cones("wheelset.torque = 3e7\n")); }),
+              HasSubstr("friction used up"));
 }
 
 } // namespace
