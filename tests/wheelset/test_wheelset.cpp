@@ -171,4 +171,24 @@ TEST(Wheelset, FindsTheDisplacementOfALateralForce) {
              found.contact_problems, found.seconds, there.contact_problems, there.seconds);
 }
 
+/// Naming the left side's profiles changes nothing if they are the right side's; its friction is its own.
+TEST(Wheelset, TheLeftSideMayDiffer) {
+  const std::string yawed = "position.yaw = 6e-3\n"; // both wheels slip
+  const WheelsetResult same = solve_wheelset(standard(yawed));
+  const WheelsetResult named =
+      solve_wheelset(standard(yawed + "wheelset.left_wheel = 'S1002'\nwheelset.left_rail = '60E1'\n"));
+  EXPECT_EQ(named.state.pose.roll, same.state.pose.roll);
+  const WheelsetResult oiled = solve_wheelset(standard(yawed + "wheelset.left_friction = 0.05\n"));
+  const auto used = [&](WheelSide side) {
+    const PatchSummary& p = oiled.state.solved(side).result.patches.front();
+    return std::hypot(p.fx, p.fs) / p.fn;
+  };
+  EXPECT_NEAR(used(WheelSide::left), 0.05, 1e-3);
+  EXPECT_GT(used(WheelSide::right), 0.25);
+  const WheelsetResult other = solve_wheelset(
+      standard("wheelset.left_wheel = '" CONFORMAL_SOURCE_DIR "/data/bodies/hollow_wheel.txt'\n"));
+  EXPECT_NE(other.state.left.wheel_geometry, other.state.right.wheel_geometry);
+  EXPECT_NE(other.state.pose.roll, 0);
+}
+
 } // namespace
