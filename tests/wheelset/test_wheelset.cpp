@@ -162,6 +162,20 @@ TEST(Wheelset, FindsTheDisplacementOfALateralForce) {
   EXPECT_LE(found.lateral_residual, 2e-6);
   EXPECT_NEAR(of_wheelset(found, "Fy"), 3e4, 0.4);
   EXPECT_NEAR(of_wheelset(found, "Fz"), 2e5, 0.2);
+  // The moment about the axle's centre by hand, patch by patch (their own moments included). About the
+  // forward axis: with a yaw of 1 mrad that is the x axis where no torque drives the axle.
+  double moment = 0, largest = 0;
+  for (const WheelSide side : {WheelSide::right, WheelSide::left}) {
+    const double sign = side == WheelSide::right ? 1 : -1;
+    for (const PatchSummary& p : found.state.solved(side).result.patches) {
+      const double arm = sign * p.position.y - found.state.pose.lateral,
+                   depth = p.position.z - (found.state.pose.vertical - 460);
+      moment += arm * p.fz - depth * sign * p.fy + sign * p.moment_x;
+      largest = std::max(largest, std::abs(depth * p.fy));
+    }
+  }
+  EXPECT_GT(largest, 5e6);
+  EXPECT_NEAR(moment, 0, 1e3);
   scene.wheelset.force_y.reset();
   scene.position.lateral = found.state.pose.lateral;
   const WheelsetResult there = solve_wheelset(scene);
