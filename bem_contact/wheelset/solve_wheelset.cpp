@@ -59,24 +59,39 @@ SceneFile rough_scene(const SceneFile& scene) {
   return out;
 }
 
-/// An equilibrium at each displacement that is tried, from the one before.
-struct Follower {
-  WheelPair& wheels;
-  EquilibriumStart start;
-  double tolerance;
-  std::optional<Equilibrium> last = {};
+/// An equilibrium at each displacement that is tried, from the nearest one before.
+class Follower {
+public:
+  Follower(WheelPair& wheels, double lateral, const EquilibriumStart& start, double tolerance)
+      : wheels_(wheels), tolerance_(tolerance), known_{{lateral, start}} {}
 
   std::optional<double> force(double lateral) {
     try {
-      last = find_equilibrium(wheels, lateral, start, tolerance);
+      last_ = find_equilibrium(wheels_, lateral, near(lateral), tolerance_);
     } catch (const InputError&) { // a wheel lifts, or leaves its rail
       return std::nullopt;
     } catch (const ConvergenceError&) {
       return std::nullopt;
     }
-    start = last->start();
-    return last->state.sum().force[1];
+    known_.push_back({lateral, last_->start()});
+    return last_->state.sum().force[1];
   }
+
+  const Equilibrium& last() const { return *last_; } ///< once there is one
+  const EquilibriumStart& near(double lateral) const {
+    return std::ranges::min_element(known_, {}, [&](const Known& k) { return std::abs(k.lateral - lateral); })
+        ->start;
+  }
+
+private:
+  struct Known {
+    double lateral = 0;
+    EquilibriumStart start;
+  };
+  WheelPair& wheels_;
+  double tolerance_;
+  std::vector<Known> known_;
+  std::optional<Equilibrium> last_;
 };
 
 /// About where the lateral force is met.
@@ -88,23 +103,23 @@ struct RoughPlace {
 };
 RoughPlace search_roughly(const SceneFile& scene, const std::atomic<bool>* stop) {
   WheelPair wheels(rough_scene(scene), stop);
-  Follower follower{wheels, begin(wheels, scene.position.lateral), rough_tolerance};
+  Follower follower(wheels, scene.position.lateral, begin(wheels, scene.position.lateral), rough_tolerance);
   wheels.scale_elements(rough_elements);
   const LateralGuess guess = search_lateral([&](double y) { return follower.force(y); },
                                             scene.position.lateral, *scene.wheelset.force_y);
-  return {guess, follower.last->state.pose, follower.start, wheels.contact_problems()};
+  return {guess, follower.last().state.pose, follower.near(guess.lateral), wheels.contact_problems()};
 }
 
 /// The equilibrium under wheelset.force_y.
 Equilibrium at_lateral_force(WheelPair& wheels, const EquilibriumStart& start, const LateralGuess& guess) {
   const SceneFile::Wheelset& given = wheels.scene().wheelset;
-  Follower follower{wheels, start, equilibrium_tolerance / 10};
+  Follower follower(wheels, guess.lateral, start, equilibrium_tolerance / 10);
   const double lateral = solve_lateral_force([&](double y) { return follower.force(y); }, *given.force_y,
                                              {guess.lateral, guess.slope},
                                              lateral_balance * std::hypot(*given.force, *given.force_y));
-  if (follower.last->state.pose.lateral != lateral)
-    return find_equilibrium(wheels, lateral, follower.start, equilibrium_tolerance / 10);
-  return std::move(*follower.last);
+  if (follower.last().state.pose.lateral != lateral)
+    return find_equilibrium(wheels, lateral, follower.near(lateral), equilibrium_tolerance / 10);
+  return follower.last();
 }
 
 /// Whether some wheel's elements are too large for the accuracy asked for, or to tell.
