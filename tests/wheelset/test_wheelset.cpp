@@ -205,4 +205,28 @@ TEST(Wheelset, TheLeftSideMayDiffer) {
   EXPECT_NE(other.state.pose.roll, 0);
 }
 
+/// With influence files, on a gauge so narrow that both flange roots lie in the gauge corners: under a moment
+/// the wheels share the load by the lever arms of their normals, which are those of the model's own contacts.
+TEST(Wheelset, FiniteElementsServeBothWheels) {
+  const std::string folder = CONFORMAL_SOURCE_DIR "/data/influence/";
+  const WheelsetResult r = solve_wheelset(parse_scene_file(
+      fmt::format("rail = {{ profile = '60E1', influence = '{0}small_rail.h5' }}\n"
+                  "wheel = {{ profile = 'S1002', influence = '{0}small_wheel.h5' }}\nsolver.model = 'fem'\n"
+                  "motion.frictionless = true\nposition.gauge = 1421.8\ngrid = {{ dx = 0.5, ds = 0.5 }}\n"
+                  "wheelset = {{ force = 2e5, roll_moment = 1e7 }}\n",
+                  folder)));
+  EXPECT_TRUE(r.state.certified());
+  EXPECT_EQ(r.state.right.model, Model::fem);
+  EXPECT_EQ(r.state.left.model, Model::fem);
+  EXPECT_NEAR(of_wheelset(r, "Fz"), 2e5, 0.2);
+  EXPECT_NEAR(of_wheelset(r, "roll_moment"), 1e7, 2e2);
+  double moment = 0;
+  for (const WheelSide side : {WheelSide::right, WheelSide::left}) {
+    const double arm = std::abs(of_wheel(r, side, "y")) -
+                       (460 + of_wheel(r, side, "z")) * std::abs(of_wheel(r, side, "Y_over_Q"));
+    moment += (side == WheelSide::right ? 1 : -1) * arm * of_wheel(r, side, "Fz");
+  }
+  EXPECT_NEAR(moment, 1e7, 2e4);
+}
+
 } // namespace
