@@ -29,8 +29,8 @@ double creep_slope(const PatchSummary& p, const SceneResult& r, const SceneFile&
 }
 
 /// Of one wheel, in the frame of its side.
-WheelsetStiffness of_wheel(const SceneResult& r, Point2 centre, const WheelsetState& state,
-                           const SceneFile& scene) {
+WheelsetStiffness stiffness_of_wheel(const SceneResult& r, Point2 centre, const WheelsetState& state,
+                                     const SceneFile& scene) {
   WheelsetStiffness out;
   for (const PatchSummary& p : r.result.patches) {
     const Point2 across = p.position - centre;
@@ -52,8 +52,8 @@ WheelsetStiffness of_wheel(const SceneResult& r, Point2 centre, const WheelsetSt
 
 WheelsetStiffness stiffness_of(const WheelsetState& state, const SceneFile& scene) {
   const double y = state.pose.lateral, z = state.pose.vertical - state.wheel_radius;
-  WheelsetStiffness out = of_wheel(state.right, {y, z}, state, scene);
-  const WheelsetStiffness left = of_wheel(state.left, {-y, z}, state, scene);
+  WheelsetStiffness out = stiffness_of_wheel(state.right, {y, z}, state, scene);
+  const WheelsetStiffness left = stiffness_of_wheel(state.left, {-y, z}, state, scene);
   out.by_height += mirrored(left.by_height);
   out.by_roll += times(-1, mirrored(left.by_roll)); // the mirror image rolls the other way
   out.by_rolling_radius += mirrored(left.by_rolling_radius);
