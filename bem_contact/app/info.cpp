@@ -5,6 +5,7 @@
 #include "bem_contact/app/repeat.hpp"
 #include "bem_contact/app/result_file.hpp"
 #include "bem_contact/app/sweep_output.hpp"
+#include "bem_contact/app/wheelset_output.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
@@ -92,6 +93,8 @@ std::string describe_file(const std::filesystem::path& file) {
   if (is(sweep_format))
     return describe_table(without_cases(top),
                           "A sweep of bem_contact; cases/000012/ has the fields of a case");
+  if (is(wheelset_format))
+    return describe_table(read_h5(file), "Both wheels of a wheelset");
   if (is(conicity_format))
     return describe_table(read_h5(file), "The conicity of a wheelset");
   if (is(creep_curves_format))

@@ -85,12 +85,12 @@ std::string part_of(const std::string& name) {
 
 /// Where the scene's file should lie today.
 fs::path place_of(const InputRecord& input, const fs::path& folder) {
-  return input.key.ends_with(".profile") ? profile_file_name(input.name, folder).file : folder / input.name;
+  return names_profile(input.key) ? profile_file_name(input.name, folder).file : folder / input.name;
 }
 
 /// Throws InputError unless the file is there with the same bytes.
 void require_unchanged(const InputRecord& input, const fs::path& place) {
-  const char* what = input.key.ends_with(".influence") ? "influence file" : "file";
+  const char* what = names_influence(input.key) ? "influence file" : "file";
   if (!is_regular(place))
     throw InputError(fmt::format("The {} '{}' is missing", what, input.name),
                      fmt::format("{} named it; its SHA-256 was {}, and there is no file '{}'", input.key,
@@ -149,7 +149,7 @@ private:
             "'{}' ({}) has changed since: its SHA-256 was {} and is {}; the copy in the result file is used",
             place.string(), input.key, input.sha256, now));
     }
-    const bool profile = input.key.ends_with(".profile");
+    const bool profile = names_profile(input.key);
     return folder_of_copies_.write(
         input.key, profile ? profile_file_name(input.name).file.string() : input.name, *input.content);
   }

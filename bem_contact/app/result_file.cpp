@@ -181,6 +181,11 @@ H5Table to_table(const SceneResult& result, const GivenScene& given, const std::
   return table;
 }
 
+void add_whole_result(H5Table& table, const std::string& group, const SceneResult& result) {
+  add_coordinates(table, group, result);
+  add_result(table, group, result);
+}
+
 H5Table to_case_table(const SceneResult& result) {
   H5Table table;
   table.attributes["format"] = std::string(case_format);
@@ -193,11 +198,8 @@ H5Table to_table(const Comparison& comparison, const GivenScene& given, const st
   H5Table table = table_of(comparison_format, given, output);
   add_geometry(table, comparison.leading().front());
   const auto add = [&](const std::string& set, const std::vector<SceneResult>& results) {
-    for (const SceneResult& result : results) {
-      const std::string group = set + std::string(name_of(result.model)) + "/";
-      add_coordinates(table, group, result);
-      add_result(table, group, result);
-    }
+    for (const SceneResult& result : results)
+      add_whole_result(table, set + std::string(name_of(result.model)) + "/", result);
   };
   add("equal_forces/", comparison.at_forces);
   add("equal_position/", comparison.at_position);

@@ -5,6 +5,7 @@
 #include "bem_contact/sequence/comparison.hpp"
 
 #include <filesystem>
+#include <string>
 
 namespace bem_contact::app {
 
@@ -21,6 +22,10 @@ inline constexpr const char* case_format = "bem_contact case 2";
 /// which solver finished and whether the certificate holds; the text "warnings" has a line for each.
 /// `output`: where the table will be written.
 H5Table to_table(const SceneResult& result, const GivenScene& given, const std::filesystem::path& output);
+
+/// Coordinates, fields and numbers of one of several results in a file, in `group` (a path with its last
+/// slash).
+void add_whole_result(H5Table& table, const std::string& group, const SceneResult& result);
 
 /// A case of a sweep, which keeps scene, inputs and quantities of all cases at its top: coordinates, fields,
 /// patches.

@@ -17,18 +17,10 @@ namespace {
 
 constexpr std::size_t any_size = std::numeric_limits<std::size_t>::max() / 4;
 
-bool is_influence(const std::string& key) {
-  return key.ends_with(".influence");
-}
-
 /// No folders of this machine.
 std::string without_machine(const std::string& name) {
   const std::filesystem::path path(name);
   return path.is_absolute() ? path.filename().string() : name;
-}
-
-bool is_profile(const std::string& key) {
-  return key.ends_with(".profile");
 }
 
 void add_number(H5Table& table, const std::string& name, double value, const char* unit,
@@ -57,8 +49,8 @@ InputRecord record_of(const NamedFile& named) {
   const std::string bytes = read_text_file(named.file.string(), "input", any_size);
   InputRecord out{named.key, without_machine(named.name), sha256(bytes), {}};
   // A text in HDF5 ends at its first NUL.
-  const bool kept =
-      !is_influence(named.key) && bytes.size() <= largest_kept_input && bytes.find('\0') == std::string::npos;
+  const bool kept = !names_influence(named.key) && bytes.size() <= largest_kept_input &&
+                    bytes.find('\0') == std::string::npos;
   if (kept)
     out.content = bytes;
   return out;
@@ -67,7 +59,7 @@ InputRecord record_of(const NamedFile& named) {
 std::vector<InputRecord> records_of(const std::vector<NamedFile>& files) {
   std::vector<InputRecord> inputs;
   for (const NamedFile& named : files) {
-    const bool standard = is_profile(named.key) && is_standard_profile(named.name);
+    const bool standard = names_profile(named.key) && is_standard_profile(named.name);
     inputs.push_back(standard ? InputRecord{named.key, named.name, "", {}} : record_of(named));
     if (named.key.ends_with(".body.profile")) {
       // The body file before it names it by a path that only its own folder gives a meaning.

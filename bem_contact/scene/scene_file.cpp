@@ -5,6 +5,7 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/scene/accuracy_of.hpp"
+#include "bem_contact/scene/check_wheelset.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/scene/unused_keys.hpp"
@@ -151,7 +152,9 @@ SceneFile example_scene() {
 SceneFile checked(const SceneFile& as_read, const SceneKeysAsRead& read, const Schema& schema) {
   SceneFile file = as_read;
   settle(file, schema, read);
-  check_load(file, schema);
+  check_wheelset(file, schema);
+  if (!file.wheelset.force)
+    check_load(file, schema);
   check_motion(file, schema);
   check_steps(file, schema);
   if (file.kind == SceneKind::patch)
@@ -237,6 +240,23 @@ SceneFile with_lateral(SceneFile scene, double lateral) {
   return scene;
 }
 
+SceneFile one_wheel(SceneFile scene, WheelSide side) {
+  const SceneFile::Wheelset given = std::exchange(scene.wheelset, {});
+  scene.position.side = side;
+  if (side == WheelSide::right)
+    return scene;
+  const auto differ = [](SceneFile::Side& body, const std::string& profile, const std::string& influence) {
+    if (profile.empty())
+      return;
+    body.profile = profile;
+    body.influence = influence;
+  };
+  differ(scene.rail, given.left_rail, given.left_rail_influence);
+  differ(scene.wheel, given.left_wheel, given.left_wheel_influence);
+  scene.motion.friction = given.left_friction.value_or(scene.motion.friction);
+  return scene;
+}
+
 SceneFile with_elements(SceneFile scene, double dx, double ds) {
   scene.grid.dx = dx;
   scene.grid.ds = ds;
@@ -245,11 +265,19 @@ SceneFile with_elements(SceneFile scene, double dx, double ds) {
   return scene;
 }
 
+bool names_profile(std::string_view key) {
+  return key.ends_with("profile");
+}
+
+bool names_influence(std::string_view key) {
+  return key.ends_with("influence");
+}
+
 std::vector<NamedFile> files_of_key(const std::string& key, const std::string& name,
                                     const std::filesystem::path& folder) {
   if (name.empty())
     return {};
-  if (!key.ends_with(".profile"))
+  if (!names_profile(key))
     return {{key, name, folder / name}};
   std::vector<NamedFile> files{{key, name, profile_file_name(name, folder).file}};
   const std::filesystem::path& file = files.front().file;
@@ -271,6 +299,10 @@ std::vector<NamedFile> named_files(const SceneFile& scene) {
   };
   add("rail.profile", scene.rail.profile);
   add("wheel.profile", scene.wheel.profile);
+  add("wheelset.left_rail_profile", scene.wheelset.left_rail);
+  add("wheelset.left_wheel_profile", scene.wheelset.left_wheel);
+  add("wheelset.left_rail_influence", scene.wheelset.left_rail_influence);
+  add("wheelset.left_wheel_influence", scene.wheelset.left_wheel_influence);
   add("rail.influence", scene.rail.influence);
   add("wheel.influence", scene.wheel.influence);
   add("gap.table", scene.gap.table);

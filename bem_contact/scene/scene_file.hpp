@@ -56,6 +56,21 @@ struct SceneFile {
     bool operator==(const Load&) const = default;
   } load; ///< [load]
 
+  /// [wheelset], wheel_rail: both wheels of a wheelset, whose sums are given. Instead of [load]; the room
+  /// wheelset answers such a scene.
+  struct Wheelset {
+    std::optional<double> force = {}; ///< vertical force on the axle, N
+    std::optional<double> force_y =
+        {};                 ///< lateral force on the axle, N, to the right; position.lateral is found
+    double roll_moment = 0; ///< on the axle, about its centre, N mm, right side down
+    double torque = 0;      ///< that drives the axle, N mm; the rolling radius is found
+    /// The left side where it differs: profiles with influence files of their own, and friction.
+    std::string left_rail, left_wheel, left_rail_influence, left_wheel_influence;
+    std::optional<double> left_friction = {}; ///< Coulomb's mu
+
+    bool operator==(const Wheelset&) const = default;
+  } wheelset; ///< [wheelset]
+
   /// [motion]; creepages at the contact reference point
   struct Motion {
     MotionKind kind = MotionKind::steady;   ///< rolling, or shifts
@@ -180,6 +195,8 @@ std::string scene_with_defaults(const SceneFile& scene);
 SceneFile with_model(SceneFile scene, std::optional<Model> model);
 /// The same scene at a given lateral displacement, mm, instead of a given lateral force.
 SceneFile with_lateral(SceneFile scene, double lateral);
+/// One wheel of a scene with [wheelset], which it no longer has: with its side and what differs on the left.
+SceneFile one_wheel(SceneFile wheelset, WheelSide side);
 /// The same scene on elements of a given size, mm.
 SceneFile with_elements(SceneFile scene, double dx, double ds);
 
@@ -189,6 +206,10 @@ struct NamedFile {
   std::string name;           ///< as the scene gives it
   std::filesystem::path file; ///< in the scene's folder
 };
+/// What the file is that a key names: "rail.profile" and "wheelset.left_rail_profile", likewise of influence
+/// files.
+bool names_profile(std::string_view key);
+bool names_influence(std::string_view key);
 /// What a key names: nothing if `name` is empty. If it is the body file of a profile, also the profile file
 /// that this one names, with the key "rail.profile.body.profile".
 std::vector<NamedFile> files_of_key(const std::string& key, const std::string& name,

@@ -111,6 +111,46 @@ void add_load(Schema& s, SceneFile::Load& load) {
          .kinds = wheel_rail});
 }
 
+void add_wheelset(Schema& s, SceneFile::Wheelset& w) {
+  s.add(
+      "wheelset.force", w.force,
+      {.doc = "Vertical force on the axle, which both wheels share (bem_contact wheelset), instead of a load",
+       .unit = "N",
+       .above = 0,
+       .kinds = wheel_rail});
+  s.add("wheelset.force_y", w.force_y,
+        {.doc =
+             "Lateral force on the axle, at its centre, to the right; the lateral displacement that gives it "
+             "is found from position.lateral on",
+         .unit = "N",
+         .kinds = wheel_rail});
+  s.add("wheelset.roll_moment", w.roll_moment,
+        {.doc =
+             "Moment on the axle about the forward axis through its centre, right side down. A lateral force "
+             "that acts h above the centre adds h times the force",
+         .unit = "N mm",
+         .kinds = wheel_rail});
+  s.add("wheelset.torque", w.torque,
+        {.doc = "Torque that drives the axle (braking: below 0), where neither motion.rolling_radius nor "
+                "pitch_rate is given; the rolling radius of the axle is found",
+         .unit = "N mm",
+         .kinds = wheel_rail});
+  s.add("wheelset.left_rail_profile", w.left_rail,
+        {.doc = "The left rail's profile if it is another one (y to the field side); read as rail.profile is",
+         .kinds = wheel_rail});
+  s.add("wheelset.left_wheel_profile", w.left_wheel,
+        {.doc = "The left wheel's profile if it is another one (y to the field side)", .kinds = wheel_rail});
+  s.add("wheelset.left_rail_influence", w.left_rail_influence,
+        {.doc = "Influence file of wheelset.left_rail_profile", .kinds = wheel_rail});
+  s.add("wheelset.left_wheel_influence", w.left_wheel_influence,
+        {.doc = "Influence file of wheelset.left_wheel_profile", .kinds = wheel_rail});
+  s.add("wheelset.left_friction", w.left_friction,
+        {.doc = "Coefficient of friction on the left rail, if it is another one; 0: as motion.friction",
+         .at_least = 0,
+         .kinds = wheel_rail,
+         .zero_is_none = true});
+}
+
 void add_motion(Schema& s, SceneFile::Motion& m) {
   s.add("motion.kind", m.kind,
         {.doc =
@@ -302,6 +342,7 @@ Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
   add_side(s, "wheel", "The wheel", f.wheel, "S1002", read.wheel_young);
   add_position(s, f.position);
   add_load(s, f.load);
+  add_wheelset(s, f.wheelset);
   add_motion(s, f.motion);
   add_grid(s, f.grid, read);
   add_patch(s, f.gap, f.strip);

@@ -33,6 +33,9 @@ void require_bodies(const PairFiles& files, const WheelOnRail& pair) {
 } // namespace
 
 ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, bool foresee_shear) {
+  if (scene.wheelset.force)
+    throw InputError("This scene is one of both wheels of a wheelset", "wheelset.force is given",
+                     "Solve it with bem_contact wheelset (Python: wheelset), or give load.force instead.");
   if (scene.kind == SceneKind::patch) {
     ContactSetup setup = set_up_patch(scene);
     const PairFiles& read = files.influence(setup.rail, setup.wheel);

@@ -238,6 +238,11 @@ def creep_curves(
     Matrices are [Fx, Fs, Mz][xi, eta, phi]. Without any values all three curves go from full slip to full slip.
     """
 
+def wheelset(
+    scene: _Scene, changes: _Changes = None, model: _Model = None, *, folder: str | PathLike[str] | None = None
+) -> dict[str, Any]:
+    """Both wheels of a wheelset under the forces on its axle: "wheelset", "right" and "left" (numbers and Results)."""
+
 def wear(result: Result, law: str = "energy", hardness: float = 3000, speed: float = 3e4) -> dict[str, Any]:
     """What a result wears away: depth by passage and revolution over s, sliding distance, volume by rolled distance."""
 

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/wheelset/wheel_forces.hpp"
+
+#include <atomic>
+
+namespace bem_contact {
+
+/// Where a wheelset stands and how it turns. Mirror images of it have lateral, roll and yaw of other sign.
+struct WheelsetPose {
+  double lateral = 0;  ///< of its centre, mm, to the right
+  double vertical = 0; ///< of its centre plus wheel_radius, mm, down
+  double roll = 0;     ///< rad, right side down
+  /// V over the angular speed of the axle, mm; empty: as the scene gives it (or without friction).
+  std::optional<double> rolling_radius;
+};
+
+/// Both wheels of a wheelset at one pose. The left wheel is solved as a right one in the mirrored track frame
+/// (geometry/placement.hpp); its SceneResult stays in that frame, all wrenches are turned back.
+struct WheelsetState {
+  WheelsetPose pose;
+  double yaw = 0, wheel_radius = 0;     ///< rad, mm
+  SceneResult right, left;              ///< SceneResult::left says which
+  Wrench right_wrench{}, left_wrench{}; ///< on the rails, track frame, about the wheelset's centre
+
+  const SceneResult& solved(WheelSide side) const { return side == WheelSide::right ? right : left; }
+  const Wrench& wrench(WheelSide side) const { return side == WheelSide::right ? right_wrench : left_wrench; }
+  Wrench sum() const { return right_wrench + left_wrench; }
+  /// About the forward axis through the wheelset's centre, N mm: what does work as the wheelset rolls.
+  double roll_moment(const Wrench& w) const;
+  /// Torque that must drive the axle against these forces on the rails, N mm.
+  double torque(const Wrench& w) const;
+  bool certified() const { return right.result.converged && left.result.converged; }
+};
+
+/// Solves both wheels, each with a sequence of its own, so that a wheel starts from its own last solution.
+/// Both share files. The scene is one with [wheelset].
+class WheelPair {
+public:
+  explicit WheelPair(const SceneFile& scene, const std::atomic<bool>* stop = nullptr);
+
+  /// Throws what Sequence::solve() throws.
+  WheelsetState at(const WheelsetPose& pose);
+  /// From here on both wheels are solved with these models and elements.
+  void fix_elements(const WheelsetState& like);
+  /// From here on elements are so many times as long and wide as fix_elements() made them.
+  void scale_elements(double factor);
+  /// From here on elements and model are those that the scene asks for.
+  void free_elements();
+  /// By how much the wheelset is lowered until that wheel touches its rail, from where vertical is 0, mm.
+  /// Throws InputError where it does not.
+  double lowered(WheelSide side, double lateral, double roll);
+
+  const SceneFile& scene() const { return scene_; }
+  int contact_problems() const; ///< solutions so far
+
+private:
+  SceneFile wheel_scene(WheelSide side, const WheelsetPose& pose) const;
+
+  SceneFile scene_;
+  SceneFile right_scene_, left_scene_; ///< perhaps with elements and model fixed
+  const std::atomic<bool>* stop_;
+  std::shared_ptr<SequenceFiles> files_ = std::make_shared<SequenceFiles>();
+  Sequence right_{{}, files_}, left_{{}, files_};
+};
+
+} // namespace bem_contact
