@@ -4,6 +4,7 @@
 #include "bem_contact/python/creep_curves_function.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/sequence_object.hpp"
+#include "bem_contact/python/table_function.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/python/wear_functions.hpp"
 #include "bem_contact/sequence/quantities.hpp"
@@ -286,6 +287,7 @@ PYBIND11_MODULE(_core, m) {
            of_arguments);
   add_conicity(m);
   add_creep_curves(m);
+  add_table(m);
   add_wear_functions(m);
   py::module_::import("atexit").attr("register")(py::cpp_function(&end_stopped_solutions));
 }

@@ -8,7 +8,7 @@
 `help(bem_contact.solve)` and `help(bem_contact.Result)` say what goes in and what comes out.
 """
 
-from ._core import ConvergenceError, InputError, Result, Sequence, __commit__, __version__, conicity, creep_curves, fatigue, solve, wear
+from ._core import ConvergenceError, InputError, Result, Sequence, __commit__, __version__, conicity, creep_curves, fatigue, solve, table, wear
 
 __all__ = ["ConvergenceError", "InputError", "Result", "Sequence", "__commit__", "__version__", "conicity", "creep_curves",
-           "fatigue", "solve", "wear"]
+           "fatigue", "solve", "table", "wear"]
