@@ -10,18 +10,45 @@ namespace bem_contact::table {
 
 namespace {
 
-/// Between which points, and how far: 0 at the lower, 1 at the upper.
-struct Place {
-  std::size_t lower = 0;
-  double share = 0;
-};
-
-Place place(std::span<const double> points, double at) {
+/// The interval of a coordinate: between points[lower] and the next.
+std::size_t interval(std::span<const double> points, double at) {
   const auto above = std::ranges::upper_bound(points, at) - points.begin();
-  const auto lower = std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(points) - 2);
-  const double from = points[lower], to = points[lower + 1];
-  return {static_cast<std::size_t>(lower), std::clamp((at - from) / (to - from), 0.0, 1.0)};
+  return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(points) - 2));
 }
+
+/// The slope at a point between two intervals of lengths h and k, in which the values change by f h and g k:
+/// between f and g, and 0 where these have different signs (Fritsch and Butland 1984).
+double monotone_slope(double h, double f, double k, double g) {
+  if (!(f * g > 0))
+    return f * g <= 0 ? 0 : f + g; // nan stays nan
+  return 3 * (h + k) / ((2 * k + h) / f + (k + 2 * h) / g);
+}
+
+/// What is left of a table once the coordinates of some axes are given.
+struct Remainder {
+  const ContactTable& table;
+  const Column& column;
+  std::span<const double> at;
+
+  /// `index`: of the points of the axes before this one.
+  double value(std::size_t axis, std::size_t index) const {
+    if (axis == at.size())
+      return column.values[index];
+    const std::vector<double>& x = table.axes[axis].points;
+    const std::size_t i = interval(x, at[axis]);
+    const auto point = [&](std::size_t k) { return value(axis + 1, index * x.size() + k); };
+    const double h = x[i + 1] - x[i], share = std::clamp((at[axis] - x[i]) / h, 0.0, 1.0);
+    if (share == 0 || share == 1)
+      return point(share == 0 ? i : i + 1);
+    const double low = point(i), high = point(i + 1), slope = (high - low) / h;
+    double first = slope, last = slope; // at the two ends; where the axis ends, the chord's
+    if (i > 0)
+      first = monotone_slope(x[i] - x[i - 1], (low - point(i - 1)) / (x[i] - x[i - 1]), h, slope);
+    if (i + 2 < x.size())
+      last = monotone_slope(h, slope, x[i + 2] - x[i + 1], (point(i + 2) - high) / (x[i + 2] - x[i + 1]));
+    return low + share * h * (slope + (1 - share) * ((first - slope) * (1 - share) - (last - slope) * share));
+  }
+};
 
 } // namespace
 
@@ -56,31 +83,13 @@ double interpolate(const ContactTable& table, const Column& column, std::span<co
   if (at.size() != table.axes.size())
     throw InputError(fmt::format("A point with {} coordinates is not in the table", at.size()),
                      fmt::format("it has {} axes", table.axes.size()), "Give one for each axis.");
-  // corners of the cell: [first axis]...[last axis], two of each; each axis halves them
-  std::vector<std::size_t> index{0};
-  std::vector<double> weight{1};
-  for (std::size_t a = 0; a < table.axes.size(); ++a) {
-    const std::vector<double>& points = table.axes[a].points;
-    const auto [lower, share] = place(points, at[a]);
-    std::vector<std::size_t> next;
-    std::vector<double> weights;
-    for (std::size_t i = 0; i < index.size(); ++i)
-      for (const std::size_t side : {0u, 1u}) {
-        next.push_back(index[i] * points.size() + lower + side);
-        weights.push_back(weight[i] * (side == 1 ? share : 1 - share));
-      }
-    index = std::move(next), weight = std::move(weights);
-  }
-  double value = 0;
-  for (std::size_t i = 0; i < index.size(); ++i)
-    if (weight[i] != 0) // a corner that does not count may be nan
-      value += weight[i] * column.values[index[i]];
-  return value;
+  return Remainder{table, column, at}.value(0, 0);
 }
 
 double interpolate(std::span<const double> x, std::span<const double> y, double at) {
-  const auto [lower, share] = place(x, at);
-  return (1 - share) * y[lower] + share * y[lower + 1];
+  const std::size_t i = interval(x, at);
+  const double share = std::clamp((at - x[i]) / (x[i + 1] - x[i]), 0.0, 1.0);
+  return (1 - share) * y[i] + share * y[i + 1];
 }
 
 } // namespace bem_contact::table

@@ -132,46 +132,42 @@ private:
     return out;
   }
 
-  /// How far a column bends along an axis within a cell: the error of linear interpolation in the middle of
-  /// the interval, by divided differences with the points before and after it. Largest over the corners.
-  double bend(std::size_t axis, const std::vector<std::size_t>& cell, const Column& column) const {
-    const std::vector<double>& x = table_.axes[axis].points;
-    if (x.size() < 3)
-      return std::numeric_limits<double>::infinity(); // a line through two points shows no curvature
-    const std::size_t i = cell[axis];
-    const double h = x[i + 1] - x[i];
-    double largest = 0;
-    for (std::size_t corner = 0; corner < std::size_t{1} << cell.size(); ++corner)
-      for (std::size_t first = i > 0 ? i - 1 : 0; first + 2 < x.size() && first <= i; ++first) {
-        const auto value = [&](std::size_t on_axis) {
-          std::size_t index = 0;
-          for (std::size_t a = 0; a < cell.size(); ++a)
-            index =
-                index * table_.axes[a].points.size() + (a == axis ? on_axis : cell[a] + (corner >> a & 1));
-          return column.values[index];
-        };
-        const double f0 = value(first), f1 = value(first + 1), f2 = value(first + 2);
-        const double x0 = x[first], x1 = x[first + 1], x2 = x[first + 2];
-        const double second = ((f2 - f1) / (x2 - x1) - (f1 - f0) / (x1 - x0)) / (x2 - x0);
-        largest = std::max(largest, 0.25 * std::abs(second) * h * h);
-      }
-    return largest;
+  /// The middle of a cell's interval of one axis, at the lower or the upper ends of its other intervals. If
+  /// this interval is halved, it is a point of the table.
+  Point on_edge(const Point& middle, std::size_t axis, std::size_t end) const {
+    Point out = middle;
+    const std::vector<std::size_t> cell = intervals_of(middle);
+    for (std::size_t a = 0; a < out.size(); ++a)
+      if (a != axis)
+        out[a] = table_.axes[a].points[cell[a] + end];
+    return out;
   }
 
+  /// Halves intervals of the worst cells: of the axis along which the error is largest, as solutions on two
+  /// of the cell's edges tell.
   void insert(const std::map<Point, CellError>& wrong) {
+    std::vector<Point> edges;
+    const auto each_edge = [&](const auto& use) {
+      for (const auto& [middle, cell] : wrong)
+        if (cell.relative >= worst_share * worst_)
+          for (std::size_t a = 0; a < middle.size(); ++a)
+            use(middle, cell, a);
+    };
+    each_edge([&](const Point& middle, const CellError&, std::size_t a) {
+      for (const std::size_t end : {0u, 1u})
+        edges.push_back(on_edge(middle, a, end));
+    });
+    solve_missing(edges);
+    std::map<Point, std::vector<double>> along; ///< error of each cell along each axis
+    each_edge([&](const Point& middle, const CellError& cell, std::size_t a) {
+      along[middle].push_back(
+          std::max(error(on_edge(middle, a, 0), cell.column), error(on_edge(middle, a, 1), cell.column)));
+    });
     std::vector<std::set<double>> fresh(table_.axes.size());
-    for (const auto& [middle, cell] : wrong) {
-      if (cell.relative < worst_share * worst_)
-        continue;
-      const std::vector<std::size_t> intervals = intervals_of(middle);
-      std::vector<double> bends;
-      for (std::size_t a = 0; a < middle.size(); ++a)
-        bends.push_back(bend(a, intervals, table_.columns[cell.column]));
-      const double largest = *std::ranges::max_element(bends);
-      for (std::size_t a = 0; a < middle.size(); ++a)
-        if (bends[a] >= axis_share * largest || bends[a] == largest)
+    for (const auto& [middle, errors] : along)
+      for (std::size_t a = 0; a < errors.size(); ++a)
+        if (!(errors[a] < axis_share * *std::ranges::max_element(errors)))
           fresh[a].insert(middle[a]);
-    }
     for (std::size_t a = 0; a < fresh.size(); ++a) {
       std::vector<double>& points = table_.axes[a].points;
       points.insert(points.end(), fresh[a].begin(), fresh[a].end());

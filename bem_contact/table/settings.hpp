@@ -13,7 +13,7 @@ BEM_CONTACT_TUNED(std::size_t, cells_in_a_round, 400);
 /// 1, of the largest error of a round: cells with a larger one are refined. Smaller ones often vanish with
 /// the intervals that the others need.
 BEM_CONTACT_TUNED(double, worst_share, 0.5);
-/// 1, of the largest of a cell's curvatures: axes with a larger one are refined, all at once.
+/// 1, of the largest of a cell's errors along its axes: axes with a larger one are refined, all at once.
 BEM_CONTACT_TUNED(double, axis_share, 0.7);
 /// 1. Rounds, as a guard: each inserts a point at least, and 200 points on an axis are no table.
 BEM_CONTACT_TUNED(int, most_rounds, 200);
