@@ -16,12 +16,10 @@ std::size_t interval(std::span<const double> points, double at) {
   return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(points) - 2));
 }
 
-/// The slope at a point between two intervals of lengths h and k, in which the values change by f h and g k:
-/// between f and g, and 0 where these have different signs (Fritsch and Butland 1984).
-double monotone_slope(double h, double f, double k, double g) {
-  if (!(f * g > 0))
-    return f * g <= 0 ? 0 : f + g; // nan stays nan
-  return 3 * (h + k) / ((2 * k + h) / f + (k + 2 * h) / g);
+/// The slope at a point between two intervals of lengths h and k, along which the slopes are f and g: that of
+/// the parabola through the three points.
+double parabola_slope(double h, double f, double k, double g) {
+  return (k * f + h * g) / (h + k);
 }
 
 /// What is left of a table once the coordinates of some axes are given.
@@ -41,11 +39,15 @@ struct Remainder {
     if (share == 0 || share == 1)
       return point(share == 0 ? i : i + 1);
     const double low = point(i), high = point(i + 1), slope = (high - low) / h;
-    double first = slope, last = slope; // at the two ends; where the axis ends, the chord's
+    double first = slope, last = slope;
     if (i > 0)
-      first = monotone_slope(x[i] - x[i - 1], (low - point(i - 1)) / (x[i] - x[i - 1]), h, slope);
+      first = parabola_slope(x[i] - x[i - 1], (low - point(i - 1)) / (x[i] - x[i - 1]), h, slope);
     if (i + 2 < x.size())
-      last = monotone_slope(h, slope, x[i + 2] - x[i + 1], (point(i + 2) - high) / (x[i + 2] - x[i + 1]));
+      last = parabola_slope(h, slope, x[i + 2] - x[i + 1], (point(i + 2) - high) / (x[i + 2] - x[i + 1]));
+    if (i == 0) // at an end the parabola of the neighbours goes on
+      first = 2 * slope - last;
+    if (i + 2 == x.size())
+      last = 2 * slope - first;
     return low + share * h * (slope + (1 - share) * ((first - slope) * (1 - share) - (last - slope) * share));
   }
 };

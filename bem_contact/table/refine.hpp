@@ -37,7 +37,7 @@ struct Wanted {
 };
 
 /// Solves every point of a table and, to measure the error, the middle of its cells. Where the error is too
-/// large, intervals of the axis with the largest curvature are halved, until every cell's middle is within
+/// large, intervals of the axis along which it is largest are halved, until every cell's middle is within
 /// the tolerance. Only axes that are given grow: nothing is solved beyond their ends. Throws ConvergenceError
 /// if that takes more than most_points, or if a point has no certified result.
 void refine(ContactTable& table, const PointsSolver& solve, const Wanted& wanted);

@@ -88,7 +88,8 @@ H5Table to_h5(const ContactTable& table) {
   a["axes"] = names_of(table.axes);
   a["columns"] = names_of(table.columns);
   a["held"] = held_of(table);
-  a["interpolation"] = std::string("linear in each coordinate between the points, constant beyond the ends");
+  a["interpolation"] = std::string(
+      "in each coordinate cubic, by the slopes of parabolas through three points; constant beyond the ends");
   a["tolerance"] = table.tolerance;
   a["points"] = static_cast<double>(table.size());
   a["solved"] = static_cast<double>(table.solved);

@@ -42,17 +42,30 @@ static Table read_table(hid_t file, const char* column) {
   return t;
 }
 
-/* Linear in each coordinate, constant beyond the ends. Begin with axis 0 and index 0. */
+/* Cubic in each coordinate, by the slopes of parabolas through three points; constant beyond the ends.
+   Begin with axis 0 and index 0. */
 static double value(const Table* t, const double* at, int axis, size_t index) {
   const double* x = t->axis[axis];
   int n = t->points[axis], i = 0;
-  double share;
+  double h, k, share, low, high, chord, first, last;
   if (axis == t->axes)
     return t->values[index];
   while (i < n - 2 && at[axis] >= x[i + 1])
     ++i;
-  share = fmin(fmax((at[axis] - x[i]) / (x[i + 1] - x[i]), 0), 1);
-  return (1 - share) * value(t, at, axis + 1, index * n + i) + share * value(t, at, axis + 1, index * n + i + 1);
+  h = x[i + 1] - x[i];
+  share = fmin(fmax((at[axis] - x[i]) / h, 0), 1);
+  index = index * n + i;
+  low = value(t, at, axis + 1, index), high = value(t, at, axis + 1, index + 1);
+  first = last = chord = (high - low) / h;
+  if (i > 0)
+    k = x[i] - x[i - 1], first = (h * (low - value(t, at, axis + 1, index - 1)) / k + k * chord) / (h + k);
+  if (i < n - 2)
+    k = x[i + 2] - x[i + 1], last = (k * chord + h * (value(t, at, axis + 1, index + 2) - high) / k) / (h + k);
+  if (i == 0)
+    first = 2 * chord - last;
+  if (i == n - 2)
+    last = 2 * chord - first;
+  return low + share * h * (chord + (1 - share) * ((first - chord) * (1 - share) - (last - chord) * share));
 }
 
 /* Fx, Fy (N) and Mz (N mm) on the rail; q: a, b (mm), G (MPa), mu N (N), xi, eta, phi (1/mm). */

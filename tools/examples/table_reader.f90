@@ -37,23 +37,45 @@ contains
     close (u)
   end function
 
-  ! Linear in each coordinate, constant beyond the ends. The last axis runs fastest. Begin with axis 1 and index 0.
+  ! Cubic in each coordinate, by the slopes of parabolas through three points; constant beyond the ends. The last axis
+  ! runs fastest. Begin with axis 1 and index 0.
   recursive real(dp) function value(axes, values, at, axis, index) result(v)
     type(line), intent(in) :: axes(:)
     real(dp), intent(in) :: values(:), at(:)
     integer, intent(in) :: axis, index
     integer :: i, n
-    real(dp) :: share
+    real(dp) :: h, k, share, low, high, chord, first, last
     if (axis > size(axes)) then
       v = values(index + 1)
       return
     end if
-    n = size(axes(axis)%values)
-    i = min(max(count(axes(axis)%values <= at(axis)), 1), n - 1)
-    share = (at(axis) - axes(axis)%values(i)) / (axes(axis)%values(i + 1) - axes(axis)%values(i))
-    share = min(max(share, 0d0), 1d0)
-    v = (1 - share) * value(axes, values, at, axis + 1, index * n + i - 1) &
-      + share * value(axes, values, at, axis + 1, index * n + i)
+    associate (x => axes(axis)%values)
+      n = size(x)
+      i = min(max(count(x <= at(axis)), 1), n - 1)
+      h = x(i + 1) - x(i)
+      share = min(max((at(axis) - x(i)) / h, 0d0), 1d0)
+      low = point(i)
+      high = point(i + 1)
+      chord = (high - low) / h
+      first = chord
+      last = chord
+      if (i > 1) then
+        k = x(i) - x(i - 1)
+        first = (h * (low - point(i - 1)) / k + k * chord) / (h + k)
+      end if
+      if (i < n - 1) then
+        k = x(i + 2) - x(i + 1)
+        last = (k * chord + h * (point(i + 2) - high) / k) / (h + k)
+      end if
+    end associate
+    if (i == 1) first = 2 * chord - last
+    if (i == n - 1) last = 2 * chord - first
+    v = low + share * h * (chord + (1 - share) * ((first - chord) * (1 - share) - (last - chord) * share))
+  contains
+    recursive real(dp) function point(j)
+      integer, intent(in) :: j
+      point = value(axes, values, at, axis + 1, index * n + j - 1)
+    end function
   end function
 
   ! Fx, Fy (N) and Mz (N mm) on the rail; q: a, b (mm), G (MPa), mu N (N), xi, eta, phi (1/mm).

@@ -20,13 +20,17 @@ class Table:
             self.scale = {name: data[()] for name, data in f.get("creep_scale", {}).items()}
 
     def value(self, column, point):
-        """Linear in each coordinate, constant beyond the ends."""
-        block = self.values[column]
-        for points, x in zip(self.axes, point):
-            i = np.clip(np.searchsorted(points, x, "right") - 1, 0, len(points) - 2)
-            share = np.clip((x - points[i]) / (points[i + 1] - points[i]), 0, 1)
-            block = (1 - share) * block[i] + share * block[i + 1]
-        return block
+        """Cubic in each coordinate, by the slopes of parabolas through three points; constant beyond the ends."""
+        f = self.values[column]
+        for x, at in zip(self.axes, point):
+            i, n = np.clip(np.searchsorted(x, at, "right") - 1, 0, len(x) - 2), len(x)
+            h, share = np.diff(x), np.clip((at - x[i]) / (x[i + 1] - x[i]), 0, 1)
+            before, chord, after = ((f[j + 1] - f[j]) / h[j] for j in (max(i - 1, 0), i, min(i + 1, n - 2)))
+            first = (h[i] * before + h[i - 1] * chord) / (h[i - 1] + h[i]) if i > 0 else None
+            last = (h[i + 1] * chord + h[i] * after) / (h[i] + h[i + 1]) if i + 2 < n else chord if i == 0 else 2 * chord - first
+            first = 2 * chord - last if i == 0 else first
+            f = f[i] + share * h[i] * (chord + (1 - share) * ((first - chord) * (1 - share) - (last - chord) * share))
+        return f
 
     def creep_forces(self, a, b, shear_modulus, bound, xi, eta, phi):
         """Fx, Fy (N) and Mz (N mm) on the rail; semi-axes a along x and b (mm), bound = mu N (N)."""
