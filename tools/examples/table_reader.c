@@ -68,20 +68,23 @@ static double value(const Table* t, const double* at, int axis, size_t index) {
   return low + share * h * (chord + (1 - share) * ((first - chord) * (1 - share) - (last - chord) * share));
 }
 
+/* Kalker's coefficient: linear between the points. */
+static double coefficient(hid_t file, const char* name, double at) {
+  size_t n, i = 0;
+  double *x = array(file, "creep_scale", "log10_a_over_b", &n), *y = array(file, "creep_scale", name, &n);
+  while (i + 2 < n && at >= x[i + 1])
+    ++i;
+  return y[i] + (y[i + 1] - y[i]) * fmin(fmax((at - x[i]) / (x[i + 1] - x[i]), 0), 1);
+}
+
 /* Fx, Fy (N) and Mz (N mm) on the rail; q: a, b (mm), G (MPa), mu N (N), xi, eta, phi (1/mm). */
 static void creep_forces(hid_t file, const double* q, double* forces) {
   static const char *columns[] = {"Fx", "Fy", "Mz"}, *names[] = {"C11", "C22", "C23"};
   double log_ratio = log10(q[0] / q[1]), c = sqrt(q[0] * q[1]), unit = q[2] * c * c / q[3], k[3], at[4], x, y, z, w;
   double sign = q[5] < 0 ? -1 : 1, factor[3];
-  size_t count;
   int i;
-  for (i = 0; i < 3; ++i) {
-    Table scale = {1, {0}, {0}, 0};
-    scale.axis[0] = array(file, "creep_scale", "log10_a_over_b", &count);
-    scale.values = array(file, "creep_scale", names[i], &count);
-    scale.points[0] = (int)count;
-    k[i] = value(&scale, &log_ratio, 0, 0);
-  }
+  for (i = 0; i < 3; ++i)
+    k[i] = coefficient(file, names[i], log_ratio);
   x = unit * k[0] / 3 * fabs(q[4]), y = sign * unit * k[1] / 3 * q[5], z = sign * unit * c * k[2] * q[6];
   w = sqrt(x * x + y * y + z * z);
   at[0] = log_ratio, at[1] = atan2(hypot(y, z), x), at[2] = atan2(z, y), at[3] = w / (1 + w);

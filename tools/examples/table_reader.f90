@@ -82,13 +82,13 @@ contains
   function creep_forces(t, q) result(f)
     type(table), intent(in) :: t
     real(dp), intent(in) :: q(7)
-    type(line) :: ratio(1)
-    real(dp) :: f(3), k(3), at(4), c, unit, x, y, z, w, sign_y
+    real(dp) :: f(3), k(3), at(4), c, unit, x, y, z, w, sign_y, share
     integer :: i
     at(1) = log10(q(1) / q(2))
     c = sqrt(q(1) * q(2))
-    ratio(1)%values = t%scale(1, :)
-    k = [(value(ratio, t%scale(i, :), at(1:1), 1, 0), i=2, 4)]
+    i = min(max(count(t%scale(1, :) <= at(1)), 1), size(t%scale, 2) - 1) ! Kalker's coefficients: linear
+    share = min(max((at(1) - t%scale(1, i)) / (t%scale(1, i + 1) - t%scale(1, i)), 0d0), 1d0)
+    k = (1 - share) * t%scale(2:4, i) + share * t%scale(2:4, i + 1)
     unit = q(3) * c**2 / q(4)
     sign_y = merge(-1d0, 1d0, q(6) < 0)
     x = unit * k(1) / 3 * abs(q(5))

@@ -26,9 +26,12 @@ class Table:
             i, n = np.clip(np.searchsorted(x, at, "right") - 1, 0, len(x) - 2), len(x)
             h, share = np.diff(x), np.clip((at - x[i]) / (x[i + 1] - x[i]), 0, 1)
             before, chord, after = ((f[j + 1] - f[j]) / h[j] for j in (max(i - 1, 0), i, min(i + 1, n - 2)))
-            first = (h[i] * before + h[i - 1] * chord) / (h[i - 1] + h[i]) if i > 0 else None
-            last = (h[i + 1] * chord + h[i] * after) / (h[i] + h[i + 1]) if i + 2 < n else chord if i == 0 else 2 * chord - first
-            first = 2 * chord - last if i == 0 else first
+            first = last = chord
+            if i > 0:
+                first = (h[i] * before + h[i - 1] * chord) / (h[i - 1] + h[i])
+            if i + 2 < n:
+                last = (h[i + 1] * chord + h[i] * after) / (h[i] + h[i + 1])
+            first, last = (2 * chord - last if i == 0 else first), (2 * chord - first if i + 2 == n else last)
             f = f[i] + share * h[i] * (chord + (1 - share) * ((first - chord) * (1 - share) - (last - chord) * share))
         return f
 
