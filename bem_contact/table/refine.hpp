@@ -26,8 +26,8 @@ PointsSolver one_by_one(PointSolver solve);
 
 /// What a table must be, and what it may cost.
 struct Wanted {
-  double tolerance = 0.01;         ///< largest interpolation error of each held column, over its scale
-  std::size_t most_points = 50000; ///< of the table; between them about as many more are solved
+  double tolerance = 0.01;          ///< largest interpolation error of each held column, over its scale
+  std::size_t most_points = 200000; ///< of the table; between them about as many more are solved
   /// Sets the scales of the columns from their values; empty: they stay.
   std::function<void(ContactTable&)> rescale{};
   /// Points with the same result give the same; empty: all differ.
