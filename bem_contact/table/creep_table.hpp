@@ -20,6 +20,9 @@ namespace bem_contact::table {
 ///     t = w / (1 + w), where w is the length of (xi', eta', phi'): 0 .. 1, and 1 is full slip.
 /// Creepages of the other signs follow by symmetry: the sign of xi turns that of Fx alone, and the signs of
 /// eta and phi together turn those of Fy and Mz alone.
+///
+/// Long ellipses under spin change their forces abruptly, which takes many points: near a/b = 0.1 the
+/// largest error of a table of 48620 points was 7 % (Mz, 12 elements).
 struct CreepTableOptions {
   double poisson = 0.28;
   double from = 0.1, to = 10; ///< a/b; within .1 to 10, where the coefficients are known
