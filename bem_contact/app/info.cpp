@@ -9,6 +9,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/table/table_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -99,6 +100,8 @@ std::string describe_file(const std::filesystem::path& file) {
     return describe_table(read_h5(file), "The conicity of a wheelset");
   if (is(creep_curves_format))
     return describe_table(read_h5(file), "Creep curves");
+  if (is(table::table_format))
+    return describe_table(read_h5(file), "A table of contact forces");
   if (is("conformal-contact influence numbers 1"))
     return describe_table(read_h5(file), "Plain influence numbers");
   throw InputError(fmt::format("'{}' is not a file of this project", file.string()),

@@ -7,6 +7,7 @@
 #include "bem_contact/app/report_command.hpp"
 #include "bem_contact/app/scene_commands.hpp"
 #include "bem_contact/app/sweep_command.hpp"
+#include "bem_contact/app/table_command.hpp"
 #include "bem_contact/app/wear_command.hpp"
 #include "bem_contact/app/wheelset_command.hpp"
 #include "bem_contact/base/error.hpp"
@@ -86,9 +87,9 @@ int run_program(int argc, char** argv) {
                "Print a scene file with every key, its default and its unit");
   cli.footer(program_help);
   const std::vector<Command> commands{
-      add_solve(cli),   add_compare(cli),  add_check(cli),    add_info(cli),         add_influence(cli),
-      add_profile(cli), add_sweep(cli),    add_conicity(cli), add_creep_curves(cli), add_wear(cli),
-      add_fatigue(cli), add_wheelset(cli), add_report(cli)};
+      add_solve(cli),   add_compare(cli), add_check(cli),    add_info(cli),         add_influence(cli),
+      add_profile(cli), add_sweep(cli),   add_conicity(cli), add_creep_curves(cli), add_table(cli),
+      add_wear(cli),    add_fatigue(cli), add_wheelset(cli), add_report(cli)};
   try {
     refuse_unknown_command(cli, argc > 1 ? argv[1] : "");
     cli.parse(argc, argv);

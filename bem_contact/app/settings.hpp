@@ -26,6 +26,14 @@ BEM_CONTACT_TUNED(std::size_t, chunks_of_a_sweep, 8);
 BEM_CONTACT_TUNED(std::size_t, smallest_chunk, 4);
 BEM_CONTACT_TUNED(std::size_t, largest_chunk, 32);
 
+// Tables.
+
+/// 1. A process solves a chunk of points one after the other: as of sweeps, but the contacts are smaller.
+BEM_CONTACT_TUNED(std::size_t, chunks_of_a_table, 8);
+/// Points. Smallest and largest chunk of a table. Chosen: the first of a chunk computes influence numbers.
+BEM_CONTACT_TUNED(std::size_t, smallest_table_chunk, 4);
+BEM_CONTACT_TUNED(std::size_t, largest_table_chunk, 64);
+
 // Result files.
 
 /// Bytes. A larger input is not kept in result files, only its digest. A measured profile has 100 kB; a step

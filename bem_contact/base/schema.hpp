@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -93,7 +94,7 @@ public:
     add_key(std::move(path), std::move(list), std::move(rule));
   }
   /// read() ignores this table, because other code reads it.
-  void skip(std::string table) { skipped_ = std::move(table); }
+  void skip(std::string table) { skipped_.insert(std::move(table)); }
   /// The key that says which kind of file it is (KeyRule::kinds); it is bound to an enum.
   void kind_is(std::string path) { kind_path_ = std::move(path); }
 
@@ -139,7 +140,8 @@ private:
   std::string where(std::string_view path) const;
   [[noreturn]] void refuse_unknown(const std::string& path, bool is_table) const;
 
-  std::string title_, kind_path_, skipped_, source_;
+  std::string title_, kind_path_, source_;
+  std::set<std::string> skipped_;
   std::vector<Key> keys_;
   std::map<std::string, int> lines_; ///< of the keys and tables that the file has
   friend class SchemaReader;

@@ -40,7 +40,7 @@ public:
       // A table made by a dotted key has no line of its own; its key has.
       const auto begin = node.source().begin.line ? node.source().begin : name.source().begin;
       schema.lines_[path] = static_cast<int>(begin.line);
-      if (node.is_table() && path == schema.skipped_)
+      if (node.is_table() && schema.skipped_.contains(path))
         continue;
       if (const Schema::Key* key = schema.find(path)) {
         assign(*key, node);

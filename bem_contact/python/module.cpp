@@ -5,6 +5,7 @@
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/sequence_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
+#include "bem_contact/python/table_function.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/python/wear_functions.hpp"
 #include "bem_contact/python/wheelset_function.hpp"
@@ -287,6 +288,7 @@ PYBIND11_MODULE(_core, m) {
   add_conicity(m);
   add_creep_curves(m);
   add_wheelset(m);
+  add_table(m);
   add_wear_functions(m);
   m.def("report", &report::write_report, "file"_a, "output"_a, py::call_guard<py::gil_scoped_release>(),
         "Writes one HTML page of a result, a comparison, a sweep, creep curves or wear (HDF5): the scene in "

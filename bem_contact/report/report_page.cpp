@@ -46,8 +46,7 @@ std::string report_page(const nlohmann::json& data) {
 }
 
 void write_report(const std::filesystem::path& file, const std::filesystem::path& output) {
-  refuse_overwriting(output, std::array{file});
-  output_target(output, OutputForm::text);
+  require_outputs({file}, {{.option = "--output", .file = output, .required = true}});
   const std::string page = report_page(report_data(file));
   write_text(output, [&](std::ostream& out) { out << page; });
 }

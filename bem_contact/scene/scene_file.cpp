@@ -29,9 +29,11 @@ void check_load(const SceneFile& f, const Schema& s) {
                                  : "Give exactly one of load.force and load.approach.");
   if (given == 0)
     s.refuse("load", "neither force nor approach is given",
-             s.has("sweep") ? "Give load.force or load.approach; a scene whose table [sweep] does is for "
-                              "bem_contact sweep."
-                            : "Give load.force or load.approach.");
+             s.has("sweep")   ? "Give load.force or load.approach; a scene whose table [sweep] does is for "
+                                "bem_contact sweep."
+             : s.has("table") ? "Give load.force or load.approach; a scene whose table [table] does is for "
+                                "bem_contact table."
+                              : "Give load.force or load.approach.");
   if (f.load.force_y && !f.load.force)
     s.refuse("load.force_y",
              "the lateral displacement is sought under a vertical force, and load.force is not given",
@@ -179,6 +181,7 @@ struct SceneReader::State {
   State(const SceneReader::Source& source, std::span<const SceneChange> changes) {
     file.folder = source.folder;
     schema.skip("sweep");
+    schema.skip("table");
     schema.read(source.toml, source.name);
     for (const SceneChange& change : changes)
       schema.set(change.key, change.value, change.line);

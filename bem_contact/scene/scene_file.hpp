@@ -176,7 +176,8 @@ struct SceneChange {
   int line = 0;      ///< of the file, for messages; 0: none
 };
 
-/// Read a scene; `changes` replace values of the file. A table [sweep] is ignored (sweep_file.hpp reads it).
+/// Read a scene; `changes` replace values of the file. Tables [sweep] and [table] are ignored
+/// (sweep_file.hpp reads them).
 /// Relative paths start at the file's folder; in a text, at the working directory. Both throw InputError,
 /// naming source, line and key, for what is no valid scene.
 SceneFile read_scene_file(const std::filesystem::path& file, std::span<const SceneChange> changes = {});

@@ -23,6 +23,7 @@ double rounded(double value) {
 
 struct Reader {
   SweepFile& sweep;
+  std::string_view section; ///< "sweep", or "table", which has axes alone
 
   [[noreturn]] void refuse(int line, const std::string& problem, const std::string& why,
                            const std::string& what_to_do) const {
@@ -35,11 +36,12 @@ struct Reader {
           prefix.empty() ? std::string(name.str()) : prefix + "." + std::string(name.str());
       const int line = static_cast<int>(name.source().begin.line);
       const toml::table* inner = node.as_table();
-      if (key == "mode")
+      const bool is_sweep = section == "sweep";
+      if (is_sweep && key == "mode")
         mode(node, line);
-      else if (key == "fields" && node.is_boolean())
+      else if (is_sweep && key == "fields" && node.is_boolean())
         sweep.fields = *node.value<bool>();
-      else if (key == "weight")
+      else if (is_sweep && key == "weight")
         weights(node, line);
       else if (inner && (inner->contains("from") || inner->contains("to")))
         sweep.axes.push_back({key, range(*inner, key, line), line});
@@ -48,8 +50,11 @@ struct Reader {
       else if (const toml::array* list = node.as_array())
         sweep.axes.push_back({key, values(*list, key, line), line});
       else
-        refuse(line, fmt::format("sweep.{} is a single value", key), "a sweep needs a list or a range",
-               "Give a list [a, b, ...] or { from = a, to = b, step = c }, or move it out of [sweep].");
+        refuse(line, fmt::format("{}.{} is a single value", section, key),
+               fmt::format("a {} needs a list or a range", section),
+               fmt::format(
+                   "Give a list [a, b, ...] or {{ from = a, to = b, step = c }}, or move it out of [{}].",
+                   section));
     }
   }
 
@@ -85,11 +90,11 @@ struct Reader {
       else if (const auto* text = node.as_string())
         out.emplace_back(text->get());
       else
-        refuse(line, fmt::format("sweep.{} holds something that is no value", key),
+        refuse(line, fmt::format("{}.{} holds something that is no value", section, key),
                "its elements must be numbers, texts, true or false", "Correct the list.");
     }
     if (out.empty())
-      refuse(line, fmt::format("sweep.{} is empty", key), "there is nothing to solve", "Give values.");
+      refuse(line, fmt::format("{}.{} is empty", section, key), "there is nothing to solve", "Give values.");
     return out;
   }
 
@@ -97,21 +102,21 @@ struct Reader {
     const std::string example = "Give { from = a, to = b, step = c } or { from = a, to = b, count = n }.";
     for (const auto& [name, node] : t)
       if (name != "from" && name != "to" && name != "step" && name != "count")
-        refuse(line, fmt::format("unknown key '{}' in the range of sweep.{}", name.str(), key),
+        refuse(line, fmt::format("unknown key '{}' in the range of {}.{}", name.str(), section, key),
                "a range has from, to and step or count", example);
     const auto from = t["from"].value<double>(), to = t["to"].value<double>();
     const auto step = t["step"].value<double>();
     const auto count = t["count"].value<std::int64_t>();
     if (!from || !to || (step.has_value() == count.has_value()) || (t.contains("count") && !count) ||
         !std::isfinite(*from) || !std::isfinite(*to))
-      refuse(line, fmt::format("the range of sweep.{} is not complete", key),
+      refuse(line, fmt::format("the range of {}.{} is not complete", section, key),
              "it needs finite numbers from, to and one of step and count", example);
     if (step && (!std::isfinite(*step) || *step == 0 || (*to - *from) / *step < 0 ||
                  (*to - *from) / *step > double(most_cases)))
-      refuse(line, fmt::format("the range of sweep.{} never ends", key),
+      refuse(line, fmt::format("the range of {}.{} never ends", section, key),
              fmt::format("a step of {} does not lead from {} to {}", *step, *from, *to), "Correct the step.");
     if (count && (*count < 1 || *count > std::int64_t(most_cases) || (*count == 1 && *from != *to)))
-      refuse(line, fmt::format("the range of sweep.{} cannot have {} values", key, *count),
+      refuse(line, fmt::format("the range of {}.{} cannot have {} values", section, key, *count),
              fmt::format("at least 2 and at most {} lie between two ends", most_cases), "Correct the count.");
     const bool whole = t["from"].is_integer() && t["step"].is_integer();
     // `to` belongs to the range if a step hits it up to rounding.
@@ -170,7 +175,7 @@ std::string SweepFile::describe(std::size_t index) const {
   return out;
 }
 
-SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name) {
+SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name, std::string_view section) {
   SweepFile sweep;
   sweep.text = toml;
   sweep.source = source_name;
@@ -181,19 +186,22 @@ SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name) 
     throw InputError(fmt::format("{}:{}: {}", source_name, error.source().begin.line, error.description()),
                      "the file is not valid TOML", "Correct the line.");
   }
-  const toml::table* table = root["sweep"].as_table();
+  const toml::table* table = root[section].as_table();
   if (table)
-    Reader{sweep}.table(*table, "");
+    Reader{sweep, section}.table(*table, "");
   if (sweep.axes.empty())
-    throw InputError(fmt::format("'{}' is no sweep", source_name), "it has no table [sweep] with lists",
-                     "Add one, for instance [sweep] with position.lateral = { from = 6.2, to = 7.1, step = "
-                     "0.05 } below it.");
+    throw InputError(
+        fmt::format("'{}' describes no {}", source_name, section),
+        fmt::format("it has no table [{}] with lists", section),
+        fmt::format("Add one, for instance [{}] with position.lateral = {{ from = 6.2, to = 7.1, "
+                    "step = 0.05 }} below it.",
+                    section));
   std::ranges::stable_sort(sweep.axes, {}, &SweepFile::Axis::line);
   double cases = 1;
   for (const SweepFile::Axis& axis : sweep.axes) {
     cases *= double(axis.values.size());
     if (std::ranges::count(sweep.axes, axis.key, &SweepFile::Axis::key) > 1)
-      throw InputError(fmt::format("{}:{}: sweep.{} is given twice", source_name, axis.line, axis.key),
+      throw InputError(fmt::format("{}:{}: {}.{} is given twice", source_name, axis.line, section, axis.key),
                        "once as a dotted and once as a quoted key", "Remove one.");
     if (sweep.zip && axis.values.size() != sweep.axes.front().values.size())
       throw InputError(fmt::format("{}:{}: the lists cannot be zipped", source_name, axis.line),

@@ -52,7 +52,9 @@ struct SweepFile {
 /// Throws InputError for a file without [sweep], an empty or endless range, a zip of lists of unequal
 /// lengths, or a key that no scene has.
 SweepFile read_sweep_file(const std::filesystem::path& file);
-SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name = "text");
+/// `section`: the table that has the lists. "table" (bem_contact table) has lists alone, no mode or weight.
+SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name = "text",
+                           std::string_view section = "sweep");
 
 /// As TOML writes it; numbers with the fewest digits that give them back.
 std::string to_text(const SchemaValue& value);

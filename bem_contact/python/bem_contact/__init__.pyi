@@ -243,6 +243,24 @@ def wheelset(
 ) -> dict[str, Any]:
     """Both wheels of a wheelset under the forces on its axle: "wheelset", "right" and "left" (numbers and Results)."""
 
+def table(
+    scene: _Scene | None = None,
+    axes: Mapping[str, _List[float] | NDArray[Any]] | None = None,
+    *,
+    hold: _List[str] = ...,
+    tolerance: float = 0.02,
+    most_points: int = ...,
+    ratio: tuple[float, float] = (0.5, 2.0),
+    poisson: float = 0.28,
+    elements: int = ...,
+    output: str | PathLike[str] | None = None,
+    folder: str | PathLike[str] | None = None,
+) -> dict[str, Any]:
+    """Forces over axes, refined until the interpolation is within the tolerance; NumPy arrays, and `output` (HDF5).
+
+    Without a scene: creep forces of an ellipse (Kalker's USETAB). With one: its axes, or those of its table [table].
+    """
+
 def wear(result: Result, law: str = "energy", hardness: float = 3000, speed: float = 3e4) -> dict[str, Any]:
     """What a result wears away: depth by passage and revolution over s, sliding distance, volume by rolled distance."""
 

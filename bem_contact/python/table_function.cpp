@@ -1,0 +1,122 @@
+#include "bem_contact/python/table_function.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/work.hpp"
+#include "bem_contact/python/stoppable.hpp"
+#include "bem_contact/python/values.hpp"
+#include "bem_contact/scene/sweep_file.hpp"
+#include "bem_contact/table/creep_table.hpp"
+#include "bem_contact/table/scene_table.hpp"
+#include "bem_contact/table/table_file.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <optional>
+#include <utility>
+
+namespace py = pybind11;
+
+namespace bem_contact {
+
+namespace {
+
+using namespace py::literals;
+
+py::dict dict_of(const table::ContactTable& t) {
+  py::dict axes, values, errors, units;
+  std::vector<std::size_t> shape;
+  for (const table::Axis& axis : t.axes) {
+    axes[axis.name.c_str()] = array_of(axis.points);
+    units[axis.name.c_str()] = axis.unit;
+    shape.push_back(axis.points.size());
+  }
+  for (const table::Column& c : t.columns) {
+    values[c.name.c_str()] = py::array_t<double>(shape, c.values.data());
+    units[c.name.c_str()] = c.unit;
+    errors[c.name.c_str()] = py::dict("interpolation"_a = c.interpolation_error,
+                                      "elements"_a = c.element_error, "scale"_a = c.scale, "held"_a = c.held);
+  }
+  py::object scale = py::none();
+  if (t.scale)
+    scale = py::dict("log10_a_over_b"_a = array_of(t.scale->log10_a_over_b), "C11"_a = array_of(t.scale->c11),
+                     "C22"_a = array_of(t.scale->c22), "C23"_a = array_of(t.scale->c23));
+  return py::dict("axes"_a = axes, "values"_a = values, "errors"_a = errors, "units"_a = units,
+                  "creep_scale"_a = scale, "tolerance"_a = t.tolerance, "solved"_a = t.solved);
+}
+
+/// The lists of the scene's table [table], or those of the dict `axes` instead.
+table::SceneTable described(const py::object& scene, const py::object& axes, const py::object& folder) {
+  const PythonScene given = scene_of(scene, folder);
+  if (axes.is_none())
+    return table::parse_scene_table(given.text, given.source, given.folder);
+  table::SceneTable out{.text = given.text, .source = given.source, .folder = given.folder};
+  for (const SceneChange& axis : changes_of(axes))
+    if (const auto* numbers = std::get_if<std::vector<double>>(&axis.value))
+      out.axes.push_back({axis.key, *numbers});
+    else
+      throw py::type_error(Error("The axis " + axis.key + " cannot be used", "it is no list of numbers",
+                                 "Give one, as [4e4, 8e4].")
+                               .what());
+  return out;
+}
+
+void solve(table::ContactTable& t, const table::PointSolver& solver, const table::Wanted& wanted,
+           const std::optional<std::filesystem::path>& output) {
+  t = stoppable([t, solver, wanted](const std::atomic<bool>* stop) mutable {
+    const table::PointSolver until_stopped = [&solver, stop](const table::Point& point) {
+      if (*stop)
+        throw Stopped();
+      return solver(point);
+    };
+    table::refine(t, table::one_by_one(until_stopped), wanted);
+    return std::move(t);
+  });
+  if (output)
+    write_h5(*output, table::to_h5(t));
+}
+
+py::dict table_of(const py::object& scene, const py::object& axes, std::vector<std::string> hold,
+                  double tolerance, std::size_t most_points, std::pair<double, double> ratio, double poisson,
+                  int elements, const std::optional<std::filesystem::path>& output,
+                  const py::object& folder) {
+  table::Wanted wanted{.tolerance = tolerance, .most_points = most_points};
+  table::ContactTable t;
+  if (scene.is_none()) {
+    if (!axes.is_none() || !hold.empty())
+      throw InputError("A table without a scene has no axes of yours", "it is one of creep forces",
+                       "Give a scene, or leave out `axes` and `hold`.");
+    wanted.representative = table::representative_of_creepages;
+    t = table::creep_table({poisson, ratio.first, ratio.second, elements, tolerance});
+    solve(t, table::creep_point_solver(*t.scale, elements), wanted, output);
+    return dict_of(t);
+  }
+  wanted.rescale = table::rescale;
+  table::SceneTable order = described(scene, axes, folder);
+  if (!hold.empty())
+    order.hold = std::move(hold);
+  t = table::table_of(order);
+  solve(t, table::scene_point_solver(order), wanted, output);
+  return dict_of(t);
+}
+
+} // namespace
+
+void add_table(py::module_& module) {
+  module.def(
+      "table", table_of, "scene"_a = py::none(), "axes"_a = py::none(), py::kw_only(),
+      "hold"_a = std::vector<std::string>{}, "tolerance"_a = table::Wanted{}.tolerance,
+      "most_points"_a = table::Wanted{}.most_points,
+      "ratio"_a = std::pair(table::CreepTableOptions{}.from, table::CreepTableOptions{}.to),
+      "poisson"_a = 0.28, "elements"_a = table::CreepTableOptions{}.elements, "output"_a = py::none(),
+      "folder"_a = py::none(),
+      "Forces over axes, refined until the interpolation is within `tolerance`. Without a `scene`: creep "
+      "forces of an ellipse over a/b (`ratio`, from and to) and the creepages, for `poisson` and so many "
+      "`elements` across. With a scene, as solve() takes it: `axes` (a dict of keys and lists of numbers) "
+      "or its own table [table]; `hold` names the numbers whose error is kept within the tolerance. A dict: "
+      "\"axes\", \"values\" (an array over all axes for each number), \"errors\" (interpolation, elements, "
+      "scale, held), \"units\", \"creep_scale\". `output`: an HDF5 file, too.");
+}
+
+} // namespace bem_contact

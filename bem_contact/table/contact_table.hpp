@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bem_contact::table {
+
+/// One axis of a table: its points increase.
+struct Axis {
+  std::string name, unit, description;
+  std::vector<double> points; ///< two or more
+};
+
+/// One number at every point of a table.
+struct Column {
+  std::string name, unit, description;
+  bool held = true; ///< whether refine() keeps its error within the tolerance
+  double scale = 1; ///< what errors are relative to, in its unit
+  /// Largest difference from a solution that was found between the points, in its unit.
+  double interpolation_error = std::numeric_limits<double>::quiet_NaN();
+  /// Largest error by the size of the elements that a point states, in its unit; nan: not known.
+  double element_error = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> values{}; ///< [first axis][second axis]...: the last axis runs fastest
+};
+
+/// By what the creepages of a creep table are scaled (creep_table.hpp): Kalker's coefficients over the
+/// ellipse, linear between the points.
+struct CreepScale {
+  std::vector<double> log10_a_over_b{}, c11{}, c22{}, c23{}; ///< all equally long
+  double poisson = 0;                                        ///< of the pair
+};
+
+/// Numbers over a tensor product of axes.
+struct ContactTable {
+  std::vector<Axis> axes{};
+  std::vector<Column> columns{};
+  std::optional<CreepScale> scale{}; ///< of a creep table
+  double tolerance = 0;              ///< that refine() has met, of each column's scale
+  std::size_t solved = 0;            ///< contact problems, points between the points included
+  std::size_t checked = 0;           ///< of them, cells whose middle was solved to measure the error
+
+  std::size_t size() const; ///< points
+  /// A point by its number, as values have it.
+  std::vector<double> point(std::size_t index) const;
+  /// Throws InputError for a name that no column has.
+  const Column& column(std::string_view name) const;
+};
+
+/// The value of a column at a point, one coordinate for each axis. In each coordinate it is cubic between two
+/// points, with the slopes there of parabolas through three neighbours (linear, where there are only two
+/// points), and constant beyond the ends. The slope is continuous. Beside a jump it overshoots, by less than
+/// a tenth of the jump in each coordinate where points are equally far apart.
+double interpolate(const ContactTable& table, const Column& column, std::span<const double> at);
+
+/// Linear between the points of a curve, constant beyond its ends.
+double interpolate(std::span<const double> x, std::span<const double> y, double at);
+
+} // namespace bem_contact::table

@@ -1,0 +1,204 @@
+#include "bem_contact/table/creep_table.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/reference/creep_coefficients.hpp"
+#include "bem_contact/reference/hertz.hpp"
+#include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/table/settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numbers>
+
+namespace bem_contact::table {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double half_pi = 0.5 * std::numbers::pi;
+// The contact that is solved: results do not depend on these numbers.
+constexpr double modulus = 8e4;    // G, MPa
+constexpr double friction = 0.3;   // mu
+constexpr double curvature = 1e-3; // the sum of both, 1/mm
+
+/// Kalker's coefficients for log10(a/b).
+struct Coefficients {
+  double c11 = 0, c22 = 0, c23 = 0;
+
+  Coefficients(const CreepScale& scale, double log_ratio)
+      : c11(interpolate(scale.log10_a_over_b, scale.c11, log_ratio)),
+        c22(interpolate(scale.log10_a_over_b, scale.c22, log_ratio)),
+        c23(interpolate(scale.log10_a_over_b, scale.c23, log_ratio)) {}
+};
+
+CreepScale scale_of(const CreepTableOptions& options) {
+  CreepScale scale{.poisson = options.poisson};
+  const double from = std::log10(options.from), to = std::log10(options.to);
+  const int intervals = std::max(1, static_cast<int>(std::ceil((to - from) * coefficients_in_a_decade)));
+  for (int i = 0; i <= intervals; ++i) {
+    const double log_ratio = from + (to - from) * i / intervals;
+    const reference::CreepCoefficients k = reference::creep_coefficients(
+        std::clamp(std::pow(10, log_ratio), options.from, options.to), options.poisson);
+    scale.log10_a_over_b.push_back(log_ratio);
+    scale.c11.push_back(k.c11);
+    scale.c22.push_back(k.c22);
+    scale.c23.push_back(k.c23);
+  }
+  return scale;
+}
+
+/// Undeformed distance and force of the contact with that a/b and c = 1 mm.
+struct EllipticContact {
+  double curvature_x = 0, curvature_s = 0, force = 0;
+};
+
+EllipticContact elliptic_contact(double a_over_b, const Material& material) {
+  const double e = reference::contact_modulus(material, material);
+  const auto hertz = [&](double share) { // of the curvature that lies along x
+    return reference::hertz_by_force(share * curvature, (1 - share) * curvature, e, 1);
+  };
+  double low = 1e-4, high = 1 - 1e-4; // a/b falls from above 10 to below .1 between them
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    const reference::HertzContact h = hertz(middle);
+    (h.semi_axis_x > a_over_b * h.semi_axis_s ? low : high) = middle;
+  }
+  const double share = 0.5 * (low + high);
+  const reference::HertzContact unit = hertz(share);
+  // c grows with the cube root of the force.
+  return {share * curvature, (1 - share) * curvature, std::pow(unit.semi_axis_x * unit.semi_axis_s, -1.5)};
+}
+
+SceneFile scene_of(double a_over_b, const CreepScale& scale, int elements) {
+  const Material material{.shear_modulus = modulus, .poisson = scale.poisson};
+  const EllipticContact contact = elliptic_contact(a_over_b, material);
+  SceneFile scene;
+  scene.kind = SceneKind::patch;
+  scene.solver.model = Model::halfspace;
+  scene.rail.material = scene.wheel.material = material;
+  scene.load.force = contact.force;
+  scene.motion.friction = friction;
+  scene.gap.a = contact.curvature_x;
+  scene.gap.b = contact.curvature_s;
+  scene.grid.dx = 2 * std::sqrt(a_over_b) / elements;
+  scene.grid.ds = 2 / std::sqrt(a_over_b) / elements;
+  scene.grid.mx = scene.grid.ms = elements + 2 * border_elements;
+  return scene;
+}
+
+/// xi', eta', phi'.
+std::array<double, 3> scaled_creepages(const Point& point) {
+  const double w = point[3] < 1 ? point[3] / (1 - point[3]) : full_slip_creepage;
+  return {w * std::cos(point[1]), w * std::sin(point[1]) * std::cos(point[2]),
+          w * std::sin(point[1]) * std::sin(point[2])};
+}
+
+void require(const CreepTableOptions& o) {
+  const auto refuse = [](const std::string& problem, const char* why, const char* what_to_do) {
+    throw InputError(problem, why, what_to_do);
+  };
+  if (!(o.from >= 0.1 && o.to <= 10 && o.from < o.to))
+    refuse(fmt::format("A creep table for a/b of {:g} to {:g} is not possible", o.from, o.to),
+           "it needs two ends that grow, within 0.1 to 10, where the coefficients of linear theory are known",
+           "Give FROM:TO, as 0.1:10.");
+  if (!(o.poisson >= 0 && o.poisson <= 0.5))
+    refuse(fmt::format("A creep table for Poisson's ratio {:g} is not possible", o.poisson),
+           "elastic bodies have one of 0 to 0.5", "Give 0.28 for steel.");
+  if (!(o.tolerance > 0 && o.tolerance < 0.3))
+    refuse(fmt::format("A creep table within {:g} is not possible", o.tolerance),
+           "the tolerance, over the friction bound, is a number between 0 and 0.3",
+           "Give one, such as 0.01.");
+  if (o.elements < 4 || o.elements > 200)
+    refuse(fmt::format("A creep table with {} elements across the contact is not possible", o.elements),
+           "4 to 200 are", "Give 20, and look at the error by the size of the elements.");
+}
+
+} // namespace
+
+ContactTable creep_table(const CreepTableOptions& options) {
+  require(options);
+  ContactTable table;
+  table.scale = scale_of(options);
+  const double from = std::log10(options.from), to = std::log10(options.to);
+  table.axes = {
+      {"log10_a_over_b", "1", "semi-axis along x over the one across it", {}},
+      {"alpha", "rad", "angle from xi' to the plane of eta' and phi'", {0, 0.5 * half_pi, half_pi}},
+      {"beta", "rad", "angle from eta' to phi'", {-half_pi, -0.5 * half_pi, 0, 0.5 * half_pi, half_pi}},
+      {"t", "1", "w/(1 + w) of the length w of (xi', eta', phi'); 1: full slip", {}}};
+  const double first = first_creepage * options.tolerance;
+  table.axes[3].points = {0, first / (1 + first), 0.25, 0.5, 0.75, 1};
+  for (int i = 0; i < 3; ++i)
+    table.axes[0].points.push_back(from + (to - from) * i / 2);
+  table.columns = {{.name = "Fx", .unit = "mu N", .description = "on the rail, over the friction bound"},
+                   {.name = "Fy", .unit = "mu N", .description = "on the rail, over the friction bound"},
+                   {.name = "Mz", .unit = "mu N c", .description = "on the rail, c = sqrt(a b)"}};
+  return table;
+}
+
+PointSolver creep_point_solver(const CreepScale& scale, int elements) {
+  struct Solver {
+    Sequence sequence{{.displacements = false}};
+    std::optional<SceneFile> scene;
+    double log_ratio = 0; ///< that `scene` has
+  };
+  return [=, solver = std::make_shared<Solver>()](const Point& point) {
+    if (point[3] == 0)
+      return PointValues{{0, 0, 0}, {none, none, none}};
+    if (!solver->scene || solver->log_ratio != point[0]) {
+      solver->scene = scene_of(std::pow(10, point[0]), scale, elements);
+      solver->log_ratio = point[0];
+    }
+    SceneFile& scene = *solver->scene;
+    const auto [xi, eta, phi] = scaled_creepages(point);
+    const Coefficients k(scale, point[0]);
+    const double bound = friction * *scene.load.force, unit = bound / modulus; // c = 1 mm
+    scene.motion.xi = 3 * unit / k.c11 * xi;
+    scene.motion.eta = 3 * unit / k.c22 * eta;
+    scene.motion.phi = unit / k.c23 * phi;
+    const SceneResult result = solver->sequence.solve(scene);
+    if (!result.result.certificate.holds())
+      throw ConvergenceError("A point of the creep table has no certified result",
+                             fmt::format("a/b {:.4g}, xi' {:.4g}, eta' {:.4g}, phi' {:.4g}",
+                                         std::pow(10, point[0]), xi, eta, phi),
+                             "Choose another number of --elements.");
+    PointValues out;
+    for (const char* name : {"Fx", "Fy", "Mz"}) {
+      out.values.push_back(quantity(name).value(result) / bound);
+      out.element_errors.push_back(quantity(name).error(result) / bound);
+    }
+    return out;
+  };
+}
+
+Point representative_of_creepages(Point point) {
+  if (point[3] == 0)
+    point[0] = point[1] = 0;
+  if (point[1] == 0)
+    point[2] = 0;
+  return point;
+}
+
+TabulatedForces creep_forces(const ContactTable& table, const CreepContact& contact, double xi, double eta,
+                             double phi) {
+  if (!table.scale)
+    throw InputError("Forces over creepages cannot be looked up", "the table is one of a scene",
+                     "Make one with bem_contact table --creep-forces.");
+  const double log_ratio = std::log10(contact.a / contact.b), c = std::sqrt(contact.a * contact.b);
+  const Coefficients k(*table.scale, log_ratio);
+  const double unit = contact.shear_modulus * c * c / contact.bound;
+  const double x = unit * k.c11 / 3 * std::abs(xi);
+  // The signs of eta and phi turn together.
+  const double sign = eta < 0 ? -1 : 1;
+  const double y = unit * k.c22 / 3 * sign * eta, z = unit * c * k.c23 * sign * phi;
+  const double w = std::hypot(x, y, z);
+  const double at[] = {log_ratio, std::atan2(std::hypot(y, z), x), std::atan2(z, y), w / (1 + w)};
+  return {std::copysign(contact.bound, xi) * interpolate(table, table.column("Fx"), at),
+          sign * contact.bound * interpolate(table, table.column("Fy"), at),
+          sign * contact.bound * c * interpolate(table, table.column("Mz"), at)};
+}
+
+} // namespace bem_contact::table

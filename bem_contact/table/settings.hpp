@@ -1,0 +1,37 @@
+#pragma once
+
+#include "bem_contact/base/tuned.hpp"
+
+#include <cstddef>
+
+/// The tuned numbers of this room (base/tuned.hpp).
+namespace bem_contact::table {
+
+/// 1. Cells whose middle is solved in one round of refining. The last round measures every cell. Fewer leave
+/// large errors to that round; more cost solutions that refining throws away.
+BEM_CONTACT_TUNED(std::size_t, cells_in_a_round, 400);
+/// 1, of the largest error of a round: cells with a larger one are refined. Smaller ones often vanish with
+/// the intervals that the others need.
+BEM_CONTACT_TUNED(double, worst_share, 0.5);
+/// 1, of the largest of a cell's errors along its axes: axes with a larger one are refined, all at once.
+BEM_CONTACT_TUNED(double, axis_share, 0.7);
+/// 1. Rounds, as a guard: each inserts a point at least, and 200 points on an axis are no table.
+BEM_CONTACT_TUNED(int, most_rounds, 200);
+
+/// 1, w of a creep table that stands for full slip: adhesion is left where creepage and spin cancel each
+/// other to 1e-4, a hundredth of an element.
+BEM_CONTACT_TUNED(double, full_slip_creepage, 1e4);
+/// 1, over the tolerance. w of the first point above zero: a Hertz contact loses the share w of its slope
+/// (Vermeulen and Johnson 1964: F = 1 - (1 - w)^3 = 3 w (1 - w + ...)), so that slopes keep the tolerance.
+BEM_CONTACT_TUNED(double, first_creepage, 1.0);
+/// 1. Coefficients of linear theory in a creep table: 20 a decade of a/b. Readers take them from the file.
+BEM_CONTACT_TUNED(int, coefficients_in_a_decade, 20);
+/// 1. Elements at each side of the contact in a creep table: as large as the ellipse, and one more.
+BEM_CONTACT_TUNED(int, border_elements, 1);
+
+/// mm. Errors of positions and rolling radii are relative to their range in the table, or to this.
+BEM_CONTACT_TUNED(double, shortest_range, 1.0);
+/// rad. The same of angles.
+BEM_CONTACT_TUNED(double, smallest_turn, 0.1);
+
+} // namespace bem_contact::table

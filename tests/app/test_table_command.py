@@ -1,0 +1,92 @@
+"""bem_contact table: its outputs agree, processes do not matter, and wrong input is refused in words."""
+
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+SCENE = """kind = "patch"
+gap.a = 1e-3
+gap.b = 2e-3
+motion.xi = 1e-3
+solver.model = "halfspace"
+[grid]
+dx = 0.5
+ds = 0.5
+mx = 20
+ms = 16
+[table]
+motion.eta = [ 0, 2e-3 ]
+load.force = { from = 2e3, to = 4e3, count = 3 }
+"""
+
+
+class TableCommand(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = Path(self.temporary.name)
+        self.scene = self.folder / "scene.toml"
+        self.scene.write_text(SCENE)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def run_table(self, *arguments):
+        return subprocess.run([os.environ["BEM_CONTACT"], *map(str, arguments)], stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True)
+
+    def test_json_file_and_values_agree(self):
+        file = self.folder / "t.h5"
+        done = self.run_table("table", self.scene, "-o", file, "--tolerance", 0.05, "--json", "--jobs", 2)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        said = json.loads(done.stdout)
+        with h5py.File(file) as f:
+            self.assertEqual(f["axes/motion.eta"][()].tolist(), said["axes"]["motion.eta"])
+            self.assertEqual(f["axes/load.force"].attrs["unit"], b"N")
+            for name, column in said["columns"].items():
+                if column["held"]:
+                    self.assertLessEqual(column["interpolation_error"], 0.05 * column["scale"], name)
+                    self.assertEqual(f["interpolation_error"][name][()], column["interpolation_error"])
+            fx, points = f["values/Fx"][()], f.attrs["points"]
+        self.assertEqual(fx.size, points)
+        alone = self.folder / "one.h5"
+        self.run_table("table", self.scene, "-o", alone, "--tolerance", 0.05, "--jobs", 1)
+        with h5py.File(alone) as f:
+            np.testing.assert_allclose(f["values/Fx"][()], fx, atol=1e-2)
+        at = self.run_table("table", file, "--at", "0,3000").stdout
+        self.assertAlmostEqual(float(at.split()[1]), fx[0, list(said["axes"]["load.force"]).index(3000)], delta=1e-8 * 3e3)
+        info = self.run_table("info", file).stdout
+        self.assertIn("A table of contact forces", info)
+        self.assertIn("values/Fx", info)
+        self.assertIn("motion.eta", self.run_table("info", "--scene", file).stdout)
+
+    def test_wrong_input(self):
+        def refused(word, *arguments, code=2):
+            done = self.run_table("table", *arguments)
+            self.assertEqual(done.returncode, code, done.stderr)
+            self.assertEqual(done.stdout, "")
+            self.assertIn(word, done.stderr)
+
+        out = self.folder / "t.h5"
+        refused("which table is wanted", "-o", out)
+        refused("which table is wanted", self.scene, "--creep-forces", "-o", out)
+        refused("has no file", self.scene)
+        refused("scene.toml", self.scene, "-o", self.scene)
+        refused("'1-10' cannot be read", "--creep-forces", "--ratio", "1-10", "-o", out)
+        refused("two ends", "--creep-forces", "--ratio", "1", "-o", out)
+        refused("2 elements", "--creep-forces", "--elements", "2", "-o", out)
+        refused("begins with 6 points", self.scene, "-o", out, "--most-points", "5")
+        refused("--most-points", self.scene, "-o", out, "--most-points", "6", "--tolerance", "0.001", code=3)
+        self.assertFalse(out.exists())
+        refused("cannot be read", self.scene, "--at", "1,2")
+        self.scene.write_text(SCENE.split("[table]")[0])
+        refused("describes no table", self.scene, "-o", out)
+
+
+if __name__ == "__main__":
+    unittest.main()

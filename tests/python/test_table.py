@@ -1,0 +1,54 @@
+"""bem_contact.table: against single solutions, and against the file that it writes."""
+
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import bem_contact
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools" / "examples"))
+from table_reader import Table  # noqa: E402
+
+SCENE = {"kind": "patch", "gap": {"a": 1e-3, "b": 2e-3}, "grid": {"dx": 0.5, "ds": 0.5, "mx": 20, "ms": 16},
+         "motion": {"xi": 1e-3}, "solver.model": "halfspace"}
+
+
+class TableOfForces(unittest.TestCase):
+    def test_a_scene(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "t.h5"
+            t = bem_contact.table(SCENE, {"motion.xi": [0, 1e-3, 2e-3], "load.force": [2e3, 4e3]}, tolerance=0.1,
+                                  hold=["Fx", "pmax"], output=file)
+            own = Table(file)
+        self.assertEqual(list(t["axes"]), ["motion.xi", "load.force"])
+        self.assertEqual(t["values"]["Fx"].shape, tuple(len(a) for a in t["axes"].values()))
+        np.testing.assert_array_equal(own.values["Fx"], t["values"]["Fx"])
+        for name in ("Fx", "pmax"):
+            self.assertLessEqual(t["errors"][name]["interpolation"], 0.1 * t["errors"][name]["scale"])
+        alone = bem_contact.solve(SCENE, {"motion.xi": 1e-3, "load.force": 4e3})
+        self.assertAlmostEqual(own.value("Fx", (1e-3, 4e3)), alone.Fx, delta=1e-3 * 4e3)
+        self.assertEqual(t["units"]["load.force"], "N")
+
+    def test_creep_forces(self):
+        t = bem_contact.table(tolerance=0.29, elements=6, ratio=(0.8, 1.25))
+        self.assertEqual(list(t["values"]), ["Fx", "Fy", "Mz"])
+        self.assertLess(t["errors"]["Mz"]["interpolation"], 0.29)
+        self.assertAlmostEqual(t["creep_scale"]["C11"][len(t["creep_scale"]["C11"]) // 2], 4.2, delta=0.2)
+
+    def test_wrong_input(self):
+        with self.assertRaisesRegex(bem_contact.InputError, "describes no table"):
+            bem_contact.table(ROOT / "data/scenes/steady_rolling.toml")
+        with self.assertRaisesRegex(bem_contact.InputError, "Give a scene"):
+            bem_contact.table(axes={"load.force": [1e3, 2e3]})
+        with self.assertRaisesRegex(TypeError, "no list of numbers"):
+            bem_contact.table(SCENE, {"load.force": 1e3})
+        with self.assertRaisesRegex(bem_contact.ConvergenceError, "--most-points"):
+            bem_contact.table(SCENE, {"motion.xi": [-2e-2, 0, 2e-2], "load.force": [2e3, 4e3]}, most_points=8)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,132 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/table/refine.hpp"
+#include "bem_contact/table/table_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <random>
+#include <unistd.h>
+
+namespace {
+
+using namespace bem_contact;
+using namespace bem_contact::table;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+using Function = double (*)(const Point&);
+
+/// A table of one function over two axes, 0 .. 1 and 2 .. 4.
+ContactTable plane() {
+  return {.axes = {{"x", "mm", "", {0, 0.5, 1}}, {"y", "N", "", {2, 3, 4}}},
+          .columns = {{.name = "f", .unit = "1/mm", .description = ""}}};
+}
+
+PointsSolver solver_of(Function f) {
+  return one_by_one([f](const Point& p) { return PointValues{{f(p)}, {std::nan("")}}; });
+}
+
+ContactTable refined(Function f, const Wanted& wanted) {
+  ContactTable table = plane();
+  refine(table, solver_of(f), wanted);
+  return table;
+}
+
+double steep(const Point& p) {
+  return std::tanh(20 * (p[0] - 0.3)) + 0.5 * p[1];
+}
+
+double quadratic(const Point& p) {
+  return (1 + 2 * p[0] - p[0] * p[0]) * (3 - p[1] + 0.5 * p[1] * p[1]);
+}
+
+/// Of a function that is quadratic in each coordinate, nothing is lost; beyond the ends it is constant.
+TEST(ContactTable, InterpolationIsExactForParabolas) {
+  ContactTable t = refined(quadratic, {});
+  EXPECT_EQ(t.size(), 9u);
+  for (const Point& p : {Point{0.3, 2.7}, Point{0.9, 2.1}, Point{0.5, 3.3}, Point{1, 4}, Point{0, 2}})
+    EXPECT_NEAR(interpolate(t, t.columns[0], p), quadratic(p), 1e-14);
+  EXPECT_NEAR(interpolate(t, t.columns[0], Point{-5, 2.5}), quadratic({0, 2.5}), 1e-14);
+  EXPECT_NEAR(interpolate(t, t.columns[0], Point{9, 99}), quadratic({1, 4}), 1e-14);
+  EXPECT_NEAR(t.columns[0].interpolation_error, 0, 1e-14);
+  EXPECT_THROW(interpolate(t, t.columns[0], Point{1}), InputError);
+  t.axes[0].points = {0, 1}; // two points: a line
+  t.axes[1].points = {2, 4};
+  t.columns[0].values = {0, 2, 4, 10};
+  EXPECT_NEAR(interpolate(t, t.columns[0], Point{0.25, 3}), 0.75 * 1 + 0.25 * 7, 1e-14);
+}
+
+/// Points come where the function bends, and on no axis along which it is straight.
+TEST(Refine, MeetsTheToleranceAtPointsNotUsed) {
+  const ContactTable t = refined(steep, {.tolerance = 0.01});
+  EXPECT_LE(t.columns[0].interpolation_error, 0.01);
+  EXPECT_GT(t.columns[0].interpolation_error, 0.001);
+  EXPECT_THAT(t.axes[1].points, ElementsAre(2, 3, 4));
+  const auto inside = [&](double from, double to) {
+    return std::ranges::count_if(t.axes[0].points, [=](double x) { return x > from && x < to; });
+  };
+  EXPECT_GT(inside(0.2, 0.4), 2 * inside(0.6, 1));
+  EXPECT_EQ(t.checked, (t.axes[0].points.size() - 1) * 2);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> x(0, 1), y(2, 4);
+  for (int i = 0; i < 200; ++i) {
+    const Point p{x(random), y(random)};
+    EXPECT_NEAR(interpolate(t, t.columns[0], p), steep(p), 0.012)
+        << p[0]; // the middle is not quite the worst
+  }
+}
+
+/// An error relative to a larger scale, or of a column that is not held, adds no point.
+TEST(Refine, LooksAtHeldColumnsByTheirScale) {
+  ContactTable t = plane();
+  t.columns[0].scale = 1000;
+  t.columns.push_back({.name = "g", .unit = "", .description = "", .held = false});
+  refine(t, one_by_one([](const Point& p) {
+           return PointValues{{steep(p), 1e9 * std::pow(p[0], 4)}, {0.1, 0.2}};
+         }),
+         {});
+  EXPECT_EQ(t.size(), 9u);
+  EXPECT_GT(t.columns[1].interpolation_error, 1e7);
+  EXPECT_EQ(t.columns[1].element_error, 0.2);
+}
+
+TEST(Refine, SaysWhereTheToleranceIsNotMet) {
+  const auto jump = [](const Point& p) { return p[0] < 0.7 ? 0.0 : 1.0; };
+  try {
+    refined(jump, {.tolerance = 0.01, .most_points = 60});
+    FAIL();
+  } catch (const ConvergenceError& error) {
+    for (const char* part :
+         {"not within 1 %", "f is still off by", "x = 0.", "60 are allowed", "--most-points"})
+      EXPECT_THAT(error.what(), HasSubstr(part));
+  }
+  EXPECT_THROW(refined(jump, {.most_points = 8}), InputError);
+  EXPECT_THROW(refined(jump, {.tolerance = 0}), InputError);
+  EXPECT_THROW(refined([](const Point&) { return std::nan(""); }, {}), InputError);
+}
+
+TEST(TableFile, IsReadAsItWasWritten) {
+  ContactTable t = refined(steep, {.tolerance = 0.1});
+  t.scale = {{-1, 0, 1}, {3, 4, 5}, {3.5, 4.5, 5.5}, {1, 2, 3}, 0.28};
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / fmt::format("table_{}.h5", getpid());
+  write_h5(file, to_h5(t));
+  const ContactTable read = read_table(file);
+  EXPECT_EQ(read.axes[1].name, "y");
+  EXPECT_EQ(read.axes[0].unit, "mm");
+  EXPECT_EQ(read.axes[0].points, t.axes[0].points);
+  EXPECT_EQ(read.columns[0].values, t.columns[0].values);
+  EXPECT_EQ(read.columns[0].interpolation_error, t.columns[0].interpolation_error);
+  EXPECT_EQ(read.scale->c23, t.scale->c23);
+  EXPECT_EQ(read.solved, t.solved);
+  H5Table other;
+  other.attributes["format"] = std::string(table_format);
+  write_h5(file, other);
+  EXPECT_THROW(read_table(file), InputError);
+  std::filesystem::remove(file);
+}
+
+} // namespace
