@@ -31,8 +31,8 @@ constexpr const char* table_help =
     R"(Creep forces of an elliptic contact between half-spaces, over a/b and the three creepages (Kalker's USETAB):
     bem_contact table --creep-forces --tolerance 0.1 --elements 10 --ratio 0.5:2 -o creep.h5
 You should see the points of the axes, how many contacts were solved, and for Fx, Fy and Mz the largest error of the
-interpolation (5.02 %, 7.68 % and 4.59 %). The defaults are 2 % for a/b from 0.5 to 2, which is
-TIME. Longer ellipses and smaller tolerances take many times as long.
+interpolation (5.02 %, 7.68 % and 4.59 %). The defaults are 2 % for a/b from 0.5 to 2, which takes
+16 seconds on two cores (6000 points). Longer ellipses and smaller tolerances take many times as long.
 
 Forces of a pair of profiles: add a table [table] to a scene. Its lists and ranges begin the axes:
     [table]
@@ -75,7 +75,7 @@ std::vector<double> numbers_of(const std::string& text, char between, const char
   }
 }
 
-json to_json(const table::ContactTable& t, double seconds) {
+json json_of(const table::ContactTable& t, double seconds) {
   json out = {{"points", t.size()},       {"solved", t.solved}, {"checked", t.checked},
               {"tolerance", t.tolerance}, {"seconds", seconds}, {"axes", json::object()},
               {"columns", json::object()}};
@@ -90,7 +90,7 @@ json to_json(const table::ContactTable& t, double seconds) {
   return out;
 }
 
-std::string to_words(const table::ContactTable& t, double seconds) {
+std::string words_of(const table::ContactTable& t, double seconds) {
   std::string out = "Table";
   for (const table::Axis& axis : t.axes)
     out += fmt::format("{}{} {}", &axis == &t.axes.front() ? " over " : " x ", axis.points.size(), axis.name);
@@ -187,7 +187,7 @@ ExitCode run(TableArguments arguments) {
   if (!arguments.text.empty())
     write_text(arguments.text, [&](std::ostream& out) { out << table::to_text(order.table); });
   fmt::print("{}",
-             arguments.json ? to_json(order.table, seconds).dump(2) + "\n" : to_words(order.table, seconds));
+             arguments.json ? json_of(order.table, seconds).dump(2) + "\n" : words_of(order.table, seconds));
   return success;
 }
 

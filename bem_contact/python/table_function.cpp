@@ -64,14 +64,15 @@ table::SceneTable described(const py::object& scene, const py::object& axes, con
 
 void solve(table::ContactTable& t, const table::PointSolver& solver, const table::Wanted& wanted,
            const std::optional<std::filesystem::path>& output) {
-  t = stoppable([t, solver, wanted](const std::atomic<bool>* stop) mutable {
+  t = stoppable([t, solver, wanted](const std::atomic<bool>* stop) {
+    table::ContactTable refined = t;
     const table::PointSolver until_stopped = [&solver, stop](const table::Point& point) {
       if (*stop)
         throw Stopped();
       return solver(point);
     };
-    table::refine(t, table::one_by_one(until_stopped), wanted);
-    return std::move(t);
+    table::refine(refined, table::one_by_one(until_stopped), wanted);
+    return refined;
   });
   if (output)
     write_h5(*output, table::to_h5(t));

@@ -207,9 +207,9 @@ struct NamedFile {
   std::string name;           ///< as the scene gives it
   std::filesystem::path file; ///< in the scene's folder
 };
-/// What the file is that a key names: "rail.profile" and "wheelset.left_rail_profile", likewise of influence
-/// files.
+/// Whether a key names a profile, as "rail.profile" and "wheelset.left_rail_profile" do.
 bool names_profile(std::string_view key);
+/// The same of influence files.
 bool names_influence(std::string_view key);
 /// What a key names: nothing if `name` is empty. If it is the body file of a profile, also the profile file
 /// that this one names, with the key "rail.profile.body.profile".
@@ -217,6 +217,7 @@ std::vector<NamedFile> files_of_key(const std::string& key, const std::string& n
                                     const std::filesystem::path& folder);
 /// All that a scene names, table by table.
 std::vector<NamedFile> named_files(const SceneFile& scene);
+/// Their paths.
 std::vector<std::filesystem::path> paths_of(const std::vector<NamedFile>& files);
 /// The paths of all that a scene names.
 std::vector<std::filesystem::path> input_files(const SceneFile& scene);

@@ -18,7 +18,6 @@ namespace bem_contact::table {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double half_pi = 0.5 * std::numbers::pi;
 // The contact that is solved: results do not depend on these numbers.
 constexpr double modulus = 8e4;    // G, MPa
@@ -147,7 +146,7 @@ PointSolver creep_point_solver(const CreepScale& scale, int elements) {
   };
   return [=, solver = std::make_shared<Solver>()](const Point& point) {
     if (point[3] == 0)
-      return PointValues{{0, 0, 0}, {none, none, none}};
+      return PointValues{{0, 0, 0}, {unknown_error, unknown_error, unknown_error}};
     if (!solver->scene || solver->log_ratio != point[0]) {
       solver->scene = scene_of(std::pow(10, point[0]), scale, elements);
       solver->log_ratio = point[0];

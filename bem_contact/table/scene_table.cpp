@@ -18,8 +18,6 @@ namespace bem_contact::table {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 /// What errors of a column are relative to.
 enum class ScaleBy { force, moment, length_range, angle_range, largest };
 
@@ -76,14 +74,14 @@ PointValues values_of(const SceneResult& r) {
   for (const ColumnSource& source : sources) {
     const auto add = [&](const auto& q, auto... patch) {
       out.values.push_back(q.value(r, patch...));
-      out.element_errors.push_back(q.error ? q.error(r, patch...) : none);
+      out.element_errors.push_back(q.error ? q.error(r, patch...) : unknown_error);
     };
     if (!source.patch)
       add(quantity(source.of));
     else if (!r.result.patches.empty())
       add(patch_quantity(source.of), std::size_t{0});
     else
-      out.values.push_back(none), out.element_errors.push_back(none);
+      out.values.push_back(unknown_error), out.element_errors.push_back(unknown_error);
   }
   return out;
 }

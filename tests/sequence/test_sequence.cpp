@@ -136,7 +136,8 @@ TEST(Sequence, OtherScenesAreSolvedByThemselves) {
 
 TEST(Sequence, TheShortestElementOfTheFilesIsKept) {
   ContactEstimate estimate;
-  estimate.slices = {{.s = 0, .half = 1e-3}, {.s = 0.1, .half = 1e-3}};
+  estimate.slices = {RailSlice{.s = 0, .half = 1e-3, .position = {}},
+                     RailSlice{.s = 0.1, .half = 1e-3, .position = {}}};
   estimate.approach = 0.1;
   const auto [dx, ds] = size_of_elements(estimate, 3000, 1.0, 0.5, 1.1);
   EXPECT_EQ(dx, 0.5);

@@ -189,8 +189,8 @@ TEST(Wheelset, FindsTheDisplacementOfALateralForce) {
 TEST(Wheelset, TheLeftSideMayDiffer) {
   const std::string yawed = "position.yaw = 6e-3\n"; // both wheels slip
   const WheelsetResult same = solve_wheelset(standard(yawed));
-  const WheelsetResult named =
-      solve_wheelset(standard(yawed + "wheelset.left_wheel_profile = 'S1002'\nwheelset.left_rail_profile = '60E1'\n"));
+  const WheelsetResult named = solve_wheelset(
+      standard(yawed + "wheelset.left_wheel_profile = 'S1002'\nwheelset.left_rail_profile = '60E1'\n"));
   EXPECT_EQ(named.state.pose.roll, same.state.pose.roll);
   const WheelsetResult oiled = solve_wheelset(standard(yawed + "wheelset.left_friction = 0.05\n"));
   const auto used = [&](WheelSide side) {
