@@ -12,6 +12,7 @@
 #include "bem_contact/app/wheelset_command.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/memory.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/standard_streams.hpp"
 #include "bem_contact/scene/scene_file.hpp"
@@ -76,6 +77,7 @@ ExitCode run(const CLI::App& cli, const std::vector<Command>& commands, bool pri
 }
 
 int run_program(int argc, char** argv) {
+  keep_freed_memory();
   spdlog::set_default_logger(spdlog::stderr_color_mt("bem_contact"));
   spdlog::set_pattern("%^%l%$: %v");
 

@@ -2,6 +2,13 @@
 //     bench_answers SWEEP.toml REPEATS      a CSV line a repeat, each with a sequence of its own
 // tools/benchmarks/bench_answers builds it for older commits too; this is why it asks what there is.
 #include "bem_contact/base/error.hpp"
+#if __has_include("bem_contact/base/memory.hpp")
+#include "bem_contact/base/memory.hpp"
+#else
+namespace bem_contact {
+inline void keep_freed_memory() {} // the programs of older commits do not
+} // namespace bem_contact
+#endif
 #if __has_include("bem_contact/scene/sweep_file.hpp")
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/sequence/sequence.hpp"
@@ -69,6 +76,7 @@ int main(int argc, char** argv) {
   }
   if (openblas_set_num_threads)
     openblas_set_num_threads(1);
+  keep_freed_memory();
   try {
     const SweepFile sweep = read_sweep_file(argv[1]);
     fmt::print(
