@@ -35,12 +35,14 @@ endfunction()
 # What every test includes, compiled once and used by all test programs.
 if(CONFORMAL_TESTS)
   file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/test_headers.cpp CONTENT "")
-  add_library(conformal_test_headers OBJECT ${CMAKE_BINARY_DIR}/test_headers.cpp)
-  target_link_libraries(conformal_test_headers PUBLIC conformal_options fmt::fmt GTest::gmock)
-  target_compile_options(conformal_test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
-  if(CONFORMAL_SANITIZE AND CONFORMAL_SANITIZERS MATCHES "undefined")
-    target_compile_options(conformal_test_headers PRIVATE -fno-sanitize=undefined)
+  # Linked after the rooms, so that its options come last: it is the rooms that are checked for undefined behaviour.
+  add_library(conformal_test_options INTERFACE)
+  if(CONFORMAL_SANITIZE)
+    target_compile_options(conformal_test_options INTERFACE -fno-sanitize=undefined)
   endif()
+  add_library(conformal_test_headers OBJECT ${CMAKE_BINARY_DIR}/test_headers.cpp)
+  target_link_libraries(conformal_test_headers PUBLIC conformal_options conformal_test_options fmt::fmt GTest::gmock)
+  target_compile_options(conformal_test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
   target_precompile_headers(conformal_test_headers PRIVATE
     <algorithm> <cmath> <filesystem> <fstream> <string> <vector> <fmt/format.h> <gmock/gmock.h>)
 endif()
@@ -56,14 +58,11 @@ function(conformal_test name)
     set_source_files_properties(${ARG_SOLVERS} PROPERTIES
       COMPILE_OPTIONS $<$<CONFIG:Release>:-O3> SKIP_PRECOMPILE_HEADERS ON)
   endif()
-  if(CONFORMAL_SANITIZE AND CONFORMAL_SANITIZERS MATCHES "undefined")
-    target_compile_options(${name} PRIVATE -fno-sanitize=undefined) # it is the rooms that are checked
-  endif()
   # Tests define the same helpers file by file.
   set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   target_precompile_headers(${name} REUSE_FROM conformal_test_headers)
   target_link_libraries(${name} PRIVATE conformal_options ${ARG_ROOMS} ${ARG_LIBRARIES}
-                        fmt::fmt GTest::gmock GTest::gtest_main)
+                        conformal_test_options fmt::fmt GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     CONFORMAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     CONFORMAL_BINARY_DIR="${PROJECT_BINARY_DIR}")
