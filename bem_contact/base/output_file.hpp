@@ -35,9 +35,9 @@ struct OutputTarget {
   bool stream = false;
 };
 
-/// Finds out what `output` leads to. Throws InputError if it cannot be
-/// written: a folder, a socket, a disk, a file without write permission (for root too), a folder that is not
-/// there or may not be written to; for a whole file also a stream.
+/// Finds out what `output` leads to. Throws InputError if it cannot be written: a folder, a socket, a disk, a
+/// file without write permission (for root too), a folder that is not there or may not be written to; for a
+/// whole file also a stream.
 OutputTarget output_target(const std::filesystem::path& output, OutputForm form);
 
 /// Writes a file that is whole or absent: under a temporary name beside it, and renamed when complete. A link

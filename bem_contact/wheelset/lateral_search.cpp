@@ -11,13 +11,9 @@ namespace bem_contact {
 
 namespace {
 
-struct Sample {
-  double lateral = 0, force = 0;
-};
-
 /// Narrows an interval at whose ends the force is on different sides of `wanted`: where the line between both
 /// meets it, but not too near to an end, because on a flange the force is no line.
-LateralGuess narrow(const AxleLateralForce& force, Sample a, Sample b, double wanted) {
+LateralRoot narrow(const LateralForce& force, LateralSample a, LateralSample b, double wanted) {
   const double first_slope = (b.force - a.force) / (b.lateral - a.lateral);
   const auto met = [&] { return (wanted - a.force) / (b.force - a.force); };
   while (std::abs(b.lateral - a.lateral) > rough_lateral_width) {
@@ -29,20 +25,20 @@ LateralGuess narrow(const AxleLateralForce& force, Sample a, Sample b, double wa
     ((*there - wanted) * (a.force - wanted) > 0 ? a : b) = {between, *there};
   }
   const double slope = (b.force - a.force) / (b.lateral - a.lateral);
-  return slope > 0 ? LateralGuess{a.lateral + (wanted - a.force) / slope, slope}
-                   : LateralGuess{a.lateral, first_slope}; // rough forces so near to each other say nothing
+  return slope > 0 ? LateralRoot{a.lateral + (wanted - a.force) / slope, slope}
+                   : LateralRoot{a.lateral, first_slope}; // rough forces so near to each other say nothing
 }
 
 } // namespace
 
-LateralGuess search_lateral(const AxleLateralForce& force, double start, double wanted) {
+LateralRoot search_lateral(const LateralForce& force, double start, double wanted) {
   const std::optional<double> first = force(start);
   if (!first)
     throw InputError(fmt::format("The wheelset does not stand at a lateral displacement of {:g} mm", start),
                      "the search for the displacement that wheelset.force_y asks for begins there",
                      "Give another position.lateral.");
   const double side = *first < wanted ? 1 : -1;
-  Sample here{start, *first}, best = here;
+  LateralSample here{start, *first}, best = here;
   double step = first_lateral_step;
   while (std::abs(here.lateral - start) < lateral_search_reach) {
     const double at = here.lateral + side * step;

@@ -96,7 +96,7 @@ private:
 
 /// About where the lateral force is met.
 struct RoughPlace {
-  LateralGuess guess;
+  LateralRoot guess;
   WheelsetPose pose;      ///< of the last equilibrium that was tried, near it
   EquilibriumStart start; ///< there
   int contact_problems = 0;
@@ -105,18 +105,18 @@ RoughPlace search_roughly(const SceneFile& scene, const std::atomic<bool>* stop)
   WheelPair wheels(rough_scene(scene), stop);
   Follower follower(wheels, scene.position.lateral, begin(wheels, scene.position.lateral), rough_tolerance);
   wheels.scale_elements(rough_elements);
-  const LateralGuess guess = search_lateral([&](double y) { return follower.force(y); },
-                                            scene.position.lateral, *scene.wheelset.force_y);
+  const LateralRoot guess = search_lateral([&](double y) { return follower.force(y); },
+                                           scene.position.lateral, *scene.wheelset.force_y);
   return {guess, follower.last().state.pose, follower.near(guess.lateral), wheels.contact_problems()};
 }
 
 /// The equilibrium under wheelset.force_y.
-Equilibrium at_lateral_force(WheelPair& wheels, const EquilibriumStart& start, const LateralGuess& guess) {
+Equilibrium at_lateral_force(WheelPair& wheels, const EquilibriumStart& start, const LateralRoot& guess) {
   const SceneFile::Wheelset& given = wheels.scene().wheelset;
   Follower follower(wheels, guess.lateral, start, equilibrium_tolerance / 10);
-  const double lateral = solve_lateral_force([&](double y) { return follower.force(y); }, *given.force_y,
-                                             {guess.lateral, guess.slope},
-                                             lateral_balance * std::hypot(*given.force, *given.force_y));
+  const double lateral =
+      solve_lateral_force([&](double y) { return follower.force(y); }, *given.force_y, guess,
+                          lateral_balance * std::hypot(*given.force, *given.force_y));
   if (follower.last().state.pose.lateral != lateral)
     return find_equilibrium(wheels, lateral, follower.near(lateral), equilibrium_tolerance / 10);
   return follower.last();
