@@ -1,13 +1,13 @@
 #include "bem_contact/app/creep_curves_command.hpp"
 
 #include "bem_contact/app/creep_curves_output.hpp"
+#include "bem_contact/app/number_list.hpp"
 #include "bem_contact/app/scene_commands.hpp"
 #include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
@@ -78,17 +78,9 @@ ExitCode run(const CreepArguments& arguments) {
 CreepRange creep_range(CreepKind kind, const std::string& text) {
   if (text == "auto")
     return {kind, {}};
-  double numbers[3];
-  const char *at = text.data(), *end = at + text.size();
-  int found = 0;
-  for (; found < 3; ++found) {
-    const auto [rest, error] = std::from_chars(at, end, numbers[found]);
-    if (error != std::errc() || (found < 2 ? rest == end || *rest != ':' : rest != end))
-      break;
-    at = rest + (found < 2 ? 1 : 0);
-  }
-  const double count = numbers[2];
-  if (found < 3 || !(count >= 2 && count <= 10000 && count == static_cast<int>(count)))
+  const std::vector<double> numbers = number_list(text, ':').value_or(std::vector<double>());
+  const double count = numbers.size() == 3 ? numbers[2] : 0;
+  if (!(count >= 2 && count <= 10000 && count == static_cast<int>(count)))
     throw InputError(fmt::format("The range '{}' of {} cannot be read", text,
                                  EnumNames<CreepKind>::names[static_cast<std::size_t>(kind)]),
                      "it is neither auto nor FROM:TO:COUNT with a count of 2 to 10000",

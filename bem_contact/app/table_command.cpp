@@ -1,5 +1,6 @@
 #include "bem_contact/app/table_command.hpp"
 
+#include "bem_contact/app/number_list.hpp"
 #include "bem_contact/app/scene_commands.hpp"
 #include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/app/table_workers.hpp"
@@ -12,7 +13,6 @@
 #include "bem_contact/table/table_file.hpp"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
@@ -58,21 +58,14 @@ struct TableArguments {
   int jobs = 0;
 };
 
-/// Numbers with one character between them. Throws InputError naming the option.
+/// Throws InputError naming the option.
 std::vector<double> numbers_of(const std::string& text, char between, const char* option,
                                const char* example) {
-  std::vector<double> out;
-  const char *at = text.data(), *end = at + text.size();
-  for (double number = 0;; ++at) {
-    const auto [rest, error] = std::from_chars(at, end, number);
-    if (error != std::errc() || (rest != end && *rest != between))
-      throw InputError(fmt::format("{} '{}' cannot be read", option, text),
-                       fmt::format("it is no list of numbers with '{}' between them", between),
-                       fmt::format("Give one like {}.", example));
-    out.push_back(number);
-    if ((at = rest) == end)
-      return out;
-  }
+  if (const auto numbers = number_list(text, between))
+    return *numbers;
+  throw InputError(fmt::format("{} '{}' cannot be read", option, text),
+                   fmt::format("it is no list of numbers with '{}' between them", between),
+                   fmt::format("Give one like {}.", example));
 }
 
 json json_of(const table::ContactTable& t, double seconds) {
