@@ -159,6 +159,13 @@ bool Newton::step(double enough, TangentialState& state) {
   return true;
 }
 
+/// Tells the state where the method is.
+void take_point(const Newton& method, const TangentialTask& task, TangentialState& state) {
+  state.p = method.tractions();
+  state.slip = method.slip();
+  state.violation = coulomb_violation(task, state.p, state.slip);
+}
+
 } // namespace
 
 void newton(const TangentialSystem& system, const TangentialTask& task, const SolverOptions& options,
@@ -166,9 +173,7 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
   Newton method(system, task, work, state.p);
   int steps = 0;
   for (bool possible = true; possible;) {
-    state.p = method.tractions();
-    state.slip = method.slip();
-    state.violation = coulomb_violation(task, state.p, state.slip);
+    take_point(method, task, state);
     state.converged = state.violation <= options.tolerance;
     if (state.converged || steps == options.max_tangential || method.stalls())
       break;
@@ -199,18 +204,14 @@ bool newton_for_forces(const TangentialSystem& system, const TangentialTask& giv
     state.p = VectorXd::Zero(2 * n);
   state.remark.clear();
   const Eigen::Vector2d start = creepage;
-  task = given;
-  add_creepage(system, forces.share, creepage, task);
-  Newton method(system, task, work, state.p, &forces);
-  for (int steps = 0;; ++steps) {
-    creepage = start;
-    for (std::size_t k = 0; k < forces.components.size(); ++k)
-      creepage[forces.components[k]] += method.creepages()[k];
+  const auto set_task = [&] {
     task = given;
     add_creepage(system, forces.share, creepage, task);
-    state.p = method.tractions();
-    state.slip = method.slip();
-    state.violation = coulomb_violation(task, state.p, state.slip);
+  };
+  set_task();
+  Newton method(system, task, work, state.p, &forces);
+  for (int steps = 0;; ++steps) {
+    take_point(method, task, state);
     const double missing = method.missing().norm() / forces.tolerance;
     state.converged = state.violation <= options.tolerance && missing <= 1;
     if (state.converged)
@@ -221,6 +222,10 @@ bool newton_for_forces(const TangentialSystem& system, const TangentialTask& giv
     const double rest = std::max(state.violation / options.tolerance, missing);
     if (!method.step(std::min(coarsest_newton_forcing, newton_end_forcing / rest), state))
       return false;
+    creepage = start;
+    for (std::size_t k = 0; k < forces.components.size(); ++k)
+      creepage[forces.components[k]] += method.creepages()[k];
+    set_task();
   }
 }
 
