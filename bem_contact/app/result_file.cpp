@@ -118,7 +118,7 @@ void add_trust(H5Table& table, const std::string& group, const SceneResult& r) {
 /// Fields and numbers in `group` ("" or a path with its last slash).
 void add_result(H5Table& table, const std::string& group, const SceneResult& r, bool with_quantities = true) {
   for (const ElementQuantity& q : element_quantities())
-    if (std::string_view(q.name) != "gap") // a coordinate
+    if (q.is_in(r) && std::string_view(q.name) != "gap") // a coordinate
       table.datasets[group + q.name] = field(r.problem.grid, q.values(r), q.unit.of(r), q.description);
   if (!r.history.empty())
     add_history(table, group + "history/", r);

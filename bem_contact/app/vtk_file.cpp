@@ -69,6 +69,10 @@ void write(std::ostream& out, const SceneResult& result) {
              [&](int i, int c) { return turned(i, c, at(u.ux, i), at(u.us, i), at(u.un, i)); });
   const std::vector<double> power = friction_power(r);
   data_array(out, "work_rate", 1, n, [&](int i, int) { return at(power, i); });
+  if (r.temperatures) {
+    data_array(out, "T_rail", 1, n, [&](int i, int) { return r.temperatures->rail[i]; });
+    data_array(out, "T_wheel", 1, n, [&](int i, int) { return r.temperatures->wheel[i]; });
+  }
   data_array(out, "state", 1, n, [&](int i, int) { return r.state.empty() ? 0.0 : double(r.state[i]); });
   data_array(out, "undeformed_distance", 1, n, [&](int i, int) { return problem.gap[i]; });
   data_array(out, "deformed_distance", 1, n, [&](int i, int) { return at(r.deformed_distance, i); });

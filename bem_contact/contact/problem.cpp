@@ -78,6 +78,53 @@ void validate_numbers(const ContactProblem& problem) {
           "use displacements averaged over the element");
 }
 
+bool is_share(double v) {
+  return v > 0 && v <= 1;
+}
+
+bool conducts(const ThermalBody& body) {
+  return std::isfinite(body.effusivity()) && body.conductivity > 0 && body.heat_capacity > 0 &&
+         body.density > 0 && std::isfinite(body.temperature);
+}
+
+void validate_heating(const ContactProblem& problem) {
+  const Heating& heating = *problem.heating;
+  require(problem.motion == MotionKind::steady, "flash temperatures are those of steady rolling",
+          "the heat of former steps is not known", "set motion = steady, or leave out the heating");
+  require(conducts(heating.rail) && conducts(heating.wheel), "a body does not conduct heat",
+          "conductivity, heat capacity and density must be above 0", "give those of the material");
+  require(!heating.rail_share || (*heating.rail_share >= 0 && *heating.rail_share <= 1),
+          "the rail's share of the heat is no share", std::to_string(heating.rail_share.value_or(0)),
+          "give a number from 0 to 1, or none");
+  require(!heating.friction ||
+              (is_share(heating.friction->ratio) && heating.friction->from < heating.friction->to),
+          "friction does not fall with temperature",
+          "its ratio must lie above 0 and at most at 1, its temperatures must ascend", "correct them");
+}
+
+/// Of mu over slip velocity and temperature.
+void validate_friction_law(const ContactProblem& problem) {
+  require(problem.falling.size() <= 1 || problem.falling.size() == static_cast<std::size_t>(problem.grid.ms),
+          "the laws of friction do not fit the grid",
+          std::to_string(problem.falling.size()) + " for " + std::to_string(problem.grid.ms) + " rows",
+          "give one for each row, or one for all");
+  for (const FallingFriction& law : problem.falling)
+    require(is_share(law.ratio) && std::isfinite(law.scale) && law.scale > 0,
+            "friction does not fall with the slip velocity",
+            "its ratio is " + std::to_string(law.ratio) + ", its velocity " + std::to_string(law.scale) +
+                " mm/s",
+            "give a ratio above 0 and at most 1, and a velocity above 0");
+  const bool needs_speed = problem.friction_falls() || problem.heating;
+  require(!needs_speed || (std::isfinite(problem.speed) && problem.speed > 0), "the rolling speed is missing",
+          "slip velocity and heat are proportional to it", "give it in mm/s");
+  require(!problem.friction_falls() || problem.motion != MotionKind::shift, "a shift has no slip velocity",
+          "friction falls with it", "choose rolling, or leave out the law");
+  require(problem.kinetic == 1 || !problem.friction_varies(), "there are two laws of friction",
+          "kinetic is below 1, and friction falls with slip velocity or temperature", "leave out one");
+  if (problem.heating)
+    validate_heating(problem);
+}
+
 void validate_friction(const ContactProblem& problem) {
   const auto is_friction = [](double mu) { return std::isfinite(mu) && mu >= 0; };
   require(is_friction(problem.friction) &&
@@ -90,6 +137,7 @@ void validate_friction(const ContactProblem& problem) {
           "give one for each row");
   require(problem.kinetic > 0 && problem.kinetic <= 1, "friction in slip is not below that in adhesion",
           "their ratio is " + std::to_string(problem.kinetic), "give a ratio above 0 and at most 1");
+  validate_friction_law(problem);
   require_field(problem.slip_x, problem.grid, "rigid slip along x");
   require_field(problem.slip_s, problem.grid, "rigid slip along s");
   for (const Tractions& former : problem.previous)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/contact/friction_law.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
 #include "bem_contact/profile/contact_row.hpp"
 
@@ -50,13 +51,18 @@ struct ContactProblem {
   std::vector<ContactRow> rows; ///< ms of them
   InfluenceNumbers numbers;     ///< of the pair, at least grid.mx + 2 offsets (plane strain: 1), grid.ms rows
   std::vector<double> gap;      ///< undeformed distance along n at approach 0, mm; field
-  LoadKind load = LoadKind::force;    ///< whether approach or force below counts
-  double approach = 0;                ///< q along z, mm (load == approach)
-  double force = 0;                   ///< Fz, N (load == force); per mm of length in plane strain
-  bool tangential = true;             ///< false: frictionless
-  double friction = 0.3;              ///< Coulomb's mu of adhesion (static friction)
-  std::vector<double> friction_rows;  ///< mu of each row instead; empty: the same everywhere
-  double kinetic = 1;                 ///< mu of slip over mu of adhesion, in (0, 1]
+  LoadKind load = LoadKind::force;   ///< whether approach or force below counts
+  double approach = 0;               ///< q along z, mm (load == approach)
+  double force = 0;                  ///< Fz, N (load == force); per mm of length in plane strain
+  bool tangential = true;            ///< false: frictionless
+  double friction = 0.3;             ///< Coulomb's mu of adhesion (static friction)
+  std::vector<double> friction_rows; ///< mu of each row instead; empty: the same everywhere
+  double kinetic = 1;                ///< mu of slip over mu of adhesion, in (0, 1]
+  /// How mu, then that of vanishing slip, falls with the slip velocity: of each row, or one for all rows;
+  /// empty: it does not. Not for shifts, nor beside kinetic < 1.
+  std::vector<FallingFriction> falling;
+  double speed = 0;                   ///< of rolling, mm/s; above 0 with `falling` or `heating`
+  std::optional<Heating> heating;     ///< flash temperatures are asked for; steady rolling
   std::vector<double> slip_x, slip_s; ///< rigid slip w, per unit of rolled distance (shift: mm); fields
   /// Prescribed shear forces on the rail, N: sum p_x dS and sum p_s cos(delta - reference_delta) dS. For each
   /// of them solve() finds a creepage (shift: mm) and adds it to the rigid slip: ContactResult::creepage_x to
@@ -78,6 +84,20 @@ struct ContactProblem {
   double largest_friction() const {
     return friction_rows.empty() ? friction : *std::max_element(friction_rows.begin(), friction_rows.end());
   }
+  /// mu of a row at a slip velocity (mm/s) over mu at none.
+  double falling_factor(int row, double slip_velocity) const {
+    return falling.empty() ? 1 : falling[falling.size() == 1 ? 0 : row].factor(slip_velocity);
+  }
+  /// Whether mu depends on the slip velocity; on temperature; on either.
+  bool friction_falls() const {
+    return std::any_of(falling.begin(), falling.end(), [](const auto& law) { return law.ratio != 1; });
+  }
+  bool friction_falls_with_heat() const {
+    return heating && heating->friction && heating->friction->ratio != 1;
+  }
+  bool friction_varies() const { return friction_falls() || friction_falls_with_heat(); }
+  /// Coulomb's law with one mu for adhesion and slip.
+  bool is_coulomb() const { return kinetic == 1 && !friction_varies(); }
   /// Whether there is a tangential problem at all.
   bool has_friction() const { return tangential && largest_friction() > 0; }
   /// The slip along s on a row under a unit creepage along s: cos(delta - reference_delta).

@@ -26,6 +26,10 @@ enum class ElementState : unsigned char { exterior, adhesion, slip };
 /// then carries kinetic mu p_n S/|S|, and an element that sticks may carry more. Such a solution is not
 /// unique. The solvers begin with the bound mu p_n everywhere; an element that slips gets the bound kinetic
 /// mu p_n and keeps it. This is repeated until no further element slips.
+///
+/// Where mu falls with slip velocity or temperature (ContactProblem::falling, heating), a slipping element
+/// carries mu p_n S/|S| with the mu of its own slip and temperature, and the cone is that of no slip at this
+/// temperature. Slip and temperature are computed here from the tractions.
 struct Certificate {
   double pressure = 0;        ///< largest -p_n, over pmax
   double penetration = 0;     ///< largest -e, over the approach scale
@@ -138,6 +142,13 @@ struct PatchSummary {
   double semi_axis_a = 0, semi_axis_b = 0, axis_angle = 0;
 };
 
+/// Of the surfaces of rail and wheel, degrees C; fields.
+struct SurfaceTemperatures {
+  std::vector<double> rail, wheel;
+
+  double mean(std::size_t i) const { return 0.5 * (rail[i] + wheel[i]); } ///< of both, at an element
+};
+
 /// Displacement differences u = u_wheel - u_rail = -A p of every element, mm; fields.
 struct Displacements {
   std::vector<double> ux, us, un; ///< along x, s and n
@@ -148,10 +159,11 @@ struct ContactResult {
   std::vector<double> px, ps, pn; ///< tractions on the rail, MPa; fields
   /// Slip per unit of rolled distance (shift: mm), with all parts: rigid, found creepage, elastic; fields.
   std::vector<double> slip_x, slip_s;
-  std::vector<double> deformed_distance; ///< e, mm; field
-  std::vector<ElementState> state;       ///< field
-  Displacements displacements;           ///< empty unless SolverOptions::displacements
-  double approach = 0;                   ///< q, mm
+  std::vector<double> deformed_distance;           ///< e, mm; field
+  std::vector<ElementState> state;                 ///< field
+  Displacements displacements;                     ///< empty unless SolverOptions::displacements
+  std::optional<SurfaceTemperatures> temperatures; ///< where the problem has `heating`
+  double approach = 0;                             ///< q, mm
   /// On the rail, N, in the frame of the rows: the track frame of a wheel on a rail, a patch's own frame
   /// (profile/contact_row.hpp).
   double Fx = 0, Fy = 0, Fz = 0;

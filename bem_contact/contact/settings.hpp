@@ -191,6 +191,14 @@ BEM_CONTACT_TUNED(double, rolling_precision, 1e-10);
 /// Lengths of the grid to roll on. Chosen: transients decay within a few lengths of the contact.
 BEM_CONTACT_TUNED(int, rolling_on_lengths, 6);
 
+// --- friction that falls with slip velocity or temperature ---
+
+/// Most iterations between mu and slip. A locomotive at 10 m/s (THEORY.md, section 8) takes 13 Newton steps
+/// in place of 4 where mu falls over 1250 mm/s, 80 over 10 mm/s, and may not settle over 5 mm/s and less.
+BEM_CONTACT_TUNED(int, most_friction_changes, 100);
+/// 1. Anderson's method takes no mu below this share of mu(0). Chosen: real laws stay above a tenth.
+BEM_CONTACT_TUNED(double, least_friction_factor, 1e-3);
+
 // --- tangential: kinetic friction and creepages ---
 
 /// 1. An element slips if its traction is this close to the bound and its slip above this share of the

@@ -51,7 +51,7 @@ VectorXd solved(const NewtonMatrix& matrix, const Linearisation& at, const Vecto
 
 std::vector<ShearChange> shear_sensitivities(const ContactProblem& problem, const ContactResult& result,
                                              std::span<const SlipChange> changes) {
-  if (!problem.has_friction() || problem.motion != MotionKind::steady || problem.kinetic != 1)
+  if (!problem.has_friction() || problem.motion != MotionKind::steady || !problem.is_coulomb())
     throw InputError("This contact has no sensitivities",
                      "they are for steady rolling with one coefficient of friction",
                      "Ask for such a contact.");

@@ -4,6 +4,7 @@
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/contact/check/discretisation.hpp"
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
+#include "bem_contact/contact/flash_temperature.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
 #include "bem_contact/contact/grid/patches.hpp"
 #include "bem_contact/contact/settings.hpp"
@@ -99,6 +100,8 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
   result.creepage_s = solution.creepage.s;
   sum_forces(problem, result);
   result.patches = contact::find_patches(problem, result);
+  if (problem.heating && problem.has_friction())
+    result.temperatures = flash_temperatures(problem, result);
   result.touches_border = contact::touches_border(problem.grid, result.state);
   const Stopwatch checking;
   result.certificate = certify(problem, result, options.displacements ? &result.displacements : nullptr);

@@ -18,6 +18,8 @@ struct SolverOptions {
   int max_tangential = 250; ///< Newton steps for given p_n
   int max_sweeps = 1000;    ///< Gauss-Seidel sweeps if Newton fails
   bool only_newton = false; ///< no other method if Newton fails
+  /// Where friction falls with slip: begin with everything sliding, not with everything in adhesion.
+  bool from_sliding = false;
   bool estimate_discretisation = true;
   bool displacements = false; ///< ContactResult::displacements is wanted
   bool coarse_start = true;   ///< without `start`, solve a large problem on larger elements first

@@ -63,7 +63,7 @@ CreepForceValues forces_of(const SceneResult& r, const ShearChange& change) {
 
 std::optional<CreepMatrix> linearised_sensitivities(const SceneFile& scene, const SceneResult& result,
                                                     const Creepages& steps, SequenceFiles& files) {
-  if (result.model == Model::hertz || result.structure || result.problem.kinetic != 1)
+  if (result.model == Model::hertz || result.structure || !result.problem.is_coulomb())
     return std::nullopt;
   const GridPlan plan = plan_of(result);
   const ContactCase asked = prepare_case(scene, files);

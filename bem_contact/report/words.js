@@ -53,8 +53,8 @@ const TITLES = {fem: "Finite-element influence functions", tangent_plane: "Tange
                 hertz: "Hertz"};
 const SHORT = {fem: "FEM", tangent_plane: "tangent plane", halfspace: "half-space", hertz: "Hertz"};
 const SETS = {equal_forces: "At equal forces", equal_position: "At equal position and vertical force"};
-const MAIN = ["Fx", "Fy", "Fz", "Fs", "Mz", "lateral", "approach", "pmax", "area", "adhesion_share", "friction_power", "xi",
-              "eta", "phi", "free_rolling_xi", "free_rolling_radius", "patch_count"];
+const MAIN = ["Fx", "Fy", "Fz", "Fs", "Mz", "lateral", "approach", "pmax", "area", "adhesion_share", "friction_power",
+              "Tmax_rail", "Tmax_wheel", "xi", "eta", "phi", "free_rolling_xi", "free_rolling_radius", "patch_count"];
 const PATCH = ["Fn", "Fx", "Fs", "Mn", "pmax", "area", "y", "z", "s", "delta", "semi_axis_a", "semi_axis_b", "xi", "eta", "phi"];
 
 const contactsOf = group => Object.keys(TITLES).filter(name => group?.[name]?.p_n)

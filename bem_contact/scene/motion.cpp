@@ -12,24 +12,62 @@ namespace {
 
 std::vector<Motion::Friction> read_friction(const std::filesystem::path& file) {
   std::vector<Motion::Friction> table;
-  for (const std::vector<double>& row : read_csv(file, {"s", "mu"})) {
+  std::vector<std::string> columns{"s", "mu"};
+  const bool falls = csv_columns(file).size() > columns.size();
+  if (falls)
+    columns.insert(columns.end(), {"falling_friction", "half_slip_velocity"});
+  for (const std::vector<double>& row : read_csv(file, columns)) {
     if (row[1] < 0 || (!table.empty() && row[0] <= table.back().s))
       throw InputError(fmt::format("The table '{}' is no friction coefficient", file.string()),
                        fmt::format("its row {} has s = {:g}, mu = {:g}", table.size() + 1, row[0], row[1]),
                        "Give rows of ascending s and mu >= 0.");
-    table.push_back({row[0], row[1]});
+    if (falls && !(row[2] > 0 && row[2] <= row[1] && row[3] > 0))
+      throw InputError(
+          fmt::format("The table '{}' is no falling friction", file.string()),
+          fmt::format("its row {} has mu = {:g}, falling_friction = {:g}, half_slip_velocity = {:g}",
+                      table.size() + 1, row[1], row[2], row[3]),
+          "Give 0 < falling_friction <= mu, and a velocity above 0 in mm/s.");
+    table.push_back({row[0], row[1], falls ? row[2] : 0, falls ? row[3] : 0});
   }
   return table;
 }
 
 /// Linear between the points of the table, constant beyond its ends.
-double friction_at(const std::vector<Motion::Friction>& table, double s) {
+Motion::Friction friction_at(const std::vector<Motion::Friction>& table, double s) {
   const auto after = std::ranges::find_if(table, [s](const auto& point) { return point.s > s; });
   if (after == table.begin() || after == table.end())
-    return after == table.begin() ? table.front().mu : table.back().mu;
+    return after == table.begin() ? table.front() : table.back();
   const auto before = std::prev(after);
   const double share = (s - before->s) / (after->s - before->s);
-  return (1 - share) * before->mu + share * after->mu;
+  const auto between = [&](double Motion::Friction::*number) {
+    return (1 - share) * (*before).*number + share * (*after).*number;
+  };
+  using Friction = Motion::Friction;
+  return {s, between(&Friction::mu), between(&Friction::falling), between(&Friction::half)};
+}
+
+/// A coefficient over that of adhesion. `key` gave it.
+double ratio_of(double coefficient, double adhesion, const char* key) {
+  if (coefficient > adhesion)
+    throw InputError(fmt::format("{} cannot be {:g}", key, coefficient),
+                     fmt::format("friction in adhesion is at most {:g} on these rows", adhesion),
+                     "Give a smaller coefficient.");
+  return coefficient / adhesion;
+}
+
+std::vector<FallingFriction> laws_of(const Motion& motion, const ContactProblem& problem) {
+  std::vector<FallingFriction> laws;
+  if (!motion.friction_table.empty() && motion.friction_table.front().half > 0) {
+    for (const ContactRow& row : problem.rows) {
+      const Motion::Friction at = friction_at(motion.friction_table, row.s);
+      laws.push_back(exponential_friction(at.falling, at.mu - at.falling, at.half));
+    }
+  } else if (motion.falling) {
+    const double ratio = ratio_of(*motion.falling, problem.largest_friction(), "motion.falling_friction");
+    laws.push_back(exponential_friction(ratio, 1 - ratio, motion.half_slip_velocity));
+  } else if (motion.polach)
+    laws.push_back(*motion.polach);
+  return laws;
 }
 
 using Member = std::optional<double> MotionStep::*;
@@ -96,6 +134,13 @@ Creepage creepage_of_scene(const SceneFile& scene) {
   return creepage;
 }
 
+/// Without its law of friction.
+std::optional<Heating> heating_of(const SceneFile::Temperature& asked) {
+  if (!asked.flash)
+    return std::nullopt;
+  return Heating{asked.rail, asked.wheel, asked.rail_share, std::nullopt};
+}
+
 } // namespace
 
 Creepage Motion::creepage_of(const MotionStep& step) const {
@@ -119,6 +164,21 @@ Motion read_motion(const SceneFile& scene) {
   if (!scene.motion.friction_table.empty())
     motion.friction_table = read_friction(scene.folder / scene.motion.friction_table);
   motion.kinetic = scene.motion.kinetic_friction;
+  motion.speed = scene.motion.speed.value_or(0);
+  motion.falling = scene.motion.falling_friction;
+  motion.half_slip_velocity = scene.motion.half_slip_velocity.value_or(0);
+  if (scene.motion.polach_a && scene.motion.polach_b)
+    motion.polach = polach_friction(*scene.motion.polach_a, *scene.motion.polach_b);
+  const bool by_row = !motion.friction_table.empty() && motion.friction_table.front().half > 0;
+  if (by_row && (motion.falling || motion.polach))
+    throw InputError("There are two laws of falling friction",
+                     fmt::format("motion.friction_table has one for each row, and motion.{} is given",
+                                 motion.falling ? "falling_friction" : "polach_a"),
+                     "Leave out one of the two.");
+  motion.heating = heating_of(scene.temperature);
+  if (motion.heating && scene.temperature.hot_friction)
+    motion.hot = HotFriction{*scene.temperature.hot_friction, scene.temperature.falls_from,
+                             scene.temperature.falls_to};
   motion.force_x = scene.load.force_x;
   motion.force_s = scene.load.force_s;
   return motion;
@@ -133,14 +193,17 @@ void apply_motion(const Motion& motion, double reference_delta, ContactProblem& 
   problem.motion = motion.kind;
   if (!motion.friction_table.empty())
     for (const ContactRow& row : problem.rows)
-      problem.friction_rows.push_back(friction_at(motion.friction_table, row.s));
+      problem.friction_rows.push_back(friction_at(motion.friction_table, row.s).mu);
   const double largest = problem.largest_friction();
-  if (motion.kinetic.value_or(0) > largest)
-    throw InputError(fmt::format("Kinetic friction cannot be {:g}", *motion.kinetic),
-                     fmt::format("friction in adhesion is at most {:g} on these rows", largest),
-                     "Give a smaller motion.kinetic_friction.");
-  if (motion.kinetic.value_or(0) > 0)
-    problem.kinetic = *motion.kinetic / largest;
+  if (motion.kinetic)
+    problem.kinetic = ratio_of(*motion.kinetic, largest, "motion.kinetic_friction");
+  problem.speed = motion.speed;
+  problem.falling = laws_of(motion, problem);
+  problem.heating = motion.heating;
+  if (motion.hot) {
+    problem.heating->friction = motion.hot;
+    problem.heating->friction->ratio = ratio_of(motion.hot->ratio, largest, "temperature.hot_friction");
+  }
   problem.force_x = motion.force_x;
   problem.force_s = motion.force_s;
 }

@@ -21,7 +21,8 @@ struct MotionStep {
 /// the scene names, not their paths.
 struct Motion {
   struct Friction {
-    double s = 0, mu = 0; ///< arc length on the rail, mm
+    double s = 0, mu = 0;         ///< arc length on the rail, mm
+    double falling = 0, half = 0; ///< as SceneFile has them, mm/s; 0: not in the table
   };
 
   MotionKind kind = MotionKind::steady;
@@ -29,6 +30,12 @@ struct Motion {
   double friction = 0.3;                ///< coefficient of adhesion
   std::vector<Friction> friction_table; ///< instead, by ascending s; empty: the same everywhere
   std::optional<double> kinetic;        ///< coefficient of slip, not its ratio to `friction`; empty: the same
+  std::optional<double> falling;        ///< mu at high slip velocity; empty: Polach's law, or no fall
+  double half_slip_velocity = 0;        ///< mm/s, for `falling`
+  std::optional<FallingFriction> polach;
+  double speed = 0;                       ///< of rolling, mm/s; 0: not given
+  std::optional<Heating> heating;         ///< its law of friction is set where the rows are known
+  std::optional<HotFriction> hot;         ///< its ratio is the hot coefficient itself
   std::optional<double> force_x, force_s; ///< prescribed shear forces, N
   Creepage creepage;
   bool radial_displacement = true; ///< fem, steady: the wheel's surface is faster by u_r / R
@@ -41,8 +48,8 @@ struct Motion {
 /// Throws InputError for a table that cannot be used.
 Motion read_motion(const SceneFile& scene);
 
-/// Sets kind, friction and shear forces of a problem, whose rows are set. Throws InputError where kinetic
-/// friction is above that of adhesion on these rows.
+/// Sets kind, friction, heat and shear forces of a problem, whose rows are set. Throws InputError where
+/// friction in slip, at high slip velocity or when hot is above that of adhesion on these rows.
 void apply_motion(const Motion& motion, double reference_delta, ContactProblem& problem);
 
 } // namespace bem_contact

@@ -5,6 +5,7 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/scene/accuracy_of.hpp"
+#include "bem_contact/scene/check_friction.hpp"
 #include "bem_contact/scene/check_wheelset.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
@@ -159,6 +160,7 @@ SceneFile checked(const SceneFile& as_read, const SceneKeysAsRead& read, const S
     check_load(file, schema);
   check_motion(file, schema);
   check_steps(file, schema);
+  check_friction(file, schema);
   if (file.kind == SceneKind::patch)
     check_patch(file, schema);
   else

@@ -77,8 +77,12 @@ struct SceneFile {
     bool frictionless = false;              ///< the normal problem alone
     double friction = 0.3;                  ///< Coulomb's mu
     std::optional<double> kinetic_friction; ///< of what slips; empty: the same
-    std::string friction_table;             ///< CSV file with columns s (mm), mu instead of friction
-    int steps = 1;                          ///< of transient rolling (dx each) or of shifts
+    /// mu that friction falls to at high slip velocity, and the slip velocity at which half of the difference
+    /// is left, mm/s; or Polach's A and B (s/m). They need `speed`.
+    std::optional<double> falling_friction, half_slip_velocity, polach_a, polach_b;
+    /// CSV file with columns s (mm), mu instead of friction; and falling_friction, half_slip_velocity by row.
+    std::string friction_table;
+    int steps = 1; ///< of transient rolling (dx each) or of shifts
     /// CSV file with one row a step and some of the columns load (N where load.force is given, mm where
     /// load.approach is), xi, eta, phi, force_x, force_s (N) and x (mm: where a shifted patch touches).
     std::string step_table;
@@ -86,7 +90,8 @@ struct SceneFile {
     /// phi in 1/mm; a shift: xi, eta in mm and phi in rad. wheel_rail: spin of the geometry is added to phi.
     double xi = 0, eta = 0, phi = 0;
     /// wheel_rail: forward over angular speed at xi = 0, mm. Empty: speed / pitch_rate (mm/s, rad/s); if
-    /// these are empty too, the radius that rolls freely under the estimated pressure.
+    /// these are empty too, the radius that rolls freely under the estimated pressure. The slip velocity is
+    /// the slip times speed, of a patch too.
     std::optional<double> rolling_radius, speed, pitch_rate;
     /// wheel_rail: xi is counted from free rolling (Fx = 0), not from rolling_radius.
     bool from_free_rolling = false;
@@ -153,6 +158,17 @@ struct SceneFile {
 
     bool operator==(const Stresses&) const = default;
   } stresses; ///< [stresses]
+
+  /// [temperature]: of the surfaces under the heat of friction
+  struct Temperature {
+    bool flash = false;                  ///< asked for
+    ThermalBody rail, wheel;             ///< with the temperature before the contact
+    std::optional<double> rail_share;    ///< of the heat; empty: the surfaces are equally hot
+    std::optional<double> hot_friction;  ///< mu from falls_to on; empty: the same
+    double falls_from = 0, falls_to = 0; ///< degrees C
+
+    bool operator==(const Temperature&) const = default;
+  } temperature; ///< [temperature]
 
   /// [solver]
   struct Solver {

@@ -161,11 +161,38 @@ void add_motion(Schema& s, SceneFile::Motion& m) {
   s.add("motion.kinetic_friction", m.kinetic_friction,
         {.doc =
              "Coefficient of what slips, at most that of adhesion; 0: the same. With friction_table: of the "
-             "largest, and in proportion elsewhere",
+             "largest, and in proportion elsewhere. The result depends on the size of the elements: friction "
+             "that falls with the slip velocity (falling_friction) does so less",
+         .at_least = 0,
+         .zero_is_none = true});
+  s.add(
+      "motion.falling_friction", m.falling_friction,
+      {.doc =
+           "Coefficient that friction falls to at high slip velocity w: mu = falling_friction + (friction - "
+           "falling_friction) 2^(-w / half_slip_velocity); 0: it does not fall. With friction_table: of the "
+           "largest, and in proportion elsewhere. Needs speed",
+       .at_least = 0,
+       .zero_is_none = true});
+  s.add("motion.half_slip_velocity", m.half_slip_velocity,
+        {.doc = "Slip velocity at which half of the difference is left (1 m/s is 1000 mm/s)",
+         .unit = "mm/s",
+         .at_least = 0,
+         .zero_is_none = true});
+  s.add("motion.polach_a", m.polach_a,
+        {.doc = "Instead, Polach's A: friction at high slip velocity over friction; mu = friction [(1 - A) "
+                "exp(-B w) + A]; 0: it does not fall. Dry and clean: 0.40, wet: 0.40. Needs speed",
+         .at_least = 0,
+         .at_most = 1,
+         .zero_is_none = true});
+  s.add("motion.polach_b", m.polach_b,
+        {.doc = "Polach's B. Dry and clean: 0.60, wet: 0.20",
+         .unit = "s/m",
          .at_least = 0,
          .zero_is_none = true});
   s.add("motion.friction_table", m.friction_table,
-        {.doc = "CSV file with columns s, mu (linear in between) instead of friction; s as in the result"});
+        {.doc = "CSV file with columns s, mu (linear in between) instead of friction; s as in the result. "
+                "With two "
+                "columns more, falling_friction and half_slip_velocity, each row has its own law"});
   s.add("motion.steps", m.steps,
         {.doc = "Steps of transient rolling or of shifts", .at_least = 1, .at_most = 100000});
   s.add("motion.step_table", m.step_table,
@@ -199,12 +226,14 @@ void add_motion(Schema& s, SceneFile::Motion& m) {
            "fem, steady rolling: the wheel's surface is faster where it moves away from the axle, by u_r / R "
            "(Kalker's half-space leaves this out)",
        .kinds = wheel_rail});
-  s.add("motion.speed", m.speed,
-        {.doc = "Forward speed of the wheelset, for the velocities and rates below",
-         .unit = "mm/s",
-         .at_least = 0,
-         .kinds = wheel_rail,
-         .zero_is_none = true});
+  s.add(
+      "motion.speed", m.speed,
+      {.doc =
+           "Forward speed of the wheelset (patch: rolling speed), for slip velocities, temperatures and the "
+           "rates below",
+       .unit = "mm/s",
+       .at_least = 0,
+       .zero_is_none = true});
   s.add("motion.pitch_rate", m.pitch_rate,
         {.doc = "Angular speed of the wheelset about its axle, positive as it rolls forwards; instead of "
                 "rolling_radius",
@@ -313,6 +342,43 @@ void add_stresses(Schema& s, SceneFile::Stresses& stresses) {
          .at_most = 1e6});
 }
 
+void add_temperature(Schema& s, SceneFile::Temperature& t) {
+  s.add(
+      "temperature.flash", t.flash,
+      {.doc =
+           "Temperatures of both surfaces under the heat of friction (steady rolling; needs motion.speed)"});
+  for (const auto& [name, body] : {std::pair{"rail", &t.rail}, std::pair{"wheel", &t.wheel}}) {
+    const std::string key = std::string("temperature.") + name;
+    s.add(key, body->temperature,
+          {.doc = std::string("Of the ") + name + " before the contact", .unit = "degC", .above = -273.15});
+    s.add(key + "_conductivity", body->conductivity,
+          {.doc = "Thermal conductivity", .unit = "W/(m K)", .above = 0});
+    s.add(key + "_heat_capacity", body->heat_capacity,
+          {.doc = "Specific heat capacity", .unit = "J/(kg K)", .above = 0});
+    s.add(key + "_density", body->density, {.doc = "Density", .unit = "kg/m3", .above = 0});
+  }
+  s.add(
+      "temperature.rail_share", t.rail_share,
+      {.doc =
+           "Share of the heat that flows into the rail; 0: as much as makes both surfaces equally hot where "
+           "they touch, which also lets a hot wheel heat a cold rail",
+       .at_least = 0,
+       .at_most = 1,
+       .zero_is_none = true});
+  s.add(
+      "temperature.hot_friction", t.hot_friction,
+      {.doc =
+           "Coefficient of friction from falls_to on; linear from falls_from, where motion.friction ends; 0: "
+           "friction does not depend on temperature. With friction_table: of the largest, and in proportion "
+           "elsewhere",
+       .at_least = 0,
+       .zero_is_none = true});
+  s.add("temperature.falls_from", t.falls_from,
+        {.doc = "Mean temperature of the surfaces up to which friction stays", .unit = "degC"});
+  s.add("temperature.falls_to", t.falls_to,
+        {.doc = "Mean temperature from which it is hot_friction", .unit = "degC"});
+}
+
 void add_solver(Schema& s, SceneFile::Solver& solver) {
   s.add("solver.model", solver.model, std::string(automatic_model),
         {.doc =
@@ -347,6 +413,7 @@ Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
   add_grid(s, f.grid, read);
   add_patch(s, f.gap, f.strip);
   add_stresses(s, f.stresses);
+  add_temperature(s, f.temperature);
   add_solver(s, f.solver);
   return s;
 }

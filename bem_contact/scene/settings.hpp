@@ -44,6 +44,9 @@ BEM_CONTACT_TUNED(double, largest_wheel_radius, 750.0);
 /// 1. A velocity above this share of the speed, or a rolling radius that differs from the wheel's by more, is
 /// probably in another unit.
 BEM_CONTACT_TUNED(double, largest_motion_share, 0.3);
+/// mm/s. Where the speed sets slip velocities or temperatures, one below this is probably in m/s or km/h:
+/// half of walking pace, and slower than the theory of flash temperatures is for.
+BEM_CONTACT_TUNED(double, least_speed, 700.0);
 /// mm. Contact this near to the height of a flange's tip is contact on the tip.
 BEM_CONTACT_TUNED(double, flange_tip_depth, 2.0);
 /// 1. Points of the wheel's profile whose heights are looked at.

@@ -61,6 +61,11 @@ std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSet
     out.push_back(
         fmt::format("motion.friction = {:g}: hardly any bodies have more than {:g} (it is no percentage)",
                     scene.motion.friction, highest_friction));
+  const Motion& motion = setup.motion;
+  const bool speed_counts = motion.falling || motion.polach || motion.heating;
+  if (speed_counts && motion.speed < least_speed)
+    out.push_back(
+        fmt::format("motion.speed = {:g} mm/s is below walking pace: give it in mm/s", motion.speed));
   if (const WheelRailGeometry* placed = setup.wheel_rail()) {
     if (setup.load.kind == LoadKind::force && setup.load.force > 0 && setup.load.force < least_wheel_load)
       out.push_back(

@@ -19,6 +19,7 @@ double scale_of(const Quantity& quantity, double value, const SceneResult& r) {
   case QuantityKind::moment:
     return force * std::sqrt(contact_area(c));
   case QuantityKind::pressure:
+  case QuantityKind::temperature:
   case QuantityKind::area:
     return std::abs(value);
   case QuantityKind::length:

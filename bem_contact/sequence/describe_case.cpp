@@ -59,7 +59,10 @@ std::string friction_text(const Motion& motion, const ContactProblem& problem) {
   if (!problem.tangential)
     return "friction: none";
   const std::size_t steps = motion.steps.size();
-  return fmt::format("friction: {:g}, {}", problem.largest_friction(),
+  const std::string falls =
+      fmt::format("{}{}", problem.friction_falls() ? ", falls with the slip velocity" : "",
+                  problem.friction_falls_with_heat() ? ", falls with temperature" : "");
+  return fmt::format("friction: {:g}{}, {}", problem.largest_friction(), falls,
                      motion.kind == MotionKind::steady ? std::string("steady rolling")
                      : motion.kind == MotionKind::shift
                          ? fmt::format("shift in {} steps", steps)

@@ -11,7 +11,7 @@ using Kind = QuantityKind;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 constexpr QuantityUnit mm{"mm"}, newton{"N"}, moment_unit{"N mm"}, pascal{"MPa"}, square{"mm2"},
-    radian{"rad"}, number{"1"};
+    radian{"rad"}, number{"1"}, celsius{"degC"};
 constexpr QuantityUnit creepage_unit{"1", "mm"}, spin_unit{"1/mm", "rad"};
 constexpr QuantityUnit power_unit{"N mm per mm rolled", "N mm"}, work_unit{"MPa", "N/mm"};
 
@@ -64,6 +64,18 @@ void copy_work_rate(const SceneResult& r, std::span<double> to) {
   copy_stored(friction_power(r.result), to);
 }
 
+bool has_temperatures(const SceneResult& r) {
+  return r.result.temperatures.has_value();
+}
+template <auto surface> void copy_temperature(const SceneResult& r, std::span<double> to) {
+  std::ranges::fill(to, none);
+  if (has_temperatures(r))
+    std::ranges::copy((*r.result.temperatures).*surface, to.begin());
+}
+template <auto surface> double highest_temperature(const SceneResult& r) {
+  return has_temperatures(r) ? std::ranges::max((*r.result.temperatures).*surface) : none;
+}
+
 constexpr Quantity all[] = {
     {"Fx", newton, Kind::force, "on the rail", of_result<&ContactResult::Fx>, total<&TotalErrors::Fx>},
     {"Fy", newton, Kind::force, "on the rail, to the right (left wheel: to the left)",
@@ -86,6 +98,11 @@ constexpr Quantity all[] = {
     {"friction_power", power_unit, Kind::power, "dissipated by friction",
      [](const SceneResult& r) { return friction_power(r.result, r.problem.element_area()); },
      total<&TotalErrors::friction_power>},
+    {"Tmax_rail", celsius, Kind::temperature, "highest temperature of the rail's surface; nan: not asked for",
+     highest_temperature<&SurfaceTemperatures::rail>},
+    {"Tmax_wheel", celsius, Kind::temperature,
+     "highest temperature of the wheel's surface; nan: not asked for",
+     highest_temperature<&SurfaceTemperatures::wheel>},
     {"xi", creepage_unit, Kind::creepage, "longitudinal creepage, with what was found for load.force_x",
      [](const SceneResult& r) { return r.xi; }, total<&TotalErrors::creepage_x>},
     {"eta", creepage_unit, Kind::creepage, "lateral creepage, with what was found for load.force_s",
@@ -245,6 +262,10 @@ constexpr ElementQuantity all_of_elements[] = {
        for (double& value : to)
          value *= r.problem.element_area();
      }},
+    {"T_rail", celsius, "flash temperature of the rail's surface",
+     copy_temperature<&SurfaceTemperatures::rail>, has_temperatures},
+    {"T_wheel", celsius, "flash temperature of the wheel's surface",
+     copy_temperature<&SurfaceTemperatures::wheel>, has_temperatures},
     {"deformed_distance", mm, "between the deformed surfaces, along n",
      copy_result<&ContactResult::deformed_distance>},
     {"gap", mm, "undeformed distance along the rail's normal",

@@ -18,6 +18,7 @@ enum class QuantityKind {
   force,
   moment,
   pressure,
+  temperature,
   length,
   angle,
   area,
@@ -93,7 +94,10 @@ struct ElementQuantity {
   QuantityUnit unit;                                      ///< mm, N, MPa, rad
   const char* description;                                ///< in a few words
   void (*copy)(const SceneResult&, std::span<double> to); ///< from a result
+  /// Whether a result has it; null: every one.
+  bool (*has)(const SceneResult&) = nullptr;
 
+  bool is_in(const SceneResult& result) const { return !has || has(result); }
   /// What `copy` gives, in a vector of its own.
   std::vector<double> values(const SceneResult& result) const;
 };

@@ -123,6 +123,14 @@ void warn_of_head(const ContactCase& asked, const SceneResult& r, std::vector<st
                     deepest - top, double(head_depth)));
 }
 
+/// A jump of friction has no limit as elements shrink: which element slips first decides.
+void warn_of_kinetic_friction(const ContactProblem& problem, std::vector<std::string>& out) {
+  if (problem.kinetic < 1)
+    out.push_back(
+        "motion.kinetic_friction: friction that drops at once gives results that depend on the size of the "
+        "elements. Try another size, or let it fall with the slip velocity (motion.falling_friction).");
+}
+
 void warn_of_convergence(const ContactResult& r, std::vector<std::string>& out) {
   if (r.discretisation && !r.discretisation->converges)
     out.push_back(
@@ -141,6 +149,7 @@ std::vector<std::string> result_warnings(const ContactCase& asked, const SceneRe
   warn_of_yield(asked.setup, largest_pressure(r.result), out);
   warn_of_creepage(r, out);
   warn_of_head(asked, r, out);
+  warn_of_kinetic_friction(r.problem, out);
   warn_of_convergence(r.result, out);
   if (r.model != Model::hertz && !r.result.touches_border)
     warn_of_large_elements(r, out);

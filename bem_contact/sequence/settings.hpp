@@ -240,4 +240,8 @@ BEM_CONTACT_TUNED(double, least_length, 1e-3);
 /// proportional.
 BEM_CONTACT_TUNED(double, least_creepage, 1e-3);
 
+/// 1. Two solutions with falling friction are two if their shear forces differ by more than this share of the
+/// sum of mu p_n: a hundred times what the certificate allows.
+BEM_CONTACT_TUNED(double, least_branch_difference, 1e-4);
+
 } // namespace bem_contact

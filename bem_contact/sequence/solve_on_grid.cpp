@@ -4,6 +4,7 @@
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/hertz_model.hpp"
+#include "bem_contact/sequence/second_solution.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -133,6 +134,10 @@ void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const Sol
     out.result = solve(problem, options, resources.work);
   } else if (!problem.tangential || problem.motion == MotionKind::steady) {
     out.result = solve(problem, options, resources.work);
+    if (const std::string other =
+            resources.totals_only ? "" : second_solution(problem, out.result, options, resources.work);
+        !other.empty())
+      out.warnings.push_back(other);
   } else {
     solve_steps(asked.setup, options, problem, out);
     asked.setup.prescribe(asked.setup.motion.steps.back(), out.contact.problem);

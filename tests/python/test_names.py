@@ -131,6 +131,18 @@ class Names(unittest.TestCase):
         self.assertEqual(r.stresses["components"], ["xx", "ss", "nn", "xs", "xn", "sn"])
         self.assertIsNone(self.python.stresses)
 
+    def test_temperatures(self):
+        scene = SCENES / "falling_friction.toml"
+        with tempfile.TemporaryDirectory() as folder:
+            program("solve", scene, "-o", Path(folder) / "t.h5")
+            r = bem_contact.solve(scene)
+            with h5py.File(Path(folder) / "t.h5") as h5:
+                self.assertTrue(same(h5["halfspace/T_rail"], r.T_rail))
+                self.assertEqual(h5["halfspace/T_wheel"].attrs["unit"].decode(), r.units["Tmax_wheel"])
+        self.assertEqual(r.T_rail.max(), r.Tmax_rail)
+        self.assertNotIn("T_rail", self.h5["fem"])
+        self.assertIsNone(self.python.Tmax_rail)
+
     def test_scenes_as_text_and_as_dict(self):
         expected = bem_contact.solve(CORNER, model="halfspace")
         text = bem_contact.solve(CORNER.read_text(), model="halfspace", folder=SCENES)

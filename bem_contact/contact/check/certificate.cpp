@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/check/direct_sums.hpp"
+#include "bem_contact/contact/check/warm_friction.hpp"
 #include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 
@@ -107,11 +108,12 @@ void check_normal(const ContactProblem& problem, const ContactResult& result, co
   certificate.complementarity = relative(product, pmax * scale);
 }
 
-/// The largest violation of the cone |p_t| <= mu p_n, MPa.
-double cone_violation(const ContactProblem& problem, const ContactResult& result) {
+/// The largest violation of the cone |p_t| <= mu p_n, MPa. `warm`: what temperature leaves of mu; empty: all.
+double cone_violation(const ContactProblem& problem, const ContactResult& result,
+                      const std::vector<double>& warm) {
   double cone = 0;
   for (int i = 0; i < problem.grid.size(); ++i) {
-    const double mu = problem.has_friction() ? problem.friction_of(i / problem.grid.mx) : 0.0;
+    const double mu = problem.has_friction() ? problem.friction_of(i / problem.grid.mx) * warm[i] : 0.0;
     const double shear = std::hypot(result.px[i], result.ps[i]);
     cone = std::max(cone, shear - mu * result.pn[i]);
     if (!std::isfinite(shear))
@@ -123,7 +125,7 @@ double cone_violation(const ContactProblem& problem, const ContactResult& result
 /// Slip of the elements in contact, mm, from the tractions alone.
 struct Slips {
   struct Slip {
-    double x, s, bound; ///< bound: kinetic mu p_n, MPa
+    double x, s, bound; ///< bound: mu p_n of this slip, MPa
     int element;
   };
   std::vector<Slip> slips;
@@ -158,8 +160,11 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
         elastic_x -= step.present[k] * u[component_x][at + k];
         elastic_s -= step.present[k] * u[component_s][at + k];
       }
-      out.slips.push_back({rigid_x + elastic_x, rigid_s + elastic_s,
-                           problem.kinetic * problem.friction_of(is) * result.pn[i], i});
+      const double slip_x = rigid_x + elastic_x, slip_s = rigid_s + elastic_s;
+      const double falling =
+          problem.falling_factor(is, std::hypot(slip_x, slip_s) / step.length * problem.speed);
+      out.slips.push_back(
+          {slip_x, slip_s, problem.kinetic * problem.friction_of(is) * falling * result.pn[i], i});
       out.scale = std::max(
           {out.scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s),
            contact::creepage_rounding * std::hypot(result.creepage_x, result.creepage_s) * step.length});
@@ -170,6 +175,15 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
                        rigid_s - before[component_s][at] - step.present[0] * from_normal[component_s][at]));
     }
   return out;
+}
+
+/// Of friction, by element, MPa mm/s; field.
+std::vector<double> heat_of(const ContactProblem& problem, const ContactResult& result, const Slips& slips) {
+  std::vector<double> heat(result.pn.size(), 0.0);
+  for (const Slips::Slip& slip : slips.slips)
+    heat[slip.element] = (result.px[slip.element] * slip.x + result.ps[slip.element] * slip.s) /
+                         slip_step(problem).length * problem.speed;
+  return heat;
 }
 
 /// Coulomb's law leaves two states; each element counts for the one that it is nearer to.
@@ -195,9 +209,16 @@ void check_friction(const ContactProblem& problem, const ContactResult& result, 
     traction_scale = std::max(traction_scale, problem.has_friction()
                                                   ? problem.friction_of(i / problem.grid.mx) * result.pn[i]
                                                   : result.pn[i]);
-  certificate.friction_cone = relative(cone_violation(problem, result), traction_scale);
-  if (problem.has_friction())
-    check_states(result, slips_of(problem, result, u, slip_rows, columns), traction_scale, certificate);
+  Slips slips{};
+  std::vector<double> warm;
+  if (problem.has_friction()) {
+    slips = slips_of(problem, result, u, slip_rows, columns);
+    warm = contact::warm_factors(problem, heat_of(problem, result, slips));
+    for (Slips::Slip& slip : slips.slips)
+      slip.bound *= warm[slip.element];
+  }
+  certificate.friction_cone = relative(cone_violation(problem, result, warm), traction_scale);
+  check_states(result, slips, traction_scale, certificate);
 }
 
 double vertical_imbalance(const ContactProblem& problem, const ContactResult& result) {

@@ -1,5 +1,6 @@
 #include "bem_contact/contact/coupled/outer_iteration.hpp"
 
+#include "bem_contact/contact/coupled/varying_friction.hpp"
 #include "bem_contact/contact/normal/solve_normal.hpp"
 #include "bem_contact/contact/settings.hpp"
 
@@ -117,7 +118,8 @@ void iterate_once(const CoupledSystem& system, const SolverOptions& options, con
     follow(before, solution.normal.p, solution.shear.p);
   const double floor = slip_rounding * solution.normal.p.maxCoeff() * system.normal.self;
   solution.task = make_task(system.problem, *system.shear, solution.normal.p, floor);
-  solve_friction(system.shear->system, options, work, solution.task, solution.shear, solution.creepage);
+  solve_varying_friction(system.shear->system, options, work, solution.task, solution.shear,
+                         solution.creepage);
 }
 
 VectorXd normal_displacement(const Shear& shear, const Solution& solution) {

@@ -181,10 +181,14 @@ std::string remark_of(const Solution& solution, bool settled) {
 void require_capacity(const ContactProblem& problem, const FoundCreepage& creepage) {
   const double wanted = std::hypot(problem.force_x.value_or(0), problem.force_s.value_or(0));
   if (creepage.beyond)
-    throw InputError("the shear force prescribed cannot be carried",
-                     fmt::format("|F| = {:g} N where friction carries less than sum mu p_n dS = {:g} N",
-                                 wanted, creepage.capacity),
-                     "prescribe less, or give a creepage (full slip leaves it undetermined)");
+    throw InputError(
+        "the shear force prescribed cannot be carried",
+        fmt::format("|F| = {:g} N where friction carries less than sum mu p_n dS = {:g} N", wanted,
+                    creepage.capacity),
+        problem.friction_varies()
+            ? "prescribe less, or give a creepage (mu falls in sliding: over the creepage the force has "
+              "a maximum)"
+            : "prescribe less, or give a creepage (full slip leaves it undetermined)");
   const double slipping = problem.kinetic * creepage.capacity;
   if (!creepage.reached && problem.kinetic < 1 && wanted >= slipping)
     throw InputError(

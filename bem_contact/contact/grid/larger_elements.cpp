@@ -147,6 +147,23 @@ std::vector<double> LargerElements::mean_of_rows(const std::vector<double>& valu
   return out;
 }
 
+std::vector<FallingFriction> LargerElements::of_rows(const std::vector<FallingFriction>& laws) const {
+  if (laws.size() <= 1)
+    return laws;
+  const auto mean_of = [&](double FallingFriction::*number) {
+    std::vector<double> values;
+    for (const FallingFriction& law : laws)
+      values.push_back(law.*number);
+    return mean_of_rows(values);
+  };
+  const std::vector<double> ratios = mean_of(&FallingFriction::ratio),
+                            scales = mean_of(&FallingFriction::scale);
+  std::vector<FallingFriction> out;
+  for (std::size_t row = 0; row < ratios.size(); ++row)
+    out.push_back({ratios[row], scales[row]});
+  return out;
+}
+
 std::vector<double> LargerElements::gap_at_centres(const std::vector<double>& gap, double far) const {
   std::vector<double> out = at_centres(gap);
   for (int is = 0; is < s_.count; ++is)
@@ -205,6 +222,9 @@ std::optional<Companion> companion_of(const ContactProblem& problem, const Conta
   coarse.numbers = larger.numbers(problem.numbers, !problem.has_friction());
   coarse.rows = larger.rows_at_centres(problem.rows);
   coarse.friction_rows = larger.mean_of_rows(problem.friction_rows);
+  coarse.falling = larger.of_rows(problem.falling);
+  coarse.speed = problem.speed;
+  coarse.heating = problem.heating;
   coarse.gap = larger.gap_at_centres(problem.gap, distance_without_surface * far);
   if (problem.has_friction()) {
     coarse.slip_x = larger.at_centres(problem.slip_x);

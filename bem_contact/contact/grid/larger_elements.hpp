@@ -29,6 +29,8 @@ public:
   std::vector<ContactRow> mean_rows(const std::vector<ContactRow>& rows) const;
   /// Mean over the joined rows, one value a row; empty stays empty.
   std::vector<double> mean_of_rows(const std::vector<double>& values) const;
+  /// Laws of the joined rows, with means of their numbers; one law for all rows, or none, stays.
+  std::vector<FallingFriction> of_rows(const std::vector<FallingFriction>& laws) const;
   /// The undeformed distance at the new centres. Elements without an opposite surface have a distance far
   /// beyond `far`, next to which a cubic would dig a hole: there it is the mean.
   std::vector<double> gap_at_centres(const std::vector<double>& gap, double far) const;

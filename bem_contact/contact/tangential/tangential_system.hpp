@@ -51,6 +51,9 @@ struct TangentialState {
   bool converged = false;
   double violation = 0;
   std::string solver, remark;
+  /// coupled/varying_friction.hpp: mu over mu(0) as used last, and as the slip velocity alone has it; fields,
+  /// empty before the first iteration.
+  Eigen::VectorXd factor, by_slip;
 };
 
 /// The largest rigid slip w or elastic slip S - w of the elements in contact, and at least `floor`; mm.

@@ -1,0 +1,114 @@
+#include "bem_contact/contact/coupled/varying_friction.hpp"
+
+#include "bem_contact/contact/coupled/anderson.hpp"
+#include "bem_contact/contact/flash_temperature.hpp"
+#include "bem_contact/contact/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace bem_contact::contact {
+namespace {
+
+using Eigen::VectorXd;
+
+/// mu over mu(0) at a slip velocity; `slip` in mm a step.
+double factor_of_slip(const TangentialSystem& system, int element, double slip) {
+  const ContactProblem& problem = *system.problem;
+  return problem.falling_factor(element / problem.grid.mx, slip / system.rule.length * problem.speed);
+}
+
+double length_at(const VectorXd& v, Eigen::Index i) {
+  return std::hypot(v[i], v[v.size() / 2 + i]);
+}
+
+VectorXd factors_of_sliding(const TangentialSystem& system, const TangentialTask& task) {
+  VectorXd factor = VectorXd::Ones(system.size());
+  for (const int i : task.contact)
+    factor[i] = factor_of_slip(system, i, length_at(task.rigid, i));
+  return factor;
+}
+
+/// mu over mu(0) at the temperature that this solution's friction makes; 1 everywhere if it does not matter.
+VectorXd factors_of_heat(const TangentialSystem& system, const TangentialTask& task,
+                         const TangentialState& state) {
+  const ContactProblem& problem = *system.problem;
+  const int n = system.size();
+  VectorXd factor = VectorXd::Ones(n);
+  if (!problem.friction_falls_with_heat())
+    return factor;
+  std::vector<double> heat(n, 0.0);
+  std::vector<char> in_contact(n, 0);
+  for (const int i : task.contact) {
+    heat[i] = (state.p[i] * state.slip[i] + state.p[n + i] * state.slip[n + i]) / system.rule.length *
+              problem.speed;
+    in_contact[i] = 1;
+  }
+  const SurfaceTemperatures at =
+      flash_temperatures(problem.grid, *problem.heating, problem.speed, heat, in_contact);
+  for (const int i : task.contact)
+    factor[i] = problem.heating->friction->factor(at.mean(i));
+  return factor;
+}
+
+/// Sets state.by_slip where the surfaces slip.
+void learn_slip(const TangentialSystem& system, const TangentialTask& task, TangentialState& state) {
+  const double scale = largest_slip(task.rigid, task.contact, state.slip, task.slip_floor);
+  for (const int i : task.contact)
+    if (const double slip = length_at(state.slip, i);
+        slip > at_the_bound * scale && length_at(state.p, i) > (1 - at_the_bound) * task.bound[i])
+      state.by_slip[i] = factor_of_slip(system, i, slip);
+}
+
+/// The largest change of a bound, over the largest bound.
+double largest_change(const TangentialTask& given, const VectorXd& change) {
+  double largest = 0;
+  for (const int i : given.contact)
+    largest = std::max(largest, std::abs(change[i]) * given.bound[i]);
+  return largest / given.bound.maxCoeff();
+}
+
+} // namespace
+
+void solve_varying_friction(const TangentialSystem& system, const SolverOptions& options, WorkBudget& work,
+                            TangentialTask& task, TangentialState& state, FoundCreepage& creepage) {
+  if (!system.problem->friction_varies() || task.contact.empty())
+    return solve_friction(system, options, work, task, state, creepage);
+  const TangentialTask given = task;
+  if (state.factor.size() == 0)
+    state.factor = state.by_slip =
+        options.from_sliding ? factors_of_sliding(system, given) : VectorXd::Ones(system.size());
+  std::optional<Anderson> anderson(std::in_place);
+  VectorXd plain; // the step without acceleration
+  double change = 0;
+  for (int k = 0; k < most_friction_changes; ++k) {
+    task = given;
+    task.bound.array() *= state.factor.array();
+    solve_friction(system, options, work, task, state, creepage);
+    if (creepage.beyond && plain.size() > 0 && state.factor != plain) { // the acceleration went too far
+      state.factor = plain;
+      anderson.emplace();
+      continue;
+    }
+    if (!state.converged || !creepage.reached)
+      return;
+    learn_slip(system, task, state);
+    plain = state.by_slip.cwiseProduct(factors_of_heat(system, task, state));
+    const VectorXd residual = plain - state.factor;
+    change = largest_change(given, residual);
+    if (change <= options.tolerance)
+      return;
+    state.factor = anderson->next(state.factor, residual).cwiseMax(least_friction_factor).cwiseMin(1.0);
+  }
+  state.converged = false;
+  state.remark += fmt::format("friction that falls with slip velocity or temperature did not settle in {} "
+                              "iterations (it still changes "
+                              "by {:.1e} of the largest mu p_n): let it fall less steeply, or give a smaller "
+                              "speed or larger elements; ",
+                              int(most_friction_changes), change);
+}
+
+} // namespace bem_contact::contact

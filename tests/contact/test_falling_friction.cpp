@@ -1,0 +1,241 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/flash_temperature.hpp"
+#include "tests/contact/scenes.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace bem_contact {
+namespace {
+
+using testing::HasSubstr;
+
+/// Vollebregt's locomotive: 106.7 kN, a/b = .5, mu = .14 + .19 2^(-w / 1250 mm/s), 10 m/s.
+ContactProblem locomotive(double xi, int mx = 40, int ms = 20) {
+  ContactProblem problem =
+      scenes::flat(scenes::steel, scenes::steel, mx, ms, 16.0 / mx, 32.0 / ms, 8e-4, 2.814e-4);
+  problem.force = 106700;
+  problem.speed = 10000;
+  scenes::set_creepage(problem, 0.33, xi, 0, 0);
+  return problem;
+}
+const FallingFriction falling = exponential_friction(0.14, 0.19, 1250);
+const SolverOptions plain{.estimate_discretisation = false};
+
+ContactResult solved(const ContactProblem& problem, SolverOptions options = plain) {
+  ContactResult result = solve(problem, options);
+  EXPECT_TRUE(result.converged) << result.remark << result.certificate.worst();
+  return result;
+}
+
+std::string refusal(const ContactProblem& problem) {
+  try {
+    solve(problem, plain);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+TEST(FallingFriction, Laws) {
+  EXPECT_DOUBLE_EQ(0.33 * falling.factor(0), 0.33);
+  EXPECT_DOUBLE_EQ(0.33 * falling.factor(1250), 0.14 + 0.19 / 2);
+  EXPECT_NEAR(falling.factor(500), 0.8606, 5e-5);
+  EXPECT_NEAR(falling.factor(1000), 0.7549, 5e-5);
+  EXPECT_NEAR(falling.factor(2500), 0.5682, 1e-4);
+  const FallingFriction polach = polach_friction(0.4, 0.6);
+  EXPECT_DOUBLE_EQ(polach.factor(0), 1);
+  EXPECT_NEAR(polach.factor(2000), 0.6 * std::exp(-1.2) + 0.4, 1e-15) << "2 m/s";
+  const HotFriction hot{0.5, 100, 300};
+  EXPECT_EQ(hot.factor(20), 1);
+  EXPECT_EQ(hot.factor(200), 0.75);
+  EXPECT_EQ(hot.factor(500), 0.5);
+}
+
+/// |Fx| / (mu Fn) of Coulomb's law, from another program, 1 % too stiff at small xi.
+TEST(FallingFriction, LocomotiveWithCoulomb) {
+  const std::pair<double, double> known[] = {{4e-4, 0.2588}, {8e-4, 0.4742},   {1.2e-3, 0.6482},
+                                             {2e-3, 0.8816}, {2.8e-3, 0.9832}, {3.2e-3, 0.9976}};
+  for (const auto& [xi, ratio] : known) {
+    const ContactResult r = solved(locomotive(xi));
+    EXPECT_NEAR(r.Fx / (0.33 * 106700), ratio, 0.012) << xi;
+    EXPECT_NEAR(largest_pressure(r), 640.7, 5);
+    EXPECT_NEAR(r.approach, 0.07651, 2e-4);
+  }
+}
+
+/// Far in full slip |Fx| / (mu Fn) is the law itself.
+TEST(FallingFriction, FullSlipIsTheLaw) {
+  for (const auto& [xi, ratio] : {std::pair{0.05, 0.8606}, std::pair{0.1, 0.7549}, std::pair{0.25, 0.5682}}) {
+    ContactProblem problem = locomotive(xi);
+    problem.falling = {falling};
+    const ContactResult r = solved(problem);
+    EXPECT_NEAR(r.Fx / (0.33 * 106700), ratio, 1e-3) << xi;
+    EXPECT_EQ(count_elements(r).adhesion, 0);
+  }
+}
+
+/// Each element that slips carries mu(w) p_n with its own slip velocity, and the creep force has a maximum.
+TEST(FallingFriction, EachElementHasItsOwnSlip) {
+  ContactProblem problem = locomotive(2e-3);
+  const ContactResult coulomb = solved(problem);
+  problem.falling = {falling};
+  const ContactResult r = solved(problem);
+  EXPECT_LT(r.Fx, coulomb.Fx);
+  EXPECT_GT(r.Fx, 0.95 * coulomb.Fx);
+  double largest = 0, least = 1;
+  for (int i = 0; i < problem.grid.size(); ++i)
+    if (r.state[i] == ElementState::slip) {
+      const double mu = 0.33 * falling.factor(problem.speed * std::hypot(r.slip_x[i], r.slip_s[i]));
+      EXPECT_NEAR(std::hypot(r.px[i], r.ps[i]), mu * r.pn[i], 1e-6 * largest_pressure(r));
+      largest = std::max(largest, mu), least = std::min(least, mu);
+    }
+  EXPECT_GT(largest - least, 1e-3) << "mu is not the same everywhere";
+  ContactResult forged = r; // the certificate sees a law that is not obeyed
+  problem.speed *= 1.1;
+  EXPECT_FALSE(certify(problem, forged).holds());
+}
+
+TEST(FallingFriction, WithoutAFallItIsCoulombExactly) {
+  ContactProblem problem = locomotive(1.2e-3, 32, 16);
+  const ContactResult coulomb = solved(problem);
+  problem.falling = {exponential_friction(0.33, 0, 1250)};
+  problem.heating.emplace().friction = HotFriction{1, 0, 1};
+  const ContactResult r = solved(problem);
+  EXPECT_EQ(r.px, coulomb.px);
+  EXPECT_EQ(r.Fx, coulomb.Fx);
+}
+
+TEST(FallingFriction, MirrorUnitsAndRows) {
+  ContactProblem problem = locomotive(0, 32, 16);
+  problem.falling = {falling};
+  scenes::set_creepage(problem, 0.33, 3e-3, 1e-3, 1e-4);
+  const ContactResult one = solved(problem);
+  const double bound = 0.33 * problem.force;
+  problem.speed *= 4; // only the ratio counts
+  problem.falling = {{falling.ratio, 4 * falling.scale}};
+  EXPECT_NEAR(solved(problem).Fx, one.Fx, 1e-7 * bound);
+  problem.falling.assign(problem.grid.ms, problem.falling.front());
+  EXPECT_NEAR(solved(problem).Fx, one.Fx, 1e-7 * bound);
+  scenes::set_creepage(problem, 0.33, 3e-3, -1e-3, -1e-4);
+  const ContactResult mirrored = solved(problem);
+  EXPECT_NEAR(mirrored.Fx, one.Fx, 1e-6 * bound);
+  EXPECT_NEAR(mirrored.Fy, -one.Fy, 1e-6 * bound);
+
+  scenes::set_creepage(problem, 0.33, 0.1, 0, 0);
+  problem.speed = 10000;
+  for (int is = 0; is < problem.grid.ms; ++is)
+    problem.falling[is] = is < problem.grid.ms / 2 ? falling : FallingFriction{1, 1};
+  EXPECT_NEAR(solved(problem).Fx, bound * (1 + 0.7549) / 2, 2e-3 * bound)
+      << "half of the patch with each law";
+}
+
+/// A law that is nearly a jump has two solutions, both certified: fewer elements adhere on the branch that
+/// comes from sliding.
+TEST(FallingFriction, TwoSolutions) {
+  ContactProblem problem = locomotive(8e-4);
+  problem.falling = {exponential_friction(0.14, 0.19, 0.3)};
+  const ContactResult adhering = solved(problem);
+  const ContactResult sliding = solved(problem, {.from_sliding = true, .estimate_discretisation = false});
+  EXPECT_GT(adhering.Fx, sliding.Fx + 0.005 * 0.33 * problem.force);
+  EXPECT_GT(count_elements(adhering).adhesion, count_elements(sliding).adhesion + 10);
+  problem.falling = {falling};
+  EXPECT_NEAR(solved(problem).Fx,
+              solved(problem, {.from_sliding = true, .estimate_discretisation = false}).Fx,
+              1e-7 * problem.force)
+      << "as measured it has one";
+}
+
+/// What does not settle says so and is not certified.
+TEST(FallingFriction, WhatDoesNotSettleIsSaid) {
+  int unsettled = 0;
+  for (const double half : {3.0, 2.0, 1.5})
+    for (const double xi : {8e-4, 1.6e-3}) {
+      ContactProblem problem = locomotive(xi);
+      problem.falling = {exponential_friction(0.14, 0.19, half)};
+      const ContactResult r = solve(problem, plain);
+      EXPECT_NE(r.converged, r.remark.find("did not settle in 100 iterations") != std::string::npos)
+          << r.remark;
+      unsettled += !r.converged;
+    }
+  EXPECT_GT(unsettled, 0);
+}
+
+/// mu falls with the temperature of the result's own heat, in adhesion too.
+TEST(FallingFriction, WithTemperature) {
+  ContactProblem problem = locomotive(0.05, 32, 16);
+  problem.heating.emplace().friction = HotFriction{0.4, 20, 150};
+  problem.heating->wheel.temperature = 60;
+  for (const std::optional<double> share : {std::optional<double>(), std::optional(0.4)}) {
+    problem.heating->rail_share = share;
+    const ContactResult r = solved(problem);
+    EXPECT_LT(r.Fx, 0.9 * 0.33 * problem.force);
+    for (int i = 0; i < problem.grid.size(); ++i) {
+      if (r.pn[i] > 0) {
+        EXPECT_NEAR(std::hypot(r.px[i], r.ps[i]),
+                    0.33 * problem.heating->friction->factor(r.temperatures->mean(i)) * r.pn[i],
+                    1e-6 * largest_pressure(r));
+      }
+    }
+    ContactProblem hotter = problem;
+    hotter.heating->rail.temperature += 30;
+    EXPECT_FALSE(certify(hotter, r).holds());
+  }
+  problem.falling = {falling}; // both laws
+  const ContactResult both = solved(problem);
+  EXPECT_NEAR(std::hypot(both.px[264], both.ps[264]),
+              0.33 * falling.factor(problem.speed * std::hypot(both.slip_x[264], both.slip_s[264])) *
+                  problem.heating->friction->factor(both.temperatures->mean(264)) * both.pn[264],
+              1e-6 * largest_pressure(both));
+}
+
+TEST(FallingFriction, WrongOnesAreRefused) {
+  ContactProblem problem = locomotive(1e-3, 8, 8);
+  problem.falling = {{1.5, 100}};
+  EXPECT_THAT(refusal(problem), HasSubstr("friction does not fall with the slip velocity"));
+  problem.falling = {falling, falling};
+  EXPECT_THAT(refusal(problem), HasSubstr("the laws of friction do not fit the grid"));
+  problem.falling = {falling};
+  problem.kinetic = 0.5;
+  EXPECT_THAT(refusal(problem), HasSubstr("there are two laws of friction"));
+  problem.kinetic = 1;
+  problem.motion = MotionKind::shift;
+  EXPECT_THAT(refusal(problem), HasSubstr("a shift has no slip velocity"));
+  problem.motion = MotionKind::steady;
+  problem.speed = 0;
+  EXPECT_THAT(refusal(problem), HasSubstr("the rolling speed is missing"));
+  problem.speed = 1e4;
+  problem.heating.emplace().rail_share = 1.5;
+  EXPECT_THAT(refusal(problem), HasSubstr("share of the heat is no share"));
+  problem.heating.emplace().friction = HotFriction{0.5, 100, 50};
+  EXPECT_THAT(refusal(problem), HasSubstr("friction does not fall with temperature"));
+  problem.heating.emplace().wheel.conductivity = 0;
+  EXPECT_THAT(refusal(problem), HasSubstr("a body does not conduct heat"));
+}
+
+/// Larger elements have the same law.
+TEST(FallingFriction, ErrorsAreEstimated) {
+  ContactProblem problem = locomotive(2e-3);
+  problem.falling = {falling};
+  const ContactResult r = solve(problem);
+  ASSERT_TRUE(r.discretisation);
+  EXPECT_LT(r.discretisation->tangential, 0.02);
+}
+
+/// Under a prescribed force the creepage from adhesion is found; beyond the largest force there is none.
+TEST(FallingFriction, PrescribedForces) {
+  ContactProblem problem = locomotive(0);
+  problem.falling = {falling};
+  problem.force_x = 0.9 * 0.33 * problem.force;
+  const ContactResult r = solved(problem);
+  EXPECT_NEAR(r.Fx, *problem.force_x, 1e-6 * r.Fx);
+  EXPECT_GT(r.creepage_x, 0.0015);
+  EXPECT_LT(r.creepage_x, 0.004) << "sliding as a whole carries the same at .034";
+  problem.force_x = 0.995 * 0.33 * problem.force;
+  EXPECT_THAT(refusal(problem), HasSubstr("cannot be carried"));
+  EXPECT_THAT(refusal(problem), HasSubstr("mu falls in sliding"));
+}
+
+} // namespace
+} // namespace bem_contact

@@ -1,0 +1,144 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/sequence/sequence.hpp"
+#include "tests/base/message.hpp"
+#include "tests/scene/patch_on_grid.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gmock/gmock.h>
+
+namespace {
+
+using namespace bem_contact;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// `top`: keys before the tables; `motion`: of that table.
+SceneFile patch(const std::string& motion, const std::string& top = "") {
+  return parse_scene_file(
+      top +
+      "\nkind = 'patch'\nload.force = 1e5\nsolver.model = 'halfspace'\n[motion]\nfriction "
+      "= 0.3\n" +
+      motion + "\n[grid]\ndx = 0.9\nds = 1.6\nmx = 20\nms = 20\n[gap]\na = 8e-4\nb = 2.814e-4\n");
+}
+std::string refusal(const std::string& motion, const std::string& top = "") {
+  return message_of([&] { patch(motion, top); });
+}
+
+TEST(FrictionKeys, BothLawsArrive) {
+  const ContactProblem e =
+      patch_on_grid(patch("falling_friction = 0.15\nhalf_slip_velocity = 800\nspeed = 2e4\nxi = 1e-3"))
+          .problem;
+  EXPECT_EQ(e.speed, 2e4);
+  EXPECT_DOUBLE_EQ(e.falling_factor(3, 0), 1);
+  EXPECT_DOUBLE_EQ(0.3 * e.falling_factor(3, 1600), 0.15 + 0.15 / 4);
+  const ContactProblem p =
+      patch_on_grid(patch("polach_a = 0.4\npolach_b = 0.6\nspeed = 2e4\nxi = 1e-3")).problem;
+  EXPECT_DOUBLE_EQ(p.falling_factor(0, 1000), 0.6 * std::exp(-0.6) + 0.4);
+}
+
+TEST(FrictionKeys, ATableHasALawForEachRow) {
+  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "falling_rows.csv";
+  const auto with_table = [&](const std::string& text, const std::string& more = "") {
+    std::ofstream(file) << text;
+    return patch(more + "friction_table = '" + file.string() + "'\nspeed = 1e4\nxi = 0.05");
+  };
+  const SceneFile scene =
+      with_table("s, mu, falling_friction, half_slip_velocity\n-1, 0.2, 0.1, 100\n1, 0.4, 0.4, 300\n");
+  const ContactProblem problem = patch_on_grid(scene).problem;
+  EXPECT_DOUBLE_EQ(problem.falling_factor(0, 100), 0.75);
+  EXPECT_DOUBLE_EQ(problem.falling_factor(19, 100), 1);
+  EXPECT_THAT(message_of([&] {
+                patch_on_grid(with_table("s, mu, falling_friction, half_slip_velocity\n0, .2, .3, 9\n"));
+              }),
+              HasSubstr("0 < falling_friction <= mu"));
+  EXPECT_THAT(message_of([&] {
+                patch_on_grid(with_table("s, mu, falling_friction, half_slip_velocity\n0, .2, .1, 9\n",
+                                         "polach_a = 0.4\npolach_b = 0.6\n"));
+              }),
+              HasSubstr("There are two laws of falling friction"));
+  std::filesystem::remove(file);
+}
+
+TEST(FrictionKeys, WhatIsMissingOrTwiceIsRefused) {
+  const std::string law = "falling_friction = 0.1\nhalf_slip_velocity = 800\n";
+  EXPECT_THAT(refusal("falling_friction = 0.1\nspeed = 1e4"), HasSubstr("half_slip_velocity is not given"));
+  EXPECT_THAT(refusal(law), HasSubstr("motion.speed, which is not given"));
+  EXPECT_THAT(refusal(law + "kinetic_friction = 0.2\nspeed = 1e4"), HasSubstr("Give one law of friction."));
+  EXPECT_THAT(refusal(law + "polach_a = 0.4\npolach_b = 1\nspeed = 1e4"),
+              HasSubstr("Give one law of friction."));
+  EXPECT_THAT(refusal("polach_a = 0.4\nspeed = 1e4"), HasSubstr("Polach's law has both A and B"));
+  EXPECT_THAT(refusal(law + "speed = 1e4\nkind = 'shift'"), HasSubstr("a shift has no slip velocity"));
+  EXPECT_THAT(refusal("falling_friction = 0.4\nhalf_slip_velocity = 800\nspeed = 1e4"),
+              HasSubstr("friction in adhesion is only 0.3"));
+  const std::string flash = "temperature.flash = true\n";
+  EXPECT_THAT(refusal("", flash), HasSubstr("heat is proportional to the speed"));
+  EXPECT_THAT(refusal("speed = 1e4\nkind = 'transient'\nsteps = 3", flash), HasSubstr("of steady rolling"));
+  EXPECT_THAT(refusal("", "temperature.hot_friction = 0.1"), HasSubstr("Set temperature.flash = true."));
+  EXPECT_THAT(refusal("speed = 1e4", flash + "temperature.hot_friction = 0.1"),
+              HasSubstr("temperature.falls_to"));
+  EXPECT_THAT(refusal("speed = 1e4", flash + "temperature.hot_friction = 0.5\ntemperature.falls_to = 300"),
+              HasSubstr("friction is only 0.3"));
+  EXPECT_THAT(patch("half_slip_velocity = 9\nxi = 1e-3").unused, Contains(HasSubstr("half_slip_velocity")));
+  EXPECT_THAT(patch("xi = 1e-3", "temperature.rail_density = 7000").unused,
+              Contains(HasSubstr("rail_density")));
+  EXPECT_THAT(patch("xi = 1e-3\nspeed = 1e4", flash).unused, IsEmpty());
+}
+
+TEST(FrictionKeys, TemperaturesAreInTheResult) {
+  const std::string flash = "temperature.flash = true\ntemperature.rail = 20\ntemperature.wheel = 60\n";
+  const SceneResult r = Sequence().solve(patch("speed = 2e4\nxi = 0.02", flash));
+  ASSERT_TRUE(r.result.converged);
+  const double hottest = quantity("Tmax_rail").value(r);
+  EXPECT_GT(hottest, 100);
+  EXPECT_NEAR(quantity("Tmax_wheel").value(r), hottest, 1e-9) << "where they touch they are equally hot";
+  EXPECT_TRUE(std::isnan(quantity("Tmax_rail").value(Sequence().solve(patch("xi = 0.02")))));
+  const SceneResult hot = Sequence().solve(patch(
+      "speed = 2e4\nxi = 0.02",
+      flash + "temperature.hot_friction = 0.15\ntemperature.falls_from = 40\ntemperature.falls_to = 90"));
+  ASSERT_TRUE(hot.result.converged) << hot.result.remark;
+  EXPECT_LT(hot.result.Fx, 0.9 * r.result.Fx);
+  EXPECT_GT(hot.result.Fx, 0.5 * r.result.Fx);
+  EXPECT_LT(quantity("Tmax_rail").value(hot), hottest);
+}
+
+/// A prescribed force that sliding as a whole carries too: 30 kN x .9 at .3 [.5 + .5 2^(-w/1000)].
+TEST(FrictionKeys, ASecondCreepageIsSaid) {
+  const std::string law = "falling_friction = 0.15\nhalf_slip_velocity = 1000\nspeed = 1e4\n";
+  const SceneResult r = Sequence().solve(patch(law, "load.force_x = 27000"));
+  ASSERT_TRUE(r.result.converged) << r.result.remark;
+  const double velocity = -1000 * std::log2((0.9 - 0.5) / 0.5);
+  EXPECT_THAT(r.warnings, Contains(HasSubstr(fmt::format("at some {:.3g} (slip velocity {:.3g} mm/s)",
+                                                         velocity / 1e4, velocity))));
+  const SceneResult there = Sequence().solve(patch(law + fmt::format("xi = {}", velocity / 1e4)));
+  EXPECT_NEAR(there.result.Fx, 27000, 100);
+  EXPECT_THAT(Sequence().solve(patch(law, "load.force_x = 14000")).warnings, IsEmpty());
+}
+
+/// Friction that drops within .3 mm/s is nearly a jump.
+TEST(FrictionKeys, ASecondSolutionIsSaid) {
+  const SceneResult r =
+      Sequence().solve(patch("falling_friction = 0.127\nhalf_slip_velocity = 0.3\nspeed = 1e4\nxi = 8e-4"));
+  ASSERT_TRUE(r.result.converged) << r.result.remark;
+  EXPECT_THAT(r.warnings,
+              Contains(HasSubstr("this contact has two solutions: taken is the one that comes from "
+                                 "adhesion (Fx")));
+}
+
+TEST(FrictionKeys, ASpeedInMetresIsSaid) {
+  EXPECT_THAT(Sequence().solve(patch("speed = 30\nxi = 1e-3", "temperature.flash = true")).warnings,
+              Contains(HasSubstr("motion.speed = 30 mm/s is below walking pace")));
+  const SceneDescription d = Sequence().check(
+      patch("speed = 3e4\nxi = 1e-3\npolach_a = 0.4\npolach_b = 0.6", "temperature.flash = true"));
+  EXPECT_THAT(d.lines, Contains(HasSubstr("friction: 0.3, falls with the slip velocity, steady rolling")));
+}
+
+TEST(FrictionKeys, KineticFrictionDependsOnTheElements) {
+  EXPECT_THAT(Sequence().solve(patch("kinetic_friction = 0.2\nxi = 2e-3")).warnings,
+              Contains(HasSubstr("motion.kinetic_friction: friction that drops at once")));
+}
+
+} // namespace
