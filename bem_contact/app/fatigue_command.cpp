@@ -1,15 +1,17 @@
 #include "bem_contact/app/fatigue_command.hpp"
 
+#include "bem_contact/app/csv_name.hpp"
 #include "bem_contact/app/sweep_inputs.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/fatigue/fatigue_of_result.hpp"
+#include "bem_contact/fatigue/fatigue_columns.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <memory>
 #include <ostream>
+#include <string>
 
 namespace bem_contact::app {
 
@@ -25,26 +27,28 @@ You should see how many patches lie beyond the limit of the surface. To draw the
 
 --nodes and --damage take those of your steel: --nodes 20 65 175 --damage 0 1e-5 0.)";
 
-constexpr const char* fatigue_columns =
-    "case,patch,weight,s_mm,y_mm,Fn_N,pmax_MPa,p0_over_k,mu_used,FI_surf,FI_worst_element,T_gamma_N,damage,"
-    "von_mises_MPa,von_mises_depth_mm,tresca_MPa,tresca_depth_mm\n";
-
 struct FatigueArguments {
   std::string scene, csv;
   fatigue::FatigueProperties properties;
 };
 
+std::string head_line() {
+  std::string out = "case,patch,weight";
+  for (const fatigue::PatchColumn& column : fatigue::patch_columns())
+    out += ',' + csv_name(column.name, column.unit);
+  return out + ",von_mises_MPa,von_mises_depth_mm,tresca_MPa,tresca_depth_mm\n";
+}
+
 std::string lines_of(std::size_t index, double weight, const fatigue::Fatigue& f) {
   std::string out;
   const fatigue::StressPeaks peaks = f.peaks.value_or(fatigue::StressPeaks{});
   for (std::size_t k = 0; k < f.patches.size(); ++k) {
-    const fatigue::PatchFatigue& p = f.patches[k];
-    out +=
-        fmt::format("{},{},{:g},{:.6g},{:.6g},{:.8g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},"
-                    "{:.4g},{:.6g},{:.4g}\n",
-                    index, k, weight, p.s, p.y, p.normal_force, p.pmax, p.point.load, p.point.traction,
-                    p.surface_index, p.largest_index, p.t_gamma, p.damage, peaks.von_mises.stress,
-                    peaks.von_mises.depth, peaks.tresca.stress, peaks.tresca.depth);
+    out += fmt::format("{},{},{:g}", index, k, weight);
+    for (const fatigue::PatchColumn& column : fatigue::patch_columns())
+      out += fmt::format(",{:.8g}", column.value(f.patches[k]));
+    for (const fatigue::StressPeak& peak : {peaks.von_mises, peaks.tresca})
+      out += fmt::format(",{:.6g},{:.4g}", peak.stress, peak.depth);
+    out += '\n';
   }
   return out;
 }
@@ -55,7 +59,7 @@ ExitCode run(FatigueArguments arguments) {
   validate(arguments.properties.damage);
   require_outputs(files_read(arguments.scene, sweep), {{"--csv", arguments.csv}});
   Sequence sequence({.displacements = false});
-  std::string table = fatigue_columns;
+  std::string table = head_line();
   int beyond = 0, patches = 0;
   double damage = 0, weights = 0;
   for (std::size_t i = 0; i < sweep.size(); ++i) {

@@ -323,7 +323,8 @@ BEM_CONTACT_TUNED(int, least_companion_line, 7);
 // 9, judges them on other cases.
 
 BEM_CONTACT_TUNED(double, pmax_change, 0.02);     ///< 1. Share of the change of pmax,
-BEM_CONTACT_TUNED(double, pmax_local, 0.092);     ///< 1. and of how far p_n falls beside its peak.
+BEM_CONTACT_TUNED(double, pmax_local, 0.092);     ///< 1. and of how far p_n falls beside its peak,
+BEM_CONTACT_TUNED(double, pmax_rough, 0.06);      ///< 1. and of the roughness of the gap, as a pressure.
 BEM_CONTACT_TUNED(double, area_border, 0.16);     ///< 1. Share of the area of the elements on the border.
 BEM_CONTACT_TUNED(double, adhesion_change, 0.25); ///< 1. Share of the change of the adhesive share,
 BEM_CONTACT_TUNED(double, adhesion_local, 1.2);   ///< 1. elements whose state is in doubt anyway,

@@ -1,5 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/provenance.hpp"
+#include "bem_contact/python/compare_function.hpp"
 #include "bem_contact/python/conicity_function.hpp"
 #include "bem_contact/python/creep_curves_function.hpp"
 #include "bem_contact/python/result_object.hpp"
@@ -285,6 +286,7 @@ PYBIND11_MODULE(_core, m) {
       .def(py::init(&sequence_of), "scene"_a = py::none(), "folder"_a = py::none())
       .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), "strict"_a = false,
            of_arguments);
+  add_compare(m);
   add_conicity(m);
   add_creep_curves(m);
   add_wheelset(m);

@@ -1,7 +1,7 @@
 #include "bem_contact/python/wear_functions.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/fatigue/fatigue_of_result.hpp"
+#include "bem_contact/fatigue/fatigue_columns.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/wear/wear_of_result.hpp"
@@ -47,11 +47,12 @@ py::dict fatigue_of(const PythonResult& result, double yield_shear, double poiss
                               .damage = {.t_gamma = std::move(nodes), .damage = std::move(damage)},
                               .stresses = stresses});
   py::list patches;
-  for (const fatigue::PatchFatigue& p : f.patches)
-    patches.append(py::dict("s"_a = p.s, "y"_a = p.y, "Fn"_a = p.normal_force, "pmax"_a = p.pmax,
-                            "p0_over_k"_a = p.point.load, "mu_used"_a = p.point.traction,
-                            "FI_surf"_a = p.surface_index, "FI_worst_element"_a = p.largest_index,
-                            "T_gamma"_a = p.t_gamma, "damage"_a = p.damage));
+  for (const fatigue::PatchFatigue& p : f.patches) {
+    py::dict patch;
+    for (const fatigue::PatchColumn& column : fatigue::patch_columns())
+      patch[column.name] = column.value(p);
+    patches.append(patch);
+  }
   py::dict out("FI"_a = field(r, f.element_index), "patches"_a = patches);
   if (f.peaks) {
     out["von_mises"] = peak(f.peaks->von_mises);

@@ -30,13 +30,16 @@ Elliptic elliptic(double k) {
   return {k_integral, d, k_integral - d};
 }
 
-/// Axis ratio k = b/a <= 1 of the ellipse for lo/hi = k^2 D/B (Johnson 1985, eq. 4.28). In the logarithm of k
-/// the equation is nearly linear.
+/// Smaller over larger curvature, k^2 D/B, of the ellipse with the axis ratio k = b/a <= 1 (Johnson 1985,
+/// eq. 4.28).
+double curvature_ratio(double k) {
+  const Elliptic e = elliptic(k);
+  return k * k * e.d / e.b;
+}
+
+/// Axis ratio k for the curvatures. In the logarithm of k the equation is nearly linear.
 double axis_ratio(double lo, double hi) {
-  const auto excess = [&](double log_k) {
-    const Elliptic e = elliptic(std::exp(log_k));
-    return 2 * log_k + std::log(e.d / e.b) - std::log(lo / hi);
-  };
+  const auto excess = [&](double log_k) { return std::log(curvature_ratio(std::exp(log_k)) * hi / lo); };
   const double least = std::log(least_axis_ratio);
   if (excess(0) <= 0) // a circle, but for rounding
     return 1;
@@ -89,6 +92,11 @@ HertzContact hertz_by_approach(double curvature_x, double curvature_s, double mo
   const double force_per_axis = approach * 2 * pi * modulus / (3 * e.k_integral); // F / a
   const double major = std::sqrt(e.cube_per_force * force_per_axis);
   return contact(e, curvature_x <= curvature_s, modulus, force_per_axis * major, major);
+}
+
+double hertz_curvature_ratio(double x_over_s) {
+  require_positive({{"ratio of semi-axes", x_over_s}});
+  return x_over_s >= 1 ? curvature_ratio(1 / x_over_s) : 1 / curvature_ratio(x_over_s);
 }
 
 double hertz_compression(const HertzContact& contact, double modulus, double x, double s) {

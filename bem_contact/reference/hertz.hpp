@@ -22,6 +22,10 @@ struct HertzContact {
 HertzContact hertz_by_force(double curvature_x, double curvature_s, double modulus, double force);
 HertzContact hertz_by_approach(double curvature_x, double curvature_s, double modulus, double approach);
 
+/// A / B of the undeformed distance whose ellipse has that ratio of semi-axes along x and s (Johnson 1985,
+/// eq. 4.28).
+double hertz_curvature_ratio(double x_over_s);
+
 /// By how much the pressure of `contact` lowers both surfaces together at (x, s) from its middle, mm, inside
 /// the ellipse and outside: the integral of Johnson 1985, eqs 3.36 and 3.41, in elliptic integrals. Inside it
 /// is approach - A x^2 - B s^2.

@@ -52,33 +52,26 @@ struct Span {
   int along_s() const { return last_s - first_s + 1; }
 };
 
-/// Of the patches of a result, in their order. An element belongs to the patch whose centre it is nearest to.
-std::vector<Span> spans_of(const ContactProblem& problem, const ContactResult& result) {
-  const ContactGrid& grid = problem.grid;
-  std::vector<Span> spans(result.patches.size());
-  for (int i = 0; i < grid.size() && !spans.empty(); ++i) {
-    if (result.state[i] == ElementState::exterior)
-      continue;
-    const int ix = i % grid.mx, is = i / grid.mx;
-    const auto distance = [&](const PatchSummary& p) {
-      return std::hypot(p.x - grid.x(ix), p.s - problem.rows[is].s);
-    };
-    Span& span = spans[std::ranges::min_element(result.patches, {}, distance) - result.patches.begin()];
+Span span_of(const std::vector<int>& elements, int mx) {
+  Span span;
+  for (const int i : elements) {
+    const int ix = i % mx, is = i / mx;
     span.first_x = std::min(span.first_x, ix), span.last_x = std::max(span.last_x, ix);
     span.first_s = std::min(span.first_s, is), span.last_s = std::max(span.last_s, is);
   }
-  return spans;
+  return span;
 }
 
 /// Patches that bear little of the load are left out: they matter little.
 void warn_of_large_elements(const SceneResult& r, std::vector<std::string>& out) {
   const ContactGrid& grid = r.problem.grid;
-  const std::vector<Span> spans = spans_of(r.problem, r.result);
-  for (std::size_t i = 0; i < spans.size(); ++i) {
+  const std::vector<std::vector<int>> elements = patch_elements(r.problem, r.result);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
     const PatchSummary& patch = r.result.patches[i];
     if (patch.fn < minor_patch * r.result.patches.front().fn)
       continue;
-    const int x = spans[i].along_x(), s = spans[i].along_s();
+    const Span span = span_of(elements[i], grid.mx);
+    const int x = span.along_x(), s = span.along_s();
     const bool coarse_x = grid.mx > 1 && x<fewest_across, coarse_s = grid.ms> 1 && s < fewest_across;
     if (coarse_x || coarse_s)
       out.push_back(fmt::format("the elements are too large for this contact (patch {}: {:.3g} of {:.3g} mm "

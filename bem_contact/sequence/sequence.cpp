@@ -196,10 +196,11 @@ double Sequence::force_beyond(const SceneFile& scene, const FreeRolling& free, d
   return solve_case(beyond_free_rolling(prepare(scene), free, creepage), scene.grid, tools).result.Fx;
 }
 
-Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models) {
+Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models,
+                             const std::atomic<bool>* stop) {
   const std::lock_guard turn(*turn_);
   return compare_models(
-      scene, std::move(models), [&](const SceneFile& asked) { return solve(asked); },
+      scene, std::move(models), [&](const SceneFile& asked) { return solve(asked, stop); },
       [&](const SceneFile& asked, const FreeRolling& free, double creepage) {
         return force_beyond(asked, free, creepage);
       });

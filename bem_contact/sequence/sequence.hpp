@@ -61,8 +61,9 @@ public:
   /// Solves a scene with each model, at equal forces and at equal position. Where it asks for grid.elements
   /// or grid.accuracy, dx and ds are those that solve() chooses for the reference; all models have them. A
   /// prescribed approach is turned into the force that the reference finds for it. Throws like solve(), and
-  /// InputError for fewer than two models.
-  Comparison compare(const SceneFile& scene, std::vector<Model> models = {Model::halfspace, Model::fem});
+  /// InputError for fewer than two models. `stop`: as solve() has it.
+  Comparison compare(const SceneFile& scene, std::vector<Model> models = {Model::halfspace, Model::fem},
+                     const std::atomic<bool>* stop = nullptr);
 
   /// What would be solved, after everything short of the solve has been checked. Throws what solve() would
   /// throw before it solves.
@@ -108,7 +109,7 @@ private:
   /// Held by the call that runs; recursive, because compare() may solve. On the heap, so that a Sequence can
   /// be moved.
   std::unique_ptr<std::recursive_mutex> turn_ = std::make_unique<std::recursive_mutex>();
-  const std::atomic<bool>* stop_ = nullptr; ///< of the call of solve() that runs
+  const std::atomic<bool>* stop_ = nullptr; ///< of the call that runs
   SequenceOptions options_;
   Memory memory_;
   Counts counts_;

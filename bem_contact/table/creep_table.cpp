@@ -56,18 +56,9 @@ struct EllipticContact {
 };
 
 EllipticContact elliptic_contact(double a_over_b, const Material& material) {
-  const double e = reference::contact_modulus(material, material);
-  const auto hertz = [&](double share) { // of the curvature that lies along x
-    return reference::hertz_by_force(share * curvature, (1 - share) * curvature, e, 1);
-  };
-  double low = 1e-4, high = 1 - 1e-4; // a/b falls from above 10 to below .1 between them
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    const reference::HertzContact h = hertz(middle);
-    (h.semi_axis_x > a_over_b * h.semi_axis_s ? low : high) = middle;
-  }
-  const double share = 0.5 * (low + high);
-  const reference::HertzContact unit = hertz(share);
+  const double ratio = reference::hertz_curvature_ratio(a_over_b), share = ratio / (1 + ratio);
+  const reference::HertzContact unit = reference::hertz_by_force(
+      share * curvature, (1 - share) * curvature, reference::contact_modulus(material, material), 1);
   // c grows with the cube root of the force.
   return {share * curvature, (1 - share) * curvature, std::pow(unit.semi_axis_x * unit.semi_axis_s, -1.5)};
 }

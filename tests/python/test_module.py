@@ -34,6 +34,24 @@ class Module(unittest.TestCase):
         self.assertAlmostEqual((r.state > 0).sum() * area, r.area, delta=1e-9)
         self.assertFalse(r.slip_x.any())
 
+    def test_compare_is_what_the_program_compares(self):
+        c = bem_contact.compare(CORNER)
+        out = subprocess.run([os.environ["BEM_CONTACT"], "compare", CORNER, "--json"], check=True, stdout=subprocess.PIPE).stdout
+        expected = json.loads(out)
+        self.assertEqual(c["reference"], "fem")
+        for kind in ("at_equal_forces", "at_equal_position"):
+            self.assertEqual(list(c[kind]), ["halfspace", "fem"])
+            for model, result in c[kind].items():
+                self.assertEqual(result.pmax, expected[kind][model]["pmax"])
+        for k, forces in enumerate(expected["creep_forces"]):
+            self.assertEqual(c["creep_forces"]["xi_from_free_rolling"][k], forces["xi_from_free_rolling"])
+            for model, fx in forces["Fx"].items():
+                self.assertEqual(c["creep_forces"]["Fx"][model][k], fx)
+        with self.assertRaisesRegex(bem_contact.InputError, "auto cannot be compared"):
+            bem_contact.compare(CORNER, ["auto", "fem"])
+        with self.assertRaisesRegex(TypeError, "Give a list of names"):
+            bem_contact.compare(CORNER, "fem")
+
     def test_is_what_the_program_computes(self):
         changes = {"position.lateral": np.float32(6.5) - np.float64(0.1), "load.force": 80000, "grid.planar": False}
         r = bem_contact.solve(str(CORNER), changes, "fem")

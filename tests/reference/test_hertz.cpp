@@ -60,6 +60,13 @@ TEST(Hertz, ForceAndApproachAreInverse) {
   }
 }
 
+TEST(Hertz, CurvaturesOfAnEllipseAreThoseWhoseEllipseItIs) {
+  for (const double ratio : {0.02, 0.3, 0.99, 1.0, 1.5, 40.0}) {
+    const HertzContact c = hertz_by_force(hertz_curvature_ratio(ratio) * 1e-3, 1e-3, steel, 1e3);
+    EXPECT_NEAR(c.semi_axis_x / c.semi_axis_s, ratio, 1e-9 * ratio);
+  }
+}
+
 TEST(Hertz, LineContactIsTheLimitOfALongEllipse) {
   // At the middle of a long ellipse the force per length is pi/2 p0 b; the half width follows.
   const HertzContact c = hertz_by_force(1e-9, 1e-2, steel, 5e4);

@@ -13,7 +13,8 @@ namespace {
 constexpr double rounding = 1e-9; ///< 1. A smaller relative error is one of rounding.
 
 /// Root mean square of the fourth differences of the undeformed distance from element to element within the
-/// contact, mm. Where it is smooth on the scale of the elements they all but vanish; noise and kinks remain.
+/// contact, as the pressure on one element that moves its surface so far, MPa. Where the distance is smooth
+/// on the scale of the elements they all but vanish; noise and kinks remain.
 double roughness_of_gap(const ContactProblem& problem, const ContactResult& result) {
   const int mx = problem.grid.mx, ms = problem.grid.ms;
   double sum = 0;
@@ -36,21 +37,20 @@ double roughness_of_gap(const ContactProblem& problem, const ContactResult& resu
     if (ix >= 2 && ix + 2 < mx)
       look(i, 1);
   }
-  return count > 0 ? std::sqrt(sum / count) : 0;
+  const double self = problem.numbers.at(0, 0, component_n, 0, component_n);
+  return count > 0 ? std::sqrt(sum / count) / self : 0;
 }
 
 /// False where the peak of the pressure is narrower than the elements can show, where larger elements change
 /// it grossly, or where the undeformed distance is rough: then smaller elements show another field.
-bool converges(const ContactProblem& problem, const ContactResult& result, const Region& fine,
-               const Region& coarse) {
-  const double self = problem.numbers.at(0, 0, component_n, 0, component_n);
+bool converges(const Region& fine, const Region& coarse, double roughness) {
   return std::abs(fine.pmax - coarse.pmax) <= largest_pmax_change * fine.pmax &&
-         fine.curvature <= largest_curvature * fine.pmax &&
-         roughness_of_gap(problem, result) <= largest_roughness * fine.pmax * self;
+         fine.curvature <= largest_curvature * fine.pmax && roughness <= largest_roughness * fine.pmax;
 }
 
-double pmax_error(const Region& r, const Region& coarse) {
-  return pmax_change * std::abs(r.pmax - coarse.pmax) + pmax_local * r.curvature;
+/// `roughness`: as converges() takes it, MPa.
+double pmax_error(const Region& r, const Region& coarse, double roughness) {
+  return pmax_change * std::abs(r.pmax - coarse.pmax) + pmax_local * r.curvature + pmax_rough * roughness;
 }
 
 double area_error(const Region& r) {
@@ -78,9 +78,9 @@ double local_normal_force(const Region& r) {
   return 1.5 * r.fn * local_approach(r);
 }
 
-PatchErrors patch_errors(const Region& fine, const Region& coarse) {
+PatchErrors patch_errors(const Region& fine, const Region& coarse, double roughness) {
   PatchErrors out;
-  out.pmax = pmax_error(fine, coarse);
+  out.pmax = pmax_error(fine, coarse, roughness);
   out.area = area_error(fine);
   out.approach = overlap_change * std::abs(fine.approach - coarse.approach) +
                  fine.approach * (overlap_local / fine.contact + overlap_peak * fine.relative_fall());
@@ -92,13 +92,13 @@ PatchErrors patch_errors(const Region& fine, const Region& coarse) {
 /// Of the patches; nan where the coarse result has other ones. `contact`: elements of all patches.
 void estimate_patches(const ContactProblem& problem, const std::vector<Region>& fine,
                       const std::vector<Region>& coarse, const ShearEffects& effects, int contact,
-                      std::vector<PatchErrors>& errors) {
+                      double roughness, std::vector<PatchErrors>& errors) {
   const std::vector<Region> opposite = matched(fine, coarse);
   // Several patches share the force by how stiff they are at their common approach.
   const bool shared = problem.load == LoadKind::approach || fine.size() > 1;
   const double common_shear = local_error(effects.fn, contact), turned = effects.turned / contact;
   for (std::size_t i = 0; i < opposite.size(); ++i) {
-    errors[i] = patch_errors(fine[i], opposite[i]);
+    errors[i] = patch_errors(fine[i], opposite[i], roughness);
     const double change = std::max(std::abs(fine[i].fn - opposite[i].fn),
                                    effects.slope * std::abs(fine[i].fs.total - opposite[i].fs.total));
     errors[i].fn = normal_share * (shear_change * change + common_shear) + turned +
@@ -146,13 +146,14 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   const auto& [fine, rough] = regions;
   const std::vector<Region> patches = patches_of(problem, result);
   out.coarse_pmax = rough.pmax;
-  out.converges = converges(problem, result, fine, rough);
+  const double roughness = roughness_of_gap(problem, result);
+  out.converges = converges(fine, rough, roughness);
   out.patches.resize(patches.size());
   if (!out.converges)
     return;
   TotalErrors& e = out.errors;
   e.area = area_error(fine);
-  e.pmax = pmax_error(fine, rough);
+  e.pmax = pmax_error(fine, rough, roughness);
   e.Fx = e.Fs = e.adhesion_share = e.friction_power = e.creepage_x = e.creepage_s = 0;
   if (problem.has_friction())
     estimate_shear(problem, result, coarse, regions,
@@ -167,7 +168,8 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   e.Fy = shear_error(result.Fy - coarse.Fy, effects.fy, fine.contact);
   e.Fz = force ? 0 : shear_error(result.Fz - coarse.Fz, effects.fz, fine.contact) + local_normal_force(fine);
   out.local_moment = shear_x_share * local_error(effects.moment, fine.contact);
-  estimate_patches(problem, patches, patches_of(coarse_problem, coarse), effects, fine.contact, out.patches);
+  estimate_patches(problem, patches, patches_of(coarse_problem, coarse), effects, fine.contact, roughness,
+                   out.patches);
 }
 
 } // namespace bem_contact::contact

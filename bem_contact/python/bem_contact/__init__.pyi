@@ -215,6 +215,18 @@ def solve(
     folder: str | PathLike[str] | None = None,
 ) -> Result: ...
 
+def compare(
+    scene: _Scene,
+    models: _List[str] | None = None,
+    changes: _Changes = None,
+    *,
+    folder: str | PathLike[str] | None = None,
+) -> dict[str, Any]:
+    """One scene with several models, at equal forces and at equal position: {model: Result} each; and creep forces.
+
+    "at_equal_forces", "creep_forces" (Fx over the creepage beyond free rolling), "at_equal_position", "reference".
+    """
+
 def conicity(
     scene: _Scene | None = None,
     changes: _Changes = None,

@@ -11,6 +11,8 @@
 #include "tools/benchmarks/cases/tables.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
 #include <string>
 
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
@@ -28,6 +30,7 @@ int main(int argc, char** argv) {
   }
   if (openblas_set_num_threads)
     openblas_set_num_threads(1);
+  spdlog::set_default_logger(spdlog::stderr_color_mt("bench_cases")); // tables go to standard output
   try {
     const SweepFile sweep = read_sweep_file(argv[2]), by = read_sweep_file(argv[argc - 1]);
     if (by.size() != sweep.size())
