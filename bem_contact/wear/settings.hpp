@@ -11,4 +11,8 @@ BEM_CONTACT_TUNED(double, profile_spacing, 0.25);
 /// of a wave of three times its spacing, (sin(pi/3) / (pi/3))^4 = 0.47.
 BEM_CONTACT_TUNED(double, knots_per_wavelength, 3.0);
 
+/// rad. Influence functions serve a worn profile while its surface has turned by less than this from the
+/// shape they were computed for.
+BEM_CONTACT_TUNED(double, usual_kept_turn, 0.05);
+
 } // namespace bem_contact::wear
