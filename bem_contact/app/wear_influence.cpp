@@ -70,7 +70,7 @@ void ask_for(const std::filesystem::path& file, int since, double turn, double k
 WearInfluence::WearInfluence(const SceneFile& scene, const wear::WornPair& unworn,
                              std::filesystem::path folder)
     : scene_folder_(scene.folder), folder_(std::move(folder)), used_(wear::needs_influence(scene)),
-      rail_{"rail", ProfileKind::rail, scene.rail}, wheel_{"wheel", ProfileKind::wheel, scene.wheel} {
+      rail_{"rail", ProfileKind::rail, scene.rail, 0}, wheel_{"wheel", ProfileKind::wheel, scene.wheel, 0} {
   if (!used_)
     return;
   begin(rail_, kept_.rail, unworn.rail);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/profile/profile_kind.hpp"
 #include "bem_contact/wear/evolution.hpp"
 
 #include <filesystem>
@@ -25,7 +26,7 @@ private:
     const char* name;
     ProfileKind kind;
     SceneFile::Side scene;
-    int step = 0; ///< after which its functions were computed
+    int step; ///< after which its functions were computed
   };
   void begin(Side& side, wear::KeptInfluence& kept, const wear::WornBody& unworn);
   void take_newest(Side& side, wear::KeptInfluence& kept, int step);
