@@ -74,7 +74,7 @@ TEST(CaseTable, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_THAT(message("position.lateral,weight\n0,0\n"), HasSubstr("the weight '0' is not positive"));
   EXPECT_THAT(message("position.lateral,weight\n0,often\n"), HasSubstr("'often' is no value of weight"));
   EXPECT_THAT(message("position.lateral\nnan\n"), HasSubstr("'nan' is no value of position.lateral"));
-  EXPECT_THAT(message("position.lateral\n60E1\n"), HasSubstr("a text in quotes"));
+  EXPECT_THAT(message("wheel.profile\nS1002\n"), HasSubstr("a text in quotes"));
   EXPECT_THAT(message("load.force,load.force\n1,1\n"), HasSubstr("two columns have the name 'load.force'"));
   EXPECT_THAT(message("weight\n1\n"), HasSubstr("none of its columns has the name of a key"));
   EXPECT_THAT(message("load.force,weight\n"), HasSubstr("it has no line below the names"));
