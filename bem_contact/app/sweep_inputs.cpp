@@ -29,9 +29,12 @@ void check_values(const SweepFile& sweep) {
 
 namespace {
 
-/// The files that the lists name, with the key "rail.profile[1]" for the second of a list.
+/// The table of cases, and the files that the lists name, with the key "rail.profile[1]" for the second of a
+/// list.
 std::vector<NamedFile> files_of_lists(const SweepFile& sweep) {
   std::vector<NamedFile> out;
+  if (!sweep.table.empty())
+    out.push_back({"sweep.table", sweep.table, sweep.folder / sweep.table});
   for (const SweepFile::Axis& axis : sweep.axes)
     for (std::size_t k = 0; k < axis.values.size(); ++k)
       if (const auto* text = std::get_if<std::string>(&axis.values[k]))

@@ -193,6 +193,8 @@ const char* status_of(const H5Table& top, std::size_t i) {
 void print_axes(std::ostream& out, const SweepFile& sweep) {
   for (const SweepFile::Axis& axis : sweep.axes)
     fmt::print(out, ",{}", axis.key);
+  if (!sweep.weights.empty())
+    fmt::print(out, ",weight");
 }
 
 void print_changes(std::ostream& out, const SweepFile& sweep, std::size_t i) {
@@ -200,6 +202,8 @@ void print_changes(std::ostream& out, const SweepFile& sweep, std::size_t i) {
     const auto* text = std::get_if<std::string>(&change.value);
     fmt::print(out, ",{}", text ? quoted(*text) : to_text(change.value));
   }
+  if (!sweep.weights.empty())
+    fmt::print(out, ",{}", sweep.weight(i));
 }
 
 void print_cases(std::ostream& out, const SweepFile& sweep, const H5Table& top,
@@ -244,6 +248,9 @@ void print_units(std::ostream& out, const SweepFile& sweep) {
   for (const char* table : {"cases", "patches"})
     for (const SweepFile::Axis& axis : sweep.axes)
       fmt::print(out, "{},{},{},swept over\n", table, axis.key, unit_of_key(axis.key));
+  if (!sweep.weights.empty())
+    for (const char* table : {"cases", "patches"})
+      fmt::print(out, "{},weight,1,how often the case occurs compared with the others\n", table);
   fmt::print(out, "cases,status,1,{}\n", quoted(status_description));
   fmt::print(out, "cases,seconds,s,{}\ncases,cpu_seconds,s,{}\n", quoted(seconds_description),
              quoted(cpu_description));

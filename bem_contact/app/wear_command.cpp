@@ -1,6 +1,7 @@
 #include "bem_contact/app/wear_command.hpp"
 
 #include "bem_contact/app/sweep_inputs.hpp"
+#include "bem_contact/app/wear_influence.hpp"
 #include "bem_contact/app/wear_state.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
@@ -30,32 +31,48 @@ goes on after the last finished step.
     tools/plot_wear worn -o worn.png
 
 With both bodies, a place of the rail meets --passages wheels while a wheel turns once; 1 is that of two discs of one size.
-Influence files are refused: they are of the unworn shape.)";
+
+A collective may also be a CSV file, one line a case: a table of your own, or one that bem_contact sweep --csv wrote.
+    [sweep]
+    table = "collective.csv"     # position.lateral,load.force,motion.friction,weight
+                                 # 0.0,8e4,0.3,6
+
+The law archard has a wear map: k over sliding speed and pressure. Without [wear] it is that of KTH Stockholm, here with
+H = 3000 MPa. The rows of coefficients go from low to high pressure:
+    [wear]
+    speeds       = [ 200, 700 ]  # mm/s
+    pressures    = [ 2400 ]      # MPa
+    coefficients = [ 5.5e-4, 35e-4, 5.5e-4,    350e-4, 350e-4, 350e-4 ]
+
+With solver.model = "fem" the influence functions of the unworn shape are kept until a surface has turned by --kept-turn.
+Then the program stops and says how to compute those of the worn shape; the same command goes on with them.)";
 
 struct WearArguments {
-  std::string scene, output, law = "energy", body = "both";
+  std::string scene, output, model, law = "energy", body = "both";
   double depth = 0.1, hardness = 3000, speed = 3e4;
   wear::EvolutionOptions options;
 
   /// All that the result depends on but --depth: a run may go deeper later.
   std::string digest_text() const {
-    return fmt::format("wear {} {} {} {} {} {} {}", law, body, hardness, speed, options.cap,
-                       options.smoothing, options.passages);
+    return fmt::format("wear {} {} {} {} {} {} {} {} {}", model, law, body, hardness, speed, options.cap,
+                       options.smoothing, options.passages, options.kept_turn);
   }
 };
 
-wear::EvolutionOptions options_of(const WearArguments& a) {
+wear::EvolutionOptions options_of(const WearArguments& a, const std::optional<wear::WearMap>& map) {
   wear::EvolutionOptions out = a.options;
-  out.law = wear::law_named(a.law, a.hardness, a.speed);
+  out.law = wear::law_named(a.law, a.hardness, a.speed, map);
   out.rail = a.body != "wheel";
   out.wheel = a.body != "rail";
   return out;
 }
 
-std::vector<wear::CollectiveCase> collective_of(const SweepFile& sweep) {
+std::vector<wear::CollectiveCase> collective_of(const SweepFile& sweep, const std::string& model) {
   std::vector<wear::CollectiveCase> out;
-  for (std::size_t i = 0; i < sweep.size(); ++i)
-    out.push_back({sweep.scene(i), sweep.weight(i)});
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    const SceneFile scene = sweep.scene(i);
+    out.push_back({model.empty() ? scene : with_model(scene, model_named(model)), sweep.weight(i)});
+  }
   return out;
 }
 
@@ -83,8 +100,8 @@ void write_table(const std::filesystem::path& file, const WearState& state) {
 ExitCode run(const WearArguments& arguments) {
   const SweepFile sweep = read_sweep_file(arguments.scene);
   check_values(sweep);
-  const std::vector<wear::CollectiveCase> cases = collective_of(sweep);
-  const wear::EvolutionOptions options = options_of(arguments);
+  const std::vector<wear::CollectiveCase> cases = collective_of(sweep, arguments.model);
+  const wear::EvolutionOptions options = options_of(arguments, wear::wear_map_of(cases.front().scene));
   wear::validate(cases, options);
   const std::string digest = digest_of(sweep, arguments.digest_text());
   const std::filesystem::path folder = arguments.output;
@@ -94,7 +111,9 @@ ExitCode run(const WearArguments& arguments) {
     throw InputError(fmt::format("The folder '{}' cannot be made", folder.string()), failed.message(),
                      "Give another one.");
   const SceneFile& first = cases.front().scene;
-  WearState state = read_wear(folder, digest).value_or(WearState{0, wear::unworn(first), {}});
+  const wear::WornPair unworn = wear::unworn(first);
+  WearState state = read_wear(folder, digest).value_or(WearState{0, unworn, {}});
+  WearInfluence influence(first, unworn, folder);
   const Stopwatch watch;
   if (state.history.empty()) {
     state.history.push_back(history_row(0, state.pair, first.position.wheel_radius));
@@ -103,7 +122,8 @@ ExitCode run(const WearArguments& arguments) {
     fmt::print("continued after step {}\n", state.step);
   const int before = state.step;
   while (state.pair.largest() < arguments.depth * (1 - 1e-9)) {
-    state.pair = wear::wear_step(state.pair, cases, options, arguments.depth, folder);
+    state.pair = wear::wear_step(state.pair, cases, options, arguments.depth, folder,
+                                 influence.at(state.step, state.pair, options.kept_turn));
     state.history.push_back(history_row(++state.step, state.pair, first.position.wheel_radius));
     write_wear(folder, digest, state);
     const WearRow& row = state.history.back();
@@ -135,8 +155,11 @@ Command add_wear(CLI::App& program) {
   number("--cap", a.options.cap, "Largest depth of one step, mm");
   number("--smoothing", a.options.smoothing, "Shortest wavelength of the wear of a step, mm");
   number("--passages", a.options.passages, "Passages on the rail while the wheel turns once");
+  number("--kept-turn", a.options.kept_turn,
+         "Influence functions are kept until a surface has turned by this, rad");
   number("--hardness", a.hardness, "Of the softer body, for archard, MPa");
   number("--speed", a.speed, "Rolling speed, for archard, mm/s");
+  line->add_option("--model", a.model, "Model of the bodies, instead of the scene's own choice");
   line->add_option("--law", a.law, "Wear law")->check(CLI::IsMember(wear::law_names))->capture_default_str();
   line->add_option("--body", a.body, "Which body wears")
       ->check(CLI::IsMember({"both", "rail", "wheel"}))

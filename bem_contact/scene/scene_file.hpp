@@ -170,6 +170,16 @@ struct SceneFile {
     bool operator==(const Temperature&) const = default;
   } temperature; ///< [temperature]
 
+  /// [wear], wheel_rail: the wear map of Archard's law (wear/law.hpp), for the room wear alone; all empty:
+  /// that of KTH Stockholm.
+  struct Wear {
+    std::vector<double> speeds;       ///< borders of sliding speed, rising, mm/s
+    std::vector<double> pressures;    ///< borders of pressure, rising, MPa
+    std::vector<double> coefficients; ///< [pressures + 1][speeds + 1], 1
+
+    bool operator==(const Wear&) const = default;
+  } wear; ///< [wear]
+
   /// [solver]
   struct Solver {
     std::optional<Model> model;    ///< empty: the cheapest that is accurate enough

@@ -379,6 +379,23 @@ void add_temperature(Schema& s, SceneFile::Temperature& t) {
         {.doc = "Mean temperature from which it is hot_friction", .unit = "degC"});
 }
 
+void add_wear(Schema& s, SceneFile::Wear& wear) {
+  s.add("wear.speeds", wear.speeds,
+        {.doc = "bem_contact wear --law archard: borders of sliding speed in the wear map, rising; none: "
+                "that of KTH Stockholm",
+         .unit = "mm/s",
+         .above = 0,
+         .kinds = wheel_rail});
+  s.add(
+      "wear.pressures", wear.pressures,
+      {.doc = "Borders of pressure in the wear map, rising", .unit = "MPa", .above = 0, .kinds = wheel_rail});
+  s.add("wear.coefficients", wear.coefficients,
+        {.doc = "k in each region of the wear map: row by row from the lowest pressure, in each row from the "
+                "lowest speed",
+         .at_least = 0,
+         .kinds = wheel_rail});
+}
+
 void add_solver(Schema& s, SceneFile::Solver& solver) {
   s.add("solver.model", solver.model, std::string(automatic_model),
         {.doc =
@@ -414,6 +431,7 @@ Schema scene_schema(SceneFile& f, SceneKeysAsRead& read) {
   add_patch(s, f.gap, f.strip);
   add_stresses(s, f.stresses);
   add_temperature(s, f.temperature);
+  add_wear(s, f.wear);
   add_solver(s, f.solver);
   return s;
 }

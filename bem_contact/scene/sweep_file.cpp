@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/scene/case_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,7 @@ double rounded(double value) {
 struct Reader {
   SweepFile& sweep;
   std::string_view section; ///< "sweep", or "table", which has axes alone
+  int table_line = 0;       ///< of sweep.table
 
   [[noreturn]] void refuse(int line, const std::string& problem, const std::string& why,
                            const std::string& what_to_do) const {
@@ -43,6 +45,8 @@ struct Reader {
         sweep.fields = *node.value<bool>();
       else if (is_sweep && key == "weight")
         weights(node, line);
+      else if (is_sweep && key == "table")
+        case_table(node, line);
       else if (inner && (inner->contains("from") || inner->contains("to")))
         sweep.axes.push_back({key, range(*inner, key, line), line});
       else if (inner)
@@ -56,6 +60,18 @@ struct Reader {
                    "Give a list [a, b, ...] or {{ from = a, to = b, step = c }}, or move it out of [{}].",
                    section));
     }
+  }
+
+  /// After all else is read.
+  void cases_of_table(bool mode_given) {
+    if (!sweep.axes.empty() || !sweep.weights.empty() || mode_given)
+      refuse(table_line, "sweep.table is given beside lists, weights or a mode",
+             "its columns are the lists, its lines the cases", "Give either the table or lists.");
+    CaseTable cases = read_case_table(sweep.folder / sweep.table);
+    for (CaseTable::Column& column : cases.columns)
+      sweep.axes.push_back({std::move(column.key), std::move(column.values), table_line});
+    sweep.weights = std::move(cases.weights);
+    sweep.zip = true;
   }
 
   void mode(const toml::node& node, int line) {
@@ -76,6 +92,14 @@ struct Reader {
                "Correct the list.");
       sweep.weights.push_back(*weight);
     }
+  }
+
+  void case_table(const toml::node& node, int line) {
+    sweep.table = node.value<std::string>().value_or("");
+    if (sweep.table.empty())
+      refuse(line, "sweep.table names no file", "it is the name of a CSV file with one line a case",
+             "Give table = \"FILE.csv\".");
+    table_line = line;
   }
 
   std::vector<SchemaValue> values(const toml::array& list, const std::string& key, int line) const {
@@ -175,8 +199,10 @@ std::string SweepFile::describe(std::size_t index) const {
   return out;
 }
 
-SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name, std::string_view section) {
+SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name, std::string_view section,
+                           const std::filesystem::path& folder) {
   SweepFile sweep;
+  sweep.folder = folder;
   sweep.text = toml;
   sweep.source = source_name;
   toml::table root;
@@ -187,8 +213,11 @@ SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name, 
                      "the file is not valid TOML", "Correct the line.");
   }
   const toml::table* table = root[section].as_table();
+  Reader reader{sweep, section};
   if (table)
-    Reader{sweep, section}.table(*table, "");
+    reader.table(*table, "");
+  if (!sweep.table.empty())
+    reader.cases_of_table(table->contains("mode"));
   if (sweep.axes.empty())
     throw InputError(
         fmt::format("'{}' describes no {}", source_name, section),
@@ -219,9 +248,8 @@ SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name, 
 }
 
 SweepFile read_sweep_file(const std::filesystem::path& file) {
-  SweepFile sweep = parse_sweep_file(read_text_file(file.string(), "scene file"), file.string());
-  sweep.folder = file.parent_path();
-  return sweep;
+  return parse_sweep_file(read_text_file(file.string(), "scene file"), file.string(), "sweep",
+                          file.parent_path());
 }
 
 std::string to_text(const SchemaValue& value) {

@@ -18,6 +18,9 @@ namespace bem_contact {
 ///     load.force = [ 5e4, 1e5 ]
 ///     rail.profile = [ "60E1", "worn.prr" ]
 ///
+///     [sweep]
+///     table = "collective.csv"     # instead of lists: one line a case
+///
 /// A product runs through the last list fastest, in the order of the file. Cases that follow each other
 /// should be alike, because each starts from the one before. Each case is the scene with its values, and is
 /// checked like any scene.
@@ -34,6 +37,8 @@ struct SweepFile {
   /// sweep.weight: how often each case occurs compared with the others (a load collective); empty: alike. No
   /// result of a case depends on it.
   std::vector<double> weights;
+  /// sweep.table: CSV file of lists and weights instead of those of the file (case_table.hpp); "": none.
+  std::string table;
   bool zip = false;
   bool fields = true; ///< keep the fields of each case, not only its totals
 
@@ -53,8 +58,9 @@ struct SweepFile {
 /// lengths, or a key that no scene has.
 SweepFile read_sweep_file(const std::filesystem::path& file);
 /// `section`: the table that has the lists. "table" (bem_contact table) has lists alone, no mode or weight.
+/// A relative sweep.table starts at `folder`.
 SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name = "text",
-                           std::string_view section = "sweep");
+                           std::string_view section = "sweep", const std::filesystem::path& folder = {});
 
 /// As TOML writes it; numbers with the fewest digits that give them back.
 std::string to_text(const SchemaValue& value);

@@ -21,18 +21,18 @@ void require_radius(const InfluenceFunction& wheel, double wheel_radius) {
 }
 
 /// Throws InputError where the influence files are of other bodies than those that are placed.
-void require_bodies(const PairFiles& files, const WheelOnRail& pair) {
-  if (files.rail)
+void require_bodies(const PairFiles& files, const WheelOnRail& pair, bool own_shape) {
+  if (files.rail && own_shape)
     require_profile(*files.rail, pair.rail.name(), pair.rail.digest());
-  if (files.wheel) {
+  if (files.wheel && own_shape)
     require_profile(*files.wheel, pair.wheel.name(), pair.wheel.digest());
+  if (files.wheel)
     require_radius(*files.wheel, pair.wheel_radius);
-  }
 }
 
 } // namespace
 
-ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, bool foresee_shear) {
+ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, PrepareOptions options) {
   if (scene.wheelset.force)
     throw InputError("This scene is one of both wheels of a wheelset", "wheelset.force is given",
                      "Solve it with bem_contact wheelset (Python: wheelset), or give load.force instead.");
@@ -42,9 +42,9 @@ ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, bool fore
     return {scene, std::move(setup), read, std::nullopt};
   }
   ContactSetup setup = set_up_contact(scene, files.profiles(scene));
-  ContactEstimate estimate = estimate_contact(setup, foresee_shear);
+  ContactEstimate estimate = estimate_contact(setup, options.foresee_shear);
   const PairFiles& read = files.influence(setup.rail, setup.wheel);
-  require_bodies(read, setup.wheel_rail()->pair);
+  require_bodies(read, setup.wheel_rail()->pair, options.own_shape);
   return {scene, std::move(setup), read, std::move(estimate)};
 }
 

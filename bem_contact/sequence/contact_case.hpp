@@ -19,8 +19,15 @@ struct ContactCase {
   ContactCase under(const ContactLoad& load) const { return {scene, setup.under(load), files, estimate}; }
 };
 
+struct PrepareOptions {
+  bool foresee_shear = true; ///< the estimate knows what shear bears of the load
+  /// Influence files must be of the scene's own profiles. False: the caller has seen to it that they are of
+  /// nearly the same shape.
+  bool own_shape = true;
+};
+
 /// Throws InputError for a scene that cannot be asked, and for files that are not of its bodies.
-ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, bool foresee_shear = true);
+ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, PrepareOptions options = {});
 
 /// The first plan of a case on elements of the size asked for. Rows of a wheel on a rail are centred on the
 /// stations of the rail's influence file where there is one. `on_strips`: every row lies on the strips of the

@@ -50,7 +50,8 @@ Sequence::Sequence(SequenceOptions options, std::shared_ptr<SequenceFiles> files
 ContactCase Sequence::prepare(const SceneFile& scene) {
   if (!options_.keep_files)
     memory_.files = std::make_shared<SequenceFiles>();
-  ContactCase out = prepare_case(scene, *memory_.files, options_.foresee_shear);
+  ContactCase out = prepare_case(scene, *memory_.files,
+                                 {.foresee_shear = options_.foresee_shear, .own_shape = options_.own_shape});
   if (out.estimate && !options_.potential_contact)
     out.estimate->reach *= generous_reach;
   return out;

@@ -31,6 +31,9 @@ struct SequenceOptions {
   bool foresee_shear = true; ///< the estimate knows what shear bears of the load
   /// The grid covers only where h < 0.9 of the approach. False: where h is below three times that.
   bool potential_contact = true;
+  /// Influence files must be of the scenes' own profiles. False: profiles that wear keep the files of a shape
+  /// from which they hardly differ.
+  bool own_shape = true;
 };
 
 /// Answers scenes. This is the one way in: the program, sweeps and Python all use it, and one scene is a

@@ -15,7 +15,9 @@ namespace {
 
 constexpr const char* as_given = "Correct it.";
 
-void use_profile(SceneFile::Side& side, const std::filesystem::path& file) {
+void use_profile(SceneFile::Side& side, const std::filesystem::path& file,
+                 const std::filesystem::path& influence) {
+  side.influence = influence.empty() ? "" : std::filesystem::absolute(influence).string();
   side.profile = std::filesystem::absolute(file).string();
   side.reading = {};
   side.reading.profile_z = ProfileZ::down;
@@ -62,18 +64,22 @@ WornPair unworn(const SceneFile& scene) {
 }
 
 WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases,
-                   const EvolutionOptions& options, double until, const std::filesystem::path& folder) {
+                   const EvolutionOptions& options, double until, const std::filesystem::path& folder,
+                   const KeptPair& influence) {
+  require_kept("rail", influence.rail, now.rail.points, options.kept_turn);
+  require_kept("wheel", influence.wheel, now.wheel.points, options.kept_turn);
   write_profile(folder / "rail.txt", now.rail.points);
   write_profile(folder / "wheel.txt", now.wheel.points);
-  Sequence sequence({.displacements = false});
+  Sequence sequence({.displacements = false, .own_shape = false});
   Depths rail(now.rail.points, options.smoothing), wheel(now.wheel.points, options.smoothing);
   double weights = 0;
   for (const CollectiveCase& one : cases)
     weights += one.weight;
   for (const CollectiveCase& one : cases) {
     SceneFile scene = one.scene;
-    use_profile(scene.rail, folder / "rail.txt");
-    use_profile(scene.wheel, folder / "wheel.txt");
+    const bool files = needs_influence(scene);
+    use_profile(scene.rail, folder / "rail.txt", files ? influence.rail.file : "");
+    use_profile(scene.wheel, folder / "wheel.txt", files ? influence.wheel.file : "");
     const SceneResult result = sequence.solve(scene);
     if (!result.result.converged)
       throw ConvergenceError("A case of the load collective has no certified result",
@@ -105,6 +111,18 @@ WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases
   return out;
 }
 
+bool needs_influence(const SceneFile& scene) {
+  const bool files = !scene.rail.influence.empty() && !scene.wheel.influence.empty();
+  return scene.solver.model == Model::fem || (!scene.solver.model && files);
+}
+
+std::optional<WearMap> wear_map_of(const SceneFile& scene) {
+  const SceneFile::Wear& w = scene.wear;
+  if (w == SceneFile::Wear{})
+    return std::nullopt;
+  return WearMap{w.speeds, w.pressures, w.coefficients};
+}
+
 void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& o) {
   validate(o.law);
   const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
@@ -123,14 +141,12 @@ void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& 
     const SceneFile &scene = one.scene, &first = cases.front().scene;
     if (scene.kind != SceneKind::wheel_rail)
       throw InputError("This scene cannot wear", "it has no profiles", "Give kind = \"wheel_rail\".");
-    if (scene.solver.model == Model::fem || !scene.rail.influence.empty() || !scene.wheel.influence.empty())
-      throw InputError("A profile that wears cannot have influence files",
-                       "they are of the unworn shape, and what that costs has not been measured yet",
-                       "Use model = \"halfspace\" or \"tangent_plane\" without rail.influence and "
-                       "wheel.influence.");
     if (!(scene.rail == first.rail) || !(scene.wheel == first.wheel))
       throw InputError("The cases of the load collective have different bodies",
                        "one pair of profiles wears under all of them", "Sweep over other keys.");
+    if (!(scene.wear == first.wear))
+      throw InputError("The cases of the load collective have different wear maps",
+                       "one law holds for all of them", "Sweep over other keys.");
   }
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "bem_contact/scene/scene_file.hpp"
-#include "bem_contact/wear/worn_profile.hpp"
+#include "bem_contact/wear/kept_influence.hpp"
+#include "bem_contact/wear/settings.hpp"
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace bem_contact::wear {
@@ -23,6 +25,7 @@ struct EvolutionOptions {
   double smoothing = 3;           ///< of the wear of each step: shortest wavelength, mm
   /// How many wheels pass a place of the rail while one wheel turns once. 1: roller and disc of equal size.
   double passages = 1;
+  double kept_turn = usual_kept_turn; ///< influence functions are kept up to this turn_between(), rad
 };
 
 /// What has become of one body.
@@ -48,12 +51,21 @@ WornPair unworn(const SceneFile& scene);
 /// Solves every case with the profiles of `now`, which are written into `folder` as rail.txt and wheel.txt,
 /// and moves the profiles of the bodies that wear: explicit Euler, first order in the length of the step. The
 /// step takes off as much as `cap`, or less, where `until` (mm, largest depth of all) ends it. Throws
-/// InputError for wrong scenes, ConvergenceError where a case has no certified result.
+/// InputError for wrong scenes, and for influence functions that the shape has outgrown; ConvergenceError
+/// where a case has no certified result. `influence`: taken instead of the files that the scenes name, by the
+/// cases whose model may need them.
 WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases,
-                   const EvolutionOptions& options, double until, const std::filesystem::path& folder);
+                   const EvolutionOptions& options, double until, const std::filesystem::path& folder,
+                   const KeptPair& influence = {});
 
-/// Throws InputError for an empty collective, weights that are not positive, scenes with influence files
-/// (those are of the unworn shape), other bodies from case to case, and options out of range.
+/// Whether a case may be solved with the influence files that it names.
+bool needs_influence(const SceneFile& scene);
+
+/// The wear map that a scene gives; none: that of KTH Stockholm is meant. validate() sees what is wrong.
+std::optional<WearMap> wear_map_of(const SceneFile& scene);
+
+/// Throws InputError for an empty collective, weights that are not positive, other bodies or another wear map
+/// from case to case, and options out of range.
 void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& options);
 
 } // namespace bem_contact::wear

@@ -69,11 +69,17 @@ double rate(const ArchardLaw& law, const Rubbing& rubbing) {
 
 } // namespace
 
-Law law_named(std::string_view name, double hardness, double rolling_speed) {
+Law law_named(std::string_view name, double hardness, double rolling_speed,
+              const std::optional<WearMap>& map) {
+  if (name == law_names[0] && map)
+    throw InputError("There is a wear map, and the law does not use it",
+                     fmt::format("a map belongs to the law '{}', asked for is '{}'", law_names[1], name),
+                     fmt::format("Ask for {}, or leave out the map.", law_names[1]));
   if (name == law_names[0])
     return EnergyLaw{};
   if (name == law_names[1])
-    return ArchardLaw{.hardness = hardness, .rolling_speed = rolling_speed, .map = kth_map(hardness)};
+    return ArchardLaw{
+        .hardness = hardness, .rolling_speed = rolling_speed, .map = map.value_or(kth_map(hardness))};
   throw InputError(fmt::format("there is no wear law '{}'", name),
                    fmt::format("known are {}", fmt::join(law_names, " and ")), "Use one of these.");
 }

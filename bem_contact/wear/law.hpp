@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -54,9 +55,10 @@ using Law = std::variant<EnergyLaw, ArchardLaw>;
 
 /// How users call the laws: as law_named() takes them.
 inline constexpr std::array<std::string_view, 2> law_names{"energy", "archard"};
-/// A law with its usual coefficients. Archard: `hardness` (MPa) with kth_map(), `rolling_speed` (mm/s).
-/// Throws InputError for another name.
-Law law_named(std::string_view name, double hardness, double rolling_speed);
+/// A law with its usual coefficients. Archard: `hardness` (MPa), `rolling_speed` (mm/s), and this map or
+/// kth_map(). Throws InputError for another name, and for a map with a law that has none.
+Law law_named(std::string_view name, double hardness, double rolling_speed,
+              const std::optional<WearMap>& map = {});
 
 /// The map of KTH Stockholm (Jendel, Wear 253 (2002) 89): k = 1..10e-4 below 0.2 m/s, 30..40e-4 up to 0.7
 /// m/s, 1..10e-4 above, and 300..400e-4 where the pressure exceeds 0.8 H. Here the middle of each range.

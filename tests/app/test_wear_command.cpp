@@ -69,6 +69,65 @@ TEST_F(WearCommand, RefusesAFolderOfOtherFiles) {
   EXPECT_EQ(run(command + path("empty")).code, 0);
 }
 
+/// A table of the same cases wears the same, and so does the table that a sweep writes of them.
+TEST_F(WearCommand, TakesTheCollectiveOfATable) {
+  const std::string alone = scene.substr(0, scene.find("position.lateral"));
+  write("scene.toml", scene + "weight = [3, 1]\n");
+  write("own.toml", alone + "table = \"own.csv\"\n");
+  write("own.csv", "position.lateral,weight\n0,3\n1,1\n");
+  write("sweep.toml", alone + "table = \"sweep.csv\"\n");
+  ASSERT_EQ(run("sweep " + path("scene.toml") + " -o " + path("s.h5") + " --csv " + path("sweep.csv")).code,
+            0);
+  for (const char* name : {"scene", "own", "sweep"})
+    ASSERT_EQ(run("wear " + path(std::string(name) + ".toml") + " -o " + path(name) + " --depth 0.01").code,
+              0);
+  EXPECT_EQ(text("scene/wear.csv"), text("own/wear.csv"));
+  EXPECT_EQ(text("scene/wear.csv"), text("sweep/wear.csv"));
+  write("own.csv", "position.lateral,weight\n0,2\n1,1\n");
+  EXPECT_THAT(run("wear " + path("own.toml") + " -o " + path("own") + " --depth 0.01").err,
+              HasSubstr("exists and is not of this wear"));
+}
+
+TEST_F(WearCommand, TakesTheWearMapOfTheScene) {
+  const std::string kth = "[wear]\nspeeds = [200, 700]\npressures = [2400]\n"
+                          "coefficients = [5.5e-4, 35e-4, 5.5e-4, 350e-4, 350e-4, 350e-4]\n";
+  const auto worn = [&](const std::string& name, const std::string& map) {
+    write(name + ".toml", scene + map);
+    return run("wear " + path(name + ".toml") + " --law archard --depth 0.01 -o " + path(name));
+  };
+  ASSERT_EQ(worn("without", "").code, 0);
+  ASSERT_EQ(worn("kth", kth).code, 0);
+  EXPECT_EQ(text("kth/wear.csv"), text("without/wear.csv"));
+  const Outcome wrong = worn("wrong", "[wear]\nspeeds = [200]\ncoefficients = [1e-4]\n");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("1 borders of speed and 0 of pressure make 2 regions"));
+  write("energy.toml", scene + kth);
+  EXPECT_THAT(run("wear " + path("energy.toml") + " -o " + path("energy")).err,
+              HasSubstr("There is a wear map, and the law does not use it"));
+}
+
+/// Influence functions of the unworn shape are kept for a while. Then the program says how to make new ones,
+/// and takes no others.
+TEST_F(WearCommand, AsksForInfluenceFunctionsOfTheWornShape) {
+  const std::string data = CONFORMAL_SOURCE_DIR "/data/influence/";
+  write("scene.toml",
+        "rail = { profile = \"60E1\", influence = \"" + data +
+            "small_rail.h5\" }\nwheel = { profile = \"S1002\", influence = \"" + data +
+            "small_wheel.h5\" }\nsolver.model = \"fem\"\nload.force = 1e5\n[motion]\nfree_rolling = "
+            "false\n[grid]\ndx = 0.5\nds = 0.5\n[sweep]\nposition.lateral = [6.6]\n");
+  const std::string command =
+      "wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.02 --cap 0.01 --kept-turn 1e-5";
+  const Outcome asked = run(command);
+  EXPECT_EQ(asked.code, 2) << asked.err;
+  EXPECT_THAT(asked.err, HasSubstr("The rail has outgrown its influence functions"));
+  EXPECT_THAT(asked.err,
+              HasSubstr("tools/influence " + path("worn/rail_0001.toml") + " " + path("worn/rail_0001.h5")));
+  EXPECT_THAT(text("worn/rail_0001.toml"), HasSubstr("graft_onto = \"60E1\""));
+  EXPECT_THAT(text("worn/rail_0001.toml"), HasSubstr("from = -44 # mm\nto = -20\nstation_width = 0.5"));
+  std::filesystem::copy(data + "small_rail.h5", folder_ / "worn/rail_0001.h5");
+  EXPECT_THAT(run(command).err, HasSubstr("do not belong to the profile"));
+}
+
 TEST_F(WearCommand, RefusesWhatHasNoProfiles) {
   write("scene.toml",
         "kind = \"patch\"\n[grid]\nmx = 8\nms = 8\n[gap]\na = 1e-3\nb = 1e-3\n[sweep]\nload.force "

@@ -272,6 +272,11 @@ except KeyboardInterrupt:
         self.assertAlmostEqual(sum(p["T_gamma"] for p in fatigue["patches"]) / r.friction_power, 1, delta=1e-9)
         self.assertEqual(fatigue["FI"].shape, r.p_n.shape)
         self.assertNotIn("von_mises", fatigue)
+        kth = ([200, 700], [2400], [[5.5e-4, 35e-4, 5.5e-4], [350e-4, 350e-4, 350e-4]])
+        by_map = bem_contact.wear(r, "archard", map=kth)
+        np.testing.assert_array_equal(by_map["depth"], bem_contact.wear(r, "archard")["depth"])
+        with self.assertRaisesRegex(bem_contact.InputError, "2 regions, and it has 1 coefficients"):
+            bem_contact.wear(r, "archard", map=([200], [], [[1e-4]]))
         with self.assertRaisesRegex(bem_contact.InputError, "there is no wear law 'x'"):
             bem_contact.wear(r, "x")
         with self.assertRaisesRegex(bem_contact.InputError, "solved here"):

@@ -108,6 +108,22 @@ TEST(Evolution, AccountsForItsVolume) {
   EXPECT_NEAR(std::max(after.rail.largest(), after.wheel.largest()), 0.05, 1e-9);
 }
 
+/// The map of KTH as a table of the scene is the map that a scene without one has. Its last number is used.
+TEST(Evolution, TakesTheWearMapOfTheScene) {
+  const auto map_of = [](const std::string& wear) {
+    return wear_map_of(
+        parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 8e4\n" + wear));
+  };
+  EXPECT_EQ(map_of(""), std::nullopt);
+  const auto kth = map_of("[wear]\nspeeds = [200, 700]\npressures = [2400]\n"
+                          "coefficients = [5.5e-4, 35e-4, 5.5e-4, 350e-4, 350e-4, 350e-4]\n");
+  ASSERT_TRUE(kth);
+  EXPECT_EQ(law_named("archard", 3000, 2e4, kth), law_named("archard", 3000, 2e4));
+  const auto one = map_of("wear.coefficients = [4e-4]\n");
+  EXPECT_EQ(coefficient(*one, 500, 5000), 4e-4);
+  EXPECT_THROW(validate(law_named("archard", 3000, 2e4, map_of("wear.speeds = [200]\n"))), InputError);
+}
+
 TEST(Evolution, WearsOneBodyAlone) {
   const WornPair before = unworn(collective().front().scene);
   const WornPair after = wear_step(before, collective(), {.rail = false, .cap = 0.05}, 0.02, folder());
@@ -131,8 +147,8 @@ TEST(Evolution, RefusesWhatCannotWear) {
   cases[1].weight = -1;
   EXPECT_THAT(message_of(cases), HasSubstr("weights must be positive"));
   cases = collective();
-  cases[0].scene.wheel.influence = "wheel.h5";
-  EXPECT_THAT(message_of(cases), HasSubstr("they are of the unworn shape"));
+  cases[0].scene.wear.coefficients = {1e-4};
+  EXPECT_THAT(message_of(cases), HasSubstr("different wear maps"));
   cases = collective();
   cases[1].scene.rail.profile = "54E1";
   EXPECT_THAT(message_of(cases), HasSubstr("different bodies"));

@@ -81,6 +81,7 @@ TEST(WearLaw, HasAName) {
   EXPECT_EQ(law_named("archard", 2000, 1e4),
             Law(ArchardLaw{.hardness = 2000, .rolling_speed = 1e4, .map = kth_map(2000)}));
   EXPECT_THROW(law_named("usual", 3000, 3e4), InputError);
+  EXPECT_THROW(law_named("energy", 3000, 3e4, kth_map(3000)), InputError); // it would be ignored
 }
 
 TEST(WearLaw, RefusesWhatIsNoLaw) {

@@ -281,7 +281,13 @@ def table(
     Without a scene: creep forces of an ellipse (Kalker's USETAB). With one: its axes, or those of its table [table].
     """
 
-def wear(result: Result, law: str = "energy", hardness: float = 3000, speed: float = 3e4) -> dict[str, Any]:
+def wear(
+    result: Result,
+    law: str = "energy",
+    hardness: float = 3000,
+    speed: float = 3e4,
+    map: tuple[_List[float], _List[float], _List[_List[float]]] | None = None,
+) -> dict[str, Any]:
     """What a result wears away: depth by passage and revolution over s, sliding distance, volume by rolled distance."""
 
 def fatigue(

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "bem_contact/base/schema.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// Cases of a scene, one a line: values of its keys, and how often each case occurs.
+struct CaseTable {
+  struct Column {
+    std::string key;                 ///< dotted: "position.lateral"
+    std::vector<SchemaValue> values; ///< one a case
+  };
+  std::vector<Column> columns;
+  std::vector<double> weights; ///< positive; empty: no column `weight`, all cases occur alike
+};
+
+/// Reads a CSV file (RFC 4180; '#' starts a line of comment). Its first line names keys of a scene, and
+/// `weight` if there are weights. Cells are numbers, true or false; texts in quotes.
+///
+/// Columns of results are not cases: of a table that `bem_contact sweep --csv` wrote (its first column is
+/// `case`) only those columns are taken whose names are keys, and `weight`. Whether a scene has such keys is
+/// seen when a case is made of them. Throws InputError, naming file and line, for a missing file, a line of
+/// another length, cells without a value, weights that are not positive, and a column that occurs twice.
+CaseTable read_case_table(const std::filesystem::path& file);
+
+} // namespace bem_contact
