@@ -40,6 +40,10 @@ TEST_F(WheelsetCommand, TextJsonHdf5AndVtkAgreeAndThePagesAreRight) {
   }
   EXPECT_THAT(run("info '" + h5 + "'").out, HasSubstr("Both wheels of a wheelset"));
   EXPECT_THAT(run("info --scene '" + h5 + "'").out, HasSubstr("force_y = 2e4"));
+  const Outcome repeated = run("solve '" + h5 + "'");
+  EXPECT_EQ(repeated.code, 2);
+  EXPECT_THAT(repeated.err, HasSubstr("both wheels of a wheelset"));
+  EXPECT_THAT(repeated.err, HasSubstr("give it to bem_contact wheelset"));
 }
 
 TEST_F(WheelsetCommand, SaysWhatIsWrong) {

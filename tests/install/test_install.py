@@ -57,6 +57,17 @@ class Installed(unittest.TestCase):
         for client in ("c", "cpp", "f90", "static"):
             with self.subTest(client):
                 self.check(self.work / "cmake" / f"client_{client}")
+        for kind in ("conformal_contact", "static"):
+            with self.subTest(kind):
+                self.check_answers(self.work / "cmake" / f"answers_{kind}")
+
+    def check_answers(self, client):
+        """What the rooms above `sequence` answer: figures of scenes' own words, and closed forms."""
+        found = {name: float(value) for name, value in map(str.split, run(client, self.scene.parent).splitlines())}
+        for name, value, delta in (("tan_gamma_3mm", 0.1741, 1e-4), ("axle_Fy", 2e4, 1), ("slope_over_kalker", 1, 1e-2),
+                                   ("volume_over_section", 1, 1e-9), ("p0_over_k", 4.37, 1e-2), ("full_slip_Fx", 1, 1e-6)):
+            self.assertAlmostEqual(found[name], value, delta=delta, msg=name)
+        self.assertGreater(found["table_datasets"], 10)
 
     def test_cmake_refuses_another_version(self):
         major, minor, patch = (int(part) for part in VERSION.split("."))
@@ -149,6 +160,7 @@ COMP_WORDS=(bem_contact comp); COMP_CWORD=1; _bem_contact; echo "${{COMPREPLY[@]
         headers = {str(h.relative_to(self.prefix / "include")) for h in (self.prefix / "include").rglob("*.h*")}
         self.assertIn("conformal_contact.h", headers)
         self.assertIn("bem_contact/sequence/sequence.hpp", headers)
+        self.assertIn("bem_contact/wheelset/solve_wheelset.hpp", headers)
         self.assertFalse({h for h in headers if "/app/" in h or "/python/" in h or "operator" in h})
 
 
