@@ -106,6 +106,11 @@ class Installed(unittest.TestCase):
         run(program, "solve", self.scene, "-o", self.work / "r.h5")
         run(program, "report", self.work / "r.h5", "-o", self.work / "r.html")  # the plotting library is in the program
         self.assertGreater((self.work / "r.html").stat().st_size, 1e6)
+        plot = self.prefix / "share/conformal_contact/tools/plot"  # it finds the program of its own tree
+        for what in (self.work / "r.h5", "S1002"):
+            run(plot, what, "-o", self.work / "picture.png", env={"PATH": "/usr/bin:/bin"})
+            self.assertGreater((self.work / "picture.png").stat().st_size, 1e4)
+            (self.work / "picture.png").unlink()
         pages = self.prefix / "share/man/man1"
         for name in ("bem_contact", "bem_contact-solve", "bem_contact-sweep", "bem_contact-influence-expand"):
             self.assertIn("--help".replace("-", "\\-"), (pages / f"{name}.1").read_text())

@@ -89,6 +89,11 @@ endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/conformal-contact RENAME copyright)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact
   PATTERN __pycache__ EXCLUDE)
+# Pictures: share/conformal_contact/tools/plot finds the program of the same tree.
+install(PROGRAMS ${PROJECT_SOURCE_DIR}/tools/plot ${PROJECT_SOURCE_DIR}/tools/paraview
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact/tools)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/plotting DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact/tools
+  PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/bodies ${PROJECT_SOURCE_DIR}/data/influence
   DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact)
 
