@@ -2,6 +2,7 @@
 const INK = "#1c2733", RAIL = "#5b6f82", RAIL_FACE = "#a9b6c3", WHEEL = "#b4533c", ADHESION = "#d95f02", BOUND = "#8a949e";
 const ALONG_X = "#6a3d9a", ALONG_S = "#1b7f79";
 const PRESSURE = [[0, "#eef4fb"], [1, "#3b7cc4"]];
+const STRESS = [[0, "#ffffff"], [1, "#7a7a7a"]];
 const EXTERIOR = 0, ADHERES = 1, SLIPS = 2;
 
 /// Row-major values as rows.
@@ -155,6 +156,27 @@ const sectionFigure = contact => {
     line(contact.wheel, "wheel, at approach 0", {color: WHEEL, width: 2, dash: "dash"})],
     layout: {xaxis: {title: sideways(contact)}, legend: {orientation: "h", y: 1.02, yanchor: "bottom"},
              yaxis: {title: "z down, mm", autorange: "reversed", scaleanchor: "x"}}};
+};
+
+/// The von Mises stress below the surface: a section through the largest one, or a line over depth.
+const stressFigure = ({x, s, depths, von_mises: stress}) => {
+  const [count, rows, deep] = stress.shape, at = stress.values.indexOf(Math.max(...stress.values));
+  const [i, j, k] = [Math.floor(at / (rows * deep)), Math.floor(at / deep) % rows, at % deep];
+  const value = (l, m, n) => stress.values[(l * rows + m) * deep + n], depth = depths.values;
+  const mark = {type: "scatter", mode: "markers", name: `largest: ${stress.values[at].toFixed(0)} MPa, ${depth[k].toFixed(2)} mm deep`,
+                marker: {symbol: "cross-thin", size: 14, line: {color: INK, width: 2}}};
+  const down = {title: "depth, mm", autorange: "reversed"}, legend = {orientation: "h", y: 1.02, yanchor: "bottom"};
+  if (count === 1 && rows === 1)
+    return {height: 340, traces: [{type: "scatter", mode: "lines+markers", x: depth.map((_, n) => value(0, 0, n)), y: depth,
+                                   name: "von Mises stress", line: {color: INK}}, {...mark, x: [stress.values[at]], y: [depth[k]]}],
+            layout: {xaxis: {title: `MPa, below x = ${x.values[0]}, s = ${s.values[0]} mm`}, yaxis: down, legend}};
+  const over = rows > 1 ? s : x;
+  return {height: 360, traces: [
+    {type: "contour", x: over.values, y: depth, z: depth.map((_, n) => over.values.map((_, m) => rows > 1 ? value(i, m, n) : value(m, j, n))),
+     colorscale: STRESS, contours: {showlabels: true, labelfont: {size: 10, color: INK}},
+     colorbar: {title: {text: "von Mises, MPa", side: "right"}, thickness: 14}},
+    {...mark, x: [over.values[rows > 1 ? j : i]], y: [depth[k]]}],
+    layout: {xaxis: {title: rows > 1 ? "s along the rail, mm" : "x, rolling direction, mm"}, yaxis: down, legend}};
 };
 
 /// Triangles of the surface through lines of points [x, y, z], two for each quadrangle that `shown` (of line and

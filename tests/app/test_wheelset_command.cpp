@@ -20,7 +20,7 @@ TEST_F(WheelsetCommand, TextJsonHdf5AndVtkAgreeAndThePagesAreRight) {
       run("wheelset " + in_a_curve + " -o '" + h5 + "' --vtk-prefix '" + (folder_ / "w").string() + "'");
   ASSERT_EQ(text.code, 0) << text.err;
   EXPECT_THAT(text.out, HasSubstr("Left wheel\nmodel: halfspace"));
-  const std::string page = text_of(CONFORMAL_SOURCE_DIR "/data/VEHICLE_DYNAMICS.md");
+  const std::string page = text_of(CONFORMAL_SOURCE_DIR "/data/tutorial/wheelset.md");
   for (const char* start : {"  share ", "  Fz ", "  Fy ", "  radius "})
     EXPECT_THAT(page, HasSubstr(text.out.substr(text.out.find(start), 50))) << start;
   const json j = json::parse(run("wheelset " + in_a_curve + " --json").out);

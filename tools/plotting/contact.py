@@ -132,7 +132,7 @@ def draw_section(axis, contacts):
         shift = 0.35 * (k + 1)  # mm into the rail, so that no line hides another
         delta = np.gradient(c.z, c.s), np.gradient(c.y, c.s)
         axis.plot(np.where(touched, c.y - shift * delta[0], np.nan), np.where(touched, c.z + shift * delta[1], np.nan),
-                  color=style.DEEPEST_PRESSURE, linestyle=style.MODELS[c.model][2], linewidth=3,
+                  color=style.DEEPEST_PRESSURE, linestyle=style.MODELS[c.model][2], linewidth=3, marker=".", markersize=4,
                   label=f"contact, {style.MODELS[c.model][1]}")
     half = max(np.ptp(first.y), np.ptp(first.z)) * 0.5 + 4
     side = "left" if first.left else "right"
