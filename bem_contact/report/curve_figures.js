@@ -104,16 +104,17 @@ const sweepFigure = (data, keys, key, names) => {
 
 const DRAWN_STEPS = 5; // lines of one figure: more cannot be told apart on paper
 
-const mileageAt = (data, step) => data.mileage.values[data.step.values.indexOf(step)];
+/// "1760 km", of a step.
+const mileageAt = (data, step) => `${Number(data.mileage.values[data.step.values.indexOf(step)].toPrecision(3))} km`;
 
 /// How deep a body is worn over its y, a line a step: later steps are darker and thicker.
 const wornFigure = (all, data, body) => {
   const steps = all.filter((_, k) => k === 0 || Math.floor(k * DRAWN_STEPS / (all.length - 1)) > Math.floor((k - 1) * DRAWN_STEPS / (all.length - 1)));
-  const first = steps[0][body], mileage = step => mileageAt(data, step);
+  const first = steps[0][body];
   const traces = steps.slice(1).map((at, k) => ({
     type: "scatter", mode: "lines", x: first.map(p => p[0]),
     y: at[body].map((p, i) => Math.hypot(p[0] - first[i][0], p[1] - first[i][1])),
-    name: `step ${at.step}, ${mileage(at.step).toPrecision(3)} km`,
+    name: `step ${at.step}, ${mileageAt(data, at.step)}`,
     line: {color: body === "rail" ? RAIL : WHEEL, width: 1 + 0.6 * k, dash: ["dot", "dash", "dashdot", "longdash", "solid"]
                                                                         .slice(1 - steps.length)[k]}}));
   const worn = first.filter((_, i) => traces.some(t => t.y[i] > 1e-6)).map(p => p[0]);
@@ -126,7 +127,7 @@ const wornFigure = (all, data, body) => {
 const filmFigure = (steps, data, body) => {
   const first = steps[0][body], deepest = data[`${body}_depth`].values.at(-1), times = 5 / deepest; // drawn 5 mm deep at last
   const drawn = at => at[body].map((p, i) => p.map((value, k) => first[i][k] + times * (value - first[i][k])));
-  const curve = points => ({x: points.map(p => p[0]), y: points.map(p => p[1])}), label = at => `${mileageAt(data, at.step).toPrecision(3)} km`;
+  const curve = points => ({x: points.map(p => p[0]), y: points.map(p => p[1])});
   const colour = body === "rail" ? RAIL : WHEEL, now = {mode: "immediate", frame: {duration: 0, redraw: true}, transition: {duration: 0}};
   const sizes = [0, 1].map(k => [Math.min, Math.max].map(most => most(...first.map(p => p[k]), ...drawn(steps.at(-1)).map(p => p[k]))));
   return {
@@ -138,7 +139,7 @@ const filmFigure = (steps, data, body) => {
     layout: {xaxis: {title: `y of the ${body}, mm`, range: [sizes[0][0] - 2, sizes[0][1] + 2]}, legend: ABOVE, margin: {b: 110},
              yaxis: {title: "z down, mm", range: [sizes[1][1] + 2, sizes[1][0] - 2], scaleanchor: "x"},
              sliders: [{active: steps.length - 1, pad: {t: 45}, currentvalue: {prefix: "mileage "},
-                        steps: steps.map(at => ({label: label(at), method: "animate", args: [[`step ${at.step}`], now]}))}],
+                        steps: steps.map(at => ({label: mileageAt(data, at.step), method: "animate", args: [[`step ${at.step}`], now]}))}],
              updatemenus: [{type: "buttons", x: 1, xanchor: "right", y: -0.14, yanchor: "top", showactive: false, buttons: [
                {label: "play", method: "animate", args: [null, {fromcurrent: false, frame: {duration: 250, redraw: true}, transition: {duration: 0}}]}]}]}};
 };
