@@ -131,11 +131,15 @@ def draw_section(axis, contacts):
         touched = (c.state > 0).any(axis=1)
         shift = 0.35 * (k + 1)  # mm into the rail, so that no line hides another
         delta = np.gradient(c.z, c.s), np.gradient(c.y, c.s)
-        axis.plot(np.where(touched, c.y - shift * delta[0], np.nan), np.where(touched, c.z + shift * delta[1], np.nan),
-                  color=style.DEEPEST_PRESSURE, linestyle=style.MODELS[c.model][2], linewidth=3, marker=".", markersize=4,
+        alone = touched & ~np.append(touched[1:], False) & ~np.append(False, touched[:-1])
+        y, z = c.y - shift * delta[0], c.z + shift * delta[1]
+        axis.plot(y[alone], z[alone], ".", color=style.DEEPEST_PRESSURE)  # a patch of one row
+        axis.plot(np.where(touched, y, np.nan), np.where(touched, z, np.nan), color=style.DEEPEST_PRESSURE,
+                  linestyle=style.MODELS[c.model][2], linewidth=3,
                   label=f"contact, {style.MODELS[c.model][1]}")
     half = max(np.ptp(first.y), np.ptp(first.z)) * 0.5 + 4
     side = "left" if first.left else "right"
+    axis.locator_params(nbins=6)
     axis.set(xlim=(first.y.mean() - half, first.y.mean() + half), ylim=(first.z.mean() + half, first.z.mean() - half),
              aspect="equal", xlabel=f"y to the {side}, mm", ylabel="z down, mm", title="Section along the track")
     axis.legend(loc="best", fontsize=8.5)
