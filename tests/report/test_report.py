@@ -21,7 +21,7 @@ load.force = 4000
 motion = { friction = 0.3, xi = 4e-4, eta = 3e-4, phi = 1e-4 }
 grid = { dx = 0.4, ds = 0.4, mx = 20, ms = 14 }
 gap = { a = 1e-3, b = 2e-3 }
-stresses = { x = 0, s = [-1, 0, 1], depths = [0.5, 1, 2] }
+stresses = { x = [0.0], s = [-1.0, 0.0, 1.0], depths = [0.5, 1.0, 2.0] }
 """
 WEAR = """rail.profile = "60E1"
 wheel.profile = "S1002"
