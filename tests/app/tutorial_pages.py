@@ -151,6 +151,14 @@ class Pages(unittest.TestCase):
         commands = re.findall(r"^  ([a-z-]+) ", said.split("Subcommands:")[1], re.M)
         self.assertEqual(sorted(commands), sorted(Path(name).stem for name in self.ordered))
 
+    def test_what_cannot_be_drawn_is_refused(self):
+        for line, words in (("tools/plot no_such.h5", "there is no such file"), ("tools/plot demo", "has no wear.csv"),
+                            ("tools/plot data/influence/small_rail.h5", "its format is"),
+                            ("tools/plot S1002 -o S1002.txt", "is no picture"), ("tools/plot no_such#2", "there is no such file")):
+            done = subprocess.run(shlex.split(line), stderr=subprocess.PIPE, text=True)
+            self.assertEqual(done.returncode, 2, line)
+            self.assertIn(words, done.stderr)
+
     def test_a_wrong_number_is_found(self):
         self.assertTrue(same_line("pmax 12.25 MPa, ... holds", "pmax 12.26 MPa, worst 3e-9, it holds"))
         for other in ("pmax 12.4 MPa, it holds", "pmax 12.25 N, it holds", "pmax 12.25 MPa, it fails"):

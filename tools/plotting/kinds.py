@@ -1,5 +1,6 @@
 """What is FILE? Results by their attribute "format", tables by their first line, a folder by what lies in it."""
 
+import sys
 from pathlib import Path
 
 import h5py
@@ -14,7 +15,9 @@ def text(value):
 
 
 def refuse(problem, why, what_to_do):
-    raise SystemExit(f"plot: {problem} ({why}) {what_to_do}")
+    """Ends the program as all programs here do where the input is wrong."""
+    print(f"error: {problem} ({why}) {what_to_do}", file=sys.stderr)
+    raise SystemExit(2)
 
 
 def of_hdf5(file):
