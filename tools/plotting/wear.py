@@ -75,8 +75,8 @@ def animate(files, output):
     for axis, body in zip(axes[:, 0], ("wheel", "rail")):
         axis.plot(*new[body].T, color=style.BOUND, linewidth=1, linestyle="--", label=f"new {body}")
         (lines[body],) = axis.plot([], [], color=style.BODIES[body][0], linewidth=2, label=f"worn {body}")
-        axis.set(xlabel=f"y of the {body}, mm", ylabel="z down, mm", aspect="equal")
-        axis.invert_yaxis()
+        z = new[body][:, 1]
+        axis.set(xlabel=f"y of the {body}, mm", ylabel="z down, mm", aspect="equal", ylim=(z.max() + 1, z.min() - DRAWN_DEPTH - 1))
         axis.legend()
 
     def show(step):
