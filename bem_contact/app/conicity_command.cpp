@@ -32,8 +32,9 @@ You should see the contact points for each millimetre from -12 to 12 mm and, for
 0.1741 and a wavelength of 8.844 m. With --roll the wheelset rolls until both wheels stand on their rails; the reference
 results of EN 15302 leave that out. "none": no motion has this amplitude.
 
-To draw it:
-    tools/plot_conicity --wheel S1002 --rail 60E1 --cant 0.025 -o conicity.png)";
+To draw it, with a finer step:
+    bem_contact conicity --wheel S1002 --rail 60E1 --cant 0.025 --step 0.1 -o conicity.h5
+    tools/plot conicity.h5 -o conicity.png)";
 
 struct ConicityArguments {
   std::string scene, csv, output;

@@ -23,7 +23,7 @@ used), FI_surf of the patch and of its worst element, T-gamma, and the damage of
 Mises and Tresca stress below the surface with its depth. Example:
     bem_contact fatigue data/scenes/wear_collective.toml --csv fatigue.csv
 You should see how many patches lie beyond the limit of the surface. To draw them in the shakedown diagram:
-    tools/plot_fatigue fatigue.csv -o fatigue.png
+    tools/plot fatigue.csv -o fatigue.png
 
 --nodes and --damage take those of your steel: --nodes 20 65 175 --damage 0 1e-5 0.)";
 

@@ -30,7 +30,7 @@ You should see 307 points, 0.5 mm apart, a noise of 0.05 um, which needs no smoo
 5 mm of the profile: -13.2 mm (concave) at the root of the flange, 20.0 mm (convex) on its face.
 
 To draw profile and curvature, with the standard beside it:
-    tools/plot_profile data/bodies/hollow_wheel.txt --kind wheel --standard S1002 -o profile.png)";
+    tools/plot data/bodies/hollow_wheel.txt S1002 --kind wheel -o profile.png)";
 
 struct ProfileArguments {
   std::string name, kind, unit = "found", profile_z = "as stated", csv;

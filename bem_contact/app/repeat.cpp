@@ -1,7 +1,10 @@
 #include "bem_contact/app/repeat.hpp"
 
+#include "bem_contact/app/conicity_output.hpp"
+#include "bem_contact/app/creep_curves_output.hpp"
 #include "bem_contact/app/result_file.hpp"
 #include "bem_contact/app/sweep_output.hpp"
+#include "bem_contact/app/wheelset_output.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
@@ -58,17 +61,30 @@ private:
   fs::path path_;
 };
 
+/// A file whose scene another command solves.
+struct OtherFile {
+  const char *format, *holds, *command;
+};
+constexpr OtherFile other_files[] = {
+    {sweep_format, "the cases of a sweep", "sweep"},
+    {comparison_format, "a comparison", "compare"},
+    {wheelset_format, "both wheels of a wheelset", "wheelset"},
+    {creep_curves_format, "creep curves", "creep-curves"},
+    {conicity_format, "the conicity of a wheelset", "conicity"},
+};
+
 void require_result(const H5Table& table, const fs::path& file) {
   const std::string format = text_attribute(table, "format");
   if (format == result_format && table.texts.contains("scene_with_defaults"))
     return;
   const std::string name = file.string();
-  if (format == sweep_format || format == comparison_format)
-    throw InputError(
-        fmt::format("'{}' cannot be repeated by solve", name),
-        format == sweep_format ? "it holds the cases of a sweep" : "it holds a comparison",
-        fmt::format("Write its scene with bem_contact info --scene '{}' and give it to bem_contact {}.", name,
-                    format == sweep_format ? "sweep" : "compare"));
+  for (const OtherFile& other : other_files)
+    if (format == other.format)
+      throw InputError(fmt::format("'{}' cannot be repeated by solve", name),
+                       fmt::format("it holds {}", other.holds),
+                       fmt::format("Write its scene with bem_contact info --scene '{}' and give it to "
+                                   "bem_contact {}.",
+                                   name, other.command));
   throw InputError(
       fmt::format("'{}' cannot be repeated", name),
       format.starts_with("bem_contact result")
@@ -243,7 +259,7 @@ std::string stored_scene(const fs::path& file, bool with_defaults) {
   if (text == top.texts.end())
     throw InputError(fmt::format("'{}' holds no scene", file.string()),
                      "it is no file of this version that says what was solved",
-                     "Name a file that solve, compare, sweep, creep-curves or conicity wrote.");
+                     "Name a file that solve, compare, sweep, creep-curves, conicity or wheelset wrote.");
   return text->second.text;
 }
 

@@ -11,7 +11,7 @@ namespace bem_contact::app {
 namespace {
 
 constexpr const char* report_help =
-    R"(Takes what solve, compare, sweep and creep-curves wrote with -o, and the wear.h5 of wear. Example:
+    R"(Takes what solve, compare, sweep, creep-curves, conicity and wheelset wrote with -o, and the wear.h5 of wear. Example:
     bem_contact solve data/scenes/conformal_small.toml -o corner.h5
     bem_contact report corner.h5 -o corner.html
 Open corner.html in a browser. You should see the scene in words, whether the certificate holds, the numbers with their
@@ -28,7 +28,8 @@ struct ReportArguments {
 Command add_report(CLI::App& program) {
   const auto arguments = std::make_shared<ReportArguments>();
   CLI::App* line = program.add_subcommand("report", "One HTML page of a result file: words, tables, figures");
-  line->add_option("file", arguments->file, "Result, comparison, sweep, creep curves or wear (HDF5)")
+  line->add_option("file", arguments->file,
+                   "Result, comparison, sweep, creep curves, conicity, wheelset or wear (HDF5)")
       ->required();
   line->add_option("-o,--output", arguments->output, "The page (HTML)")->required();
   line->footer(report_help);

@@ -39,8 +39,9 @@ contact conditions below solver.tolerance (1e-6, relative).
   fem            influence files of both bodies, computed by finite elements
   auto           the cheapest of them whose predicted error is below solver.model_tolerance
 
-To plot the fields, write them to a file:
+To draw the fields, write them to a file:
     bem_contact solve data/scenes/steady_rolling.toml -o result.h5 --vtk surface.vts
+    tools/plot result.h5 -o result.png
 `bem_contact info result.h5` lists what is in it. ParaView opens surface.vts; turn its view by 180 degrees
 about x, because z points down.
 

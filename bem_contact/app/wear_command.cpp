@@ -28,7 +28,7 @@ You should see one line a step. The folder has the profiles of each step (rail_0
 (mileage, depths, areas gone from the sections) and wear.h5. If the program is stopped, give the same command again: it
 goes on after the last finished step.
 
-    tools/plot_wear worn -o worn.png
+    tools/plot worn -o worn.png
 
 With both bodies, a place of the rail meets --passages wheels while a wheel turns once; 1 is that of two discs of one size.
 

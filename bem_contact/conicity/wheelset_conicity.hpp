@@ -10,19 +10,19 @@ namespace bem_contact {
 
 /// Amplitudes for which the conicity is wanted: step, 2 step, .. up to `largest`, mm.
 struct Amplitudes {
-  double largest = 10, step = 1;
+  double largest = 10, step = 1; ///< mm
 };
 
 /// All that follows from the shapes of a wheelset and its track.
 struct WheelsetConicity {
   /// One amplitude; `motion` is empty where there is none (equivalent_conicity.hpp).
   struct Value {
-    double amplitude = 0; ///< mm
-    std::optional<EquivalentConicity> motion;
+    double amplitude = 0;                     ///< mm
+    std::optional<EquivalentConicity> motion; ///< with this amplitude
   };
-  KlingelLengths lengths;
+  KlingelLengths lengths;            ///< of the wheelset
   std::vector<WheelsetStand> stands; ///< in rising order of lateral displacement
-  std::vector<Value> values;
+  std::vector<Value> values;         ///< in rising order of the amplitude
 };
 
 /// Throws InputError where a wheel finds no touch point at displacement 0, for amplitudes beyond 45 mm, and

@@ -12,27 +12,29 @@ namespace bem_contact {
 
 /// A curve that is wanted: one creepage is varied, the other two stay what the scene says.
 struct CreepRange {
-  CreepKind which = CreepKind::xi;
+  CreepKind which = CreepKind::xi; ///< the one that varies
   /// As motion.xi, eta, phi mean it, in the order in which they are solved. Empty: chosen, to full slip on
   /// both sides of free rolling (xi) or of zero.
   std::vector<double> values;
 };
 
+/// One solution.
 struct CreepPoint {
-  double creepage = 0;
+  double creepage = 0;                 ///< the one that varies
   CreepForceValues forces{}, errors{}; ///< errors: by the size of the elements
-  double adhesion_share = 0;
-  bool certified = false;
+  double adhesion_share = 0;           ///< of the area in contact
+  bool certified = false;              ///< the certificate holds
 };
 
+/// Forces over one creepage.
 struct CreepCurve {
-  CreepKind which = CreepKind::xi;
-  std::vector<CreepPoint> points;
+  CreepKind which = CreepKind::xi; ///< the one that varies
+  std::vector<CreepPoint> points;  ///< in the order of the range
 };
 
 /// Derivatives by central differences, from steps h and h/2.
 struct CreepDerivatives {
-  CreepMatrix values{};
+  CreepMatrix values{}; ///< of the forces by the creepages
   CreepMatrix errors{}; ///< how far both steps are apart
 };
 
@@ -48,7 +50,7 @@ struct CreepCurves {
   /// Where the surfaces do not move over each other: the creepages of the geometry are cancelled.
   CreepDerivatives slopes;
   std::optional<LinearTheory> linear; ///< to compare the slopes with
-  std::vector<CreepCurve> curves;
+  std::vector<CreepCurve> curves;     ///< one for each range
 
   bool certified() const; ///< the solution and every point
 };

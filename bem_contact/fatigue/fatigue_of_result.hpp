@@ -15,10 +15,10 @@ namespace bem_contact::fatigue {
 
 /// What the steel bears.
 struct FatigueProperties {
-  double yield_shear = 300; ///< k, MPa
-  double poisson = 0.28;    ///< of the rail, for stresses below the surface
-  DamageFunction damage = {};
-  bool stresses = true; ///< search the largest stresses below the surface: most of the work
+  double yield_shear = 300;   ///< k, MPa
+  double poisson = 0.28;      ///< of the rail, for stresses below the surface
+  DamageFunction damage = {}; ///< of one passage
+  bool stresses = true;       ///< search the largest stresses below the surface: most of the work
 
   bool operator==(const FatigueProperties&) const = default;
 };

@@ -2,6 +2,7 @@
 const INK = "#1c2733", RAIL = "#5b6f82", RAIL_FACE = "#a9b6c3", WHEEL = "#b4533c", ADHESION = "#d95f02", BOUND = "#8a949e";
 const ALONG_X = "#6a3d9a", ALONG_S = "#1b7f79";
 const PRESSURE = [[0, "#eef4fb"], [1, "#3b7cc4"]];
+const STRESS = [[0, "#ffffff"], [1, "#7a7a7a"]];
 const EXTERIOR = 0, ADHERES = 1, SLIPS = 2;
 
 /// Row-major values as rows.
@@ -73,8 +74,9 @@ const hatching = contact => {
 
 /// Traction arrows on some elements; the longest stands for `longest` MPa.
 const arrows = (contact, window) => {
-  const size = k => window[k][1] - window[k][0] + 1;
-  const every = [Math.max(1, Math.floor(size("rows") / 12)), Math.max(1, Math.floor(size("columns") / 14))];
+  const size = (k, width) => (window[k][1] - window[k][0] + 1) * width;
+  const apart = Math.max(size("rows", contact.ds) / 9, size("columns", contact.dx) / 13); // mm, the same along x and s
+  const every = [contact.ds, contact.dx].map(width => Math.max(1, Math.round(apart / width)));
   const shown = [];
   for (let i = window.rows[0] + (every[0] >> 1); i <= window.rows[1]; i += every[0])
     for (let j = window.columns[0] + (every[1] >> 1); j <= window.columns[1]; j += every[1])
@@ -82,7 +84,7 @@ const arrows = (contact, window) => {
         shown.push([contact.x[j], contact.s[i], contact.px[i][j], contact.ps[i][j]]);
   const longest = Math.max(0, ...shown.map(([, , a, b]) => Math.hypot(a, b)));
   const x = [], y = [];
-  const scale = 1.3 * Math.max(every[0] * contact.ds, every[1] * contact.dx) / longest;
+  const scale = 1.15 * apart / longest;
   for (const [at, up, a, b] of longest > 0 ? shown : []) {
     const [u, v] = [a * scale, b * scale], [tipX, tipY] = [at + u / 2, up + v / 2];
     x.push(at - u / 2, tipX, null, tipX - 0.35 * u + 0.18 * v, tipX, tipX - 0.35 * u - 0.18 * v, null);
@@ -155,6 +157,27 @@ const sectionFigure = contact => {
     line(contact.wheel, "wheel, at approach 0", {color: WHEEL, width: 2, dash: "dash"})],
     layout: {xaxis: {title: sideways(contact)}, legend: {orientation: "h", y: 1.02, yanchor: "bottom"},
              yaxis: {title: "z down, mm", autorange: "reversed", scaleanchor: "x"}}};
+};
+
+/// The von Mises stress below the surface: a section through the largest one, or a line over depth.
+const stressFigure = ({x, s, depths, von_mises: stress}) => {
+  const [count, rows, deep] = stress.shape, at = stress.values.indexOf(Math.max(...stress.values));
+  const [i, j, k] = [Math.floor(at / (rows * deep)), Math.floor(at / deep) % rows, at % deep];
+  const value = (l, m, n) => stress.values[(l * rows + m) * deep + n], depth = depths.values;
+  const mark = {type: "scatter", mode: "markers", name: `largest: ${stress.values[at].toFixed(0)} MPa, ${depth[k].toFixed(2)} mm deep`,
+                marker: {symbol: "cross-thin", size: 14, line: {color: INK, width: 2}}};
+  const down = {title: "depth, mm", autorange: "reversed"}, legend = {orientation: "h", y: 1.02, yanchor: "bottom"};
+  if (count === 1 && rows === 1)
+    return {height: 340, traces: [{type: "scatter", mode: "lines+markers", x: depth.map((_, n) => value(0, 0, n)), y: depth,
+                                   name: "von Mises stress", line: {color: INK}}, {...mark, x: [stress.values[at]], y: [depth[k]]}],
+            layout: {xaxis: {title: `MPa, below x = ${x.values[0]}, s = ${s.values[0]} mm`}, yaxis: down, legend, showlegend: true}};
+  const over = rows > 1 ? s : x;
+  return {height: 360, traces: [
+    {type: "contour", x: over.values, y: depth, z: depth.map((_, n) => over.values.map((_, m) => rows > 1 ? value(i, m, n) : value(m, j, n))),
+     colorscale: STRESS, contours: {showlabels: true, labelfont: {size: 10, color: INK}},
+     colorbar: {title: {text: "von Mises, MPa", side: "right"}, thickness: 14}},
+    {...mark, x: [over.values[rows > 1 ? j : i]], y: [depth[k]]}],
+    layout: {xaxis: {title: rows > 1 ? "s along the rail, mm" : "x, rolling direction, mm"}, yaxis: down, legend, showlegend: true}};
 };
 
 /// Triangles of the surface through lines of points [x, y, z], two for each quadrangle that `shown` (of line and

@@ -1,4 +1,4 @@
-// Figures over many contacts: sweeps, creep curves, wear.
+// Figures over many contacts: sweeps, creep curves, conicity, wear.
 const FORCES = {Fx: {colour: ALONG_X, dash: "solid", mark: "circle"}, Fs: {colour: ALONG_S, dash: "dash", mark: "square"},
                 Fy: {colour: ALONG_S, dash: "dash", mark: "square"}, Fz: {colour: INK, dash: "dot", mark: "diamond"},
                 Mz: {colour: INK, dash: "dashdot", mark: "diamond-open"}};
@@ -102,13 +102,19 @@ const sweepFigure = (data, keys, key, names) => {
                                         showlegend: traces.length > 1 && traces.length <= 12, legend: ABOVE}};
 };
 
+const DRAWN_STEPS = 5; // lines of one figure: more cannot be told apart on paper
+
+/// "1760 km", of a step.
+const mileageAt = (data, step) => `${Number(data.mileage.values[data.step.values.indexOf(step)].toPrecision(3))} km`;
+
 /// How deep a body is worn over its y, a line a step: later steps are darker and thicker.
-const wornFigure = (steps, data, body) => {
-  const first = steps[0][body], mileage = step => data.mileage.values[data.step.values.indexOf(step)];
+const wornFigure = (all, data, body) => {
+  const steps = all.filter((_, k) => k === 0 || Math.floor(k * DRAWN_STEPS / (all.length - 1)) > Math.floor((k - 1) * DRAWN_STEPS / (all.length - 1)));
+  const first = steps[0][body];
   const traces = steps.slice(1).map((at, k) => ({
     type: "scatter", mode: "lines", x: first.map(p => p[0]),
     y: at[body].map((p, i) => Math.hypot(p[0] - first[i][0], p[1] - first[i][1])),
-    name: `step ${at.step}, ${mileage(at.step).toPrecision(3)} km`,
+    name: `step ${at.step}, ${mileageAt(data, at.step)}`,
     line: {color: body === "rail" ? RAIL : WHEEL, width: 1 + 0.6 * k, dash: ["dot", "dash", "dashdot", "longdash", "solid"]
                                                                         .slice(1 - steps.length)[k]}}));
   const worn = first.filter((_, i) => traces.some(t => t.y[i] > 1e-6)).map(p => p[0]);
@@ -116,6 +122,44 @@ const wornFigure = (steps, data, body) => {
   return {traces, height: 340, layout: {xaxis: {title: `y of the ${body}, mm`, range: [lo - 2, hi + 2]},
                                         yaxis: {title: "worn away, mm", autorange: "reversed"}, legend: ABOVE}};
 };
+
+/// The worn profile from step to step, with a slider; the depth is drawn larger than it is. Paper shows the last step.
+const filmFigure = (steps, data, body) => {
+  const first = steps[0][body], deepest = data[`${body}_depth`].values.at(-1), times = 5 / deepest; // drawn 5 mm deep at last
+  const drawn = at => at[body].map((p, i) => p.map((value, k) => first[i][k] + times * (value - first[i][k])));
+  const curve = points => ({x: points.map(p => p[0]), y: points.map(p => p[1])});
+  const colour = body === "rail" ? RAIL : WHEEL, now = {mode: "immediate", frame: {duration: 0, redraw: true}, transition: {duration: 0}};
+  const sizes = [0, 1].map(k => [Math.min, Math.max].map(most => most(...first.map(p => p[k]), ...drawn(steps.at(-1)).map(p => p[k]))));
+  return {
+    height: 420,
+    traces: [{type: "scatter", mode: "lines", ...curve(first), name: `new ${body}`, line: {color: BOUND, width: 1.5, dash: "dash"}},
+             {type: "scatter", mode: "lines", ...curve(drawn(steps.at(-1))), name: `worn ${body}, depth drawn ${times.toPrecision(3)} times as large`,
+              line: {color: colour, width: 2.5}}],
+    frames: steps.map(at => ({name: `step ${at.step}`, data: [curve(drawn(at))], traces: [1]})),
+    layout: {xaxis: {title: `y of the ${body}, mm`, range: [sizes[0][0] - 2, sizes[0][1] + 2]}, legend: ABOVE, margin: {b: 110},
+             yaxis: {title: "z down, mm", range: [sizes[1][1] + 2, sizes[1][0] - 2], scaleanchor: "x"},
+             sliders: [{active: steps.length - 1, pad: {t: 45}, currentvalue: {prefix: "mileage "},
+                        steps: steps.map(at => ({label: mileageAt(data, at.step), method: "animate", args: [[`step ${at.step}`], now]}))}],
+             updatemenus: [{type: "buttons", x: 1, xanchor: "right", y: -0.14, yanchor: "top", showactive: false, buttons: [
+               {label: "play", method: "animate", args: [null, {fromcurrent: false, frame: {duration: 250, redraw: true}, transition: {duration: 0}}]}]}]}};
+};
+
+const radiusFigure = ({function: f}) => ({
+  height: 320, traces: [{type: "scatter", mode: "lines", x: f.lateral.values, y: f.difference.values, line: {color: INK, width: 2}}],
+  layout: {xaxis: {title: "lateral displacement to the right, mm"}, yaxis: {title: "right less left, mm"}, showlegend: false}});
+
+const conicityFigure = ({conicity: c}) => ({
+  height: 320, traces: [{...lineOver(c.amplitude.values, c.tan_gamma.values, "tan γ", {colour: INK, dash: "solid", mark: "circle"})},
+                        {type: "scatter", mode: "lines", x: [3, 3], y: [0, Math.max(...c.tan_gamma.values.filter(v => v !== null))],
+                         name: "amplitude of the standard, 3 mm", line: {color: BOUND, width: 1.5, dash: "dot"}}],
+  layout: {xaxis: {title: "amplitude, mm"}, yaxis: {title: "tan γ", rangemode: "tozero"}, legend: ABOVE}});
+
+/// Where both wheels touch: on the wheel or on the rail.
+const touchFigure = ({function: f}, body) => ({
+  height: 340, traces: [["right", "circle"], ["left", "x-thin-open"]].map(([side, symbol]) => ({
+    type: "scatter", mode: "markers", x: f.lateral.values, y: f[`${side}_${body}_y`].values, name: side,
+    marker: {symbol, size: 5, color: body === "rail" ? RAIL : WHEEL}})),
+  layout: {xaxis: {title: "lateral displacement to the right, mm"}, yaxis: {title: `y on the ${body}, mm, to the field side`}, legend: ABOVE}});
 
 const wearFigure = (data, what, unit) => ({
   height: 320,

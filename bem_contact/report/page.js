@@ -23,6 +23,8 @@ const addContactFigures = (contact, solid) => {
   }
   if (solid && shaped)
     addFigure(`section-${contact.name}`, "The section at the contact, looking along the track.", sectionFigure(contact));
+  if (contact.group.stresses)
+    addFigure(`stresses-${contact.name}`, `${title}: stress below the surface, by half-space formulas.`, stressFigure(contact.group.stresses));
 };
 
 /// Forces by step, of a transient or of shifts.
@@ -113,13 +115,45 @@ const addCreepCurves = () => {
 const addWear = () => {
   add("h2", "Wear");
   for (const body of report.steps.length > 1 ? ["rail", "wheel"] : [])
-    if (data[`${body}_depth`].values.at(-1) > 0)
+    if (data[`${body}_depth`].values.at(-1) > 0) {
+      addFigure(`film-${body}`, `The ${body} from step to step: move the slider, or play.`, filmFigure(report.steps, data, body));
       addFigure(`worn-${body}`, `What is gone from the ${body}, by step.`, wornFigure(report.steps, data, body));
+    }
   addFigure("wear-depth", "Depth of the deepest place.", wearFigure(data, "depth", "mm"));
   addFigure("wear-area", "Area gone from the sections.", wearFigure(data, "area", "mm²"));
   const names = ["mileage", "revolutions", "rail_depth", "wheel_depth", "rail_area", "wheel_area"];
   addTable("By step", ["step", ...names.map(name => titled(name.replace("_", " "), data[name]))],
            data.step.values.map((step, i) => [step, ...names.map(name => number(data[name].values[i]))]), {id: "steps", wide: true});
+};
+
+const addConicity = () => {
+  add("h2", "Conicity");
+  addFigure("tan-gamma", "Equivalent conicity over the amplitude.", conicityFigure(data));
+  const c = data.conicity, names = ["amplitude", "tan_gamma", "wavelength", "from", "to"], whole = i => Math.abs(c.amplitude.values[i] % 1) < 1e-9;
+  addTable("Equivalent conicity (EN 15302); – where no motion has this amplitude", names.map(name => titled(name.replace("_", " "), c[name])),
+           c.amplitude.values.map((_, i) => i).filter((i, _, all) => all.length <= 20 || whole(i))
+             .map(i => names.map(name => number(c[name].values[i]))), {id: "conicities"});
+  add("h2", "Contact points");
+  addFigure("radius-difference", "Rolling radius difference.", radiusFigure(data));
+  for (const body of ["wheel", "rail"])
+    addFigure(`touch-${body}`, `Where both wheels touch, on the ${body}; a gap is a jump of the contact.`, touchFigure(data, body));
+};
+
+const addWheelset = () => {
+  const wheels = contactsOf(data), track = side => data[side].track, sum = name => data.wheelset[name]?.values[0];
+  for (const wheel of wheels) {
+    add("h3", TITLES[wheel.name]);
+    addCertificate(wheel);
+  }
+  add("h2", "Both wheels");
+  addTable("On the track, y to the right for both", ["", "left", "right", "sum", "unit", ""], Object.keys(track("right")).map(name =>
+    [name, ...["left", "right"].map(side => number(track(side)[name].values[0])), number(sum(name)), unitText(track("right")[name].unit),
+     track("right")[name].description]), {numbers: [1, 2, 3], id: "track"});
+  for (const wheel of wheels) {
+    add("h2", TITLES[wheel.name]);
+    addContactFigures(wheel, true);
+    addQuantities([wheel], `${TITLES[wheel.name]}, in the frame of its side`, `quantities-${wheel.name}`);
+  }
 };
 
 const addScene = () => {
@@ -138,7 +172,7 @@ const loadLibrary = async () => {
   add("script", text, document.head);
 };
 
-const draw = async ([frame, {traces, layout, height}]) => {
+const draw = async ([frame, {traces, layout, height, frames}]) => {
   const drawing = frame.firstChild, size = {width: 700, height};
   const axis = {showline: true, linecolor: INK, ticks: "outside", zeroline: false, gridcolor: "#e3e7eb"};
   const whole = {...size, font: {family: "sans-serif", size: 12, color: INK}, hovermode: "closest", ...layout,
@@ -147,6 +181,8 @@ const draw = async ([frame, {traces, layout, height}]) => {
     if (layout[name])
       whole[name] = {...axis, ...layout[name]};
   await Plotly.newPlot(drawing, traces, whole, {displaylogo: false, modeBarButtonsToRemove: ["select2d", "lasso2d"]});
+  if (frames)
+    await Plotly.addFrames(drawing, frames);
   if (!frame.classList.contains("solid"))
     return;
   const picture = add("img", "", frame, {className: "paper", alt: "wheel, rail and patch"});
@@ -161,9 +197,10 @@ const draw = async ([frame, {traces, layout, height}]) => {
 const start = async () => {
   document.title = `${report.file}: bem_contact report`;
   add("h1", `${{result: "Contact of wheel and rail", comparison: "Comparison of models", sweep: "Sweep", "creep curves":
-                "Creep curves", wear: "Wear"}[report.kind]}: ${report.file}`);
+                "Creep curves", conicity: "Conicity", wheelset: "Wheelset", wear: "Wear"}[report.kind]}: ${report.file}`);
   add("p", sceneInWords().join(" "), page, {id: "words"});
-  ({result: addResult, comparison: addComparison, sweep: addSweep, "creep curves": addCreepCurves, wear: addWear})[report.kind]();
+  ({result: addResult, comparison: addComparison, sweep: addSweep, "creep curves": addCreepCurves, conicity: addConicity, wheelset: addWheelset,
+    wear: addWear})[report.kind]();
   addScene();
   const a = data.attributes;
   add("p", `${a.program ?? "bem_contact"}. x is the direction of rolling, y points to the right (left wheel: to the left), z down; s runs along the rail's ` +

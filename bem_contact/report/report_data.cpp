@@ -21,10 +21,11 @@ struct Kind {
   const char *format, *name;
 };
 /// By the attribute "format" without its version.
-constexpr std::array kinds{Kind{"bem_contact result", "result"}, Kind{"bem_contact comparison", "comparison"},
-                           Kind{"bem_contact sweep", "sweep"},
-                           Kind{"bem_contact creep curves", "creep curves"},
-                           Kind{"bem_contact wear", "wear"}};
+constexpr std::array kinds{
+    Kind{"bem_contact result", "result"},     Kind{"bem_contact comparison", "comparison"},
+    Kind{"bem_contact sweep", "sweep"},       Kind{"bem_contact creep curves", "creep curves"},
+    Kind{"bem_contact conicity", "conicity"}, Kind{"bem_contact wheelset", "wheelset"},
+    Kind{"bem_contact wear", "wear"}};
 
 std::string kind_of(const H5Table& table, const std::filesystem::path& file) {
   const auto at = table.attributes.find("format");
@@ -32,18 +33,19 @@ std::string kind_of(const H5Table& table, const std::filesystem::path& file) {
   for (const Kind& kind : kinds)
     if (format && format->starts_with(kind.format))
       return kind.name;
-  throw InputError(fmt::format("'{}' cannot be reported", file.string()),
-                   "it is HDF5, but no result, comparison, sweep, creep curves or wear",
-                   "Name a file that bem_contact solve, compare, sweep, creep-curves or wear wrote.");
+  throw InputError(
+      fmt::format("'{}' cannot be reported", file.string()),
+      "it is HDF5, but no result, comparison, sweep, creep curves, conicity, wheelset or wear",
+      "Name a file that bem_contact solve, compare, sweep, creep-curves, conicity, wheelset or wear wrote.");
 }
 
 /// What no figure draws.
 bool left_out(const std::string& name) {
-  constexpr std::array fields{"u_x", "u_s", "u_n", "work_rate", "element_power", "deformed_distance"};
+  constexpr std::array fields{
+      "u_x", "u_s", "u_n", "work_rate", "element_power", "deformed_distance", "largest_shear", "stress"};
   const std::string last = name.substr(name.rfind('/') + 1);
   return name.starts_with("cases/") || name.starts_with("inputs/") ||
-         name.find("stresses/") != std::string::npos || name.find("structure/") != std::string::npos ||
-         std::ranges::find(fields, last) != fields.end();
+         name.find("structure/") != std::string::npos || std::ranges::find(fields, last) != fields.end();
 }
 
 /// The place of "fem/quantities/Fx" in the tree.
@@ -58,7 +60,7 @@ json& place(json& tree, const std::string& path) {
 json tree_of(const H5Table& table) {
   json tree = json::object();
   for (const auto& [name, data] : table.datasets)
-    if (!left_out(name) && data.shape.size() <= 2)
+    if (!left_out(name) && data.shape.size() <= 3)
       place(tree, name) = {{"unit", data.unit},
                            {"description", data.description},
                            {"shape", data.shape},
@@ -88,8 +90,8 @@ json points_of(const std::filesystem::path& file) {
 /// The profiles of steps spread evenly from the first to the last, where all of them lie beside the file.
 json worn_profiles(const std::filesystem::path& file, int last) {
   json out = json::array();
-  for (int k = 0; k <= drawn_steps; ++k) {
-    const int step = (last * k + drawn_steps / 2) / drawn_steps;
+  for (int k = 0; k <= held_steps; ++k) {
+    const int step = (last * k + held_steps / 2) / held_steps;
     if (!out.empty() && out.back()["step"] == step)
       continue;
     json one = {{"step", step}};

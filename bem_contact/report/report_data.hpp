@@ -5,7 +5,8 @@
 
 namespace bem_contact::report {
 
-/// What a page shows of a file that bem_contact wrote: a result, a comparison, a sweep, creep curves or wear.
+/// What a page shows of a file that bem_contact wrote: a result, a comparison, a sweep, creep curves,
+/// conicity, a wheelset or wear.
 ///
 /// "kind" says which of these, "file" its name, and "data" holds what is in the file, as a tree: a group is
 /// an object, its attributes are in "attributes", a dataset is {unit, description, shape, values} (row-major;

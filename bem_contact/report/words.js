@@ -50,7 +50,7 @@ const addTable = (caption, head, lines, {parent = page, numbers, id = "", wide =
 };
 
 const TITLES = {fem: "Finite-element influence functions", tangent_plane: "Tangent planes", halfspace: "Half-space",
-                hertz: "Hertz"};
+                hertz: "Hertz", right: "Right wheel", left: "Left wheel"}; // in that order; of wheelsets the last two
 const SHORT = {fem: "FEM", tangent_plane: "tangent plane", halfspace: "half-space", hertz: "Hertz"};
 const SETS = {equal_forces: "At equal forces", equal_position: "At equal position and vertical force"};
 const MAIN = ["Fx", "Fy", "Fz", "Fs", "Mz", "lateral", "approach", "pmax", "area", "adhesion_share", "friction_power",
@@ -69,10 +69,27 @@ const sceneValue = key => {
   return found === undefined ? "" : found.split("=")[1].split("#")[0].trim().replaceAll('"', "");
 };
 
+const wheelsetInWords = profile => {
+  const a = data.attributes, file = name => name?.split("/").pop(), words = [], of = name => number(data.wheelset[name]?.values[0]);
+  if (report.kind === "conicity") {
+    const side = which => `${file(a[`${which}_wheel`])} on ${file(a[`${which}_rail`])}`;
+    words.push(side("right") === side("left") ? `A rigid wheelset with wheels ${side("right")}.`
+               : `A rigid wheelset: the right wheel is ${side("right")}, the left one ${side("left")}.`,
+               "It is moved sideways on its track. The rolling radius difference says how it steers itself, and the equivalent " +
+               "conicity (EN 15302) is the slope of the cone with the same wavelength.");
+  } else
+    words.push(`Both wheels of a wheelset ${profile("wheel")}, on rails ${profile("rail")}.`,
+               `The axle bears ${of("Fz")} N down and ${of("Fy")} N to the right. It stands ${of("lateral")} mm to the right with a roll of ` +
+               `${of("roll")} rad (right side down), and rolls on a radius of ${of("rolling_radius")} mm.`);
+  return words;
+};
+
 const sceneInWords = () => {
   const swept = report.kind === "sweep" ? sweptKeys(data) : [];
   const profile = body => swept.includes(`${body}.profile`) ? "of several profiles"
       : data.inputs?.[`${body}.profile`] && `with the profile ${data.inputs[`${body}.profile`].attributes.name.split("/").pop()}`;
+  if (report.kind === "conicity" || report.kind === "wheelset")
+    return wheelsetInWords(profile);
   const out = [], contact = contactsOf(data)[0] ?? contactsOf(data.equal_forces)[0] ?? contactsOf(data.equal_position)[0];
   const quantities = contact?.group.quantities ?? {}, q = name => number(quantities[name]?.values[0]);
   if (profile("rail"))

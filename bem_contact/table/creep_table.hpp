@@ -24,7 +24,7 @@ namespace bem_contact::table {
 /// Long ellipses under spin change their forces abruptly, which takes many points: near a/b = 0.1 the
 /// largest error of a table of 48620 points was 7 % (Mz, 12 elements).
 struct CreepTableOptions {
-  double poisson = 0.28;
+  double poisson = 0.28;     ///< of both bodies
   double from = 0.5, to = 2; ///< a/b; within .1 to 10, where the coefficients are known
   int elements = 16;         ///< across each axis of the ellipse
   double tolerance = 0.02;   ///< relative, of the slopes at zero by interpolation
@@ -49,7 +49,7 @@ struct CreepContact {
 /// Fx (N), Fy (N) and Mz (N mm) on the rail, by interpolation, for xi (1), eta (1) and phi (1/mm). a/b beyond
 /// the table is taken as its end.
 struct TabulatedForces {
-  double Fx = 0, Fy = 0, Mz = 0;
+  double Fx = 0, Fy = 0, Mz = 0; ///< N, N, N mm
 };
 TabulatedForces creep_forces(const ContactTable& table, const CreepContact& contact, double xi, double eta,
                              double phi);

@@ -20,15 +20,16 @@ namespace bem_contact::table {
 ///     hold = [ "Fx", "Fy", "Mz" ]      # whose error is kept within the tolerance; these if left out:
 ///                                      # Fx, Fy, Fz, Mz, approach, pmax, area, free_rolling_radius
 struct SceneTable {
+  /// What an axis begins with.
   struct KeyAxis {
-    std::string key;
-    std::vector<double> points;
+    std::string key;            ///< of the scene
+    std::vector<double> points; ///< rising, in the unit of the key
   };
 
-  std::string text, source;     ///< of the scene
-  std::filesystem::path folder; ///< where its relative paths start
-  std::string model{};          ///< instead of the scene's own; "": that
-  std::vector<KeyAxis> axes{};
+  std::string text, source;        ///< of the scene
+  std::filesystem::path folder;    ///< where its relative paths start
+  std::string model{};             ///< instead of the scene's own; "": that
+  std::vector<KeyAxis> axes{};     ///< in the order of the table
   std::vector<std::string> hold{}; ///< columns; empty: the usual ones
 };
 

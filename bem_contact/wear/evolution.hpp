@@ -13,13 +13,13 @@ namespace bem_contact::wear {
 
 /// One member of a load collective: a scene, and how often it occurs compared with the others.
 struct CollectiveCase {
-  SceneFile scene;
-  double weight = 1;
+  SceneFile scene;   ///< with the unworn profiles
+  double weight = 1; ///< > 0
 };
 
 /// How profiles wear under a collective.
 struct EvolutionOptions {
-  Law law = EnergyLaw{};
+  Law law = EnergyLaw{};          ///< of both bodies
   bool rail = true, wheel = true; ///< which bodies wear
   double cap = 0.02;              ///< largest depth of one step, mm
   double smoothing = 3;           ///< of the wear of each step: shortest wavelength, mm
@@ -39,10 +39,10 @@ struct WornBody {
 
 /// The state between two steps.
 struct WornPair {
-  WornBody rail, wheel;
+  WornBody rail, wheel;   ///< the bodies
   double revolutions = 0; ///< of the wheel
 
-  double largest() const { return std::max(rail.largest(), wheel.largest()); }
+  double largest() const { return std::max(rail.largest(), wheel.largest()); } ///< depth of both, mm
 };
 
 /// The unworn bodies of a scene.

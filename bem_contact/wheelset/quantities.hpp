@@ -12,20 +12,20 @@ namespace bem_contact {
 
 /// One number of the wheelset.
 struct WheelsetQuantity {
-  const char* name;
-  const char* unit; ///< mm, N, MPa, rad
-  const char* description;
-  double (*value)(const WheelsetResult&);
+  const char* name;                       ///< as outputs have it
+  const char* unit;                       ///< mm, N, MPa, rad
+  const char* description;                ///< for readers of a file
+  double (*value)(const WheelsetResult&); ///< nan: not known
 };
 /// All of them, in the order of the outputs.
 std::span<const WheelsetQuantity> wheelset_quantities();
 
 /// One number of each wheel. Place, inclination, radius and creepages are those of the patch that bears most.
 struct WheelQuantity {
-  const char* name;
-  const char* unit; ///< mm, N, MPa, rad
-  const char* description;
-  double (*value)(const WheelsetState&, WheelSide side);
+  const char* name;                                      ///< as outputs have it
+  const char* unit;                                      ///< mm, N, MPa, rad
+  const char* description;                               ///< for readers of a file
+  double (*value)(const WheelsetState&, WheelSide side); ///< nan: not known
 };
 /// All of them, in the order of the outputs.
 std::span<const WheelQuantity> wheel_quantities();

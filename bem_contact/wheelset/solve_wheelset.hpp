@@ -17,7 +17,7 @@ namespace bem_contact {
 /// wheelset.roll_moment. Yaw is given. The axle turns both wheels alike: the rolling radius is given, or is
 /// that at which wheelset.torque drives the axle (0: it rolls freely).
 struct WheelsetResult {
-  WheelsetState state;
+  WheelsetState state; ///< where it stands, and both wheels
   double residual = 0; ///< largest of the equilibrium's (Equilibrium::residual)
   /// |sum Fy - force_y| over force; nan where the displacement is given.
   double lateral_residual = std::numeric_limits<double>::quiet_NaN();

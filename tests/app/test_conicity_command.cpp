@@ -43,7 +43,7 @@ TEST_F(ConicityCommand, TextJsonCsvAndHdf5AgreeAndTheHelpIsRight) {
   const Outcome text = run(wheelset + files), as_json = run(wheelset + "--json");
   ASSERT_EQ(text.code, 0) << text.err;
   EXPECT_THAT(text.out, HasSubstr("     3     0.1741         8.844    -3.000     3.000\n")); // as --help says
-  const std::string page = text_of(CONFORMAL_SOURCE_DIR "/data/VEHICLE_DYNAMICS.md");
+  const std::string page = text_of(CONFORMAL_SOURCE_DIR "/data/tutorial/conicity.md");
   for (const char* start :
        {"        0.0 ", "        1.0 ", "        3.0 ", "             1 ", "             3 "})
     EXPECT_THAT(page, HasSubstr(text.out.substr(text.out.find(start), 50))) << start;

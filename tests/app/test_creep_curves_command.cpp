@@ -25,7 +25,7 @@ TEST_F(CreepCurvesCommand, TextJsonCsvAndHdf5AgreeAndTheHelpIsRight) {
   ASSERT_EQ(text.code, 0) << text.err;
   for (const char* line : {"dFx/dxi     1.7149e+06", "1.719e+06      -0.24 %"})
     EXPECT_THAT(text.out, HasSubstr(line));
-  const std::string page = text_of(CONFORMAL_SOURCE_DIR "/data/VEHICLE_DYNAMICS.md");
+  const std::string page = text_of(CONFORMAL_SOURCE_DIR "/data/tutorial/creep-curves.md");
   for (const char* start :
        {"  dFx/dxi", "  dMz/dphi", "  Fx         671.54", "  Fs                -4.013e+05"})
     EXPECT_THAT(page, HasSubstr(text.out.substr(text.out.find(start), 45))) << start;

@@ -20,7 +20,7 @@ TEST_F(WheelsetCommand, TextJsonHdf5AndVtkAgreeAndThePagesAreRight) {
       run("wheelset " + in_a_curve + " -o '" + h5 + "' --vtk-prefix '" + (folder_ / "w").string() + "'");
   ASSERT_EQ(text.code, 0) << text.err;
   EXPECT_THAT(text.out, HasSubstr("Left wheel\nmodel: halfspace"));
-  const std::string page = text_of(CONFORMAL_SOURCE_DIR "/data/VEHICLE_DYNAMICS.md");
+  const std::string page = text_of(CONFORMAL_SOURCE_DIR "/data/tutorial/wheelset.md");
   for (const char* start : {"  share ", "  Fz ", "  Fy ", "  radius "})
     EXPECT_THAT(page, HasSubstr(text.out.substr(text.out.find(start), 50))) << start;
   const json j = json::parse(run("wheelset " + in_a_curve + " --json").out);
@@ -40,6 +40,10 @@ TEST_F(WheelsetCommand, TextJsonHdf5AndVtkAgreeAndThePagesAreRight) {
   }
   EXPECT_THAT(run("info '" + h5 + "'").out, HasSubstr("Both wheels of a wheelset"));
   EXPECT_THAT(run("info --scene '" + h5 + "'").out, HasSubstr("force_y = 2e4"));
+  const Outcome repeated = run("solve '" + h5 + "'");
+  EXPECT_EQ(repeated.code, 2);
+  EXPECT_THAT(repeated.err, HasSubstr("both wheels of a wheelset"));
+  EXPECT_THAT(repeated.err, HasSubstr("give it to bem_contact wheelset"));
 }
 
 TEST_F(WheelsetCommand, SaysWhatIsWrong) {

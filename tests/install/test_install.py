@@ -57,6 +57,17 @@ class Installed(unittest.TestCase):
         for client in ("c", "cpp", "f90", "static"):
             with self.subTest(client):
                 self.check(self.work / "cmake" / f"client_{client}")
+        for kind in ("conformal_contact", "static"):
+            with self.subTest(kind):
+                self.check_answers(self.work / "cmake" / f"answers_{kind}")
+
+    def check_answers(self, client):
+        """What the rooms above `sequence` answer: figures of scenes' own words, and closed forms."""
+        found = {name: float(value) for name, value in map(str.split, run(client, self.scene.parent).splitlines())}
+        for name, value, delta in (("tan_gamma_3mm", 0.1741, 1e-4), ("axle_Fy", 2e4, 1), ("slope_over_kalker", 1, 1e-2),
+                                   ("volume_over_section", 1, 1e-9), ("p0_over_k", 4.37, 1e-2), ("full_slip_Fx", 1, 1e-6)):
+            self.assertAlmostEqual(found[name], value, delta=delta, msg=name)
+        self.assertGreater(found["table_datasets"], 10)
 
     def test_cmake_refuses_another_version(self):
         major, minor, patch = (int(part) for part in VERSION.split("."))
@@ -95,6 +106,11 @@ class Installed(unittest.TestCase):
         run(program, "solve", self.scene, "-o", self.work / "r.h5")
         run(program, "report", self.work / "r.h5", "-o", self.work / "r.html")  # the plotting library is in the program
         self.assertGreater((self.work / "r.html").stat().st_size, 1e6)
+        plot = self.prefix / "share/conformal_contact/tools/plot"  # it finds the program of its own tree
+        for what in (self.work / "r.h5", "S1002"):
+            run(plot, what, "-o", self.work / "picture.png", env={"PATH": "/usr/bin:/bin"})
+            self.assertGreater((self.work / "picture.png").stat().st_size, 1e4)
+            (self.work / "picture.png").unlink()
         pages = self.prefix / "share/man/man1"
         for name in ("bem_contact", "bem_contact-solve", "bem_contact-sweep", "bem_contact-influence-expand"):
             self.assertIn("--help".replace("-", "\\-"), (pages / f"{name}.1").read_text())
@@ -149,6 +165,7 @@ COMP_WORDS=(bem_contact comp); COMP_CWORD=1; _bem_contact; echo "${{COMPREPLY[@]
         headers = {str(h.relative_to(self.prefix / "include")) for h in (self.prefix / "include").rglob("*.h*")}
         self.assertIn("conformal_contact.h", headers)
         self.assertIn("bem_contact/sequence/sequence.hpp", headers)
+        self.assertIn("bem_contact/wheelset/solve_wheelset.hpp", headers)
         self.assertFalse({h for h in headers if "/app/" in h or "/python/" in h or "operator" in h})
 
 

@@ -21,6 +21,7 @@ load.force = 4000
 motion = { friction = 0.3, xi = 4e-4, eta = 3e-4, phi = 1e-4 }
 grid = { dx = 0.4, ds = 0.4, mx = 20, ms = 14 }
 gap = { a = 1e-3, b = 2e-3 }
+stresses = { x = [0.0], s = [-1.0, 0.0, 1.0], depths = [0.5, 1.0, 2.0] }
 """
 WEAR = """rail.profile = "60E1"
 wheel.profile = "S1002"
@@ -45,12 +46,14 @@ class Report(unittest.TestCase):
         (cls.folder / "patch.toml").write_text(PATCH + "# </script><!--\n")
         (cls.folder / "wear.toml").write_text(WEAR)
         patch = cls.folder / "patch.toml"
-        cls.files = {kind: cls.folder / f"{kind}.h5" for kind in ("result", "comparison", "curves", "sweep")}
+        cls.files = {kind: cls.folder / f"{kind}.h5" for kind in ("result", "comparison", "curves", "sweep", "conicity", "wheelset")}
         cls.files["wear"] = cls.folder / "worn" / "wear.h5"
         for command in (("solve", SCENES / "conformal_small.toml", "-o", cls.files["result"]),
                         ("compare", patch, "--models", "halfspace", "tangent_plane", "-o", cls.files["comparison"]),
                         ("creep-curves", patch, "--xi=0:4e-3:5", "--phi=0:1e-3:3", "-o", cls.files["curves"]),
                         ("sweep", SCENES / "cases_two_areas.toml", "-o", cls.files["sweep"]),
+                        ("conicity", SCENES / "wheelset.toml", "-o", cls.files["conicity"]),
+                        ("wheelset", SCENES / "wheelset.toml", "-o", cls.files["wheelset"]),
                         ("wear", cls.folder / "wear.toml", "-o", cls.folder / "worn", "--depth", "0.03")):
             done = program(*command)
             assert done.returncode in (0, 3), (command, done.stderr)
@@ -135,10 +138,13 @@ class Report(unittest.TestCase):
         contact = ["patch", "cut-x", "cut-s"]
         wanted = {"result": ["quantities", "patches-fem", "solid-fem", "section-fem", *(f"{c}-fem" for c in contact)],
                   "comparison": ["pressures", "quantities-equal_forces", *(f"{c}-{m}" for c in contact
-                                                                          for m in ("halfspace", "tangent_plane"))],
+                                                                          for m in ("halfspace", "tangent_plane")),
+                                 "stresses-halfspace"],
                   "curves": ["slopes", "kalker", "sensitivities", "curve-xi", "curve-phi"],
                   "sweep": ["patches-over-y", "over-pmax", "over-Fx-Fy", "cases"],
-                  "wear": ["worn-rail", "worn-wheel", "wear-depth", "wear-area", "steps"]}
+                  "conicity": ["conicities", "tan-gamma", "radius-difference", "touch-wheel", "touch-rail"],
+                  "wheelset": ["track", *(f"{c}-{side}" for c in (*contact, "solid", "quantities") for side in ("left", "right"))],
+                  "wear": ["film-rail", "film-wheel", "worn-rail", "worn-wheel", "wear-depth", "wear-area", "steps"]}
         show = browser.Browser()
         try:
             for kind, page in self.pages.items():
@@ -149,6 +155,13 @@ class Report(unittest.TestCase):
                     drawn = f"!!document.getElementById('{name}')?.matches('table, :has(svg.main-svg)')"
                     self.assertTrue(show.value(drawn), (kind, name))
                 self.assertGreater(len(show.value("document.getElementById('words').textContent")), 50, kind)
+                if kind == "wear":
+                    moved = """(async film => { await Plotly.animate(film, ["step 1"], {mode: "immediate", frame: {duration: 0}});
+                        return Math.max(...film.data[1].y.map((z, i) => Math.abs(z - film.data[0].y[i]))); })
+                        (document.querySelector("#film-rail .drawing"))"""
+                    last = "Math.max(...data.rail_depth.values)"
+                    self.assertLess(show.value(moved), 5)  # mm, drawn; the last step is the deepest
+                    self.assertGreater(show.value(last), 0.02)
                 if kind == "result":
                     pixels = show.value("document.querySelector('#solid-fem .paper').src.length")
                     self.assertGreater(pixels, 20000)  # a picture of the bodies for paper, not an empty one

@@ -6,11 +6,14 @@ include(CMakePackageConfigHelpers)
 set(CONFORMAL_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where the Python package goes, below the prefix")
 set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/conformal_contact)
 
-# The headers of a C++ caller: what Sequence takes and returns, and all that these include.
+# The headers of a C++ caller: what Sequence takes and returns, what the rooms above it answer, and all that these include.
+set(answers conicity/wheelset_conicity conicity/scene_wheelset curves/creep_curves table/creep_table table/scene_table
+            table/table_file wear/wear_of_result wear/evolution fatigue/fatigue_of_result wheelset/solve_wheelset
+            wheelset/quantities)
 set(public_headers)
-set(todo bem_contact/sequence/sequence.hpp bem_contact/sequence/quantities.hpp
-         bem_contact/scene/scene_file.hpp bem_contact/scene/scene_reader.hpp
-         bem_contact/base/error.hpp bem_contact/base/provenance.hpp bem_contact/contact/work.hpp)
+set(todo sequence/sequence sequence/quantities scene/scene_file scene/scene_reader base/error base/provenance contact/work
+         ${answers})
+list(TRANSFORM todo REPLACE "(.+)" "bem_contact/\\1.hpp")
 while(todo)
   list(POP_FRONT todo header)
   if(NOT header IN_LIST public_headers)
@@ -31,7 +34,7 @@ set(doxygen_input bem_contact/c/conformal_contact.h)
 foreach(header sequence/sequence sequence/quantities sequence/scene_result sequence/comparison sequence/describe_case sequence/lateral_force
                sequence/stresses sequence/structural_result scene/scene_file scene/scene_reader scene/choices
                contact/problem contact/result contact/work geometry/rigid_slip geometry/placement profile/contact_row
-               halfspace/stress base/conventions base/error base/material base/provenance)
+               halfspace/stress base/conventions base/error base/material base/provenance ${answers})
   list(APPEND doxygen_input bem_contact/${header}.hpp)
 endforeach()
 set(unknown ${doxygen_input})
@@ -47,9 +50,7 @@ configure_file(${CMAKE_CURRENT_LIST_DIR}/Doxyfile.in ${PROJECT_BINARY_DIR}/Doxyf
 install(TARGETS conformal_contact EXPORT conformal_contact_shared
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(TARGETS conformal_options bem_contact_base bem_contact_profile bem_contact_influence bem_contact_halfspace
-                bem_contact_reference bem_contact_contact bem_contact_geometry bem_contact_scene bem_contact_sequence
-                bem_contact_c
+install(TARGETS conformal_options bem_contact_influence ${conformal_library_rooms}
   EXPORT conformal_contact_static
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -58,6 +59,8 @@ foreach(kind shared static)
   install(EXPORT conformal_contact_${kind} NAMESPACE conformal_contact:: FILE conformal_contact-${kind}.cmake
     DESTINATION ${cmake_dir})
 endforeach()
+list(TRANSFORM conformal_library_rooms PREPEND conformal_contact:: OUTPUT_VARIABLE conformal_static_rooms)
+list(JOIN conformal_static_rooms " " conformal_static_rooms)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/conformal_contact-config.cmake.in
   ${PROJECT_BINARY_DIR}/conformal_contact-config.cmake INSTALL_DESTINATION ${cmake_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/conformal_contact-config-version.cmake
@@ -85,6 +88,11 @@ endif()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/conformal-contact RENAME copyright)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact
+  PATTERN __pycache__ EXCLUDE)
+# Pictures: share/conformal_contact/tools/plot finds the program of the same tree.
+install(PROGRAMS ${PROJECT_SOURCE_DIR}/tools/plot ${PROJECT_SOURCE_DIR}/tools/paraview
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact/tools)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/plotting DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact/tools
   PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/bodies ${PROJECT_SOURCE_DIR}/data/influence
   DESTINATION ${CMAKE_INSTALL_DATADIR}/conformal_contact)

@@ -1,6 +1,12 @@
 # One CMake target a room. Every room is compiled with the project's root as its only include
 # directory, so an include line names its room: #include "bem_contact/base/error.hpp".
 
+# What is installed for C++ callers, from the bottom to the top. The room `influence`, which reads HDF5, stays a shared
+# library of its own.
+set(conformal_library_rooms base profile halfspace reference contact geometry scene sequence conicity curves table wear
+    fatigue wheelset c)
+list(TRANSFORM conformal_library_rooms PREPEND bem_contact_)
+
 add_library(conformal_options INTERFACE)
 target_include_directories(conformal_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 target_compile_options(conformal_options INTERFACE $<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow>)

@@ -301,4 +301,4 @@ def fatigue(
     """Shakedown point, FI_surf, T-gamma and damage of each patch; largest stresses below the surface."""
 
 def report(file: str | PathLike[str], output: str | PathLike[str]) -> None:
-    """One HTML page of a result, a comparison, a sweep, creep curves or wear (HDF5): words, tables, figures."""
+    """One HTML page of a result, a comparison, a sweep, creep curves, conicity, a wheelset or wear (HDF5): words, tables, figures."""

@@ -1,0 +1,169 @@
+"""data/tutorial: the commands of its pages run, and print what the pages print.
+
+A page is read as its reader does: a toml or python block is saved under the name that the text before it gives, indented lines that
+begin with a program are called in the project's folder, and other indented lines must be in what the commands of their page have
+printed. Numbers may differ a little, `...` stands for anything. Commands that the page says to take seconds are left out, unless
+TUTORIAL_LONG is set.
+"""
+
+import contextlib
+import io
+import os
+import re
+import resource
+import runpy
+import shlex
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = ROOT / "data" / "tutorial"
+PROGRAM = Path(os.environ["BEM_CONTACT"])
+TOLERANCE = 5e-3  # of numbers, relative: other machines choose other last digits
+LONG = re.compile(r"#.* s on one core")
+NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?")
+
+
+def kind_of(line, inside):
+    if line.startswith("```"):
+        return "fence"
+    if inside:
+        return "file"
+    if not line.startswith("    "):
+        return "text"
+    return "commands" if line[4:].startswith(("bem_contact ", "tools/", "mkdir ")) else "output"
+
+
+def blocks_of(text):
+    """(kind, lines) in the order of the page: file (between fences), commands and output (indented), text."""
+    blocks, inside = [("text", [])], False
+    for line in text.splitlines():
+        kind = kind_of(line, inside)
+        if kind == "fence":
+            inside = not inside
+            if inside:
+                blocks.append(("file", []))
+        elif kind == blocks[-1][0]:
+            blocks[-1][1].append(line)
+        else:
+            blocks.append((kind, [line]))
+    return blocks
+
+
+def same_word(wanted, found):
+    if wanted == found:
+        return True
+    a, b = (NUMBER.fullmatch(word.rstrip(",;%:")) for word in (wanted, found))
+    if not (a and b):
+        return False
+    a, b = float(a[0]), float(b[0])
+    return abs(a - b) <= TOLERANCE * max(abs(a), abs(b)) + 1e-9
+
+
+def same_line(wanted, found):
+    """Word for word; `...` at the end or in the middle stands for anything."""
+    pieces = [piece.split() for piece in wanted.split("...")]
+    words, at = found.split(), 0
+    for k, piece in enumerate(pieces):
+        places = range(at, len(words) - len(piece) + 1) if k else [0]
+        at = next((p + len(piece) for p in places if p + len(piece) <= len(words) and all(map(same_word, piece, words[p:]))), None)
+        if at is None:
+            return False
+    return at == len(words) or wanted.rstrip().endswith("...")
+
+
+def seconds():
+    """Of processor time so far: of the programs, and of this process, which draws the pictures."""
+    return [sum(resource.getrusage(who)[:2]) for who in (resource.RUSAGE_CHILDREN, resource.RUSAGE_SELF)]
+
+
+class Pages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.temporary.name)
+        for name in ("data", "tools"):
+            (cls.folder / name).symlink_to(ROOT / name)
+        (cls.folder / "demo").mkdir()
+        sys.path.insert(0, str(ROOT / "tools"))
+        os.environ["CONFORMAL_BIN"] = str(PROGRAM.parent)
+        cls.before = os.getcwd()
+        os.chdir(cls.folder)
+        order = re.findall(r"\| \[[\w-]+\]\(([\w-]+\.md)\)", (PAGES / "README.md").read_text())
+        cls.pages = sorted(PAGES.glob("*.md"), key=lambda page: order.index(page.name) if page.name in order else -1)
+        cls.ordered = order
+
+    @classmethod
+    def tearDownClass(cls):
+        os.chdir(cls.before)
+        cls.temporary.cleanup()
+
+    def call(self, line):
+        """The program in a process of its own; the tools in this one, which has their libraries already."""
+        words = shlex.split(line, comments=True)
+        if words[0] == "mkdir":
+            return ""
+        if words[0] == "bem_contact":
+            done = subprocess.run([PROGRAM, *words[1:]], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            self.assertEqual(done.returncode, 0, f"{line}:\n{done.stdout}")
+            return done.stdout
+        said, sys.argv = io.StringIO(), words
+        with contextlib.redirect_stderr(said):
+            runpy.run_path(words[0], run_name="__main__")
+        return said.getvalue()
+
+    def run_page(self, page):
+        printed, left_out, text, waiting = [], set(), "", False
+        for kind, content in blocks_of(page.read_text()):
+            if kind == "text":
+                text = " ".join(content)
+            elif kind == "file":
+                for name in re.findall(r"[Ss]ave this as `(demo/\S+)`", text)[-1:]:
+                    Path(name).write_text("\n".join(content) + "\n")
+            elif kind == "commands":
+                for line in map(str.strip, content):
+                    files = set(re.findall(r"demo/\S+", line))
+                    waiting = "TUTORIAL_LONG" not in os.environ and bool(LONG.search(line) or files & left_out)
+                    if waiting:
+                        left_out |= files
+                        continue
+                    printed += self.call(line).splitlines()
+                    for output in re.findall(r"(?:-o|--csv) (demo/\S+)", line):
+                        self.assertTrue(Path(output).exists(), line)
+            elif not waiting and page.name in self.ordered:
+                for line in content:
+                    if line.strip() != "..." and not any(same_line(line, found) for found in printed):
+                        self.fail(f"{page.name}: no command has printed\n{line}\nbut\n" + "\n".join(printed))
+
+    def test_every_page_is_as_it_says(self):
+        for page in self.pages:
+            with self.subTest(page.name):
+                before = seconds()
+                self.run_page(page)
+                commands, pictures = (now - then for now, then in zip(seconds(), before))
+                print(f"{page.stem:14} {commands:5.1f} s and {pictures:.1f} s for pictures")
+
+    def test_every_command_has_a_page(self):
+        said = subprocess.run([PROGRAM, "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout
+        commands = re.findall(r"^  ([a-z-]+) ", said.split("Subcommands:")[1], re.M)
+        self.assertEqual(sorted(commands), sorted(Path(name).stem for name in self.ordered))
+
+    def test_what_cannot_be_drawn_is_refused(self):
+        for line, words in (("tools/plot no_such.h5", "there is no such file"), ("tools/plot demo", "has no wear.csv"),
+                            ("tools/plot data/influence/small_rail.h5", "its format is"),
+                            ("tools/plot S1002 -o S1002.txt", "is no picture"), ("tools/plot no_such#2", "there is no such file")):
+            done = subprocess.run(shlex.split(line), stderr=subprocess.PIPE, text=True)
+            self.assertEqual(done.returncode, 2, line)
+            self.assertIn(words, done.stderr)
+
+    def test_a_wrong_number_is_found(self):
+        self.assertTrue(same_line("pmax 12.25 MPa, ... holds", "pmax 12.26 MPa, worst 3e-9, it holds"))
+        for other in ("pmax 12.4 MPa, it holds", "pmax 12.25 N, it holds", "pmax 12.25 MPa, it fails"):
+            self.assertFalse(same_line("pmax 12.25 MPa, ... holds", other))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,1 @@
+"""What `tools/plot` draws, one module for each kind of file."""

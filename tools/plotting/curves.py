@@ -1,0 +1,43 @@
+"""Creep curves: each force over each creepage, with the bound of friction and the slopes of linear theory."""
+
+import h5py
+import numpy as np
+
+from . import style
+
+AXES = {"xi": "xi, longitudinal creepage", "eta": "eta, lateral creepage", "phi": "phi, spin, 1/mm"}
+LABELS = {"Fx": "Fx / (μ Fn)", "Fs": "Fs / (μ Fn)", "Mz": "Mz / (μ Fn c)"}
+
+
+def draw_curve(panel, name, curve, scales, kalker):
+    creepage, sure = curve["creepage"][:], curve["certified"][:] > 0
+    for row, (force, label) in enumerate(LABELS.items()):
+        colour, dash, _ = style.FORCES[force]
+        values = curve[force][:] / scales[force]
+        panel.plot(creepage[sure], values[sure], dash, color=colour, label=label)
+        if not sure.all():
+            panel.plot(creepage[~sure], values[~sure], "x", color=colour, label=f"{force}, not certified")
+        slope = kalker[row, list(AXES).index(name)] / scales[force] if kalker is not None else 0
+        if slope:
+            reach = min(0.6 / abs(slope), np.abs(creepage).max())
+            panel.plot([-reach, reach], [-reach * slope, reach * slope], color=colour, linewidth=0.8,
+                       label="thin lines: Kalker's linear theory" if row == (name != "xi") else None)
+    style.limit(panel, 1, "bound of friction")
+    panel.axhline(-1, color=style.BOUND, linestyle=(0, (2, 2)), linewidth=1.5, zorder=1)
+    panel.set(xlabel=AXES[name], ylim=(-1.3, 1.3), xlim=(creepage.min(), creepage.max()))
+    panel.ticklabel_format(axis="x", scilimits=(-2, 2))
+
+
+def draw(files):
+    with h5py.File(files[0]) as file:
+        names = [name for name in AXES if name in file]
+        bound, radius = file.attrs["bound_N"], file.attrs["radius_mm"]
+        figure, axes = style.panels(1, len(names), (1.2 + 4.4 * len(names), 5.2), sharey=True)
+        for panel, name in zip(axes[0], names):
+            draw_curve(panel, name, file[name], {"Fx": bound, "Fs": bound, "Mz": bound * radius},
+                       file["kalker"][:] if "kalker" in file else None)
+        axes[0, 0].set_ylabel("force on the rail over its bound")
+        middle = axes[0, len(names) // 2]
+        style.legend_beside(middle, below=True, columns=5 if len(names) > 1 else 2)
+        figure.suptitle(f"Creep curves: Fz {file.attrs['Fz_N']:.6g} N, bound of friction μ Fn {bound:.6g} N, c {radius:.3g} mm", fontsize=11)
+        return figure

@@ -1,0 +1,38 @@
+"""Patches in the shakedown diagram; fatigue index and damage over the arc length of the rail."""
+
+import numpy as np
+
+from . import style
+
+MU = np.linspace(0.01, 0.6, 200)
+
+
+def draw(files):
+    t = np.genfromtxt(files[0], delimiter=",", names=True, ndmin=1)
+    beyond = t["FI_surf"] > 0
+    figure, ((diagram, index), (stress, damage)) = style.panels(2, 2, (12, 8.6))
+    top = max(6.0, 1.15 * t["p0_over_k"].max())
+    diagram.fill_between(MU, np.minimum(1 / MU, top), top, color=style.BOUND, alpha=0.15, linewidth=0)
+    diagram.plot(MU, 1 / MU, color=style.BOUND, linestyle=(0, (2, 2)), label="limit of the surface, p0/k = 1/μ")
+    for shown, mark, name in ((~beyond, "o", "patch within the limit"), (beyond, "^", "patch beyond it")):
+        if shown.any():
+            diagram.plot(t["mu_used"][shown], t["p0_over_k"][shown], mark, color=style.RAIL, markeredgecolor=style.INK, label=name)
+    diagram.set(title="Shakedown diagram", xlabel="μ used: shear force over normal force", ylabel="p0 / k", xlim=(0, 0.6), ylim=(0, top))
+    diagram.legend(loc="lower right")
+
+    index.plot(t["s_mm"], t["FI_surf"], "o", color=style.RAIL, markeredgecolor=style.INK, label="whole patch")
+    index.plot(t["s_mm"], t["FI_worst_element"], "v", color="none", markeredgecolor=style.INK, label="worst element")
+    style.limit(index, 0, "limit: above it the surface fatigues")
+    index.set(title="Index of surface fatigue", ylabel="FI_surf", xlabel=style.UP)
+    style.legend(index)
+
+    stress.vlines(t["s_mm"], 0, t["von_mises_depth_mm"], color=style.GRID, linewidth=1)
+    image = stress.scatter(t["s_mm"], t["von_mises_depth_mm"], c=t["von_mises_MPa"], cmap=style.STRESS, edgecolor=style.INK, vmin=0, zorder=3)
+    figure.colorbar(image, ax=stress, label="von Mises, MPa")
+    stress.set(title="Largest stress below the surface", xlabel=style.UP, ylabel="depth, mm", ylim=(0, None))
+    stress.invert_yaxis()
+
+    damage.vlines(t["s_mm"], 0, t["damage"], color=style.RAIL, linewidth=1.5)
+    damage.plot(t["s_mm"], t["damage"], "o", color=style.RAIL, markeredgecolor=style.INK)
+    damage.set(title="Damage of one passage (T-gamma)", xlabel=style.UP, ylabel="damage")
+    return figure

@@ -1,0 +1,50 @@
+"""What is FILE? Results by their attribute "format", tables by their first line, a folder by what lies in it."""
+
+import sys
+from pathlib import Path
+
+import h5py
+
+STANDARDS = ("60E1", "60E2", "54E1", "46E3", "S1002")
+FORMATS = ("result", "comparison", "sweep", "creep curves", "conicity", "wheelset", "table", "wear")
+HEADS = {"FI_surf": "fatigue", "s_mm,y_mm,z_mm,inclination_rad": "profile table"}
+
+
+def text(value):
+    return value.decode() if isinstance(value, bytes) else str(value)
+
+
+def refuse(problem, why, what_to_do):
+    """Ends the program as all programs here do where the input is wrong."""
+    print(f"error: {problem} ({why}) {what_to_do}", file=sys.stderr)
+    raise SystemExit(2)
+
+
+def of_hdf5(file):
+    with h5py.File(file) as opened:
+        name = text(opened.attrs.get("format", "")).removeprefix("bem_contact ")
+    for kind in FORMATS:
+        if name.startswith(kind):
+            return kind
+    refuse(f"'{file}' cannot be drawn", f"its format is '{name or 'not stated'}'",
+           "Name a file that bem_contact solve, compare, sweep, creep-curves, conicity, wheelset, table or wear wrote.")
+
+
+def kind_of(name):
+    """The kind of a file, a folder or a standard profile."""
+    path = Path(name)
+    if path.is_dir():
+        if (path / "wear.csv").is_file():
+            return "wear"
+        refuse(f"'{name}' cannot be drawn", "the folder has no wear.csv", "Name a folder of bem_contact wear, or a file.")
+    if not path.exists():
+        if name.split("#")[0] in STANDARDS:
+            return "profile"
+        if "#" not in name or not Path(name.rsplit("#", 1)[0]).is_file():
+            refuse(f"'{name}' cannot be drawn", "there is no such file", "Name one, or one of " + ", ".join(STANDARDS) + ".")
+        return "profile"
+    if h5py.is_hdf5(path):
+        return of_hdf5(path)
+    with open(path, encoding="utf-8", errors="replace") as opened:
+        head = opened.readline()
+    return next((kind for word, kind in HEADS.items() if word in head), "profile")

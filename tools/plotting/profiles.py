@@ -1,0 +1,78 @@
+"""Profiles and their curvature over arc length; the first is drawn in ink, the others behind it."""
+
+import os
+import subprocess
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+from . import style
+from .kinds import STANDARDS, kind_of, refuse
+
+BEHIND = ((style.BOUND, "--"), (style.RAIL, "-."), (style.WHEEL, ":"))
+
+
+def program():
+    """In the folder CONFORMAL_BIN, else in a build folder or that of the installed tree, else on the PATH."""
+    root = Path(__file__).resolve().parents[2]
+    folders = [os.environ.get("CONFORMAL_BIN"), root / "build" / "bin", root / "build-contact-only" / "bin", root.parents[1] / "bin"]
+    return next((Path(f) / "bem_contact" for f in folders if f and (Path(f) / "bem_contact").exists()), "bem_contact")
+
+
+def read(name, options):
+    """Columns s, y, z, inclination, curvature. The program reads as a scene would; its words go to the terminal."""
+    if kind_of(name) == "profile table":
+        return np.loadtxt(name, delimiter=",", skiprows=1, unpack=True)
+    with tempfile.TemporaryDirectory() as folder:
+        csv = Path(folder) / "profile.csv"
+        try:
+            done = subprocess.run([program(), "profile", name, "--csv", csv, *([] if name in STANDARDS else options)])
+        except FileNotFoundError:
+            refuse(f"'{name}' cannot be read", "the program bem_contact was not found", "Put it on the PATH, or its folder into CONFORMAL_BIN.")
+        if done.returncode != 0:
+            raise SystemExit(done.returncode)
+        return np.loadtxt(csv, delimiter=",", skiprows=1, unpack=True)
+
+
+def draw(files, options=()):
+    options = list(options)
+    curves = [(Path(name).name, read(name, options)) for name in files]
+    if "--smoothing" in options:
+        at = options.index("--smoothing")
+        curves.append(("as measured", read(files[0], options[:at] + options[at + 2:])))
+    together = len(files) > 1  # arc length counts from each profile's own origin
+    first = curves[0][1]
+    flat = 0.3 + np.ptp(first[2]) / np.ptp(first[1])
+    figure, axes = style.panels(3 if together else 2, 1, (10, 9.5 * flat + (8 if together else 4.2)),
+                                height_ratios=(9.5 * flat, 4, 4)[:3 if together else 2])
+    shape, bend = axes[0, 0], axes[-1, 0]
+    for k, (name, (s, y, z, _, curvature)) in reversed(list(enumerate(curves))):
+        colour, dash = (style.INK, "-") if k == 0 else BEHIND[(k - 1) % len(BEHIND)]
+        look = {"color": colour, "linestyle": dash, "linewidth": 1.8 if k == 0 else 1.3, "label": name}
+        shape.plot(y, z, **look)
+        bend.plot(y if together else s, curvature, **look)
+        if together and k:
+            shared = (first[1] >= y.min()) & (first[1] <= y.max())
+            order = np.argsort(y)
+            axes[1, 0].plot(first[1][shared], np.interp(first[1][shared], y[order], z[order]) - first[2][shared],
+                            label=f"{curves[0][0]} above {name}", color=style.INK, linestyle=dash)
+    shape.set(xlabel="y, mm, to the field side", ylabel="z down, mm", aspect="equal", title="Profile")
+    shape.invert_yaxis()
+    if together:
+        axes[1, 0].set(xlabel="y, mm", ylabel="height, mm", title="Difference of height", ylim=clipped(axes[1, 0]))
+        axes[1, 0].legend()
+    style.legend(shape)
+    largest = np.quantile(np.abs(first[4]), 0.99)
+    bend.set(xlabel="y, mm" if together else "s, arc length, mm", ylabel="curvature, 1/mm", title="Curvature: above 0 convex, below concave",
+             ylim=(-1.3 * largest, 1.3 * largest))
+    bend.axhline(0, color=style.FRAME, linewidth=0.8, zorder=0)
+    return figure
+
+
+def clipped(axis):
+    """Limits that leave out what a steep flank makes of a shift along y."""
+    values = np.concatenate([line.get_ydata() for line in axis.get_lines()])
+    low, high = np.quantile(values, (0.03, 0.97))
+    room = 0.3 * (high - low) + 1e-3
+    return low - room, high + room

@@ -1,0 +1,86 @@
+"""What all pictures share. One colour has one meaning, the same as on the pages of `bem_contact report`; line styles and
+marks say the same without colours."""
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.ticker import MaxNLocator
+from matplotlib.transforms import ScaledTranslation
+
+INK, GRID, FRAME, OUTSIDE = "#1c2733", "#e3e7eb", "#8a97a5", "#f6f7f9"
+RAIL, WHEEL = "#5b6f82", "#b4533c"
+ADHESION, BOUND = "#d95f02", "#8a949e"
+ALONG_X, ALONG_S = "#6a3d9a", "#1b7f79"
+DEEPEST_PRESSURE = "#3b7cc4"
+PRESSURE = LinearSegmentedColormap.from_list("pressure", ["#eef4fb", DEEPEST_PRESSURE])
+STRESS = LinearSegmentedColormap.from_list("stress", ["#ffffff", "#4a4a4a"])
+BODIES = {"rail": (RAIL, "-", "o"), "wheel": (WHEEL, "--", "s")}  # colour, line, mark
+FORCES = {"Fx": (ALONG_X, "-", "o"), "Fs": (ALONG_S, "--", "s"), "Fy": (ALONG_S, "--", "s"), "Fz": (INK, ":", "D"),
+          "Mz": (INK, "-.", "d")}
+MODELS = {"fem": ("Finite-element influence functions", "FEM", "-"), "tangent_plane": ("Tangent planes", "tangent plane", "--"),
+          "halfspace": ("Half-space", "half-space", ":"), "hertz": ("Hertz", "Hertz", "-.")}  # title, short, line
+BELOW_LABEL = 42  # points
+PICTURES = (".png", ".pdf", ".svg")
+ACROSS, UP = "x, rolling direction, mm", "s along the rail, mm"
+
+
+def use():
+    plt.rcParams.update({
+        "font.family": "DejaVu Sans", "font.size": 10, "text.color": INK, "axes.edgecolor": FRAME, "axes.labelcolor": INK,
+        "xtick.color": INK, "ytick.color": INK, "axes.titlelocation": "left", "axes.titleweight": "bold", "axes.titlesize": 11,
+        "axes.grid": True, "axes.axisbelow": True, "grid.color": GRID, "grid.linewidth": 0.6, "legend.frameon": True,
+        "legend.framealpha": 0.85, "legend.edgecolor": "none", "legend.fontsize": 9, "lines.linewidth": 1.8, "lines.markersize": 5.5,
+        "figure.constrained_layout.h_pad": 0.12, "figure.constrained_layout.w_pad": 0.12})
+
+
+def panels(rows, columns, size, **options):
+    """A figure and its panels, always as an array [rows][columns]."""
+    return plt.subplots(rows, columns, figsize=size, layout="constrained", squeeze=False, **options)
+
+
+def line(style, **more):
+    """Options of plot() for a colour, a line and a mark."""
+    colour, dash, mark = style
+    return {"color": colour, "linestyle": dash, "marker": mark, "markerfacecolor": colour if dash == "-" else "none", **more}
+
+
+def limit(axis, value, name, vertical=False):
+    """A line that says what it means: a goal, a floor, a bound."""
+    draw = axis.axvline if vertical else axis.axhline
+    draw(value, color=BOUND, linestyle=(0, (2, 2)), linewidth=1.5, zorder=1, label=name)
+
+
+def legend(axis, **more):
+    if axis.get_legend_handles_labels()[1]:
+        axis.legend(**more)
+
+
+def legend_beside(axis, below=False, columns=4, **more):
+    """Above the panel or below its label, never on the curves. It may be wider than the panel, but of one column."""
+    place = {"loc": "lower left", "bbox_to_anchor": (-0.02, 1.0)}
+    if below:
+        under = axis.transAxes + ScaledTranslation(0, -BELOW_LABEL / 72, axis.figure.dpi_scale_trans)
+        place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0), "bbox_transform": under}
+    axis.legend(ncol=columns, borderaxespad=0.2, columnspacing=1.4, **place, **more).set_in_layout(columns == 1)
+
+
+def save(figure, output):
+    """With all legends, which the layout leaves out so that they do not push panels apart."""
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+    for axis in figure.axes:
+        if axis.get_legend():
+            axis.get_legend().set_in_layout(True)
+    figure.savefig(output, dpi=110, bbox_inches="tight")
+
+
+def whole_numbers(axis):
+    """Of an x or y axis that counts."""
+    axis.set_major_locator(MaxNLocator(integer=True))
+
+
+def down(axis):
+    """z points down."""
+    axis.set_ylim(*sorted(axis.get_ylim(), reverse=True))

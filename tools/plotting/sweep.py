@@ -1,0 +1,103 @@
+"""A sweep: where the patches lie, and totals over the key that varies."""
+
+import h5py
+import numpy as np
+
+from . import style
+from .kinds import refuse, text
+
+STATUS_CERTIFIED = 1
+MARKS = ("o", "s", "D", "^", "v", "x", "+", "*")
+
+
+def swept_keys(file):
+    """Keys with more than one value, and the words of those that are texts."""
+    keys = {}
+    for name, data in file.items():
+        if not isinstance(data, h5py.Dataset) or data.shape == () or data.dtype.kind not in "fiu":
+            continue
+        what = text(data.attrs.get("description", ""))
+        if what.startswith(("swept over", "which of")) and len(np.unique(data[:])) > 1:
+            keys[name] = what.split('"')[1::2] if what.startswith("which of") else None
+    return keys
+
+
+def leading(file, keys):
+    """The first key, if the others tell cases with the same value of it apart or all are of one kind; else None."""
+    rest = [k for k in keys][1:]
+    others = {tuple(file[k][i] for k in rest) for i in range(len(file["status"]))}
+    return next(iter(keys), None) if not rest or len(others) < len(file["status"]) else None
+
+
+def groups_of(file, keys, lead):
+    """Cases that differ in the leading key alone, and what tells them from the others."""
+    groups = {}
+    for i in range(len(file["status"])):
+        words = [f"{k.split('.')[-1]} {keys[k][int(file[k][i])].split('/')[-1] if keys[k] else f'{file[k][i]:g}'}"
+                 for k in keys if lead and k != lead]
+        groups.setdefault(", ".join(words), []).append(i)
+    return groups
+
+
+def draw_patches(figure, axis, patches, over):
+    """Each patch as a bar as wide as the patch; larger marks carry larger forces, darker ones larger pressures."""
+    p = {name: data[:] for name, data in patches.items() if name in (
+        "case", "y", "Fn", "pmax", "axis_angle", "semi_axis_a", "semi_axis_b", "delta")}
+    half = np.hypot(p["semi_axis_a"] * np.sin(p["axis_angle"]), p["semi_axis_b"] * np.cos(p["axis_angle"])) * np.cos(p["delta"])
+    at = over[p["case"].astype(int)]
+    axis.errorbar(p["y"], at, xerr=half, fmt="none", ecolor=style.RAIL, elinewidth=3, zorder=2)
+    shown = axis.scatter(p["y"], at, s=15 + 120 * p["Fn"] / p["Fn"].max(), c=p["pmax"], cmap=style.PRESSURE, vmin=0,
+                         edgecolor=style.INK, zorder=3)
+    figure.colorbar(shown, ax=axis, label="pmax, MPa")
+    axis.set(title="Patches on the rail: bars as wide as they are", xlabel="y, mm")
+
+
+def draw_totals(axis, file, names, over, groups, certified, joined):
+    for k, (label, cases) in enumerate(groups.items()):
+        cases = np.array(sorted(cases, key=lambda i: over[i]))
+        for name in names:
+            colour, dash, mark = style.FORCES.get(name, (style.DEEPEST_PRESSURE if name == "pmax" else style.INK, "-", "o"))
+            if len(groups) > 1:
+                mark = MARKS[k % len(MARKS)]
+            words = ", ".join(word for word in (name if len(names) > 1 else "", label) if word)
+            sure = cases[certified[cases]]
+            axis.errorbar(over[sure], file[name][:][sure], yerr=np.nan_to_num(file[f"{name}_error"][:][sure]) if f"{name}_error" in file
+                          else None, linestyle=dash if joined else "none", color=colour, marker=mark, markersize=4.5, elinewidth=1,
+                          capsize=2, label=words)
+    unit = text(file[names[0]].attrs["unit"]).replace("mm2", "mm²")
+    axis.set_ylabel(f"{', '.join(names)}, {unit}" if unit != "1" else names[0])
+    if len(groups) * len(names) > 1 and len(groups) * len(names) <= 8:
+        axis.legend()
+
+
+def draw(files):
+    with h5py.File(files[0]) as file:
+        certified = file["status"][:] == STATUS_CERTIFIED
+        if not certified.any():
+            refuse(f"'{files[0]}' cannot be drawn", "no case of the sweep is certified", "See the column status of its --csv.")
+        keys = swept_keys(file)
+        lead = leading(file, keys)
+        over = file[lead][:] if lead else np.arange(len(certified))
+        unit = text(file[lead].attrs["unit"]) if lead else ""
+        if lead and keys[lead]:
+            over, unit = np.arange(len(certified)), ""
+        name = f"{lead}, {unit}".rstrip(", ") if lead and not keys[lead] else "case"
+        groups = groups_of(file, keys, lead)
+        figure, axes = style.panels(2, 2, (12.5, 8.8))
+        if "patches" in file and np.isfinite(file["patches/y"][:]).any():
+            draw_patches(figure, axes[0, 0], file["patches"], over)
+            axes[0, 0].set_ylabel(name)
+        else:
+            draw_totals(axes[0, 0], file, ["approach"], over, groups, certified, lead is not None)
+            axes[0, 0].set(title="Approach", xlabel=name)
+        for axis, names, title in ((axes[0, 1], ["pmax"], "Largest pressure"), (axes[1, 0], ["area"], "Area in contact"),
+                                   (axes[1, 1], ["Fx", "Fy"], "Forces on the rail")):
+            draw_totals(axis, file, names, over, groups, certified, lead is not None)
+            axis.set(title=title, xlabel=name)
+        if not lead or keys[lead]:
+            style.whole_numbers(axes[0, 0].yaxis)
+            for axis in (axes[0, 1], *axes[1]):
+                style.whole_numbers(axis.xaxis)
+        left_out = "" if certified.all() else f"; {(~certified).sum()} without a certificate are left out"
+        figure.suptitle(f"Sweep: {len(certified)} cases, bars: errors by the size of the elements{left_out}", fontsize=11)
+        return figure

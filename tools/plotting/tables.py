@@ -1,0 +1,60 @@
+"""A table of forces: how far it is from solutions, and its numbers over the two axes that change them most."""
+
+import h5py
+import numpy as np
+
+from . import style
+from .kinds import text
+
+DRAWN = 5  # columns of the table that a picture draws
+LINES = 4  # values of the second axis
+
+
+def draw_errors(axis, file, columns, held):
+    errors = [100 * file[f"interpolation_error/{c}"][()] / file[f"scale/{c}"][()] for c in columns]
+    places = np.arange(len(columns))[::-1]
+    axis.barh(places, errors, color=[style.RAIL if c in held else "none" for c in columns], edgecolor=style.RAIL)
+    axis.set(yticks=places, xlabel="% of the column's scale", title="Largest interpolation error")
+    axis.set_yticklabels(columns, fontsize=min(10, 160 / len(columns)))
+    style.limit(axis, 100 * float(file.attrs["tolerance"]), f"goal {100 * float(file.attrs['tolerance']):g} %: filled bars are held to it",
+                vertical=True)
+    axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12))
+
+
+def draw_column(axis, file, axes, column):
+    """Over the axis along which it changes most, a line for some values of the next one, the others in their middle."""
+    values = file[f"values/{column}"][:]
+    change = [np.ptp(values, axis=k).mean() for k in range(values.ndim)]
+    first, *rest = np.argsort(change)[::-1]
+    second = rest[0] if rest else None
+    at = [n // 2 for n in values.shape]
+    at[first] = slice(None)
+    shown = [None] if second is None else sorted({round(k) for k in np.linspace(0, values.shape[second] - 1, LINES)})
+    grid = file[f"axes/{axes[first]}"]
+    for k, dash, mark in zip(shown, ("-", "--", "-.", ":"), ("o", "s", "D", "^")):
+        if second is not None:
+            at[second] = k
+        label = "" if second is None else f"{axes[second]} {file[f'axes/{axes[second]}'][k]:.6g}"
+        colour = style.FORCES.get(column, (style.DEEPEST_PRESSURE if column == "pmax" else style.INK,))[0]
+        axis.plot(grid[:], values[tuple(at)], dash, marker=mark, markersize=4, color=colour, linewidth=1.3, label=label)
+    others = ", ".join(f"{name} {file[f'axes/{name}'][at[k]]:.6g}" for k, name in enumerate(axes) if k not in (first, second))
+    unit = text(file[f"values/{column}"].attrs["unit"])
+    axis.set(xlabel=f"{axes[first]}, {text(grid.attrs['unit'])}".removesuffix(", 1") + (f"   (at {others})" if others else ""),
+             ylabel=f"{column}, {unit}".removesuffix(", 1"), title=column)
+    style.legend(axis, fontsize=8)
+
+
+def draw(files):
+    with h5py.File(files[0]) as file:
+        axes, columns, held = (text(file.attrs[name]).split() for name in ("axes", "columns", "held"))
+        shown = (held + [c for c in columns if c not in held])[:DRAWN]
+        rows = 1 + len(shown) // 3
+        figure, panels = style.panels(rows, 3, (14, 0.8 + 4.2 * rows))
+        draw_errors(panels[0, 0], file, columns, held)
+        for axis, column in zip(panels.flat[1:], shown):
+            draw_column(axis, file, axes, column)
+        for axis in panels.flat[1 + len(shown):]:
+            axis.axis("off")
+        size = " x ".join(f"{len(file[f'axes/{name}'])} {name}" for name in axes)
+        figure.suptitle(f"Table over {size}; marks: its points", fontsize=11)
+        return figure
