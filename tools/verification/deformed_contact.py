@@ -6,11 +6,13 @@ tractions, by influence numbers of each body. Everything is symmetric in x; elem
 Signs and frames are those of bem_contact/THEORY.md, section 2: mm, N, MPa.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.sparse import coo_matrix
 
-ROUNDS, GAP_TOLERANCE = 60, 1e-8  # mm
+ROUNDS, GAP_TOLERANCE = 60, 1e-6  # mm
 
 
 class Surface:
@@ -45,21 +47,42 @@ def folded(numbers, columns):
     return out.reshape(size, size)
 
 
-class DeformedContact:
-    """Rail rows at `rail_s`, wheel rows at `wheel_s` (opposite, so descending), elements dx long, `columns` of them with
-    x >= 0. Poses: (y, z) of the sections' origins, the wheel's where it just touches. numbers: [m][I][i][J][j] per MPa
-    on true area, rows as in rail_s and wheel_s."""
+@dataclass
+class Bodies:
+    """Where wheel and rail stand as they touch: (y, z) of their sections' origins, mm."""
 
-    def __init__(self, rail, wheel, rail_origin, wheel_origin, wheel_radius, rail_s, wheel_s, dx, columns, rail_numbers,
-                 wheel_numbers, kinematics="exact"):
-        self.rail, self.wheel, self.wheel_origin, self.radius = rail, wheel, np.asarray(wheel_origin, float), wheel_radius
+    rail: Surface
+    wheel: Surface
+    rail_origin: tuple
+    wheel_origin: tuple
+    wheel_radius: float  # at z = 0 of its section
+
+
+@dataclass
+class Elements:
+    """Rows on the rail, ascending, and about opposite on the wheel, descending; elements with x = 0, dx .. (columns - 1) dx."""
+
+    rail_s: np.ndarray
+    wheel_s: np.ndarray
+    dx: float
+    columns: int
+
+
+class DeformedContact:
+    """numbers: influence numbers [m][I][i][J][j] of each body in its own frame, mm per MPa on true area, rows in the order of
+    the elements, 2 columns - 1 offsets or more."""
+
+    def __init__(self, bodies, elements, rail_numbers, wheel_numbers):
+        rail, wheel, wheel_radius = bodies.rail, bodies.wheel, bodies.wheel_radius
+        rail_origin, rail_s, wheel_s = bodies.rail_origin, elements.rail_s, elements.wheel_s
+        dx, columns = elements.dx, elements.columns
+        self.wheel, self.wheel_origin, self.radius = wheel, np.asarray(bodies.wheel_origin, float), wheel_radius
         self.s, self.wheel_s, self.dx, self.columns = rail_s, wheel_s, dx, columns
-        self.ds, self.kinematics = rail_s[1] - rail_s[0], kinematics
+        self.ds = rail_s[1] - rail_s[0]
         self.rail_matrix, self.wheel_matrix = folded(rail_numbers, columns), folded(wheel_numbers, columns)
         self.x, rows = dx * np.arange(columns), len(rail_s)
         self.weight = np.where(np.arange(columns) == 0, 1.0, 2.0)[:, None] * np.ones(rows) * dx * self.ds
         angle = rail.inclination(rail_s)
-        self.delta = angle
         self.es = np.stack([0 * angle, np.cos(angle), np.sin(angle)], -1)
         self.en = np.stack([0 * angle, -np.sin(angle), np.cos(angle)], -1)
         self.place = np.zeros((columns, rows, 3))
@@ -107,50 +130,47 @@ class DeformedContact:
                            (np.tile(here, 4), np.concatenate([a * rows + b for a, b, _ in parts]))),
                           shape=(here.size, here.size)).tocsr()
 
-    def moved(self, pressure, normal, spread):
-        """Displacements of the rail's elements and, where their normals meet it, of the wheel; track frame."""
+    def moved(self, pressure, normal, spread, loaded):
+        """Displacements of the rail's elements and, where their normals meet it, of the wheel; track frame. `spread`, `loaded`:
+        where their normals meet it, and where it bears their forces."""
         shape = self.place.shape
         force = pressure[..., None] * normal
         own = np.einsum("mIca,mIa->mIc", self.rail_frame, force)
         rail = np.einsum("mIca,mIc->mIa", self.rail_frame, (self.rail_matrix @ own.ravel()).reshape(shape))
         double = self.weight.ravel()  # what an element stands for: the one at x = 0 is not doubled
-        there = (spread.T @ (-force.reshape(-1, 3) * double[:, None])) / double[:, None]
+        there = (loaded.T @ (-force.reshape(-1, 3) * double[:, None])) / double[:, None]
         own = np.einsum("mIca,mIa->mIc", self.wheel_frame, there.reshape(shape))
         wheel = np.einsum("mIca,mIc->mIa", self.wheel_frame, (self.wheel_matrix @ own.ravel()).reshape(shape))
         return rail, (spread @ wheel.reshape(-1, 3)).reshape(shape)
 
     def deformed_normal(self, rail):
-        """Of the deformed rail, and its area over that of the undeformed one."""
+        """Of the deformed rail."""
         mirrored = np.concatenate([rail[1:2] * [-1, 1, 1], rail])
         along = np.gradient(mirrored, self.dx, axis=0)[1:] + [1, 0, 0]
         across = np.gradient(rail, self.ds, axis=1) + self.es
         normal = np.cross(along, across)
-        area = np.linalg.norm(normal, axis=-1)
-        return normal / area[..., None], area
+        return normal / np.linalg.norm(normal, axis=-1)[..., None]
 
-    def gap(self, pressure, approach, state):
-        """Distance of the deformed surfaces along the rail's normal; `state`: (normal, spread, area) of the last round, and the
+    def gap(self, pressure, approach, state, loaded):
+        """Distance of the deformed surfaces along the rail's normal; `state`: (normal, spread) of the last round, and the
         next one is returned."""
-        normal, spread, area = state
-        rail, wheel = self.moved(pressure, normal, spread)
-        if self.kinematics == "linear":
-            g, _, _ = self.at_wheel(self.place, 0.0, normal)
-            return g - approach * self.en[:, 2] - np.einsum("mIa,mIa->mI", wheel - rail, normal), state
-        if self.kinematics != "undeformed normal":
-            normal, area = self.deformed_normal(rail)
+        rail, wheel = self.moved(pressure, *state, loaded)
+        normal = self.deformed_normal(rail)
         g, column, row = self.at_wheel(self.place + rail - wheel, approach, normal)
-        return g, (normal, self.spread(column, row), area)
+        return g, (normal, self.spread(column, row))
 
-    def solve(self, force):
-        """{quantity: value} under the vertical force."""
+    def solve(self, force, slices=False, stay=False):
+        """{quantity: value} under the vertical force. The area of pmax is the undeformed one, as influence numbers have it.
+        slices: each column is a slice in plane strain, and contact may reach the last one. stay: forces on the wheel stay on
+        the elements that were opposite as the bodies touched: not exact, and here to show what that does."""
         shape, en = self.place.shape[:2], np.broadcast_to(self.en, self.place.shape)
         g, column, row = self.at_wheel(self.place, 0.0, en)
-        state = (en.copy(), self.spread(column, row), np.ones(shape))
-        matrix = self.normal_matrix(state[1])
+        state = (en, self.spread(column, row))
+        first, matrix = state[1], self.normal_matrix(state[1])
         pressure, approach = np.zeros(shape), 0.0
         cosine = np.broadcast_to(self.en[:, 2], shape)
         for rounds in range(ROUNDS):
-            g, state = self.gap(pressure, approach, state)
+            g, state = self.gap(pressure, approach, state, first if stay else state[1])
             h = g - (matrix @ pressure.ravel()).reshape(shape) + approach * cosine
             # All that is left of an exact solution: gap where there is pressure, overlap, and force.
             total = (pressure * state[0][..., 2] * self.weight).sum()
@@ -158,17 +178,15 @@ class DeformedContact:
             if rounds > 1 and error < GAP_TOLERANCE:
                 break
             pressure, approach = solve_normal(matrix, h, cosine, state[0][..., 2] * self.weight, force, pressure > 0)
-        normal, _, area = state
-        f = (pressure * self.weight)[..., None] * normal
+        else:
+            raise ValueError(f"no solution after {ROUNDS} rounds: {error:.1e} mm are left")
+        f = (pressure * self.weight)[..., None] * state[0]
         on = pressure > 0
-        self.require_inside(on)
-        return {"Fy": f[..., 1].sum(), "Fz": f[..., 2].sum(), "approach": approach, "pmax": (pressure / area).max(),
-                "area": self.weight[on].sum(), "centre of pressure, s": (pressure * self.weight * self.s).sum()
-                / (pressure * self.weight).sum(), "rounds": rounds, "error": error, "pressure": pressure, "normal": normal}
-
-    def require_inside(self, on):
-        if on[:, [0, -1]].any() or on[-1].any():
+        if on[:, [0, -1]].any() or (on[-1].any() and not slices):
             raise ValueError("the contact reaches the border of the strip")
+        return {"Fy": f[..., 1].sum(), "Fz": f[..., 2].sum(), "approach": approach, "pmax": pressure.max(),
+                "area": self.weight[on].sum(), "centre of pressure, s": (pressure * self.weight * self.s).sum()
+                / (pressure * self.weight).sum()}
 
     def normal_matrix(self, spread):
         """d gap / d pressure of the undeformed geometry."""
@@ -177,6 +195,22 @@ class DeformedContact:
         double = self.weight.ravel()
         n_wheel = (self.wheel_matrix.reshape(size, 3, size, 3))[:, 2, :, 2]
         return n_rail + spread @ (n_wheel * (1 / double)) @ spread.T.toarray() * double
+
+
+def plane_strain_numbers(rows, ds, shear, poisson, distance=40.0):
+    """Of a half-space in slices of plane strain, [4][I][i][J][j] (bem_contact/THEORY.md, section 4); columns do not meet."""
+    step = np.arange(rows)[:, None] - np.arange(rows)[None, :]
+
+    def mean(antiderivative):
+        return sum(w * antiderivative((step + k) * ds) for k, w in ((-1, 1), (0, -2), (1, 1))) / ds**2
+    log = mean(lambda s: 0.5 * s * s * np.log(np.maximum(np.abs(s), 1e-300)) - 0.75 * s * s) - np.log(distance)
+    sign = mean(lambda s: 0.5 * s * np.abs(s))
+    out = np.zeros((4, rows, 3, rows, 3))
+    out[0, :, 2, :, 2] = out[0, :, 1, :, 1] = -(1 - poisson) / (np.pi * shear) * ds * log
+    out[0, :, 0, :, 0] = -ds / (np.pi * shear) * log
+    out[0, :, 2, :, 1] = (1 - 2 * poisson) / (4 * shear) * ds * sign
+    out[0, :, 1, :, 2] = -out[0, :, 2, :, 1]
+    return out
 
 
 def solve_normal(matrix, h, cosine, lift, force, start):
