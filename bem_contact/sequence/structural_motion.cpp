@@ -127,8 +127,8 @@ void take_motion(const ContactCase& asked, const GridSolution& solved, Structura
   take(structure.wheel, -1, pair.wheel_pose, rows_of(pair.wheel, solved.contact.wheel_s));
 }
 
-/// By how much the wheel's surface moves against the rail's along y, mean weighted with pressure, beyond what
-/// the structures do, mm. The approach has no part in it: it is along z.
+/// How far along y the wheel has to be moved so that it, lowered until it touches, slides along the rail's
+/// surface as the surfaces in contact do (mean weighted with pressure): what the structures do not do, mm.
 double contact_aside(const ContactCase& asked, const GridSolution& solved,
                      const StructuralResult& structure) {
   const ContactProblem& problem = solved.contact.problem;
@@ -138,14 +138,14 @@ double contact_aside(const ContactCase& asked, const GridSolution& solved,
   by.aside = 0;
   double moved = 0, pressure = 0;
   for (int is = 0; is < problem.grid.ms; ++is) {
-    const Point2 s = tangent_of(problem.rows[is].delta), n = normal_of(problem.rows[is].delta);
+    const Point2 s = tangent_of(problem.rows[is].delta);
     const Point2 away = counted_twice(placed.pair, by, solved.contact.rail_s[is], solved.contact.wheel_s[is]);
     for (int ix = 0; ix < problem.grid.mx; ++ix) {
       const int i = is * problem.grid.mx + ix;
       const double p = result.pn[i];
       pressure += p;
-      moved +=
-          p * ((result.displacements.us[i] + away.y) * s.y + (result.displacements.un[i] + away.z) * n.y);
+      const double slide = result.displacements.us[i] + result.approach * s.z + away.y;
+      moved += p * (slide * s.y - away.z * s.z);
     }
   }
   return pressure > 0 ? moved / pressure : 0.0;
