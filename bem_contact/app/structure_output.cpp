@@ -74,10 +74,11 @@ std::string structure_text(const std::optional<StructuralResult>& structure) {
     return "";
   const std::string bodies = body_text("rail", structure->rail) + body_text("wheel", structure->wheel);
   const std::string aside =
-      structure->aside ? fmt::format("the surfaces in contact move past each other: the wheel's by y {:+.4f} "
-                                     "mm, beyond what the structures do\n",
-                                     *structure->aside)
-                       : "";
+      structure->aside
+          ? fmt::format("the surfaces in contact slide past each other: the wheel is moved by y {:+.4f} "
+                        "mm, beyond what the structures do\n",
+                        *structure->aside)
+          : "";
   return bodies + aside +
          (structure->placed ? fmt::format("the bodies stand where their motion takes them, to {:.1e} mm "
                                           "after {} solutions\n",

@@ -26,8 +26,8 @@ struct PlaneMotion {
 /// them. The wheel's axle stays: its rim moves against it.
 struct StructuralPlacement {
   PlaneMotion rail, wheel;
-  /// Then the wheel is moved along y by as much as the contact's own elasticity and approach move its surface
-  /// there against the rail's, mm.
+  /// Then the wheel is moved along y, mm: it is to slide along the rail as the surfaces in contact do, whose
+  /// approach has a part along them.
   double aside = 0;
   /// After that it is lowered by this much until it touches again, mm.
   double lowered = 0;

@@ -23,7 +23,7 @@ struct PlacedSolution {
 /// 3. the contact is solved again there. Its influence numbers contain the structural motion too, so the
 ///    former motion is taken out of the gap: what they add is only how the motion changes.
 /// With solver.contact_motion = "placed" (any model but Hertz's) the wheel is moved along y, too, as the
-/// surfaces in contact move past each other by their elasticity and approach.
+/// surfaces in contact slide past each other.
 /// This is repeated until the contact moves by less than position_tolerance. Placed are bodies of a wheel on
 /// a rail in steady rolling or without friction. Throws ConvergenceError where the bodies do not come to
 /// rest, and what solve_on_growing_grid() throws.

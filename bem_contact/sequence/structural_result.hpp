@@ -26,8 +26,8 @@ struct StructuralResult {
   /// Whether the bodies stand where this motion takes them (StructuralMotion::placed); else the geometry is
   /// that of the undeformed position.
   bool placed = false;
-  /// By how much the contact's own elasticity and approach move the wheel's surface against the rail's along
-  /// y there, mean weighted with pressure, mm; nothing where the geometry does not follow it.
+  /// How far along y the wheel is moved so that it slides along the rail as the surfaces in contact do, mm;
+  /// nothing where the geometry does not follow them.
   std::optional<double> aside;
   int solutions = 1;  ///< until the bodies stood still
   double change = 0;  ///< by how much the last solution still moved the contact, mm

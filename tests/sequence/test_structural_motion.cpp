@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numeric>
 
 namespace {
@@ -182,6 +184,45 @@ TEST(ContactMotion, CostsWhatExactKinematicsSays) {
   EXPECT_NEAR(*placed.structure->aside, -0.054, 0.002);
   EXPECT_NEAR(placed.result.Fy / undeformed.result.Fy, 1.0087, 1.5e-3);
   EXPECT_LT(placed.structure->change, 1e-4);
+}
+
+/// A circle of radius R as profile points, 2 w wide.
+void write_circle(const std::filesystem::path& file, double R, double w) {
+  std::ofstream out(file);
+  for (double y = -w; y <= w; y += 0.25)
+    out << fmt::format("{:.9f} {:.9f}\n", y, R - std::sqrt(R * R - y * y));
+}
+
+TEST(ContactMotion, ForceLiesOnTheLineOfCentres) {
+  // A rail of radius 80 in a wheel's groove of radius 100, lowered onto it where both are inclined by -.4
+  // rad. Frictionless pressure on circles passes through their centres. The wheel's centres form a ring about
+  // the axle, which rises by x^2 / (2 * 560) off x = 0.
+  const TemporaryFolder folder;
+  write_circle(folder / "rail.txt", 80, 45);
+  write_circle(folder / "wheel.txt", 100, 55);
+  const double across = 20 * std::sin(0.4), down = 20 * std::cos(0.4);
+  SceneFile scene = with_model(
+      parse_scene_file(fmt::format("rail.profile = '{}'\nrail.place = 'absolute'\nrail.y = 750\n"
+                                   "wheel.profile = '{}'\nwheel.place = 'absolute'\nwheel.y = {:.9f}\n"
+                                   "load.force = 1e5\ngrid.dx = 0.5\ngrid.ds = 0.2\n{}",
+                                   (folder / "rail.txt").string(), (folder / "wheel.txt").string(),
+                                   750 + across, by_contact)),
+      Model::halfspace);
+  scene.motion.frictionless = true;
+  /// Fy / Fz over what the line of centres says, less 1.
+  const auto off = [&](const SceneResult& r) {
+    const ContactGrid& grid = r.problem.grid;
+    double rise = 0, sum = 0;
+    for (int i = 0; i < grid.size(); ++i) {
+      const double x = grid.x(i % grid.mx);
+      rise += r.result.pn[i] * x * x / (2 * 560);
+      sum += r.result.pn[i];
+    }
+    return r.result.Fy / r.result.Fz * (down + r.result.approach - rise / sum) / across - 1;
+  };
+  EXPECT_LT(std::abs(off(solved(scene))), 1e-4);
+  scene.solver.contact_motion = ContactMotion::linear;
+  EXPECT_LT(off(solved(scene)), -1e-3);
 }
 
 TEST(ContactMotion, IsOfSecondOrder) {
