@@ -62,6 +62,7 @@ json structure_json(const std::optional<StructuralResult>& structure) {
   return {{"rail", body_json(structure->rail)},
           {"wheel", body_json(structure->wheel)},
           {"placed", structure->placed},
+          {"aside", structure->aside ? json(*structure->aside) : json(nullptr)},
           {"solutions", structure->solutions},
           {"last_change", structure->change},
           {"lowered", structure->lowered},
@@ -72,12 +73,17 @@ std::string structure_text(const std::optional<StructuralResult>& structure) {
   if (!structure)
     return "";
   const std::string bodies = body_text("rail", structure->rail) + body_text("wheel", structure->wheel);
-  return bodies +
-         (structure->placed
-              ? fmt::format("the bodies stand where their structures' motion takes them, to {:.1e} mm "
-                            "after {} solutions\n",
-                            structure->change, structure->solutions)
-              : "the geometry is that of the bodies before this motion\n");
+  const std::string aside =
+      structure->aside
+          ? fmt::format("the surfaces in contact slide past each other: the wheel is moved by y {:+.4f} "
+                        "mm, beyond what the structures do\n",
+                        *structure->aside)
+          : "";
+  return bodies + aside +
+         (structure->placed ? fmt::format("the bodies stand where their motion takes them, to {:.1e} mm "
+                                          "after {} solutions\n",
+                                          structure->change, structure->solutions)
+                            : "the geometry is that of the bodies before this motion\n");
 }
 
 void add_structure(H5Table& table, const std::string& group, const StructuralResult& structure) {
@@ -86,6 +92,8 @@ void add_structure(H5Table& table, const std::string& group, const StructuralRes
   if (structure.wheel)
     add_body(table, group + "wheel/", *structure.wheel);
   table.attributes[group + "placed"] = structure.placed ? 1.0 : 0.0;
+  if (structure.aside)
+    table.attributes[group + "aside_mm"] = *structure.aside;
   table.attributes[group + "solutions"] = double(structure.solutions);
   table.attributes[group + "last_change_mm"] = structure.change;
   table.attributes[group + "lowered_mm"] = structure.lowered;

@@ -26,11 +26,17 @@ struct PlaneMotion {
 /// them. The wheel's axle stays: its rim moves against it.
 struct StructuralPlacement {
   PlaneMotion rail, wheel;
-  /// After that the wheel is lowered by this much until it touches again, mm.
+  /// Then the wheel is moved along y, mm: it is to slide along the rail as the surfaces in contact do, whose
+  /// approach has a part along them.
+  double aside = 0;
+  /// After that it is lowered by this much until it touches again, mm.
   double lowered = 0;
   /// What influence numbers with structural compliance make of these motions, each in its body's section. The
   /// displacements that they give already stand in the bodies' new places.
   PlaneMotion rail_in_numbers, wheel_in_numbers;
+
+  /// Of the wheel, after its structure's motion.
+  Point2 wheel_by() const { return {aside, lowered}; }
 };
 
 /// By how much a motion within its section moves a point of a body's surface along its own tangent and into
@@ -45,20 +51,24 @@ inline Point2 own_displacement(const PlaneMotion& motion, const CurvePoint& at) 
 /// rail's.
 inline Point2 counted_twice(const WheelOnRail& pair, const StructuralPlacement& by, double rail_s,
                             double wheel_s) {
-  return own_displacement(by.rail_in_numbers, pair.rail.at(rail_s)) +
-         own_displacement(by.wheel_in_numbers, pair.wheel.at(wheel_s));
+  const CurvePoint rail = pair.rail.at(rail_s);
+  const double delta = rail.delta + pair.rail_pose.angle;
+  return own_displacement(by.rail_in_numbers, rail) +
+         own_displacement(by.wheel_in_numbers, pair.wheel.at(wheel_s)) -
+         by.aside * Point2{tangent_of(delta).y, normal_of(delta).y};
 }
 
 /// The pair with both bodies moved, the wheel not yet lowered.
 inline WheelOnRail moved(WheelOnRail pair, const StructuralPlacement& by) {
   pair.rail_pose = by.rail.of(pair.rail_pose);
   pair.wheel_pose = by.wheel.of(pair.wheel_pose);
+  pair.wheel_pose.origin.y += by.aside;
   return pair;
 }
 
 /// The pair with the wheel turned and moved back, but not lifted: its axle as the scene puts it.
 inline WheelOnRail with_wheel_before(WheelOnRail pair, const StructuralPlacement& by) {
-  pair.wheel_pose.origin = by.wheel.before(pair.wheel_pose.origin - Point2{0, by.lowered});
+  pair.wheel_pose.origin = by.wheel.before(pair.wheel_pose.origin - by.wheel_by());
   pair.wheel_pose.angle -= by.wheel.angle;
   return pair;
 }

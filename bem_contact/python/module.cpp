@@ -163,8 +163,9 @@ py::object structure_of(const SceneResult& r) {
   if (!r.structure)
     return py::none();
   return py::dict("rail"_a = body_of(r.structure->rail), "wheel"_a = body_of(r.structure->wheel),
-                  "placed"_a = r.structure->placed, "solutions"_a = r.structure->solutions,
-                  "last_change"_a = r.structure->change, "lowered"_a = r.structure->lowered);
+                  "placed"_a = r.structure->placed, "aside"_a = r.structure->aside,
+                  "solutions"_a = r.structure->solutions, "last_change"_a = r.structure->change,
+                  "lowered"_a = r.structure->lowered);
 }
 
 /// "On the rail, N"

@@ -44,6 +44,14 @@ template <> struct EnumNames<StructuralMotion> {
   static constexpr std::array<std::string_view, 2> names{"placed", "linear"};
 };
 
+/// What is done about the geometry where surfaces in contact slide past each other as they approach:
+///   linear: undeformed distance and normals stay those of the bodies as they touch;
+///   placed: the wheel is moved aside by as much, and the contact is solved again until it stands still.
+enum class ContactMotion { linear, placed };
+template <> struct EnumNames<ContactMotion> {
+  static constexpr std::array<std::string_view, 2> names{"linear", "placed"};
+};
+
 /// What is taken for the bodies, cheapest first: Hertz's closed form; influence numbers of the half-space;
 /// of half-spaces in the elements' tangent planes; of the bodies themselves, from influence files.
 enum class Model { hertz, halfspace, tangent_plane, fem };

@@ -55,7 +55,7 @@ ContactSetup set_up_touching(const SceneFile& scene, WheelOnRail pair, std::vect
 /// Rows as seen from the wheel before its structure moved it.
 std::vector<ContactRow> rows_before(const StructuralPlacement& structure, std::vector<ContactRow> rows) {
   for (ContactRow& row : rows)
-    row.position = structure.wheel.before(row.position - Point2{0, structure.lowered});
+    row.position = structure.wheel.before(row.position - structure.wheel_by());
   return rows;
 }
 
@@ -130,7 +130,7 @@ RigidSlip ContactSetup::rigid_slip(const MotionStep& step, const std::vector<Con
     return bem_contact::rigid_slip(placed.pair, reference(), creepage, rows, x);
   // The wheel's material turns about its axle, which did not move with the rim.
   ReferencePoint before = reference();
-  before.position = placed.structure->wheel.before(before.position - Point2{0, placed.structure->lowered});
+  before.position = placed.structure->wheel.before(before.position - placed.structure->wheel_by());
   return bem_contact::rigid_slip(with_wheel_before(placed.pair, *placed.structure), before, creepage,
                                  rows_before(*placed.structure, rows), x);
 }

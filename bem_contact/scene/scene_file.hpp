@@ -188,6 +188,8 @@ struct SceneFile {
     int max_outer = 50;            ///< outer iterations
     /// What structural motion does to the geometry.
     StructuralMotion structural_motion = StructuralMotion::placed;
+    /// What the motion of the surfaces in contact does to it.
+    ContactMotion contact_motion = ContactMotion::linear;
 
     bool operator==(const Solver&) const = default;
   } solver; ///< [solver]

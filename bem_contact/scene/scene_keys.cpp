@@ -413,6 +413,11 @@ void add_solver(Schema& s, SceneFile::Solver& solver) {
              "Where structural = \"included\" (fem): place the bodies by their structures' motion and solve "
              "again until they stand, or keep the undeformed position's geometry",
          .kinds = wheel_rail});
+  s.add("solver.contact_motion", solver.contact_motion,
+        {.doc =
+             "Surfaces in contact slide past each other as they approach: keep the geometry of the bodies as "
+             "they touch, or place the wheel by that motion and solve again until it stands",
+         .kinds = wheel_rail});
 }
 
 } // namespace

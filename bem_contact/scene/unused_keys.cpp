@@ -91,6 +91,10 @@ std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
        f.rail.structural == StructuralCompliance::removed &&
            f.wheel.structural == StructuralCompliance::removed,
        "no body's structural compliance is included"},
+      {{"solver.contact_motion"},
+       f.solver.structural_motion == StructuralMotion::linear ||
+           (m.kind != MotionKind::steady && !m.frictionless),
+       "the geometry follows a steady contact alone, and with solver.structural_motion = \"placed\""},
       {{"rail.influence", "wheel.influence"},
        one_file,
        "influence files are used where both bodies have one"},

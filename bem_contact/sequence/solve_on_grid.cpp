@@ -5,6 +5,7 @@
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/hertz_model.hpp"
 #include "bem_contact/sequence/second_solution.hpp"
+#include "bem_contact/sequence/structural_motion.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -81,8 +82,9 @@ SolverOptions options_of(const ContactCase& asked, const SolveTask& task, const 
           .max_outer = asked.scene.solver.max_outer,
           .estimate_discretisation = !task.normal_only && !resources.totals_only,
           // A warning looks at how far surfaces slide where the bodies' structures give way.
-          .displacements = (resources.displacements || gives_way(asked.setup)) && !task.normal_only &&
-                           !resources.totals_only,
+          .displacements = !task.normal_only &&
+                           (is_placed_by_contact(asked.scene) ||
+                            ((resources.displacements || gives_way(asked.setup)) && !resources.totals_only)),
           .coarse_start = resources.coarse_start,
           .workspace = resources.operators};
 }

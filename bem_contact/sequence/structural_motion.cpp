@@ -94,9 +94,11 @@ PlaneMotion motion_in_numbers(const std::optional<BodyMotion>& body, const Pose&
 /// `asked`: the case as the scene gives it.
 StructuralPlacement placement_of(const ContactCase& asked, const StructuralResult& structure) {
   const WheelOnRail& pair = asked.setup.wheel_rail()->pair;
-  return {plane_motion(structure.rail), plane_motion(structure.wheel), 0.0,
-          motion_in_numbers(structure.rail, pair.rail_pose),
-          motion_in_numbers(structure.wheel, pair.wheel_pose)};
+  return {.rail = plane_motion(structure.rail),
+          .wheel = plane_motion(structure.wheel),
+          .aside = structure.aside.value_or(0),
+          .rail_in_numbers = motion_in_numbers(structure.rail, pair.rail_pose),
+          .wheel_in_numbers = motion_in_numbers(structure.wheel, pair.wheel_pose)};
 }
 
 std::vector<ContactRow> rows_of(const TabulatedProfile& profile, const std::vector<double>& stations) {
@@ -125,6 +127,30 @@ void take_motion(const ContactCase& asked, const GridSolution& solved, Structura
   take(structure.wheel, -1, pair.wheel_pose, rows_of(pair.wheel, solved.contact.wheel_s));
 }
 
+/// How far along y the wheel has to be moved so that it, lowered until it touches, slides along the rail's
+/// surface as the surfaces in contact do (mean weighted with pressure): what the structures do not do, mm.
+double contact_aside(const ContactCase& asked, const GridSolution& solved,
+                     const StructuralResult& structure) {
+  const ContactProblem& problem = solved.contact.problem;
+  const ContactResult& result = solved.result;
+  const WheelRailGeometry& placed = *asked.setup.wheel_rail();
+  StructuralPlacement by = placement_of(asked, structure);
+  by.aside = 0;
+  double moved = 0, pressure = 0;
+  for (int is = 0; is < problem.grid.ms; ++is) {
+    const Point2 s = tangent_of(problem.rows[is].delta);
+    const Point2 away = counted_twice(placed.pair, by, solved.contact.rail_s[is], solved.contact.wheel_s[is]);
+    for (int ix = 0; ix < problem.grid.mx; ++ix) {
+      const int i = is * problem.grid.mx + ix;
+      const double p = result.pn[i];
+      pressure += p;
+      const double slide = result.displacements.us[i] + result.approach * s.z + away.y;
+      moved += p * (slide * s.y - away.z * s.z);
+    }
+  }
+  return pressure > 0 ? moved / pressure : 0.0;
+}
+
 /// By how much the contact moves from one motion to another, mm: the bodies' points against each other, and
 /// the surfaces at the distance of a contact's half width from them.
 double change_between(const StructuralResult& a, const StructuralResult& b) {
@@ -135,7 +161,8 @@ double change_between(const StructuralResult& a, const StructuralResult& b) {
   const auto [by_a, angle_a] = relative(a);
   const auto [by_b, angle_b] = relative(b);
   const Point2 moved = by_b - by_a;
-  return std::hypot(moved.y, moved.z) + half_contact * std::abs(angle_b - angle_a);
+  return std::hypot(moved.y, moved.z) + half_contact * std::abs(angle_b - angle_a) +
+         std::abs(b.aside.value_or(0) - a.aside.value_or(0));
 }
 
 /// The case with its bodies where `by` takes them.
@@ -157,9 +184,9 @@ void take_places(const WheelRailGeometry& placed, StructuralResult& structure) {
   structure.lowered = placed.structure->lowered;
 }
 
-bool can_be_placed(const ContactCase& asked) {
-  const bool steady = asked.scene.motion.kind == MotionKind::steady || asked.scene.motion.frictionless;
-  return steady && asked.scene.solver.structural_motion == StructuralMotion::placed;
+bool can_be_placed(const SceneFile& scene) {
+  const bool steady = scene.motion.kind == MotionKind::steady || scene.motion.frictionless;
+  return steady && scene.solver.structural_motion == StructuralMotion::placed;
 }
 
 /// Solves the placed case, from the solution that `out` has; `out` then has the new one.
@@ -201,11 +228,19 @@ PlacedSolution solve_on_placed_bodies(const ContactCase& asked, const SceneFile:
   const bool on_strips = task.model == Model::fem;
   PlacedSolution out{asked, solve_on_growing_grid(asked, std::move(first), task, resources, on_strips),
                      structures_of(asked, task.model)};
+  const bool by_contact = is_placed_by_contact(asked.scene) && task.model != Model::hertz;
+  if (by_contact && !out.structure)
+    out.structure.emplace();
   if (!out.structure)
     return out;
   StructuralResult& structure = *out.structure;
-  take_motion(asked, out.solved, structure);
-  if (!can_be_placed(asked))
+  const auto take = [&] {
+    take_motion(asked, out.solved, structure);
+    if (by_contact)
+      structure.aside = contact_aside(out.asked, out.solved, structure);
+  };
+  take();
+  if (!can_be_placed(asked.scene))
     return out;
   while (out.solved.result.converged) {
     if (structure.solutions == most_placements)
@@ -217,7 +252,7 @@ PlacedSolution solve_on_placed_bodies(const ContactCase& asked, const SceneFile:
     solve_where_placed(placed_case(asked, placement_of(asked, structure)), grid, task, resources, out);
     const StructuralResult former = structure;
     take_places(*out.asked.setup.wheel_rail(), structure);
-    take_motion(asked, out.solved, structure);
+    take();
     structure.placed = true;
     structure.change = change_between(former, structure);
     ++structure.solutions;
@@ -225,6 +260,11 @@ PlacedSolution solve_on_placed_bodies(const ContactCase& asked, const SceneFile:
       break;
   }
   return out;
+}
+
+bool is_placed_by_contact(const SceneFile& scene) {
+  return scene.kind == SceneKind::wheel_rail && can_be_placed(scene) &&
+         scene.solver.contact_motion == ContactMotion::placed;
 }
 
 double local_approach(const ContactCase& asked, const GridSolution& solved) {

@@ -22,12 +22,17 @@ struct PlacedSolution {
 ///    anew;
 /// 3. the contact is solved again there. Its influence numbers contain the structural motion too, so the
 ///    former motion is taken out of the gap: what they add is only how the motion changes.
+/// With solver.contact_motion = "placed" (any model but Hertz's) the wheel is moved along y, too, as the
+/// surfaces in contact slide past each other.
 /// This is repeated until the contact moves by less than position_tolerance. Placed are bodies of a wheel on
 /// a rail in steady rolling or without friction. Throws ConvergenceError where the bodies do not come to
 /// rest, and what solve_on_growing_grid() throws.
 PlacedSolution solve_on_placed_bodies(const ContactCase& asked, const SceneFile::Grid& grid,
                                       ContactOnGrid first, const SolveTask& task,
                                       const SolveResources& resources);
+
+/// Whether the geometry follows the contact's own motion (solver.contact_motion), too.
+bool is_placed_by_contact(const SceneFile& scene);
 
 /// The approach that is left when what the structures give way at the contact is taken off; without
 /// structural motion the approach itself. Mm.

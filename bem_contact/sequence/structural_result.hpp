@@ -19,12 +19,16 @@ struct BodyMotion {
   std::optional<SixBySix> stiffness; ///< compliance^-1; nothing where the body does not give way
 };
 
-/// The structural motion of a solution: of the bodies whose structural compliance is included.
+/// The motion of a solution that moves its geometry: of the bodies whose structural compliance is included,
+/// and of the surfaces in contact.
 struct StructuralResult {
   std::optional<BodyMotion> rail, wheel; ///< nothing: its compliance is not included
   /// Whether the bodies stand where this motion takes them (StructuralMotion::placed); else the geometry is
   /// that of the undeformed position.
   bool placed = false;
+  /// How far along y the wheel is moved so that it slides along the rail as the surfaces in contact do, mm;
+  /// nothing where the geometry does not follow them.
+  std::optional<double> aside;
   int solutions = 1;  ///< until the bodies stood still
   double change = 0;  ///< by how much the last solution still moved the contact, mm
   double lowered = 0; ///< of the approach: what brings the moved bodies together again, mm
