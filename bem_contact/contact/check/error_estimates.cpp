@@ -167,7 +167,7 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   const ShearEffects effects = effects_of_shear(problem, result, fine);
   e.Fy = shear_error(result.Fy - coarse.Fy, effects.fy, fine.contact);
   e.Fz = force ? 0 : shear_error(result.Fz - coarse.Fz, effects.fz, fine.contact) + local_normal_force(fine);
-  out.local_moment = shear_x_share * local_error(effects.moment, fine.contact);
+  out.local_moment = moment_share * local_error(effects.moment, fine.contact);
   estimate_patches(problem, patches, patches_of(coarse_problem, coarse), effects, fine.contact, roughness,
                    out.patches);
 }
