@@ -88,13 +88,15 @@ struct ContactProblem {
   double falling_factor(int row, double slip_velocity) const {
     return falling.empty() ? 1 : falling[falling.size() == 1 ? 0 : row].factor(slip_velocity);
   }
-  /// Whether mu depends on the slip velocity; on temperature; on either.
+  /// Whether mu depends on the slip velocity.
   bool friction_falls() const {
     return std::any_of(falling.begin(), falling.end(), [](const auto& law) { return law.ratio != 1; });
   }
+  /// Whether it depends on the temperature of the surfaces.
   bool friction_falls_with_heat() const {
     return heating && heating->friction && heating->friction->ratio != 1;
   }
+  /// Whether it depends on either.
   bool friction_varies() const { return friction_falls() || friction_falls_with_heat(); }
   /// Coulomb's law with one mu for adhesion and slip.
   bool is_coulomb() const { return kinetic == 1 && !friction_varies(); }

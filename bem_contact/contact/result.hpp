@@ -144,7 +144,7 @@ struct PatchSummary {
 
 /// Of the surfaces of rail and wheel, degrees C; fields.
 struct SurfaceTemperatures {
-  std::vector<double> rail, wheel;
+  std::vector<double> rail, wheel; ///< of each surface
 
   double mean(std::size_t i) const { return 0.5 * (rail[i] + wheel[i]); } ///< of both, at an element
 };

@@ -97,7 +97,7 @@ struct ElementQuantity {
   /// Whether a result has it; null: every one.
   bool (*has)(const SceneResult&) = nullptr;
 
-  bool is_in(const SceneResult& result) const { return !has || has(result); }
+  bool is_in(const SceneResult& result) const { return !has || has(result); } ///< whether this result has it
   /// What `copy` gives, in a vector of its own.
   std::vector<double> values(const SceneResult& result) const;
 };
