@@ -319,8 +319,8 @@ BEM_CONTACT_TUNED(int, least_companion_line, 7);
 // Stated errors of printed numbers: a share of the change from elements twice as large, and a local part.
 // They are fitted to random cases of tools/benchmarks/estimates: those of shear to 870 (seeds 1, 2, 6 and 7),
 // those of creepages and power to 600 (1, 2 and 6), the others to 415 (1 and 2), so that about 96 in 100 true
-// errors are below the stated ones and the median of stated over true is least. pmax_rough, shear_x_share and
-// moment_share were set anew on 540 (8 and 9). tools/BENCHMARKS.md, section 9, judges them on other cases.
+// errors are below the stated ones and the median of stated over true is least. Those of pmax and of shear
+// were set anew on 850 (8 to 10). tools/BENCHMARKS.md, section 9, judges them on other cases.
 
 BEM_CONTACT_TUNED(double, pmax_change, 0.02);     ///< 1. Share of the change of pmax,
 BEM_CONTACT_TUNED(double, pmax_local, 0.092);     ///< 1. and of how far p_n falls beside its peak,
@@ -330,18 +330,18 @@ BEM_CONTACT_TUNED(double, adhesion_change, 0.25); ///< 1. Share of the change of
 BEM_CONTACT_TUNED(double, adhesion_local, 1.2);   ///< 1. elements whose state is in doubt anyway,
 BEM_CONTACT_TUNED(double, adhesion_border, 1.05); ///< 1. and for the root of the border of adhesion.
 /// 1. Fx, Fs, Fy, Mz and those of patches are sums over elements. Share of the change of the sum,
-BEM_CONTACT_TUNED(double, shear_change, 0.5);
+BEM_CONTACT_TUNED(double, shear_change, 0.55);
 /// 1. of the mean of the elements' absolute values: the contact is off by parts of an element,
-BEM_CONTACT_TUNED(double, shear_local, 0.58);
+BEM_CONTACT_TUNED(double, shear_local, 0.64);
 /// 1. but no more than of so many times their mean deviation from parts in proportion to the pressure,
 BEM_CONTACT_TUNED(double, shear_deviation, 10.0);
 /// 1. and of the root of the sum of squares over the elements in adhesion: each is off by chance.
-BEM_CONTACT_TUNED(double, shear_adhesion, 0.58);
+BEM_CONTACT_TUNED(double, shear_adhesion, 0.64);
 /// 1. So much of that for Fx and for Mz: they are off by less than lateral forces.
-BEM_CONTACT_TUNED(double, shear_x_share, 0.92);
-BEM_CONTACT_TUNED(double, moment_share, 0.80);
+BEM_CONTACT_TUNED(double, shear_x_share, 0.86);
+BEM_CONTACT_TUNED(double, moment_share, 0.75);
 /// 1. So much for the normal force of a patch, where the larger of two changes counts.
-BEM_CONTACT_TUNED(double, normal_share, 0.78);
+BEM_CONTACT_TUNED(double, normal_share, 0.72);
 BEM_CONTACT_TUNED(double, power_change, 1.15);   ///< 1. Share of the change of the frictional power,
 BEM_CONTACT_TUNED(double, power_local, 0.40);    ///< 1. and of that of one element (mean).
 BEM_CONTACT_TUNED(double, approach_change, 0.2); ///< 1. Share of the change of the approach,
