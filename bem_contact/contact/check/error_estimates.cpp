@@ -132,10 +132,10 @@ void estimate_shear(const ContactProblem& problem, const ContactResult& result, 
   const double strain = strain_per_force(problem, fine);
   if (problem.force_x)
     e.creepage_x = creepage_change * std::abs(result.creepage_x - coarse.creepage_x) +
-                   strain * local_error(fine.fx, fine.contact);
+                   creepage_local * strain * local_error(fine.fx, fine.contact);
   if (problem.force_s)
     e.creepage_s = creepage_change * std::abs(result.creepage_s - coarse.creepage_s) +
-                   strain * local_error(fine.fs, fine.contact);
+                   creepage_local * strain * local_error(fine.fs, fine.contact);
 }
 
 } // namespace
