@@ -151,6 +151,9 @@ class Interrupted(unittest.TestCase):
         for run in range(10):
             output, processes = f"killed{run}.h5", 1 + run % 2
             self.kill(output, processes, chance.uniform(0, self.largest_part))
+            if (self.folder / output).exists():  # on a busy machine a run may end before it is killed: its file is whole
+                self.assert_same_file(output)
+                continue
             self.assert_nothing_under(output)
             second = self.complete(output, 1 + chance.randrange(2), check=True)
             resumed += int(re.search(r"\((\d+) from an earlier run\)", second.stderr)[1]) > 0
