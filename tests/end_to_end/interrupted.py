@@ -34,6 +34,14 @@ ENVIRONMENT = os.environ | {name: "1" for name in (
     "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM")}
 
 
+def runs(pid):
+    """Whether a process still does something."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+
+
 def descendants(pid):
     """All processes that `pid` started, and they in turn, and `pid`."""
     found, parents = [pid], {}
@@ -123,12 +131,15 @@ class Interrupted(unittest.TestCase):
         run = self.start(output, processes)
         while run.poll() is None and self.size(output + ".part") < part:
             time.sleep(0.001)
-        for pid in descendants(run.pid):
+        killed = descendants(run.pid)
+        for pid in killed:
             try:
                 os.kill(pid, signal.SIGKILL)
             except ProcessLookupError:
                 pass
         run.wait()
+        while any(map(runs, killed)):  # what was killed within a call of the system ends with that call
+            time.sleep(0.001)
         run.stderr.close()
 
     def assert_same_file(self, output):
