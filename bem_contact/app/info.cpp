@@ -9,6 +9,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/table/table_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -59,7 +60,6 @@ std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes)
       "  strip: {} stations {:g} mm wide, s = {:.3f} .. {:.3f} mm, inclination {:.2f} .. {:.2f} degrees\n",
       f.station_count(), f.station_width, f.stations.front().s - half, f.stations.back().s + half,
       degrees(f.stations.front().delta), degrees(f.stations.back().delta));
-  const double shortest = f.is_table() || f.wavenumber.back() <= 0 ? 0.0 : 10 / f.wavenumber.back();
   if (f.is_table())
     out += fmt::format(
         "  table of {} influence numbers along x, elements of {:g} mm and whole multiples of it\n",
@@ -68,7 +68,7 @@ std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes)
     out += fmt::format(
         "  {} wavenumbers, 0 .. {:g} 1/mm; half period {:g} mm: elements along x from {:.3g} mm{}, a "
         "patch up to {:.4g} mm long\n",
-        f.wavenumber_count(), f.wavenumber.back(), f.half_period, shortest,
+        f.wavenumber_count(), f.wavenumber.back(), f.half_period, shortest_dx(f),
         f.invariance == Invariance::revolution ? " (at the reference radius)" : "", f.half_period);
   out += fmt::format("  estimated error {}; Maxwell-Betti {:.1e}, reaction against load {:.1e}\n",
                      f.estimated_error < 0 ? std::string("not given")

@@ -1,5 +1,6 @@
 #include "bem_contact/app/wear_influence.hpp"
 
+#include "bem_contact/app/wear_state.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -16,11 +17,6 @@ namespace bem_contact::app {
 
 namespace {
 
-std::filesystem::path file_of(const std::filesystem::path& folder, const char* body, int step,
-                              const char* extension) {
-  return folder / fmt::format("{}_{:04}.{}", body, step, extension);
-}
-
 std::vector<Point2> points_in(const std::filesystem::path& file) {
   std::istringstream in(read_text_file(file.string(), "profile"));
   std::vector<Point2> points;
@@ -32,7 +28,6 @@ std::vector<Point2> points_in(const std::filesystem::path& file) {
 /// The body of these functions with another profile. Elements along x are the shortest that they serve.
 std::string body_file_text(const InfluenceFunction& f, const char* body, const std::string& standard,
                            const std::string& profile_file) {
-  constexpr double wavenumbers_per_dx = 10; // data/INFLUENCE_FORMAT.md: shortest dx = 10 / largest k
   const double half = f.station_width / 2;
   std::string out = fmt::format("# A worn body, written by bem_contact wear. The body file of the unworn one "
                                 "may say more: copy its keys.\n"
@@ -45,7 +40,7 @@ std::string body_file_text(const InfluenceFunction& f, const char* body, const s
   out += fmt::format("\n[strip]\nfrom = {:.9g} # mm\nto = {:.9g}\nstation_width = {:.9g}\n",
                      f.stations.front().s - half, f.stations.back().s + half, f.station_width);
   if (!f.is_table())
-    out += fmt::format("\n[harmonic]\nshortest_dx = {:.6g} # mm\n", wavenumbers_per_dx / f.wavenumber.back());
+    out += fmt::format("\n[harmonic]\nshortest_dx = {:.6g} # mm\n", shortest_dx(f));
   return out;
 }
 
@@ -87,10 +82,10 @@ void WearInfluence::begin(Side& side, wear::KeptInfluence& kept, const wear::Wor
 
 void WearInfluence::take_newest(Side& side, wear::KeptInfluence& kept, int step) {
   for (int k = step; k > side.step; --k) {
-    const std::filesystem::path file = file_of(folder_, side.name, k, "h5");
+    const std::filesystem::path file = folder_ / step_file(side.name, k, "h5");
     if (!file_exists(file))
       continue;
-    const std::filesystem::path profile = file_of(folder_, side.name, k, "txt");
+    const std::filesystem::path profile = folder_ / step_file(side.name, k, "txt");
     const ProfileCurve curve = named_profile(std::filesystem::absolute(profile).string(), side.kind, {},
                                              {.profile_z = ProfileZ::down});
     require_profile(read_influence_file(file), curve.name(), curve.digest());
@@ -110,9 +105,9 @@ const wear::KeptPair& WearInfluence::at(int step, const wear::WornPair& now, dou
     if (!resumed_ || turn() > kept_turn)
       take_newest(side, kept, step);
     if (turn() > kept_turn)
-      ask_for(file_of(folder_, side.name, step, "h5"), side.step, turn(), kept_turn, side.name,
+      ask_for(folder_ / step_file(side.name, step, "h5"), side.step, turn(), kept_turn, side.name,
               body_file_text(read_influence_file(kept.file), side.name, side.scene.profile,
-                             fmt::format("{}_{:04}.txt", side.name, step)));
+                             step_file(side.name, step, "txt")));
   };
   follow(rail_, kept_.rail, now.rail);
   follow(wheel_, kept_.wheel, now.wheel);

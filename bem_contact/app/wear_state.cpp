@@ -55,9 +55,13 @@ WearRow history_row(int step, const wear::WornPair& pair, double wheel_radius) {
           .wheel_area = pair.wheel.area};
 }
 
+std::string step_file(std::string_view body, int step, std::string_view extension) {
+  return fmt::format("{}_{:04}.{}", body, step, extension);
+}
+
 void write_wear(const std::filesystem::path& folder, const std::string& digest, const WearState& state) {
-  wear::write_profile(folder / fmt::format("rail_{:04}.txt", state.step), state.pair.rail.points);
-  wear::write_profile(folder / fmt::format("wheel_{:04}.txt", state.step), state.pair.wheel.points);
+  wear::write_profile(folder / step_file("rail", state.step, "txt"), state.pair.rail.points);
+  wear::write_profile(folder / step_file("wheel", state.step, "txt"), state.pair.wheel.points);
   write_whole(folder / "wear.csv", [&](std::ostream& out) {
     std::vector<std::string> names;
     for (const WearColumn& column : wear_columns)

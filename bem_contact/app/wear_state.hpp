@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bem_contact::app {
@@ -39,6 +40,9 @@ struct WearState {
 
 /// The row of the history of a state; the mileage is that of a wheel of this radius, mm.
 WearRow history_row(int step, const wear::WornPair& pair, double wheel_radius);
+
+/// The name of a body's file of a step: rail_0001.txt. `extension`: txt, h5 or toml.
+std::string step_file(std::string_view body, int step, std::string_view extension);
 
 /// Writes profiles of this step (rail_0001.txt), wear.csv, and last the state (state.txt), each whole or not
 /// at all: a kill at any moment leaves the state of a finished step.

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/expand_kernel.hpp"
 #include "bem_contact/influence/expand_table.hpp"
+#include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/influence/settings.hpp"
 
 #include <cmath>
@@ -47,10 +48,8 @@ Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
   if (f.wavenumber_count() < 3 || largest * scaling.dx / 2 < least_half_element_phase * (1 - phase_slack))
     throw InputError("the influence functions of '" + f.body +
                          "' are too coarse along x for dx = " + std::to_string(o.dx) + " mm",
-                     largest > 0
-                         ? "they serve dx >= " +
-                               std::to_string(2 * least_half_element_phase / largest * scaling.load) + " mm"
-                         : "they hold plane strain only",
+                     largest > 0 ? "they serve dx >= " + std::to_string(shortest_dx(f) * scaling.load) + " mm"
+                                 : "they hold plane strain only",
                      "use longer elements, or compute them with a smaller harmonic.shortest_dx");
   if (o.offsets * scaling.dx > f.half_period)
     throw InputError("the patch is longer than the half period of the influence functions of '" + f.body +

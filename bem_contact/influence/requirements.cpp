@@ -59,4 +59,9 @@ void require_strip(const InfluenceFunction& f, double s_from, double s_to) {
         "compute them for a wider strip, or move the patch");
 }
 
+double shortest_dx(const InfluenceFunction& function) {
+  const double largest = function.wavenumber.empty() ? 0.0 : function.wavenumber.back();
+  return largest > 0 ? 2 * least_half_element_phase / largest : 0.0;
+}
+
 } // namespace bem_contact

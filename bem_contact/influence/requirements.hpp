@@ -19,4 +19,8 @@ void require_order(const InfluenceFunction& lower, const InfluenceFunction& uppe
 /// [s_from, s_to], mm, lies on its contact strip.
 void require_strip(const InfluenceFunction& function, double s_from, double s_to);
 
+/// The shortest element along x that its wavenumbers serve, at the reference radius, mm. 0: a table, or
+/// numbers of plane strain alone.
+double shortest_dx(const InfluenceFunction& function);
+
 } // namespace bem_contact

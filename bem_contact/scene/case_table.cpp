@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/profile/text_lines.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -20,11 +21,6 @@ struct Cell {
   std::string text;
   bool quoted = false;
 };
-
-std::string_view trimmed(std::string_view text) {
-  const auto from = text.find_first_not_of(" \t\r"), to = text.find_last_not_of(" \t\r");
-  return from == std::string_view::npos ? std::string_view() : text.substr(from, to - from + 1);
-}
 
 /// Cells of a line; a doubled quote within quotes is one.
 std::vector<Cell> cells_of(std::string_view line) {

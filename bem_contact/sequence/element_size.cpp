@@ -1,5 +1,6 @@
 #include "bem_contact/sequence/element_size.hpp"
 
+#include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/scene/accuracy_of.hpp"
 
 #include <algorithm>
@@ -19,8 +20,8 @@ bool open_size(const SceneFile::Grid& grid) {
 double shortest_element(const PairFiles& files) {
   double shortest = 0;
   for (const auto& file : {files.rail, files.wheel})
-    if (file && !file->wavenumber.empty() && file->wavenumber.back() > 0)
-      shortest = std::max(shortest, wavelength_reserve * 10 / file->wavenumber.back());
+    if (file)
+      shortest = std::max(shortest, wavelength_reserve * shortest_dx(*file));
   return shortest;
 }
 

@@ -108,7 +108,7 @@ void check_normal(const ContactProblem& problem, const ContactResult& result, co
   certificate.complementarity = relative(product, pmax * scale);
 }
 
-/// The largest violation of the cone |p_t| <= mu p_n, MPa. `warm`: what temperature leaves of mu; empty: all.
+/// The largest violation of the cone |p_t| <= mu p_n, MPa. `warm`: what temperature leaves of mu; field.
 double cone_violation(const ContactProblem& problem, const ContactResult& result,
                       const std::vector<double>& warm) {
   double cone = 0;
@@ -179,10 +179,11 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
 
 /// Of friction, by element, MPa mm/s; field.
 std::vector<double> heat_of(const ContactProblem& problem, const ContactResult& result, const Slips& slips) {
+  const double length = slip_step(problem).length;
   std::vector<double> heat(result.pn.size(), 0.0);
   for (const Slips::Slip& slip : slips.slips)
-    heat[slip.element] = (result.px[slip.element] * slip.x + result.ps[slip.element] * slip.s) /
-                         slip_step(problem).length * problem.speed;
+    heat[slip.element] =
+        (result.px[slip.element] * slip.x + result.ps[slip.element] * slip.s) / length * problem.speed;
   return heat;
 }
 
@@ -210,9 +211,10 @@ void check_friction(const ContactProblem& problem, const ContactResult& result, 
                                                   ? problem.friction_of(i / problem.grid.mx) * result.pn[i]
                                                   : result.pn[i]);
   Slips slips{};
-  std::vector<double> warm;
-  if (problem.has_friction()) {
+  std::vector<double> warm(result.pn.size(), 1.0);
+  if (problem.has_friction())
     slips = slips_of(problem, result, u, slip_rows, columns);
+  if (problem.has_friction() && problem.friction_falls_with_heat()) {
     warm = contact::warm_factors(problem, heat_of(problem, result, slips));
     for (Slips::Slip& slip : slips.slips)
       slip.bound *= warm[slip.element];

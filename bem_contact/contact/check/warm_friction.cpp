@@ -22,8 +22,6 @@ double heat_behind(const ContactProblem& problem, const std::vector<double>& hea
 
 std::vector<double> warm_factors(const ContactProblem& problem, const std::vector<double>& heat) {
   std::vector<double> factors(heat.size(), 1.0);
-  if (!problem.friction_falls_with_heat())
-    return factors;
   const Heating& heating = *problem.heating;
   const double rail = heating.rail.effusivity(), wheel = heating.wheel.effusivity();
   const double rail_share = heating.rail_share.value_or(rail / (rail + wheel));
