@@ -5,6 +5,7 @@
 #include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bem_contact {
 
@@ -45,6 +46,20 @@ std::vector<SceneResult> solve_each(const SceneFile& asked, const std::vector<Mo
     warn_of_accuracy(wanted, "all models have the elements of the reference", out.back());
   }
   return out;
+}
+
+/// The model of `equal` where it bears the lateral force: `given`, or else that of `there`, whose position is
+/// kept where it has that force nearly.
+SceneResult solve_at_force(SceneFile equal, std::optional<double> given, const SceneResult& there,
+                           const SceneSolver& solve) {
+  const double wanted = there.result.Fy;
+  if (!given) {
+    SceneResult here = solve(equal);
+    if (std::abs(here.result.Fy - wanted) <= same_lateral_force * std::hypot(wanted, there.result.Fz))
+      return here;
+  }
+  equal.load.force_y = given.value_or(wanted);
+  return solve(equal);
 }
 
 /// `equal`: without load.force_y.
@@ -88,10 +103,10 @@ Comparison compare_models(const SceneFile& scene, std::vector<Model> models, con
   const bool the_same = scene.motion.frictionless || scene.load.force_x;
   const SceneResult& place = out.at_position[out.reference];
   const SceneResult there = the_same ? place : solve(with_model(equal, reference));
-  equal.load.force_y = scene.load.force_y.value_or(there.result.Fy);
   for (const Model model : out.models)
-    out.at_forces.push_back(model == reference && !scene.load.force_y ? there
-                                                                      : solve(with_model(equal, model)));
+    out.at_forces.push_back(model == reference && !scene.load.force_y
+                                ? there
+                                : solve_at_force(with_model(equal, model), scene.load.force_y, there, solve));
   const bool free_rolling =
       std::ranges::all_of(out.at_forces, [](const SceneResult& r) { return r.free_rolling.has_value(); });
   if (!the_same && free_rolling)

@@ -23,8 +23,9 @@ struct Comparison {
   std::vector<Model> models; ///< as asked for
   std::size_t reference = 0; ///< which of them the others are compared with: fem, or the last one
   /// The same Fx (load.force_x, or 0 with friction: free rolling), Fy and Fz; one a model. Fy is
-  /// load.force_y, or what the reference bears at position.lateral. Of a patch: the same normal force. Empty
-  /// for transient rolling and shifts.
+  /// load.force_y, or what the reference bears at position.lateral; a model that has it there within
+  /// same_lateral_force stays there. Of a patch: the same normal force. Empty for transient rolling and
+  /// shifts.
   std::vector<SceneResult> at_forces;
   std::vector<CreepForces> creep_forces; ///< where at_forces have friction and load.force_x is not given
   /// The same Fz, position and creepages; one a model. Empty for a patch.

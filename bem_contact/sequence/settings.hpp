@@ -146,6 +146,11 @@ BEM_CONTACT_TUNED(double, narrowest_lateral, 1e-9); ///< mm. A narrower bracket 
 /// 1. Creepages beyond free rolling at which longitudinal forces are compared: a driven wheel's on a good
 /// track, the same doubled, and a start of full slip.
 inline constexpr std::array<double, 3> compared_creepages{5e-4, 1e-3, 2e-3};
+/// 1. A model whose lateral force at the reference's position is as near to the reference's as this, over the
+/// resultant of Fy and Fz, is compared there. On a tread Fy hardly depends on the position: at cant 1:40 the
+/// half-space's is within .0003, and the place where the last newton fits is .28 mm off, with a pmax 12 %
+/// off.
+BEM_CONTACT_TUNED(double, same_lateral_force, 0.005);
 
 // Start from the case before.
 

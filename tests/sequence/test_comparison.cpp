@@ -35,6 +35,19 @@ TEST(Comparison, AtEqualForcesAllModelsBearTheSame) {
   EXPECT_GT(off(c.at_forces[0], c.at_forces[2]), -0.02);
 }
 
+TEST(Comparison, OnATreadWhereTheLateralForceSaysLittleOfThePositionAllModelsStayInPlace) {
+  const SceneFile scene =
+      parse_scene_file("kind = 'wheel_rail'\nrail.profile = '60E1'\nwheel.profile = 'S1002'\n"
+                       "position.cant = 0.025\nload.force = 1e5\nmotion.friction = 0.3\n"
+                       "grid.elements = 300\n");
+  const Comparison c = Sequence().compare(scene, {Model::halfspace, Model::tangent_plane});
+  const SceneResult &halfspace = c.at_forces[0], &planes = c.at_forces[1];
+  EXPECT_EQ(*halfspace.lateral, *planes.lateral);
+  EXPECT_NE(halfspace.result.Fy, planes.result.Fy) << "this test would say nothing";
+  EXPECT_NEAR(halfspace.result.Fy, planes.result.Fy, 0.005 * 1e5);
+  EXPECT_NEAR(largest_pressure(halfspace.result) / largest_pressure(planes.result), 1, 0.02);
+}
+
 TEST(Comparison, CreepForcesBeyondFreeRollingAreNearlyTheSame) {
   const Comparison c = Sequence().compare(read_scene_file(small));
   ASSERT_EQ(c.creep_forces.size(), 3u);
