@@ -318,9 +318,10 @@ BEM_CONTACT_TUNED(int, least_companion_line, 7);
 
 // Stated errors of printed numbers: a share of the change from elements twice as large, and a local part.
 // They are fitted to random cases of tools/benchmarks/estimates: those of shear to 870 (seeds 1, 2, 6 and 7),
-// those of creepages and power to 600 (1, 2 and 6), the others to 415 (1 and 2), so that about 96 in 100 true
-// errors are below the stated ones and the median of stated over true is least. Those of pmax and of shear
-// were set anew on 850 (8 to 10). tools/BENCHMARKS.md, section 9, judges them on other cases.
+// those of power to 600 (1, 2 and 6), the others to 415 (1 and 2), so that about 96 in 100 true errors are
+// below the stated ones and the median of stated over true is least. Those of pmax and of shear were set anew
+// on 1200 (8 to 11), those of creepages on the 185 of these with a force prescribed. tools/BENCHMARKS.md,
+// section 9, judges them on other cases.
 
 BEM_CONTACT_TUNED(double, pmax_change, 0.02);     ///< 1. Share of the change of pmax,
 BEM_CONTACT_TUNED(double, pmax_local, 0.092);     ///< 1. and of how far p_n falls beside its peak,
@@ -330,18 +331,18 @@ BEM_CONTACT_TUNED(double, adhesion_change, 0.25); ///< 1. Share of the change of
 BEM_CONTACT_TUNED(double, adhesion_local, 1.2);   ///< 1. elements whose state is in doubt anyway,
 BEM_CONTACT_TUNED(double, adhesion_border, 1.05); ///< 1. and for the root of the border of adhesion.
 /// 1. Fx, Fs, Fy, Mz and those of patches are sums over elements. Share of the change of the sum,
-BEM_CONTACT_TUNED(double, shear_change, 0.55);
+BEM_CONTACT_TUNED(double, shear_change, 0.51);
 /// 1. of the mean of the elements' absolute values: the contact is off by parts of an element,
-BEM_CONTACT_TUNED(double, shear_local, 0.64);
+BEM_CONTACT_TUNED(double, shear_local, 0.59);
 /// 1. but no more than of so many times their mean deviation from parts in proportion to the pressure,
 BEM_CONTACT_TUNED(double, shear_deviation, 10.0);
 /// 1. and of the root of the sum of squares over the elements in adhesion: each is off by chance.
-BEM_CONTACT_TUNED(double, shear_adhesion, 0.64);
+BEM_CONTACT_TUNED(double, shear_adhesion, 0.59);
 /// 1. So much of that for Fx and for Mz: they are off by less than lateral forces.
-BEM_CONTACT_TUNED(double, shear_x_share, 0.86);
-BEM_CONTACT_TUNED(double, moment_share, 0.75);
+BEM_CONTACT_TUNED(double, shear_x_share, 0.93);
+BEM_CONTACT_TUNED(double, moment_share, 0.81);
 /// 1. So much for the normal force of a patch, where the larger of two changes counts.
-BEM_CONTACT_TUNED(double, normal_share, 0.72);
+BEM_CONTACT_TUNED(double, normal_share, 0.77);
 BEM_CONTACT_TUNED(double, power_change, 1.15);   ///< 1. Share of the change of the frictional power,
 BEM_CONTACT_TUNED(double, power_local, 0.40);    ///< 1. and of that of one element (mean).
 BEM_CONTACT_TUNED(double, approach_change, 0.2); ///< 1. Share of the change of the approach,
@@ -351,9 +352,11 @@ BEM_CONTACT_TUNED(double, overlap_change, 0.11); ///< 1. Approach of a patch: th
 BEM_CONTACT_TUNED(double, overlap_local, 0.9);   ///< 1. As above.
 BEM_CONTACT_TUNED(double, overlap_peak, 0.034);  ///< 1. As above.
 /// 1. Share of the change of a creepage found,
-BEM_CONTACT_TUNED(double, creepage_change, 0.65);
-/// 1. and of the strain of what no change shows of the force.
-BEM_CONTACT_TUNED(double, creepage_local, 0.9);
+BEM_CONTACT_TUNED(double, creepage_change, 0.52);
+/// 1. of the strain of what no change shows of the force,
+BEM_CONTACT_TUNED(double, creepage_local, 0.78);
+/// 1. and of the creepage itself: what both grids miss alike.
+BEM_CONTACT_TUNED(double, creepage_alike, 0.0015);
 
 // Where no error is stated. On smooth profiles the first two stay below 0.15 and 0.2 and the third below 0.4;
 // with noise of 2 to 10 micrometres each case exceeds the second.

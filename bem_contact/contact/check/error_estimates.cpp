@@ -130,12 +130,14 @@ void estimate_shear(const ContactProblem& problem, const ContactResult& result, 
   e.friction_power = power_change * std::abs(power_gained) +
                      power_local * std::abs(friction_power(result, problem.element_area())) / fine.contact;
   const double strain = strain_per_force(problem, fine);
+  const auto creepage_error = [&](double found, double rough_one, const UncertainSum& force) {
+    return creepage_change * std::abs(found - rough_one) + creepage_alike * std::abs(found) +
+           creepage_local * strain * local_error(force, fine.contact);
+  };
   if (problem.force_x)
-    e.creepage_x = creepage_change * std::abs(result.creepage_x - coarse.creepage_x) +
-                   creepage_local * strain * local_error(fine.fx, fine.contact);
+    e.creepage_x = creepage_error(result.creepage_x, coarse.creepage_x, fine.fx);
   if (problem.force_s)
-    e.creepage_s = creepage_change * std::abs(result.creepage_s - coarse.creepage_s) +
-                   creepage_local * strain * local_error(fine.fs, fine.contact);
+    e.creepage_s = creepage_error(result.creepage_s, coarse.creepage_s, fine.fs);
 }
 
 } // namespace
