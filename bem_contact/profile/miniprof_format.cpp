@@ -1,10 +1,10 @@
 #include "bem_contact/profile/miniprof_format.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/text_lines.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <optional>
@@ -40,7 +40,8 @@ void read_key(std::string_view key, std::string_view value, const std::string& s
   if (key == "ColumnDef")
     read_columns(value, header);
   if ((key == "XOffset" || key == "YOffset" || key == "Tilt") && values.size() == 1 && values[0] != 0)
-    spdlog::warn("{}: {} = {} is not applied: the points are taken as they stand", source, key, values[0]);
+    messages()->warn("{}: {} = {} is not applied: the points are taken as they stand", source, key,
+                     values[0]);
 }
 
 /// One profile of a file.

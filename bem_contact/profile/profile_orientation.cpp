@@ -1,11 +1,11 @@
 #include "bem_contact/profile/profile_orientation.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/settings.hpp"
 #include "bem_contact/profile/wheel_datum.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ void flip_z(std::vector<Point2>& points) {
 }
 
 void flip_z_by_shape(std::vector<Point2>& points, const std::string& source) {
-  spdlog::warn(
+  messages()->warn(
       "{}: z points up: its sign is changed, as the shape suggests (profile_z = \"up\" says so; \"down\" "
       "keeps it)",
       source);
@@ -89,13 +89,13 @@ void mend_wheel_y(MeasuredPoints& measured, const std::string& source, const Pro
         fmt::format("its tip would be at y = {:.4g} mm, and y points away from the track", tip->y),
         "Leave mirror out.");
   if (measured.axes_stated) {
-    spdlog::warn(
+    messages()->warn(
         "{}: the flange lies at y > 0, on the field side, as the format states its axes: it is not turned "
         "(mirror = true turns it)",
         source);
     return;
   }
-  spdlog::warn("{}: the flange lies at y > 0: y is mirrored (mirror = true says so)", source);
+  messages()->warn("{}: the flange lies at y > 0: y is mirrored (mirror = true says so)", source);
   mirror(measured);
 }
 
@@ -105,7 +105,7 @@ void look_at_stated_wheel(std::vector<Point2> points, const std::string& source)
     return;
   flip_z(points);
   if (flange_tip(points))
-    spdlog::warn(
+    messages()->warn(
         "{}: the flange points up, as the format states its axes: it is not turned (profile_z = \"up\" "
         "turns it)",
         source);

@@ -1,13 +1,13 @@
 #include "bem_contact/profile/profile_repair.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/profile_orientation.hpp"
 #include "bem_contact/profile/settings.hpp"
 #include "bem_contact/profile/turn_at.hpp"
 #include "bem_contact/profile/wheel_datum.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,7 @@ void mend_units(std::vector<Point2>& points, const std::string& source, ProfileU
   const bool metres = unit == ProfileUnit::found && width >= narrowest_in_metres && width <= widest_in_metres;
   const double factor = metres ? 1000 : millimetres(unit);
   if (metres)
-    spdlog::warn("{}: {:.4g} wide: taken as metres", source, width);
+    messages()->warn("{}: {:.4g} wide: taken as metres", source, width);
   if (factor != 1)
     for (Point2& p : points)
       p = factor * p;
@@ -98,8 +98,8 @@ void drop_crowded(std::vector<Point2>& points, const std::string& source) {
   if (norm(points.back() - kept.back()) > 0 && kept.size() > 1)
     kept.back() = points.back();
   if (kept.size() < points.size())
-    spdlog::warn("{}: {} doubled or crowded points dropped (nearer than {} mm)", source,
-                 points.size() - kept.size(), crowded);
+    messages()->warn("{}: {} doubled or crowded points dropped (nearer than {} mm)", source,
+                     points.size() - kept.size(), crowded);
   points = std::move(kept);
 }
 
@@ -126,7 +126,7 @@ bool drop_stray(std::vector<Point2>& points, const std::string& source) {
     }
     mended.erase(mended.begin() + static_cast<std::ptrdiff_t>(drop));
   }
-  spdlog::warn("{}: {} points dropped where the profile zig-zags", source, points.size() - mended.size());
+  messages()->warn("{}: {} points dropped where the profile zig-zags", source, points.size() - mended.size());
   points = std::move(mended);
   return true;
 }
@@ -138,7 +138,7 @@ void mend_order(std::vector<Point2>& points, const std::string& source) {
   std::vector<Point2> sorted = points;
   std::stable_sort(sorted.begin(), sorted.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
   if (!first_zig_zag(sorted) && path_length(points) > shuffled_walk * path_length(sorted)) {
-    spdlog::warn("{}: the points are out of order: sorted by y", source);
+    messages()->warn("{}: the points are out of order: sorted by y", source);
     points = std::move(sorted);
     return;
   }
@@ -180,8 +180,8 @@ void mend_loops(std::vector<Point2>& points, const std::string& source) {
         throw InputError(fmt::format("{}: the profile crosses itself at y = {:.4g}, z = {:.4g}", source,
                                      where->y, where->z),
                          fmt::format("the loop is {:.3g} mm long", length), "Remove the points of the loop.");
-      spdlog::warn("{}: a loop of {:.3g} mm cut off at y = {:.4g}, z = {:.4g}", source, length, where->y,
-                   where->z);
+      messages()->warn("{}: a loop of {:.3g} mm cut off at y = {:.4g}, z = {:.4g}", source, length, where->y,
+                       where->z);
       points.erase(points.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                    points.begin() + static_cast<std::ptrdiff_t>(j) + 1);
       points.insert(points.begin() + static_cast<std::ptrdiff_t>(i) + 1, *where);
@@ -205,7 +205,7 @@ void report_holes(const std::vector<Point2>& p, const std::string& source) {
   for (std::size_t i = 1; i + 2 < p.size(); ++i) {
     const double turned = std::abs(degrees(i - 1, i + 1));
     if (length[i] > std::max(hole_length * median, least_hole) && turned > hole_turn)
-      spdlog::warn(
+      messages()->warn(
           "{}: no points for {:.3g} mm from y = {:.4g} to y = {:.4g}, over which the profile turns by "
           "{:.2g} degrees: its shape there is a guess",
           source, length[i], p[i].y, p[i + 1].y, turned);
@@ -214,8 +214,8 @@ void report_holes(const std::vector<Point2>& p, const std::string& source) {
       first = i;
   }
   if (jumps > 0)
-    spdlog::warn("{}: the profile jumps {} times, first by {:.2g} mm at y = {:.4g}", source, jumps,
-                 length[first], p[first].y);
+    messages()->warn("{}: the profile jumps {} times, first by {:.2g} mm at y = {:.4g}", source, jumps,
+                     length[first], p[first].y);
 }
 
 } // namespace

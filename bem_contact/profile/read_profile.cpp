@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/miniprof_format.hpp"
 #include "bem_contact/profile/plain_columns.hpp"
 #include "bem_contact/profile/profile_repair.hpp"
@@ -13,7 +14,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <charconv>
@@ -59,7 +59,7 @@ MeasuredPoints points_of(std::string_view text, const std::string& source, Profi
 }
 
 void warn_of_noise(const std::string& source, const ProfileNoise& noise) {
-  spdlog::warn(
+  messages()->warn(
       "{}: its points scatter by {:.2g} um, {:.2g} mm apart: a curve through all of them bends to radii of "
       "{:.2g} mm, which moves pressures between steel bodies by some {:.0f} MPa and may split patches "
       "(smoothing = {:.2g} removes it)",
@@ -67,15 +67,15 @@ void warn_of_noise(const std::string& source, const ProfileNoise& noise) {
 }
 
 void report_smoothing(const std::string& source, const MeasuredProfile& p) {
-  spdlog::info(
+  messages()->info(
       "{}: smoothed, waves shorter than {:g} mm removed: {:.2g} um root mean square, {:.2g} um at most",
       source, p.smoothing, 1e3 * p.removed_rms, 1e3 * p.removed_most);
   if (p.smoothing < least_smoothing_share * p.noise.smoothing)
-    spdlog::warn("{}: smoothing = {:g} leaves noise: for a scatter of {:.2g} um use {:.2g}", source,
-                 p.smoothing, 1e3 * p.noise.scatter, p.noise.smoothing);
+    messages()->warn("{}: smoothing = {:g} leaves noise: for a scatter of {:.2g} um use {:.2g}", source,
+                     p.smoothing, 1e3 * p.noise.scatter, p.noise.smoothing);
   const double scatter = std::sqrt(2.0) * p.noise.scatter; // along y and along z
   if (p.removed_rms > std::max(removed_over_noise * scatter, least_removed))
-    spdlog::warn(
+    messages()->warn(
         "{}: smoothing = {:g} takes shape away: it moved points by {:.2g} um (root mean square), and their "
         "scatter is {:.2g} um: use a shorter one",
         source, p.smoothing, 1e3 * p.removed_rms, 1e3 * p.noise.scatter);

@@ -1,9 +1,9 @@
 #include "bem_contact/profile/wheel_datum.hpp"
 
+#include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/settings.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ std::optional<double> height_at_tape_circle(std::span<const Point2> p) {
 void warn_of_height(std::span<const Point2> points, const std::string& source) {
   const auto height = height_at_tape_circle(points);
   if (height && std::abs(*height) > highest_tape_circle)
-    spdlog::warn(
+    messages()->warn(
         "{}: at the tape circle z is {:.3g} mm: the wheel's radius there is position.wheel_radius and "
         "that much more",
         source, *height);
@@ -56,13 +56,13 @@ void set_wheel_datum(std::vector<Point2>& points, double y_sign, const std::stri
   if (reading.flange_back) {
     move(y_sign * *reading.flange_back);
   } else if (tip && tip->y >= nearest_tip_to_back && tip->y <= farthest_tip_from_back) {
-    spdlog::warn(
+    messages()->warn(
         "{}: the tip of the flange is at y = {:.1f} mm, so y = 0 is taken as the back of the flange, not "
         "as the tape circle (wheel.flange_back = 0 says so; another value says otherwise)",
         source, y_sign * tip->y);
     move(0);
   } else if (tip && (tip->y < lowest_tip || tip->y > highest_tip)) {
-    spdlog::warn(
+    messages()->warn(
         "{}: the tip of the flange is at y = {:.1f} mm, where neither the tape circle nor the back of the "
         "flange is at y = 0: the wheel stands {:.0f} mm beside its place (say wheel.flange_back)",
         source, y_sign * tip->y, std::abs(tip->y - usual_tip));

@@ -197,4 +197,12 @@ TEST(NoisyFile, IsWarnedOfWithFiguresAndTheSmoothingToUse) {
 }
 
 } // namespace
+TEST(Messages, GoToStandardErrorBecauseStandardOutputIsTheHosts) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  read_profile(CONFORMAL_SOURCE_DIR "/data/bodies/worn_rail.txt", ProfileKind::rail);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), ::testing::HasSubstr("its points scatter by 2 um"));
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
 } // namespace bem_contact
