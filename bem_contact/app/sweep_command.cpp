@@ -46,6 +46,10 @@ You should see the progress, then `64 certified, of 64 cases`. sweep.csv has a l
 sweep_patches.csv one for each patch, and sweep_units.csv the units of their columns. If the
 program is stopped, call it again: sweep.h5.part holds the finished cases, and only the others are solved.
 
+A scene of both wheels of a wheelset, with a table [wheelset], may have a table [sweep] too. The columns are then those of
+bem_contact wheelset: lateral, roll, ..., right_share, right_Fy, ..., left_share; there is no table of patches.
+    bem_contact sweep data/scenes/wheelset_sweep.toml -o wheelsets.h5 --csv wheelsets.csv
+
 On a cluster, share the cases among machines that see the same folder (tools/cluster/slurm_sweep does it). Each share
 writes a file of its own beside SWEEP.h5. When all are done, join them:
     bem_contact sweep SCENE.toml -o SWEEP.h5 --part 1/8        # ... --part 8/8
@@ -89,7 +93,16 @@ bool is_complete(const std::filesystem::path& output, const std::string& digest)
   return top.attributes["missing"] == H5Attribute(0.0);
 }
 
-CaseRecord solve_case(Sequence& sequence, const SweepFile& sweep, std::size_t index,
+/// What a worker keeps from case to case.
+struct Solver {
+  std::shared_ptr<SequenceFiles> files;
+  Sequence sequence;
+
+  Solver(bool displacements, std::shared_ptr<SequenceFiles> shared)
+      : files(std::move(shared)), sequence({.displacements = displacements}, files) {}
+};
+
+CaseRecord solve_case(Solver& solver, const SweepFile& sweep, std::size_t index,
                       const SweepRequest& request) {
   const Stopwatch watch;
   const std::clock_t cpu = std::clock();
@@ -103,10 +116,13 @@ CaseRecord solve_case(Sequence& sequence, const SweepFile& sweep, std::size_t in
     SceneFile scene = sweep.scene(index);
     if (!request.model.empty())
       scene.solver.model = model_named(request.model);
-    const SceneResult result = sequence.solve(scene);
-    if (request.strict)
-      refuse_warnings(result.warnings);
-    record = case_record(index, result, sweep.fields);
+    const auto kept = [&](const auto& result) {
+      if (request.strict)
+        refuse_warnings(result.warnings);
+      return case_record(index, result, sweep.fields);
+    };
+    record = scene.wheelset.force ? kept(solve_wheelset(scene, nullptr, solver.files))
+                                  : kept(solver.sequence.solve(scene));
   } catch (const ConvergenceError& error) {
     failed(CaseStatus::not_certified, error.what());
   } catch (const Error& error) {
@@ -141,9 +157,8 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
   WorkerCalls calls;
   const auto files = std::make_shared<SequenceFiles>(); // each worker fills its own copy
   calls.make_solver = [&]() -> CaseSolver {
-    const auto sequence = std::make_shared<Sequence>(SequenceOptions{.displacements = sweep.fields}, files);
-    return
-        [&, sequence](std::size_t index) { return to_bytes(solve_case(*sequence, sweep, index, request)); };
+    const auto solver = std::make_shared<Solver>(sweep.fields, files);
+    return [&, solver](std::size_t index) { return to_bytes(solve_case(*solver, sweep, index, request)); };
   };
   calls.done = [&](std::size_t, std::string bytes) { keep(from_bytes(bytes), bytes); };
   calls.died = [&](std::size_t index, const std::string& reason) {

@@ -55,10 +55,23 @@ const char* status_text(CaseStatus status) {
   return "missing";
 }
 
+namespace {
+
+const SweepColumns& columns_of(const SweepFile& sweep) {
+  return is_of_wheelsets(sweep) ? wheelset_columns() : contact_columns();
+}
+
+} // namespace
+
+bool is_of_wheelsets(const SweepFile& sweep) {
+  return sweep.scene(0).wheelset.force.has_value();
+}
+
 SweepOutput::SweepOutput(const SweepFile& sweep, std::string digest)
-    : sweep_(&sweep), digest_(std::move(digest)), status_(sweep.size(), CaseStatus::missing),
-      seconds_(sweep.size(), std::nan("")), cpu_seconds_(sweep.size(), std::nan("")),
-      summary_(case_columns().size(), std::vector<double>(sweep.size(), std::nan(""))),
+    : sweep_(&sweep), columns_(&columns_of(sweep)), digest_(std::move(digest)),
+      status_(sweep.size(), CaseStatus::missing), seconds_(sweep.size(), std::nan("")),
+      cpu_seconds_(sweep.size(), std::nan("")),
+      summary_(columns_->cases.size(), std::vector<double>(sweep.size(), std::nan(""))),
       patches_(sweep.size()) {}
 
 void SweepOutput::add(const CaseRecord& record) {
@@ -98,7 +111,7 @@ void SweepOutput::add_axes(H5Table& table, const std::string& group,
 void SweepOutput::add_patches(H5Table& table) const {
   std::vector<std::size_t> cases;
   std::vector<double> case_of, rank;
-  std::vector<std::vector<double>> columns(patch_columns().size());
+  std::vector<std::vector<double>> columns(columns_->patches.size());
   for (std::size_t i = 0; i < patches_.size(); ++i)
     for (std::size_t patch = 0; patch < patches_[i].size(); ++patch) {
       cases.push_back(i);
@@ -112,7 +125,7 @@ void SweepOutput::add_patches(H5Table& table) const {
   table.datasets["patches/patch"] = {{n}, std::move(rank), "1", "1: the largest force"};
   add_axes(table, "patches/", cases);
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    const Column& column = patch_columns()[k];
+    const Column& column = columns_->patches[k];
     table.datasets["patches/" + column.name] = {{n}, std::move(columns[k]), column.unit, column.description};
   }
 }
@@ -133,10 +146,11 @@ H5Table SweepOutput::top() const {
   line("seconds", seconds_, "s", seconds_description);
   line("cpu_seconds", cpu_seconds_, "s", cpu_description);
   for (std::size_t k = 0; k < summary_.size(); ++k) {
-    const Column& column = case_columns()[k];
+    const Column& column = columns_->cases[k];
     line(column.name, summary_[k], column.unit, column.description);
   }
-  add_patches(table);
+  if (!columns_->patches.empty())
+    add_patches(table);
   auto& a = table.attributes;
   a["format"] = std::string(sweep_format);
   a["digest"] = digest_;
@@ -153,12 +167,7 @@ H5Table SweepOutput::top() const {
 H5Table group_of(const CaseRecord& record) {
   const std::string group = fmt::format("cases/{:06}/", record.index);
   H5Table table;
-  for (const auto& [name, data] : record.fields.datasets)
-    table.datasets[group + name] = data;
-  for (const auto& [name, value] : record.fields.attributes)
-    table.attributes[group + name] = value;
-  for (const auto& [name, text] : record.fields.texts)
-    table.texts[group + name] = text;
+  add_group(table, group, record.fields);
   if (!record.reason.empty())
     table.attributes[group + "reason"] = record.reason;
   return table;
@@ -181,9 +190,10 @@ std::string cell(const H5Table& table, const std::string& name, std::size_t i) {
   return std::isnan(value) ? std::string() : fmt::format("{}", value);
 }
 
-std::string model_cell(const H5Table& table, std::size_t i) {
-  const double model = table.datasets.at(model_column).values[i];
-  return std::isnan(model) ? std::string() : std::string(name_of(static_cast<Model>(model)));
+std::string cell(const H5Table& table, const Column& column, std::size_t i) {
+  const double value = table.datasets.at(column.name).values[i];
+  return is_model(column) && !std::isnan(value) ? std::string(name_of(static_cast<Model>(value)))
+                                                : cell(table, column.name, i);
 }
 
 const char* status_of(const H5Table& top, std::size_t i) {
@@ -208,27 +218,29 @@ void print_changes(std::ostream& out, const SweepFile& sweep, std::size_t i) {
 
 void print_cases(std::ostream& out, const SweepFile& sweep, const H5Table& top,
                  const std::vector<std::string>& reasons) {
+  const std::vector<Column>& columns = columns_of(sweep).cases;
   fmt::print(out, "case");
   print_axes(out, sweep);
   fmt::print(out, ",status,seconds,cpu_seconds");
-  for (const Column& column : case_columns())
+  for (const Column& column : columns)
     fmt::print(out, ",{}", column.name);
   fmt::print(out, ",reason\n");
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     fmt::print(out, "{}", i);
     print_changes(out, sweep, i);
     fmt::print(out, ",{},{},{}", status_of(top, i), cell(top, "seconds", i), cell(top, "cpu_seconds", i));
-    for (const Column& column : case_columns())
-      fmt::print(out, ",{}", column.name == model_column ? model_cell(top, i) : cell(top, column.name, i));
+    for (const Column& column : columns)
+      fmt::print(out, ",{}", cell(top, column, i));
     fmt::print(out, ",{}\n", reasons[i].empty() ? "" : quoted(reasons[i]));
   }
 }
 
 void print_patches(std::ostream& out, const SweepFile& sweep, const H5Table& top) {
+  const std::vector<Column>& columns = columns_of(sweep).patches;
   fmt::print(out, "case,patch");
   print_axes(out, sweep);
   fmt::print(out, ",status");
-  for (const Column& column : patch_columns())
+  for (const Column& column : columns)
     fmt::print(out, ",{}", column.name);
   fmt::print(out, "\n");
   const std::vector<double>& cases = top.datasets.at("patches/case").values;
@@ -237,7 +249,7 @@ void print_patches(std::ostream& out, const SweepFile& sweep, const H5Table& top
     fmt::print(out, "{},{}", i, cell(top, "patches/patch", row));
     print_changes(out, sweep, i);
     fmt::print(out, ",{}", status_of(top, i));
-    for (const Column& column : patch_columns())
+    for (const Column& column : columns)
       fmt::print(out, ",{}", cell(top, "patches/" + column.name, row));
     fmt::print(out, "\n");
   }
@@ -245,21 +257,25 @@ void print_patches(std::ostream& out, const SweepFile& sweep, const H5Table& top
 
 void print_units(std::ostream& out, const SweepFile& sweep) {
   fmt::print(out, "table,name,unit,description\n");
-  for (const char* table : {"cases", "patches"})
+  const SweepColumns& columns = columns_of(sweep);
+  std::vector<const char*> tables{"cases"};
+  if (!columns.patches.empty())
+    tables.push_back("patches");
+  for (const char* table : tables)
     for (const SweepFile::Axis& axis : sweep.axes)
       fmt::print(out, "{},{},{},swept over\n", table, axis.key, unit_of_key(axis.key));
   if (!sweep.weights.empty())
-    for (const char* table : {"cases", "patches"})
+    for (const char* table : tables)
       fmt::print(out, "{},weight,1,how often the case occurs compared with the others\n", table);
   fmt::print(out, "cases,status,1,{}\n", quoted(status_description));
   fmt::print(out, "cases,seconds,s,{}\ncases,cpu_seconds,s,{}\n", quoted(seconds_description),
              quoted(cpu_description));
-  const auto print = [&](const char* table, std::span<const Column> columns) {
-    for (const Column& column : columns)
+  const auto print = [&](const char* table, const std::vector<Column>& all) {
+    for (const Column& column : all)
       fmt::print(out, "{},{},{},{}\n", table, column.name, column.unit, quoted(column.description));
   };
-  print("cases", case_columns());
-  print("patches", patch_columns());
+  print("cases", columns.cases);
+  print("patches", columns.patches);
 }
 
 } // namespace
@@ -267,7 +283,7 @@ void print_units(std::ostream& out, const SweepFile& sweep) {
 void write_csv(const CsvFiles& files, const SweepFile& sweep, const H5Table& top,
                const std::vector<std::string>& reasons) {
   write_text(files.cases, [&](std::ostream& out) { print_cases(out, sweep, top, reasons); });
-  if (!files.patches.empty())
+  if (!files.patches.empty() && !is_of_wheelsets(sweep))
     write_text(files.patches, [&](std::ostream& out) { print_patches(out, sweep, top); });
   if (!files.units.empty())
     write_text(files.units, [&](std::ostream& out) { print_units(out, sweep); });

@@ -15,12 +15,13 @@ inline constexpr const char* sweep_format = "bem_contact sweep 2";
 /// The file of a sweep.
 ///
 /// At its top: one dataset [case] for each key of the sweep (of a text: the index of its value), for status
-/// (CaseStatus), seconds and cpu_seconds, and for each of case_columns(); nan if a case has no result. The
-/// group "patches" is a table of all patches of all cases: one dataset [row] for case (from 0), patch (from
-/// 1, the largest force first), each key of the sweep and each of patch_columns(). "cases/000012/" has the
-/// fields of case 12 (result_file.hpp). Its attribute "reason" says in words what is wrong or doubtful. The
-/// top also says what was asked and with what (scene_record.hpp; scene_with_defaults is that of the first
-/// case), and in attributes digest and the number of cases of each status.
+/// (CaseStatus), seconds and cpu_seconds, and for each of SweepColumns::cases; nan if a case has no result.
+/// The group "patches" is a table of all patches of all cases (not of wheelsets): one dataset [row] for case
+/// (from 0), patch (from 1, the largest force first), each key of the sweep and each of
+/// SweepColumns::patches. "cases/000012/" has the fields of case 12 (result_file.hpp). Its attribute "reason"
+/// says in words what is wrong or doubtful. The top also says what was asked and with what (scene_record.hpp;
+/// scene_with_defaults is that of the first case), and in attributes digest and the number of cases of each
+/// status.
 class SweepOutput {
 public:
   SweepOutput(const SweepFile& sweep, std::string digest);
@@ -38,12 +39,16 @@ private:
   void add_patches(H5Table& table) const;
 
   const SweepFile* sweep_;
+  const SweepColumns* columns_;
   std::string digest_;
   std::vector<CaseStatus> status_;
   std::vector<double> seconds_, cpu_seconds_;
   std::vector<std::vector<double>> summary_;
   std::vector<std::vector<std::vector<double>>> patches_; ///< [case][patch][column]
 };
+
+/// Whether the cases are solved by solve_wheelset().
+bool is_of_wheelsets(const SweepFile& sweep);
 
 /// The group of a case: its fields and its reason.
 H5Table group_of(const CaseRecord& record);
@@ -56,8 +61,9 @@ struct CsvFiles {
 CsvFiles csv_files(const std::filesystem::path& csv);
 
 /// The top of a sweep's file, as CSV that pandas.read_csv() takes as it is: names in the first line, then
-///   cases    a line a case: case, the keys swept over, status in words, seconds, case_columns(), reason
-///   patches  a line a patch: case, patch, the keys swept over, status of the case, patch_columns()
+///   cases    a line a case: case, the keys swept over, status in words, seconds, SweepColumns::cases, reason
+///   patches  a line a patch: case, patch, the keys swept over, status of the case, SweepColumns::patches;
+///            not of wheelsets
 ///   units    a line a column of either: table, name, unit, description
 /// `top` has the group "patches". Throws InputError if a file cannot be written.
 void write_csv(const CsvFiles& files, const SweepFile& sweep, const H5Table& top,

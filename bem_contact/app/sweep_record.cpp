@@ -3,6 +3,7 @@
 #include "bem_contact/app/result_file.hpp"
 #include "bem_contact/contact/history.hpp"
 #include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/wheelset/quantities.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -16,6 +17,9 @@ namespace {
 
 using nlohmann::json;
 
+constexpr WheelSide sides[] = {WheelSide::right, WheelSide::left};
+constexpr const char* model_column = "model";
+constexpr const char* of_model = "0 hertz, 1 halfspace, 2 tangent_plane, 3 fem; CSV: its name";
 constexpr const char* of_error = "estimated error by the size of the elements; nan: not known";
 
 std::vector<Column> columns_of_cases() {
@@ -25,7 +29,7 @@ std::vector<Column> columns_of_cases() {
     if (q.error)
       all.push_back({error_name(q.name), q.unit.text(), of_error});
   }
-  all.push_back({model_column, "1", "0 hertz, 1 halfspace, 2 tangent_plane, 3 fem; CSV: its name"});
+  all.push_back({model_column, "1", of_model});
   return all;
 }
 
@@ -39,7 +43,43 @@ std::vector<Column> columns_of_patches() {
   return all;
 }
 
+std::vector<Column> columns_of_wheelsets() {
+  std::vector<Column> all;
+  for (const WheelsetQuantity& q : wheelset_quantities())
+    all.push_back({q.name, q.unit, q.description});
+  for (const WheelSide side : sides) {
+    const auto add = [&](const char* name, const char* unit, const char* description) {
+      all.push_back({fmt::format("{}_{}", name_of(side), name), unit,
+                     fmt::format("{} wheel: {}", name_of(side), description)});
+    };
+    for (const WheelQuantity& q : wheel_quantities())
+      add(q.name, q.unit, q.description);
+    add(model_column, "1", of_model);
+  }
+  all.push_back({"warning_count", "1", "warnings of both wheels"});
+  return all;
+}
+
 /// In the order of the columns.
+std::vector<double> summary_of(const WheelsetResult& result) {
+  std::vector<double> values;
+  for (const WheelsetQuantity& q : wheelset_quantities())
+    values.push_back(q.value(result));
+  for (const WheelSide side : sides) {
+    for (const WheelQuantity& q : wheel_quantities())
+      values.push_back(q.value(result.state, side));
+    values.push_back(static_cast<double>(result.state.solved(side).model));
+  }
+  values.push_back(static_cast<double>(result.warnings.size()));
+  return values;
+}
+
+/// Adds to the reason of a case.
+void say(CaseRecord& record, const std::string& text) {
+  if (!text.empty())
+    record.reason += (record.reason.empty() ? "" : "; ") + text;
+}
+
 std::vector<double> summary_of(const SceneResult& result) {
   std::vector<double> values;
   for (const Quantity& q : quantities()) {
@@ -88,14 +128,18 @@ H5Table table_from_json(const json& j) {
 
 } // namespace
 
-std::span<const Column> case_columns() {
-  static const std::vector<Column> columns = columns_of_cases();
+const SweepColumns& contact_columns() {
+  static const SweepColumns columns{columns_of_cases(), columns_of_patches()};
   return columns;
 }
 
-std::span<const Column> patch_columns() {
-  static const std::vector<Column> columns = columns_of_patches();
+const SweepColumns& wheelset_columns() {
+  static const SweepColumns columns{columns_of_wheelsets(), {}};
   return columns;
+}
+
+bool is_model(const Column& column) {
+  return column.name.ends_with(model_column);
 }
 
 CaseRecord case_record(std::size_t index, const SceneResult& result, bool fields) {
@@ -104,23 +148,38 @@ CaseRecord case_record(std::size_t index, const SceneResult& result, bool fields
   const Certificate& certificate = result.result.certificate;
   const bool all = std::ranges::all_of(result.history, &ContactResult::converged);
   record.status = certificate.holds() && all ? CaseStatus::certified : CaseStatus::not_certified;
-  const auto say = [&](const std::string& text) {
-    if (!text.empty())
-      record.reason += (record.reason.empty() ? "" : "; ") + text;
-  };
   if (!certificate.holds())
-    say(fmt::format("its worst violation is {:.1e}, {:.0e} is allowed", certificate.worst(),
-                    certificate.tolerance));
+    say(record, fmt::format("its worst violation is {:.1e}, {:.0e} is allowed", certificate.worst(),
+                            certificate.tolerance));
   else if (!all)
-    say("a step before the last is not a solution");
-  say(result.result.remark);
+    say(record, "a step before the last is not a solution");
+  say(record, result.result.remark);
   for (const std::string& warning : result.warnings)
-    say(warning);
+    say(record, warning);
   record.summary = summary_of(result);
   for (std::size_t i = 0; i < result.result.patches.size(); ++i)
     record.patches.push_back(patch_of(result, i));
   if (fields)
     record.fields = to_case_table(result);
+  return record;
+}
+
+CaseRecord case_record(std::size_t index, const WheelsetResult& result, bool fields) {
+  CaseRecord record;
+  record.index = index;
+  record.status = result.state.certified() ? CaseStatus::certified : CaseStatus::not_certified;
+  record.summary = summary_of(result);
+  for (const WheelSide side : sides) {
+    const SceneResult& wheel = result.state.solved(side);
+    const std::string name(name_of(side));
+    if (const Certificate& c = wheel.result.certificate; !c.holds())
+      say(record, fmt::format("{} wheel: its worst violation is {:.1e}, {:.0e} is allowed", name, c.worst(),
+                              c.tolerance));
+    if (fields)
+      add_group(record.fields, name + "/", to_case_table(wheel));
+  }
+  for (const std::string& warning : result.warnings)
+    say(record, warning);
   return record;
 }
 

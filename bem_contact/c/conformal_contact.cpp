@@ -1,16 +1,14 @@
 #include "bem_contact/c/conformal_contact.h"
 
-#include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
+#include "bem_contact/c/calls.hpp"
 #include "bem_contact/c/result_values.hpp"
-#include "bem_contact/contact/work.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <algorithm>
 #include <atomic>
-#include <cstring>
 #include <fmt/format.h>
 #include <optional>
 #include <string>
@@ -32,36 +30,8 @@ struct conformal_contact {
 
 namespace {
 
-/// Calls `action`, which returns a code. Nothing is thrown beyond here: exceptions become codes, and their
-/// text the message.
-template <class Action> int guarded(std::string& message, const Action& action) noexcept {
-  try {
-    message.clear();
-    return action();
-  } catch (const Stopped& error) {
-    message = error.what();
-    return CONFORMAL_STOPPED;
-  } catch (const ConvergenceError& error) {
-    message = error.what();
-    return CONFORMAL_NOT_CONVERGED;
-  } catch (const Error& error) {
-    message = error.what();
-    return CONFORMAL_WRONG_INPUT;
-  } catch (const std::exception& error) {
-    message.assign(error.what(), std::min<std::size_t>(std::strlen(error.what()), 200));
-    return CONFORMAL_UNFORESEEN;
-  } catch (...) {
-    return CONFORMAL_UNFORESEEN;
-  }
-}
-
 template <class Action> int with(conformal_contact* handle, const Action& action) noexcept {
   return handle ? guarded(handle->message, action) : CONFORMAL_WRONG_INPUT;
-}
-
-void require(bool given, const char* what) {
-  if (!given)
-    throw InputError(std::string(what) + " is missing", "a null pointer was given", "Give its address.");
 }
 
 const std::string& key_of(const conformal_contact* handle, int key) {
@@ -79,26 +49,14 @@ const SceneResult& result_of(const conformal_contact* handle) {
   return *handle->result;
 }
 
-/// `text` as far as there is room.
-void copy_text(const std::string& text, char* to, int size) {
-  if (!to || size <= 0)
-    return;
-  const std::size_t length = std::min(text.size(), static_cast<std::size_t>(size) - 1);
-  std::memcpy(to, text.data(), length);
-  to[length] = '\0';
-}
-
 template <class Open>
 int open(conformal_contact** handle, char* message, int size, const Open& open_scene) noexcept {
-  std::string text;
-  const int code = guarded(text, [&] {
+  return told(message, size, [&] {
     require(handle, "the handle");
     *handle = nullptr;
     *handle = new conformal_contact(open_scene());
     return CONFORMAL_OK;
   });
-  copy_text(text, message, size);
-  return code;
 }
 
 /// Like the program's: no certificate, no success.

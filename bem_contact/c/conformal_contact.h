@@ -154,6 +154,61 @@ int conformal_warning_count(conformal_contact* handle, int* count);
 /* *text is valid until the next conformal_solve(). */
 int conformal_warning(conformal_contact* handle, int index, const char** text);
 
+/*
+ * Tables of `bem_contact table`: forces are looked up, in microseconds, not solved.
+ *
+ *     conformal_table *table;
+ *     double at[] = {-2.3, 66000}, values[40], errors[40];
+ *     int axes, columns, fx;
+ *     if (conformal_table_open("forces.h5", &table, message, sizeof message) != CONFORMAL_OK) ...
+ *     conformal_table_size(table, &axes, &columns);                                     2 and 21, say
+ *     conformal_table_find(table, "Fx", &fx);
+ *     if (conformal_table_look_up(table, at, axes, values, errors, columns, message, sizeof message) != ...
+ *     printf("%g N, interpolated within %g N", values[fx], errors[fx]);
+ *     conformal_table_close(table);
+ *
+ * Any number of threads may use one table at the same time. `message` is what it is for
+ * conformal_open_file(). Where a function has none, CONFORMAL_WRONG_INPUT means that there is no such index
+ * or name, or that a pointer is null.
+ */
+typedef struct conformal_table conformal_table;
+
+int conformal_table_open(const char* file, conformal_table** table, char* message, int size);
+/* A null pointer is fine. No other thread may use the table any more. */
+void conformal_table_close(conformal_table* table);
+
+/* How many axes and columns it has. */
+int conformal_table_size(const conformal_table* table, int* axes, int* columns);
+/* Name, unit, first and last point of an axis; name, unit and stated error of a column: the largest
+ * difference from a solution that was found between the points. Every pointer may be null. Texts are valid
+ * until the table is closed. */
+int conformal_table_axis(const conformal_table* table, int index, const char** name, const char** unit,
+                         double* from, double* to);
+int conformal_table_column(const conformal_table* table, int index, const char** name, const char** unit,
+                           double* error);
+/* The index of a column, such as "Fx". */
+int conformal_table_find(const conformal_table* table, const char* name, int* column);
+
+/* The values of the first `columns` columns at a point, one coordinate for each axis, and their stated errors
+ * (may be a null pointer). CONFORMAL_WRONG_INPUT outside the axes; then `values` are as they were. */
+int conformal_table_look_up(const conformal_table* table, const double* at, int axes, double* values,
+                            double* errors, int columns, char* message, int size);
+
+/* What conformal_table_creep_forces() is given and gives, in the order of its arrays. */
+#define CONFORMAL_ELLIPSE_A 0       /* mm, semi-axis along x */
+#define CONFORMAL_ELLIPSE_B 1       /* mm, the other one */
+#define CONFORMAL_ELLIPSE_MODULUS 2 /* MPa, shear modulus of both bodies */
+#define CONFORMAL_ELLIPSE_BOUND 3   /* N, friction coefficient times normal force */
+#define CONFORMAL_ELLIPSE_XI 4      /* 1 */
+#define CONFORMAL_ELLIPSE_ETA 5     /* 1 */
+#define CONFORMAL_ELLIPSE_PHI 6     /* 1/mm */
+#define CONFORMAL_ELLIPSE_VALUES 7
+/* Forces Fx and Fy (N) and moment Mz (N mm) on the rail of an elliptic contact, from a table of
+ * --creep-forces, and their stated errors (may be a null pointer). CONFORMAL_WRONG_INPUT where a/b is outside
+ * the table. */
+int conformal_table_creep_forces(const conformal_table* table, const double ellipse[7], double forces[3],
+                                 double errors[3], char* message, int size);
+
 #ifdef __cplusplus
 }
 #endif

@@ -37,6 +37,15 @@ H5Table read_paths(const std::filesystem::path& file, const std::function<bool(c
 
 } // namespace
 
+void add_group(H5Table& table, const std::string& group, const H5Table& members) {
+  for (const auto& [name, data] : members.datasets)
+    table.datasets[group + name] = data;
+  for (const auto& [name, value] : members.attributes)
+    table.attributes[group + name] = value;
+  for (const auto& [name, text] : members.texts)
+    table.texts[group + name] = text;
+}
+
 std::string text_attribute(const H5Table& table, const std::string& name) {
   const auto at = table.attributes.find(name);
   const auto* text = at == table.attributes.end() ? nullptr : std::get_if<std::string>(&at->second);

@@ -33,6 +33,9 @@ struct H5Table {
   std::map<std::string, H5Text> texts; ///< datasets of one text (UTF-8)
 };
 
+/// Adds all of `members` as a group, "right/" say.
+void add_group(H5Table& table, const std::string& group, const H5Table& members);
+
 /// The attribute of that name; "" where there is none, or a number.
 std::string text_attribute(const H5Table& table, const std::string& name);
 

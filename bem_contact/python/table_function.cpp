@@ -41,7 +41,7 @@ py::dict dict_of(const table::ContactTable& t) {
   py::object scale = py::none();
   if (t.scale)
     scale = py::dict("log10_a_over_b"_a = array_of(t.scale->log10_a_over_b), "C11"_a = array_of(t.scale->c11),
-                     "C22"_a = array_of(t.scale->c22), "C23"_a = array_of(t.scale->c23));
+                     "C22"_a = array_of(t.scale->c22));
   return py::dict("axes"_a = axes, "values"_a = values, "errors"_a = errors, "units"_a = units,
                   "creep_scale"_a = scale, "tolerance"_a = t.tolerance, "solved"_a = t.solved);
 }
@@ -102,9 +102,67 @@ py::dict table_of(const py::object& scene, const py::object& axes, std::vector<s
   return dict_of(t);
 }
 
+/// A table to look up in.
+struct PythonTable {
+  table::ContactTable table;
+};
+
+using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Name: value of each column at one point, or an array of them at many.
+py::dict look_up(const PythonTable& self, const Points& at) {
+  const std::vector<table::Column>& columns = self.table.columns;
+  const auto width = static_cast<std::size_t>(at.ndim() > 0 ? at.shape(at.ndim() - 1) : 1);
+  std::vector<std::vector<double>> found(columns.size());
+  for (std::size_t first = 0; first < static_cast<std::size_t>(at.size()); first += width) {
+    const std::vector<double> values = table::look_up(self.table, {at.data() + first, width});
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      found[c].push_back(values[c]);
+  }
+  py::dict out;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (at.ndim() < 2)
+      out[columns[c].name.c_str()] = found[c].at(0);
+    else
+      out[columns[c].name.c_str()] = py::array_t<double>(
+          std::vector<py::ssize_t>(at.shape(), at.shape() + at.ndim() - 1), found[c].data());
+  return out;
+}
+
+py::dict creep_forces(const PythonTable& self, double a, double b, double shear_modulus, double bound,
+                      double xi, double eta, double phi) {
+  const table::TabulatedForces f =
+      table::creep_forces(self.table, {a, b, shear_modulus, bound}, xi, eta, phi);
+  return py::dict("Fx"_a = f.Fx, "Fy"_a = f.Fy, "Mz"_a = f.Mz,
+                  "errors"_a = py::dict("Fx"_a = f.Fx_error, "Fy"_a = f.Fy_error, "Mz"_a = f.Mz_error));
+}
+
 } // namespace
 
 void add_table(py::module_& module) {
+  py::class_<PythonTable> reader(module, "Table",
+                                 "A table of bem_contact.table() or `bem_contact table` to look up in.");
+  for (const char* name : {"axes", "values", "errors", "units", "creep_scale", "tolerance", "solved"})
+    reader.def_property_readonly(
+        name, [name](const PythonTable& self) { return py::object(dict_of(self.table)[name]); },
+        "As in the dict that table() returns.");
+  reader
+      .def("look_up", look_up, "at"_a,
+           "A dict with the value of each column at a point, one coordinate for each axis; for an array of "
+           "points "
+           "(last dimension: axes) arrays of values. `errors` says how far they are from solutions. "
+           "InputError "
+           "outside the axes.")
+      .def("creep_forces", creep_forces, "a"_a, "b"_a, "shear_modulus"_a, "bound"_a, "xi"_a = 0, "eta"_a = 0,
+           "phi"_a = 0,
+           "Fx, Fy (N) and Mz (N mm) on the rail of an elliptic contact with semi-axes a along x and b (mm), "
+           "shear "
+           "modulus (MPa) and friction bound mu N (N), for creepages xi, eta and phi (1/mm); and their "
+           "\"errors\". "
+           "InputError where a/b is outside the table.");
+  module.def(
+      "read_table", [](const std::filesystem::path& file) { return PythonTable{table::read_table(file)}; },
+      "file"_a, "Reads a table (HDF5) of table() or of the command `bem_contact table`: a Table.");
   module.def(
       "table", table_of, "scene"_a = py::none(), "axes"_a = py::none(), py::kw_only(),
       "hold"_a = std::vector<std::string>{}, "tolerance"_a = table::Wanted{}.tolerance,

@@ -87,7 +87,9 @@ const sweepFigure = (data, keys, key, names) => {
   for (const [same, cases] of groups) {
     cases.sort((a, b) => over.values[a] - over.values[b]);
     for (const name of names) {
-      const style = FORCES[name] ?? {colour: name === "pmax" ? PRESSURE[1][1] : INK, dash: "solid", mark: "circle"};
+      const of = name.replace(/^(right|left)_/, ""); // of wheelsets: the colour of the number, dashed for the left wheel
+      const known = FORCES[of] ?? {colour: of === "pmax" ? PRESSURE[1][1] : INK, dash: "solid", mark: "circle"};
+      const style = of === name ? known : {...known, dash: name.startsWith("left_") ? "dash" : "solid"};
       const pick = column => cases.map(i => column.values[i]);
       const label = [names.length > 1 ? name : "", same].filter(Boolean).join("; ") || name;
       traces.push(lineOver(pick(over), pick(data[name]), label,

@@ -79,13 +79,16 @@ const addComparison = () => {
 };
 
 const addSweep = () => {
-  const keys = sweptKeys(data).filter(k => new Set(data[k].values).size > 1), columns = ["pmax", "area", "Fx", "Fy", "Fz", "Mz"];
+  const keys = sweptKeys(data).filter(k => new Set(data[k].values).size > 1), wheels = "right_share" in data;
+  const both = name => [`right_${name}`, `left_${name}`];
+  const columns = wheels ? ["lateral", "roll", ...both("share"), ...both("Fy"), ...both("pmax")] : ["pmax", "area", "Fx", "Fy", "Fz", "Mz"];
   const key = leadingKey(data, keys);
   add("h2", "Cases");
-  if (data.patches.y.values.some(y => y !== null))
+  if (data.patches?.y.values.some(y => y !== null))
     addFigure("patches-over-y", "Where the patches lie on the rail: each bar is as wide as its patch; larger marks carry larger " +
               "normal forces, darker ones larger pressures.", patchesFigure(data, key));
-  for (const names of [["pmax"], ["area"], ["Fx", "Fy"], ["Mz"]])
+  for (const names of wheels ? [["lateral"], ["roll"], both("share"), both("Fy"), both("pmax")]
+                             : [["pmax"], ["area"], ["Fx", "Fy"], ["Mz"]])
     addFigure(`over-${names.join("-")}`, `${names.join(", ")} over ${key ?? "the cases"}.`, sweepFigure(data, keys, key, names));
   const status = ["missing", "certified", "not certified", "refused", "died"];
   addTable("All cases", ["case", ...keys.map(k => titled(k, data[k]).replace(".", ".\u200b")), ...columns.map(name => titled(name, data[name])), "status"],

@@ -1,8 +1,10 @@
 #include "bem_contact/table/contact_table.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/table/settings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,41 +18,45 @@ std::size_t interval(std::span<const double> points, double at) {
   return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(points) - 2));
 }
 
-/// The slope at a point between two intervals of lengths h and k, along which the slopes are f and g: that of
-/// the parabola through the three points.
-double parabola_slope(double h, double f, double k, double g) {
-  return (k * f + h * g) / (h + k);
-}
-
-/// What is left of a table once the coordinates of some axes are given.
-struct Remainder {
-  const ContactTable& table;
-  const Column& column;
-  std::span<const double> at;
-
-  /// `index`: of the points of the axes before this one.
-  double value(std::size_t axis, std::size_t index) const {
-    if (axis == at.size())
-      return column.values[index];
-    const std::vector<double>& x = table.axes[axis].points;
-    const std::size_t i = interval(x, at[axis]);
-    const auto point = [&](std::size_t k) { return value(axis + 1, index * x.size() + k); };
-    const double h = x[i + 1] - x[i], share = std::clamp((at[axis] - x[i]) / h, 0.0, 1.0);
-    if (share == 0 || share == 1)
-      return point(share == 0 ? i : i + 1);
-    const double low = point(i), high = point(i + 1), slope = (high - low) / h;
-    double first = slope, last = slope;
-    if (i > 0)
-      first = parabola_slope(x[i] - x[i - 1], (low - point(i - 1)) / (x[i] - x[i - 1]), h, slope);
-    if (i + 2 < x.size())
-      last = parabola_slope(h, slope, x[i + 2] - x[i + 1], (point(i + 2) - high) / (x[i + 2] - x[i + 1]));
-    if (i == 0) // at an end the parabola of the neighbours goes on
-      first = 2 * slope - last;
-    if (i + 2 == x.size())
-      last = 2 * slope - first;
-    return low + share * h * (slope + (1 - share) * ((first - slope) * (1 - share) - (last - slope) * share));
-  }
+/// The points of one axis that make the value at a coordinate: up to four neighbours.
+struct AxisWeights {
+  std::size_t first = 0, count = 0;
+  std::array<double, 4> weights{};
 };
+
+AxisWeights axis_weights(std::span<const double> x, double at) {
+  const std::size_t i = interval(x, at);
+  const double h = x[i + 1] - x[i], share = std::clamp((at - x[i]) / h, 0.0, 1.0);
+  if (share == 0 || share == 1) // a point of the table: what its neighbours are does not matter
+    return {share == 0 ? i : i + 1, 1, {1}};
+  const bool before = i > 0, after = i + 2 < x.size();
+  // The cubic is the chord + low (slope at the lower end - chord's) - high (slope at the upper end -
+  // chord's). At an end of the axis the parabola of the other side goes on: there both differences are
+  // opposite numbers.
+  double low = h * share * (1 - share) * (1 - share), high = h * share * share * (1 - share);
+  if (!before)
+    high += low;
+  if (!after)
+    low += high;
+  std::array<double, 4> w{0, 1 - share, share, 0};
+  // The slope of a parabola between intervals of lengths h and k differs from the chord over h by h/(h + k)
+  // times the difference of both chords.
+  if (before) {
+    const double k = x[i] - x[i - 1], factor = low * h / (h + k);
+    w[0] -= factor / k;
+    w[1] += factor / k + factor / h;
+    w[2] -= factor / h;
+  }
+  if (after) {
+    const double k = x[i + 2] - x[i + 1], factor = high * h / (h + k);
+    w[1] -= factor / h;
+    w[2] += factor / h + factor / k;
+    w[3] -= factor / k;
+  }
+  if (!before) // no point comes first
+    std::ranges::rotate(w, w.begin() + 1);
+  return {before ? i - 1 : i, 2 + std::size_t{before} + std::size_t{after}, w};
+}
 
 } // namespace
 
@@ -81,11 +87,53 @@ const Column& ContactTable::column(std::string_view name) const {
                    fmt::format("it has {}", fmt::join(names, ", ")), "Use one of these.");
 }
 
-double interpolate(const ContactTable& table, const Column& column, std::span<const double> at) {
+std::vector<PointWeight> weights_at(const ContactTable& table, std::span<const double> at) {
   if (at.size() != table.axes.size())
     throw InputError(fmt::format("A point with {} coordinates is not in the table", at.size()),
                      fmt::format("it has {} axes", table.axes.size()), "Give one for each axis.");
-  return Remainder{table, column, at}.value(0, 0);
+  std::vector<PointWeight> out{{0, 1}};
+  for (std::size_t a = 0; a < at.size(); ++a) {
+    const std::vector<double>& points = table.axes[a].points;
+    const AxisWeights axis = axis_weights(points, at[a]);
+    std::vector<PointWeight> finer;
+    finer.reserve(out.size() * axis.count);
+    for (const PointWeight& coarse : out)
+      for (std::size_t k = 0; k < axis.count; ++k)
+        finer.push_back({coarse.index * points.size() + axis.first + k, coarse.weight * axis.weights[k]});
+    out = std::move(finer);
+  }
+  return out;
+}
+
+double interpolate(const Column& column, std::span<const PointWeight> weights) {
+  double sum = 0;
+  for (const PointWeight& point : weights)
+    sum += point.weight * column.values[point.index];
+  return sum;
+}
+
+double interpolate(const ContactTable& table, const Column& column, std::span<const double> at) {
+  return interpolate(column, weights_at(table, at));
+}
+
+void require_inside(const Axis& axis, double at) {
+  const double from = axis.points.front(), to = axis.points.back(), slack = axis_slack * (to - from);
+  if (at >= from - slack && at <= to + slack) // not for nan
+    return;
+  throw InputError(
+      fmt::format("{} = {:.9g} is outside the table", axis.name, at),
+      fmt::format("its axis goes from {:.9g} to {:.9g}{}", from, to, axis.unit == "1" ? "" : " " + axis.unit),
+      "Stay within, or make a table with a longer axis.");
+}
+
+std::vector<double> look_up(const ContactTable& table, std::span<const double> at) {
+  const std::vector<PointWeight> weights = weights_at(table, at);
+  for (std::size_t a = 0; a < at.size(); ++a)
+    require_inside(table.axes[a], at[a]);
+  std::vector<double> out;
+  for (const Column& column : table.columns)
+    out.push_back(interpolate(column, weights));
+  return out;
 }
 
 double interpolate(std::span<const double> x, std::span<const double> y, double at) {

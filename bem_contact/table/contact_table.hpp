@@ -31,8 +31,8 @@ struct Column {
 /// By what the creepages of a creep table are scaled (creep_table.hpp): Kalker's coefficients over the
 /// ellipse, linear between the points.
 struct CreepScale {
-  std::vector<double> log10_a_over_b{}, c11{}, c22{}, c23{}; ///< all equally long
-  double poisson = 0;                                        ///< of the pair
+  std::vector<double> log10_a_over_b{}, c11{}, c22{}; ///< all equally long
+  double poisson = 0;                                 ///< of the pair
 };
 
 /// Numbers over a tensor product of axes.
@@ -51,11 +51,27 @@ struct ContactTable {
   const Column& column(std::string_view name) const;
 };
 
-/// The value of a column at a point, one coordinate for each axis. In each coordinate it is cubic between two
-/// points, with the slopes there of parabolas through three neighbours (linear, where there are only two
-/// points), and constant beyond the ends. The slope is continuous. Beside a jump it overshoots, by less than
-/// a tenth of the jump in each coordinate where points are equally far apart.
+/// What a point of the table contributes to the value at some place: the same for every column.
+struct PointWeight {
+  std::size_t index; ///< of the point, as values have it
+  double weight;     ///< 1
+};
+
+/// How the points of a table make the value at a place, one coordinate for each axis. In each coordinate it
+/// is cubic between two points, with the slopes there of parabolas through three neighbours (linear, where
+/// there are only two points), and constant beyond the ends. The slope is continuous. Beside a jump it
+/// overshoots, by less than a tenth of the jump in each coordinate where points are equally far apart.
+std::vector<PointWeight> weights_at(const ContactTable& table, std::span<const double> at);
+/// Their sum over the values of a column.
+double interpolate(const Column& column, std::span<const PointWeight> weights);
+/// Both.
 double interpolate(const ContactTable& table, const Column& column, std::span<const double> at);
+
+/// The value of each column at a place, for users. Throws InputError outside the axes, where interpolate()
+/// goes on with a constant and nobody knows the error.
+std::vector<double> look_up(const ContactTable& table, std::span<const double> at);
+/// Throws InputError if a coordinate is outside its axis, by more than the last digits.
+void require_inside(const Axis& axis, double at);
 
 /// Linear between the points of a curve, constant beyond its ends.
 double interpolate(std::span<const double> x, std::span<const double> y, double at);

@@ -24,14 +24,19 @@ constexpr double modulus = 8e4;    // G, MPa
 constexpr double friction = 0.3;   // mu
 constexpr double curvature = 1e-3; // the sum of both, 1/mm
 
-/// Kalker's coefficients for log10(a/b).
-struct Coefficients {
-  double c11 = 0, c22 = 0, c23 = 0;
+/// R over c: the mean radius of the ellipse, R^2 = (a^2 + b^2)/2, and a/b + b/a = 2 cosh(log(a/b)).
+double mean_radius(double log10_ratio) {
+  return std::sqrt(std::cosh(std::numbers::ln10 * log10_ratio));
+}
 
-  Coefficients(const CreepScale& scale, double log_ratio)
-      : c11(interpolate(scale.log10_a_over_b, scale.c11, log_ratio)),
-        c22(interpolate(scale.log10_a_over_b, scale.c22, log_ratio)),
-        c23(interpolate(scale.log10_a_over_b, scale.c23, log_ratio)) {}
+/// xi', eta' and phi' over G c^2 xi / (3 mu N), G c^2 eta / (3 mu N) and G c^3 phi / (3 mu N).
+struct ScalesOfCreepage {
+  double xi = 0, eta = 0, phi = 0;
+
+  ScalesOfCreepage(const CreepScale& scale, double log_ratio)
+      : xi(interpolate(scale.log10_a_over_b, scale.c11, log_ratio)),
+        eta(interpolate(scale.log10_a_over_b, scale.c22, log_ratio)),
+        phi(std::sqrt(xi * eta) * mean_radius(log_ratio)) {}
 };
 
 CreepScale scale_of(const CreepTableOptions& options) {
@@ -45,7 +50,6 @@ CreepScale scale_of(const CreepTableOptions& options) {
     scale.log10_a_over_b.push_back(log_ratio);
     scale.c11.push_back(k.c11);
     scale.c22.push_back(k.c22);
-    scale.c23.push_back(k.c23);
   }
   return scale;
 }
@@ -63,6 +67,12 @@ EllipticContact elliptic_contact(double a_over_b, const Material& material) {
   return {share * curvature, (1 - share) * curvature, std::pow(unit.semi_axis_x * unit.semi_axis_s, -1.5)};
 }
 
+/// Of one axis that is `ratio` times as long as the other. Where elements are as long as the ellipse, a whole
+/// row of them changes its direction of slip at once as the pole of the motion passes, and forces jump.
+int elements_across(int elements, double ratio) {
+  return 2 * static_cast<int>(std::lround(0.5 * elements * std::pow(ratio, 0.25)));
+}
+
 SceneFile scene_of(double a_over_b, const CreepScale& scale, int elements) {
   const Material material{.shear_modulus = modulus, .poisson = scale.poisson};
   const EllipticContact contact = elliptic_contact(a_over_b, material);
@@ -74,17 +84,45 @@ SceneFile scene_of(double a_over_b, const CreepScale& scale, int elements) {
   scene.motion.friction = friction;
   scene.gap.a = contact.curvature_x;
   scene.gap.b = contact.curvature_s;
-  scene.grid.dx = 2 * std::sqrt(a_over_b) / elements;
-  scene.grid.ds = 2 / std::sqrt(a_over_b) / elements;
-  scene.grid.mx = scene.grid.ms = elements + 2 * border_elements;
+  const int along_x = elements_across(elements, a_over_b), along_s = elements_across(elements, 1 / a_over_b);
+  scene.grid.dx = 2 * std::sqrt(a_over_b) / along_x;
+  scene.grid.ds = 2 / std::sqrt(a_over_b) / along_s;
+  scene.grid.mx = along_x + 2 * border_elements;
+  scene.grid.ms = along_s + 2 * border_elements;
   return scene;
 }
 
 /// xi', eta', phi'.
 std::array<double, 3> scaled_creepages(const Point& point) {
-  const double w = point[3] < 1 ? point[3] / (1 - point[3]) : full_slip_creepage;
+  const double w = point[3] < 1 ? point[3] / (1 - point[3]) : 1; // a direction
   return {w * std::cos(point[1]), w * std::sin(point[1]) * std::cos(point[2]),
           w * std::sin(point[1]) * std::sin(point[2])};
+}
+
+/// In full slip the elastic part of the slip is nothing beside the rigid one: the traction is mu p along
+/// that. By the midpoint rule over the pressure of Hertz, for c = 1; xi, eta and phi up to a common factor.
+std::array<double, 3> full_slip(double a_over_b, double xi, double eta, double phi) {
+  const double a = std::sqrt(a_over_b), b = 1 / a;
+  const auto beyond = [](int ring) { // share of the normal force
+    const double r = static_cast<double>(ring) / full_slip_rings;
+    return std::pow(1 - r * r, 1.5);
+  };
+  double fx = 0, fy = 0, mz = 0;
+  for (int i = 0; i < full_slip_rings; ++i) {
+    const double r = (i + 0.5) / full_slip_rings;
+    const double share = (beyond(i) - beyond(i + 1)) / full_slip_angles;
+    for (int k = 0; k < full_slip_angles; ++k) {
+      const double angle = 4 * half_pi * (k + 0.5) / full_slip_angles;
+      const double x = a * r * std::cos(angle), y = b * r * std::sin(angle);
+      const double slip_x = xi - phi * y, slip_y = eta + phi * x, slip = std::hypot(slip_x, slip_y);
+      if (slip == 0)
+        continue;
+      fx += share * slip_x / slip;
+      fy += share * slip_y / slip;
+      mz += share * (x * slip_y - y * slip_x) / slip;
+    }
+  }
+  return {fx, fy, mz};
 }
 
 void require(const CreepTableOptions& o) {
@@ -125,7 +163,7 @@ ContactTable creep_table(const CreepTableOptions& options) {
     table.axes[0].points.push_back(from + (to - from) * i / 2);
   table.columns = {{.name = "Fx", .unit = "mu N", .description = "on the rail, over the friction bound"},
                    {.name = "Fy", .unit = "mu N", .description = "on the rail, over the friction bound"},
-                   {.name = "Mz", .unit = "mu N c", .description = "on the rail, c = sqrt(a b)"}};
+                   {.name = "Mz", .unit = "mu N R", .description = "on the rail, R = sqrt((a^2 + b^2)/2)"}};
   return table;
 }
 
@@ -138,17 +176,22 @@ PointSolver creep_point_solver(const CreepScale& scale, int elements) {
   return [=, solver = std::make_shared<Solver>()](const Point& point) {
     if (point[3] == 0)
       return PointValues{{0, 0, 0}, {unknown_error, unknown_error, unknown_error}};
+    const auto [xi, eta, phi] = scaled_creepages(point);
+    const ScalesOfCreepage k(scale, point[0]);
+    const double radius = mean_radius(point[0]);
+    if (point[3] == 1) {
+      const auto [fx, fy, mz] = full_slip(std::pow(10, point[0]), xi / k.xi, eta / k.eta, phi / k.phi);
+      return PointValues{{fx, fy, mz / radius}, std::vector<double>(3, unknown_error)};
+    }
     if (!solver->scene || solver->log_ratio != point[0]) {
       solver->scene = scene_of(std::pow(10, point[0]), scale, elements);
       solver->log_ratio = point[0];
     }
     SceneFile& scene = *solver->scene;
-    const auto [xi, eta, phi] = scaled_creepages(point);
-    const Coefficients k(scale, point[0]);
-    const double bound = friction * *scene.load.force, unit = bound / modulus; // c = 1 mm
-    scene.motion.xi = 3 * unit / k.c11 * xi;
-    scene.motion.eta = 3 * unit / k.c22 * eta;
-    scene.motion.phi = unit / k.c23 * phi;
+    const double bound = friction * *scene.load.force, unit = 3 * bound / modulus; // c = 1 mm
+    scene.motion.xi = unit / k.xi * xi;
+    scene.motion.eta = unit / k.eta * eta;
+    scene.motion.phi = unit / k.phi * phi;
     const SceneResult result = solver->sequence.solve(scene);
     if (!result.result.certificate.holds())
       throw ConvergenceError("A point of the creep table has no certified result",
@@ -157,8 +200,9 @@ PointSolver creep_point_solver(const CreepScale& scale, int elements) {
                              "Choose another number of --elements.");
     PointValues out;
     for (const char* name : {"Fx", "Fy", "Mz"}) {
-      out.values.push_back(quantity(name).value(result) / bound);
-      out.element_errors.push_back(quantity(name).error(result) / bound);
+      const double unit_of_column = std::string_view(name) == "Mz" ? bound * radius : bound;
+      out.values.push_back(quantity(name).value(result) / unit_of_column);
+      out.element_errors.push_back(quantity(name).error(result) / unit_of_column);
     }
     return out;
   };
@@ -177,18 +221,30 @@ TabulatedForces creep_forces(const ContactTable& table, const CreepContact& cont
   if (!table.scale)
     throw InputError("Forces over creepages cannot be looked up", "the table is one of a scene",
                      "Make one with bem_contact table --creep-forces.");
+  if (!(contact.a > 0 && contact.b > 0 && contact.shear_modulus > 0 && contact.bound > 0 &&
+        std::isfinite(xi + eta + phi)))
+    throw InputError("Forces of this contact cannot be looked up",
+                     "a, b, G and mu N must be positive, and creepages finite",
+                     "Give mm, MPa, N; creepages without unit, spin in 1/mm.");
   const double log_ratio = std::log10(contact.a / contact.b), c = std::sqrt(contact.a * contact.b);
-  const Coefficients k(*table.scale, log_ratio);
-  const double unit = contact.shear_modulus * c * c / contact.bound;
-  const double x = unit * k.c11 / 3 * std::abs(xi);
+  require_inside(table.axes[0], log_ratio);
+  const ScalesOfCreepage k(*table.scale, log_ratio);
+  const double radius = c * mean_radius(log_ratio);
+  const double unit = contact.shear_modulus * c * c / (3 * contact.bound);
+  const double x = unit * k.xi * std::abs(xi);
   // The signs of eta and phi turn together.
   const double sign = eta < 0 ? -1 : 1;
-  const double y = unit * k.c22 / 3 * sign * eta, z = unit * c * k.c23 * sign * phi;
+  const double y = unit * k.eta * sign * eta, z = unit * c * k.phi * sign * phi;
   const double w = std::hypot(x, y, z);
   const double at[] = {log_ratio, std::atan2(std::hypot(y, z), x), std::atan2(z, y), w / (1 + w)};
-  return {std::copysign(contact.bound, xi) * interpolate(table, table.column("Fx"), at),
-          sign * contact.bound * interpolate(table, table.column("Fy"), at),
-          sign * contact.bound * c * interpolate(table, table.column("Mz"), at)};
+  const std::vector<PointWeight> weights = weights_at(table, at);
+  const Column &fx = table.column("Fx"), &fy = table.column("Fy"), &mz = table.column("Mz");
+  return {std::copysign(contact.bound, xi) * interpolate(fx, weights),
+          sign * contact.bound * interpolate(fy, weights),
+          sign * contact.bound * radius * interpolate(mz, weights),
+          contact.bound * fx.interpolation_error,
+          contact.bound * fy.interpolation_error,
+          contact.bound * radius * mz.interpolation_error};
 }
 
 } // namespace bem_contact::table

@@ -7,11 +7,15 @@ namespace bem_contact::table {
 /// A table of the creep forces of an elliptic contact between half-spaces of equal material: what Kalker
 /// tabulated (1996, "Book of tables for the Hertzian creep-force law"; program USETAB).
 ///
-/// Such a contact depends on four numbers and on Poisson's ratio. With a along x, c = sqrt(a b), G the shear
-/// modulus and mu N the friction bound, they are a/b and the creepages in Kalker's scaling
-///     xi' = G c^2 C11 xi / (3 mu N),  eta' = G c^2 C22 eta / (3 mu N),  phi' = G c^3 C23 phi / (mu N),
-/// where C11, C22 and C23 are the coefficients of linear theory (CreepScale). Without spin, slip is full near
-/// xi' = 1. The columns are Fx/(mu N), Fy/(mu N) and Mz/(mu N c), on the rail.
+/// Such a contact depends on four numbers and on Poisson's ratio. With a along x, c = sqrt(a b), R^2 = (a^2 +
+/// b^2)/2, G the shear modulus and mu N the friction bound, they are a/b and the scaled creepages
+///     xi' = G c^2 C11 xi / (3 mu N),  eta' = G c^2 C22 eta / (3 mu N),
+///     phi' = G c^2 sqrt(C11 C22) R phi / (3 mu N),
+/// where C11 and C22 are Kalker's coefficients of linear theory (CreepScale). Without spin, slip is full near
+/// xi' = 1. The columns are Fx/(mu N), Fy/(mu N) and Mz/(mu N R), on the rail.
+///
+/// Kalker scales spin by C23. Our phi' is the creepage that spin makes at the distance R, so that the forces
+/// change over about the same angles between xi' and phi' whatever a/b is.
 ///
 /// Kalker takes 1/xi' where xi' > 1, so that his table has no end. Here the axes are
 ///     log10(a/b),
@@ -20,9 +24,6 @@ namespace bem_contact::table {
 ///     t = w / (1 + w), where w is the length of (xi', eta', phi'): 0 .. 1, and 1 is full slip.
 /// Creepages of the other signs follow by symmetry: the sign of xi turns that of Fx alone, and the signs of
 /// eta and phi together turn those of Fy and Mz alone.
-///
-/// Long ellipses under spin change their forces abruptly, which takes many points: near a/b = 0.1 the
-/// largest error of a table of 48620 points was 7 % (Mz, 12 elements).
 struct CreepTableOptions {
   double poisson = 0.28;     ///< of both bodies
   double from = 0.5, to = 2; ///< a/b; within .1 to 10, where the coefficients are known
@@ -46,11 +47,14 @@ struct CreepContact {
   double bound = 0;         ///< mu N, N
 };
 
-/// Fx (N), Fy (N) and Mz (N mm) on the rail, by interpolation, for xi (1), eta (1) and phi (1/mm). a/b beyond
-/// the table is taken as its end.
+/// Forces and moment on the rail, and the errors of each that the table states for its interpolation.
 struct TabulatedForces {
-  double Fx = 0, Fy = 0, Mz = 0; ///< N, N, N mm
+  double Fx = 0, Fy = 0, Mz = 0;                   ///< N, N, N mm
+  double Fx_error = 0, Fy_error = 0, Mz_error = 0; ///< the same
 };
+
+/// Looks up forces for xi (1), eta (1) and phi (1/mm). Throws InputError if a/b is outside the table
+/// (creepages never are), for a contact that is none, and for a table of a scene.
 TabulatedForces creep_forces(const ContactTable& table, const CreepContact& contact, double xi, double eta,
                              double phi);
 

@@ -90,7 +90,8 @@ private:
     for (std::size_t i = 0; i < table_.size(); ++i)
       points.push_back(table_.point(i));
     if (wanted_.progress)
-      wanted_.progress(fmt::format("{} points", points.size()));
+      wanted_.progress(
+          fmt::format("{} points{}", points.size(), worst_at_.empty() ? "" : "; " + worst_text()));
     solve_missing(points);
     for (std::size_t c = 0; c < table_.columns.size(); ++c) {
       Column& column = table_.columns[c];
@@ -183,16 +184,20 @@ private:
       throw InputError(fmt::format("The table begins with {} points", points),
                        fmt::format("{} are allowed", wanted_.most_points),
                        "Give fewer points on the axes, or allow more with --most-points.");
+    throw ConvergenceError(
+        fmt::format("The table is not within {:g} %", 100 * wanted_.tolerance),
+        fmt::format("{}, and the next refinement takes {} points where {} are allowed", worst_text(), points,
+                    wanted_.most_points),
+        "Allow a larger error with --tolerance or more points with --most-points, shorten the axes, or take "
+        "out of table.hold what jumps there.");
+  }
+
+  std::string worst_text() const {
     std::string where;
     for (std::size_t a = 0; a < table_.axes.size(); ++a)
       where += fmt::format("{}{} = {:.6g}", a == 0 ? "" : ", ", table_.axes[a].name, worst_at_[a]);
-    throw ConvergenceError(
-        fmt::format("The table is not within {:g} %", 100 * wanted_.tolerance),
-        fmt::format("{} is still off by {:.3g} % at {}, and the next refinement takes {} points where {} are "
-                    "allowed",
-                    table_.columns[worst_column_].name, 100 * worst_, where, points, wanted_.most_points),
-        "Allow a larger error with --tolerance or more points with --most-points, shorten the axes, or take "
-        "out of table.hold what jumps there.");
+    return fmt::format("{} is still off by {:.3g} % at {}", table_.columns[worst_column_].name, 100 * worst_,
+                       where);
   }
 
   void state_errors(const std::vector<Point>& cells) {

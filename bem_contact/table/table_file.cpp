@@ -58,7 +58,7 @@ ContactTable table_of(const H5Table& file) {
   table.checked = static_cast<std::size_t>(number("checked"));
   if (file.datasets.contains("creep_scale/C11"))
     table.scale = {data("creep_scale/log10_a_over_b").values, data("creep_scale/C11").values,
-                   data("creep_scale/C22").values, data("creep_scale/C23").values, number("poisson")};
+                   data("creep_scale/C22").values, number("poisson")};
   return table;
 }
 
@@ -98,7 +98,7 @@ H5Table to_h5(const ContactTable& table) {
     out.datasets["creep_scale/log10_a_over_b"] = curve(s->log10_a_over_b, "of the coefficients");
     out.datasets["creep_scale/C11"] = curve(s->c11, "Kalker's; xi' = G a b C11 xi / (3 mu N)");
     out.datasets["creep_scale/C22"] = curve(s->c22, "Kalker's; eta' = G a b C22 eta / (3 mu N)");
-    out.datasets["creep_scale/C23"] = curve(s->c23, "Kalker's; phi' = G (a b)^1.5 C23 phi / (mu N)");
+    a["spin"] = std::string("phi' = G a b sqrt(C11 C22) R phi / (3 mu N), R = sqrt((a^2 + b^2)/2)");
     a["poisson"] = s->poisson;
     a["symmetry"] = std::string("the sign of xi turns Fx; the signs of eta and phi together turn Fy and Mz");
   }
@@ -106,7 +106,7 @@ H5Table to_h5(const ContactTable& table) {
 }
 
 std::string to_text(const ContactTable& table) {
-  std::string out = fmt::format("bem_contact_table 1\n{} {} {}\n", table.axes.size(), table.columns.size(),
+  std::string out = fmt::format("bem_contact_table 2\n{} {} {}\n", table.axes.size(), table.columns.size(),
                                 table.scale ? table.scale->c11.size() : 0);
   for (const Axis& axis : table.axes)
     out += fmt::format("{} ", axis.points.size());
@@ -118,8 +118,7 @@ std::string to_text(const ContactTable& table) {
   out += "\n";
   if (const auto& s = table.scale)
     for (std::size_t i = 0; i < s->c11.size(); ++i)
-      out += fmt::format("{:.17g} {:.17g} {:.17g} {:.17g}\n", s->log10_a_over_b[i], s->c11[i], s->c22[i],
-                         s->c23[i]);
+      out += fmt::format("{:.17g} {:.17g} {:.17g}\n", s->log10_a_over_b[i], s->c11[i], s->c22[i]);
   return out;
 }
 

@@ -101,8 +101,9 @@ struct RoughPlace {
   EquilibriumStart start; ///< there
   int contact_problems = 0;
 };
-RoughPlace search_roughly(const SceneFile& scene, const std::atomic<bool>* stop) {
-  WheelPair wheels(rough_scene(scene), stop);
+RoughPlace search_roughly(const SceneFile& scene, const std::atomic<bool>* stop,
+                          const std::shared_ptr<SequenceFiles>& files) {
+  WheelPair wheels(rough_scene(scene), stop, files);
   Follower follower(wheels, scene.position.lateral, begin(wheels, scene.position.lateral), rough_tolerance);
   wheels.scale_elements(rough_elements);
   const LateralRoot guess = search_lateral([&](double y) { return follower.force(y); },
@@ -142,16 +143,17 @@ void add_warnings(const SceneFile& scene, WheelsetResult& out) {
 
 } // namespace
 
-WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop) {
+WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop,
+                              std::shared_ptr<SequenceFiles> files) {
   if (!scene.wheelset.force)
     throw InputError(
         "This scene is of one wheel", "wheelset.force is not given",
         "Give the vertical force on the axle as force in a table [wheelset], instead of [load].");
   const Stopwatch clock;
-  WheelPair wheels(scene, stop);
+  WheelPair wheels(scene, stop, files);
   RoughPlace rough{{scene.position.lateral, 0}, {}, {}};
   if (scene.wheelset.force_y) {
-    rough = search_roughly(scene, stop);
+    rough = search_roughly(scene, stop, files);
     wheels.fix_elements(wheels.at(rough.pose));
   } else {
     rough.start = begin(wheels, scene.position.lateral);

@@ -28,6 +28,8 @@ struct WheelsetResult {
 
 /// Throws InputError for a scene without [wheelset], wrong input, a wheel that lifts, and a lateral force
 /// that no displacement gives; ConvergenceError where no equilibrium was found. `stop`: as Sequence::solve().
-WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop = nullptr);
+/// `files`: what earlier calls have read.
+WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop = nullptr,
+                              std::shared_ptr<SequenceFiles> files = std::make_shared<SequenceFiles>());
 
 } // namespace bem_contact

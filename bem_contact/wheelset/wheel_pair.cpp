@@ -27,7 +27,9 @@ double WheelsetState::torque(const Wrench& w) const {
   return -dot(w.moment, {-std::sin(yaw) * c, std::cos(yaw) * c, std::sin(pose.roll)});
 }
 
-WheelPair::WheelPair(const SceneFile& scene, const std::atomic<bool>* stop) : scene_(scene), stop_(stop) {
+WheelPair::WheelPair(const SceneFile& scene, const std::atomic<bool>* stop,
+                     std::shared_ptr<SequenceFiles> files)
+    : scene_(scene), stop_(stop), files_(std::move(files)), right_({}, files_), left_({}, files_) {
   free_elements();
 }
 

@@ -38,7 +38,8 @@ struct WheelsetState {
 /// Both share files. The scene is one with [wheelset].
 class WheelPair {
 public:
-  explicit WheelPair(const SceneFile& scene, const std::atomic<bool>* stop = nullptr);
+  explicit WheelPair(const SceneFile& scene, const std::atomic<bool>* stop = nullptr,
+                     std::shared_ptr<SequenceFiles> files = std::make_shared<SequenceFiles>());
 
   /// Throws what Sequence::solve() throws.
   WheelsetState at(const WheelsetPose& pose);
@@ -61,8 +62,8 @@ private:
   SceneFile scene_;
   SceneFile right_scene_, left_scene_; ///< perhaps with elements and model fixed
   const std::atomic<bool>* stop_;
-  std::shared_ptr<SequenceFiles> files_ = std::make_shared<SequenceFiles>();
-  Sequence right_{{}, files_}, left_{{}, files_};
+  std::shared_ptr<SequenceFiles> files_;
+  Sequence right_, left_;
 };
 
 } // namespace bem_contact

@@ -306,4 +306,48 @@ TEST(SweepWorkers, EachChunkBeginsAnew) {
   EXPECT_EQ(done, expected);
 }
 
+/// Mirror images: what the right wheel bears at 2 mm, the left one bears at -2 mm.
+TEST_F(Sweep, OfWheelsetsIsWhatTheWheelsetCommandSays) {
+  const std::string wheelset = "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nsolver.model = "
+                               "\"halfspace\"\nposition.cant = 0.025\n"
+                               "motion.friction = 0.3\ngrid.dx = 1\ngrid.ds = 1\n";
+  const std::string swept = wheelset + "wheelset.force = 2e5\n[sweep]\nposition.lateral = [-2, 2]\n";
+  const Outcome r = sweep(swept, "--csv '" + (folder_ / "o.csv").string() + "'");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("2 certified, of 2 cases"));
+  const H5Table table = read_h5(out());
+  const auto at = [&](const std::string& name, std::size_t i) {
+    return table.datasets.at(name).values.at(i);
+  };
+  const Outcome w =
+      run("wheelset '" + write("w.toml", wheelset + "wheelset.force = 2e5\nposition.lateral = 2\n").string() +
+          "' --json");
+  ASSERT_EQ(w.code, 0) << w.err;
+  const auto j = nlohmann::json::parse(w.out);
+  EXPECT_NEAR(at("roll", 1), j["wheelset"]["roll"].get<double>(), 1e-9);
+  EXPECT_NEAR(at("right_Fy", 1), j["right"]["track"]["Fy"].get<double>(), 0.2);
+  EXPECT_NEAR(at("left_share", 1), j["left"]["track"]["share"].get<double>(), 1e-6);
+  EXPECT_NEAR(at("right_share", 1), at("left_share", 0), 1e-5);
+  EXPECT_NEAR(at("right_Fy", 1), -at("left_Fy", 0), 2);
+  for (const char* wheel : {"right", "left"})
+    EXPECT_EQ(table.datasets.at(std::string("cases/000001/") + wheel + "/halfspace/p_n").shape.size(), 2u);
+  EXPECT_THAT(text_of(folder_ / "o.csv"), HasSubstr(",right_share,"));
+  EXPECT_THAT(text_of(folder_ / "o.csv"), HasSubstr(",halfspace,"));
+  EXPECT_THAT(text_of(folder_ / "o_units.csv"),
+              HasSubstr("cases,left_Fy,N,\"left wheel: on the rail, to the right\""));
+  EXPECT_FALSE(fs::exists(folder_ / "o_patches.csv"));
+}
+
+/// A wheel that lifts is a case that is refused, and says why.
+TEST_F(Sweep, OfWheelsetsKeepsWhatIsRefused) {
+  const Outcome r =
+      sweep("rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nsolver.model = "
+            "\"halfspace\"\nmotion.friction = 0.3\n"
+            "grid.dx = 1\ngrid.ds = 1\nwheelset.force = 1e5\n[sweep]\nwheelset.roll_moment = [0, 2e8]\n",
+            "--csv '" + (folder_ / "o.csv").string() + "'");
+  EXPECT_EQ(r.code, 3) << r.out;
+  EXPECT_THAT(r.out, HasSubstr("1 certified, 1 refused, of 2 cases"));
+  EXPECT_THAT(text_of(folder_ / "o.csv"), HasSubstr("lifts"));
+}
+
 } // namespace

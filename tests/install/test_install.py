@@ -8,18 +8,13 @@ import tempfile
 import unittest
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from run_command import run  # noqa: E402
+
 BUILD, SOURCE = Path(os.environ["CONFORMAL_BUILD"]), Path(os.environ["CONFORMAL_SOURCE"])
 VERSION = os.environ["CONFORMAL_VERSION"]
 CLIENTS = Path(__file__).resolve().parent / "consumers"
 HERTZ = 1237.56  # MPa at 1e5 N (data/scenes/hertz.toml); it goes with the cube root of the force
-
-
-def run(*command, **options):
-    done = subprocess.run([str(c) for c in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          **options)
-    if done.returncode != 0:
-        raise AssertionError(f"{command} ended with {done.returncode}:\n{done.stdout[-4000:]}")
-    return done.stdout
 
 
 class Installed(unittest.TestCase):
@@ -93,7 +88,7 @@ class Installed(unittest.TestCase):
         loader = os.environ | {"LD_LIBRARY_PATH": str(self.lib)}
         for compiler, source, options in (("gcc", "client.c", ("-std=c89", "-pedantic", "-Werror")),
                                           ("g++", "client.cpp", ("-std=c++20",)),
-                                          ("gfortran", "client.f90", ())):
+                                          ("gfortran", "client.f90", (self.prefix / "include/conformal_contact.f90",))):
             with self.subTest(source):
                 program = self.work / (source + ".out")
                 run(compiler, *options, CLIENTS / source, "-o", program, *flags, cwd=self.work)

@@ -1,19 +1,15 @@
 """cpack -G DEB: what is in the package. tools/checks/try_debian_package installs it in a clean root."""
 
 import os
-import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from run_command import run  # noqa: E402
+
 BUILD, VERSION = Path(os.environ["CONFORMAL_BUILD"]), os.environ["CONFORMAL_VERSION"]
-
-
-def run(*command):
-    done = subprocess.run([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    if done.returncode != 0:
-        raise AssertionError(f"{command} ended with {done.returncode}:\n{done.stdout[-4000:]}")
-    return done.stdout
 
 
 class Package(unittest.TestCase):

@@ -84,6 +84,23 @@ TEST_F(CreepTable, FullSlipGivesTheFrictionBound) {
   EXPECT_NEAR(spin.Fy, 0, 0.01 * contact.bound);
 }
 
+/// t = 1 is an integral, all else a solution: they meet. Elastic slip is of the order of 1 - t. Spin alone
+/// about a circle: Mz = mu N R 3 pi / 16.
+TEST_F(CreepTable, FullSlipIsTheLimitOfSolutions) {
+  const double half_pi = 0.5 * std::numbers::pi;
+  EXPECT_NEAR(solve_({0, half_pi, half_pi, 1}).values[2], 3 * std::numbers::pi / 16, 1e-4);
+  const PointSolver finer = creep_point_solver(*table_.scale, 24);
+  for (const Point& direction : {Point{0.3, 0.4, 0.5}, Point{-0.2, 1.2, -0.8}, Point{0, 0.9, 1.2}}) {
+    Point at = direction;
+    at.push_back(1);
+    const std::vector<double> full = finer(at).values;
+    at.back() = 0.998;
+    const std::vector<double> nearly = finer(at).values;
+    for (const std::size_t c : {0u, 1u, 2u})
+      EXPECT_NEAR(nearly[c], full[c], 0.01) << direction[1] << " " << c;
+  }
+}
+
 TEST_F(CreepTable, ErrorHoldsAtRandomPoints) {
   std::mt19937 random(7);
   const auto between = [&](const Axis& axis) {

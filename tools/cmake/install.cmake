@@ -27,7 +27,8 @@ foreach(header ${public_headers})
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
 endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/bem_contact/c/conformal_contact.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/bem_contact/c/conformal_contact.h
+  ${PROJECT_SOURCE_DIR}/bem_contact/c/conformal_contact.f90 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 # Those that a caller writes in a program, for Doxygen: doxygen build/Doxyfile makes build/reference/html.
 set(doxygen_input bem_contact/c/conformal_contact.h)

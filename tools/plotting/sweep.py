@@ -1,4 +1,4 @@
-"""A sweep: where the patches lie, and totals over the key that varies."""
+"""A sweep: where the patches lie, and totals over the key that varies; of wheelsets, what each wheel bears."""
 
 import h5py
 import numpy as np
@@ -70,6 +70,24 @@ def draw_totals(axis, file, names, over, groups, certified, joined):
         axis.legend()
 
 
+def draw_wheels(axis, file, quantity, over, groups, certified, joined):
+    """A number of the right wheel (solid) and of the left one (dashed), or one of both."""
+    colour, _, mark = style.FORCES.get(quantity, (style.DEEPEST_PRESSURE if quantity == "pmax" else style.INK, "-", "o"))
+    sides = [side for side in ("right", "left") if f"{side}_{quantity}" in file]
+    for k, (label, cases) in enumerate(groups.items()):
+        sure = np.array([i for i in sorted(cases, key=lambda i: over[i]) if certified[i]])
+        for side in sides or [""]:
+            dash = "--" if side == "left" else "-"
+            words = ", ".join(word for word in (side, label) if word)
+            axis.plot(over[sure], file[f"{side}_{quantity}" if side else quantity][:][sure],
+                      **style.line((colour, dash, MARKS[k % len(MARKS)] if len(groups) > 1 else mark), markersize=4.5, label=words)
+                      | ({} if joined else {"linestyle": "none"}))
+    unit = text(file[f"right_{quantity}" if sides else quantity].attrs["unit"])
+    axis.set_ylabel(f"{quantity}, {unit}" if unit != "1" else quantity)
+    if 1 < len(groups) * len(sides or [""]) <= 8:
+        axis.legend()
+
+
 def draw(files):
     with h5py.File(files[0]) as file:
         certified = file["status"][:] == STATUS_CERTIFIED
@@ -84,6 +102,16 @@ def draw(files):
         name = f"{lead}, {unit}".rstrip(", ") if lead and not keys[lead] else "case"
         groups = groups_of(file, keys, lead)
         figure, axes = style.panels(2, 2, (12.5, 8.8))
+        left_out = "" if certified.all() else f"; {(~certified).sum()} without a certificate are left out"
+        if "right_share" in file:
+            moved = "roll" if lead == "position.lateral" else "lateral"
+            for axis, quantity, title in zip(axes.flat, (moved, "share", "Fy", "pmax"), (
+                    f"Wheelset: {moved}", "Share of the vertical force", "Lateral forces on the rails, to the right",
+                    "Largest pressure")):
+                draw_wheels(axis, file, quantity, over, groups, certified, lead is not None)
+                axis.set(title=title, xlabel=name)
+            figure.suptitle(f"Sweep: {len(certified)} wheelsets, right wheels solid, left ones dashed{left_out}", fontsize=11)
+            return figure
         if "patches" in file and np.isfinite(file["patches/y"][:]).any():
             draw_patches(figure, axes[0, 0], file["patches"], over)
             axes[0, 0].set_ylabel(name)
@@ -98,6 +126,5 @@ def draw(files):
             style.whole_numbers(axes[0, 0].yaxis)
             for axis in (axes[0, 1], *axes[1]):
                 style.whole_numbers(axis.xaxis)
-        left_out = "" if certified.all() else f"; {(~certified).sum()} without a certificate are left out"
         figure.suptitle(f"Sweep: {len(certified)} cases, bars: errors by the size of the elements{left_out}", fontsize=11)
         return figure

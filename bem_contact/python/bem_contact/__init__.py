@@ -8,7 +8,7 @@
 `help(bem_contact.solve)` and `help(bem_contact.Result)` say what goes in and what comes out.
 """
 
-from ._core import ConvergenceError, InputError, Result, Sequence, __commit__, __version__, compare, conicity, creep_curves, fatigue, report, solve, table, wear, wheelset
+from ._core import ConvergenceError, InputError, Result, Sequence, Table, __commit__, __version__, compare, conicity, creep_curves, fatigue, read_table, report, solve, table, wear, wheelset
 
-__all__ = ["ConvergenceError", "InputError", "Result", "Sequence", "__commit__", "__version__", "compare", "conicity", "creep_curves",
-           "fatigue", "report", "solve", "table", "wear", "wheelset"]
+__all__ = ["ConvergenceError", "InputError", "Result", "Sequence", "Table", "__commit__", "__version__", "compare", "conicity", "creep_curves",
+           "fatigue", "read_table", "report", "solve", "table", "wear", "wheelset"]

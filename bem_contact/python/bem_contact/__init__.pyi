@@ -281,6 +281,35 @@ def table(
     Without a scene: creep forces of an ellipse (Kalker's USETAB). With one: its axes, or those of its table [table].
     """
 
+class Table:
+    """A table to look up in; its members are what the dict of table() holds."""
+
+    axes: dict[str, NDArray[Any]]
+    values: dict[str, NDArray[Any]]
+    errors: dict[str, dict[str, Any]]
+    units: dict[str, str]
+    creep_scale: dict[str, NDArray[Any]] | None
+    tolerance: float
+    solved: int
+
+    def look_up(self, at: _List[float] | NDArray[Any]) -> dict[str, Any]:
+        """Each column at a point, or at an array of points; InputError outside the axes."""
+
+    def creep_forces(
+        self,
+        a: float,
+        b: float,
+        shear_modulus: float,
+        bound: float,
+        xi: float = 0,
+        eta: float = 0,
+        phi: float = 0,
+    ) -> dict[str, Any]:
+        """Fx, Fy (N), Mz (N mm) and their errors; mm, MPa, N. InputError where a/b is outside the table."""
+
+def read_table(file: str | PathLike[str]) -> Table:
+    """Reads a table that table() or `bem_contact table` wrote."""
+
 def wear(
     result: Result,
     law: str = "energy",

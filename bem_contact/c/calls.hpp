@@ -1,0 +1,60 @@
+#pragma once
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/c/conformal_contact.h"
+#include "bem_contact/contact/work.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <string>
+
+/// What every function of the C interface does around its work.
+namespace bem_contact {
+
+/// Calls `action`, which returns a code. Nothing is thrown beyond here: exceptions become codes, and their
+/// text the message.
+template <class Action> int guarded(std::string& message, const Action& action) noexcept {
+  try {
+    message.clear();
+    return action();
+  } catch (const Stopped& error) {
+    message = error.what();
+    return CONFORMAL_STOPPED;
+  } catch (const ConvergenceError& error) {
+    message = error.what();
+    return CONFORMAL_NOT_CONVERGED;
+  } catch (const Error& error) {
+    message = error.what();
+    return CONFORMAL_WRONG_INPUT;
+  } catch (const std::exception& error) {
+    message.assign(error.what(), std::min<std::size_t>(std::strlen(error.what()), 200));
+    return CONFORMAL_UNFORESEEN;
+  } catch (...) {
+    return CONFORMAL_UNFORESEEN;
+  }
+}
+
+inline void require(bool given, const char* what) {
+  if (!given)
+    throw InputError(std::string(what) + " is missing", "a null pointer was given", "Give its address.");
+}
+
+/// `text` as far as there is room.
+inline void copy_text(const std::string& text, char* to, int size) {
+  if (!to || size <= 0)
+    return;
+  const std::size_t length = std::min(text.size(), static_cast<std::size_t>(size) - 1);
+  std::memcpy(to, text.data(), length);
+  to[length] = '\0';
+}
+
+/// guarded(), for functions that give the message to the caller's array.
+template <class Action> int told(char* message, int size, const Action& action) noexcept {
+  std::string text;
+  const int code = guarded(text, action);
+  copy_text(text, message, size);
+  return code;
+}
+
+} // namespace bem_contact

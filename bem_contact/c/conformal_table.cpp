@@ -1,0 +1,122 @@
+#include "bem_contact/c/calls.hpp"
+#include "bem_contact/table/creep_table.hpp"
+#include "bem_contact/table/table_file.hpp"
+
+#include <fmt/format.h>
+
+using namespace bem_contact;
+
+/// What a handle points to; nothing changes it.
+struct conformal_table {
+  const table::ContactTable table;
+};
+
+namespace {
+
+/// The member of a list, or a null pointer.
+template <class Member> const Member* member(const std::vector<Member>& all, int index) {
+  return index >= 0 && index < static_cast<int>(all.size()) ? &all[static_cast<std::size_t>(index)] : nullptr;
+}
+
+template <class Value, class From> void give(Value* to, const From& value) {
+  if (to)
+    *to = value;
+}
+
+} // namespace
+
+extern "C" {
+
+int conformal_table_open(const char* file, conformal_table** handle, char* message, int size) {
+  return told(message, size, [&] {
+    require(handle, "the handle");
+    *handle = nullptr;
+    require(file, "the name of the table");
+    *handle = new conformal_table{table::read_table(file)};
+    return CONFORMAL_OK;
+  });
+}
+
+void conformal_table_close(conformal_table* handle) {
+  delete handle;
+}
+
+int conformal_table_size(const conformal_table* handle, int* axes, int* columns) {
+  if (!handle || !axes || !columns)
+    return CONFORMAL_WRONG_INPUT;
+  *axes = static_cast<int>(handle->table.axes.size());
+  *columns = static_cast<int>(handle->table.columns.size());
+  return CONFORMAL_OK;
+}
+
+int conformal_table_axis(const conformal_table* handle, int index, const char** name, const char** unit,
+                         double* from, double* to) {
+  const table::Axis* axis = handle ? member(handle->table.axes, index) : nullptr;
+  if (!axis)
+    return CONFORMAL_WRONG_INPUT;
+  give(name, axis->name.c_str());
+  give(unit, axis->unit.c_str());
+  give(from, axis->points.front());
+  give(to, axis->points.back());
+  return CONFORMAL_OK;
+}
+
+int conformal_table_column(const conformal_table* handle, int index, const char** name, const char** unit,
+                           double* error) {
+  const table::Column* column = handle ? member(handle->table.columns, index) : nullptr;
+  if (!column)
+    return CONFORMAL_WRONG_INPUT;
+  give(name, column->name.c_str());
+  give(unit, column->unit.c_str());
+  give(error, column->interpolation_error);
+  return CONFORMAL_OK;
+}
+
+int conformal_table_find(const conformal_table* handle, const char* name, int* column) {
+  if (!handle || !name || !column)
+    return CONFORMAL_WRONG_INPUT;
+  const std::vector<table::Column>& all = handle->table.columns;
+  const auto found = std::ranges::find(all, name, &table::Column::name);
+  if (found == all.end())
+    return CONFORMAL_WRONG_INPUT;
+  *column = static_cast<int>(found - all.begin());
+  return CONFORMAL_OK;
+}
+
+int conformal_table_look_up(const conformal_table* handle, const double* at, int axes, double* values,
+                            double* errors, int columns, char* message, int size) {
+  return told(message, size, [&] {
+    require(handle && at && values, "the table, the point or the array");
+    const table::ContactTable& t = handle->table;
+    if (columns < 0 || columns > static_cast<int>(t.columns.size()))
+      throw InputError(fmt::format("{} columns cannot be looked up", columns),
+                       fmt::format("the table has {}", t.columns.size()),
+                       "Count them with conformal_table_size().");
+    const std::vector<double> found =
+        table::look_up(t, {at, static_cast<std::size_t>(std::max(axes, 0))}); // of all: a call is no loop
+    for (std::size_t c = 0; c < static_cast<std::size_t>(columns); ++c) {
+      values[c] = found[c];
+      if (errors)
+        errors[c] = t.columns[c].interpolation_error;
+    }
+    return CONFORMAL_OK;
+  });
+}
+
+int conformal_table_creep_forces(const conformal_table* handle, const double ellipse[7], double forces[3],
+                                 double errors[3], char* message, int size) {
+  return told(message, size, [&] {
+    require(handle && ellipse && forces, "the table, the ellipse or the array");
+    const table::TabulatedForces f = table::creep_forces(
+        handle->table,
+        {ellipse[CONFORMAL_ELLIPSE_A], ellipse[CONFORMAL_ELLIPSE_B], ellipse[CONFORMAL_ELLIPSE_MODULUS],
+         ellipse[CONFORMAL_ELLIPSE_BOUND]},
+        ellipse[CONFORMAL_ELLIPSE_XI], ellipse[CONFORMAL_ELLIPSE_ETA], ellipse[CONFORMAL_ELLIPSE_PHI]);
+    std::ranges::copy(std::initializer_list{f.Fx, f.Fy, f.Mz}, forces);
+    if (errors)
+      std::ranges::copy(std::initializer_list{f.Fx_error, f.Fy_error, f.Mz_error}, errors);
+    return CONFORMAL_OK;
+  });
+}
+
+} // extern "C"

@@ -1,0 +1,187 @@
+#include "bem_contact/c/conformal_contact.h"
+#include "bem_contact/table/table_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <regex>
+#include <set>
+#include <string>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+using namespace bem_contact;
+using testing::HasSubstr;
+
+namespace {
+
+struct Close {
+  void operator()(conformal_table* handle) const { conformal_table_close(handle); }
+};
+using Handle = std::unique_ptr<conformal_table, Close>;
+
+/// Two columns over two axes: f = 10 x + y, and twice that.
+table::ContactTable plane() {
+  table::ContactTable t{
+      .axes = {{"x", "mm", "", {0, 1, 3}}, {"y", "N", "", {0, 5}}},
+      .columns = {{.name = "f", .unit = "MPa", .description = "", .interpolation_error = 0.5},
+                  {.name = "g", .unit = "mm", .description = "", .interpolation_error = 0.25}}};
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const std::vector<double> p = t.point(i);
+    t.columns[0].values.push_back(10 * p[0] + p[1]);
+    t.columns[1].values.push_back(2 * t.columns[0].values.back());
+  }
+  return t;
+}
+
+/// A creep table in full slip along x everywhere.
+table::ContactTable slipping() {
+  table::ContactTable t;
+  for (const char* name : {"log10_a_over_b", "alpha", "beta", "t"})
+    t.axes.push_back({name, "1", "", {-2, 2}});
+  for (const auto& [name, value] : {std::pair("Fx", 1.0), {"Fy", 0.0}, {"Mz", 0.5}})
+    t.columns.push_back({.name = name,
+                         .unit = "1",
+                         .description = "",
+                         .interpolation_error = 0.01,
+                         .values = std::vector<double>(16, value)});
+  t.scale = table::CreepScale{{-2, 2}, {4, 4}, {4, 4}, 0.28};
+  return t;
+}
+
+Handle opened(const table::ContactTable& t) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("conformal_table_" + std::to_string(getpid()) + ".h5");
+  write_h5(file, table::to_h5(t));
+  conformal_table* handle = nullptr;
+  char message[500] = "?";
+  EXPECT_EQ(conformal_table_open(file.c_str(), &handle, message, sizeof message), CONFORMAL_OK) << message;
+  EXPECT_STREQ(message, "");
+  std::filesystem::remove(file);
+  return Handle(handle);
+}
+
+TEST(CTable, GivesNamesUnitsValuesAndErrors) {
+  const Handle t = opened(plane());
+  int axes = 0, columns = 0, g = -1;
+  ASSERT_EQ(conformal_table_size(t.get(), &axes, &columns), CONFORMAL_OK);
+  EXPECT_EQ(axes, 2);
+  EXPECT_EQ(columns, 2);
+  const char *name = nullptr, *unit = nullptr;
+  double from = -1, to = -1, error = -1;
+  ASSERT_EQ(conformal_table_axis(t.get(), 0, &name, &unit, &from, &to), CONFORMAL_OK);
+  EXPECT_STREQ(name, "x");
+  EXPECT_STREQ(unit, "mm");
+  EXPECT_EQ(from, 0);
+  EXPECT_EQ(to, 3);
+  ASSERT_EQ(conformal_table_find(t.get(), "g", &g), CONFORMAL_OK);
+  ASSERT_EQ(conformal_table_column(t.get(), g, &name, nullptr, &error), CONFORMAL_OK);
+  EXPECT_STREQ(name, "g");
+  EXPECT_EQ(error, 0.25);
+  const double at[] = {2, 4};
+  double values[2] = {}, errors[2] = {};
+  ASSERT_EQ(conformal_table_look_up(t.get(), at, 2, values, errors, 2, nullptr, 0), CONFORMAL_OK);
+  EXPECT_NEAR(values[0], 24, 1e-12);
+  EXPECT_NEAR(values[g], 48, 1e-12);
+  EXPECT_EQ(errors[g], 0.25);
+  EXPECT_EQ(conformal_table_look_up(t.get(), at, 2, values, nullptr, 1, nullptr, 0), CONFORMAL_OK);
+}
+
+/// Values are over mu N, and Mz over mu N R, R^2 = (a^2 + b^2)/2.
+TEST(CTable, CreepForcesHaveTheUnitsOfTheCaller) {
+  const Handle t = opened(slipping());
+  const double ellipse[CONFORMAL_ELLIPSE_VALUES] = {9, 4, 8e4, 3e4, -1e-3, 0, 0};
+  double forces[3], errors[3];
+  ASSERT_EQ(conformal_table_creep_forces(t.get(), ellipse, forces, errors, nullptr, 0), CONFORMAL_OK);
+  EXPECT_NEAR(forces[0], -3e4, 1e-8);
+  EXPECT_NEAR(forces[2], 0.5 * std::sqrt(48.5) * 3e4, 1e-8);
+  EXPECT_NEAR(errors[0], 300, 1e-10);
+  EXPECT_NEAR(errors[2], 300 * std::sqrt(48.5), 1e-9);
+}
+
+TEST(CTable, SaysWhatIsWrong) {
+  char message[500];
+  conformal_table* none = nullptr;
+  EXPECT_EQ(conformal_table_open("no/such.h5", &none, message, sizeof message), CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(none, nullptr);
+  EXPECT_THAT(message, HasSubstr("no/such.h5"));
+  EXPECT_EQ(conformal_table_open(nullptr, nullptr, message, sizeof message), CONFORMAL_WRONG_INPUT);
+  const Handle t = opened(plane());
+  int count = 0;
+  EXPECT_EQ(conformal_table_size(nullptr, &count, &count), CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(conformal_table_axis(t.get(), 2, nullptr, nullptr, nullptr, nullptr), CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(conformal_table_column(t.get(), -1, nullptr, nullptr, nullptr), CONFORMAL_WRONG_INPUT);
+  EXPECT_EQ(conformal_table_find(t.get(), "h", &count), CONFORMAL_WRONG_INPUT);
+  const double outside[] = {3.1, 4};
+  double values[2] = {7, 7};
+  const auto refused = [&](int code) {
+    EXPECT_EQ(code, CONFORMAL_WRONG_INPUT);
+    EXPECT_EQ(values[0], 7);
+    return std::string(message);
+  };
+  const auto look_up = [&](const double* at, int axes, int columns) {
+    return conformal_table_look_up(t.get(), at, axes, values, nullptr, columns, message, sizeof message);
+  };
+  EXPECT_THAT(refused(look_up(outside, 2, 2)), HasSubstr("x = 3.1 is outside the table"));
+  EXPECT_THAT(refused(look_up(outside, 1, 2)), HasSubstr("it has 2 axes"));
+  EXPECT_THAT(refused(look_up(outside, -1, 2)), HasSubstr("it has 2 axes"));
+  EXPECT_THAT(refused(look_up(outside, 2, 3)), HasSubstr("the table has 2"));
+  EXPECT_THAT(refused(look_up(nullptr, 2, 2)), HasSubstr("null pointer"));
+  const double ellipse[CONFORMAL_ELLIPSE_VALUES] = {9, 4, 8e4, 3e4, 1e-3, 0, 0};
+  EXPECT_THAT(
+      refused(conformal_table_creep_forces(t.get(), ellipse, values, nullptr, message, sizeof message)),
+      HasSubstr("one of a scene"));
+  const Handle creep = opened(slipping());
+  std::array<double, CONFORMAL_ELLIPSE_VALUES> wrong;
+  for (const auto& [index, value, words] : {std::tuple(CONFORMAL_ELLIPSE_A, 1e4, "is outside the table"),
+                                            {CONFORMAL_ELLIPSE_B, 0.0, "must be positive"},
+                                            {CONFORMAL_ELLIPSE_PHI, std::nan(""), "creepages finite"}}) {
+    std::ranges::copy(ellipse, wrong.begin());
+    wrong[index] = value;
+    EXPECT_THAT(refused(conformal_table_creep_forces(creep.get(), wrong.data(), values, nullptr, message,
+                                                     sizeof message)),
+                HasSubstr(words));
+  }
+}
+
+TEST(CTable, ThreadsShareATable) {
+  const Handle t = opened(plane());
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([&t, i] {
+      for (int k = 0; k < 1000; ++k) {
+        const double at[] = {0.003 * k, 1.0 * i};
+        double value = 0;
+        char message[100];
+        ASSERT_EQ(conformal_table_look_up(t.get(), at, 2, &value, nullptr, 1, message, sizeof message),
+                  CONFORMAL_OK);
+        ASSERT_NEAR(value, 10 * at[0] + at[1], 1e-12);
+      }
+    });
+  for (std::thread& thread : threads)
+    thread.join();
+}
+
+/// The module for Fortran declares the functions of the header, all of them.
+TEST(CTable, FortranHasEveryFunction) {
+  const auto functions_of = [](const char* file, const char* pattern) {
+    std::ifstream in(std::string(CONFORMAL_SOURCE_DIR "/bem_contact/c/") + file);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::regex declaration(pattern);
+    std::set<std::string> out;
+    for (std::sregex_iterator i(text.begin(), text.end(), declaration), end; i != end; ++i)
+      out.insert((*i)[1]);
+    return out;
+  };
+  const auto in_c = functions_of("conformal_contact.h", "\n(?:int|void|const char\\*) (conformal_\\w+)\\(");
+  EXPECT_GT(in_c.size(), 20u);
+  EXPECT_EQ(functions_of("conformal_contact.f90", "(?:function|subroutine) (conformal_\\w+)\\("), in_c);
+}
+
+} // namespace
