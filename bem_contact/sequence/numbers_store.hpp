@@ -42,14 +42,15 @@ struct BodyNumbersSource {
 class RailNumbersStore {
 public:
   /// Those of rows at `row_s`, from `compute` unless they are part of what is kept.
-  InfluenceNumbers get(const BodyNumbersSource& source, const std::vector<double>& row_s, int offsets,
-                       const std::function<InfluenceNumbers()>& compute);
+  std::shared_ptr<const InfluenceNumbers> get(const BodyNumbersSource& source,
+                                              const std::vector<double>& row_s, int offsets,
+                                              const std::function<InfluenceNumbers()>& compute);
 
 private:
   struct Kept {
     BodyNumbersSource source;
     std::vector<double> row_s;
-    InfluenceNumbers numbers;
+    std::shared_ptr<const InfluenceNumbers> numbers;
   };
   std::deque<Kept> kept_; ///< made last: in front
 };

@@ -52,12 +52,13 @@ InfluenceNumbers expand_side(const InfluenceFunction& function, const Body& body
   return halfspace::resample(function, options, row_s, grid.ds);
 }
 
-InfluenceNumbers rail_numbers(const std::shared_ptr<const InfluenceFunction>& function, const Body& body,
-                              const ContactOnGrid& contact, RailNumbersStore* store) {
+std::shared_ptr<const InfluenceNumbers> rail_numbers(const std::shared_ptr<const InfluenceFunction>& function,
+                                                     const Body& body, const ContactOnGrid& contact,
+                                                     RailNumbersStore* store) {
   const auto compute = [&] { return expand_side(*function, body, contact, contact.rail_s); };
   const ContactGrid& grid = contact.problem.grid;
   if (!store || contact.problem.plane_strain() || function->invariance == Invariance::revolution)
-    return compute();
+    return std::make_shared<const InfluenceNumbers>(compute());
   return store->get({function, body.structural, grid.dx, grid.ds}, contact.rail_s, grid.mx + 2, compute);
 }
 
@@ -120,9 +121,8 @@ InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& 
   // The wheel's own s runs against the rail's: with rows in the contact's order the couplings of equal bodies
   // cancel.
   const Material &below = setup.rail.material, &above = setup.wheel.material;
-  InfluenceNumbers rail = one(below);
-  const InfluenceNumbers wheel = reversed(above == below ? rail : one(above));
-  return halfspace::combine(std::move(rail), wheel);
+  const InfluenceNumbers rail = one(below);
+  return halfspace::combine(rail, reversed(above == below ? rail : one(above)));
 }
 
 InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGrid& contact) {
@@ -152,11 +152,10 @@ InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, con
     require_turn(*files.rail, contact, contact.rail_s, rail_turn_tolerance);
     require_turn(*files.wheel, contact, contact.wheel_s, wheel_turn_tolerance);
   }
-  const InfluenceNumbers wheel = expand_side(*files.wheel, setup.wheel, contact, contact.wheel_s);
-  InfluenceNumbers pair = halfspace::combine(rail_numbers(files.rail, setup.rail, contact, store), wheel);
+  InfluenceNumbers wheel = expand_side(*files.wheel, setup.wheel, contact, contact.wheel_s);
   if (const auto inclination = radial_inclination(setup, contact.problem.rows); !inclination.empty())
-    add_radial_displacement(wheel, inclination, contact.contact_radius, pair);
-  return pair;
+    add_radial_displacement(inclination, contact.contact_radius, wheel);
+  return halfspace::combine(*rail_numbers(files.rail, setup.rail, contact, store), std::move(wheel));
 }
 
 std::vector<double> radial_inclination(const ContactSetup& setup, const std::vector<ContactRow>& rows) {
