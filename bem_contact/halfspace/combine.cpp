@@ -8,7 +8,7 @@
 
 namespace bem_contact::halfspace {
 
-InfluenceNumbers combine(const InfluenceNumbers& lower, const InfluenceNumbers& upper) {
+InfluenceNumbers combine(const InfluenceNumbers& lower, InfluenceNumbers upper) {
   const auto same = [](double a, double b) {
     return std::abs(a - b) <= same_grid * std::max(std::abs(a), std::abs(b));
   };
@@ -18,18 +18,19 @@ InfluenceNumbers combine(const InfluenceNumbers& lower, const InfluenceNumbers& 
                      "expand both for the same grid");
   if (lower.translational != upper.translational)
     return combine(spelled_out(lower), spelled_out(upper));
-  InfluenceNumbers result = lower;
-  for (int m = 0; m < lower.offsets; ++m)
-    for (const auto& [row_i, row_j] : lower.stored_rows())
-      for (int i = 0; i < 3; ++i) {
-        const int sign = i == component_x ? 1 : -1;
-        double* to = &result.at(m, row_i, i, row_j, 0);
-        const double* add = &upper.values[upper.index(m, row_i, i, row_j, 0)];
-        to[component_x] += sign * add[component_x];
-        to[component_s] -= sign * add[component_s];
-        to[component_n] -= sign * add[component_n];
-      }
-  return result;
+  // Either form has threes [j] of a row after each other, and three or more such rows [i].
+  const std::size_t threes = lower.translational ? 1 : static_cast<std::size_t>(lower.rows);
+  double* to = upper.values.data();
+  const double* from = lower.values.data();
+  for (std::size_t row = 0; row < upper.values.size() / (3 * threes); ++row) {
+    const double sign = row % 3 == component_x ? 1 : -1;
+    for (std::size_t three = 0; three < threes; ++three, to += 3, from += 3) {
+      to[component_x] = from[component_x] + sign * to[component_x];
+      to[component_s] = from[component_s] - sign * to[component_s];
+      to[component_n] = from[component_n] - sign * to[component_n];
+    }
+  }
+  return upper;
 }
 
 } // namespace bem_contact::halfspace

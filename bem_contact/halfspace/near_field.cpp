@@ -77,18 +77,18 @@ void NearField::add_mixes(std::span<const double> distances, double ds, std::vec
 void NearField::fill(const Material& material, const ExpandOptions& options, std::span<const double> at,
                      double ds) {
   lines_ = at.size();
-  const auto offsets = static_cast<std::size_t>(options.dx == 0 ? 1 : options.offsets);
-  values_.resize(offsets * lines_ * 9);
-  std::vector<Matrix3> line(offsets);
+  offsets_ = static_cast<std::size_t>(options.dx == 0 ? 1 : options.offsets);
+  values_.resize(lines_ * 9 * offsets_);
+  std::vector<Matrix3> line(offsets_);
   for (std::size_t l = 0; l < lines_; ++l) {
     if (options.dx == 0)
       // Any reference distance will do: resample() takes away what it adds.
       line[0] = averaged_plane_strain(material, at[l], ds, plane_strain_reference);
     else
       averaged_line(material, at[l], options.dx, ds, line);
-    for (std::size_t m = 0; m < offsets; ++m)
-      for (std::size_t e = 0; e < 9; ++e)
-        values_[(m * lines_ + l) * 9 + e] = line[m][e / 3][e % 3];
+    for (std::size_t e = 0; e < 9; ++e)
+      for (std::size_t m = 0; m < offsets_; ++m)
+        values_[(l * 9 + e) * offsets_ + m] = line[m][e / 3][e % 3];
   }
 }
 

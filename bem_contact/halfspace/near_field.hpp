@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/halfspace/line_mix.hpp"
 #include "bem_contact/influence/expand.hpp"
 
 #include <array>
@@ -21,14 +22,12 @@ public:
   /// `row_s` monotone, mm; offsets and dx of the options (0: plane strain) count. `ds`: width of the rows.
   NearField(const Material& material, const ExpandOptions& options, std::span<const double> row_s, double ds);
 
-  /// Adds `factor` times the numbers [i][j] of rows row_j <= row_i at offset m to `block`.
-  void add(int m, int row_i, int row_j, double factor, double* block) const {
+  /// Adds `factor` times the numbers of rows row_j <= row_i to a mix.
+  void add_to(LineMix& to, int row_i, int row_j, double factor) const {
     const Mix& mix = mixes_[first_of_[static_cast<std::size_t>(row_i - row_j)] + row_j];
-    const double* line = values_.data() + (static_cast<std::size_t>(m) * lines_ + mix.first) * 9;
     for (int p = 0; p < mix.count; ++p)
-      for (std::size_t e = 0; e < 9; ++e)
-        block[e] +=
-            factor * mix.weight[static_cast<std::size_t>(p)] * line[static_cast<std::size_t>(p) * 9 + e];
+      to.add(values_.data() + (mix.first + p) * 9 * offsets_,
+             factor * mix.weight[static_cast<std::size_t>(p)]);
   }
 
   std::size_t lines() const { return lines_; }
@@ -46,8 +45,8 @@ private:
   /// Fills values_ with the lines at the distances `at`.
   void fill(const Material& material, const ExpandOptions& options, std::span<const double> at, double ds);
 
-  std::size_t lines_ = 0;
-  std::vector<double> values_;        ///< [offset][line][i][j]
+  std::size_t lines_ = 0, offsets_ = 0;
+  std::vector<double> values_;        ///< [line][i][j][offset]
   std::vector<Mix> mixes_;            ///< of the pairs, by distance in rows, then row_j
   std::vector<std::size_t> first_of_; ///< mix of each distance
 };

@@ -1,6 +1,7 @@
 #include "bem_contact/halfspace/resample.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/halfspace/line_mix.hpp"
 #include "bem_contact/halfspace/near_field.hpp"
 #include "bem_contact/halfspace/rows_on_stations.hpp"
 #include "bem_contact/halfspace/settings.hpp"
@@ -61,16 +62,19 @@ public:
     for (int d = 0; d <= most_; ++d)
       station_s.push_back(d * width);
     const NearField near(material, options, station_s, width);
-    lines_.resize(static_cast<std::size_t>(options.offsets * (2 * most_ + 1)));
-    for (int m = 0; m < options.offsets; ++m)
-      for (int d = 0; d <= most_; ++d) {
-        std::array<double, 9> ahead{};
-        near.add(m, d, 0, 1, ahead.data());
-        lines_[index(m, d)] = ahead;
-        for (std::size_t e = 0; e < 9 && d > 0; ++e) // load and sample change places
-          lines_[index(m, -d)][e] =
-              parity(static_cast<int>(e / 3), static_cast<int>(e % 3)) * ahead[e % 3 * 3 + e / 3];
-      }
+    const std::size_t offsets = offsets_ = static_cast<std::size_t>(options.offsets);
+    blocks_.resize((2 * static_cast<std::size_t>(most_) + 1) * 9 * offsets);
+    for (int d = 0; d <= most_; ++d) {
+      LineMix mix;
+      near.add_to(mix, d, 0, 1);
+      double* ahead = block(d);
+      for (std::size_t e = 0; e < 9; ++e)
+        add_mix(mix, e * offsets, 0, ahead + e * offsets, offsets);
+      for (std::size_t e = 0; e < 9 && d > 0; ++e) // load and sample change places
+        for (std::size_t m = 0; m < offsets; ++m)
+          block(-d)[e * offsets + m] = parity(static_cast<int>(e / 3), static_cast<int>(e % 3)) *
+                                       ahead[(e % 3 * 3 + e / 3) * offsets + m];
+    }
     for (const RowWeights& row_i : rows)
       for (const RowWeights& row_j : rows.first(static_cast<std::size_t>(&row_i - rows.data()) + 1)) {
         Mix mix{row_i.first - row_j.first - 3, {}};
@@ -82,15 +86,12 @@ public:
       }
   }
 
-  /// Takes `factor` times the numbers [i][j] of a pair (counted row by row, J <= I) at offset m from `block`.
-  void take(int m, std::size_t pair, double factor, std::array<double, 9>& block) const {
+  /// Takes `factor` times the numbers of a pair (counted row by row, J <= I) from a mix.
+  void take_from(LineMix& to, std::size_t pair, double factor) const {
     const Mix& mix = mixes_[pair];
     for (int a = 0; a < 7; ++a)
-      if (const double weight = factor * mix.weight[static_cast<std::size_t>(a)]; weight != 0) {
-        const std::array<double, 9>& from = lines_[index(m, mix.first + a)];
-        for (std::size_t e = 0; e < 9; ++e)
-          block[e] -= weight * from[e];
-      }
+      if (const double weight = mix.weight[static_cast<std::size_t>(a)]; weight != 0)
+        to.add(&blocks_[block_index(mix.first + a)], -factor * weight);
   }
 
 private:
@@ -98,10 +99,12 @@ private:
     int first = 0; ///< stations between
     std::array<double, 7> weight{};
   };
-  std::size_t index(int m, int d) const { return static_cast<std::size_t>(m * (2 * most_ + 1) + most_ + d); }
+  std::size_t block_index(int d) const { return static_cast<std::size_t>(most_ + d) * 9 * offsets_; }
+  double* block(int d) { return &blocks_[block_index(d)]; }
 
   int most_ = 0;
-  std::vector<std::array<double, 9>> lines_; ///< [offset][stations between, -most .. most]
+  std::size_t offsets_ = 0;
+  std::vector<double> blocks_; ///< [stations between, -most .. most][i][j][offset]
   std::vector<Mix> mixes_;
 };
 
@@ -129,28 +132,24 @@ InfluenceNumbers resample(const InfluenceFunction& function, const ExpandOptions
   // Per unit of load width the difference to the near field does not depend on the width, and is smooth.
   needed.first_station = 0;
   needed.stations = -1;
-  InfluenceNumbers result = expand(with_rows(function, weights, options.dx == 0), needed);
-  result.ds = ds;
   const StationsNearField of_stations(function.material, options, weights, width);
   const NearField of_rows(function.material, options, row_s, ds);
   const double factor = ds / width;
-  std::array<double, 9> block{};
-  for (int m = 0; m < options.offsets; ++m) {
-    std::size_t pair = 0;
-    for (int row_i = 0; row_i < result.rows; ++row_i)
-      for (int row_j = 0; row_j <= row_i; ++row_j, ++pair) {
-        for (std::size_t e = 0; e < 9; ++e)
-          block[e] = factor * result.at(m, row_i, static_cast<int>(e / 3), row_j, static_cast<int>(e % 3));
-        of_stations.take(m, pair, factor, block);
-        of_rows.add(m, row_i, row_j, 1, block.data());
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < (row_i == row_j ? i + 1 : 3); ++j) {
-            const double value = block[static_cast<std::size_t>(3 * i + j)];
-            result.at(m, row_i, i, row_j, j) = value;
-            result.at(m, row_j, j, row_i, i) = parity(i, j) * value;
-          }
-      }
-  }
+  const auto to_rows = [&](NumberLines& lines) {
+    const auto first_pair = static_cast<std::size_t>(lines.row() * lines.columns() / 2);
+    const auto offsets = static_cast<std::size_t>(lines.offsets());
+    for (int column = 0; column < lines.columns(); ++column) {
+      LineMix mix;
+      of_stations.take_from(mix, first_pair + static_cast<std::size_t>(column), factor);
+      of_rows.add_to(mix, lines.row(), column, 1);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < (column == lines.row() ? i + 1 : 3); ++j)
+          add_mix(mix, static_cast<std::size_t>(3 * i + j) * offsets, factor, lines.line(column, i, j).data(),
+                  offsets);
+    }
+  };
+  InfluenceNumbers result = expand(with_rows(function, weights, options.dx == 0), needed, to_rows);
+  result.ds = ds;
   return result;
 }
 

@@ -41,6 +41,7 @@ public:
     whole_.resize(size_ * size_);
   }
 
+  std::size_t size() const { return size_; }   ///< rows and columns of the rows' matrix
   std::size_t first() const { return first_; } ///< first row and column of the stations' matrix that is used
   std::size_t used() const { return used_; }   ///< and how many
 
@@ -79,6 +80,7 @@ std::vector<double> mixed_table(const InfluenceFunction& f, RowMixer& mixer, std
 std::vector<double> mixed_kernel(const InfluenceFunction& f, RowMixer& mixer, std::size_t wavenumbers) {
   const std::size_t used = mixer.used(), first = mixer.first();
   std::vector<double> kernel, part(used * used);
+  kernel.reserve(wavenumbers * lower_size(mixer.size()));
   for (std::size_t k = 0; k < wavenumbers; ++k) {
     for (std::size_t row = 0; row < used; ++row)
       std::copy_n(&f.kernel[f.kernel_index(k, first + row, first)], row + 1, &part[row * used]);

@@ -79,12 +79,16 @@ bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x) {
 
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   Eigen::MatrixXd c(a.rows(), b.cols());
+  multiply(a, b, c.data());
+  return c;
+}
+
+void multiply(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out) {
   const int m = static_cast<int>(a.rows()), n = static_cast<int>(b.cols()), k = static_cast<int>(a.cols());
   const double one = 1, zero = 0;
   const OneThread one_thread;
-  if (c.size() > 0)
-    dgemm_("N", "N", &m, &n, &k, &one, a.data(), &m, b.data(), &k, &zero, c.data(), &m);
-  return c;
+  if (m > 0 && n > 0)
+    dgemm_("N", "N", &m, &n, &k, &one, a.data(), &m, b.data(), &k, &zero, out, &m);
 }
 
 } // namespace bem_contact

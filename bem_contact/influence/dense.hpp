@@ -19,5 +19,7 @@ bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x);
 
 /// A B
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+/// The same into `out`, column-major.
+void multiply(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out);
 
 } // namespace bem_contact

@@ -62,10 +62,20 @@ Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
 
 } // namespace
 
-InfluenceNumbers expand(const InfluenceFunction& f, const ExpandOptions& o) {
+InfluenceNumbers expand(const InfluenceFunction& f, const ExpandOptions& o, const ChangeLines& change) {
   const StationRange range = checked_range(f, o);
   const Scaling scaling = checked_scaling(f, o);
-  return f.is_table() ? expand_table(f, o, range, scaling) : expand_kernel(f, o, range, scaling);
+  if (!f.is_table())
+    return expand_kernel(f, o, range, scaling, change);
+  InfluenceNumbers numbers = expand_table(f, o, range, scaling);
+  NumberLines lines(numbers.rows, numbers.offsets);
+  for (int row = 0; change && row < numbers.rows; ++row) {
+    lines.begin(row);
+    lines.read_from(numbers);
+    change(lines);
+    lines.write_to(numbers);
+  }
+  return numbers;
 }
 
 } // namespace bem_contact

@@ -2,6 +2,9 @@
 
 #include "bem_contact/influence/influence_function.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
+#include "bem_contact/influence/number_lines.hpp"
+
+#include <functional>
 
 namespace bem_contact {
 
@@ -13,12 +16,16 @@ struct ExpandOptions {
   int first_station = 0, stations = -1; ///< a run of stations; -1: all from first_station on
 };
 
+/// Changes the numbers of a row before they are written: one pass over a large table is saved.
+using ChangeLines = std::function<void(NumberLines&)>;
+
 /// Influence numbers on the file's own stations: the Fourier series over the half period
 /// (series_weights.hpp), Maxwell-Betti exact. On a body of revolution the unit traction is 1 MPa per area of
 /// the contact radius. Throws InputError where dx is too short for the largest wavenumber (k_max dx/2 < 5),
 /// the patch is longer than the half period, or the stations asked for are not there.
 /// A table serves its own element length and whole multiples of it, as exact sums, `included` alone, and
 /// no plane strain; all else throws InputError.
-InfluenceNumbers expand(const InfluenceFunction& function, const ExpandOptions& options);
+InfluenceNumbers expand(const InfluenceFunction& function, const ExpandOptions& options,
+                        const ChangeLines& change = {});
 
 } // namespace bem_contact

@@ -8,6 +8,6 @@ namespace bem_contact {
 
 /// The Fourier series of the kernel. Throws InputError where the structure cannot be removed.
 InfluenceNumbers expand_kernel(const InfluenceFunction& function, const ExpandOptions& options,
-                               StationRange range, const Scaling& scaling);
+                               StationRange range, const Scaling& scaling, const ChangeLines& change);
 
 } // namespace bem_contact

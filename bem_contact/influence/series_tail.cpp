@@ -3,15 +3,16 @@
 #include "bem_contact/influence/settings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 namespace bem_contact {
 namespace {
 
 using Complex = std::complex<double>;
+constexpr int most_terms = 64; ///< of an expansion: room for them
 
 /// Sum over n >= start of n^-power: Euler-Maclaurin, next term below 1e-16 for start >= 64.
 double infinite_sum(int power, double start) {
@@ -25,14 +26,14 @@ double infinite_sum(int power, double start) {
 /// it is used to its smallest term.
 Complex infinite_sum(int power, double start, double angle) {
   const Complex z = std::polar(1.0, angle), u = 1.0 / (1.0 - z);
-  std::vector<double> polynomial{0, 1}; // coefficients of u^0, u^1, ...
-  double factor = 1;                    // C(-power, l) start^-l
+  std::array<double, most_terms + 2> polynomial{0, 1}; // coefficients of u^0, u^1, ...
+  double factor = 1;                                   // C(-power, l) start^-l
   Complex sum = 0;
   double smallest = std::numeric_limits<double>::infinity(), before = smallest;
-  for (int l = 0; l < expansion_terms; ++l) {
+  for (int l = 0; l < std::min(int(expansion_terms), most_terms); ++l) {
     Complex value = 0;
-    for (std::size_t d = polynomial.size(); d-- > 0;)
-      value = value * u + polynomial[d];
+    for (int d = l + 1; d >= 0; --d)
+      value = value * u + polynomial[static_cast<std::size_t>(d)];
     const Complex term = factor * value;
     const double size = std::max(std::abs(term), before); // of two terms: every other one may vanish
     if (l > 1 && size > smallest)
@@ -42,12 +43,10 @@ Complex infinite_sum(int power, double start, double angle) {
     sum += term;
     if (size < expansion_tolerance * std::abs(sum))
       break;
-    std::vector<double> next(polynomial.size() + 1, 0.0);
-    for (std::size_t d = 1; d < polynomial.size(); ++d) {
-      next[d + 1] += static_cast<double>(d) * polynomial[d];
-      next[d] -= static_cast<double>(d) * polynomial[d];
+    for (int d = l + 2; d > 0; --d) { // from the highest, so that it can stay in its place
+      const auto at = static_cast<std::size_t>(d);
+      polynomial[at] = (d - 1) * polynomial[at - 1] - d * polynomial[at];
     }
-    polynomial = std::move(next);
     factor *= -(power + l) / ((l + 1) * start);
   }
   return sum * std::pow(start, -power) * std::polar(1.0, std::fmod(start * angle, 2 * std::numbers::pi));

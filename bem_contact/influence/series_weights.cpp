@@ -1,6 +1,6 @@
 #include "bem_contact/influence/series_weights.hpp"
 
-#include "bem_contact/influence/harmonics.hpp"
+#include "bem_contact/influence/harmonic_points.hpp"
 #include "bem_contact/influence/series_tail.hpp"
 #include "bem_contact/influence/settings.hpp"
 
@@ -16,15 +16,12 @@ namespace bem_contact {
 namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using Array = Eigen::Array<double, 1, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr std::size_t points = 6; ///< of the interpolation between samples
 
 struct Interpolation {
   std::size_t first = 0, count = 0;
   std::array<double, points> weight{};
-
-  bool operator==(const Interpolation& other) const { return first == other.first && count == other.count; }
 };
 
 /// g(k) from the samples: Lagrange on k g(k) in log k over the (up to) six samples around k, 0 left out.
@@ -40,13 +37,6 @@ public:
   Interpolation at(double k, std::size_t above) const {
     const std::size_t positive = wavenumber_.size() - 1;
     Interpolation result;
-    for (const std::size_t near : {above - 1, std::min(above, positive)})
-      if (std::abs(wavenumber_[near] - k) <= sample_snap * k) {
-        result.first = near;
-        result.count = 1;
-        result.weight[0] = 1;
-        return result;
-      }
     result.count = std::min(points, positive);
     const std::size_t half = result.count / 2;
     result.first = std::clamp<std::size_t>(above > half ? above - half : 1, 1, positive - result.count + 1);
@@ -74,9 +64,7 @@ class Sums {
 public:
   Sums(std::span<const double> wavenumber, double half_period, double dx, int offsets)
       : wavenumber_(wavenumber), half_period_(half_period), dx_(dx), offsets_(offsets),
-        even_(RowMajor::Zero(static_cast<Eigen::Index>(wavenumber.size()), offsets)), odd_(even_),
-        angle_(step() * dx * Array::LinSpaced(offsets, 0, offsets - 1)), turn_cos_(angle_.cos()),
-        turn_sin_(angle_.sin()) {
+        even_(RowMajor::Zero(static_cast<Eigen::Index>(wavenumber.size()), offsets)), odd_(even_) {
     even_.row(0).setConstant(dx / 2 / half_period);
   }
 
@@ -90,52 +78,69 @@ private:
   long inside() const {
     return static_cast<long>(std::floor(wavenumber_.back() / step() * (1 + last_sample_slack)));
   }
-  void add_block(const RowMajor& weight, const Interpolation& samples, long first_harmonic, long count);
+  /// 2 sin^2(ka) / (L k^2 a)
+  Eigen::ArrayXd coefficient(const Eigen::ArrayXd& k) const {
+    return (k * (dx_ / 2)).sin().square() * (4 / (half_period_ * dx_)) / k.square();
+  }
+  void add_points(const Eigen::ArrayXd& k, const RowMajor& weight, std::size_t first_sample);
+  void add_between(const Interpolator& interpolator, long first, long last, std::size_t above);
 
   std::span<const double> wavenumber_;
   double half_period_, dx_;
   int offsets_;
   RowMajor even_, odd_;
-  Array angle_, turn_cos_, turn_sin_;
 };
 
-void Sums::add_block(const RowMajor& weight, const Interpolation& samples, long first_harmonic, long count) {
-  const Array first_angle = static_cast<double>(first_harmonic) * angle_;
-  const Array first_cos = first_angle.cos(), first_sin = first_angle.sin();
-  const auto from = static_cast<Eigen::Index>(samples.first);
-  add_harmonics({weight.data(), samples.count, static_cast<std::size_t>(weight.cols())},
-                {first_cos.data(), first_sin.data(), turn_cos_.data(), turn_sin_.data(),
-                 static_cast<std::size_t>(angle_.size()), static_cast<std::size_t>(count)},
-                even_.row(from).data(), odd_.row(from).data());
+/// Adds weight[b][p] cos(k_p x) and sin(k_p x) to the samples first_sample + b.
+void Sums::add_points(const Eigen::ArrayXd& k, const RowMajor& weight, std::size_t first_sample) {
+  const Eigen::ArrayXd angle = k * dx_, turn_cos = angle.cos(), turn_sin = angle.sin();
+  Eigen::MatrixXd cosine(k.size(), offsets_), sine(k.size(), offsets_);
+  for (Eigen::Index m = 0; m < offsets_; ++m)
+    if (m % rotated_offsets == 0) {
+      cosine.col(m) = (static_cast<double>(m) * angle).cos();
+      sine.col(m) = (static_cast<double>(m) * angle).sin();
+    } else {
+      const auto c = cosine.col(m - 1).array(), s = sine.col(m - 1).array();
+      cosine.col(m) = c * turn_cos - s * turn_sin;
+      sine.col(m) = s * turn_cos + c * turn_sin;
+    }
+  const auto from = static_cast<Eigen::Index>(first_sample);
+  even_.middleRows(from, weight.rows()).noalias() += weight * cosine;
+  odd_.middleRows(from, weight.rows()).noalias() += weight * sine;
 }
 
-/// Harmonics between the samples, in blocks that the same samples serve.
-void Sums::add_up_to_last_sample() {
-  const double a = dx_ / 2;
-  const Interpolator interpolator(wavenumber_);
-  RowMajor weight(static_cast<Eigen::Index>(points), rotated_harmonics);
-  Interpolation current;
-  long start = 1, held = 0; // harmonics start .. start + held - 1 wait for the product
-  std::size_t above = 1;
-  for (long n = 1, last = inside(); n <= last; ++n) {
-    const double k = static_cast<double>(n) * step(), s = std::sin(k * a);
-    while (above < wavenumber_.size() && wavenumber_[above] <= k)
-      ++above;
-    const Interpolation g = interpolator.at(k, above);
-    if (held == rotated_harmonics || (held > 0 && !(g == current))) {
-      add_block(weight, current, start, held);
-      held = 0;
-    }
-    if (held == 0)
-      start = n;
-    current = g;
-    const double coefficient = 2 * s * s / (half_period_ * k * k * a);
-    for (std::size_t b = 0; b < g.count; ++b)
-      weight(static_cast<Eigen::Index>(b), held) = coefficient * g.weight[b];
-    ++held;
+/// Harmonics between two samples, `above` the upper one.
+void Sums::add_between(const Interpolator& interpolator, long first, long last, std::size_t above) {
+  const HarmonicPoints points_between = harmonic_points(first, last, step() * dx_ * offsets_);
+  const Eigen::ArrayXd k = step() * points_between.position;
+  const Eigen::ArrayXd coefficients = coefficient(k) * points_between.weight;
+  Interpolation samples = interpolator.at(k[0], above);
+  RowMajor weight(static_cast<Eigen::Index>(samples.count), k.size());
+  for (Eigen::Index p = 0; p < k.size(); ++p) {
+    samples = interpolator.at(k[p], above);
+    for (std::size_t b = 0; b < samples.count; ++b)
+      weight(static_cast<Eigen::Index>(b), p) = coefficients[p] * samples.weight[b];
   }
-  if (held > 0)
-    add_block(weight, current, start, held);
+  add_points(k, weight, samples.first);
+}
+
+/// A harmonic that is a sample counts for itself, those between two samples by interpolation.
+void Sums::add_up_to_last_sample() {
+  const Interpolator interpolator(wavenumber_);
+  long next = 1; // harmonic
+  for (std::size_t above = 1; above < wavenumber_.size(); ++above) {
+    const double sample = wavenumber_[above] / step();
+    const long nearest = std::lround(sample);
+    const bool is_sample = std::abs(static_cast<double>(nearest) - sample) <= sample_snap * sample;
+    const long last = is_sample ? nearest - 1 : static_cast<long>(std::floor(sample));
+    if (last >= next)
+      add_between(interpolator, next, last, above);
+    if (is_sample) {
+      const Eigen::ArrayXd k = Eigen::ArrayXd::Constant(1, step() * static_cast<double>(nearest));
+      add_points(k, coefficient(k).matrix(), above);
+    }
+    next = std::max(next, (is_sample ? nearest : last) + 1);
+  }
 }
 
 /// Harmonics beyond the last sample, where g = (c0 + c1/k)/k with c0 = (k2 f2 - k1 f1)/(k2 - k1),

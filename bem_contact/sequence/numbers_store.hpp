@@ -1,9 +1,12 @@
 #pragma once
 
+#include "bem_contact/influence/influence_function.hpp"
+#include "bem_contact/influence/influence_numbers.hpp"
 #include "bem_contact/scene/contact_setup.hpp"
-#include "bem_contact/sequence/settings.hpp"
 
 #include <deque>
+#include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -24,27 +27,48 @@ struct NumbersSource {
   bool operator==(const NumbersSource&) const = default;
 };
 
-/// Influence numbers of the grids met last.
+/// What one body's numbers from its influence file depend on, but for rows and offsets.
+struct BodyNumbersSource {
+  std::shared_ptr<const InfluenceFunction> function;
+  StructuralCompliance structural = StructuralCompliance::removed;
+  double dx = 0, ds = 0; ///< mm; dx 0: plane strain
+
+  bool operator==(const BodyNumbersSource&) const = default;
+};
+
+/// The rail's numbers from its influence file. Rows of a wheel on a rail lie on the same stations of the rail
+/// (origin + whole multiples of ds, GridPlan) in all cases with this ds, while the wheel's rows lie elsewhere
+/// in each. So the rail's numbers serve every case whose rows are among those of an earlier one.
+class RailNumbersStore {
+public:
+  /// Those of rows at `row_s`, from `compute` unless they are part of what is kept.
+  std::shared_ptr<const InfluenceNumbers> get(const BodyNumbersSource& source,
+                                              const std::vector<double>& row_s, int offsets,
+                                              const std::function<InfluenceNumbers()>& compute);
+
+private:
+  struct Kept {
+    BodyNumbersSource source;
+    std::vector<double> row_s;
+    std::shared_ptr<const InfluenceNumbers> numbers;
+  };
+  std::deque<Kept> kept_; ///< made last: in front
+};
+
+/// The pair's influence numbers on the grids met last.
 class NumbersStore {
 public:
-  /// Those of `source`, computed by `compute` unless they are kept.
-  template <class Compute> InfluenceNumbers get(const NumbersSource& source, const Compute& compute) {
-    for (const auto& [of, numbers] : kept_)
-      if (of == source) {
-        ++found_;
-        return numbers;
-      }
-    kept_.emplace_front(source, compute());
-    if (kept_.size() > static_cast<std::size_t>(numbers_kept))
-      kept_.pop_back();
-    return kept_.front().second;
-  }
+  /// Those of `source`, computed by `compute` unless they are kept. They are the caller's until keep().
+  InfluenceNumbers take(const NumbersSource& source, const std::function<InfluenceNumbers()>& compute);
+  void keep(const NumbersSource& source, InfluenceNumbers numbers);
 
+  RailNumbersStore& rail() { return rail_; }
   int found() const { return found_; } ///< how often they were kept
 
 private:
   int found_ = 0;
-  std::deque<std::pair<NumbersSource, InfluenceNumbers>> kept_;
+  std::deque<std::pair<NumbersSource, InfluenceNumbers>> kept_; ///< used last: in front
+  RailNumbersStore rail_;
 };
 
 } // namespace bem_contact

@@ -39,6 +39,7 @@ bool inside(const std::shared_ptr<const InfluenceFunction>& f, double s, double 
   return s - row_on_strip * ds >= from && s + row_on_strip * ds <= to;
 }
 
+/// One body's numbers at its rows.
 InfluenceNumbers expand_side(const InfluenceFunction& function, const Body& body,
                              const ContactOnGrid& contact, const std::vector<double>& row_s) {
   const ContactGrid& grid = contact.problem.grid;
@@ -49,6 +50,16 @@ InfluenceNumbers expand_side(const InfluenceFunction& function, const Body& body
   options.structural = body.structural;
   options.contact_radius = function.invariance == Invariance::revolution ? contact.contact_radius : 0.0;
   return halfspace::resample(function, options, row_s, grid.ds);
+}
+
+std::shared_ptr<const InfluenceNumbers> rail_numbers(const std::shared_ptr<const InfluenceFunction>& function,
+                                                     const Body& body, const ContactOnGrid& contact,
+                                                     RailNumbersStore* store) {
+  const auto compute = [&] { return expand_side(*function, body, contact, contact.rail_s); };
+  const ContactGrid& grid = contact.problem.grid;
+  if (!store || contact.problem.plane_strain() || function->invariance == Invariance::revolution)
+    return std::make_shared<const InfluenceNumbers>(compute());
+  return store->get({function, body.structural, grid.dx, grid.ds}, contact.rail_s, grid.mx + 2, compute);
 }
 
 /// A patch is given without profiles: what can be compared is how far the normal turns along the strip.
@@ -128,7 +139,8 @@ InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGr
                             halfspace::tangent_plane_numbers(setup.wheel.material, strip, wheel));
 }
 
-InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact) {
+InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact,
+                          RailNumbersStore* store) {
   if (!files.complete())
     throw InputError("The finite-element model needs influence functions of both bodies",
                      !files.rail && !files.wheel ? "the scene names none"
@@ -140,12 +152,10 @@ InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, con
     require_turn(*files.rail, contact, contact.rail_s, rail_turn_tolerance);
     require_turn(*files.wheel, contact, contact.wheel_s, wheel_turn_tolerance);
   }
-  const InfluenceNumbers wheel = expand_side(*files.wheel, setup.wheel, contact, contact.wheel_s);
-  InfluenceNumbers pair =
-      halfspace::combine(expand_side(*files.rail, setup.rail, contact, contact.rail_s), wheel);
+  InfluenceNumbers wheel = expand_side(*files.wheel, setup.wheel, contact, contact.wheel_s);
   if (const auto inclination = radial_inclination(setup, contact.problem.rows); !inclination.empty())
-    add_radial_displacement(wheel, inclination, contact.contact_radius, pair);
-  return pair;
+    add_radial_displacement(inclination, contact.contact_radius, wheel);
+  return halfspace::combine(*rail_numbers(files.rail, setup.rail, contact, store), std::move(wheel));
 }
 
 std::vector<double> radial_inclination(const ContactSetup& setup, const std::vector<ContactRow>& rows) {
@@ -159,8 +169,8 @@ std::vector<double> radial_inclination(const ContactSetup& setup, const std::vec
 }
 
 InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const PairFiles& files,
-                              const ContactOnGrid& contact) {
-  return model == Model::fem             ? fem_pair(setup, files, contact)
+                              const ContactOnGrid& contact, RailNumbersStore* store) {
+  return model == Model::fem             ? fem_pair(setup, files, contact, store)
          : model == Model::tangent_plane ? tangent_plane_pair(setup, contact)
                                          : halfspace_pair(setup, contact);
 }

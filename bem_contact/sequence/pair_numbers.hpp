@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/scene/contact_setup.hpp"
+#include "bem_contact/sequence/numbers_store.hpp"
 
 #include <memory>
 #include <utility>
@@ -19,9 +20,10 @@ struct PairFiles {
 /// Throws InputError for a file that cannot be used (influence_file.hpp).
 PairFiles read_pair_files(const Body& rail, const Body& wheel);
 
-/// The pair's influence numbers by a model other than Hertz's. Throws what the functions below throw.
+/// The pair's influence numbers by a model other than Hertz's. `store`: what is kept of the rail's; null:
+/// nothing. Throws what the functions below throw.
 InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const PairFiles& files,
-                              const ContactOnGrid& contact);
+                              const ContactOnGrid& contact, RailNumbersStore* store = nullptr);
 
 /// Half-space numbers of the pair on the grid of `contact`; on a curved strip those of the strip unrolled
 /// (distances along the arc), so that both models share geometry, gap and frames.
@@ -38,7 +40,8 @@ std::vector<double> radial_inclination(const ContactSetup& setup, const std::vec
 /// The pair's numbers from the influence files at the rows' own stations on either body, with the wheel's
 /// radial displacement (radial_displacement.hpp) where radial_inclination() is not empty. Throws InputError
 /// where a file is missing or a row lies outside its strip.
-InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact);
+InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact,
+                          RailNumbersStore* store = nullptr);
 
 /// Throws InputError unless the strip of either file covers every row of width ds at these stations, mm.
 void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,

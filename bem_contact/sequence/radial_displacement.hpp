@@ -6,7 +6,7 @@
 
 namespace bem_contact {
 
-/// Adds to the pair's numbers what the wheel's radial displacement u_r does to steady rolling.
+/// Adds to a wheel's numbers what its radial displacement u_r does to steady rolling.
 ///
 /// A point of the wheel's surface that has moved away from the axle by u_r is faster by the share u_r / R, so
 /// the slip over the rolling speed is
@@ -17,8 +17,7 @@ namespace bem_contact {
 ///
 /// `wheel`: its numbers in its own frame, rows in the contact's order. `inclination`: of each row against the
 /// wheel's axle, rad. `radius`: R, mm. The integral over x is by the trapezoidal rule, zero at the loaded
-/// element; parity in x stays. Only A_xj of `pair` change.
-void add_radial_displacement(const InfluenceNumbers& wheel, std::span<const double> inclination,
-                             double radius, InfluenceNumbers& pair);
+/// element; parity in x stays. Only A_xj change, so that they are no longer reciprocal.
+void add_radial_displacement(std::span<const double> inclination, double radius, InfluenceNumbers& wheel);
 
 } // namespace bem_contact

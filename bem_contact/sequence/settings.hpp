@@ -164,6 +164,9 @@ BEM_CONTACT_TUNED(double, alike_overlap, 0.3);
 BEM_CONTACT_TUNED(double, least_extent, 0.2);
 /// 1. Influence numbers of so many grids are kept: numbers take up to 8 GB.
 BEM_CONTACT_TUNED(int, numbers_kept, 6);
+/// MB. But no more than this, the last grid's apart; and as much of the rail's own numbers. A case of 2 %
+/// accuracy has 2 to 20 MB.
+BEM_CONTACT_TUNED(double, largest_kept_numbers, 200.0);
 BEM_CONTACT_TUNED(int, operators_kept, 3); ///< 1. Grids whose operators are kept: they take more.
 
 // Choice of the model: predicted relative errors of the largest pressure.

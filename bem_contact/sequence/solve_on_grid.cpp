@@ -53,12 +53,9 @@ NumbersSource source_of(Model model, const ContactSetup& setup, const ContactOnG
   return source;
 }
 
-InfluenceNumbers numbers_of(const ContactCase& asked, Model model, const ContactOnGrid& contact,
-                            NumbersStore* store) {
-  const auto compute = [&] { return pair_numbers(model, asked.setup, asked.files, contact); };
-  // Tangent-plane numbers depend on where all rows lie: no other case has the same.
-  return store && model != Model::tangent_plane ? store->get(source_of(model, asked.setup, contact), compute)
-                                                : compute();
+/// Tangent-plane numbers depend on where all rows lie: no other case has the same.
+NumbersStore* store_for(Model model, NumbersStore* store) {
+  return model == Model::tangent_plane ? nullptr : store;
 }
 
 void solve_by_hertz(const ContactSetup& setup, GridSolution& out) {
@@ -122,7 +119,12 @@ void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const Sol
   ContactProblem problem = out.contact.problem;
   require_memory(problem.grid);
   const Stopwatch numbers;
-  problem.numbers = numbers_of(asked, task.model, out.contact, resources.numbers);
+  NumbersStore* store = store_for(task.model, resources.numbers);
+  const NumbersSource source = source_of(task.model, asked.setup, out.contact);
+  const auto compute = [&] {
+    return pair_numbers(task.model, asked.setup, asked.files, out.contact, store ? &store->rail() : nullptr);
+  };
+  problem.numbers = store ? store->take(source, compute) : compute();
   out.seconds.numbers = numbers.seconds();
   const Stopwatch solving;
   SolverOptions options = options_of(asked, task, resources);
@@ -152,6 +154,8 @@ void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const Sol
     add(out.result);
   std::ranges::for_each(out.history, add);
   out.seconds.solve = solving.seconds() - out.seconds.check - out.seconds.estimate;
+  if (store)
+    store->keep(source, std::move(problem.numbers));
 }
 
 } // namespace

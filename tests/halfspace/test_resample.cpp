@@ -217,10 +217,15 @@ TEST(NearField, FewLinesServeRowsThatAreNotEquallyFar) {
           const halfspace::Matrix3 exact = options.dx == 0
                                                ? halfspace::averaged_plane_strain(steel, s, 0.3, 100)
                                                : halfspace::averaged(steel, m * options.dx, s, 0.25, 0.15);
-          std::array<double, 9> number{};
-          near.add(m, row_i, row_j, 1, number.data());
+          halfspace::LineMix mix;
+          near.add_to(mix, row_i, row_j, 1);
+          const auto offsets = static_cast<std::size_t>(options.offsets);
+          std::vector<double> lines(9 * offsets);
           for (std::size_t e = 0; e < 9; ++e)
-            EXPECT_NEAR(number[e], exact[e / 3][e % 3], 2e-6 * std::abs(exact[2][2]))
+            halfspace::add_mix(mix, e * offsets, 0, &lines[e * offsets], offsets);
+          for (std::size_t e = 0; e < 9; ++e)
+            EXPECT_NEAR(lines[e * offsets + static_cast<std::size_t>(m)], exact[e / 3][e % 3],
+                        2e-6 * std::abs(exact[2][2]))
                 << m << " " << row_i << " " << row_j << " " << e;
         }
   }

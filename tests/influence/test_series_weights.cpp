@@ -1,4 +1,5 @@
 // The weights of the Fourier series against the series itself, added up term by term.
+#include "bem_contact/influence/harmonic_points.hpp"
 #include "bem_contact/influence/series_tail.hpp"
 #include "bem_contact/influence/series_weights.hpp"
 
@@ -86,6 +87,29 @@ TEST(SeriesWeights, AreTheSeriesTermByTerm) {
       EXPECT_NEAR(odd, exact.imag(), 2e-13 * self) << m;
     }
   }
+}
+
+TEST(SeriesWeights, FewPointsStandForManyHarmonics) {
+  for (const long first : {6000L, 17L})
+    for (const long count : {1L, 2L, 1999L, 2000L}) {
+      const long last = std::min(first + count - 1, first * 4 / 3);
+      const double angle = 0.03;
+      const HarmonicPoints points = harmonic_points(first, last, angle);
+      for (const double turn : {0.0, 0.3 * angle, angle}) {
+        std::complex<double> exact = 0, sum = 0;
+        double size = 0;
+        for (long n = first; n <= last; ++n) {
+          exact += std::polar(std::log(double(n)) / double(n), double(n) * turn);
+          size += std::log(double(n)) / double(n);
+        }
+        for (Eigen::Index p = 0; p < points.position.size(); ++p) {
+          const double n = points.position[p];
+          sum += points.weight[p] * std::polar(std::log(n) / n, n * turn);
+        }
+        EXPECT_LT(std::abs(sum - exact), 1e-13 * size) << first << ' ' << last << ' ' << turn;
+      }
+      EXPECT_LE(points.position.size(), last - first > 1000 ? 100 : last - first + 1);
+    }
 }
 
 TEST(SeriesWeights, TailSumIsTheSum) {

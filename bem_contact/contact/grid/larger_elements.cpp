@@ -4,6 +4,7 @@
 #include "bem_contact/contact/slip_step.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -27,22 +28,37 @@ ContactProblem same_question(const ContactProblem& problem) {
   return coarse;
 }
 
-/// The influence numbers of two elements at any offset along x; beyond those known the line through the last
-/// two.
-struct NumbersOfOffsets {
-  const double* first; ///< at offset 0
-  std::size_t block;   ///< values between two offsets
-  int last;            ///< offset known
-  int parity;          ///< sign of the numbers behind the load
-
-  double operator()(int offset) const {
-    const int m = std::abs(offset);
-    double value = first[static_cast<std::size_t>(std::min(m, last)) * block];
-    if (m > last)
-      value += (m - last) * (value - first[static_cast<std::size_t>(last - 1) * block]);
-    return (offset < 0 ? parity : 1) * value;
-  }
+/// What the known offsets along x count for in a sum of numbers at any offsets.
+struct OffsetWeight {
+  int offset;
+  std::array<double, 2> weight; ///< of numbers even and odd in x
 };
+
+/// Of numbers at 2 m - 1, 2 m (twice) and 2 m + 1, which are x - x' of two pairs of elements; or at m alone
+/// where elements are not joined. Beyond the last offset known lies the line through the last two.
+std::vector<OffsetWeight> offset_weights(int m, int factor, int last) {
+  std::vector<OffsetWeight> out;
+  const auto add = [&](int offset, double weight) {
+    const double odd = offset < 0 ? -weight : weight;
+    const int beyond = std::max(std::abs(offset) - last, 0);
+    out.push_back({std::abs(offset) - beyond, {(1 + beyond) * weight, (1 + beyond) * odd}});
+    if (beyond > 0)
+      out.push_back({last - 1, {-beyond * weight, -beyond * odd}});
+  };
+  if (factor == 1) {
+    add(m, 1);
+  } else {
+    add(2 * m - 1, 1);
+    add(2 * m, 2);
+    add(2 * m + 1, 1);
+  }
+  return out;
+}
+
+/// Values between the numbers (i, j) and (i + 1, j) of two rows.
+std::size_t component_stride(const InfluenceNumbers& numbers) {
+  return numbers.translational ? 3 : 3 * static_cast<std::size_t>(numbers.rows);
+}
 
 } // namespace
 
@@ -186,25 +202,24 @@ InfluenceNumbers LargerElements::numbers(const InfluenceNumbers& fine, bool only
   coarse.ds = s_.factor * fine.ds;
   coarse.translational = fine.translational;
   coarse.values.assign(coarse.expected_values(), 0.0);
-  const std::size_t block = fine.values.size() / static_cast<std::size_t>(fine.offsets);
-  // x - x' of two pairs of elements: 2 m - 1, 2 m twice, 2 m + 1
-  const auto along_x = [&](int m, int row_i, int i, int row_j, int j) {
-    const NumbersOfOffsets number{&fine.values[fine.index(0, row_i, i, row_j, j)], block, fine.offsets - 1,
-                                  parity(i, j)};
-    return x_.factor == 1 ? number(m) : number(2 * m - 1) + 2 * number(2 * m) + number(2 * m + 1);
-  };
-  const double weight = 1.0 / (x_.factor * s_.factor);
+  const std::size_t stride = component_stride(coarse), fine_stride = component_stride(fine);
+  const double share = 1.0 / (x_.factor * s_.factor);
   const int from = only_normal ? component_n : component_x;
-  for (int m = 0; m < coarse.offsets; ++m)
-    for (const auto& [row_i, row_j] : coarse.stored_rows())
-      for (int i = from; i <= component_n; ++i)
-        for (int j = from; j <= component_n; ++j) {
-          double sum = 0;
-          for (int c = 0; c < s_.factor; ++c)
-            for (int d = 0; d < s_.factor; ++d)
-              sum += along_x(m, s_.first + s_.factor * row_i + c, i, s_.first + s_.factor * row_j + d, j);
-          coarse.at(m, row_i, i, row_j, j) = weight * sum;
-        }
+  for (int m = 0; m < coarse.offsets; ++m) {
+    const std::vector<OffsetWeight> offsets = offset_weights(m, x_.factor, fine.offsets - 1);
+    for (const auto& [row_i, row_j] : coarse.stored_rows()) {
+      double* sum = &coarse.at(m, row_i, 0, row_j, 0);
+      for (int c = 0; c < s_.factor; ++c)
+        for (int d = 0; d < s_.factor; ++d)
+          for (const auto& [offset, weight] : offsets) {
+            const double* number = &fine.values[fine.index(offset, s_.first + s_.factor * row_i + c, 0,
+                                                           s_.first + s_.factor * row_j + d, 0)];
+            for (int i = from; i <= component_n; ++i)
+              for (int j = from; j <= component_n; ++j)
+                sum[i * stride + j] += share * weight[parity(i, j) < 0] * number[i * fine_stride + j];
+          }
+    }
+  }
   return coarse;
 }
 
