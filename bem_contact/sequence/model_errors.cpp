@@ -71,13 +71,14 @@ double pressure_error(Model model, const ContactTraits& traits) {
 /// What a creepage that is off does to shear forces, and to their power over itself.
 void add_creepage(const ContactTraits& traits, double xi, ModelErrors& out) {
   const bool friction = traits.creep_stiffness > 0;
+  const double share = traits.on_rail ? rail_power_share : 1;
   if (traits.prescribed.force) {
     out.creepages = xi / least_creepage;
     out.forces += side_creep_share * traits.creep_stiffness * xi;
-    out.friction_power += found_creep_power * xi / least_creepage;
+    out.friction_power += share * found_creep_power * xi / least_creepage;
   } else if (traits.prescribed.creepage && friction) {
     out.forces += traits.creep_stiffness * xi;
-    out.friction_power += given_creep_power * xi / (traits.slip + xi);
+    out.friction_power += share * given_creep_power * xi / (traits.slip + xi);
   }
 }
 

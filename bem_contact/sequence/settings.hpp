@@ -208,6 +208,9 @@ BEM_CONTACT_TUNED(double, least_power_error, 0.004); ///< 1. Of friction's power
 BEM_CONTACT_TUNED(double, power_turn_error, 0.01);   ///< 1/rad. Of it: this times the turn.
 /// 1. Of it where creepages are given: this times the error of creepage over the slip.
 BEM_CONTACT_TUNED(double, given_creep_power, 1.5);
+/// 1. Of it on a rail, where spin does most of the work, both of these count by this share: 0.15 at most was
+/// seen.
+BEM_CONTACT_TUNED(double, rail_power_share, 0.2);
 /// 1. Of it where creepages are found: this times their error over least_creepage.
 BEM_CONTACT_TUNED(double, found_creep_power, 0.5);
 
