@@ -161,6 +161,7 @@ SceneFile checked(const SceneFile& as_read, const SceneKeysAsRead& read, const S
   check_motion(file, schema);
   check_steps(file, schema);
   check_friction(file, schema);
+  model_tolerance_of(file.solver.model_tolerance_of);
   if (file.kind == SceneKind::patch)
     check_patch(file, schema);
   else

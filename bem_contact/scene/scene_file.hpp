@@ -183,9 +183,11 @@ struct SceneFile {
   /// [solver]
   struct Solver {
     std::optional<Model> model;    ///< empty: the cheapest that is accurate enough
-    double model_tolerance = 0.01; ///< of pmax, for auto
-    double tolerance = 1e-8;       ///< relative, of the iterations
-    int max_outer = 50;            ///< outer iterations
+    double model_tolerance = 0.01; ///< relative, for auto
+    /// What `model_tolerance` is about (accuracy_of.hpp).
+    std::string model_tolerance_of = "forces, pmax, creepages, friction_power";
+    double tolerance = 1e-8; ///< relative, of the iterations
+    int max_outer = 50;      ///< outer iterations
     /// What structural motion does to the geometry.
     StructuralMotion structural_motion = StructuralMotion::placed;
     /// What the motion of the surfaces in contact does to it.

@@ -123,9 +123,11 @@ void add_solver(Schema& s, SceneFile::Solver& solver) {
         {.doc =
              "Hertz's closed form (frictionless); influence numbers of the half-space, of half-spaces in the "
              "elements' tangent planes, of the bodies; or the cheapest of these that serves"});
-  s.add(
-      "solver.model_tolerance", solver.model_tolerance,
-      {.doc = "For auto: predicted error of the largest pressure that is allowed", .above = 0, .at_most = 1});
+  s.add("solver.model_tolerance", solver.model_tolerance,
+        {.doc = "For auto: predicted error of the model that is allowed", .above = 0, .at_most = 1});
+  s.add("solver.model_tolerance_of", solver.model_tolerance_of,
+        {.doc = "What model_tolerance is about, with commas between: forces, pmax, creepages (those that are "
+                "found), friction_power"});
   s.add("solver.tolerance", solver.tolerance,
         {.doc = "Relative tolerance of the iterations", .at_least = 1e-13, .at_most = 1e-7});
   s.add("solver.max_outer", solver.max_outer,

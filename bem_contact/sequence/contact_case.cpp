@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/sequence/model_choice.hpp"
 #include "bem_contact/sequence/plan_grid.hpp"
 
 #include <cmath>
@@ -30,22 +31,38 @@ void require_bodies(const PairFiles& files, const WheelOnRail& pair, bool own_sh
     require_radius(*files.wheel, pair.wheel_radius);
 }
 
+/// The size of elements that are chosen must be one that the influence files of the chosen model have
+/// numbers for.
+bool foresees_fem(const ContactCase& asked) {
+  const SceneFile& scene = asked.scene;
+  return !scene.solver.model && asked.estimate && (scene.grid.elements || scene.grid.accuracy) &&
+         choose_model(traits_of(asked, *asked.estimate), request_of(asked)).model == Model::fem;
+}
+
 } // namespace
 
 ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, PrepareOptions options) {
   if (scene.wheelset.force)
     throw InputError("This scene is one of both wheels of a wheelset", "wheelset.force is given",
                      "Solve it with bem_contact wheelset (Python: wheelset), or give load.force instead.");
-  if (scene.kind == SceneKind::patch) {
-    ContactSetup setup = set_up_patch(scene);
-    const PairFiles& read = files.influence(setup.rail, setup.wheel);
-    return {scene, std::move(setup), read, std::nullopt};
-  }
-  ContactSetup setup = set_up_contact(scene, files.profiles(scene));
-  ContactEstimate estimate = estimate_contact(setup, options.foresee_shear);
-  const PairFiles& read = files.influence(setup.rail, setup.wheel);
-  require_bodies(read, setup.wheel_rail()->pair, options.own_shape);
-  return {scene, std::move(setup), read, std::move(estimate)};
+  const bool patch = scene.kind == SceneKind::patch;
+  ContactCase out{scene,
+                  patch ? set_up_patch(scene) : set_up_contact(scene, files.profiles(scene)),
+                  {},
+                  std::nullopt,
+                  options.own_shape,
+                  options.lateral_force};
+  if (!patch)
+    out.estimate = estimate_contact(out.setup, options.foresee_shear);
+  const bool needed = options.read_influence || scene.solver.model == Model::fem || foresees_fem(out);
+  return needed ? with_influence(std::move(out), files) : out;
+}
+
+ContactCase with_influence(ContactCase asked, SequenceFiles& files) {
+  asked.files = files.influence(asked.setup.rail, asked.setup.wheel);
+  if (const WheelRailGeometry* placed = asked.setup.wheel_rail())
+    require_bodies(asked.files, placed->pair, asked.own_shape);
+  return asked;
 }
 
 std::pair<int, int> rows_on_strips(const ContactCase& contact, const GridPlan& plan) {

@@ -14,9 +14,15 @@ struct ContactCase {
   ContactSetup setup;
   PairFiles files;
   std::optional<ContactEstimate> estimate; ///< of a wheel on a rail
+  bool own_shape = true;                   ///< influence files must be of the scene's own profiles
+  bool lateral_force = false;              ///< the lateral displacement is found for a force, and not given
 
   /// The same case under another load, on the same estimate.
-  ContactCase under(const ContactLoad& load) const { return {scene, setup.under(load), files, estimate}; }
+  ContactCase under(const ContactLoad& load) const {
+    ContactCase out = *this;
+    out.setup = setup.under(load);
+    return out;
+  }
 };
 
 struct PrepareOptions {
@@ -24,10 +30,15 @@ struct PrepareOptions {
   /// Influence files must be of the scene's own profiles. False: the caller has seen to it that they are of
   /// nearly the same shape.
   bool own_shape = true;
+  bool read_influence = true; ///< false: only for the model fem; a model that is chosen asks for them later
+  bool lateral_force = false; ///< ContactCase::lateral_force
 };
 
 /// Throws InputError for a scene that cannot be asked, and for files that are not of its bodies.
 ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, PrepareOptions options = {});
+
+/// The case with the influence files that its bodies name. Throws InputError for files that are not of them.
+ContactCase with_influence(ContactCase asked, SequenceFiles& files);
 
 /// The first plan of a case on elements of the size asked for. Rows of a wheel on a rail are centred on the
 /// stations of the rail's influence file where there is one. `on_strips`: every row lies on the strips of the

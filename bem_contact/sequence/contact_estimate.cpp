@@ -30,23 +30,62 @@ double k_minus_e(double m) {
 /// Normal force of the slices first .. end - 1, which touch at the approach q. Kik and Piotrowski: N = pi E*
 /// q I1/I2, I1 and I2 the integrals of sqrt(x_l^2 - x^2) and of the same over r; along x, I2 is 2 S (K - E)
 /// with S^2 = x_l^2 + t^2, m = x_l^2 / S^2 at the distance t in s.
-double normal_force(std::span<const RailSlice> area, const RailSlice& deepest, double q, double compliance) {
+/// `width`: of a slice, mm.
+double normal_force(std::span<const RailSlice> area, const RailSlice& deepest, double q, double compliance,
+                    double width) {
   double i1 = 0, i2 = 0;
   for (const RailSlice& c : area) {
     const double xl2 = c.depth(penetration_share * q) / c.half;
-    const double t = std::max(std::abs(c.s - deepest.s), slice_self_distance * slice_width);
+    const double t = std::max(std::abs(c.s - deepest.s), slice_self_distance * width);
     i1 += std::numbers::pi * xl2 / 2;
     i2 += 2 * std::sqrt(xl2 + t * t) * k_minus_e(xl2 / (xl2 + t * t));
   }
   return std::numbers::pi / compliance * deepest.depth(q) * i1 / i2;
 }
 
-/// Vertical force at the approach q, and the turn of the normal in the area that bears most of it.
+/// Slices of one width, mm.
+double width_of(std::span<const RailSlice> slices) {
+  return slices.size() > 1 ? slices[1].s - slices[0].s : slice_width;
+}
+
+/// Largest pressure and extent of one area that bears `normal` at the approach q: the pressure is
+/// proportional to sqrt(x_l^2 - x^2).
+void set_extent(std::span<const RailSlice> area, const RailSlice& deepest, double q, double normal,
+                double width, EstimatedContact& out) {
+  double half_lengths = 0;
+  for (const RailSlice& c : area) {
+    const double squared = c.depth(penetration_share * q) / c.half;
+    half_lengths += 0.5 * std::numbers::pi * squared;
+    out.length = std::max(out.length, 2 * std::sqrt(squared));
+  }
+  out.width = width * double(area.size());
+  out.pressure = normal * 0.5 * out.length / (half_lengths * width);
+  out.turn = std::abs(area.back().delta - area.front().delta);
+  out.x = deepest.x;
+  out.s = deepest.s;
+  out.delta = deepest.delta;
+  out.position = deepest.position;
+}
+
+/// Of the inclination, weighted by the pressure.
+double mean_sine(std::span<const RailSlice> area, double q) {
+  double sum = 0, weights = 0;
+  for (const RailSlice& c : area) {
+    const double weight = c.depth(penetration_share * q) / c.half;
+    sum += weight * std::sin(c.delta);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+/// Vertical force at the approach q, and what is known of the area that bears most of it.
 struct Borne {
-  double force = 0, turn = 0;
+  double force = 0;
+  EstimatedContact contact;
 };
 Borne borne_at(const ContactEstimate& estimate, double q, double compliance) {
   const std::span<const RailSlice> slices = estimate.slices;
+  const double width = width_of(slices);
   Borne out;
   double largest = 0;
   const auto inside = [&](const RailSlice& c) { return c.depth(penetration_share * q) > 0; };
@@ -57,12 +96,15 @@ Borne borne_at(const ContactEstimate& estimate, double q, double compliance) {
     for (; end < slices.size() && inside(slices[end]); ++end)
       if (slices[end].depth(q) > slices[deepest].depth(q))
         deepest = end;
-    const double vertical = normal_force(slices.subspan(i, end - i), slices[deepest], q, compliance) *
-                            slices[deepest].cosine * estimate.lift[deepest];
+    const std::span<const RailSlice> area = slices.subspan(i, end - i);
+    const double normal = normal_force(area, slices[deepest], q, compliance, width);
+    const double vertical = normal * slices[deepest].cosine * estimate.lift[deepest];
     out.force += vertical;
+    out.contact.normal += normal;
+    out.contact.lateral -= normal * mean_sine(area, q);
     if (vertical > largest) {
       largest = vertical;
-      out.turn = std::abs(slices[end - 1].delta - slices[i].delta);
+      set_extent(area, slices[deepest], q, normal, width, out.contact);
     }
     i = end;
   }
@@ -77,7 +119,7 @@ void set_approach(ContactEstimate& estimate, double q, double compliance) {
   const Borne borne = borne_at(estimate, q, compliance);
   estimate.approach = q;
   estimate.force = borne.force;
-  estimate.turn = borne.turn;
+  estimate.turn = borne.contact.turn;
 }
 
 /// Of the slices that can touch, where each is nearest to the wheel.
@@ -120,6 +162,37 @@ ContactEstimate estimate_contact(const ContactSetup& setup, bool foresee_shear) 
                  compliance);
   }
   return out;
+}
+
+EstimatedContact estimated_contact(const ContactEstimate& estimate, double compliance, double aside) {
+  if (aside == 0)
+    return borne_at(estimate, estimate.approach, compliance).contact;
+  ContactEstimate moved = estimate;
+  for (RailSlice& c : moved.slices)
+    c.gap += aside * std::sin(c.delta);
+  const double q = estimate.force > 0 ? approach_under(moved, estimate.force, compliance) : 0;
+  return borne_at(moved, q, compliance).contact;
+}
+
+std::optional<ContactEstimate> estimate_contact(const ContactProblem& problem, double compliance) {
+  const ContactGrid& grid = problem.grid;
+  if (problem.plane_strain() || grid.mx < 3)
+    return std::nullopt;
+  std::vector<RailSlice> slices;
+  for (int is = 0; is < grid.ms; ++is) {
+    const double* h = problem.gap.data() + std::size_t(is) * grid.mx;
+    const int ix = std::clamp(int(std::min_element(h, h + grid.mx) - h), 1, grid.mx - 2);
+    const double curvature = (h[ix - 1] - 2 * h[ix] + h[ix + 1]) / (grid.dx * grid.dx);
+    const ContactRow& row = problem.rows[is];
+    slices.push_back({.s = row.s,
+                      .delta = row.delta,
+                      .cosine = std::cos(row.delta),
+                      .gap = h[ix],
+                      .x = grid.x(ix),
+                      .half = std::max(0.5 * curvature, least_half_curvature),
+                      .position = row.position});
+  }
+  return estimate_contact(std::move(slices), compliance, {problem.load, problem.force, problem.approach});
 }
 
 ContactExtent contact_extent(const ContactEstimate& estimate) {

@@ -3,6 +3,7 @@
 #include "bem_contact/scene/contact_setup.hpp"
 #include "bem_contact/sequence/settings.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,26 @@ struct PotentialArea {
 std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, double q);
 /// Those within reach of the estimate's own approach.
 std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate);
+
+/// What the estimate says of the area that bears most.
+struct EstimatedContact {
+  double normal = 0;            ///< normal force, of all areas, N
+  double lateral = 0;           ///< force of the pressure along y on the rail, of all areas, N
+  double pressure = 0;          ///< largest, MPa
+  double turn = 0;              ///< of the normal, rad
+  double length = 0, width = 0; ///< along x and s, mm
+  double x = 0;                 ///< its deepest slice: along the rail, mm
+  double s = 0;                 ///< arc length, mm
+  double delta = 0;             ///< inclination, rad
+  Point2 position;              ///< on the rail
+};
+/// Under the vertical force of the estimate, where the wheel stands `aside` mm further along y: the
+/// undeformed distance changes by that along the normal.
+EstimatedContact estimated_contact(const ContactEstimate& estimate, double compliance, double aside = 0);
+
+/// The same method on the rows of a problem, whose undeformed distance is known. Nothing in plane strain, and
+/// on fewer than three columns.
+std::optional<ContactEstimate> estimate_contact(const ContactProblem& problem, double compliance);
 
 /// How large the estimate says that the contact is, mm, mm^2. In s the sum over all areas.
 struct ContactExtent {

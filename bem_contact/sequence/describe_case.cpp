@@ -7,15 +7,10 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
-#include <numbers>
 
 namespace bem_contact {
 
 namespace {
-
-double degrees(double angle) {
-  return angle * 180 / std::numbers::pi;
-}
 
 void add_touch_points(const ContactSetup& setup, const ContactEstimate& estimate,
                       std::vector<std::string>& lines) {
@@ -105,9 +100,11 @@ SceneDescription describe_case(const ContactCase& asked) {
   lines.push_back(influence_text("rail", asked.files.rail, contact.rail_s, problem.grid.ds, refusal));
   lines.push_back(influence_text("wheel", asked.files.wheel, contact.wheel_s, problem.grid.ds, refusal));
   std::ranges::move(describe_strips(asked, contact), std::back_inserter(lines));
-  lines.push_back(
-      fmt::format("model: {}{}", name_of(scene.solver.model),
-                  asked.estimate ? "; by the estimate " + halfspace_text(asked.estimate->turn) : ""));
+  lines.push_back(fmt::format(
+      "model: {}{}", name_of(scene.solver.model),
+      asked.estimate
+          ? "; by the estimate " + choose_model(traits_of(asked, *asked.estimate), request_of(asked)).reason
+          : ""));
   return {std::move(lines), input_warnings(scene, asked.setup)};
 }
 

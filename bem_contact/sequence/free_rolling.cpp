@@ -83,6 +83,7 @@ SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::G
   try {
     out.free_rolling = find_free_rolling(free, grid,
                                          {.work = work,
+                                          .files = resources.files,
                                           .numbers = resources.numbers,
                                           .operators = resources.operators,
                                           .start = start ? &*start : nullptr,

@@ -1,43 +1,40 @@
 #pragma once
 
-#include "bem_contact/contact/result.hpp"
-#include "bem_contact/scene/choices.hpp"
+#include "bem_contact/sequence/model_errors.hpp"
 
 #include <string>
+#include <vector>
 
 namespace bem_contact {
 
 struct HertzModel;
 
-/// Predicted relative error of half-space theory in pmax for a patch within which the normal turns by `turn`
-/// rad: 0.66 (turn/2)^2 (halfspace_error).
-double predicted_halfspace_error(double turn);
+/// What is asked of a model.
+struct ModelRequest {
+  double tolerance = 0.01;                          ///< solver.model_tolerance
+  std::vector<ModelErrorOf> of{ModelErrorOf::pmax}; ///< solver.model_tolerance_of; one at least
+  bool fem = false;                                 ///< the scene names influence files of both bodies
+};
+ModelRequest request_of(const ContactCase& asked);
 
-/// The same for the tangent-plane model: 0.24 (turn/2)^2 (tangent_plane_error). In plane strain with equal
-/// bodies on one circle the model is exact: 0.
-double predicted_tangent_plane_error(const ContactProblem& problem, double turn, bool equal_bodies);
-
-/// Of Hertz's solution: what the undeformed distance departs from a quadratic (hertz_deviation_error), and
-/// what the turn does.
-double predicted_error(const HertzModel& model);
-
-/// The first in words.
-std::string halfspace_text(double turn);
-
-/// Largest turn of the normal within one connected run of rows in contact, rad.
-double turn_of_contact(const ContactProblem& problem, const ContactResult& result);
-
-/// The cheapest model whose predicted error of pmax is within the tolerance, and why.
+/// The cheapest model that is predicted to be within the tolerance, why, and what a dearer one would change.
 struct ModelChoice {
   Model model;
   std::string reason;
   bool enough = true; ///< false: fem would be needed, and there are no influence files
 };
 
-/// `fem`: there are influence files of both bodies. hertz is offered where there is a model of it that
-/// serves.
-ModelChoice choose_hertz(const HertzModel& model, double tolerance);
-ModelChoice choose_model(const ContactProblem& problem, const ContactResult& normal, bool equal_bodies,
-                         bool fem, double tolerance);
+/// hertz is offered where there is a model of it that serves. `traits`: for what half-space theory misses.
+ModelChoice choose_hertz(const HertzModel& model, const ContactTraits& traits, const ModelRequest& request);
+ModelChoice choose_model(const ContactTraits& traits, const ModelRequest& request);
+
+/// Predicted relative error of half-space theory in plane strain, and of stresses below a surface whose
+/// normal turns by `turn` rad: 0.66 (turn/2)^2 (halfspace_error).
+double predicted_halfspace_error(double turn);
+/// Of Hertz's solution in pmax: what the undeformed distance departs from a quadratic
+/// (hertz_deviation_error), and what the turn does.
+double predicted_error(const HertzModel& model);
+
+double degrees(double angle); ///< of rad
 
 } // namespace bem_contact

@@ -56,10 +56,12 @@ void add_stresses(const SceneFile& scene, SceneResult& out) {
   out.stresses =
       stresses_below(scene.stresses, out.problem, out.result, scene.rail.material.poisson, out.reference.s);
   const double turn = turn_of_contact(out.problem, out.result);
-  if (predicted_halfspace_error(turn) > scene.solver.model_tolerance)
-    out.warnings.push_back(fmt::format("the stresses below the surface are those of a half-space under these "
-                                       "tractions: an approximation here, for {}",
-                                       halfspace_text(turn)));
+  if (const double error = predicted_halfspace_error(turn); error > scene.solver.model_tolerance)
+    out.warnings.push_back(fmt::format(
+        "the stresses below the surface are those of a half-space under these tractions: an "
+        "approximation here, for the normal turns by {:.1f} degrees within the patch, and they may "
+        "be off by up to {:.1f} %",
+        degrees(turn), 100 * error));
 }
 
 /// The creepages that the last step had.
@@ -100,7 +102,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   }
   add_creepages(asked.setup, out);
   out.moment = moment_about(out.reference, out.result);
-  if (asked.setup.wheel_rail() || asked.files.complete())
+  if (asked.setup.wheel_rail() || names_bodies(asked))
     out.wheel_s = std::move(solved.contact.wheel_s);
   Outlines bodies = outlines(asked.setup, out.problem);
   out.rail_profile = std::move(bodies.rail);

@@ -47,11 +47,14 @@ Sequence::Sequence(SequenceOptions options, std::shared_ptr<SequenceFiles> files
                                  .element_size = ElementSize(options.learn),
                                  .lateral = {}} {}
 
-ContactCase Sequence::prepare(const SceneFile& scene) {
+ContactCase Sequence::prepare(const SceneFile& scene, const SceneTask& task) {
   if (!options_.keep_files)
     memory_.files = std::make_shared<SequenceFiles>();
   ContactCase out = prepare_case(scene, *memory_.files,
-                                 {.foresee_shear = options_.foresee_shear, .own_shape = options_.own_shape});
+                                 {.foresee_shear = options_.foresee_shear,
+                                  .own_shape = options_.own_shape,
+                                  .read_influence = task.read_influence,
+                                  .lateral_force = task.lateral_force});
   if (out.estimate && !options_.potential_contact)
     out.estimate->reach *= generous_reach;
   return out;
@@ -59,6 +62,7 @@ ContactCase Sequence::prepare(const SceneFile& scene) {
 
 SolveResources Sequence::resources(WorkBudget& work) {
   return {.work = work,
+          .files = memory_.files.get(),
           .numbers = options_.keep_numbers ? &memory_.numbers : nullptr,
           .operators = options_.keep_numbers ? &memory_.operators : nullptr,
           .coarse_start = options_.coarse_start,
@@ -66,22 +70,26 @@ SolveResources Sequence::resources(WorkBudget& work) {
 }
 
 SceneResult Sequence::solve(const SceneFile& scene, const std::atomic<bool>* stop) {
+  return answer(scene, stop, {});
+}
+
+SceneResult Sequence::answer(const SceneFile& scene, const std::atomic<bool>* stop, const SceneTask& task) {
   const std::lock_guard turn(*turn_);
   stop_ = stop;
   const Stopwatch clock;
   ++counts_.cases;
-  SceneResult out = scene.load.force_y ? solve_at_lateral_force(scene) : solve_at_position(scene);
+  SceneResult out = scene.load.force_y ? solve_at_lateral_force(scene, task) : solve_at_position(scene, task);
   out.seconds.total = clock.seconds();
   return out;
 }
 
-SceneResult Sequence::solve_at_position(const SceneFile& scene, bool totals_only) {
+SceneResult Sequence::solve_at_position(const SceneFile& scene, const SceneTask& task) {
   const Stopwatch clock;
-  const ContactCase asked = prepare(scene);
+  const ContactCase asked = prepare(scene, task);
   const double preparing = clock.seconds();
   SceneResult out;
   if (asked.estimate && scene.motion.kind == MotionKind::steady) {
-    out = solve_steady_rolling(asked, totals_only);
+    out = solve_steady_rolling(asked, task.totals_only);
   } else {
     ++counts_.solves;
     WorkBudget work(stop_);
@@ -130,7 +138,7 @@ void Sequence::remember(const SceneResult& result, const ContactEstimate& estima
 
 std::optional<double> Sequence::rough_lateral_force(SceneFile scene, double lateral) {
   try {
-    const ContactCase asked = prepare(with_lateral(std::move(scene), lateral));
+    const ContactCase asked = prepare(with_lateral(std::move(scene), lateral), {});
     SceneFile::Grid grid;
     std::tie(grid.dx, grid.ds) =
         size_of_elements(*asked.estimate, lateral_map_elements, 1, 0, longest_element);
@@ -150,7 +158,7 @@ const Sequence::LateralBranches& Sequence::lateral_branches(const SceneFile& sce
   return *memory_.lateral;
 }
 
-SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene) {
+SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene, const SceneTask& task) {
   const double wanted = *scene.load.force_y;
   const SceneFile rough = rough_scene(scene);
   const LateralBranches& branches = lateral_branches(rough);
@@ -167,20 +175,25 @@ SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene) {
   std::string reason;
   if (!scene.solver.model || scene.grid.elements ||
       scene.grid.accuracy) { // the same model and elements all the way
-    const SceneResult first = solve_at_position(with_lateral(scene, nearest->lateral + branches.offset));
+    SceneTask choosing = task;
+    choosing.lateral_force = true;
+    const SceneResult first =
+        solve_at_position(with_lateral(scene, nearest->lateral + branches.offset), choosing);
     asked = with_elements(with_model(std::move(asked), first.model), first.problem.grid.dx,
                           first.problem.grid.ds);
     reason = first.reason;
   }
   SceneFile on_the_way = asked;
   on_the_way.motion.free_rolling = false;
+  SceneTask totals = task;
+  totals.totals_only = true;
   const double tolerance = lateral_tolerance * std::hypot(wanted, *scene.load.force);
   const double lateral = solve_lateral_force(
-      [&](double at) { return lateral_force_of(solve_at_position(with_lateral(on_the_way, at), true)); },
+      [&](double at) { return lateral_force_of(solve_at_position(with_lateral(on_the_way, at), totals)); },
       wanted, {nearest->lateral + branches.offset, nearest->slope}, tolerance);
   memory_.lateral->offset = lateral - nearest->lateral;
 
-  SceneResult out = solve_at_position(with_lateral(asked, lateral));
+  SceneResult out = solve_at_position(with_lateral(asked, lateral), task);
   out.reason = reason.empty() ? out.reason : reason;
   out.found_lateral = LateralPosition{lateral, {}};
   for (const LateralRoot& root : roots)
@@ -194,14 +207,17 @@ double Sequence::force_beyond(const SceneFile& scene, const FreeRolling& free, d
   WorkBudget work(stop_);
   SolveResources tools = resources(work);
   tools.totals_only = true;
-  return solve_case(beyond_free_rolling(prepare(scene), free, creepage), scene.grid, tools).result.Fx;
+  return solve_case(beyond_free_rolling(prepare(scene, {.read_influence = true}), free, creepage), scene.grid,
+                    tools)
+      .result.Fx;
 }
 
 Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models,
                              const std::atomic<bool>* stop) {
   const std::lock_guard turn(*turn_);
   return compare_models(
-      scene, std::move(models), [&](const SceneFile& asked) { return solve(asked, stop); },
+      scene, std::move(models),
+      [&](const SceneFile& asked) { return answer(asked, stop, {.read_influence = true}); },
       [&](const SceneFile& asked, const FreeRolling& free, double creepage) {
         return force_beyond(asked, free, creepage);
       });
@@ -209,7 +225,7 @@ Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models,
 
 SceneDescription Sequence::check(const SceneFile& scene) {
   const std::lock_guard turn(*turn_);
-  return describe_case(prepare(scene));
+  return describe_case(prepare(scene, {.read_influence = true}));
 }
 
 Sequence::Counts Sequence::counts() const {

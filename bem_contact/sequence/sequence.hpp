@@ -36,6 +36,13 @@ struct SequenceOptions {
   bool own_shape = true;
 };
 
+/// How a scene is solved on the way to an answer.
+struct SceneTask {
+  bool totals_only = false;    ///< no error of the elements, no displacements
+  bool read_influence = false; ///< influence files are read for each model: all have the same rows
+  bool lateral_force = false;  ///< the lateral displacement is found for a force, and not given
+};
+
 /// Answers scenes. This is the one way in: the program, sweeps and Python all use it, and one scene is a
 /// sequence of one.
 ///
@@ -98,10 +105,11 @@ private:
     std::optional<LateralBranches> lateral;
   };
 
-  ContactCase prepare(const SceneFile& scene);
+  ContactCase prepare(const SceneFile& scene, const SceneTask& task);
+  SceneResult answer(const SceneFile& scene, const std::atomic<bool>* stop, const SceneTask& task);
   SolveResources resources(WorkBudget& work);
-  SceneResult solve_at_position(const SceneFile& scene, bool totals_only = false);
-  SceneResult solve_at_lateral_force(const SceneFile& scene);
+  SceneResult solve_at_position(const SceneFile& scene, const SceneTask& task);
+  SceneResult solve_at_lateral_force(const SceneFile& scene, const SceneTask& task);
   std::optional<double> rough_lateral_force(SceneFile scene, double lateral);
   const LateralBranches& lateral_branches(const SceneFile& scene);
   double force_beyond(const SceneFile& scene, const FreeRolling& free, double creepage);

@@ -14,9 +14,10 @@ namespace bem_contact {
 
 /// What solving a case may draw on. All of it belongs to the caller.
 struct SolveResources {
-  WorkBudget& work;                      ///< of the case
-  NumbersStore* numbers = nullptr;       ///< null: influence numbers are computed anew
-  Workspace* operators = nullptr;        ///< null: what solving makes of them, too
+  WorkBudget& work;                ///< of the case
+  SequenceFiles* files = nullptr;  ///< where fem finds influence files that are not read; null: they are
+  NumbersStore* numbers = nullptr; ///< null: influence numbers are computed anew
+  Workspace* operators = nullptr;  ///< null: what solving makes of them, too
   const FormerSolution* start = nullptr; ///< of an alike() case; null: none
   bool coarse_start = true;              ///< without a start a case starts from larger elements
   bool totals_only = false;              ///< no error of the elements, no displacements

@@ -167,7 +167,8 @@ double change_between(const StructuralResult& a, const StructuralResult& b) {
 
 /// The case with its bodies where `by` takes them.
 ContactCase placed_case(const ContactCase& asked, const StructuralPlacement& by) {
-  ContactCase out{asked.scene, moved(asked.scene, asked.setup, by), asked.files, std::nullopt};
+  ContactCase out = asked;
+  out.setup = moved(asked.scene, asked.setup, by);
   out.estimate = estimate_contact(out.setup, true);
   out.estimate->reach = asked.estimate->reach;
   out.setup.load = asked.setup.load; // the approach is counted from where the scene puts the bodies

@@ -312,6 +312,9 @@ TEST(SceneFile, TheAccuracyIsOfTheQuantitiesNamed) {
   EXPECT_NO_THROW(parse_scene_file(wheel + "grid.accuracy = 0.01\ngrid.accuracy_of = 'area,  creepages'"));
   EXPECT_THROW(parse_scene_file(wheel + "grid.accuracy = 0.01\ngrid.accuracy_of = 'pressure'"), InputError);
   EXPECT_THROW(parse_scene_file(wheel + "grid.accuracy = 0.01\ngrid.accuracy_of = ''"), InputError);
+  EXPECT_NO_THROW(parse_scene_file(wheel + "solver.model_tolerance_of = 'pmax,friction_power'"));
+  EXPECT_THAT(refusal(wheel + "solver.model_tolerance_of = 'forces, pmx'"),
+              AllOf(HasSubstr("there is no quantity 'pmx'"), HasSubstr("Did you mean pmax?")));
 }
 
 } // namespace bem_contact

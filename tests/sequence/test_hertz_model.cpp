@@ -91,7 +91,7 @@ TEST(HertzModel, IsNotTakenForAQuartic) {
     const ContactResult solved = solve(contact.problem, {.estimate_discretisation = false});
     const double error = std::abs(model->contact.max_pressure / solved.patches.at(0).pmax - 1);
     EXPECT_LT(error, predicted_error(*model) + 0.005) << quartic;
-    EXPECT_EQ(choose_hertz(*model, 0.01).enough, quartic < 1e-6) << quartic;
+    EXPECT_EQ(choose_hertz(*model, {}, {}).enough, quartic < 1e-6) << quartic;
   }
 }
 
@@ -134,54 +134,6 @@ TEST(HertzModel, WhatItCannotDoIsRefused) {
   narrow.grid.ms = 3;
   for (const SceneFile& scene : {saddle, small, narrow})
     EXPECT_THAT(refused(scene), HasSubstr("does not fit this contact"));
-}
-
-/// 14 to 23 degrees: tangent planes; beyond, the bodies' own numbers, where the scene names them.
-TEST(ModelChoice, GoesFromTheCheapestUp) {
-  const auto on_bore = [](double turn) {
-    ContactProblem problem;
-    problem.grid = {1, 21, 1, 0.1, 0};
-    problem.numbers.dx = 1;
-    for (int i = 0; i < 21; ++i)
-      problem.rows.push_back({0.1 * i, {0.1 * i, 0}, turn * 3.14159265 / 180 * i / 20});
-    return problem;
-  };
-  ContactResult all;
-  all.state.assign(21, ElementState::slip);
-  EXPECT_EQ(choose_model(on_bore(12), all, true, true, 0.01).model, Model::halfspace);
-  EXPECT_EQ(choose_model(on_bore(20), all, true, true, 0.01).model, Model::tangent_plane);
-  EXPECT_EQ(choose_model(on_bore(30), all, true, true, 0.01).model, Model::fem);
-  EXPECT_EQ(choose_model(on_bore(30), all, true, true, 0.02).model, Model::tangent_plane);
-  const ModelChoice none = choose_model(on_bore(30), all, true, false, 0.01);
-  EXPECT_EQ(none.model, Model::tangent_plane);
-  EXPECT_FALSE(none.enough);
-  ContactProblem plane = on_bore(60);
-  plane.numbers.dx = 0;
-  EXPECT_EQ(choose_model(plane, all, true, true, 0.01).model, Model::tangent_plane) << "exact there";
-  EXPECT_EQ(choose_model(plane, all, false, true, 0.01).model, Model::fem);
-}
-
-/// Against the bodies' own numbers, with the influence files that are shipped: neither model is wronger than
-/// predicted, and the tangent planes are the better one.
-TEST(ModelChoice, PredictionsHoldOnTheGaugeCorner) {
-  const std::string folder = std::string(CONFORMAL_SOURCE_DIR) + "/data/influence/";
-  for (const double lateral : {6.4, 6.5, 6.65}) {
-    const SceneFile scene = parse_scene_file(
-        "kind = 'wheel_rail'\nposition.lateral = " + std::to_string(lateral) +
-        "\nload.force = 1e5\nmotion.frictionless = true\n[rail]\nprofile = '60E1'\ninfluence = '" + folder +
-        "small_rail.h5'\n[wheel]\nprofile = 'S1002'\ninfluence = '" + folder +
-        "small_wheel.h5'\n[grid]\ndx = 0.5\nds = 0.5\n");
-    const SceneResult fem = Sequence().solve(with_model(scene, Model::fem));
-    const auto error_of = [&](Model model) {
-      const SceneResult r = Sequence().solve(with_model(scene, model));
-      return std::abs(r.result.patches.at(0).pmax / fem.result.patches.at(0).pmax - 1);
-    };
-    const double turn = turn_of_contact(fem.problem, fem.result);
-    const double halfspace = error_of(Model::halfspace), tangent_plane = error_of(Model::tangent_plane);
-    EXPECT_LT(halfspace, predicted_halfspace_error(turn)) << lateral;
-    EXPECT_LT(tangent_plane, predicted_tangent_plane_error(fem.problem, turn, true)) << lateral;
-    EXPECT_LT(tangent_plane, halfspace) << lateral;
-  }
 }
 
 } // namespace

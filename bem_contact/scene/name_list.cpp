@@ -1,0 +1,42 @@
+#include "bem_contact/scene/name_list.hpp"
+
+#include "bem_contact/base/error.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sstream>
+
+namespace bem_contact {
+
+namespace {
+
+/// "Did you mean pmax? " or nothing.
+std::string nearest_text(const std::string& name, std::span<const std::string_view> known) {
+  const std::vector<std::string> candidates(known.begin(), known.end());
+  const std::vector<std::string> like = nearest_names(name, candidates, 1);
+  return like.empty() ? "" : fmt::format("Did you mean {}? ", like.front());
+}
+
+} // namespace
+
+std::vector<std::size_t> places_of_names(std::string_view key, const std::string& text,
+                                         std::span<const std::string_view> known) {
+  const std::string choose = fmt::format("Choose from {}, with commas between.", fmt::join(known, ", "));
+  std::vector<std::size_t> out;
+  std::istringstream in(text);
+  for (std::string name; std::getline(in, name, ',');) {
+    const auto from = name.find_first_not_of(' '), to = name.find_last_not_of(' ');
+    name = from == std::string::npos ? "" : name.substr(from, to - from + 1);
+    const auto at = std::ranges::find(known, name);
+    if (at == known.end())
+      throw InputError(fmt::format("{} = \"{}\" cannot be used", key, text),
+                       fmt::format("there is no quantity '{}'", name), nearest_text(name, known) + choose);
+    out.push_back(static_cast<std::size_t>(at - known.begin()));
+  }
+  if (out.empty())
+    throw InputError(fmt::format("{} is empty", key), "an accuracy is of something", choose);
+  return out;
+}
+
+} // namespace bem_contact
