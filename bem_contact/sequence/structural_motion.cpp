@@ -51,7 +51,8 @@ std::optional<StructuralResult> structures_of(const ContactCase& asked, Model mo
     return out;
   };
   StructuralResult out{.rail = one(asked.setup.rail, *asked.files.rail, placed->pair.rail_pose),
-                       .wheel = one(asked.setup.wheel, *asked.files.wheel, placed->pair.wheel_pose)};
+                       .wheel = one(asked.setup.wheel, *asked.files.wheel, placed->pair.wheel_pose),
+                       .aside = {}};
   return out.rail || out.wheel ? std::optional(out) : std::nullopt;
 }
 
