@@ -22,7 +22,9 @@ are compared at equal forces: each has the lateral displacement where it bears t
 where Fy says little of the position, the same displacement), and the creepage that is equally far from its own free rolling. The error is that against finite elements with finer influence files on elements half as long and half as wide
 as those of the finest grid here: of pmax, area and frictional power relative, of forces over the friction limit, of the moment
 over that times the contact's mean radius.</p>
-<p>An answer counts as good to 1 % if all six errors are within 1 %. A line steps along the fastest answers of a model.</p>
+<p>An answer counts as good to 1 % if all six errors are within 1 %. A line goes along the answers of a model to which no
+faster one is better. Filled marks have a number of elements (<code>grid.elements</code>), hollow ones an accuracy asked for
+(<code>grid.accuracy</code>).</p>
 {overview}{scenes}</body></html>
 """
 
