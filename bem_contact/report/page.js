@@ -87,7 +87,7 @@ const addSweep = () => {
   if (data.patches?.y.values.some(y => y !== null))
     addFigure("patches-over-y", "Where the patches lie on the rail: each bar is as wide as its patch; larger marks carry larger " +
               "normal forces, darker ones larger pressures.", patchesFigure(data, key));
-  for (const names of wheels ? [["lateral"], ["roll"], both("share"), both("Fy"), both("pmax")]
+  for (const names of wheels ? [...(key === "position.lateral" ? [] : [["lateral"]]), ["roll"], both("share"), both("Fy"), both("pmax")]
                              : [["pmax"], ["area"], ["Fx", "Fy"], ["Mz"]])
     addFigure(`over-${names.join("-")}`, `${names.join(", ")} over ${key ?? "the cases"}.`, sweepFigure(data, keys, key, names));
   const status = ["missing", "certified", "not certified", "refused", "died"];

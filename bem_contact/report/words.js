@@ -69,6 +69,8 @@ const sceneValue = key => {
   return found === undefined ? "" : found.split("=")[1].split("#")[0].trim().replaceAll('"', "");
 };
 
+const bothWheels = profile => `Both wheels of a wheelset ${profile("wheel")}, on rails ${profile("rail")}.`;
+
 const wheelsetInWords = profile => {
   const a = data.attributes, file = name => name?.split("/").pop(), words = [], of = name => number(data.wheelset[name]?.values[0]);
   if (report.kind === "conicity") {
@@ -78,7 +80,7 @@ const wheelsetInWords = profile => {
                "It is moved sideways on its track. The rolling radius difference says how it steers itself, and the equivalent " +
                "conicity (EN 15302) is the slope of the cone with the same wavelength.");
   } else
-    words.push(`Both wheels of a wheelset ${profile("wheel")}, on rails ${profile("rail")}.`,
+    words.push(bothWheels(profile),
                `The axle bears ${of("Fz")} N down and ${of("Fy")} N to the right. It stands ${of("lateral")} mm to the right with a roll of ` +
                `${of("roll")} rad (right side down), and rolls on a radius of ${of("rolling_radius")} mm.`);
   return words;
@@ -92,7 +94,9 @@ const sceneInWords = () => {
     return wheelsetInWords(profile);
   const out = [], contact = contactsOf(data)[0] ?? contactsOf(data.equal_forces)[0] ?? contactsOf(data.equal_position)[0];
   const quantities = contact?.group.quantities ?? {}, q = name => number(quantities[name]?.values[0]);
-  if (profile("rail"))
+  if ("right_share" in data)
+    out.push(bothWheels(profile));
+  else if (profile("rail"))
     out.push(`A ${sceneValue("position.side") || "right"} wheel ${profile("wheel")} and the nominal radius ` +
              `${Number(sceneValue("position.wheel_radius"))} mm, on a rail ${profile("rail")}.`);
   else if (data.scene_text)
