@@ -102,9 +102,12 @@ py::dict table_of(const py::object& scene, const py::object& axes, std::vector<s
   return dict_of(t);
 }
 
-/// A table to look up in.
+/// A table to look up in, and its members for Python, made once.
 struct PythonTable {
+  explicit PythonTable(table::ContactTable read) : table(std::move(read)), members(dict_of(table)) {}
+
   table::ContactTable table;
+  py::dict members;
 };
 
 using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
@@ -144,22 +147,18 @@ void add_table(py::module_& module) {
                                  "A table of bem_contact.table() or `bem_contact table` to look up in.");
   for (const char* name : {"axes", "values", "errors", "units", "creep_scale", "tolerance", "solved"})
     reader.def_property_readonly(
-        name, [name](const PythonTable& self) { return py::object(dict_of(self.table)[name]); },
+        name, [name](const PythonTable& self) { return py::object(self.members[name]); },
         "As in the dict that table() returns.");
   reader
       .def("look_up", look_up, "at"_a,
            "A dict with the value of each column at a point, one coordinate for each axis; for an array of "
-           "points "
-           "(last dimension: axes) arrays of values. `errors` says how far they are from solutions. "
-           "InputError "
-           "outside the axes.")
+           "points (last dimension: axes) arrays of values. `errors` says how far they are from solutions. "
+           "InputError outside the axes.")
       .def("creep_forces", creep_forces, "a"_a, "b"_a, "shear_modulus"_a, "bound"_a, "xi"_a = 0, "eta"_a = 0,
            "phi"_a = 0,
            "Fx, Fy (N) and Mz (N mm) on the rail of an elliptic contact with semi-axes a along x and b (mm), "
-           "shear "
-           "modulus (MPa) and friction bound mu N (N), for creepages xi, eta and phi (1/mm); and their "
-           "\"errors\". "
-           "InputError where a/b is outside the table.");
+           "shear modulus (MPa) and friction bound mu N (N), for creepages xi, eta and phi (1/mm); and their "
+           "\"errors\". InputError where a/b is outside the table.");
   module.def(
       "read_table", [](const std::filesystem::path& file) { return PythonTable{table::read_table(file)}; },
       "file"_a, "Reads a table (HDF5) of table() or of the command `bem_contact table`: a Table.");

@@ -59,6 +59,8 @@ ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, PrepareOp
 }
 
 ContactCase with_influence(ContactCase asked, SequenceFiles& files) {
+  if (asked.files.rail || asked.files.wheel) // read and checked before
+    return asked;
   asked.files = files.influence(asked.setup.rail, asked.setup.wheel);
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail())
     require_bodies(asked.files, placed->pair, asked.own_shape);
