@@ -71,8 +71,9 @@ json history_json(const SceneResult& r) {
 std::string rolling_text(const SceneResult& r) {
   std::string out;
   if (r.found_lateral) {
-    out += fmt::format("the lateral force asked for: at a lateral displacement of {:.5f} mm",
-                       r.found_lateral->lateral);
+    out += fmt::format("the lateral force asked for: at a lateral displacement of {:.5f}{} mm, where Fy "
+                       "changes by {:.4g} N per mm",
+                       r.found_lateral->lateral, plus_minus(r, "lateral"), r.found_lateral->slope);
     for (const double other : r.found_lateral->others)
       out += fmt::format("{} about {:.2f} mm", &other == &r.found_lateral->others.front() ? "; also at" : ",",
                          other);
@@ -99,8 +100,8 @@ json free_rolling_json(const SceneResult& r) {
 json units_json(const SceneResult& r) {
   json units = {{"seconds", "s"},         {"stress", "MPa"},        {"von_mises", "MPa"},
                 {"largest_shear", "MPa"}, {"depths", "mm"},         {"s_from", "mm"},
-                {"s_to", "mm"},           {"other_laterals", "mm"}, {"xi_from_there", "1"},
-                {"rolling_radius", "mm"}};
+                {"s_to", "mm"},           {"other_laterals", "mm"}, {"lateral_slope", "N/mm"},
+                {"xi_from_there", "1"},   {"rolling_radius", "mm"}};
   const auto add = [&](const auto& table) {
     for (const auto& q : table)
       units[q.name] = q.unit.of(r);
@@ -218,6 +219,7 @@ json to_json(const SceneResult& r) {
               {"creepage_found", creepages_json(r.problem, r.result)},
               {"lateral", r.lateral ? json(*r.lateral) : json(nullptr)},
               {"other_laterals", r.found_lateral ? json(r.found_lateral->others) : json(nullptr)},
+              {"lateral_slope", r.found_lateral ? json(r.found_lateral->slope) : json(nullptr)},
               {"xi", r.xi},
               {"free_rolling", free_rolling_json(r)},
               {"history", history_json(r)},

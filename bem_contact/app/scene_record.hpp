@@ -11,6 +11,10 @@
 
 namespace bem_contact::app {
 
+/// Why work that was begun does not go on with what is there: its digest is another one.
+inline constexpr const char* digest_changed =
+    "the scene, a file that it names, an option or this program (version or commit) has changed since";
+
 /// Something that a result depends on besides the text of its scene.
 struct InputRecord {
   std::string key;    ///< "rail.profile"

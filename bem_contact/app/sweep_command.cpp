@@ -84,12 +84,9 @@ bool is_complete(const std::filesystem::path& output, const std::string& digest)
     return text_attribute(top, name) == value;
   };
   if (!is("format", sweep_format) || !is("digest", digest))
-    throw InputError(
-        fmt::format("The output '{}' exists and is not of this sweep", output.string()),
-        is("format", sweep_format)
-            ? "the scene, a file that it names, --model or this program's version has changed since"
-            : "it was not made by bem_contact sweep",
-        "Give another output, or remove the file.");
+    throw InputError(fmt::format("The output '{}' exists and is not of this sweep", output.string()),
+                     is("format", sweep_format) ? digest_changed : "it was not made by bem_contact sweep",
+                     "Give another output, or remove the file.");
   return top.attributes["missing"] == H5Attribute(0.0);
 }
 

@@ -1,5 +1,6 @@
 #include "bem_contact/app/sweep_journal.hpp"
 
+#include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 
@@ -51,12 +52,9 @@ std::size_t read_journal(const std::filesystem::path& file, const std::string& d
   if (found.size() < header.size() && header.starts_with(found))
     return 0; // a kill left the header unfinished
   if (found != header)
-    throw InputError(
-        fmt::format("The file '{}' belongs to another sweep", file.string()),
-        found.starts_with(magic)
-            ? "the scene, a file that it names, --model or this program's version has changed since"
-            : "it was not made by bem_contact sweep",
-        "Finish that sweep with what it began with, give another output, or remove the file.");
+    throw InputError(fmt::format("The file '{}' belongs to another sweep", file.string()),
+                     found.starts_with(magic) ? digest_changed : "it was not made by bem_contact sweep",
+                     "Finish that sweep with what it began with, give another output, or remove the file.");
   std::size_t good = header.size();
   const std::size_t size = std::filesystem::file_size(file);
   for (;;) {

@@ -17,7 +17,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr WheelSide sides[] = {WheelSide::right, WheelSide::left};
 constexpr const char* model_column = "model";
 constexpr const char* of_model = "0 hertz, 1 halfspace, 2 tangent_plane, 3 fem; CSV: its name";
 constexpr const char* of_error = "estimated error by the size of the elements; nan: not known";
@@ -47,7 +46,7 @@ std::vector<Column> columns_of_wheelsets() {
   std::vector<Column> all;
   for (const WheelsetQuantity& q : wheelset_quantities())
     all.push_back({q.name, q.unit, q.description});
-  for (const WheelSide side : sides) {
+  for (const WheelSide side : both_sides) {
     const auto add = [&](const char* name, const char* unit, const char* description) {
       all.push_back({fmt::format("{}_{}", name_of(side), name), unit,
                      fmt::format("{} wheel: {}", name_of(side), description)});
@@ -65,7 +64,7 @@ std::vector<double> summary_of(const WheelsetResult& result) {
   std::vector<double> values;
   for (const WheelsetQuantity& q : wheelset_quantities())
     values.push_back(q.value(result));
-  for (const WheelSide side : sides) {
+  for (const WheelSide side : both_sides) {
     for (const WheelQuantity& q : wheel_quantities())
       values.push_back(q.value(result.state, side));
     values.push_back(static_cast<double>(result.state.solved(side).model));
@@ -169,7 +168,7 @@ CaseRecord case_record(std::size_t index, const WheelsetResult& result, bool fie
   record.index = index;
   record.status = result.state.certified() ? CaseStatus::certified : CaseStatus::not_certified;
   record.summary = summary_of(result);
-  for (const WheelSide side : sides) {
+  for (const WheelSide side : both_sides) {
     const SceneResult& wheel = result.state.solved(side);
     const std::string name(name_of(side));
     if (const Certificate& c = wheel.result.certificate; !c.holds())

@@ -50,13 +50,10 @@ void ask_for(const std::filesystem::path& file, int since, double turn, double k
   body_file.replace_extension("toml");
   if (!file_exists(body_file)) // the user may have completed it
     write_whole(body_file, [&](std::ostream& out) { out << text; });
-  throw InputError(
-      fmt::format("The {} has outgrown its influence functions", body),
-      fmt::format("its surface has turned by up to {:.4f} rad since step {}, where they were computed, and "
-                  "they are kept up to {:.4g} rad",
-                  turn, since, kept_turn),
-      fmt::format("Compute new ones, tools/influence {} {}, and give the same command again: it goes on "
-                  "from here.",
+  wear::refuse_outgrown(
+      body, turn, kept_turn, fmt::format("step {}, where they were computed", since),
+      fmt::format("Compute new ones, tools/influence {} {}, and give the same command again: "
+                  "it goes on from here.",
                   body_file.string(), file.string()));
 }
 

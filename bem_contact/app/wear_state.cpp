@@ -1,6 +1,7 @@
 #include "bem_contact/app/wear_state.hpp"
 
 #include "bem_contact/app/csv_name.hpp"
+#include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -96,8 +97,7 @@ std::optional<WearState> read_wear(const std::filesystem::path& folder, const st
   std::getline(in, known);
   if (format != state_format || known != digest)
     throw InputError(fmt::format("The output '{}' exists and is not of this wear", folder.string()),
-                     "the scene, a file that it names, an option or this program's version has changed since",
-                     "Give another folder, or remove it.");
+                     digest_changed, "Give another folder, or remove it.");
   WearState state;
   std::size_t rows = 0;
   in >> state.step >> state.pair.revolutions >> rows;

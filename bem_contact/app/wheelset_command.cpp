@@ -46,7 +46,7 @@ std::string surface_of(const WheelsetArguments& arguments, WheelSide side) {
 
 std::vector<Output> outputs_of(const WheelsetArguments& arguments) {
   std::vector<Output> out{{"--output", arguments.output, OutputForm::whole_file}};
-  for (const WheelSide side : {WheelSide::right, WheelSide::left})
+  for (const WheelSide side : both_sides)
     if (!arguments.vtk.empty())
       out.push_back({"--vtk-prefix", surface_of(arguments, side)});
   return out;
@@ -62,7 +62,7 @@ ExitCode run(const WheelsetArguments& arguments) {
     refuse_warnings(result.warnings);
   if (!arguments.output.empty())
     write_h5(arguments.output, to_table(result, given, arguments.output));
-  for (const WheelSide side : {WheelSide::right, WheelSide::left})
+  for (const WheelSide side : both_sides)
     if (!arguments.vtk.empty())
       write_vts(surface_of(arguments, side), result.state.solved(side));
   fmt::print("{}", arguments.json ? to_json(result).dump(2) + "\n" : to_text(result));

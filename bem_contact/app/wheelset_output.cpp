@@ -17,8 +17,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr WheelSide sides[] = {WheelSide::right, WheelSide::left};
-
 /// Newtons to the last, all else with five digits.
 std::string number(double value) {
   const double size = std::abs(value);
@@ -28,7 +26,7 @@ std::string number(double value) {
 /// "  Fz               N          109328         90672        200000": the sum only where there is one.
 std::string line_of(const WheelQuantity& q, const WheelsetResult& r) {
   std::string out = fmt::format("  {:16} {:5}", q.name, q.unit);
-  for (const WheelSide side : sides)
+  for (const WheelSide side : both_sides)
     out += fmt::format(" {:>13}", number(q.value(r.state, side)));
   for (const WheelsetQuantity& sum : wheelset_quantities())
     if (std::string_view(sum.name) == q.name)
@@ -76,7 +74,7 @@ std::string to_text(const WheelsetResult& r) {
   out += fmt::format(
       "equilibrium: largest residual {:.1e} of {:.0e} allowed; {} contact problems, {:.2f} s\n",
       std::fmax(r.residual, r.lateral_residual), equilibrium_tolerance, r.contact_problems, r.seconds);
-  for (const WheelSide side : sides)
+  for (const WheelSide side : both_sides)
     out += fmt::format("\n{} wheel\n{}", side == WheelSide::right ? "Right" : "Left",
                        to_text(r.state.solved(side)));
   return out;
@@ -110,7 +108,7 @@ H5Table to_table(const WheelsetResult& r, const GivenScene& given, const std::fi
   add_scene(table, given, output);
   for (const WheelsetQuantity& q : wheelset_quantities())
     table.datasets[fmt::format("wheelset/{}", q.name)] = single(q.value(r), q.unit, q.description);
-  for (const WheelSide side : sides) {
+  for (const WheelSide side : both_sides) {
     const std::string group = fmt::format("{}/", name_of(side));
     for (const WheelQuantity& q : wheel_quantities())
       table.datasets[fmt::format("{}track/{}", group, q.name)] =

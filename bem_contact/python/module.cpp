@@ -210,6 +210,12 @@ void add_parts(ResultClass& c) {
       "other_laterals",
       [](const SceneResult& r) { return r.found_lateral ? r.found_lateral->others : std::vector<double>(); },
       "Other displacements with the same load.force_y, to some hundredths, mm");
+  c.def_property_readonly(
+      "lateral_slope",
+      [](const SceneResult& r) {
+        return r.found_lateral ? std::optional(r.found_lateral->slope) : std::nullopt;
+      },
+      "dFy/dy at the displacement found for load.force_y, N/mm");
 }
 
 void add_fields(ResultClass& c) {

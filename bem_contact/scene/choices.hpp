@@ -18,6 +18,8 @@ template <> struct EnumNames<SceneKind> {
   static constexpr std::array<std::string_view, 2> names{"wheel_rail", "patch"};
 };
 
+inline constexpr std::array<WheelSide, 2> both_sides{WheelSide::right,
+                                                     WheelSide::left}; ///< in order of outputs
 template <> struct EnumNames<WheelSide> {
   static constexpr std::array<std::string_view, 2> names{"right", "left"};
 };

@@ -177,8 +177,9 @@ Motion read_motion(const SceneFile& scene) {
                      "Leave out one of the two.");
   motion.heating = heating_of(scene.temperature);
   if (motion.heating && scene.temperature.hot_friction)
-    motion.hot = HotFriction{*scene.temperature.hot_friction, scene.temperature.falls_from,
-                             scene.temperature.falls_to};
+    motion.hot = scene.temperature.hot_friction;
+  motion.hot_from = scene.temperature.falls_from;
+  motion.hot_to = scene.temperature.falls_to;
   motion.force_x = scene.load.force_x;
   motion.force_s = scene.load.force_s;
   return motion;
@@ -200,10 +201,9 @@ void apply_motion(const Motion& motion, double reference_delta, ContactProblem& 
   problem.speed = motion.speed;
   problem.falling = laws_of(motion, problem);
   problem.heating = motion.heating;
-  if (motion.hot) {
-    problem.heating->friction = motion.hot;
-    problem.heating->friction->ratio = ratio_of(motion.hot->ratio, largest, "temperature.hot_friction");
-  }
+  if (motion.hot)
+    problem.heating->friction = HotFriction{ratio_of(*motion.hot, largest, "temperature.hot_friction"),
+                                            motion.hot_from, motion.hot_to};
   problem.force_x = motion.force_x;
   problem.force_s = motion.force_s;
 }

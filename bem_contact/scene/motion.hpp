@@ -35,7 +35,8 @@ struct Motion {
   std::optional<FallingFriction> polach;
   double speed = 0;                       ///< of rolling, mm/s; 0: not given
   std::optional<Heating> heating;         ///< its law of friction is set where the rows are known
-  std::optional<HotFriction> hot;         ///< its ratio is the hot coefficient itself
+  std::optional<double> hot;              ///< mu where it is hot, from hot_to on; empty: the same
+  double hot_from = 0, hot_to = 1;        ///< degrees C, for `hot`
   std::optional<double> force_x, force_s; ///< prescribed shear forces, N
   Creepage creepage;
   bool radial_displacement = true; ///< fem, steady: the wheel's surface is faster by u_r / R

@@ -1,6 +1,7 @@
 #include "bem_contact/scene/name_list.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/text_lines.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -26,8 +27,7 @@ std::vector<std::size_t> places_of_names(std::string_view key, const std::string
   std::vector<std::size_t> out;
   std::istringstream in(text);
   for (std::string name; std::getline(in, name, ',');) {
-    const auto from = name.find_first_not_of(' '), to = name.find_last_not_of(' ');
-    name = from == std::string::npos ? "" : name.substr(from, to - from + 1);
+    name = trimmed(name);
     const auto at = std::ranges::find(known, name);
     if (at == known.end())
       throw InputError(fmt::format("{} = \"{}\" cannot be used", key, text),

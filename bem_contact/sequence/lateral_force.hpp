@@ -16,27 +16,31 @@ struct LateralSample {
   double force = 0;   ///< N
 };
 
-/// The force from `around` - lateral_reach to `around` + lateral_reach, every lateral_step, as far as there
-/// is one; ascending in the displacement.
-std::vector<LateralSample> sample_lateral_force(const LateralForce& force, double around);
+/// Both ends of an interval over which the force passes the one that is wanted.
+struct LateralBracket {
+  LateralSample low, high;
+};
+
+/// Narrows a bracket by the method of Alefeld, Potra and Shi (1995), until `wanted` is met within `tolerance`
+/// (N) or the interval is narrower than `width` (mm), or the force is not known. The sample nearest to
+/// `wanted`.
+LateralSample narrow_lateral(const LateralForce& force, double wanted, const LateralBracket& bracket,
+                             double tolerance, double width);
 
 /// A displacement with the force that is wanted.
 struct LateralRoot {
-  double lateral = 0; ///< mm, to lateral_root_width
+  double lateral = 0; ///< mm
   double slope = 0;   ///< dFy/dy of the samples around it, N/mm
 };
 
-/// All of them between samples, ascending. Tread and flange can give the same force, and so can the flange
-/// before and behind its steepest place. Where the samples have an extremum short of the force, a parabola
-/// tells whether the function reaches it between them.
-std::vector<LateralRoot> find_lateral_roots(const LateralForce& force, std::vector<LateralSample> samples,
-                                            double wanted);
-
 /// The displacement at which the force is `wanted` to within `tolerance` (N), near `start`. Secant steps
-/// until two displacements bracket it, then the method of Alefeld, Potra and Shi (1995). Throws
+/// until two displacements bracket it, then narrow_lateral(). Throws
 /// ConvergenceError where the force is not met, or jumps over it.
 double solve_lateral_force(const LateralForce& force, double wanted, const LateralRoot& start,
                            double tolerance);
+
+/// Throws ConvergenceError: the search for `wanted` ended at `last`.
+[[noreturn]] void refuse_search(double wanted, const LateralSample& last);
 
 /// Throws InputError: no displacement gives the force that is wanted, and what the samples reach.
 [[noreturn]] void refuse_lateral_force(double wanted, const std::vector<LateralSample>& samples);

@@ -159,6 +159,35 @@ void warn_of_accuracy(const SceneFile::Grid& asked, const std::string& why, Scen
                   100 * error, 100 * *asked.accuracy, count_elements(out.result).contact, why));
 }
 
+void warn_of_lateral(const SceneFile& asked, std::optional<double> at_start, SceneResult& out) {
+  const LateralPosition& found = *out.found_lateral;
+  if (std::isnan(found.error)) {
+    const double likely_error = even_lateral_force * std::hypot(out.result.Fy, out.result.Fz);
+    if (likely_error > unsure_lateral * std::abs(found.slope))
+      out.warnings.push_back(fmt::format(
+          "load.force_y says little of the lateral displacement (Fy changes by {:.3g} N per mm at "
+          "{:.2f} mm, and its error is not known) Give position.lateral without load.force_y, or "
+          "smaller elements.",
+          found.slope, found.lateral));
+    return;
+  }
+  if (found.error <= unsure_lateral)
+    return;
+  const double force_error = out.result.discretisation->errors.Fy;
+  out.warnings.push_back(
+      fmt::format("load.force_y says little of the lateral displacement (Fy is known to {:.2g} N and changes "
+                  "by {:.3g} N per "
+                  "mm: {:.2f} +- {:.2g} mm) Give position.lateral without load.force_y, or smaller elements.",
+                  force_error, found.slope, found.lateral, found.error));
+  const double start = asked.position.lateral;
+  if (at_start && std::abs(*at_start - *asked.load.force_y) <= force_error &&
+      std::abs(start - found.lateral) > found.error)
+    out.warnings.push_back(
+        fmt::format("position.lateral bears load.force_y within its error, too (Fy {:.6g} N at "
+                    "{:.2f} mm) Solve it without load.force_y if it is meant.",
+                    *at_start, start));
+}
+
 void refuse_warnings(const std::vector<std::string>& warnings) {
   if (!warnings.empty())
     throw InputError(fmt::format("{}", fmt::join(warnings, "; ")), "warnings are taken as errors here",

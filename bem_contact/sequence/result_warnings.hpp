@@ -17,6 +17,10 @@ std::vector<std::string> result_warnings(const ContactCase& asked, const SceneRe
 /// not reached.
 void warn_of_accuracy(const SceneFile::Grid& asked, const std::string& why, SceneResult& out);
 
+/// Warnings more where load.force_y says little of the lateral displacement. `at_start`: Fy at
+/// position.lateral, N, where it is known.
+void warn_of_lateral(const SceneFile& asked, std::optional<double> at_start, SceneResult& out);
+
 /// For those who take warnings as errors: throws InputError with all of them unless there are none.
 void refuse_warnings(const std::vector<std::string>& warnings);
 

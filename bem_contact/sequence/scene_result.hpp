@@ -44,7 +44,9 @@ struct FreeRolling {
 
 /// Where the wheelset stands so that the lateral force is load.force_y.
 struct LateralPosition {
-  double lateral = 0; ///< position.lateral, mm
+  double lateral = 0;           ///< position.lateral, mm
+  double slope = 0;             ///< dFy/dy there, N/mm
+  double error = unknown_error; ///< of the displacement, mm: where Fy is the same within its error
   std::vector<double>
       others; ///< other displacements with the same force, to some hundredths of a millimetre, mm
 };

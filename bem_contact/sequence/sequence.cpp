@@ -5,6 +5,7 @@
 #include "bem_contact/sequence/contact_estimate.hpp"
 #include "bem_contact/sequence/describe_case.hpp"
 #include "bem_contact/sequence/free_rolling.hpp"
+#include "bem_contact/sequence/lateral_search.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 
 #include <algorithm>
@@ -137,6 +138,7 @@ void Sequence::remember(const SceneResult& result, const ContactEstimate& estima
 }
 
 std::optional<double> Sequence::rough_lateral_force(SceneFile scene, double lateral) {
+  ++counts_.rough;
   try {
     const ContactCase asked = prepare(with_lateral(std::move(scene), lateral), {});
     SceneFile::Grid grid;
@@ -150,56 +152,46 @@ std::optional<double> Sequence::rough_lateral_force(SceneFile scene, double late
   return std::nullopt;
 }
 
-const Sequence::LateralBranches& Sequence::lateral_branches(const SceneFile& scene) {
-  if (!memory_.lateral || memory_.lateral->scene != scene)
-    memory_.lateral = LateralBranches{
-        scene, sample_lateral_force([&](double lateral) { return rough_lateral_force(scene, lateral); },
-                                    scene.position.lateral)};
-  return *memory_.lateral;
-}
-
 SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene, const SceneTask& task) {
-  const double wanted = *scene.load.force_y;
+  const double wanted = *scene.load.force_y, start = scene.position.lateral;
   const SceneFile rough = rough_scene(scene);
-  const LateralBranches& branches = lateral_branches(rough);
-  const std::vector<LateralRoot> roots = find_lateral_roots(
-      [&](double lateral) { return rough_lateral_force(rough, lateral); }, branches.samples, wanted);
-  if (roots.empty()) {
-    check(with_lateral(scene, scene.position.lateral)); // a scene that cannot be solved anywhere says why
-    refuse_lateral_force(wanted, branches.samples);
-  }
-  const auto nearest = std::ranges::min_element(
-      roots, {}, [&](const LateralRoot& root) { return std::abs(root.lateral - scene.position.lateral); });
+  if (!memory_.lateral || memory_.lateral->rough != rough)
+    memory_.lateral = LateralMemory{.rough = rough, .exact = {}, .known = {}};
+  LateralMemory& memory = *memory_.lateral;
+  LateralSearch search(
+      {wanted, start, std::hypot(wanted, *scene.load.force)},
+      [&](double lateral) { return rough_lateral_force(rough, lateral); }, memory.known);
+  if (!search.passes())
+    check(with_lateral(scene, start)); // a scene that cannot be solved anywhere says why
 
   SceneFile asked = scene;
+  asked.load.force_y.reset();
   std::string reason;
   if (!scene.solver.model || scene.grid.elements ||
       scene.grid.accuracy) { // the same model and elements all the way
     SceneTask choosing = task;
     choosing.lateral_force = true;
-    const SceneResult first =
-        solve_at_position(with_lateral(scene, nearest->lateral + branches.offset), choosing);
+    const SceneResult first = solve_at_position(with_lateral(scene, search.guess()), choosing);
     asked = with_elements(with_model(std::move(asked), first.model), first.problem.grid.dx,
                           first.problem.grid.ds);
     reason = first.reason;
   }
   SceneFile on_the_way = asked;
   on_the_way.motion.free_rolling = false;
+  if (memory.exact != on_the_way)
+    memory.known.exact.clear();
+  memory.exact = on_the_way;
   SceneTask totals = task;
   totals.totals_only = true;
-  const double tolerance = lateral_tolerance * std::hypot(wanted, *scene.load.force);
-  const double lateral = solve_lateral_force(
-      [&](double at) { return lateral_force_of(solve_at_position(with_lateral(on_the_way, at), totals)); },
-      wanted, {nearest->lateral + branches.offset, nearest->slope}, tolerance);
-  memory_.lateral->offset = lateral - nearest->lateral;
+  const double lateral = search.find(
+      [&](double at) { return lateral_force_of(solve_at_position(with_lateral(on_the_way, at), totals)); });
 
   SceneResult out = solve_at_position(with_lateral(asked, lateral), task);
   out.reason = reason.empty() ? out.reason : reason;
-  out.found_lateral = LateralPosition{lateral, {}};
-  for (const LateralRoot& root : roots)
-    if (root.lateral != nearest->lateral)
-      out.found_lateral->others.push_back(root.lateral);
+  const double error = out.result.discretisation ? out.result.discretisation->errors.Fy : unknown_error;
+  out.found_lateral = search.describe(lateral, error);
   warn_of_accuracy(scene.grid, "all displacements are tried on the elements of the first one", out);
+  warn_of_lateral(scene, search.force_at_start(), out);
   return out;
 }
 

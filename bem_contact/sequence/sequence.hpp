@@ -3,7 +3,7 @@
 #include "bem_contact/sequence/comparison.hpp"
 #include "bem_contact/sequence/describe_case.hpp"
 #include "bem_contact/sequence/element_size.hpp"
-#include "bem_contact/sequence/lateral_force.hpp"
+#include "bem_contact/sequence/lateral_curve.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
 #include "bem_contact/sequence/solve_on_grid.hpp"
 
@@ -60,8 +60,7 @@ public:
   explicit Sequence(SequenceOptions options = {}, std::shared_ptr<SequenceFiles> files = nullptr);
 
   /// Solves a scene with the model that it asks for (solve_case.hpp). If load.force_y is given, the lateral
-  /// displacement that bears it is found: rough half-space solutions tell which branches there are
-  /// (lateral_force.hpp), and the one nearest to position.lateral is followed with the model itself. Where it
+  /// displacement that bears it is found, the nearest to position.lateral (lateral_search.hpp). Where it
   /// asks for grid.elements or grid.accuracy, dx and ds are chosen: the case is solved again, at most
   /// most_solves times, until its estimated error is within the accuracy. The grid of a wheel on a rail grows
   /// until the contact lies inside. Throws InputError for wrong input, ConvergenceError where the work
@@ -84,15 +83,15 @@ public:
   /// how often influence numbers were there already, and solutions that started from a former case.
   struct Counts {
     int cases = 0, solves = 0, numbers_kept = 0, starts = 0; ///< how many
+    int rough = 0; ///< rough solutions for lateral forces, which are not among the others
   };
   Counts counts() const; ///< so far
 
 private:
-  /// Rough lateral forces of a scene, for any load.force_y and position.lateral within reach.
-  struct LateralBranches {
-    SceneFile scene; ///< without load.force_y
-    std::vector<LateralSample> samples;
-    double offset = 0; ///< mm. What the last displacement found was beside its rough one
+  /// Lateral forces of a scene, for any load.force_y.
+  struct LateralMemory {
+    SceneFile rough, exact; ///< the scenes solved, without load.force_y
+    KnownLateralForces known;
   };
 
   /// All that outlives a case.
@@ -103,7 +102,7 @@ private:
     std::optional<FormerSolution> former;
     std::vector<PotentialArea> areas; ///< of the last case
     ElementSize element_size;
-    std::optional<LateralBranches> lateral;
+    std::optional<LateralMemory> lateral;
   };
 
   ContactCase prepare(const SceneFile& scene, const SceneTask& task);
@@ -112,7 +111,6 @@ private:
   SceneResult solve_at_position(const SceneFile& scene, const SceneTask& task);
   SceneResult solve_at_lateral_force(const SceneFile& scene, const SceneTask& task);
   std::optional<double> rough_lateral_force(SceneFile scene, double lateral);
-  const LateralBranches& lateral_branches(const SceneFile& scene);
   double force_beyond(const SceneFile& scene, const FreeRolling& free, double creepage);
   SceneResult solve_steady_rolling(const ContactCase& asked, bool totals_only);
   const FormerSolution* start_for(const std::vector<PotentialArea>& areas, const SceneFile::Grid& grid) const;

@@ -131,13 +131,30 @@ BEM_CONTACT_TUNED(double, wavelength_reserve, 1.05);
 /// mm. Displacements are looked at so far on either side of position.lateral: more than a wheelset has
 /// between its flanges (about 7 mm to either side), so that tread and flange are both seen.
 BEM_CONTACT_TUNED(double, lateral_reach, 12.0);
-/// mm. Distance of the displacements that are looked at: a flange takes up its force within about this.
+/// mm. Distance of the displacements that are looked at first: a tread's force bends little over it.
+BEM_CONTACT_TUNED(double, first_lateral_samples, 2.0);
+/// mm. Distance below which no more are looked at: a flange takes up its force within about this.
 BEM_CONTACT_TUNED(double, lateral_step, 0.5);
+/// 1. Forces that differ by less than this, over the resultant of Fy and Fz, count as alike where a tread is
+/// sampled: rough solutions of S1002 on 60E1 are uneven by .0005.
+BEM_CONTACT_TUNED(double, even_lateral_force, 1e-3);
 /// 1. Elements in contact of the rough half-space solutions that are looked at. Chosen: they only tell which
 /// branches there are.
 BEM_CONTACT_TUNED(int, lateral_map_elements, 60);
-/// mm. Precision of the displacements that rough solutions give.
-BEM_CONTACT_TUNED(double, lateral_root_width, 1e-3);
+/// mm. Precision of the displacements that rough solutions give to begin from, and of the others that are
+/// said.
+BEM_CONTACT_TUNED(double, lateral_root_width, 1e-4);
+BEM_CONTACT_TUNED(double, other_lateral_width, 0.02);
+/// mm. An extremum of the force is known to this: it changes by its square there.
+BEM_CONTACT_TUNED(double, lateral_extremum_width, 0.05);
+/// mm. On a tread the force is uneven from element to element, over some tenths of a millimetre. Where it is
+/// almost the one wanted at position.lateral, it is looked for so far to either side, and doubly.
+BEM_CONTACT_TUNED(double, first_look_around, 0.1);
+/// 1. Solutions whose forces differ by this, over the resultant, tell a slope.
+BEM_CONTACT_TUNED(double, telling_lateral_force, 1e-4);
+/// mm. Less than this is known of the lateral displacement where the force says little of it: a warning. A
+/// rail's gauge is measured to some tenths, and a flange takes up 20 kN within it.
+BEM_CONTACT_TUNED(double, unsure_lateral, 0.05);
 /// 1. Precision of a lateral force, over the resultant of Fy and Fz: what the certificate allows for
 /// prescribed forces.
 BEM_CONTACT_TUNED(double, lateral_tolerance, 1e-6);
@@ -145,7 +162,7 @@ BEM_CONTACT_TUNED(double, lateral_tolerance, 1e-6);
 BEM_CONTACT_TUNED(double, lateral_overshoot, 1.1);
 BEM_CONTACT_TUNED(double, longest_lateral_step,
                   0.1); ///< mm. A flange's force changes by its size in a few of them.
-BEM_CONTACT_TUNED(int, most_lateral_steps, 20);     ///< 1. Secant steps until the force is bracketed. Chosen.
+BEM_CONTACT_TUNED(int, most_lateral_steps, 25);     ///< 1. Solutions until the force is bracketed. Chosen.
 BEM_CONTACT_TUNED(int, most_lateral_calls, 40);     ///< 1. Solutions that narrow a bracket. Chosen.
 BEM_CONTACT_TUNED(double, narrowest_lateral, 1e-9); ///< mm. A narrower bracket holds a jump of the force.
 

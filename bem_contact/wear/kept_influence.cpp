@@ -15,6 +15,15 @@ double turn_between(std::span<const Point2> before, std::span<const Point2> afte
   return largest;
 }
 
+void refuse_outgrown(std::string_view body, double turn, double limit, std::string_view since,
+                     const std::string& advice) {
+  throw InputError(
+      fmt::format("The {} has outgrown its influence functions", body),
+      fmt::format("its surface has turned by up to {:.4f} rad since {}, and they are kept up to {:.4g} rad",
+                  turn, since, limit),
+      advice);
+}
+
 void require_kept(std::string_view body, const KeptInfluence& influence, std::span<const Point2> now,
                   double limit) {
   if (influence.file.empty())
@@ -24,12 +33,8 @@ void require_kept(std::string_view body, const KeptInfluence& influence, std::sp
                      fmt::format("its shape has {} points, theirs {}", now.size(), influence.shape.size()),
                      "Give the shape that they were computed for.");
   if (const double turn = turn_between(influence.shape, now); turn > limit)
-    throw InputError(
-        fmt::format("The {} has outgrown its influence functions", body),
-        fmt::format("its surface has turned by up to {:.4f} rad since they were computed, and they "
-                    "are kept up to {:.4g} rad",
-                    turn, limit),
-        "Compute those of its present shape, and go on with them.");
+    refuse_outgrown(body, turn, limit, "they were computed",
+                    "Compute those of its present shape, and go on with them.");
 }
 
 } // namespace bem_contact::wear

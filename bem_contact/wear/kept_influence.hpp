@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,8 +27,12 @@ struct KeptPair {
 /// Largest angle between an edge of one polygon and the same edge of the other, rad.
 double turn_between(std::span<const Point2> before, std::span<const Point2> after);
 
-/// Throws InputError where there is a file and the shape has turned by more than `limit`, rad. `body`: "rail"
-/// or "wheel", for the message.
+/// Throws InputError: `body` ("rail" or "wheel") has turned by `turn`, rad, and keeps its influence functions
+/// up to `limit`. `since`: when they were computed, a clause.
+[[noreturn]] void refuse_outgrown(std::string_view body, double turn, double limit, std::string_view since,
+                                  const std::string& advice);
+
+/// Throws InputError where there is a file and the shape has turned by more than `limit`, rad.
 void require_kept(std::string_view body, const KeptInfluence& influence, std::span<const Point2> now,
                   double limit);
 

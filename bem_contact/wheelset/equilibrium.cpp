@@ -93,7 +93,7 @@ public:
   /// lifts.
   double share_of(const WheelsetState& s, const VectorXd& step) const {
     double share = 1;
-    for (const WheelSide side : {WheelSide::right, WheelSide::left}) {
+    for (const WheelSide side : both_sides) {
       const double sign = side == WheelSide::right ? 1 : -1;
       const double approach = s.solved(side).result.approach, more = step[0] + sign * step[1];
       if (more < 0 && s.wrench(side).force[2] < lifted_share * force())

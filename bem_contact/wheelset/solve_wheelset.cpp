@@ -133,7 +133,7 @@ bool too_coarse(const SceneFile& scene, const WheelsetState& s) {
 }
 
 void add_warnings(const SceneFile& scene, WheelsetResult& out) {
-  for (const WheelSide side : {WheelSide::right, WheelSide::left})
+  for (const WheelSide side : both_sides)
     for (const std::string& warning : out.state.solved(side).warnings)
       out.warnings.push_back(fmt::format("{} wheel: {}", name_of(side), warning));
   if (too_coarse(scene, out.state))

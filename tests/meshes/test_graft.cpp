@@ -5,6 +5,7 @@
 #include "meshes/graft_fit.hpp"
 #include "meshes/section_mesh.hpp"
 #include "tests/base/message.hpp"
+#include "tests/base/temporary_folder.hpp"
 #include "worn_profiles.hpp"
 
 #include <gmock/gmock.h>
@@ -17,18 +18,11 @@ using testing::HasSubstr;
 
 class Graft : public testing::Test {
 protected:
-  void SetUp() override {
-    folder = std::filesystem::path(testing::TempDir()) /
-             fmt::format("graft_{}", testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-
   /// A rail (or wheel) with a worn profile from a file.
   BodyFile worn(BodyKind kind, const char* standard, const Wear& wear, BodyFile::Strip strip) {
     write_worn(folder / "worn.txt", standard, wear);
     BodyFile body;
-    body.folder = folder;
+    body.folder = folder.path();
     body.body.kind = kind;
     body.body.profile = "worn.txt";
     body.strip = strip;
@@ -38,7 +32,7 @@ protected:
     return message_of([&] { mesh_section(body); });
   }
 
-  std::filesystem::path folder;
+  TemporaryFolder folder;
 };
 
 void expect_on_curve(const BodyFile& body, const QuadMesh& mesh) {
@@ -195,7 +189,7 @@ TEST_F(Graft, APlaceThatCannotBeToldIsRefused) {
 
 TEST_F(Graft, AMissingProfileIsNamed) {
   BodyFile body;
-  body.folder = folder;
+  body.folder = folder.path();
   body.body.profile = "missing.ban";
   EXPECT_THAT(refusal(body),
               AllOf(HasSubstr("unknown profile 'missing.ban'"), HasSubstr("there is no file")));

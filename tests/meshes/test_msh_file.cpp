@@ -3,6 +3,7 @@
 #include "mesh_checks.hpp"
 #include "meshes/section_mesh.hpp"
 #include "meshes/write_msh.hpp"
+#include "tests/base/temporary_folder.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -21,16 +22,6 @@ using testing::HasSubstr;
 
 class MshFile : public testing::Test {
 protected:
-  void SetUp() override {
-    folder = std::filesystem::path(testing::TempDir()) /
-             fmt::format("mesh_body_{}", testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    body.body = {.kind = BodyKind::block, .size = 20};
-    body.strip = {.from = -5, .to = 5, .station_width = 0.5};
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-
   std::string text(const std::filesystem::path& file) const {
     std::ifstream in(file);
     std::stringstream all;
@@ -38,7 +29,8 @@ protected:
     return all.str();
   }
 
-  std::filesystem::path folder;
+  TemporaryFolder own;
+  std::filesystem::path folder = own.path();
   BodyFile body;
 };
 

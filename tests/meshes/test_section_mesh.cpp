@@ -3,6 +3,7 @@
 #include "mesh_checks.hpp"
 #include "meshes/section_mesh.hpp"
 #include "meshes/write_msh.hpp"
+#include "tests/base/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -210,7 +211,8 @@ TEST(Section, CurvedEdgesAreSaidInTheFile) {
     EXPECT_NEAR(norm(edge.halfway), radius, 1e-5 * radius); // the profile is a spline
     curved += edge.group != Group::contact;
   }
-  const auto file = std::filesystem::temp_directory_path() / "conformal_curved_edges.msh";
+  const TemporaryFolder folder;
+  const auto file = folder / "curved_edges.msh";
   write_msh(mesh, file);
   std::ifstream in(file);
   std::string line;
@@ -219,7 +221,6 @@ TEST(Section, CurvedEdgesAreSaidInTheFile) {
   std::size_t said = 0;
   while (std::getline(in, line) && !line.starts_with("$"))
     ++said;
-  std::filesystem::remove(file);
   EXPECT_EQ(said, curved);
 }
 

@@ -2,6 +2,7 @@
 #include "bem_contact/profile/body_file.hpp"
 #include "meshes/solid_mesh.hpp"
 #include "meshes/write_msh.hpp"
+#include "tests/base/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -142,11 +143,11 @@ TEST(SolidMesh, EdgesAreStationsTimesPowersOfTwo) {
 }
 
 TEST(SolidMesh, TheFileNamesItsGroups) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "solid_mesh_groups.msh";
+  const TemporaryFolder folder;
+  const auto file = folder / "groups.msh";
   write_msh(mesh_solid(small_block()), file);
   std::ifstream in(file);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  std::filesystem::remove(file);
   EXPECT_THAT(text, HasSubstr("$PhysicalNames\n5\n2 1 \"contact\"\n2 2 \"held\"\n2 3 \"free\"\n2 4 "
                               "\"symmetry\"\n3 10 \"body\"\n"));
 }

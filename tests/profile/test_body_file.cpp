@@ -1,5 +1,6 @@
 #include "bem_contact/profile/body_file.hpp"
 #include "tests/base/message.hpp"
+#include "tests/base/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -254,7 +255,8 @@ TEST(BodyFile, a_body_is_held_where_its_kind_can_be) {
 }
 
 TEST(BodyFile, files_are_read_and_missing_ones_named) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "body_file_test.toml";
+  const TemporaryFolder folder;
+  const auto path = folder / "body.toml";
   std::ofstream(path) << "[strip]\nfrom = -30\n";
   const BodyFile file = read_body_file(path);
   EXPECT_EQ(file.strip.from, -30);

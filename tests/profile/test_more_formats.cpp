@@ -3,6 +3,7 @@
 #include "bem_contact/profile/wheel_datum.hpp"
 #include "sampled.hpp"
 #include "tests/base/message.hpp"
+#include "tests/base/temporary_folder.hpp"
 #include "warnings.hpp"
 
 #include <gmock/gmock.h>
@@ -55,8 +56,8 @@ TEST(MiniProfParts, OneOfTwoProfilesIsChosenByItsNumber) {
 }
 
 TEST(MiniProfParts, TheNumberStandsBehindTheFilesName) {
-  const auto folder = std::filesystem::temp_directory_path() / "bem_contact_mpt";
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder files;
+  const std::filesystem::path folder = files.path();
   std::ofstream(folder / "two.mpt") << "[Profile1Info]\nColumnDef=X,Y\n[Profile1Points]\n"
                                     << miniprof_columns()
                                     << "[Profile2Info]\nColumnDef=X,Y\n[Profile2Points]\n"
@@ -65,7 +66,6 @@ TEST(MiniProfParts, TheNumberStandsBehindTheFilesName) {
   EXPECT_NEAR(named_profile("two.mpt#2", ProfileKind::wheel, folder).at(0).position.z, 3, 1e-5);
   EXPECT_THAT(message_of([&] { named_profile("three.mpt#2", ProfileKind::wheel, folder); }),
               HasSubstr("there is no file"));
-  std::filesystem::remove_all(folder);
 }
 
 TEST(PlainProfile, CommentsAndQuotesMayEndALine) {

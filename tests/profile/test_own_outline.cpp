@@ -3,6 +3,7 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "tests/base/message.hpp"
+#include "tests/base/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -163,11 +164,11 @@ TEST(NamedProfile, of_a_body_file_is_its_contact_curve) {
 }
 
 TEST(NamedProfile, a_body_file_that_names_itself_is_refused) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "names_itself.toml";
+  const TemporaryFolder folder;
+  const auto file = folder / "names_itself.toml";
   std::ofstream(file) << "[body]\nprofile = 'names_itself.toml'\n";
   EXPECT_THAT(message_of([&] { named_profile(file.string(), ProfileKind::rail); }),
               HasSubstr("names the body file names_itself.toml as its profile"));
-  std::filesystem::remove(file);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "bem_contact/scene/sweep_file.hpp"
 
 #include "tests/base/message.hpp"
+#include "tests/base/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -16,10 +17,9 @@ using ::testing::HasSubstr;
 
 /// A CSV file of this test's own.
 std::filesystem::path csv(const std::string& text) {
-  const auto file = std::filesystem::path(testing::TempDir()) /
-                    (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv");
-  std::ofstream(file) << text;
-  return file;
+  static const TemporaryFolder folder;
+  return folder.write(std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv",
+                      text);
 }
 
 const std::string wheel_rail =

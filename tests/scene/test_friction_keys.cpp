@@ -2,6 +2,7 @@
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "tests/base/message.hpp"
+#include "tests/base/temporary_folder.hpp"
 #include "tests/scene/patch_on_grid.hpp"
 
 #include <filesystem>
@@ -41,7 +42,8 @@ TEST(FrictionKeys, BothLawsArrive) {
 }
 
 TEST(FrictionKeys, ATableHasALawForEachRow) {
-  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "falling_rows.csv";
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "falling_rows.csv";
   const auto with_table = [&](const std::string& text, const std::string& more = "") {
     std::ofstream(file) << text;
     return patch(more + "friction_table = '" + file.string() + "'\nspeed = 1e4\nxi = 0.05");

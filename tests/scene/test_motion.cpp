@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "tests/base/message.hpp"
+#include "tests/base/temporary_folder.hpp"
 #include "tests/scene/patch_on_grid.hpp"
 
 #include <filesystem>
@@ -18,25 +19,19 @@ using ::testing::HasSubstr;
 /// A rolling contact of steel cylinders or ellipsoids, with tables beside it.
 class MotionTables : public ::testing::Test {
 protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(::testing::TempDir()) /
-              (std::string("motion_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
   SceneFile patch(const std::string& load, const std::string& motion) {
     SceneFile scene = parse_scene_file("kind = 'patch'\n[load]\nforce = 1e4\n" + load +
                                        "\n[motion]\nfriction = 0.3\n" + motion +
                                        "\n[grid]\ndx = 0.5\nds = 0.5\nmx = 16\nms = 16\n"
                                        "[gap]\na = 1e-3\nb = 1e-3\n");
-    scene.folder = folder_;
+    scene.folder = folder_.path();
     return scene;
   }
   std::string refusal(const SceneFile& scene) {
     return message_of([&] { Sequence().solve(with_model(scene, Model::halfspace)); });
   }
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(MotionTables, ForcesPrescribedAreReached) {
@@ -191,7 +186,7 @@ TEST_F(MotionTables, TheGridGrowsForEveryStep) {
       parse_scene_file("kind = 'wheel_rail'\nrail.profile = '60E1'\nwheel.profile = 'S1002'\n"
                        "load.force = 1e4\n[motion]\nkind = 'transient'\nstep_table = 'steps.csv'\n"
                        "[grid]\ndx = 1.0\nds = 1.0\n");
-  scene.folder = folder_;
+  scene.folder = folder_.path();
   const SceneResult r = Sequence().solve(with_model(scene, Model::halfspace));
   ASSERT_EQ(r.history.size(), 2u);
   EXPECT_NEAR(r.history[0].Fz, 1e5, 1);

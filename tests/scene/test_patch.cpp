@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/geometry/undeformed_distance.hpp"
 #include "tests/base/message.hpp"
+#include "tests/base/temporary_folder.hpp"
 #include "tests/scene/patch_on_grid.hpp"
 
 #include <filesystem>
@@ -25,23 +26,17 @@ SceneFile patch(int mx, int ms) {
 
 class Tables : public ::testing::Test {
 protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(::testing::TempDir()) /
-              (std::string("tables_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   SceneFile with_gap(const std::string& table) {
     std::ofstream(folder_ / "gap.csv") << table;
     SceneFile scene = patch(2, 1);
-    scene.folder = folder_;
+    scene.folder = folder_.path();
     scene.gap.table = "gap.csv";
     return scene;
   }
   std::string refusal(const SceneFile& scene) {
     return message_of([&] { patch_on_grid(scene); });
   }
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST(CircularGap, OfConcentricCirclesIsTheirClearance) {
@@ -121,7 +116,7 @@ TEST_F(Tables, InclineTheRows) {
   std::ofstream(folder_ / "delta.csv") << "is, delta\n0, -0.2\n1, 0\n2, 0.2\n";
   SceneFile scene = patch(1, 3);
   scene.grid.ds = 2;
-  scene.folder = folder_;
+  scene.folder = folder_.path();
   scene.strip.inclination = "delta.csv";
   const ContactOnGrid contact = patch_on_grid(scene);
   EXPECT_DOUBLE_EQ(contact.problem.rows[0].delta, -0.2);

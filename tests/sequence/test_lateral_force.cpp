@@ -1,9 +1,12 @@
 #include "bem_contact/sequence/lateral_force.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/lateral_search.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/settings.hpp"
 #include "tests/base/message.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -12,46 +15,105 @@
 namespace {
 
 using namespace bem_contact;
+using ::testing::Contains;
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
-std::vector<double> displacements(const LateralForce& force, double wanted) {
-  std::vector<double> out;
-  for (const LateralRoot& root : find_lateral_roots(force, sample_lateral_force(force, 0), wanted))
-    out.push_back(root.lateral);
+/// All displacements that a search from 0 mm tells, ascending; the model's force is the rough one and
+/// `missed`.
+std::vector<double> displacements(const LateralForce& rough, double wanted, double missed = 0) {
+  KnownLateralForces known;
+  LateralSearch search({.wanted = wanted, .start = 0, .resultant = 1e4}, rough, known);
+  const auto exact = [&](double y) {
+    const std::optional<double> there = rough(y);
+    return there ? std::optional(*there + missed) : std::nullopt;
+  };
+  const double found = search.find(exact);
+  std::vector<double> out = search.describe(found, unknown_error).others;
+  out.push_back(found);
+  std::ranges::sort(out);
   return out;
 }
 
+/// A tread that falls, a flange that rises from 6.1 mm on and falls behind its steepest place at 8.6.
+std::optional<double> tread_and_flange(double y) {
+  return -100 * y + (y > 6.1 ? 2e4 * (1 - std::pow(1 - (y - 6.1) / 2.5, 2)) : 0.0);
+}
+
 TEST(LateralForce, EachBranchIsFound) {
-  // A tread that falls, a flange that rises from 6.1 mm on and falls behind its steepest place at 8.6.
-  const LateralForce force = [](double y) -> std::optional<double> {
-    return -100 * y + (y > 6.1 ? 2e4 * (1 - std::pow(1 - (y - 6.1) / 2.5, 2)) : 0.0);
-  };
-  const std::vector<double> high = displacements(force, 5000);
+  const std::vector<double> high = displacements(tread_and_flange, 5000);
   ASSERT_EQ(high.size(), 2u);
   for (const double y : high)
-    EXPECT_NEAR(*force(y), 5000, 20); // to lateral_root_width
-  EXPECT_EQ(displacements(force, 250).size(), 3u) << "tread, flange before and behind its steepest place";
-  EXPECT_TRUE(displacements(force, 1e6).empty());
+    EXPECT_NEAR(*tread_and_flange(y), 5000, 200); // the other one to other_lateral_width
+  EXPECT_EQ(displacements(tread_and_flange, 250).size(), 3u)
+      << "tread, flange before and behind its steepest place";
+  EXPECT_THAT(message_of([] { displacements(tread_and_flange, 1e6); }),
+              HasSubstr("from -12 to 12 mm the force on the rail is between"));
+}
+
+TEST(LateralForce, WhatRoughForcesMissDoesNotHideABranch) {
+  // The rough forces of the tread end at -1200 and 1200 N.
+  const LateralForce tread = [](double y) { return std::optional(-100 * y); };
+  EXPECT_THAT(displacements(tread, 1500, 500), ElementsAre(DoubleNear(-10, 1e-3)));
+  EXPECT_THAT(message_of([&] { displacements(tread, 1150, -100); }), HasSubstr("-1300 and 1100 N"));
 }
 
 TEST(LateralForce, APeakBetweenTwoSamplesIsFound) {
-  // Samples lie at multiples of 0.5 mm and reach 1000 - 62.5; the peak is at 3.25.
   const LateralForce peak = [](double y) -> std::optional<double> {
     return 1000 - 1000 * std::pow(y - 3.25, 2);
   };
-  const std::vector<double> roots = displacements(peak, 990);
-  ASSERT_EQ(roots.size(), 2u);
-  EXPECT_NEAR(roots[0], 3.15, 2e-3);
-  EXPECT_NEAR(roots[1], 3.35, 2e-3);
-  EXPECT_TRUE(displacements(peak, 1001).empty());
+  EXPECT_THAT(displacements(peak, 990), ElementsAre(DoubleNear(3.15, 0.02), DoubleNear(3.35, 0.02)));
+  EXPECT_THAT(message_of([&] { displacements(peak, 1001); }), HasSubstr("and 1000 N"));
 }
 
 TEST(LateralForce, WhereThereIsNoContactThereIsNoBranch) {
   const LateralForce gap = [](double y) -> std::optional<double> {
     return std::abs(y) < 1 ? std::nullopt : std::optional(y);
   };
-  EXPECT_TRUE(displacements(gap, 0.0).empty()) << "the force does not pass zero anywhere";
+  EXPECT_THAT(message_of([&] { displacements(gap, 0); }), HasSubstr("No lateral displacement gives"))
+      << "the force does not pass zero anywhere";
   EXPECT_EQ(displacements(gap, 3.2).size(), 1u);
+}
+
+TEST(LateralForce, TheErrorOfTheForceIsAnErrorOfTheDisplacement) {
+  KnownLateralForces known;
+  const LateralForce tread = [](double y) { return std::optional(-100 * y); };
+  LateralSearch search({.wanted = 30, .start = 0, .resultant = 1e4}, tread, known);
+  const double found = search.find(tread);
+  EXPECT_NEAR(found, -0.3, 1e-4);
+  const LateralPosition said = search.describe(found, 40);
+  EXPECT_NEAR(said.error, 0.4, 0.01);
+  EXPECT_NEAR(said.slope, -100, 1);
+  EXPECT_TRUE(std::isnan(search.describe(found, unknown_error).error));
+}
+
+TEST(LateralForce, AnExtremumHasTheWidthOverWhichItsForceIsAlike) {
+  KnownLateralForces known;
+  const LateralForce bowl = [](double y) { return std::optional(20 * y * y); };
+  LateralSearch search({.wanted = 0.1, .start = 0.5, .resultant = 1e4}, bowl, known);
+  const LateralPosition said = search.describe(search.find(bowl), 20);
+  EXPECT_GT(said.error, 0.9) << "the force is 20 N at 1 mm";
+  EXPECT_LT(said.error, 2.0);
+}
+
+TEST(LateralForce, ManyForcesOfOneSceneAreCheap) {
+  int rough = 0, exact = 0;
+  KnownLateralForces known;
+  const auto search_for = [&](double wanted) {
+    LateralSearch search(
+        {.wanted = wanted, .start = 6.5, .resultant = 1e4},
+        [&](double y) { return ++rough, tread_and_flange(y); }, known);
+    return search.find([&](double y) { return ++exact, std::optional(*tread_and_flange(y) + 50); });
+  };
+  search_for(5000);
+  EXPECT_LE(rough, 40);
+  EXPECT_LE(exact, 8);
+  rough = exact = 0;
+  EXPECT_NEAR(*tread_and_flange(search_for(5500)), 5450, 0.02);
+  EXPECT_LE(rough, 20) << "the samples are there already";
+  EXPECT_LE(exact, 7);
 }
 
 TEST(LateralForce, TheForceIsMetFromAStartNearby) {
@@ -93,9 +155,68 @@ TEST(PrescribedLateralForce, FindsThePositionThatBearsIt) {
   EXPECT_NEAR(largest_pressure(found.result), largest_pressure(there.result),
               1e-3 * largest_pressure(there.result));
   // The next one on the same branch: rough solutions are there already.
+  const int rough = sequence.counts().rough;
+  EXPECT_LE(rough, 40);
   const SceneResult next = sequence.solve(rolling(6.5, "load.force_y = 2e4\n"));
+  EXPECT_LE(sequence.counts().rough - rough, 20);
   EXPECT_NEAR(next.result.Fy, 2e4, 0.2);
   EXPECT_LT(*next.lateral, 6.62);
+}
+
+TEST(PrescribedLateralForce, ATreadWhoseForceSaysLittleIsFoundWithinTheStatedError) {
+  // With friction, forces on the tread lie within 500 N over 6 mm, and each has an error of some ten newtons.
+  const auto finer = [](double lateral) {
+    SceneFile scene = rolling(lateral, "position.cant = 0.025\n");
+    scene.grid.dx = 0.6, scene.grid.ds = 0.4;
+    return scene;
+  };
+  for (const double lateral : {-5.0, -3.0, 0.0, 2.0}) {
+    const double force = Sequence().solve(finer(lateral)).result.Fy;
+    for (const double away : {-0.1, 0.1}) {
+      SceneFile asked = finer(lateral + away);
+      asked.load.force_y = force;
+      const SceneResult found = Sequence().solve(asked);
+      ASSERT_TRUE(found.found_lateral);
+      EXPECT_NEAR(found.result.Fy, force, 0.2);
+      EXPECT_NEAR(found.found_lateral->lateral, lateral, found.found_lateral->error);
+      EXPECT_GT(found.found_lateral->error, unsure_lateral);
+      EXPECT_LT(std::abs(found.found_lateral->slope), 2000);
+      EXPECT_THAT(found.warnings,
+                  Contains(HasSubstr("load.force_y says little of the lateral displacement")));
+    }
+  }
+}
+
+TEST(PrescribedLateralForce, AnUnknownErrorOfTheForceIsWarnedOfToo) {
+  const double force = Sequence().solve(rolling(0)).result.Fy;
+  const SceneResult found = Sequence().solve(rolling(0.1, fmt::format("load.force_y = {:.17g}\n", force)));
+  ASSERT_TRUE(found.found_lateral);
+  ASSERT_TRUE(std::isnan(found.found_lateral->error)) << "the elements are too large for an estimate";
+  EXPECT_THAT(found.warnings, Contains(HasSubstr("and its error is not known")));
+}
+
+TEST(PrescribedLateralForce, ATreadWithoutFrictionIsFoundWithoutAWarning) {
+  const std::string more = "motion.frictionless = true\nposition.cant = 0.025\n";
+  const SceneResult there = Sequence().solve(rolling(1, more));
+  const SceneResult found =
+      Sequence().solve(rolling(1.1, more + fmt::format("load.force_y = {:.17g}\n", there.result.Fy)));
+  ASSERT_TRUE(found.found_lateral);
+  EXPECT_NEAR(found.found_lateral->lateral, 1, found.found_lateral->error);
+  EXPECT_LT(found.found_lateral->error, 0.02);
+  EXPECT_NEAR(found.found_lateral->slope, 1960, 200);
+  EXPECT_THAT(found.warnings, IsEmpty());
+}
+
+TEST(PrescribedLateralForce, TheLeastForceOfATreadIsFound) {
+  const std::string more = "motion.frictionless = true\nposition.cant = 0.05\n";
+  const SceneResult there = Sequence().solve(rolling(-1, more));
+  for (const double start : {-1.1, -0.9}) {
+    const SceneResult found =
+        Sequence().solve(rolling(start, more + fmt::format("load.force_y = {:.17g}\n", there.result.Fy)));
+    ASSERT_TRUE(found.found_lateral);
+    EXPECT_NEAR(found.found_lateral->lateral, -1, found.found_lateral->error);
+    EXPECT_THAT(found.warnings, Contains(HasSubstr("says little of the lateral displacement")));
+  }
 }
 
 TEST(PrescribedLateralForce, TheNearestBranchIsTakenAndTheOthersAreSaid) {

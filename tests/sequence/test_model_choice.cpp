@@ -4,6 +4,7 @@
 #include "bem_contact/scene/contact_centre.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/settings.hpp"
+#include "tests/base/temporary_folder.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -169,7 +170,8 @@ TEST(ModelChoice, PredictionsHoldOnTheGaugeCorner) {
 
 /// An influence file that cannot be read is no obstacle where no influence functions are needed.
 TEST(ModelChoice, OpensNoInfluenceFileWithoutNeed) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "no_influence.h5";
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "no_influence.h5";
   std::ofstream(file) << "not HDF5";
   const auto scene = [&](double tolerance) {
     return corner(
@@ -214,7 +216,8 @@ TEST(ModelChoice, HoldsOnTheSolution) {
 /// an endless and narrow one. The half-space that it chooses finds that the normal turns by more, and the
 /// case is solved again.
 TEST(ModelChoice, GoesUpWhereTheSolutionSaysSo) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "flat_bottom.csv";
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "flat_bottom.csv";
   std::ofstream table(file);
   table << "ix,is,h\n";
   for (int is = 0; is < 40; ++is)

@@ -2,6 +2,7 @@
 #include "bem_contact/profile/profile_noise.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "tests/base/message.hpp"
+#include "tests/base/temporary_folder.hpp"
 #include "tests/profile/sampled.hpp"
 
 #include <gmock/gmock.h>
@@ -21,11 +22,6 @@ using testing::Not;
 /// A folder of its own that goes with the test.
 class ProfileFiles : public testing::Test {
 protected:
-  ProfileFiles() : folder_(std::filesystem::temp_directory_path() / unique_name()) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~ProfileFiles() override { std::filesystem::remove_all(folder_); }
-
   void write(const std::string& name, const std::vector<Point2>& points) const {
     std::ofstream(folder_ / name) << as_columns(points);
   }
@@ -34,15 +30,12 @@ protected:
         parse_scene_file("load.force = 1e5\nmotion.frictionless = true\nsolver.model = \"halfspace\"\n"
                          "grid.dx = 0.5\ngrid.ds = 0.2\n" +
                          text);
-    file.folder = folder_;
+    file.folder = folder_.path();
     return file;
   }
 
 private:
-  static std::string unique_name() {
-    return std::string("bem_contact_") + testing::UnitTest::GetInstance()->current_test_info()->name();
-  }
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 std::vector<Point2> wheel() {

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/history.hpp"
+#include "tests/base/temporary_folder.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -84,9 +85,9 @@ TEST(Sequence, ComputesTheNumbersOfAGridOnce) {
 }
 
 TEST(Sequence, ReadsAProfileOnce) {
-  const auto file = std::filesystem::path(::testing::TempDir()) / "sequence_rail.txt";
-  std::filesystem::copy_file(std::filesystem::path(CONFORMAL_SOURCE_DIR) / "data/bodies/worn_rail.txt", file,
-                             std::filesystem::copy_options::overwrite_existing);
+  const TemporaryFolder folder;
+  const auto file = folder / "rail.txt";
+  std::filesystem::copy_file(std::filesystem::path(CONFORMAL_SOURCE_DIR) / "data/bodies/worn_rail.txt", file);
   SceneFile scene = rolling(0.0);
   scene.rail.profile = file.string();
   Sequence keeps, reads({.keep_files = false});

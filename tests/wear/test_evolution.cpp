@@ -1,6 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/wear/evolution.hpp"
+#include "tests/base/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -78,8 +79,8 @@ std::vector<CollectiveCase> collective() {
 }
 
 std::filesystem::path folder() {
-  const auto out = std::filesystem::temp_directory_path() /
-                   ("wear_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  static const TemporaryFolder all;
+  const auto out = all / testing::UnitTest::GetInstance()->current_test_info()->name();
   std::filesystem::create_directories(out);
   return out;
 }

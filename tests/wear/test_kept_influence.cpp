@@ -1,5 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/wear/evolution.hpp"
+#include "tests/base/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,9 +53,8 @@ CollectiveCase corner(const char* model) {
 }
 
 std::filesystem::path folder() {
-  const auto out = std::filesystem::path(testing::TempDir()) / "wear_kept_influence";
-  std::filesystem::create_directories(out);
-  return out;
+  static const TemporaryFolder out;
+  return out.path();
 }
 
 KeptPair unworn_files() {

@@ -35,7 +35,7 @@ TEST(Wheelset, CentredIsTwoSingleWheels) {
   one.load.force = 1e5;
   one.load.force_x = 0;
   const SceneResult single = Sequence().solve(one);
-  for (const WheelSide side : {WheelSide::right, WheelSide::left}) {
+  for (const WheelSide side : both_sides) {
     const SceneResult& wheel = r.state.solved(side);
     EXPECT_NEAR(wheel.result.Fz, 1e5, 0.2);
     EXPECT_NEAR(wheel.result.Fy, single.result.Fy, 1);
@@ -165,7 +165,7 @@ TEST(Wheelset, FindsTheDisplacementOfALateralForce) {
   // The moment about the axle's centre by hand, patch by patch (their own moments included). About the
   // forward axis: with a yaw of 1 mrad that is the x axis where no torque drives the axle.
   double moment = 0, largest = 0;
-  for (const WheelSide side : {WheelSide::right, WheelSide::left}) {
+  for (const WheelSide side : both_sides) {
     const double sign = side == WheelSide::right ? 1 : -1;
     for (const PatchSummary& p : found.state.solved(side).result.patches) {
       const double arm = sign * p.position.y - found.state.pose.lateral,
@@ -221,7 +221,7 @@ TEST(Wheelset, FiniteElementsServeBothWheels) {
   EXPECT_NEAR(of_wheelset(r, "Fz"), 2e5, 0.2);
   EXPECT_NEAR(of_wheelset(r, "roll_moment"), 1e7, 2e2);
   double moment = 0;
-  for (const WheelSide side : {WheelSide::right, WheelSide::left}) {
+  for (const WheelSide side : both_sides) {
     const double arm = std::abs(of_wheel(r, side, "y")) -
                        (460 + of_wheel(r, side, "z")) * std::abs(of_wheel(r, side, "Y_over_Q"));
     moment += (side == WheelSide::right ? 1 : -1) * arm * of_wheel(r, side, "Fz");

@@ -7,6 +7,9 @@ set(conformal_library_rooms base profile halfspace reference contact geometry sc
     fatigue wheelset c)
 list(TRANSFORM conformal_library_rooms PREPEND bem_contact_)
 
+# Of every shared library: what callers rely on may change with the minor version.
+set(CONFORMAL_SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+
 add_library(conformal_options INTERFACE)
 target_include_directories(conformal_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 target_compile_options(conformal_options INTERFACE $<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow>)
@@ -31,6 +34,7 @@ function(conformal_room target)
   cmake_parse_arguments(ARG "SHARED" "" "SOURCES;ROOMS;LIBRARIES" ${ARGN})
   if(ARG_SHARED)
     add_library(${target} SHARED ${ARG_SOURCES})
+    set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${CONFORMAL_SOVERSION})
   else()
     add_library(${target} STATIC ${ARG_SOURCES})
   endif()

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "bem_contact/sequence/lateral_force.hpp"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace bem_contact {
+
+/// Lateral forces, N, that are known of one scene under one load, by the displacement, mm.
+struct KnownLateralForces {
+  /// Of the model, and the rough one there. Nothing where there is no rough solution.
+  struct Exact {
+    double force = 0;
+    std::optional<double> rough;
+  };
+  std::map<double, std::optional<double>> rough; ///< nothing where wheel and rail do not meet
+  std::map<double, Exact> exact;
+};
+
+/// The lateral force over the lateral displacement: rough forces, and what they miss of the model's.
+///
+/// Rough forces show which branches there are. They miss some per cent of the model's, which on a tread can
+/// be more than the force changes over its whole width. So what they miss is measured wherever the model was
+/// solved, and added everywhere: linear between two such displacements, constant beyond them.
+class LateralCurve {
+public:
+  /// One displacement of the curve.
+  struct Point {
+    double lateral = 0;          ///< mm
+    std::optional<double> force; ///< N; nothing where wheel and rail do not meet
+    bool exact = false;          ///< of the model itself
+  };
+
+  /// The curve from `around` - lateral_reach to `around` + lateral_reach. `resultant`: of Fy and Fz, N.
+  /// `known` is used and added to.
+  LateralCurve(LateralForce rough, double around, double resultant, KnownLateralForces& known);
+
+  /// The curve at a displacement.
+  std::optional<double> operator()(double lateral);
+  /// The model's force at a displacement.
+  void learn(const LateralSample& exact);
+  /// Points, ascending, near enough to each other to show each place where the curve passes `wanted`.
+  std::vector<Point> points(double wanted);
+  /// Where the curve leaves the force at `from` by more than `error` (N), on the side of `direction` (-1 or
+  /// 1). It has the shape of the rough samples, which the model's own unevenness from element to element does
+  /// not reach. The last sample where it leaves it nowhere.
+  LateralSample leaves(const LateralSample& from, double error, int direction) const;
+  const std::map<double, KnownLateralForces::Exact>& exact() const { return known_.exact; } ///< of the model
+
+private:
+  std::optional<double> rough(double lateral);
+  double missed(double lateral) const;
+  std::vector<Point> samples() const;
+  bool refine(double wanted);
+  void add_extrema(double wanted);
+
+  LateralForce rough_;
+  double resultant_;
+  KnownLateralForces& known_;
+};
+
+} // namespace bem_contact
