@@ -14,10 +14,12 @@ inline constexpr const char* table_format = "bem_contact table 3";
 /// Datasets:
 ///     axes/NAME                 [n], with unit
 ///     first/NAME                [m + 1] of a nested axis (Axis::first), m: points of the axes before it
-///     values/NAME               [n of the first axis][n of the second]..., with unit; [points] if axes are
-///     nested interpolation_error/NAME  scalar, largest found in the middle of any cell element_error/NAME
-///     scalar, largest stated by a point; nan: not known scale/NAME                scalar, what the tolerance
-///     is relative to creep_scale/log10_a_over_b, C11, C22   of a creep table
+///     values/NAME               [n of the first axis][n of the second]..., with unit;
+///                               [points] where axes are nested
+///     interpolation_error/NAME  scalar, largest found in the middle of any cell
+///     element_error/NAME        scalar, largest stated by a point; nan: not known
+///     scale/NAME                scalar, what the tolerance is relative to
+///     creep_scale/log10_a_over_b, C11, C22   of a creep table
 /// Attributes: format, program, axes (their names in the order of the values' dimensions), columns, held,
 /// interpolation, tolerance, points, solved, checked; of a creep table poisson, spin and symmetry.
 H5Table to_h5(const ContactTable& table);

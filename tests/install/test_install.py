@@ -22,9 +22,9 @@ class Installed(unittest.TestCase):
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
         folder = Path(cls.temporary.name)
-        run("cmake", "--install", BUILD, "--prefix", folder / "first")
+        run("cmake", "--install", BUILD, "--prefix", folder / "installed_first")
         cls.prefix = folder / "moved"
-        (folder / "first").rename(cls.prefix)
+        (folder / "installed_first").rename(cls.prefix)
         cls.lib = next(cls.prefix.glob("lib/**/libconformal_contact.so")).parent
         cls.scene = cls.prefix / "share/conformal_contact/scenes/hertz.toml"
         cls.work = folder / "work"
@@ -154,7 +154,7 @@ COMP_WORDS=(bem_contact comp); COMP_CWORD=1; _bem_contact; echo "${{COMPREPLY[@]
                 text = file.read_text()
                 self.assertNotIn(str(BUILD), text, file)
                 self.assertNotIn(str(SOURCE), text, file)
-                self.assertNotIn("first/", text, file)
+                self.assertNotIn("installed_first/", text, file)
 
     def test_public_headers_only(self):
         headers = {str(h.relative_to(self.prefix / "include")) for h in (self.prefix / "include").rglob("*.h*")}
