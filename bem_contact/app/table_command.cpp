@@ -73,7 +73,10 @@ json json_of(const table::ContactTable& t, double seconds) {
               {"tolerance", t.tolerance}, {"seconds", seconds}, {"axes", json::object()},
               {"columns", json::object()}};
   for (const table::Axis& axis : t.axes)
-    out["axes"][axis.name] = axis.points;
+    if (axis.first.empty())
+      out["axes"][axis.name] = axis.points;
+    else
+      out["axes"][axis.name] = {{"points", axis.points.size()}, {"from", axis.from()}, {"to", axis.to()}};
   for (const table::Column& c : t.columns)
     out["columns"][c.name] = {{"unit", c.unit},
                               {"held", c.held},
@@ -86,7 +89,11 @@ json json_of(const table::ContactTable& t, double seconds) {
 std::string words_of(const table::ContactTable& t, double seconds) {
   std::string out = "Table";
   for (const table::Axis& axis : t.axes)
-    out += fmt::format("{}{} {}", &axis == &t.axes.front() ? " over " : " x ", axis.points.size(), axis.name);
+    out += fmt::format("{}{} {}",
+                       &axis == &t.axes.front() ? " over "
+                       : axis.first.empty()     ? " x "
+                                                : ", in all ",
+                       axis.points.size(), axis.name);
   out += fmt::format(": {} points. {} contacts were solved in {:.1f} minutes, the middle of {} cells among "
                      "them\n{:22} {:>18} {:>10} {:>16} {:>10}\n",
                      t.size(), t.solved, seconds / 60, t.checked, "", "interpolation", "", "elements", "");
@@ -135,7 +142,6 @@ Order creep_order(TableArguments& arguments) {
                      "Give FROM:TO, as 0.5:2.");
   arguments.options.from = ratio[0], arguments.options.to = ratio[1];
   arguments.options.tolerance = arguments.wanted.tolerance;
-  arguments.wanted.representative = table::representative_of_creepages;
   Order order{table::creep_table(arguments.options), {}, {}};
   order.make_solver = [scale = *order.table.scale, elements = arguments.options.elements] {
     return table::creep_point_solver(scale, elements);

@@ -75,7 +75,7 @@ constexpr double cross(Point2 a, Point2 b) {
 }
 /// Length.
 inline double norm(Point2 a) {
-  return std::hypot(a.y, a.z);
+  return std::sqrt(dot(a, a)); // std::hypot guards against overflow, and takes five times as long
 }
 
 /// Angle from a to b, rad, in (-pi, pi]: above 0 where b is turned from a towards +z.

@@ -129,19 +129,35 @@ template <class Curve> std::optional<Crossing> cross(const Curve& curve, const R
   return Crossing{k, t, distance};
 }
 
-/// The nearest node; -1 beyond `farthest`.
-int nearest_node(const ContactLocus& locus, Point2 p, double farthest) {
-  const auto& nodes = locus.nodes();
-  const int last = static_cast<int>(nodes.size()) - 1;
+/// Finds the nodes of a locus that are nearest to points.
+class NearestNode {
+public:
+  explicit NearestNode(const ContactLocus& locus) : nodes_(locus.nodes()) {
+    for (std::size_t k = 0; k < nodes_.size(); k += node_stride)
+      some_.push_back(nodes_[k].position);
+  }
+
+  /// -1 where it lies beyond `farthest`.
+  int operator()(Point2 p, double farthest = 1e9) const;
+
+private:
+  std::span<const ContactLocus::Node> nodes_;
+  std::vector<Point2> some_; ///< every so many, side by side in memory
+};
+
+int NearestNode::operator()(Point2 p, double farthest) const {
+  const int last = static_cast<int>(nodes_.size()) - 1;
   const auto square = [&](int k) {
-    const Point2 d = nodes[k].position - p;
+    const Point2 d = nodes_[k].position - p;
     return dot(d, d);
   };
   int best = last;
   double least = square(last);
-  for (int k = 0; k < last; k += node_stride)
-    if (const double d = square(k); d < least)
-      best = k, least = d;
+  for (std::size_t k = 0; k < some_.size(); ++k) {
+    const Point2 d = some_[k] - p;
+    if (dot(d, d) < least)
+      best = static_cast<int>(k) * node_stride, least = dot(d, d);
+  }
   if (std::sqrt(least) > farthest + node_stride * largest_table_step)
     return -1;
   while (best > 0 && square(best - 1) < square(best))
@@ -155,9 +171,10 @@ int nearest_node(const ContactLocus& locus, Point2 p, double farthest) {
 
 std::vector<RowOnLocus> rows_on_locus(const ContactLocus& locus, std::span<const ContactRow> rows,
                                       double farthest) {
+  const NearestNode nearest_node(locus);
   std::vector<RowOnLocus> out(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const int near = nearest_node(locus, rows[i].position, farthest);
+    const int near = nearest_node(rows[i].position, farthest);
     if (near < 0)
       continue;
     const auto found = cross(locus, Ray(rows[i]), near);
@@ -205,10 +222,11 @@ std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const
 }
 
 std::vector<double> wheel_stations(const ContactLocus& locus, std::span<const ContactRow> rows) {
+  const NearestNode nearest_node(locus);
   std::vector<double> out;
   const auto& nodes = locus.nodes();
   for (const ContactRow& row : rows) {
-    const int near = nearest_node(locus, row.position, 1e9);
+    const int near = nearest_node(row.position);
     // On the stretches beside the node.
     const auto on_locus = [&](double v) {
       const int k = std::min(static_cast<int>(v), static_cast<int>(nodes.size()) - 2);

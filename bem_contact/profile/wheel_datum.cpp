@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 namespace bem_contact {
 
@@ -32,12 +34,14 @@ void warn_of_height(std::span<const Point2> points, const std::string& source) {
 std::optional<Point2> flange_tip(std::span<const Point2> points) {
   if (points.size() < 3)
     return std::nullopt;
-  std::vector<Point2> by_height(points.begin(), points.end());
-  std::ranges::sort(by_height, {}, &Point2::z);
-  const Point2 tip = by_height.back();
+  const Point2 tip = *std::ranges::max_element(points, {}, &Point2::z);
+  std::vector<double> heights;
+  std::ranges::transform(points, std::back_inserter(heights), &Point2::z);
+  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::ranges::nth_element(heights, middle);
   const auto [low, high] = std::ranges::minmax(points, {}, &Point2::y);
   const bool near_end = std::abs(tip.y - (low.y + high.y) / 2) > (high.y - low.y) / 4;
-  if (!near_end || tip.z - by_height[by_height.size() / 2].z < least_flange)
+  if (!near_end || tip.z - *middle < least_flange)
     return std::nullopt;
   return tip;
 }

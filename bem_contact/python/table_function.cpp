@@ -25,13 +25,19 @@ namespace {
 using namespace py::literals;
 
 py::dict dict_of(const table::ContactTable& t) {
-  py::dict axes, values, errors, units;
+  py::dict axes, first, values, errors, units;
   std::vector<std::size_t> shape;
   for (const table::Axis& axis : t.axes) {
     axes[axis.name.c_str()] = array_of(axis.points);
     units[axis.name.c_str()] = axis.unit;
     shape.push_back(axis.points.size());
+    if (!axis.first.empty())
+      first[axis.name.c_str()] =
+          py::array_t<std::int64_t>(static_cast<py::ssize_t>(axis.first.size()),
+                                    std::vector<std::int64_t>(axis.first.begin(), axis.first.end()).data());
   }
+  if (t.nested())
+    shape = {t.size()};
   for (const table::Column& c : t.columns) {
     values[c.name.c_str()] = py::array_t<double>(shape, c.values.data());
     units[c.name.c_str()] = c.unit;
@@ -42,8 +48,9 @@ py::dict dict_of(const table::ContactTable& t) {
   if (t.scale)
     scale = py::dict("log10_a_over_b"_a = array_of(t.scale->log10_a_over_b), "C11"_a = array_of(t.scale->c11),
                      "C22"_a = array_of(t.scale->c22));
-  return py::dict("axes"_a = axes, "values"_a = values, "errors"_a = errors, "units"_a = units,
-                  "creep_scale"_a = scale, "tolerance"_a = t.tolerance, "solved"_a = t.solved);
+  return py::dict("axes"_a = axes, "first"_a = first, "values"_a = values, "errors"_a = errors,
+                  "units"_a = units, "creep_scale"_a = scale, "tolerance"_a = t.tolerance,
+                  "solved"_a = t.solved);
 }
 
 /// The lists of the scene's table [table], or those of the dict `axes` instead.
@@ -88,7 +95,6 @@ py::dict table_of(const py::object& scene, const py::object& axes, std::vector<s
     if (!axes.is_none() || !hold.empty())
       throw InputError("A table without a scene has no axes of yours", "it is one of creep forces",
                        "Give a scene, or leave out `axes` and `hold`.");
-    wanted.representative = table::representative_of_creepages;
     t = table::creep_table({poisson, ratio.first, ratio.second, elements, tolerance});
     solve(t, table::creep_point_solver(*t.scale, elements), wanted, output);
     return dict_of(t);
@@ -145,7 +151,8 @@ py::dict creep_forces(const PythonTable& self, double a, double b, double shear_
 void add_table(py::module_& module) {
   py::class_<PythonTable> reader(module, "Table",
                                  "A table of bem_contact.table() or `bem_contact table` to look up in.");
-  for (const char* name : {"axes", "values", "errors", "units", "creep_scale", "tolerance", "solved"})
+  for (const char* name :
+       {"axes", "first", "values", "errors", "units", "creep_scale", "tolerance", "solved"})
     reader.def_property_readonly(
         name, [name](const PythonTable& self) { return py::object(self.members[name]); },
         "As in the dict that table() returns.");
@@ -173,8 +180,12 @@ void add_table(py::module_& module) {
       "forces of an ellipse over a/b (`ratio`, from and to) and the creepages, for `poisson` and so many "
       "`elements` across. With a scene, as solve() takes it: `axes` (a dict of keys and lists of numbers) "
       "or its own table [table]; `hold` names the numbers whose error is kept within the tolerance. A dict: "
-      "\"axes\", \"values\" (an array over all axes for each number), \"errors\" (interpolation, elements, "
-      "scale, held), \"units\", \"creep_scale\". `output`: an HDF5 file, too.");
+      "\"axes\", \"first\" (of creep forces: where on an axis the points begin that belong to each point of "
+      "the "
+      "axes before it), \"values\" (an array over all axes for each number; of creep forces over all "
+      "points), "
+      "\"errors\" (interpolation, elements, scale, held), \"units\", \"creep_scale\". `output`: an HDF5 "
+      "file, too.");
 }
 
 } // namespace bem_contact

@@ -49,8 +49,6 @@ BEM_CONTACT_TUNED(double, largest_motion_share, 0.3);
 BEM_CONTACT_TUNED(double, least_speed, 700.0);
 /// mm. Contact this near to the height of a flange's tip is contact on the tip.
 BEM_CONTACT_TUNED(double, flange_tip_depth, 2.0);
-/// 1. Points of the wheel's profile whose heights are looked at.
-BEM_CONTACT_TUNED(int, flange_samples, 400);
 
 // Pictures.
 

@@ -41,9 +41,8 @@ void look_at_motion(const SceneFile& scene, double rolling_radius, std::vector<s
 std::optional<Point2> flange_tip_below(const WheelRailGeometry& placed) {
   const TabulatedProfile& wheel = placed.pair.wheel;
   std::vector<Point2> points;
-  for (int i = 0; i <= flange_samples; ++i)
-    points.push_back(
-        wheel.at(wheel.s_begin() + (wheel.s_end() - wheel.s_begin()) * i / flange_samples).position);
+  for (const TabulatedProfile::Node& node : wheel.nodes())
+    points.push_back(node.position);
   const auto tip = flange_tip(points);
   const double here = wheel.at(placed.touch.front().wheel_s).position.z;
   return tip && here > tip->z - flange_tip_depth ? tip : std::nullopt;

@@ -48,6 +48,8 @@ bool ElementCount::learn(int contact, double error) {
   // Errors scatter: come down not at once, and go up by no more than a retry can correct.
   const double lo = (again ? least_retry : least_change) * contact, hi = most_change * contact;
   wanted_ = static_cast<int>(std::clamp(std::clamp(needed, lo, hi), double(least_), double(most_)));
+  if (!again && wanted_ > usual_) // the next case may well be a usual one
+    wanted_ = static_cast<int>(usual_ * std::pow(double(wanted_) / usual_, learnt_share));
   return again && wanted_ > contact;
 }
 

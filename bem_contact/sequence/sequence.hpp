@@ -28,7 +28,8 @@ struct SequenceOptions {
   bool coarse_start = true;  ///< a case without a former one starts from larger elements
   bool displacements = true; ///< results hold them; not needed where no fields are written
   bool foresee_shear = true; ///< the estimate knows what shear bears of the load
-  /// The grid covers only where h < 0.9 of the approach. False: where h is below three times that.
+  /// The grid covers only where h < potential_share of the approach. False: where h is below three times
+  /// that.
   bool potential_contact = true;
   /// Influence files must be of the scenes' own profiles. False: profiles that wear keep the files of a shape
   /// from which they hardly differ.

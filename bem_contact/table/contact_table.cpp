@@ -25,6 +25,8 @@ struct AxisWeights {
 };
 
 AxisWeights axis_weights(std::span<const double> x, double at) {
+  if (x.size() == 1)
+    return {0, 1, {1}};
   const std::size_t i = interval(x, at);
   const double h = x[i + 1] - x[i], share = std::clamp((at - x[i]) / h, 0.0, 1.0);
   if (share == 0 || share == 1) // a point of the table: what its neighbours are does not matter
@@ -60,18 +62,42 @@ AxisWeights axis_weights(std::span<const double> x, double at) {
 
 } // namespace
 
+AxisLine Axis::line(std::size_t before) const {
+  if (first.empty())
+    return {points, before * points.size()};
+  return {{points.data() + first[before], first[before + 1] - first[before]}, first[before]};
+}
+
+double Axis::from() const {
+  return first.empty() ? points.front() : points[first[first.size() - 2]];
+}
+
+double Axis::to() const {
+  return points.back();
+}
+
 std::size_t ContactTable::size() const {
   std::size_t n = 1;
   for (const Axis& axis : axes)
-    n *= axis.points.size();
+    n = axis.first.empty() ? n * axis.points.size() : axis.points.size();
   return n;
+}
+
+bool ContactTable::nested() const {
+  return std::ranges::any_of(axes, [](const Axis& axis) { return !axis.first.empty(); });
 }
 
 std::vector<double> ContactTable::point(std::size_t index) const {
   std::vector<double> out(axes.size());
   for (std::size_t a = axes.size(); a-- > 0;) {
-    out[a] = axes[a].points[index % axes[a].points.size()];
-    index /= axes[a].points.size();
+    const Axis& axis = axes[a];
+    if (axis.first.empty()) {
+      out[a] = axis.points[index % axis.points.size()];
+      index /= axis.points.size();
+    } else {
+      out[a] = axis.points[index];
+      index = static_cast<std::size_t>(std::ranges::upper_bound(axis.first, index) - axis.first.begin() - 1);
+    }
   }
   return out;
 }
@@ -93,13 +119,14 @@ std::vector<PointWeight> weights_at(const ContactTable& table, std::span<const d
                      fmt::format("it has {} axes", table.axes.size()), "Give one for each axis.");
   std::vector<PointWeight> out{{0, 1}};
   for (std::size_t a = 0; a < at.size(); ++a) {
-    const std::vector<double>& points = table.axes[a].points;
-    const AxisWeights axis = axis_weights(points, at[a]);
     std::vector<PointWeight> finer;
-    finer.reserve(out.size() * axis.count);
-    for (const PointWeight& coarse : out)
+    finer.reserve(4 * out.size());
+    for (const PointWeight& coarse : out) {
+      const AxisLine line = table.axes[a].line(coarse.index);
+      const AxisWeights axis = axis_weights(line.points, at[a]);
       for (std::size_t k = 0; k < axis.count; ++k)
-        finer.push_back({coarse.index * points.size() + axis.first + k, coarse.weight * axis.weights[k]});
+        finer.push_back({line.first + axis.first + k, coarse.weight * axis.weights[k]});
+    }
     out = std::move(finer);
   }
   return out;
@@ -117,7 +144,7 @@ double interpolate(const ContactTable& table, const Column& column, std::span<co
 }
 
 void require_inside(const Axis& axis, double at) {
-  const double from = axis.points.front(), to = axis.points.back(), slack = axis_slack * (to - from);
+  const double from = axis.from(), to = axis.to(), slack = axis_slack * (to - from);
   if (at >= from - slack && at <= to + slack) // not for nan
     return;
   throw InputError(

@@ -10,10 +10,26 @@
 
 namespace bem_contact::table {
 
-/// One axis of a table: its points increase.
+/// The points of one axis at some place of the axes before it.
+struct AxisLine {
+  std::span<const double> points; ///< they increase
+  std::size_t first;              ///< number of the first of them, counted over all lines of the axis
+};
+
+/// One axis of a table.
 struct Axis {
   std::string name, unit, description;
-  std::vector<double> points; ///< two or more
+  /// They increase. Of a nested axis: those of one line after the other.
+  std::vector<double> points;
+  /// Empty if the points are the same everywhere. Else the axis is nested: it has points of its own at each
+  /// point of the axes before it, and first[i] .. first[i + 1] are those at the i-th. A line may have a
+  /// single point, if the coordinate changes nothing there; the last line reaches from end to end.
+  std::vector<std::size_t> first{};
+
+  /// At the i-th point of the axes before it.
+  AxisLine line(std::size_t before) const;
+  double from() const; ///< its lower end
+  double to() const;   ///< its upper end
 };
 
 /// One number at every point of a table.
@@ -25,7 +41,8 @@ struct Column {
   double interpolation_error = std::numeric_limits<double>::quiet_NaN();
   /// Largest error by the size of the elements that a point states, in its unit; nan: not known.
   double element_error = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> values{}; ///< [first axis][second axis]...: the last axis runs fastest
+  /// One for each point; the last axis runs fastest: [first axis][second axis]..., unless axes are nested.
+  std::vector<double> values{};
 };
 
 /// By what the creepages of a creep table are scaled (creep_table.hpp): Kalker's coefficients over the
@@ -35,7 +52,7 @@ struct CreepScale {
   double poisson = 0;                                 ///< of the pair
 };
 
-/// Numbers over a tensor product of axes.
+/// Numbers over a tensor product of axes, or over nested axes.
 struct ContactTable {
   std::vector<Axis> axes{};
   std::vector<Column> columns{};
@@ -45,6 +62,7 @@ struct ContactTable {
   std::size_t checked = 0;           ///< of them, cells whose middle was solved to measure the error
 
   std::size_t size() const; ///< points
+  bool nested() const;      ///< whether an axis is
   /// A point by its number, as values have it.
   std::vector<double> point(std::size_t index) const;
   /// Throws InputError for a name that no column has.
@@ -59,8 +77,10 @@ struct PointWeight {
 
 /// How the points of a table make the value at a place, one coordinate for each axis. In each coordinate it
 /// is cubic between two points, with the slopes there of parabolas through three neighbours (linear, where
-/// there are only two points), and constant beyond the ends. The slope is continuous. Beside a jump it
-/// overshoots, by less than a tenth of the jump in each coordinate where points are equally far apart.
+/// there are only two points), and constant beyond the ends. Coordinates are taken one after the other: at
+/// each of up to four neighbours on one axis, the next axis has points of its own if it is nested. The slope
+/// is continuous. Beside a jump it overshoots, by less than a tenth of the jump in each coordinate where
+/// points are equally far apart.
 std::vector<PointWeight> weights_at(const ContactTable& table, std::span<const double> at);
 /// Their sum over the values of a column.
 double interpolate(const Column& column, std::span<const PointWeight> weights);

@@ -24,6 +24,9 @@ constexpr double modulus = 8e4;    // G, MPa
 constexpr double friction = 0.3;   // mu
 constexpr double curvature = 1e-3; // the sum of both, 1/mm
 
+/// The axes after log10(a/b). Numbers change most along the last ones, where refining adds fewest points.
+enum CreepAxis : std::size_t { along_t = 1, along_alpha, along_beta };
+
 /// R over c: the mean radius of the ellipse, R^2 = (a^2 + b^2)/2, and a/b + b/a = 2 cosh(log(a/b)).
 double mean_radius(double log10_ratio) {
   return std::sqrt(std::cosh(std::numbers::ln10 * log10_ratio));
@@ -94,9 +97,9 @@ SceneFile scene_of(double a_over_b, const CreepScale& scale, int elements) {
 
 /// xi', eta', phi'.
 std::array<double, 3> scaled_creepages(const Point& point) {
-  const double w = point[3] < 1 ? point[3] / (1 - point[3]) : 1; // a direction
-  return {w * std::cos(point[1]), w * std::sin(point[1]) * std::cos(point[2]),
-          w * std::sin(point[1]) * std::sin(point[2])};
+  const double w = point[along_t] < 1 ? point[along_t] / (1 - point[along_t]) : 1; // a direction
+  return {w * std::cos(point[along_alpha]), w * std::sin(point[along_alpha]) * std::cos(point[along_beta]),
+          w * std::sin(point[along_alpha]) * std::sin(point[along_beta])};
 }
 
 /// In full slip the elastic part of the slip is nothing beside the rigid one: the traction is mu p along
@@ -145,6 +148,21 @@ void require(const CreepTableOptions& o) {
            "4 to 200 are", "Give 20, and look at the error by the size of the elements.");
 }
 
+/// Adds a nested axis. Angles mean nothing at zero creepage, nor beta on the axis of xi': there is one point.
+void add_axis(ContactTable& table, Axis axis, const std::vector<double>& points) {
+  axis.first = {0};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const Point before = table.point(i);
+    const bool means_nothing = before.size() > along_t && (before[along_t] == 0 || before.back() == 0);
+    if (means_nothing)
+      axis.points.push_back(0);
+    else
+      axis.points.insert(axis.points.end(), points.begin(), points.end());
+    axis.first.push_back(axis.points.size());
+  }
+  table.axes.push_back(std::move(axis));
+}
+
 } // namespace
 
 ContactTable creep_table(const CreepTableOptions& options) {
@@ -152,15 +170,16 @@ ContactTable creep_table(const CreepTableOptions& options) {
   ContactTable table;
   table.scale = scale_of(options);
   const double from = std::log10(options.from), to = std::log10(options.to);
-  table.axes = {
-      {"log10_a_over_b", "1", "semi-axis along x over the one across it", {}},
-      {"alpha", "rad", "angle from xi' to the plane of eta' and phi'", {0, 0.5 * half_pi, half_pi}},
-      {"beta", "rad", "angle from eta' to phi'", {-half_pi, -0.5 * half_pi, 0, 0.5 * half_pi, half_pi}},
-      {"t", "1", "w/(1 + w) of the length w of (xi', eta', phi'); 1: full slip", {}}};
   const double first = first_creepage * options.tolerance;
-  table.axes[3].points = {0, first / (1 + first), 0.25, 0.5, 0.75, 1};
+  table.axes = {{"log10_a_over_b", "1", "semi-axis along x over the one across it", {}}};
   for (int i = 0; i < 3; ++i)
     table.axes[0].points.push_back(from + (to - from) * i / 2);
+  add_axis(table, {"t", "1", "w/(1 + w) of the length w of (xi', eta', phi'); 1: full slip", {}},
+           {0, first / (1 + first), 0.25, 0.5, 0.75, 1});
+  add_axis(table, {"alpha", "rad", "angle from xi' to the plane of eta' and phi'", {}},
+           {0, 0.5 * half_pi, half_pi});
+  add_axis(table, {"beta", "rad", "angle from eta' to phi'", {}},
+           {-half_pi, -0.5 * half_pi, 0, 0.5 * half_pi, half_pi});
   table.columns = {{.name = "Fx", .unit = "mu N", .description = "on the rail, over the friction bound"},
                    {.name = "Fy", .unit = "mu N", .description = "on the rail, over the friction bound"},
                    {.name = "Mz", .unit = "mu N R", .description = "on the rail, R = sqrt((a^2 + b^2)/2)"}};
@@ -174,12 +193,12 @@ PointSolver creep_point_solver(const CreepScale& scale, int elements) {
     double log_ratio = 0; ///< that `scene` has
   };
   return [=, solver = std::make_shared<Solver>()](const Point& point) {
-    if (point[3] == 0)
+    if (point[along_t] == 0)
       return PointValues{{0, 0, 0}, {unknown_error, unknown_error, unknown_error}};
     const auto [xi, eta, phi] = scaled_creepages(point);
     const ScalesOfCreepage k(scale, point[0]);
     const double radius = mean_radius(point[0]);
-    if (point[3] == 1) {
+    if (point[along_t] == 1) {
       const auto [fx, fy, mz] = full_slip(std::pow(10, point[0]), xi / k.xi, eta / k.eta, phi / k.phi);
       return PointValues{{fx, fy, mz / radius}, std::vector<double>(3, unknown_error)};
     }
@@ -208,14 +227,6 @@ PointSolver creep_point_solver(const CreepScale& scale, int elements) {
   };
 }
 
-Point representative_of_creepages(Point point) {
-  if (point[3] == 0)
-    point[0] = point[1] = 0;
-  if (point[1] == 0)
-    point[2] = 0;
-  return point;
-}
-
 TabulatedForces creep_forces(const ContactTable& table, const CreepContact& contact, double xi, double eta,
                              double phi) {
   if (!table.scale)
@@ -236,7 +247,9 @@ TabulatedForces creep_forces(const ContactTable& table, const CreepContact& cont
   const double sign = eta < 0 ? -1 : 1;
   const double y = unit * k.eta * sign * eta, z = unit * c * k.phi * sign * phi;
   const double w = std::hypot(x, y, z);
-  const double at[] = {log_ratio, std::atan2(std::hypot(y, z), x), std::atan2(z, y), w / (1 + w)};
+  double at[4] = {log_ratio};
+  at[along_alpha] = std::atan2(std::hypot(y, z), x), at[along_beta] = std::atan2(z, y),
+  at[along_t] = w / (1 + w);
   const std::vector<PointWeight> weights = weights_at(table, at);
   const Column &fx = table.column("Fx"), &fy = table.column("Fy"), &mz = table.column("Mz");
   return {std::copysign(contact.bound, xi) * interpolate(fx, weights),

@@ -19,9 +19,11 @@ namespace bem_contact::table {
 ///
 /// Kalker takes 1/xi' where xi' > 1, so that his table has no end. Here the axes are
 ///     log10(a/b),
+///     t = w / (1 + w), where w is the length of (xi', eta', phi'): 0 .. 1, and 1 is full slip,
 ///     alpha, from the axis of xi' to the plane of eta' and phi', 0 .. pi/2,
-///     beta, in that plane, from eta' to phi', -pi/2 .. pi/2,
-///     t = w / (1 + w), where w is the length of (xi', eta', phi'): 0 .. 1, and 1 is full slip.
+///     beta, in that plane, from eta' to phi', -pi/2 .. pi/2.
+/// They are nested (contact_table.hpp): forces change much only where slip becomes full while the pole of the
+/// motion lies near the leading edge.
 /// Creepages of the other signs follow by symmetry: the sign of xi turns that of Fx alone, and the signs of
 /// eta and phi together turn those of Fy and Mz alone.
 struct CreepTableOptions {
@@ -36,9 +38,6 @@ ContactTable creep_table(const CreepTableOptions& options);
 
 /// Solves points of such a table; each call makes one that has a Sequence of its own.
 PointSolver creep_point_solver(const CreepScale& scale, int elements);
-
-/// The same point for all that lie at zero creepage, or on the axis of xi', where beta means nothing.
-Point representative_of_creepages(Point point);
 
 /// A contact whose forces are asked for.
 struct CreepContact {

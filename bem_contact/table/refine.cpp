@@ -1,13 +1,14 @@
 #include "bem_contact/table/refine.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/table/refine_nested.hpp"
 #include "bem_contact/table/settings.hpp"
+#include "bem_contact/table/solved_points.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace bem_contact::table {
@@ -20,14 +21,14 @@ struct CellError {
   double relative = 0; ///< over the column's scale
 };
 
-class Refinement {
+class TensorRefinement {
 public:
-  Refinement(ContactTable& table, const PointsSolver& solve, const Wanted& wanted)
-      : table_(table), solve_(solve), wanted_(wanted) {}
+  TensorRefinement(ContactTable& table, const PointsSolver& solve, const Wanted& wanted)
+      : table_(table), wanted_(wanted), solved_(solve) {}
 
   void run() {
     for (int round = 0;; ++round) {
-      require_room(round);
+      require_room(table_, wanted_, round, worst_);
       fill();
       const std::vector<Point> cells = middles();
       std::map<Point, CellError> wrong = measure(sample(cells, round));
@@ -71,54 +72,24 @@ private:
     return out;
   }
 
-  Point key(Point point) const { return wanted_.representative ? wanted_.representative(point) : point; }
-
-  void solve_missing(const std::vector<Point>& points) {
-    std::set<Point> missing;
-    for (const Point& point : points)
-      if (Point k = key(point); !known_.contains(k))
-        missing.insert(std::move(k));
-    const std::vector<Point> asked(missing.begin(), missing.end());
-    const std::vector<PointValues> answers = solve_(asked);
-    for (std::size_t i = 0; i < asked.size(); ++i)
-      known_[asked[i]] = answers[i];
-    table_.solved = known_.size();
-  }
-
   void fill() {
-    std::vector<Point> points;
-    for (std::size_t i = 0; i < table_.size(); ++i)
-      points.push_back(table_.point(i));
     if (wanted_.progress)
       wanted_.progress(
-          fmt::format("{} points{}", points.size(), worst_at_.empty() ? "" : "; " + worst_text()));
-    solve_missing(points);
-    for (std::size_t c = 0; c < table_.columns.size(); ++c) {
-      Column& column = table_.columns[c];
-      column.values.clear();
-      column.element_error = std::numeric_limits<double>::quiet_NaN();
-      for (const Point& point : points) {
-        const PointValues& at = known_.at(key(point));
-        column.values.push_back(at.values[c]);
-        column.element_error = std::fmax(column.element_error, at.element_errors[c]);
-      }
-      if (column.held && std::ranges::any_of(column.values, [](double v) { return !std::isfinite(v); }))
-        throw InputError(fmt::format("{} cannot be held within the tolerance", column.name),
-                         "a point of the table has no such number", "Take it out of table.hold.");
-    }
+          fmt::format("{} points{}", table_.size(), worst_.at.empty() ? "" : "; " + worst_.text(table_)));
+    solved_.fill(table_);
     if (wanted_.rescale)
       wanted_.rescale(table_);
   }
 
   double error(const Point& middle, std::size_t c) const {
-    return std::abs(interpolate(table_, table_.columns[c], middle) - known_.at(key(middle)).values[c]);
+    return std::abs(interpolate(table_, table_.columns[c], middle) - solved_.at(middle).values[c]);
   }
 
   /// The cells among them whose error is too large.
   std::map<Point, CellError> measure(const std::vector<Point>& middles) {
-    solve_missing(middles);
+    solved_.ask(middles);
     std::map<Point, CellError> out;
-    worst_ = 0;
+    worst_.relative = 0;
     for (const Point& middle : middles) {
       CellError cell;
       for (std::size_t c = 0; c < table_.columns.size(); ++c)
@@ -127,8 +98,8 @@ private:
             cell = {c, relative};
       if (cell.relative > wanted_.tolerance)
         out[middle] = cell;
-      if (cell.relative > worst_)
-        worst_ = cell.relative, worst_at_ = middle, worst_column_ = cell.column;
+      if (cell.relative > worst_.relative)
+        worst_ = {cell.relative, cell.column, middle};
     }
     return out;
   }
@@ -150,7 +121,7 @@ private:
     std::vector<Point> edges;
     const auto each_edge = [&](const auto& use) {
       for (const auto& [middle, cell] : wrong)
-        if (cell.relative >= worst_share * worst_)
+        if (cell.relative >= worst_share * worst_.relative)
           for (std::size_t a = 0; a < middle.size(); ++a)
             use(middle, cell, a);
     };
@@ -158,7 +129,7 @@ private:
       for (const std::size_t end : {0u, 1u})
         edges.push_back(on_edge(middle, a, end));
     });
-    solve_missing(edges);
+    solved_.ask(edges);
     std::map<Point, std::vector<double>> along; ///< error of each cell along each axis
     each_edge([&](const Point& middle, const CellError& cell, std::size_t a) {
       along[middle].push_back(
@@ -176,33 +147,10 @@ private:
     }
   }
 
-  void require_room(int round) const {
-    const std::size_t points = table_.size();
-    if (points <= wanted_.most_points && round < most_rounds)
-      return;
-    if (round == 0)
-      throw InputError(fmt::format("The table begins with {} points", points),
-                       fmt::format("{} are allowed", wanted_.most_points),
-                       "Give fewer points on the axes, or allow more with --most-points.");
-    throw ConvergenceError(
-        fmt::format("The table is not within {:g} %", 100 * wanted_.tolerance),
-        fmt::format("{}, and the next refinement takes {} points where {} are allowed", worst_text(), points,
-                    wanted_.most_points),
-        "Allow a larger error with --tolerance or more points with --most-points, shorten the axes, or take "
-        "out of table.hold what jumps there.");
-  }
-
-  std::string worst_text() const {
-    std::string where;
-    for (std::size_t a = 0; a < table_.axes.size(); ++a)
-      where += fmt::format("{}{} = {:.6g}", a == 0 ? "" : ", ", table_.axes[a].name, worst_at_[a]);
-    return fmt::format("{} is still off by {:.3g} % at {}", table_.columns[worst_column_].name, 100 * worst_,
-                       where);
-  }
-
   void state_errors(const std::vector<Point>& cells) {
     table_.tolerance = wanted_.tolerance;
     table_.checked = cells.size();
+    table_.solved = solved_.size();
     for (std::size_t c = 0; c < table_.columns.size(); ++c) {
       double largest = 0;
       for (const Point& middle : cells)
@@ -212,12 +160,9 @@ private:
   }
 
   ContactTable& table_;
-  const PointsSolver& solve_;
   const Wanted& wanted_;
-  std::map<Point, PointValues> known_;
-  double worst_ = 0; ///< of the last measurement
-  Point worst_at_;
-  std::size_t worst_column_ = 0;
+  SolvedPoints solved_;
+  WorstError worst_;
 };
 
 } // namespace
@@ -235,7 +180,10 @@ void refine(ContactTable& table, const PointsSolver& solve, const Wanted& wanted
   if (!(wanted.tolerance > 0 && std::isfinite(wanted.tolerance)))
     throw InputError(fmt::format("A table within {:g} is not possible", wanted.tolerance),
                      "the tolerance is no positive number", "Give one, such as 0.01.");
-  Refinement(table, solve, wanted).run();
+  if (table.nested())
+    refine_nested(table, solve, wanted);
+  else
+    TensorRefinement(table, solve, wanted).run();
 }
 
 } // namespace bem_contact::table

@@ -30,16 +30,15 @@ struct Wanted {
   std::size_t most_points = 200000; ///< of the table; between them about as many more are solved
   /// Sets the scales of the columns from their values; empty: they stay.
   std::function<void(ContactTable&)> rescale{};
-  /// Points with the same result give the same; empty: all differ.
-  std::function<Point(Point)> representative{};
   /// Hears how far it is; empty: nobody.
   std::function<void(const std::string&)> progress{};
 };
 
 /// Solves every point of a table and, to measure the error, the middle of its cells. Where the error is too
 /// large, intervals of the axis along which it is largest are halved, until every cell's middle is within
-/// the tolerance. Only axes that are given grow: nothing is solved beyond their ends. Throws ConvergenceError
-/// if that takes more than most_points, or if a point has no certified result.
+/// the tolerance. Nested axes are refined where the error is, and nowhere else; of others, whole intervals.
+/// Only axes that are given grow: nothing is solved beyond their ends. Throws ConvergenceError if that takes
+/// more than most_points, or if a point has no certified result.
 void refine(ContactTable& table, const PointsSolver& solve, const Wanted& wanted);
 
 } // namespace bem_contact::table

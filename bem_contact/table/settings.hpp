@@ -15,6 +15,9 @@ BEM_CONTACT_TUNED(std::size_t, cells_in_a_round, 400);
 BEM_CONTACT_TUNED(double, worst_share, 0.5);
 /// 1, of the largest of a cell's errors along its axes: axes with a larger one are refined, all at once.
 BEM_CONTACT_TUNED(double, axis_share, 0.7);
+/// 1, of the tolerance: with nested axes, a larger error along the last axis is removed before the axes
+/// before it are looked at. A table of a/b from 0.1 to 10 within 1 % takes 26516 points with it.
+BEM_CONTACT_TUNED(double, inner_share, 0.5);
 /// 1. Rounds, as a guard: each inserts a point at least, and 200 points on an axis are no table.
 BEM_CONTACT_TUNED(int, most_rounds, 200);
 

@@ -35,6 +35,20 @@ std::vector<std::string> words(const H5Table& file, const char* attribute) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
+/// Throws std::out_of_range if the lines of the last axis are none.
+void require_lines(const ContactTable& table) {
+  const Axis& axis = table.axes.back();
+  const std::span axes_before(table.axes.data(), table.axes.size() - 1);
+  const std::size_t lines = ContactTable{.axes = {axes_before.begin(), axes_before.end()}}.size();
+  const bool fit = axis.first.empty()
+                       ? !axis.points.empty()
+                       : axis.first.size() == lines + 1 && axis.first.front() == 0 &&
+                             axis.first.back() == axis.points.size() &&
+                             std::ranges::adjacent_find(axis.first, std::greater_equal()) == axis.first.end();
+  if (!fit)
+    throw std::out_of_range(axis.name);
+}
+
 ContactTable table_of(const H5Table& file) {
   const auto data = [&](const std::string& name) -> const H5Dataset& { return file.datasets.at(name); };
   const auto number = [&](const char* name) { return std::get<double>(file.attributes.at(name)); };
@@ -42,6 +56,9 @@ ContactTable table_of(const H5Table& file) {
   for (const std::string& name : words(file, "axes")) {
     const H5Dataset& axis = data("axes/" + name);
     table.axes.push_back({name, axis.unit, axis.description, axis.values});
+    if (const auto first = file.datasets.find("first/" + name); first != file.datasets.end())
+      table.axes.back().first.assign(first->second.values.begin(), first->second.values.end());
+    require_lines(table);
   }
   const std::vector<std::string> held = words(file, "held");
   for (const std::string& name : words(file, "columns")) {
@@ -70,7 +87,14 @@ H5Table to_h5(const ContactTable& table) {
   for (const Axis& axis : table.axes) {
     shape.push_back(axis.points.size());
     out.datasets["axes/" + axis.name] = {{axis.points.size()}, axis.points, axis.unit, axis.description};
+    if (!axis.first.empty())
+      out.datasets["first/" + axis.name] = {{axis.first.size()},
+                                            {axis.first.begin(), axis.first.end()},
+                                            "1",
+                                            "where the points begin that belong to each point before"};
   }
+  if (table.nested())
+    shape = {table.size()};
   for (const Column& c : table.columns) {
     const auto one = [&](double value, const char* description) {
       return H5Dataset{{}, {value}, c.unit, description};
@@ -106,12 +130,13 @@ H5Table to_h5(const ContactTable& table) {
 }
 
 std::string to_text(const ContactTable& table) {
-  std::string out = fmt::format("bem_contact_table 2\n{} {} {}\n", table.axes.size(), table.columns.size(),
+  std::string out = fmt::format("bem_contact_table 3\n{} {} {}\n", table.axes.size(), table.columns.size(),
                                 table.scale ? table.scale->c11.size() : 0);
   for (const Axis& axis : table.axes)
     out += fmt::format("{} ", axis.points.size());
   for (const Axis& axis : table.axes)
-    out += fmt::format("\n{} '{}'\n{:.17g}", axis.name, axis.unit, fmt::join(axis.points, "\n"));
+    out += fmt::format("\n{} '{}' {}\n{:.17g}\n{}", axis.name, axis.unit, axis.first.size(),
+                       fmt::join(axis.points, "\n"), fmt::join(axis.first, "\n"));
   for (const Column& c : table.columns)
     out += fmt::format("\n{} '{}' {:.6g}\n{:.17g}", c.name, c.unit, c.interpolation_error,
                        fmt::join(c.values, "\n"));

@@ -160,10 +160,16 @@ TEST(ElementCount, MoreWhereTheErrorIsTooLargeFewerWhereItIsNot) {
   EXPECT_GT(count.wanted(), 260);
   EXPECT_LE(count.wanted(), 800);
   EXPECT_FALSE(count.learn(600, 0.002));
-  EXPECT_LT(count.wanted(), 600);
-  EXPECT_GE(count.wanted(), 0.35 * 600 - 1);
+  EXPECT_GE(count.wanted(), 200);
+  EXPECT_LT(count.wanted(), 0.35 * 600); // no less than 0.35 of the last, and from there towards the usual
   EXPECT_FALSE(count.learn(250, 1e-6));
   EXPECT_EQ(count.wanted(), fewest_elements);
+}
+
+TEST(ElementCount, ACaseThatNeededManySaysLittleOfTheNext) {
+  ElementCount count(200, 0.02);
+  EXPECT_FALSE(count.learn(800, 0.0199)); // 1.1 * 800 would serve the same case
+  EXPECT_NEAR(count.wanted(), std::sqrt(200 * 1.1 * 800), 3);
 }
 
 TEST(ElementCount, WithoutAnEstimateTwiceAsMany) {

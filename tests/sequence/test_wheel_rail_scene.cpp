@@ -147,7 +147,7 @@ TEST(WheelRailScene, TheGridFollowsTheLocusOfAYawedWheel) {
   for (int is = 0; is < grid.ms; ++is)
     for (const int ix : {0, grid.mx - 1})
       EXPECT_GT(contact.problem.gap[is * grid.mx + ix],
-                0.9 * asked.estimate->approach * std::cos(contact.problem.rows[is].delta));
+                asked.estimate->reach * asked.estimate->approach * std::cos(contact.problem.rows[is].delta));
 }
 
 TEST(WheelRailScene, PlanarContactHasOneInclination) {

@@ -94,6 +94,77 @@ TEST(Refine, MeetsTheToleranceAtPointsNotUsed) {
   }
 }
 
+/// The plane with a line of points of its own at each x.
+ContactTable nested_plane() {
+  ContactTable t = plane();
+  t.axes[1] = {"y", "N", "", {2, 3, 4, 2, 3, 4, 2, 3, 4}, {0, 3, 6, 9}};
+  return t;
+}
+
+/// Points and weights by hand: the lines at x = 0, .5 and 1 have one, two and three points.
+TEST(NestedAxes, EachPointHasItsOwnLine) {
+  ContactTable t = plane();
+  t.axes[1] = {"y", "N", "", {0, 2, 4, 2, 3, 4}, {0, 1, 3, 6}};
+  t.columns[0].values = {7, 10, 20, 1, 5, 2};
+  EXPECT_EQ(t.size(), 6u);
+  EXPECT_EQ(t.point(0), (Point{0, 0}));
+  EXPECT_EQ(t.point(2), (Point{0.5, 4}));
+  EXPECT_EQ(t.point(4), (Point{1, 3}));
+  EXPECT_EQ(t.axes[1].from(), 2);
+  EXPECT_EQ(t.axes[1].to(), 4);
+  EXPECT_NEAR(interpolate(t, t.columns[0], Point{0, 2.7}), 7, 1e-14);      // a single point: constant
+  EXPECT_NEAR(interpolate(t, t.columns[0], Point{0.5, 2.5}), 12.5, 1e-14); // two points: a line
+  EXPECT_NEAR(interpolate(t, t.columns[0], Point{1, 3}), 5, 1e-14);
+  // At y = 3 the lines say 7, 15 and 5: the parabola through these.
+  EXPECT_NEAR(interpolate(t, t.columns[0], Point{0.25, 3}), 0.375 * 7 + 0.75 * 15 - 0.125 * 5, 1e-13);
+}
+
+TEST(NestedAxes, InterpolationIsExactForParabolas) {
+  ContactTable t = nested_plane();
+  refine(t, solver_of(quadratic), {});
+  EXPECT_EQ(t.size(), 9u);
+  EXPECT_EQ(t.checked, 4u);
+  EXPECT_EQ(t.solved, 13u);
+  for (const Point& p : {Point{0.3, 2.7}, Point{0.9, 2.1}, Point{0.5, 3.3}, Point{1, 4}, Point{0, 2}})
+    EXPECT_NEAR(interpolate(t, t.columns[0], p), quadratic(p), 1e-14);
+}
+
+/// A ridge across the corner.
+double ridge(const Point& p) {
+  return std::tanh(10 * (p[0] + 0.5 * p[1] - 2.2));
+}
+
+/// Lines get points only where the ridge crosses them, fewer than the tensor takes.
+TEST(NestedAxes, PointsComeOnlyWhereTheFunctionBends) {
+  ContactTable nested = nested_plane(), tensor = plane();
+  refine(nested, solver_of(ridge), {.tolerance = 0.02});
+  refine(tensor, solver_of(ridge), {.tolerance = 0.02});
+  EXPECT_LT(nested.size(), 0.7 * static_cast<double>(tensor.size()));
+  EXPECT_LE(nested.columns[0].interpolation_error, 0.02);
+  EXPECT_GT(nested.columns[0].interpolation_error, 0.002);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> x(0, 1), y(2, 4);
+  double worst = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Point p{x(random), y(random)};
+    worst = std::max(worst, std::abs(interpolate(nested, nested.columns[0], p) - ridge(p)));
+  }
+  fmt::print("{} points, {} of a tensor; off by up to {:.3f}\n", nested.size(), tensor.size(), worst);
+  EXPECT_LE(worst, 0.03); // the middle of a cell is not quite the worst
+}
+
+/// The slope is continuous across the points of the outer axis, whatever lines they have.
+TEST(NestedAxes, SlopeIsContinuous) {
+  ContactTable t = nested_plane();
+  refine(t, solver_of(ridge), {.tolerance = 0.02});
+  const double h = 1e-6;
+  const auto at = [&](double x) { return interpolate(t, t.columns[0], Point{x, 2.7}); };
+  for (std::size_t i = 1; i + 1 < t.axes[0].points.size(); ++i) {
+    const double x = t.axes[0].points[i];
+    EXPECT_NEAR((at(x + h) - at(x)) / h, (at(x) - at(x - h)) / h, 1e-3) << x;
+  }
+}
+
 /// An error relative to a larger scale, or of a column that is not held, adds no point.
 TEST(Refine, LooksAtHeldColumnsByTheirScale) {
   ContactTable t = plane();
@@ -118,6 +189,9 @@ TEST(Refine, SaysWhereTheToleranceIsNotMet) {
          {"not within 1 %", "f is still off by", "x = 0.", "60 are allowed", "--most-points"})
       EXPECT_THAT(error.what(), HasSubstr(part));
   }
+  ContactTable nested = nested_plane();
+  EXPECT_THROW(refine(nested, solver_of(jump), {.tolerance = 0.01, .most_points = 60}), ConvergenceError);
+  EXPECT_THROW(refine(nested, solver_of([](const Point&) { return std::nan(""); }), {}), InputError);
   EXPECT_THROW(refined(jump, {.most_points = 8}), InputError);
   EXPECT_THROW(refined(jump, {.tolerance = 0}), InputError);
   EXPECT_THROW(refined([](const Point&) { return std::nan(""); }, {}), InputError);
@@ -137,6 +211,15 @@ TEST(TableFile, IsReadAsItWasWritten) {
   EXPECT_EQ(read.columns[0].interpolation_error, t.columns[0].interpolation_error);
   EXPECT_EQ(read.scale->c22, t.scale->c22);
   EXPECT_EQ(read.solved, t.solved);
+  ContactTable nested = nested_plane();
+  refine(nested, solver_of(steep), {.tolerance = 0.1});
+  write_h5(file, to_h5(nested));
+  EXPECT_EQ(read_table(file).axes[1].first, nested.axes[1].first);
+  EXPECT_EQ(read_table(file).columns[0].values, nested.columns[0].values);
+  H5Table damaged = to_h5(nested);
+  damaged.datasets["first/y"].values[1] += 1e6;
+  write_h5(file, damaged);
+  EXPECT_THROW(read_table(file), InputError);
   H5Table other;
   other.attributes["format"] = std::string(table_format);
   write_h5(file, other);

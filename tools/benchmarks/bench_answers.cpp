@@ -1,5 +1,5 @@
 // What whole answers cost: the cases of a sweep file, solved one after the other by one sequence.
-//     bench_answers SWEEP.toml REPEATS      a CSV line a repeat, each with a sequence of its own
+//     bench_answers SWEEP.toml REPEATS      a CSV line a case; each repeat with a sequence of its own
 // tools/benchmarks/bench_answers builds it for older commits too; this is why it asks what there is.
 #include "bem_contact/base/error.hpp"
 #if __has_include("bem_contact/base/memory.hpp")
@@ -46,25 +46,19 @@ template <class Seconds> std::pair<double, double> checks_of(const Seconds& seco
 }
 
 void answer(const SweepFile& sweep, int repeat) {
-  const long faults = page_faults();
-  const std::clock_t start = std::clock();
-  double geometry = 0, numbers = 0, solve = 0, check = 0, estimate = 0;
-  int elements = 0, contact = 0, certified = 0;
   Sequence sequence;
   for (std::size_t i = 0; i < sweep.size(); ++i) {
-    const SceneResult r = sequence.solve(sweep.scene(i));
-    geometry += r.seconds.geometry;
-    numbers += r.seconds.numbers;
-    solve += r.seconds.solve;
-    check += checks_of(r.seconds).first;
-    estimate += checks_of(r.seconds).second;
-    elements += r.problem.grid.size();
-    contact += count_elements(r.result).contact;
-    certified += r.result.converged;
+    const SceneFile scene = sweep.scene(i);
+    const long faults = page_faults();
+    const std::clock_t start = std::clock();
+    const SceneResult r = sequence.solve(scene);
+    const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
+    const auto [check, estimate] = checks_of(r.seconds);
+    fmt::print("{},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{},{},{},{},{}\n", repeat, i, seconds,
+               r.seconds.geometry, r.seconds.numbers, r.seconds.solve, check, estimate,
+               page_faults() - faults, r.problem.grid.size(), count_elements(r.result).contact,
+               sequence.counts().solves, int(r.result.converged));
   }
-  const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
-  fmt::print("{},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{},{},{},{}\n", repeat, seconds, geometry, numbers,
-             solve, check, estimate, page_faults() - faults, elements, contact, certified);
 }
 
 } // namespace
@@ -80,7 +74,8 @@ int main(int argc, char** argv) {
   try {
     const SweepFile sweep = read_sweep_file(argv[1]);
     fmt::print(
-        "repeat,cpu_seconds,geometry,numbers,solve,check,estimate,page_faults,elements,contact,certified\n");
+        "repeat,case,cpu_seconds,geometry,numbers,solve,check,estimate,page_faults,elements,contact,solves,"
+        "certified\n");
     for (int repeat = 0; repeat < std::stoi(argv[2]); ++repeat)
       answer(sweep, repeat);
   } catch (const Error& error) {

@@ -9,6 +9,7 @@ above the critical speed of the linear theory. limit-cycle: S1002 on 60E1, below
 """
 
 import argparse
+import sys
 from pathlib import Path
 from time import perf_counter
 
@@ -121,20 +122,19 @@ def report_limit_cycle(picture):
 
 
 def draw(runs, picture):
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    figure, axes = plt.subplots(2, 1, sharex=True, figsize=(8, 5), constrained_layout=True)
-    for speed, motion, forces in runs:
-        axes[0].plot(motion.t, motion.y[0], label=f"{speed / 1000:.0f} m/s")
-        axes[1].plot(motion.t, forces / 1000, label=f"{speed / 1000:.0f} m/s")
-    axes[0].set_ylabel("lateral displacement, mm")
-    axes[1].set_ylabel("largest lateral force\nof a wheel, kN")
-    axes[1].set_xlabel("time, s")
-    for axis in axes:
-        axis.grid(alpha=0.3)
+    sys.path.insert(0, str(HERE.parent))
+    from plotting import style
+    style.use()
+    figure, ((lateral,), (force,)) = style.panels(2, 1, (9, 6.4), sharex=True)
+    for (speed, motion, forces), dash in zip(runs, ("-", "--")):
+        name = f"{speed / 1000:.0f} m/s"
+        lateral.plot(motion.t, motion.y[0], dash, color=style.INK, label=name)
+        force.plot(motion.t, forces / 1000, dash, color=style.FORCES["Fy"][0], label=name)
+    lateral.set(ylabel="lateral displacement, mm", title="The wheelset")
+    force.set(ylabel="|Fy| of a wheel, kN", xlabel="time, s", title="Largest lateral force of a wheel")
+    for axis in (lateral, force):
         axis.legend(loc="upper left")
-    figure.savefig(picture, dpi=110)
+    style.save(figure, picture)
 
 
 def main():

@@ -289,6 +289,7 @@ class Table:
     """A table to look up in; its members are what the dict of table() holds."""
 
     axes: dict[str, NDArray[Any]]
+    first: dict[str, NDArray[Any]]
     values: dict[str, NDArray[Any]]
     errors: dict[str, dict[str, Any]]
     units: dict[str, str]

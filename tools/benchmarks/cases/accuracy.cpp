@@ -16,6 +16,10 @@ using namespace bem_contact;
 
 namespace {
 
+void print_columns() {
+  fmt::print("model,accuracy,case,cpu_seconds,error,estimate,contact,dx,ds,status,reference\n");
+}
+
 void rows(const SweepFile& sweep, const std::vector<double>& asked, const std::vector<Reference>& exact,
           std::size_t every) {
   for (const double wanted : asked) {
@@ -47,10 +51,15 @@ void rows(const SweepFile& sweep, const std::vector<double>& asked, const std::v
 
 } // namespace
 
+void files(const SweepFile& sweep, const SweepFile& by) {
+  print_columns();
+  rows(sweep, {0.02}, references(sweep, by, 1), 1);
+}
+
 void accuracy(const SweepFile& sweep, const SweepFile& by) {
   const bool halfspace = sweep.scene(0).solver.model == Model::halfspace;
   const std::size_t every = halfspace ? 4 : 3;
-  fmt::print("model,accuracy,case,cpu_seconds,error,estimate,contact,dx,ds,status,reference\n");
+  print_columns();
   const std::vector<Reference> exact = references(sweep, by);
   rows(sweep, {0.1, 0.05, 0.02, 0.01, 0.005}, exact, 1);
   // Full numbers would fill the memory, and what their files are off by is far more.

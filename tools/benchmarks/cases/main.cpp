@@ -1,6 +1,7 @@
 // What a sequence of cases costs, and how wrong it is.
 //     bench_cases ablation SWEEP.toml [BY.toml]   the table of what each means of a sequence saves
 //     bench_cases accuracy SWEEP.toml [BY.toml]   one CSV line a case and accuracy: seconds, error, estimate
+//     bench_cases files SWEEP.toml BY.toml        the same, of the influence files alone
 //     bench_cases areas SWEEP.toml                what contact in two areas costs beside each area alone
 //     bench_cases estimates SWEEP.toml            one CSV line a case and printed number: stated and true
 //     error
@@ -20,12 +21,13 @@ extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 int main(int argc, char** argv) {
   using namespace bem_contact;
   const std::string what = argc > 1 ? argv[1] : "";
-  const bool with_reference = what == "ablation" || what == "accuracy";
+  const bool with_reference = what == "ablation" || what == "accuracy" || what == "files";
   if (argc < 3 || argc > (with_reference ? 4 : 3) ||
       (!with_reference && what != "areas" && what != "estimates")) {
-    fmt::print(stderr,
-               "usage: {0} ablation|accuracy SWEEP.toml [BY.toml]\n       {0} areas|estimates SWEEP.toml\n",
-               argv[0]);
+    fmt::print(
+        stderr,
+        "usage: {0} ablation|accuracy|files SWEEP.toml [BY.toml]\n       {0} areas|estimates SWEEP.toml\n",
+        argv[0]);
     return 2;
   }
   if (openblas_set_num_threads)
@@ -43,6 +45,8 @@ int main(int argc, char** argv) {
       cases::estimates(sweep);
     else if (what == "accuracy")
       cases::accuracy(sweep, by);
+    else if (what == "files")
+      cases::files(sweep, by);
     else
       cases::ablation(sweep, by);
   } catch (const Error& error) {

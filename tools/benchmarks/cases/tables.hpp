@@ -14,6 +14,10 @@ void ablation(const bem_contact::SweepFile& sweep, const bem_contact::SweepFile&
 /// references have elements an eighth as large and of many cases every fourth is solved.
 void accuracy(const bem_contact::SweepFile& sweep, const bem_contact::SweepFile& by);
 
+/// The same lines at 2 %, with the error against `by` on the same elements: what the influence files are off
+/// by.
+void files(const bem_contact::SweepFile& sweep, const bem_contact::SweepFile& by);
+
 /// What contact in two areas costs beside each area alone.
 void areas(const bem_contact::SweepFile& sweep);
 
