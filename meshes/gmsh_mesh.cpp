@@ -4,7 +4,6 @@
 #include "meshes/gmsh_session.hpp"
 #include "meshes/settings.hpp"
 
-#include <algorithm>
 #include <map>
 
 namespace bem_contact::meshes {

@@ -8,7 +8,6 @@
 #include "bem_contact/base/output_file.hpp"
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,6 @@
 #include "bem_contact/profile/read_profile.hpp"
 
 #include <string>
-#include <vector>
 
 namespace bem_contact::app {
 

@@ -4,7 +4,6 @@
 #include "bem_contact/app/stresses_output.hpp"
 #include "bem_contact/app/structure_output.hpp"
 #include "bem_contact/base/provenance.hpp"
-#include "bem_contact/contact/history.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 
 #include <algorithm>
@@ -12,7 +11,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <utility>
 

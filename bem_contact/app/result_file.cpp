@@ -1,7 +1,6 @@
 #include "bem_contact/app/result_file.hpp"
 #include "bem_contact/contact/history.hpp"
 
-#include "bem_contact/app/report.hpp"
 #include "bem_contact/app/stresses_output.hpp"
 #include "bem_contact/app/structure_output.hpp"
 #include "bem_contact/sequence/quantities.hpp"

@@ -22,7 +22,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
-#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>

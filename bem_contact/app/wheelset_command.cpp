@@ -3,12 +3,10 @@
 #include "bem_contact/app/scene_commands.hpp"
 #include "bem_contact/app/vtk_file.hpp"
 #include "bem_contact/app/wheelset_output.hpp"
-#include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>

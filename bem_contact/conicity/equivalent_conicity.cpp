@@ -82,10 +82,6 @@ double time_on(const Flank& flank, double level, double end) {
 
 } // namespace
 
-double klingel_wavelength(double tan_gamma, const KlingelLengths& lengths) {
-  return 2 * std::numbers::pi * std::sqrt(lengths.contact_distance * lengths.wheel_radius / (2 * tan_gamma));
-}
-
 std::optional<EquivalentConicity> equivalent_conicity(std::span<const RadiusDifference> function,
                                                       double amplitude, const KlingelLengths& lengths) {
   if (function.size() < 3 || !std::ranges::is_sorted(function, {}, &RadiusDifference::lateral) ||

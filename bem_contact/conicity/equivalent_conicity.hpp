@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace bem_contact {
 
@@ -25,10 +24,6 @@ struct KlingelLengths {
   double contact_distance = 1500; ///< e: of the two contact circles, mm
   double wheel_radius = 460;      ///< r0, mm
 };
-
-/// Wavelength of the motion of a wheelset with conical wheels (Klingel 1883): 2 pi sqrt(e r0 / (2 tan
-/// gamma)), mm.
-double klingel_wavelength(double tan_gamma, const KlingelLengths& lengths);
 
 /// The motion of this amplitude; nothing where there is none, because the table ends before, because nothing
 /// holds the wheelset in the middle, or because no motion has this amplitude (a hump of the potential).

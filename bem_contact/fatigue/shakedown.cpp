@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <numbers>
 
 namespace bem_contact::fatigue {
@@ -22,10 +21,6 @@ void require_positive(double value, const char* name) {
 
 void require_yield_shear(double yield_shear) {
   require_positive(yield_shear, "The yield stress in shear");
-}
-
-double surface_limit(double traction) {
-  return traction > 0 ? 1 / traction : std::numeric_limits<double>::infinity();
 }
 
 double surface_index(const ShakedownPoint& point) {

@@ -9,11 +9,8 @@ struct ShakedownPoint {
   double traction = 0; ///< mu used: the resultant of shear over the normal force
 };
 
-/// The largest p0 / k at which the surface does not flow cycle after cycle, 1 / mu (Ekberg, Kabo and
-/// Andersson, Fatigue Fract. Eng. Mater. Struct. 25 (2002) 899); infinite without traction.
-double surface_limit(double traction);
-
-/// FI_surf = mu used - k / p0 (the same paper): above 0 the surface fatigues. Throws InputError unless p0/k >
+/// FI_surf = mu used - k / p0 (Ekberg, Kabo and Andersson, Fatigue Fract. Eng. Mater. Struct. 25 (2002) 899):
+/// above 0 the surface flows cycle after cycle, and fatigues. Throws InputError unless p0/k >
 /// 0.
 double surface_index(const ShakedownPoint& point);
 

@@ -4,7 +4,6 @@
 #include "bem_contact/profile/profile_curve.hpp"
 #include "bem_contact/profile/rail_section.hpp"
 
-#include <string>
 #include <vector>
 
 namespace bem_contact {

@@ -3,8 +3,6 @@
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/settings.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>

@@ -5,7 +5,6 @@
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace bem_contact {

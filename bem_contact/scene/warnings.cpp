@@ -3,7 +3,6 @@
 #include "bem_contact/profile/wheel_datum.hpp"
 #include "bem_contact/scene/settings.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>

@@ -4,7 +4,6 @@
 #include "bem_contact/sequence/settings.hpp"
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace bem_contact {

@@ -18,7 +18,7 @@ struct LateralSample {
 
 /// Both ends of an interval over which the force passes the one that is wanted.
 struct LateralBracket {
-  LateralSample low, high;
+  LateralSample low, high; ///< ascending in the displacement
 };
 
 /// Narrows a bracket by the method of Alefeld, Potra and Shi (1995), until `wanted` is met within `tolerance`

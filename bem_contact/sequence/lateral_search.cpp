@@ -3,8 +3,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/sequence/settings.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 

@@ -4,7 +4,6 @@
 #include "bem_contact/scene/accuracy_of.hpp"
 #include "bem_contact/sequence/contact_case.hpp"
 
-#include <optional>
 #include <span>
 
 namespace bem_contact {

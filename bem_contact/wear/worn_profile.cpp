@@ -93,13 +93,6 @@ std::vector<Point2> worn(std::span<const Point2> points, const std::vector<doubl
   return out;
 }
 
-double area_between(std::span<const Point2> before, std::span<const Point2> after) {
-  double sum = 0;
-  for (std::size_t i = 0; i + 1 < before.size(); ++i)
-    sum += cross(after[i + 1] - before[i], after[i] - before[i + 1]) / 2;
-  return sum;
-}
-
 void write_profile(const std::filesystem::path& file, std::span<const Point2> points) {
   write_whole(file, [&](std::ostream& out) {
     for (const Point2& p : points)

@@ -37,9 +37,6 @@ private:
 /// larger by depth times curvature / 2.
 std::vector<Point2> worn(std::span<const Point2> points, const std::vector<double>& depth, double area);
 
-/// Area between two polygons of equally many points, the second inside the body, mm^2.
-double area_between(std::span<const Point2> before, std::span<const Point2> after);
-
 /// Two columns y z, as scenes read them with profile_z = "down"; whole or not at all.
 void write_profile(const std::filesystem::path& file, std::span<const Point2> points);
 

@@ -1,7 +1,5 @@
 #include "bem_contact/wheelset/wheel_forces.hpp"
 
-#include <cmath>
-
 namespace bem_contact {
 
 Wrench& Wrench::operator+=(const Wrench& other) {

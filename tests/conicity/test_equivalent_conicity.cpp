@@ -14,6 +14,11 @@ using Function = std::vector<RadiusDifference>;
 constexpr KlingelLengths lengths{1500, 460};
 constexpr double er = 1500 * 460;
 
+/// Of a wheelset with conical wheels (Klingel 1883), mm.
+double klingel_wavelength(double tan_gamma, const KlingelLengths& l) {
+  return 2 * std::numbers::pi * std::sqrt(l.contact_distance * l.wheel_radius / (2 * tan_gamma));
+}
+
 template <class F> Function sampled(const F& f, double reach, double step) {
   Function out;
   const int steps = static_cast<int>(std::lround(reach / step));

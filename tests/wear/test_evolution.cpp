@@ -2,6 +2,7 @@
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/wear/evolution.hpp"
 #include "tests/base/temporary_folder.hpp"
+#include "tests/wear/area_between.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/wear/evolution.hpp"
 #include "tests/base/temporary_folder.hpp"
+#include "tests/wear/area_between.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
