@@ -159,8 +159,9 @@ std::string totals_text(const SceneResult& r, double force) {
                        plus_minus(r, "friction_power"),
                        r.problem.motion == MotionKind::shift ? "N mm" : "N mm per mm rolled");
   if (c.temperatures)
-    out += fmt::format("flash temperature: rail at most {:.1f}, wheel {:.1f} degrees C\n",
-                       quantity("Tmax_rail").value(r), quantity("Tmax_wheel").value(r));
+    out += fmt::format("flash temperature: rail at most {:.1f}{}, wheel {:.1f}{} degrees C\n",
+                       quantity("Tmax_rail").value(r), plus_minus(r, "Tmax_rail"),
+                       quantity("Tmax_wheel").value(r), plus_minus(r, "Tmax_wheel"));
   if (r.problem.force_x || r.problem.force_s)
     out += fmt::format("creepages found for the shear forces: xi {:+.6g}{}, eta {:+.6g}{}\n", c.creepage_x,
                        plus_minus(r, "xi"), c.creepage_s, plus_minus(r, "eta"));

@@ -74,6 +74,8 @@ struct TotalErrors {
   double area = unknown_error;                                   ///< contact_area(), mm^2
   double adhesion_share = unknown_error; ///< elements in adhesion over those in contact
   double friction_power = unknown_error; ///< friction_power(), N (shift: N mm)
+  /// Largest of SurfaceTemperatures, degrees C.
+  double highest_rail_temperature = unknown_error, highest_wheel_temperature = unknown_error;
 };
 
 /// The same of the numbers of PatchSummary. nan too where the coarser elements have other patches.

@@ -320,8 +320,8 @@ BEM_CONTACT_TUNED(int, least_companion_line, 7);
 // They are fitted to random cases of tools/benchmarks/estimates: those of shear to 870 (seeds 1, 2, 6 and 7),
 // those of power to 600 (1, 2 and 6), the others to 415 (1 and 2), so that about 96 in 100 true errors are
 // below the stated ones and the median of stated over true is least. Those of pmax and of shear were set anew
-// on 1200 (8 to 11), those of creepages on the 185 of these with a force prescribed. tools/BENCHMARKS.md,
-// section 9, judges them on other cases.
+// on 1200 (8 to 11), those of creepages on the 185 of these with a force prescribed, those of temperatures on
+// 720 (1, 2, 6 to 9 and 12 to 17). tools/BENCHMARKS.md, section 9, judges them on other cases.
 
 BEM_CONTACT_TUNED(double, pmax_change, 0.02);     ///< 1. Share of the change of pmax,
 BEM_CONTACT_TUNED(double, pmax_local, 0.092);     ///< 1. and of how far p_n falls beside its peak,
@@ -343,10 +343,13 @@ BEM_CONTACT_TUNED(double, shear_x_share, 0.93);
 BEM_CONTACT_TUNED(double, moment_share, 0.81);
 /// 1. So much for the normal force of a patch, where the larger of two changes counts.
 BEM_CONTACT_TUNED(double, normal_share, 0.77);
-BEM_CONTACT_TUNED(double, power_change, 1.15);   ///< 1. Share of the change of the frictional power,
-BEM_CONTACT_TUNED(double, power_local, 0.40);    ///< 1. and of that of one element (mean).
-BEM_CONTACT_TUNED(double, approach_change, 0.2); ///< 1. Share of the change of the approach,
-BEM_CONTACT_TUNED(double, approach_local, 0.3);  ///< 1. of it over the elements in contact,
+BEM_CONTACT_TUNED(double, power_change, 1.15);       ///< 1. Share of the change of the frictional power,
+BEM_CONTACT_TUNED(double, power_local, 0.40);        ///< 1. and of that of one element (mean).
+BEM_CONTACT_TUNED(double, temperature_change, 0.17); ///< 1. Share of the change of the highest temperature,
+BEM_CONTACT_TUNED(double, temperature_peak, 0.11);   ///< 1. of how far it falls beside its peak,
+BEM_CONTACT_TUNED(double, temperature_local, 0.17);  ///< 1. and of its rise over the elements in contact.
+BEM_CONTACT_TUNED(double, approach_change, 0.2);     ///< 1. Share of the change of the approach,
+BEM_CONTACT_TUNED(double, approach_local, 0.3);      ///< 1. of it over the elements in contact,
 BEM_CONTACT_TUNED(double, approach_peak, 0.018); ///< 1. and of it times the relative fall beside the peak.
 BEM_CONTACT_TUNED(double, overlap_change, 0.11); ///< 1. Approach of a patch: the same.
 BEM_CONTACT_TUNED(double, overlap_local, 0.9);   ///< 1. As above.

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
 #include <random>
 
 namespace bem_contact {
@@ -71,6 +73,41 @@ TEST(ErrorEstimates, HoldOnHertzContacts) {
     EXPECT_GE(tally->share(), 0.95);
     EXPECT_LE(tally->median(), 5);
   }
+}
+
+/// The hottest point of a contact that slides as a whole, where elastic slip is nothing beside the creepage:
+/// .6173 mu p0 v sqrt(a/V)/effusivity above the bulk on a line of Hertz's pressure (THEORY.md, section
+/// 16), and so on the centre line of an ellipse. A wheel that is hotter than the contact stays so.
+TEST(ErrorEstimates, HoldForTheHottestPoint) {
+  const double modulus = 82000 / (1 - 0.28), creepage = 100, friction = 0.3;
+  Tally hottest;
+  for (const double b : {1e-3, 2e-3, 5e-3})
+    for (int across = 16; across <= 30; across += 2)
+      for (const double shift : {0.0, 0.3, 0.5}) {
+        ContactProblem problem = ellipse(1e-3, b, across, shift, 0.7 * shift);
+        scenes::set_creepage(problem, friction, creepage, 0, 0);
+        problem.speed = 2e4;
+        problem.heating = Heating{};
+        const ContactResult result = solve(problem);
+        ASSERT_TRUE(result.converged && result.discretisation && result.temperatures) << across;
+        const reference::HertzContact exact = reference::hertz_by_force(1e-3, b, modulus, force);
+        const double rise = 0.6173 * friction * exact.max_pressure * creepage *
+                            std::sqrt(exact.semi_axis_x * problem.speed) / ThermalBody{}.effusivity();
+        hottest.add(result.discretisation->errors.highest_rail_temperature,
+                    std::ranges::max(result.temperatures->rail), rise);
+      }
+  fmt::print("hottest point: {:.0f} % held, median of stated over true {:.1f}\n", 100 * hottest.share(),
+             hottest.median());
+  EXPECT_GE(hottest.share(), 0.95);
+  EXPECT_LE(hottest.median(), 5);
+  ContactProblem problem = ellipse(1e-3, 1e-3, 20, 0, 0);
+  scenes::set_creepage(problem, friction, creepage, 0, 0);
+  problem.speed = 2e4;
+  problem.heating = Heating{};
+  problem.heating->wheel.temperature = 1e7;
+  EXPECT_EQ(solve(problem).discretisation->errors.highest_wheel_temperature, 0);
+  problem.heating.reset();
+  EXPECT_TRUE(std::isnan(solve(problem).discretisation->errors.highest_rail_temperature));
 }
 
 /// The force at a given approach, against Hertz.

@@ -44,6 +44,31 @@ def draw_column(axis, file, axes, column):
     style.legend(axis, fontsize=8)
 
 
+def below(file, axis, node):
+    """The numbers of the points that a nested axis has at a point of the axis before it."""
+    first = file[f"first/{axis}"]
+    return np.arange(int(first[node]), int(first[node + 1]))
+
+
+def draw_nested(axis, file, axes, column):
+    """Over the last axis, a line for some points of the second, the others in the middle of their lines."""
+    outer, second, *between, last = axes
+    start = len(file[f"axes/{outer}"]) // 2
+    nodes = below(file, second, start)
+    values, colour = file[f"values/{column}"], style.FORCES.get(column, (style.INK,))[0]
+    for k, dash, mark in zip(sorted({round(k) for k in np.linspace(1, len(nodes) - 1, LINES)}), ("-", "--", "-.", ":"), ("o", "s", "D", "^")):
+        label, node = f"{second} {file[f'axes/{second}'][nodes[k]]:.4g}", nodes[k]
+        for name in between:
+            line = below(file, name, node)
+            node = line[len(line) // 2]
+            label += f", {name} {file[f'axes/{name}'][node]:.4g}"
+        line = below(file, last, node)
+        axis.plot(file[f"axes/{last}"][line], values[line], dash, marker=mark, markersize=4, color=colour, linewidth=1.3, label=label)
+    unit = [text(file[name].attrs["unit"]) for name in (f"axes/{last}", f"values/{column}")]
+    axis.set(xlabel=f"{last}, {unit[0]}   (at {outer} {file[f'axes/{outer}'][start]:.6g})", ylabel=f"{column}, {unit[1]}", title=column)
+    style.legend_beside(axis, below=True, columns=2, fontsize=8)
+
+
 def draw(files):
     with h5py.File(files[0]) as file:
         axes, columns, held = (text(file.attrs[name]).split() for name in ("axes", "columns", "held"))
@@ -52,9 +77,9 @@ def draw(files):
         figure, panels = style.panels(rows, 3, (14, 0.8 + 4.2 * rows))
         draw_errors(panels[0, 0], file, columns, held)
         for axis, column in zip(panels.flat[1:], shown):
-            draw_column(axis, file, axes, column)
+            (draw_nested if "first" in file else draw_column)(axis, file, axes, column)
         for axis in panels.flat[1 + len(shown):]:
             axis.axis("off")
-        size = " x ".join(f"{len(file[f'axes/{name}'])} {name}" for name in axes)
+        size = (", below them " if "first" in file else " x ").join(f"{len(file[f'axes/{name}'])} {name}" for name in axes)
         figure.suptitle(f"Table over {size}; marks: its points", fontsize=11)
         return figure

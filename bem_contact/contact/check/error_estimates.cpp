@@ -140,6 +140,18 @@ void estimate_shear(const ContactProblem& problem, const ContactResult& result, 
     e.creepage_s = creepage_error(result.creepage_s, coarse.creepage_s, fine.fs);
 }
 
+/// Of the highest temperature of a surface, degrees C. `bulk`: what it has before the contact.
+double temperature_error(const ContactGrid& grid, const std::vector<double>& fine,
+                         const std::vector<double>& coarse, double bulk, int contact) {
+  const int i = static_cast<int>(std::ranges::max_element(fine) - fine.begin());
+  const auto curvature = [&](int step, int at, int count) {
+    return at > 0 && at + 1 < count ? std::abs(2 * fine[i] - fine[i - step] - fine[i + step]) : 0.0;
+  };
+  const double beside = curvature(1, i % grid.mx, grid.mx) + curvature(grid.mx, i / grid.mx, grid.ms);
+  return temperature_change * std::abs(fine[i] - std::ranges::max(coarse)) + temperature_peak * beside +
+         temperature_local * (fine[i] - bulk) / contact;
+}
+
 } // namespace
 
 void estimate_errors(const ContactProblem& problem, const ContactResult& result,
@@ -162,6 +174,14 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
                    friction_power(result, problem.element_area()) -
                        friction_power(coarse, coarse_problem.element_area()),
                    e);
+  if (result.temperatures && coarse.temperatures) {
+    const auto error = [&](std::vector<double> SurfaceTemperatures::*surface, const ThermalBody& body) {
+      return temperature_error(problem.grid, (*result.temperatures).*surface, (*coarse.temperatures).*surface,
+                               body.temperature, fine.contact);
+    };
+    e.highest_rail_temperature = error(&SurfaceTemperatures::rail, problem.heating->rail);
+    e.highest_wheel_temperature = error(&SurfaceTemperatures::wheel, problem.heating->wheel);
+  }
   const bool force = problem.load == LoadKind::force;
   e.approach = force ? approach_change * std::abs(result.approach - coarse.approach) +
                            fine.approach * local_approach(fine)
