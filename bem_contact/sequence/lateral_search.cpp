@@ -64,7 +64,7 @@ double LateralSearch::next_after(const Crossing& crossing, double least) {
 }
 
 /// Where the curve falls least short of a force that it does not pass. Throws InputError where the model has
-/// been solved there.
+/// been solved there, and misses the force by more than forces scatter from element to element.
 double LateralSearch::closest_approach() {
   std::vector<Point> points = curve_.points(question_.wanted);
   std::erase_if(points, [](const Point& p) { return !p.force; });
@@ -75,6 +75,9 @@ double LateralSearch::closest_approach() {
                       });
   if (!solved)
     return nearest->lateral;
+  for (const Point& p : points)
+    if (p.exact && short_of(p) <= lateral_scatter * question_.resultant)
+      return p.lateral;
   std::vector<LateralSample> reached;
   for (const Point& p : points)
     reached.push_back({p.lateral, *p.force});
@@ -140,6 +143,8 @@ double LateralSearch::find(const LateralForce& force) {
       break;
     }
     const double next = c ? next_after(*c, lateral_root_width * std::exp2(i)) : closest_approach();
+    if (!c && curve_.exact().contains(next))
+      return next;
     if (!learn(force, next))
       break;
     last = {next, curve_.exact().at(next).force};

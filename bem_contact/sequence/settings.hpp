@@ -158,6 +158,9 @@ BEM_CONTACT_TUNED(double, unsure_lateral, 0.05);
 /// 1. Precision of a lateral force, over the resultant of Fy and Fz: what the certificate allows for
 /// prescribed forces.
 BEM_CONTACT_TUNED(double, lateral_tolerance, 1e-6);
+/// 1. Where the model's lateral force has its extremum, one that falls short of the force asked for by no
+/// more than this, over the resultant, counts as met: from element to element forces scatter by more.
+BEM_CONTACT_TUNED(double, lateral_scatter, 1e-5);
 /// 1. A secant step is lengthened by this, to bracket the force. Chosen.
 BEM_CONTACT_TUNED(double, lateral_overshoot, 1.1);
 BEM_CONTACT_TUNED(double, longest_lateral_step,
