@@ -22,6 +22,10 @@ using testing::HasSubstr;
 
 class MshFile : public testing::Test {
 protected:
+  void SetUp() override {
+    body.body = {.kind = BodyKind::block, .size = 20};
+    body.strip = {.from = -5, .to = 5, .station_width = 0.5};
+  }
   std::string text(const std::filesystem::path& file) const {
     std::ifstream in(file);
     std::stringstream all;
