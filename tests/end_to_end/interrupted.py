@@ -127,7 +127,7 @@ class Interrupted(unittest.TestCase):
             (self.folder / f"{part}.kept").rename(self.folder / part)
 
     def kill(self, output, processes, part):
-        """Starts a run and kills it, with all its processes, as soon as its finished part is so large."""
+        """Starts a run and kills it, with all its processes, as soon as its finished part is so large. Their numbers."""
         run = self.start(output, processes)
         while run.poll() is None and self.size(output + ".part") < part:
             time.sleep(0.001)
@@ -141,6 +141,7 @@ class Interrupted(unittest.TestCase):
         while any(map(runs, killed)):  # what was killed within a call of the system ends with that call
             time.sleep(0.001)
         run.stderr.close()
+        return killed
 
     def assert_same_file(self, output):
         with h5py.File(self.folder / "whole.h5") as whole, h5py.File(self.folder / output) as other:
@@ -161,12 +162,12 @@ class Interrupted(unittest.TestCase):
         chance, resumed = random.Random(7), 0
         for run in range(10):
             output, processes = f"killed{run}.h5", 1 + run % 2
-            self.kill(output, processes, chance.uniform(0, self.largest_part))
+            killed = self.kill(output, processes, chance.uniform(0, self.largest_part))
             if (self.folder / output).exists():  # on a busy machine a run may end before it is killed: its file is whole
                 self.assert_same_file(output)
                 continue
-            for left in self.folder.glob(output + ".tmp*"):  # killed as it wrote the whole file: none can tidy up then
-                left.unlink()
+            for pid in killed:  # one that was killed as it wrote the whole file could not tidy up
+                (self.folder / f"{output}.tmp{pid}").unlink(missing_ok=True)
             self.assert_nothing_under(output)
             second = self.complete(output, 1 + chance.randrange(2), check=True)
             resumed += int(re.search(r"\((\d+) from an earlier run\)", second.stderr)[1]) > 0
