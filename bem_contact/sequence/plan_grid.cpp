@@ -48,8 +48,9 @@ PotentialArea wanted(const ContactEstimate& estimate, const SceneFile::Grid& ask
 }
 
 void require_not_too_many(const GridPlan& plan, const PotentialArea& all) {
-  const double columns = (all.x_to - all.x_from) / plan.dx + most_spare_columns,
-               rows = (all.s_to - all.s_from) / plan.ds + most_spare_rows;
+  const double spare = 2 * (spare_elements + 1); // on both sides, with what rounding adds
+  const double columns = (all.x_to - all.x_from) / plan.dx + spare,
+               rows = (all.s_to - all.s_from) / plan.ds + spare;
   if ((plan.columns == 0 && columns > most_rows) || (plan.rows == 0 && rows > most_rows))
     throw InputError("The elements are too small for this contact",
                      fmt::format("it would need about {:.3g} columns and {:.3g} rows, {} are allowed",

@@ -55,10 +55,6 @@ BEM_CONTACT_TUNED(int, most_placements, 12);
 BEM_CONTACT_TUNED(int, most_rows, 4096);
 /// 1. Rows and columns that a plan has beside the potential contact, on each side.
 BEM_CONTACT_TUNED(int, spare_elements, 1);
-/// 1. Columns that a plan has at most beside its potential contact, with rounding: for the check of the
-/// largest grid.
-BEM_CONTACT_TUNED(int, most_spare_columns, 4);
-BEM_CONTACT_TUNED(int, most_spare_rows, 4); ///< 1. The same for rows.
 /// 1. Fewest rows of a plan.
 BEM_CONTACT_TUNED(int, fewest_rows, 3);
 /// 1. How often a grid may grow. It grows by a quarter in s, an eighth on either side in x.
