@@ -291,10 +291,10 @@ BEM_CONTACT_TUNED(int, start_newton_steps, 30);
 
 // --- check ---
 
-/// Terms. Direct sums of more take longer than a transform: where numbers are translational, and where they
-/// are not (about 10,000 elements in contact).
+/// Terms. Direct sums of more take longer than a transform where numbers are translational. Where they are
+/// not, direct sums are always quicker: 0.2 s against 2 s with 9,000 elements in contact, since the transform
+/// would be made for one product.
 BEM_CONTACT_TUNED(double, many_plane_terms, 2e7);
-BEM_CONTACT_TUNED(double, many_terms, 3e8);
 /// Direct sums confirm a transform at an element of each row in contact and at so many all over the grid, and
 /// agree with it so closely (relative).
 BEM_CONTACT_TUNED(int, confirmed_elsewhere, 30);

@@ -1,7 +1,7 @@
 #include "bem_contact/contact/check/direct_sums.hpp"
 
 #include "bem_contact/base/simd.hpp"
-#include "bem_contact/contact/operator/strip_operator.hpp"
+#include "bem_contact/contact/operator/plane_operator.hpp"
 #include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 
@@ -35,20 +35,19 @@ std::vector<LoadedElement> loaded_elements(const ContactProblem& problem, const 
   return out;
 }
 
-/// A p at one element.
+/// A p at one element, for translational numbers.
 std::array<double, 3> displacement_of(const InfluenceNumbers& a, std::span<const LoadedElement> loads,
                                       int row, int column) {
   std::array<double, 3> u{};
-  const std::ptrdiff_t next = a.translational ? 3 : 3 * static_cast<std::ptrdiff_t>(a.rows); // displacement
   for (const LoadedElement& load : loads) {
     const int m = column - load.column;
     const double sign = m < 0 ? -1 : 1; // parity: numbers with one index x are odd in x
     const double* number = &a.values[a.index(std::abs(m), row, 0, load.row, 0)];
     const double px = sign * load.p[0], ps = load.p[1], pn = load.p[2];
     u[0] += sign * (number[0] * px + number[1] * ps + number[2] * pn);
-    number += next;
+    number += 3; // the next displacement
     u[1] += number[0] * px + number[1] * ps + number[2] * pn;
-    number += next;
+    number += 3;
     u[2] += number[0] * px + number[1] * ps + number[2] * pn;
   }
   return u;
@@ -71,8 +70,8 @@ std::vector<int> confirmed_elements(const ContactProblem& problem, std::span<con
   return out;
 }
 
-/// By FFT, columns 0 .. mx + 1; nothing where direct sums disagree. The operator is made here, from the
-/// numbers: nothing of it is the solvers'.
+/// By FFT, for translational numbers, columns 0 .. mx + 1; nothing where direct sums disagree. The operator
+/// is made here, from the numbers: nothing of it is the solvers'.
 std::optional<ComponentFields> transformed_displacements(const ContactProblem& problem, bool shear,
                                                          const ComponentSpans& p) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
@@ -93,7 +92,7 @@ std::optional<ComponentFields> transformed_displacements(const ContactProblem& p
       shear ? std::vector<int>{component_x, component_s, component_n} : std::vector<int>{component_n};
   std::vector<double> out(wanted.size() * n);
   if (!loaded.empty())
-    StripOperator(problem.numbers, columns, wanted, loaded).apply(tractions, out);
+    PlaneOperator(problem.numbers, columns, ms, wanted, loaded).apply(tractions, out, 0);
   ComponentFields u;
   u.fill(std::vector<double>(n, 0.0));
   std::array<double, 3> allowed{};
@@ -216,7 +215,7 @@ ComponentFields direct_displacements(const ContactProblem& problem, const std::v
   for (int j = 0; j < 3; ++j)
     count += (slips.empty() ? 1.0 : 3.0) * problem.grid.size() *
              std::count_if(p[j].begin(), p[j].end(), [](double v) { return v != 0; });
-  if (count > (a.translational ? many_plane_terms : many_terms) && columns == mx + rolling_columns)
+  if (a.translational && count > many_plane_terms && columns == mx + rolling_columns)
     if (auto u = transformed_displacements(problem, !slips.empty(), p))
       return std::move(*u);
   ComponentFields u;
