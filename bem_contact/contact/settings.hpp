@@ -42,6 +42,9 @@ BEM_CONTACT_TUNED(double, distance_without_surface, 10);
 
 // --- operator: Fourier transforms ---
 
+/// Rows whose spectra are made at once, where numbers are not translational: two cache lines. All 140 rows of
+/// a large contact at once took three times the memory, and half of the time went into its pages.
+BEM_CONTACT_TUNED(int, spectra_rows, 16);
 /// 1. The period of the preconditioner, in x and in s, is that of the grid times 1 + 1 / this. Chosen.
 BEM_CONTACT_TUNED(int, periodic_margin, 3);
 /// Elements. The period has so many elements on top of periodic_margin, for small grids. Chosen.

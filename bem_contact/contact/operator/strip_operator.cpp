@@ -3,6 +3,7 @@
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/operator/fft.hpp"
 #include "bem_contact/contact/operator/plane_operator.hpp"
+#include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/influence/dense.hpp"
 
@@ -55,13 +56,17 @@ template <class Real> struct BasicStripOperator<Real>::Impl {
   using Fft = Fftw<Real>;
   int mx = 0, ms = 0, length = 0, frequencies = 0, lines_in = 0, lines_out = 0;
   std::vector<int> outputs, inputs;
-  std::vector<Real> spectrum;                   ///< [frequency], column-major lines_out x lines_in
+  std::unique_ptr<Real[]> spectrum;             ///< [frequency], column-major lines_out x lines_in
   FftBuffer<Real> space_in, space_out;          ///< [line][place]
   FftBuffer<Real> frequency_in, frequency_out;  ///< [line][frequency], complex
   FftBuffer<Real> re_in, im_in, re_out, im_out; ///< of one frequency, [line]
   FftPlan<Real> forward, backward;
   std::optional<BasicPlaneOperator<Real>> plane; ///< does all the work where the numbers are translational
 
+  std::size_t spectrum_size() const { return static_cast<std::size_t>(frequencies) * lines_out * lines_in; }
+  Real* column(int frequency, int line_in) const {
+    return &spectrum[(static_cast<std::size_t>(frequency) * lines_in + line_in) * lines_out];
+  }
   void make_plans();
   void apply(std::span<const Real> p) const;
 };
@@ -115,7 +120,7 @@ void BasicStripOperator<Real>::transform(const InfluenceNumbers& numbers, int mx
   o.lines_in = o.ms * static_cast<int>(o.inputs.size());
   o.lines_out = o.ms * static_cast<int>(o.outputs.size());
 
-  // The spectra of all pairs of rows at once: one product with the cosines (or sines) of the offsets.
+  // The spectra of many pairs of rows at once: one product with the cosines (or sines) of the offsets.
   const int used = std::min(numbers.offsets, mx + rolling_columns + 1);
   // columns: frequencies
   Eigen::MatrixXd cosines(used, o.frequencies), sines(used, o.frequencies);
@@ -127,31 +132,36 @@ void BasicStripOperator<Real>::transform(const InfluenceNumbers& numbers, int mx
       cosines(m, k) = m == 0 ? 1.0 : 2.0 * cosine[turn];
       sines(m, k) = -2.0 * sine[turn];
     }
-  const std::size_t block = static_cast<std::size_t>(o.lines_out) * o.lines_in;
-  o.spectrum.resize(block * o.frequencies);
-  // one pass over the numbers, which lie [m][I][i][J][j]: fetching them is what takes the time
+  o.spectrum = std::make_unique_for_overwrite<Real[]>(o.spectrum_size());
   const std::size_t in = o.inputs.size(), pairs = o.outputs.size() * in;
-  std::vector<Eigen::MatrixXd> values(pairs, Eigen::MatrixXd(o.ms * o.ms, used));
-  for (int m = 0; m < used; ++m)
-    for (int row_i = 0; row_i < o.ms; ++row_i)
-      for (std::size_t pair = 0; pair < pairs; ++pair) {
-        const int i = o.outputs[pair / in], j = o.inputs[pair % in];
-        double* to = &values[pair](row_i, m);
+  std::vector<Eigen::MatrixXd> values(pairs); // [pair](row I of the block, J; offset)
+  Eigen::MatrixXd transformed;
+  for (int first = 0; first < o.ms; first += spectra_rows) {
+    const int count = std::min<int>(spectra_rows, o.ms - first);
+    for (Eigen::MatrixXd& of_pair : values)
+      of_pair.resize(static_cast<Eigen::Index>(count) * o.ms, used);
+    transformed.resize(static_cast<Eigen::Index>(count) * o.ms, o.frequencies);
+    // one pass over the numbers, which lie [m][I][i][J][j]: fetching them is what takes the time
+    for (int m = 0; m < used; ++m)
+      for (int row_i = 0; row_i < count; ++row_i)
+        for (std::size_t pair = 0; pair < pairs; ++pair) {
+          const int i = o.outputs[pair / in], j = o.inputs[pair % in];
+          double* to = &values[pair](row_i, m);
+          for (int row_j = 0; row_j < o.ms; ++row_j)
+            to[static_cast<std::ptrdiff_t>(row_j) * count] =
+                numbers.at(m, rows[first + row_i], i, rows[row_j], j);
+        }
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+      const int i = o.outputs[pair / in], j = o.inputs[pair % in];
+      bem_contact::multiply(values[pair], parity(i, j) > 0 ? cosines : sines, transformed.data());
+      const double sign = parity(i, j) < 0 && i == component_x ? -1.0 : 1.0;
+      for (int k = 0; k < o.frequencies; ++k)
         for (int row_j = 0; row_j < o.ms; ++row_j)
-          to[static_cast<std::ptrdiff_t>(row_j) * o.ms] = numbers.at(m, rows[row_i], i, rows[row_j], j);
-      }
-  for (std::size_t pair = 0; pair < pairs; ++pair) {
-    const int i = o.outputs[pair / in], j = o.inputs[pair % in];
-    const Eigen::MatrixXd transformed = product(values[pair], parity(i, j) > 0 ? cosines : sines);
-    const double sign = parity(i, j) < 0 && i == component_x ? -1.0 : 1.0;
-    for (int k = 0; k < o.frequencies; ++k)
-      for (int row_j = 0; row_j < o.ms; ++row_j) {
-        const double* from = &transformed(row_j * o.ms, k);
-        Real* to = &o.spectrum[block * k + (pair % in * o.ms + row_j) * o.lines_out + pair / in * o.ms];
-        std::transform(from, from + o.ms, to, [sign](double v) { return static_cast<Real>(sign * v); });
-      }
+          std::transform(&transformed(row_j * count, k), &transformed(row_j * count, k) + count,
+                         o.column(k, static_cast<int>(pair % in) * o.ms + row_j) + pair / in * o.ms + first,
+                         [sign](double v) { return static_cast<Real>(sign * v); });
+    }
   }
-
   o.make_plans();
 }
 
@@ -173,7 +183,8 @@ BasicStripOperator<Real>::BasicStripOperator(const BasicStripOperator<Other>& ot
   o.lines_out = from.lines_out;
   o.outputs = from.outputs;
   o.inputs = from.inputs;
-  o.spectrum.assign(from.spectrum.begin(), from.spectrum.end());
+  o.spectrum = std::make_unique_for_overwrite<Real[]>(o.spectrum_size());
+  std::copy_n(from.spectrum.get(), o.spectrum_size(), o.spectrum.get());
   o.make_plans();
 }
 
@@ -224,8 +235,7 @@ template <class Real> void BasicStripOperator<Real>::Impl::apply(std::span<const
         im[line] = sign * from[1];
       }
     }
-    multiply(&spectrum[static_cast<std::size_t>(k) * lines_out * lines_in], lines_out, lines_in, re_in.get(),
-             im_in.get(), re_out.get(), im_out.get());
+    multiply(column(k, 0), lines_out, lines_in, re_in.get(), im_in.get(), re_out.get(), im_out.get());
     for (std::size_t a = 0; a < outputs.size(); ++a) {
       const bool turn = outputs[a] == component_x; // times -i
       const Real* re = (turn ? im_out : re_out).get();
