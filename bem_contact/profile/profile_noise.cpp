@@ -13,11 +13,6 @@ namespace bem_contact {
 
 namespace {
 
-/// Points of a fit.
-int window() {
-  return 2 * noise_neighbours + 1;
-}
-
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -34,7 +29,7 @@ double deviation(std::span<const Point2> p) {
   const Point2 along = (0.5 / half) * chord, across{-along.z, along.y};
   Eigen::Matrix<double, Eigen::Dynamic, 4> powers(p.size(), 4);
   Eigen::VectorXd height(p.size());
-  for (int i = 0; i < window(); ++i) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
     const double u = dot(p[i] - middle, along) / half;
     powers.row(i) << 1, u, u * u, u * u * u;
     height[i] = dot(p[i] - middle, across);
@@ -51,7 +46,7 @@ double deviation(std::span<const Point2> p) {
 
 ProfileNoise measure_noise(std::span<const Point2> points) {
   ProfileNoise noise;
-  const auto of_fit = static_cast<std::size_t>(window());
+  const auto of_fit = static_cast<std::size_t>(2 * noise_neighbours + 1);
   if (points.size() < of_fit)
     return noise;
   std::vector<double> lengths, deviations;
