@@ -77,12 +77,6 @@ bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x) {
   return info == 0;
 }
 
-Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  Eigen::MatrixXd c(a.rows(), b.cols());
-  multiply(a, b, c.data());
-  return c;
-}
-
 void multiply(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out) {
   const int m = static_cast<int>(a.rows()), n = static_cast<int>(b.cols()), k = static_cast<int>(a.cols());
   const double one = 1, zero = 0;

@@ -17,9 +17,7 @@ void solve_factored(const Eigen::MatrixXd& factor, Eigen::MatrixXd& x);
 /// x := A^-1 x by LU with partial pivoting (A is overwritten). False if A is singular.
 bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x);
 
-/// A B
-Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
-/// The same into `out`, column-major.
+/// A B into `out`, column-major.
 void multiply(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out);
 
 } // namespace bem_contact
