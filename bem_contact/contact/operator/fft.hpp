@@ -27,7 +27,9 @@ template <class Real> struct Fftw;
     static constexpr auto& alloc_real = prefix##alloc_real;                                                  \
     static constexpr auto& free = prefix##free;                                                              \
     static constexpr auto& destroy_plan = prefix##destroy_plan;                                              \
-    static constexpr auto& execute = prefix##execute;                                                        \
+    static constexpr auto& execute_dft = prefix##execute_dft;                                                \
+    static constexpr auto& execute_dft_r2c = prefix##execute_dft_r2c;                                        \
+    static constexpr auto& execute_dft_c2r = prefix##execute_dft_c2r;                                        \
     static constexpr auto& plan_many_dft = prefix##plan_many_dft;                                            \
     static constexpr auto& plan_many_dft_r2c = prefix##plan_many_dft_r2c;                                    \
     static constexpr auto& plan_many_dft_c2r = prefix##plan_many_dft_c2r;                                    \
@@ -41,12 +43,29 @@ template <class Real> struct FreeFftBuffer {
 };
 template <class Real> using FftBuffer = std::unique_ptr<Real[], FreeFftBuffer<Real>>;
 
-/// Zeros, aligned for FFTW.
+/// Aligned for FFTW, not initialised.
 template <class Real> FftBuffer<Real> make_fft_buffer(std::size_t n) {
-  FftBuffer<Real> buffer(Fftw<Real>::alloc_real(std::max<std::size_t>(n, 1)));
-  std::fill_n(buffer.get(), n, Real(0));
-  return buffer;
+  return FftBuffer<Real>(Fftw<Real>::alloc_real(std::max<std::size_t>(n, 1)));
 }
+
+/// Memory in which one operation after the other works. Each leaves there what it likes.
+class Scratch {
+public:
+  /// At least `n` reals, aligned for FFTW; what an earlier call gave may be gone.
+  template <class Real> Real* reals(std::size_t n) {
+    const std::size_t doubles = (n * sizeof(Real) + sizeof(double) - 1) / sizeof(double);
+    if (doubles > size_) {
+      memory_.reset(); // first, so that its pages serve again
+      memory_ = make_fft_buffer<double>(doubles);
+      size_ = doubles;
+    }
+    return reinterpret_cast<Real*>(memory_.get());
+  }
+
+private:
+  std::size_t size_ = 0; ///< doubles
+  FftBuffer<double> memory_;
+};
 
 template <class Real> struct DestroyFftPlan {
   void operator()(typename Fftw<Real>::Plan plan) const {

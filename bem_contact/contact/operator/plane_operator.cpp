@@ -1,5 +1,6 @@
 #include "bem_contact/contact/operator/plane_operator.hpp"
 
+#include "bem_contact/base/parallel.hpp"
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/operator/plane_transforms.hpp"
 #include "bem_contact/contact/settings.hpp"
@@ -25,7 +26,7 @@ int lines_of(int ms) {
 
 template <class Real>
 std::shared_ptr<PlaneTransforms<Real>> pooled(const PlaneShape& shape, TransformPool* pool) {
-  return pool ? pool->get<Real>(shape) : std::make_shared<PlaneTransforms<Real>>(shape);
+  return pool ? pool->get<Real>(shape) : TransformPool().get<Real>(shape);
 }
 
 /// out = a b or out += a b, element by element, without the tests for infinity that std::complex makes
@@ -182,10 +183,11 @@ BasicPlaneOperator<Real>& BasicPlaneOperator<Real>::operator=(BasicPlaneOperator
 /// Leaves u of columns up to mx + 1, times both lengths, in rows_out.
 template <class Real> void BasicPlaneOperator<Real>::Impl::apply(std::span<const Real> p) const {
   PlaneTransforms<Real>& t = *transforms;
-  t.ready();
+  t.begin_product();
   const int pairs = t.shape.lines / 2;
-  for (int b = 0; b < inputs; ++b)
-    for (int pair = 0; pair < pairs; ++pair) { // others have left what they had beyond
+  in_parts(t.threads(), inputs * pairs, [&](int line, int end, int) {
+    for (; line < end; ++line) {
+      const int b = line / pairs, pair = line % pairs;
       Real* to = t.rows_in(b, pair);
       const Real* row = &p[static_cast<std::size_t>(b * ms + std::min(2 * pair, ms - 1)) * mx];
       const int count = 2 * pair < ms ? mx : 0;
@@ -195,21 +197,22 @@ template <class Real> void BasicPlaneOperator<Real>::Impl::apply(std::span<const
         to[2 * ix] = row[ix];
         to[2 * ix + 1] = second * next[ix];
       }
-      std::fill(to + 2 * count, to + 2 * length_x, Real(0));
+      std::fill(to + 2 * count, to + 2 * length_x, Real(0)); // others have left there what they had
     }
+  });
   t.forward();
-  const int together = t.together();
-  for (int k = 0; k < frequencies; k += together) {
-    const int first = std::min(k, frequencies - together); // some twice, where it does not come out even
-    t.forward_s(first);
-    for (int line = 0; line < together; ++line)
-      for (int a = 0; a < outputs; ++a)
-        for (int b = 0; b < inputs; ++b)
-          multiply(parts(symbol_at(first + line, a, b)),
-                   parts(t.turned_in() + (line * inputs + b) * length_s), length_s, b > 0,
-                   parts(t.turned() + (line * outputs + a) * length_s));
-    t.backward_s(first);
-  }
+  in_parts(t.threads(), t.groups(), [&](int group, int end, int part) {
+    for (; group < end; ++group) {
+      const auto columns = t.forward_s(group, part);
+      for (int line = 0; line < columns.count; ++line)
+        for (int a = 0; a < outputs; ++a)
+          for (int b = 0; b < inputs; ++b)
+            multiply(parts(symbol_at(columns.first + line, a, b)),
+                     parts(columns.in + (line * inputs + b) * length_s), length_s, b > 0,
+                     parts(columns.out + (line * outputs + a) * length_s));
+      t.backward_s(columns, part);
+    }
+  });
   t.backward();
 }
 
@@ -218,12 +221,15 @@ void BasicPlaneOperator<Real>::apply(std::span<const Real> p, std::span<Real> u,
   const Impl& o = *impl_;
   o.apply(p);
   const Real scale = 1.0 / o.length_x / o.length_s;
-  for (int a = 0; a < o.outputs; ++a)
-    for (int is = 0; is < o.ms; ++is) {
-      const Real* v = o.transforms->rows_out(a, is / 2) + is % 2 + 2 * columns;
+  in_parts(o.transforms->threads(), o.outputs * o.ms, [&](int row, int end, int) {
+    for (; row < end; ++row) {
+      const int is = row % o.ms;
+      const Real* v = o.transforms->rows_out(row / o.ms, is / 2) + is % 2 + 2 * columns;
+      Real* to = &u[static_cast<std::size_t>(row) * o.mx];
       for (int ix = 0; ix < o.mx; ++ix)
-        u[static_cast<std::size_t>(a * o.ms + is) * o.mx + ix] = scale * v[2 * ix];
+        to[ix] = scale * v[2 * ix];
     }
+  });
 }
 
 template <class Real>
@@ -231,14 +237,16 @@ void BasicPlaneOperator<Real>::apply_step(std::span<const Real> p, std::span<Rea
   const Impl& o = *impl_;
   o.apply(p);
   const Real scale = 1.0 / o.length_x / o.length_s;
-  for (int a = 0; a < o.outputs; ++a)
-    for (int is = 0; is < o.ms; ++is) {
-      const Real* v = o.transforms->rows_out(a, is / 2) + is % 2;
+  in_parts(o.transforms->threads(), o.outputs * o.ms, [&](int row, int end, int) {
+    for (; row < end; ++row) {
+      const int is = row % o.ms;
+      const Real* v = o.transforms->rows_out(row / o.ms, is / 2) + is % 2;
+      Real* to = &u[static_cast<std::size_t>(row) * o.mx];
       for (int ix = 0; ix < o.mx; ++ix)
-        u[static_cast<std::size_t>(a * o.ms + is) * o.mx + ix] =
-            scale *
-            (rolling_step[0] * v[2 * ix] + rolling_step[1] * v[2 * ix + 2] + rolling_step[2] * v[2 * ix + 4]);
+        to[ix] = scale * (rolling_step[0] * v[2 * ix] + rolling_step[1] * v[2 * ix + 2] +
+                          rolling_step[2] * v[2 * ix + 4]);
     }
+  });
 }
 
 template <class Real> void BasicPlaneOperator<Real>::invert() {

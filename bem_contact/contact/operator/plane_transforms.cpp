@@ -1,5 +1,6 @@
 #include "bem_contact/contact/operator/plane_transforms.hpp"
 
+#include "bem_contact/base/parallel.hpp"
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/settings.hpp"
 
@@ -9,8 +10,11 @@
 namespace bem_contact::contact {
 namespace {
 
-template <class Real> typename Fftw<Real>::Complex* raw(std::complex<Real>* p) {
+template <class Real> typename Fftw<Real>::Complex* raw(Real* p) {
   return reinterpret_cast<typename Fftw<Real>::Complex*>(p);
+}
+template <class Real> std::complex<Real>* complex(Real* p) {
+  return reinterpret_cast<std::complex<Real>*>(p);
 }
 
 /// The spectra of two real rows from that of the first plus i times the second, for `pairs` pairs of rows:
@@ -97,110 +101,128 @@ std::pair<int, int> good_lengths(int least_x, int least_s, int lines) {
   return best;
 }
 
-template <class Real> PlaneTransforms<Real>::PlaneTransforms(const PlaneShape& the_shape) : shape(the_shape) {
+template <class Real>
+PlaneTransforms<Real>::PlaneTransforms(const PlaneShape& the_shape, std::shared_ptr<Scratch> scratch,
+                                       int threads)
+    : shape(the_shape), scratch_(std::move(scratch)) {
+  const std::size_t plane = static_cast<std::size_t>(shape.lines) * shape.length_x;
+  threads_ = plane >= std::size_t(least_threaded) ? threads : 1;
   const std::size_t bytes =
       2 * static_cast<std::size_t>(shape.inputs + shape.outputs) * shape.length_s * sizeof(Real);
   const int fit = static_cast<int>(std::min<std::size_t>(bytes_in_cache / bytes, shape.frequencies()));
   together_ = std::clamp(fit, std::min(least_together, shape.frequencies()), shape.frequencies());
+  // whole cache lines: FFTW expects all blocks to be aligned alike
+  const auto aligned = [](std::size_t reals) { return (reals + 15) / 16 * 16; };
+  const int fields = std::max(shape.inputs, shape.outputs);
+  space_size_ = aligned(fields * plane);
+  column_size_ = aligned(2 * static_cast<std::size_t>(together_) * fields * shape.length_s);
+  kernel_size_ = aligned(2 * static_cast<std::size_t>(shape.frequencies()) * shape.length_s);
+}
+
+template <class Real> FftPlan<Real> PlaneTransforms<Real>::plan(int length, int lines, int sign) const {
+  const std::lock_guard lock(fft_planner());
+  return FftPlan<Real>(Fftw<Real>::plan_many_dft(1, &length, lines, raw(first_), nullptr, 1, length,
+                                                 raw(second_), nullptr, 1, length, sign, FFTW_ESTIMATE));
 }
 
 template <class Real>
-FftPlan<Real> PlaneTransforms<Real>::plan(int length, int lines, const FftBuffer<Real>& from,
-                                          const FftBuffer<Real>& to, int sign) const {
-  const std::lock_guard lock(fft_planner());
-  return FftPlan<Real>(Fftw<Real>::plan_many_dft(1, &length, lines, raw(complex(from)), nullptr, 1, length,
-                                                 raw(complex(to)), nullptr, 1, length, sign, FFTW_ESTIMATE));
+void PlaneTransforms<Real>::transform_lines(const FftPlan<Real>& plan, int fields, Real* from,
+                                            Real* to) const {
+  const int parts = line_parts(fields);
+  const std::size_t each = 2 * static_cast<std::size_t>(lines_of(fields) / parts) * shape.length_x;
+  in_parts(parts, parts, [&](int part, int end, int) {
+    for (; part < end; ++part)
+      Fftw<Real>::execute_dft(plan.get(), raw(from + part * each), raw(to + part * each));
+  });
+}
+
+template <class Real> void PlaneTransforms<Real>::begin_product() {
+  first_ = scratch_->reals<Real>(2 * (space_size_ + threads_ * column_size_));
+  second_ = first_ + space_size_;
+  columns_ = second_ + space_size_;
+  if (!x_forward_)
+    make_product_plans();
+}
+
+template <class Real> void PlaneTransforms<Real>::make_product_plans() {
+  const auto along_x = [&](int fields, int sign) {
+    return plan(shape.length_x, lines_of(fields) / line_parts(fields), sign);
+  };
+  x_forward_ = along_x(shape.inputs, FFTW_FORWARD);
+  x_backward_ = along_x(shape.outputs, FFTW_BACKWARD);
+  const auto along_s = [&](int count) {
+    return ColumnPlans{plan(shape.length_s, count * shape.inputs, FFTW_FORWARD),
+                       plan(shape.length_s, count * shape.outputs, FFTW_BACKWARD)};
+  };
+  whole_ = along_s(together_);
+  if (const int rest = shape.frequencies() % together_)
+    rest_ = along_s(rest);
 }
 
 template <class Real> void PlaneTransforms<Real>::forward() {
-  Fftw<Real>::execute(x_forward_.get());
+  transform_lines(x_forward_, shape.inputs, first_, second_);
 }
 
-template <class Real> void PlaneTransforms<Real>::forward_s(int k) {
+template <class Real>
+typename PlaneTransforms<Real>::Group PlaneTransforms<Real>::forward_s(int group, int part) {
+  const int first = group * together_, count = std::min(together_, shape.frequencies() - first);
+  Real* const before = columns_ + 2 * part * column_size_;
+  Real* const after = before + column_size_;
   const int stride = shape.inputs * shape.length_s;
   for (int field = 0; field < shape.inputs; ++field) {
-    Complex* to = complex(columns_in_) + static_cast<std::ptrdiff_t>(field) * shape.length_s;
-    separate(rows(spectra_in_, field, 0), shape.length_x, shape.lines / 2, k, k + together_,
-             reinterpret_cast<Real*>(to), stride);
-    for (int line = 0; line < together_; ++line, to += stride)
-      std::fill(to + shape.lines, to + shape.length_s, Complex(0));
+    Real* to = before + 2 * static_cast<std::ptrdiff_t>(field) * shape.length_s;
+    separate(rows(second_, field, 0), shape.length_x, shape.lines / 2, first, first + count, to, stride);
+    for (int line = 0; line < count; ++line, to += 2 * stride)
+      std::fill(to + 2 * shape.lines, to + 2 * shape.length_s, Real(0));
   }
-  Fftw<Real>::execute(s_forward_.get());
+  Fftw<Real>::execute_dft(column_plans(count).forward.get(), raw(before), raw(after));
+  return {first, count, complex(after), complex(before)};
 }
 
-template <class Real> void PlaneTransforms<Real>::backward_s(int k) {
-  Fftw<Real>::execute(s_backward_.get());
+template <class Real> void PlaneTransforms<Real>::backward_s(const Group& group, int part) {
+  Real* const before = columns_ + 2 * part * column_size_;
+  Real* const after = before + column_size_;
+  Fftw<Real>::execute_dft(column_plans(group.count).backward.get(), raw(before), raw(after));
   for (int field = 0; field < shape.outputs; ++field)
-    join(reinterpret_cast<Real*>(complex(columns_out_) + static_cast<std::ptrdiff_t>(field) * shape.length_s),
-         shape.outputs * shape.length_s, shape.length_x, shape.lines / 2, k, k + together_,
-         rows(spectra_out_, field, 0));
+    join(after + 2 * static_cast<std::ptrdiff_t>(field) * shape.length_s, shape.outputs * shape.length_s,
+         shape.length_x, shape.lines / 2, group.first, group.first + group.count, rows(first_, field, 0));
 }
 
 template <class Real> void PlaneTransforms<Real>::backward() {
-  Fftw<Real>::execute(x_backward_.get());
-}
-
-template <class Real> void PlaneTransforms<Real>::ready() {
-  if (space_in_)
-    return;
-  const auto rows_of = [&](int fields) { return fields * shape.lines / 2; };
-  const auto make = [](int lines, int length) {
-    return make_fft_buffer<Real>(2 * static_cast<std::size_t>(lines) * length);
-  };
-  for (auto* field : {&space_in_, &spectra_in_})
-    *field = make(rows_of(shape.inputs), shape.length_x);
-  for (auto* field : {&space_out_, &spectra_out_})
-    *field = make(rows_of(shape.outputs), shape.length_x);
-  for (auto* field : {&columns_in_, &turned_in_})
-    *field = make(together_ * shape.inputs, shape.length_s);
-  for (auto* field : {&columns_out_, &turned_})
-    *field = make(together_ * shape.outputs, shape.length_s);
-  x_forward_ = plan(shape.length_x, rows_of(shape.inputs), space_in_, spectra_in_, FFTW_FORWARD);
-  x_backward_ = plan(shape.length_x, rows_of(shape.outputs), spectra_out_, space_out_, FFTW_BACKWARD);
-  s_forward_ = plan(shape.length_s, together_ * shape.inputs, columns_in_, turned_in_, FFTW_FORWARD);
-  s_backward_ = plan(shape.length_s, together_ * shape.outputs, turned_, columns_out_, FFTW_BACKWARD);
+  transform_lines(x_backward_, shape.outputs, first_, second_);
 }
 
 template <class Real> Real* PlaneTransforms<Real>::kernel() {
-  if (!kernel_)
-    kernel_ = make_fft_buffer<Real>(static_cast<std::size_t>(shape.length_s) * shape.length_x);
-  return kernel_.get();
-}
-
-template <class Real> Real* PlaneTransforms<Real>::kernel_pairs() {
-  if (!pairs_) {
-    for (auto* field : {&pairs_, &pair_spectra_})
-      *field = make_fft_buffer<Real>(static_cast<std::size_t>(shape.length_s) * shape.length_x);
-    for (auto* field : {&one_sided_, &symbol_})
-      *field = make_fft_buffer<Real>(2 * static_cast<std::size_t>(shape.frequencies()) * shape.length_s);
-    kernel_x_ = plan(shape.length_x, shape.length_s / 2, pairs_, pair_spectra_, FFTW_FORWARD);
-    kernel_s_ = plan(shape.length_s, shape.frequencies(), one_sided_, symbol_, FFTW_FORWARD);
+  first_ = scratch_->reals<Real>(2 * kernel_size_);
+  second_ = first_ + kernel_size_;
+  if (!kernel_x_) {
+    kernel_x_ = plan(shape.length_x, shape.length_s / 2, FFTW_FORWARD);
+    kernel_s_ = plan(shape.length_s, shape.frequencies(), FFTW_FORWARD);
   }
-  return pairs_.get();
+  return first_;
 }
 
 template <class Real> void PlaneTransforms<Real>::transform_kernel(Complex* symbol, std::ptrdiff_t stride) {
   const int n = shape.length_x, length_s = shape.length_s;
-  Real* pairs = kernel_pairs();
   for (int pair = 0; pair < length_s / 2; ++pair) {
-    const Real* row = kernel() + static_cast<std::size_t>(2 * pair) * n;
-    Real* to = pairs + static_cast<std::size_t>(2 * pair) * n;
+    const Real* row = first_ + static_cast<std::size_t>(2 * pair) * n;
+    Real* to = second_ + static_cast<std::size_t>(2 * pair) * n;
     for (int m = 0; m < n; ++m) {
       to[2 * m] = row[m];
       to[2 * m + 1] = row[n + m];
     }
   }
-  Fftw<Real>::execute(kernel_x_.get());
-  separate(pair_spectra_.get(), n, length_s / 2, 0, shape.frequencies(), one_sided_.get(), length_s);
-  Fftw<Real>::execute(kernel_s_.get());
+  Fftw<Real>::execute_dft(kernel_x_.get(), raw(second_), raw(first_));
+  separate(first_, n, length_s / 2, 0, shape.frequencies(), second_, length_s);
+  Fftw<Real>::execute_dft(kernel_s_.get(), raw(second_), raw(first_));
   for (int k = 0; k < shape.frequencies(); ++k)
-    std::copy_n(complex(symbol_) + static_cast<std::size_t>(k) * length_s, length_s, symbol + k * stride);
+    std::copy_n(complex(first_) + static_cast<std::size_t>(k) * length_s, length_s, symbol + k * stride);
 }
 
 template <class Real>
 const std::complex<Real>* PlaneTransforms<Real>::half_behind(const std::vector<Real>& spectra) {
   const int n = shape.length_x, half = n / 2, length_s = shape.length_s;
-  Real* pairs = kernel_pairs();
+  Real* const pairs = kernel();
   for (int pair = 0; pair < length_s / 2; ++pair) {
     Real* z = pairs + static_cast<std::size_t>(2 * pair) * n;
     for (int k = 0; k <= half; ++k)
@@ -208,16 +230,16 @@ const std::complex<Real>* PlaneTransforms<Real>::half_behind(const std::vector<R
         z[2 * k + part] = z[2 * ((n - k) % n) + part] =
             spectra[static_cast<std::size_t>(k) * length_s + 2 * pair + part];
   }
-  Fftw<Real>::execute(kernel_x_.get()); // of what is even: there and back are the same
+  Fftw<Real>::execute_dft(kernel_x_.get(), raw(pairs), raw(second_)); // of what is even: there and back are the same
   for (int pair = 0; pair < length_s / 2; ++pair)
     for (int m = 0; m < n; ++m)
       for (int part = 0; part < 2; ++part)
         pairs[2 * (static_cast<std::size_t>(pair) * n + m) + part] =
-            pair_spectra_[2 * (static_cast<std::size_t>(pair) * n + m) + part] *
+            second_[2 * (static_cast<std::size_t>(pair) * n + m) + part] *
             (m == 0 || m == half ? Real(0.5) : Real(m < half)) / static_cast<Real>(n);
-  Fftw<Real>::execute(kernel_x_.get());
-  separate(pair_spectra_.get(), n, length_s / 2, 0, shape.frequencies(), one_sided_.get(), length_s);
-  return complex(one_sided_);
+  Fftw<Real>::execute_dft(kernel_x_.get(), raw(pairs), raw(second_));
+  separate(second_, n, length_s / 2, 0, shape.frequencies(), pairs, length_s);
+  return complex(pairs);
 }
 
 template class PlaneTransforms<double>;

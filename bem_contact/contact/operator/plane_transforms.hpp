@@ -6,6 +6,7 @@
 #include <complex>
 #include <list>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -26,63 +27,84 @@ struct PlaneShape {
 /// cost least.
 std::pair<int, int> good_lengths(int least_x, int least_s, int lines);
 
-/// FFTW's plans for fields [..][lines][length_x] and the vectors that they work on: the scratch of plane
-/// operators. Operators of the same shape share them, one after the other. Those for products and those for
-/// kernels are each made when first needed.
+/// FFTW's plans for fields [..][lines][length_x], and the order in which a product works on scratch memory.
+/// Operators of the same shape share them, one after the other. Plans for products and those for kernels are
+/// each made when first needed.
 ///
 /// Along x two rows are transformed as the real and the imaginary part of one: FFTW does complex transforms
 /// line by line fastest, and it remembers its plan for a length, whatever the number of lines.
 template <class Real> class PlaneTransforms {
 public:
   using Complex = std::complex<Real>;
-  explicit PlaneTransforms(const PlaneShape& shape);
+  /// `threads`: how many work on one product, if it is large enough (settings.hpp: least_threaded).
+  PlaneTransforms(const PlaneShape& shape, std::shared_ptr<Scratch> scratch, int threads);
 
   const PlaneShape shape;
 
-  void ready(); ///< before the first product
+  int threads() const { return threads_; } ///< that work on a product of this shape
+  void begin_product();
 
   /// Two rows of a field, 2 `pair` and the next, element by element in turn; length_x of each.
-  Real* rows_in(int input, int pair) { return rows(space_in_, input, pair); }
-  const Real* rows_out(int output, int pair) const { return rows(space_out_, output, pair); }
-  /// How many frequencies along x are transformed along s at once: as many as stay in the cache.
-  int together() const { return together_; }
-  Complex* turned_in() { return complex(turned_in_); } ///< [together][input][length_s]
-  Complex* turned() { return complex(turned_); }       ///< [together][output][length_s]
+  Real* rows_in(int input, int pair) { return rows(first_, input, pair); }
+  const Real* rows_out(int output, int pair) const { return rows(second_, output, pair); }
+  /// Frequencies along x that are transformed along s at once: as many as stay in the cache; fewer at the end.
+  struct Group {
+    int first = 0, count = 0;
+    Complex* in = nullptr;  ///< [count][input][length_s]
+    Complex* out = nullptr; ///< [count][output][length_s]
+  };
+  int groups() const { return (shape.frequencies() + together_ - 1) / together_; }
 
-  void forward();         ///< rows_in to spectra along x
-  void forward_s(int k);  ///< those of frequencies k .. k + together - 1 to turned_in
-  void backward_s(int k); ///< turned to spectra along x of these frequencies
-  void backward();        ///< those to rows_out, times both lengths
+  void forward(); ///< rows_in to spectra along x
+  /// Those of the frequencies of a group to Group::in. `part`: which thread does it.
+  Group forward_s(int group, int part);
+  void backward_s(const Group& group, int part); ///< Group::out to spectra along x
+  void backward();                               ///< those to rows_out, times both lengths
 
   /// kernel [length_s][length_x] to symbol [frequency], each frequency's length_s values `stride` after those
   /// of the one before.
   Real* kernel();
   void transform_kernel(Complex* symbol, std::ptrdiff_t stride);
   /// Of real spectra [frequency][length_s] of kernels even in x those of the kernels' halves behind, in which
-  /// what lies at 0 and at the far end counts half; until the next kernel.
+  /// what lies at 0 and at the far end counts half; until the next kernel or product.
   const Complex* half_behind(const std::vector<Real>& spectra);
 
 private:
-  static Complex* complex(const FftBuffer<Real>& b) { return reinterpret_cast<Complex*>(b.get()); }
-  Real* rows(const FftBuffer<Real>& space, int field, int pair) const {
-    return &space[2 * (static_cast<std::size_t>(field) * shape.lines / 2 + pair) * shape.length_x];
+  struct ColumnPlans {
+    FftPlan<Real> forward, backward;
+  };
+  Real* rows(Real* space, int field, int pair) const {
+    return space + 2 * (static_cast<std::size_t>(field) * shape.lines / 2 + pair) * shape.length_x;
   }
-  FftPlan<Real> plan(int length, int lines, const FftBuffer<Real>& from, const FftBuffer<Real>& to,
-                     int sign) const;
-  Real* kernel_pairs();
+  int lines_of(int fields) const { return fields * shape.lines / 2; }
+  FftPlan<Real> plan(int length, int lines, int sign) const;
+  /// Lines along x of all fields, as many parts of them at once as threads share evenly.
+  int line_parts(int fields) const { return std::gcd(threads_, lines_of(fields)); }
+  void transform_lines(const FftPlan<Real>& plan, int fields, Real* from, Real* to) const;
+  const ColumnPlans& column_plans(int count) const { return count == together_ ? whole_ : rest_; }
+  void make_product_plans();
 
-  int together_ = 1;
-  // no transform in place: FFTW plans and does others in half the time
-  FftBuffer<Real> space_in_, spectra_in_, spectra_out_, space_out_;
-  FftBuffer<Real> columns_in_, turned_in_, turned_, columns_out_;
-  FftBuffer<Real> kernel_, pairs_, pair_spectra_, one_sided_, symbol_;
-  FftPlan<Real> x_forward_, s_forward_, s_backward_, x_backward_;
+  int threads_ = 1, together_ = 1;
+  std::size_t space_size_ = 0, column_size_ = 0, kernel_size_ = 0; ///< reals
+  std::shared_ptr<Scratch> scratch_;
+  /// rows_in, then the spectra of the result; the spectra of rows_in, then rows_out. So no transform is in
+  /// place: FFTW plans and does those in twice the time. For the same reason a thread has two blocks of
+  /// columns, one after the other. Kernels go to and fro between `first_` and `second_` as well.
+  Real *first_ = nullptr, *second_ = nullptr, *columns_ = nullptr;
+  FftPlan<Real> x_forward_, x_backward_;
+  ColumnPlans whole_, rest_; ///< of `together_` frequencies, and of the last group
   FftPlan<Real> kernel_x_, kernel_s_;
 };
 
-/// Keeps transforms, the last used first. All operators that share one pool serve one thread at a time.
+/// Keeps transforms, the last used first, and the memory in which they all work. All operators that share one
+/// pool serve one thread at a time.
 class TransformPool {
 public:
+  /// `threads`: how many work on one product (base/parallel.hpp).
+  explicit TransformPool(int threads = 1) : threads_(threads) {}
+
+  int threads() const { return threads_; }
+  const std::shared_ptr<Scratch>& scratch() const { return scratch_; }
   template <class Real> std::shared_ptr<PlaneTransforms<Real>> get(const PlaneShape& shape) {
     auto& list = lists<Real>();
     for (auto it = list.begin(); it != list.end(); ++it)
@@ -90,7 +112,7 @@ public:
         list.splice(list.begin(), list, it);
         return list.front();
       }
-    list.push_front(std::make_shared<PlaneTransforms<Real>>(shape));
+    list.push_front(std::make_shared<PlaneTransforms<Real>>(shape, scratch_, threads_));
     if (list.size() > std::size_t(most_transforms))
       list.pop_back(); // those who use it keep it
     return list.front();
@@ -104,6 +126,8 @@ private:
     else
       return double_;
   }
+  int threads_;
+  std::shared_ptr<Scratch> scratch_ = std::make_shared<Scratch>();
   List<float> single_;
   List<double> double_;
 };

@@ -1,8 +1,10 @@
 #include "bem_contact/contact/operator/strip_operator.hpp"
 
+#include "bem_contact/base/parallel.hpp"
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/operator/fft.hpp"
 #include "bem_contact/contact/operator/plane_operator.hpp"
+#include "bem_contact/contact/operator/plane_transforms.hpp"
 #include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/influence/dense.hpp"
@@ -54,21 +56,32 @@ BEM_CONTACT_WIDE void multiply(const float* a, int rows, int columns, const floa
 
 template <class Real> struct BasicStripOperator<Real>::Impl {
   using Fft = Fftw<Real>;
+  using Complex = typename Fft::Complex;
   int mx = 0, ms = 0, length = 0, frequencies = 0, lines_in = 0, lines_out = 0;
   std::vector<int> outputs, inputs;
-  std::unique_ptr<Real[]> spectrum;             ///< [frequency], column-major lines_out x lines_in
-  FftBuffer<Real> space_in, space_out;          ///< [line][place]
-  FftBuffer<Real> frequency_in, frequency_out;  ///< [line][frequency], complex
-  FftBuffer<Real> re_in, im_in, re_out, im_out; ///< of one frequency, [line]
-  FftPlan<Real> forward, backward;
+  std::unique_ptr<Real[]> spectrum; ///< [frequency], column-major lines_out x lines_in
+  std::shared_ptr<Scratch> scratch;
+  int threads = 1;
+  FftPlan<Real> forward, backward; ///< of the lines of one part
   std::optional<BasicPlaneOperator<Real>> plane; ///< does all the work where the numbers are translational
 
   std::size_t spectrum_size() const { return static_cast<std::size_t>(frequencies) * lines_out * lines_in; }
   Real* column(int frequency, int line_in) const {
     return &spectrum[(static_cast<std::size_t>(frequency) * lines_in + line_in) * lines_out];
   }
-  void make_plans();
-  void apply(std::span<const Real> p) const;
+  /// In how many equal parts the lines are transformed side by side: FFTW expects all to be aligned alike.
+  int parts_of(int lines) const {
+    const int parts = std::gcd(threads, lines), each = lines / parts;
+    return each * length % 4 == 0 && each * frequencies % 2 == 0 ? parts : 1;
+  }
+  /// A block of scratch holds all lines, [line][place] or [line][frequency]; FFTW expects blocks aligned alike.
+  std::size_t block_size() const {
+    return (static_cast<std::size_t>(std::max(lines_in, lines_out)) * 2 * frequencies + 15) / 16 * 16;
+  }
+  std::size_t line_size() const { return (static_cast<std::size_t>(std::max(lines_in, lines_out)) + 15) / 16 * 16; }
+  void make_plans(TransformPool* pool);
+  const Real* apply(std::span<const Real> p) const;
+  void multiply_frequency(int k, const Real* in, Real* work, Real* out) const;
 };
 
 template <class Real>
@@ -86,7 +99,7 @@ BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, in
   }
   std::vector<int> rows(o.ms);
   std::iota(rows.begin(), rows.end(), range.first);
-  transform(numbers, mx, rows, std::move(outputs), std::move(inputs));
+  transform(numbers, mx, rows, std::move(outputs), std::move(inputs), pool);
 }
 
 template <class Real>
@@ -105,13 +118,13 @@ BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, co
   for (const Box& box : boxes.boxes)
     for (int is = 0; is < box.ms; ++is)
       rows.push_back(box.first_s + is);
-  transform(numbers, o.mx, rows, std::move(outputs), std::move(inputs));
+  transform(numbers, o.mx, rows, std::move(outputs), std::move(inputs), pool);
 }
 
 template <class Real>
 void BasicStripOperator<Real>::transform(const InfluenceNumbers& numbers, int mx,
                                          const std::vector<int>& rows, std::vector<int> outputs,
-                                         std::vector<int> inputs) {
+                                         std::vector<int> inputs, TransformPool* pool) {
   Impl& o = *impl_;
   o.length = good_fft_length(2 * (mx + rolling_columns) + 1);
   o.frequencies = o.length / 2 + 1;
@@ -162,7 +175,7 @@ void BasicStripOperator<Real>::transform(const InfluenceNumbers& numbers, int mx
                          [sign](double v) { return static_cast<Real>(sign * v); });
     }
   }
-  o.make_plans();
+  o.make_plans(pool);
 }
 
 template <class Real>
@@ -185,28 +198,23 @@ BasicStripOperator<Real>::BasicStripOperator(const BasicStripOperator<Other>& ot
   o.inputs = from.inputs;
   o.spectrum = std::make_unique_for_overwrite<Real[]>(o.spectrum_size());
   std::copy_n(from.spectrum.get(), o.spectrum_size(), o.spectrum.get());
-  o.make_plans();
+  o.make_plans(pool);
 }
 
-template <class Real> void BasicStripOperator<Real>::Impl::make_plans() {
-  const auto all = [](int lines, int each) { return static_cast<std::size_t>(lines) * each; };
-  space_in = make_fft_buffer<Real>(all(lines_in, length));
-  space_out = make_fft_buffer<Real>(all(lines_out, length));
-  frequency_in = make_fft_buffer<Real>(all(lines_in, 2 * frequencies));
-  frequency_out = make_fft_buffer<Real>(all(lines_out, 2 * frequencies));
-  for (auto* buffer : {&re_in, &im_in})
-    *buffer = make_fft_buffer<Real>(lines_in);
-  for (auto* buffer : {&re_out, &im_out})
-    *buffer = make_fft_buffer<Real>(lines_out);
+template <class Real> void BasicStripOperator<Real>::Impl::make_plans(TransformPool* pool) {
+  scratch = pool ? pool->scratch() : std::make_shared<Scratch>();
+  if (pool && static_cast<std::size_t>(ms) * length >= std::size_t(least_threaded))
+    threads = pool->threads();
+  Real* const first = scratch->reals<Real>(2 * block_size());
+  Real* const second = first + block_size();
   const std::lock_guard lock(fft_planner());
   // Line by line: FFTW remembers a length, whatever the number of lines, so that the next plan costs nothing.
-  using Complex = typename Fft::Complex;
-  forward.reset(Fft::plan_many_dft_r2c(1, &length, lines_in, space_in.get(), nullptr, 1, length,
-                                       reinterpret_cast<Complex*>(frequency_in.get()), nullptr, 1,
-                                       frequencies, FFTW_ESTIMATE));
-  backward.reset(Fft::plan_many_dft_c2r(1, &length, lines_out,
-                                        reinterpret_cast<Complex*>(frequency_out.get()), nullptr, 1,
-                                        frequencies, space_out.get(), nullptr, 1, length, FFTW_ESTIMATE));
+  forward.reset(Fft::plan_many_dft_r2c(1, &length, lines_in / parts_of(lines_in), first, nullptr, 1, length,
+                                       reinterpret_cast<Complex*>(second), nullptr, 1, frequencies,
+                                       FFTW_ESTIMATE));
+  backward.reset(Fft::plan_many_dft_c2r(1, &length, lines_out / parts_of(lines_out),
+                                        reinterpret_cast<Complex*>(first), nullptr, 1, frequencies, second,
+                                        nullptr, 1, length, FFTW_ESTIMATE));
 }
 
 template <class Real> BasicStripOperator<Real>::~BasicStripOperator() = default;
@@ -214,41 +222,70 @@ template <class Real> BasicStripOperator<Real>::BasicStripOperator(BasicStripOpe
 template <class Real>
 BasicStripOperator<Real>& BasicStripOperator<Real>::operator=(BasicStripOperator&&) noexcept = default;
 
-/// Leaves u of columns up to mx + 1, times the transform's length, in space_out.
-template <class Real> void BasicStripOperator<Real>::Impl::apply(std::span<const Real> p) const {
-  for (int line = 0; line < lines_in; ++line) {
-    Real* to = &space_in[static_cast<std::size_t>(line) * length];
-    std::copy_n(&p[static_cast<std::size_t>(line) * mx], mx, to);
-    std::fill(to + mx, to + length, 0.0);
+/// Of one frequency: spectra [line][frequency] of tractions to those of displacements. `work`: four times line_size().
+template <class Real>
+void BasicStripOperator<Real>::Impl::multiply_frequency(int k, const Real* in, Real* work, Real* out) const {
+  Real *const re_in = work, *const im_in = work + line_size();
+  Real *const re_out = im_in + line_size(), *const im_out = re_out + line_size();
+  for (std::size_t b = 0; b < inputs.size(); ++b) {
+    const bool turn = inputs[b] == component_x; // times i
+    Real* re = turn ? im_in : re_in;
+    Real* im = turn ? re_in : im_in;
+    const Real sign = turn ? -1 : 1;
+    for (int line = static_cast<int>(b) * ms; line < static_cast<int>(b + 1) * ms; ++line) {
+      const Real* from = &in[2 * (static_cast<std::size_t>(line) * frequencies + k)];
+      re[line] = from[0];
+      im[line] = sign * from[1];
+    }
   }
-  Fft::execute(forward.get());
+  multiply(column(k, 0), lines_out, lines_in, re_in, im_in, re_out, im_out);
+  for (std::size_t a = 0; a < outputs.size(); ++a) {
+    const bool turn = outputs[a] == component_x; // times -i
+    const Real* re = turn ? im_out : re_out;
+    const Real* im = turn ? re_out : im_out;
+    const Real sign = turn ? -1 : 1;
+    for (int line = static_cast<int>(a) * ms; line < static_cast<int>(a + 1) * ms; ++line) {
+      Real* to = &out[2 * (static_cast<std::size_t>(line) * frequencies + k)];
+      to[0] = re[line];
+      to[1] = sign * im[line];
+    }
+  }
+}
 
-  for (int k = 0; k < frequencies; ++k) {
-    for (std::size_t b = 0; b < inputs.size(); ++b) {
-      const bool turn = inputs[b] == component_x; // times i
-      Real* re = (turn ? im_in : re_in).get();
-      Real* im = (turn ? re_in : im_in).get();
-      const Real sign = turn ? -1 : 1;
-      for (int line = static_cast<int>(b) * ms; line < static_cast<int>(b + 1) * ms; ++line) {
-        const Real* from = &frequency_in[2 * (static_cast<std::size_t>(line) * frequencies + k)];
-        re[line] = from[0];
-        im[line] = sign * from[1];
-      }
+/// u of columns up to mx + 1, times the transform's length: [line][length], until the next product.
+template <class Real> const Real* BasicStripOperator<Real>::Impl::apply(std::span<const Real> p) const {
+  // Tractions, then the spectra of displacements; the spectra of tractions, then displacements.
+  Real* const first = scratch->reals<Real>(2 * block_size() + 4 * threads * line_size());
+  Real* const second = first + block_size();
+  Real* const work = second + block_size();
+  const auto at_line = [&](Real* block, int line, int each) { return block + static_cast<std::size_t>(line) * each; };
+  in_parts(threads, lines_in, [&](int line, int end, int) {
+    for (; line < end; ++line) {
+      Real* to = at_line(first, line, length);
+      std::copy_n(&p[static_cast<std::size_t>(line) * mx], mx, to);
+      std::fill(to + mx, to + length, Real(0));
     }
-    multiply(column(k, 0), lines_out, lines_in, re_in.get(), im_in.get(), re_out.get(), im_out.get());
-    for (std::size_t a = 0; a < outputs.size(); ++a) {
-      const bool turn = outputs[a] == component_x; // times -i
-      const Real* re = (turn ? im_out : re_out).get();
-      const Real* im = (turn ? re_out : im_out).get();
-      const Real sign = turn ? -1 : 1;
-      for (int line = static_cast<int>(a) * ms; line < static_cast<int>(a + 1) * ms; ++line) {
-        Real* to = &frequency_out[2 * (static_cast<std::size_t>(line) * frequencies + k)];
-        to[0] = re[line];
-        to[1] = sign * im[line];
-      }
+  });
+  const int parts_in = parts_of(lines_in), parts_out = parts_of(lines_out);
+  in_parts(parts_in, parts_in, [&](int part, int end, int) {
+    for (; part < end; ++part) {
+      const int line = lines_in / parts_in * part;
+      Fft::execute_dft_r2c(forward.get(), at_line(first, line, length),
+                           reinterpret_cast<Complex*>(at_line(second, line, 2 * frequencies)));
     }
-  }
-  Fft::execute(backward.get());
+  });
+  in_parts(threads, frequencies, [&](int k, int end, int part) {
+    for (; k < end; ++k)
+      multiply_frequency(k, second, work + 4 * part * line_size(), first);
+  });
+  in_parts(parts_out, parts_out, [&](int part, int end, int) {
+    for (; part < end; ++part) {
+      const int line = lines_out / parts_out * part;
+      Fft::execute_dft_c2r(backward.get(), reinterpret_cast<Complex*>(at_line(first, line, 2 * frequencies)),
+                           at_line(second, line, length));
+    }
+  });
+  return second;
 }
 
 template <class Real>
@@ -256,12 +293,11 @@ void BasicStripOperator<Real>::apply(std::span<const Real> p, std::span<Real> u,
   const Impl& o = *impl_;
   if (o.plane)
     return o.plane->apply(p, u, columns);
-  o.apply(p);
+  const Real* v = o.apply(p) + columns;
   const Real scale = 1.0 / o.length;
-  for (int line = 0; line < o.lines_out; ++line)
+  for (int line = 0; line < o.lines_out; ++line, v += o.length)
     for (int ix = 0; ix < o.mx; ++ix)
-      u[static_cast<std::size_t>(line) * o.mx + ix] =
-          scale * o.space_out[static_cast<std::size_t>(line) * o.length + ix + columns];
+      u[static_cast<std::size_t>(line) * o.mx + ix] = scale * v[ix];
 }
 
 template <class Real>
@@ -269,14 +305,12 @@ void BasicStripOperator<Real>::apply_step(std::span<const Real> p, std::span<Rea
   const Impl& o = *impl_;
   if (o.plane)
     return o.plane->apply_step(p, u);
-  o.apply(p);
+  const Real* v = o.apply(p);
   const Real scale = 1.0 / o.length;
-  for (int line = 0; line < o.lines_out; ++line) {
-    const Real* v = &o.space_out[static_cast<std::size_t>(line) * o.length];
+  for (int line = 0; line < o.lines_out; ++line, v += o.length)
     for (int ix = 0; ix < o.mx; ++ix)
       u[static_cast<std::size_t>(line) * o.mx + ix] =
           scale * (rolling_step[0] * v[ix] + rolling_step[1] * v[ix + 1] + rolling_step[2] * v[ix + 2]);
-  }
 }
 
 template class BasicStripOperator<double>;

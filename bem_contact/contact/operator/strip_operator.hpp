@@ -50,7 +50,7 @@ private:
   template <class Other> friend class BasicStripOperator;
   struct Impl;
   void transform(const InfluenceNumbers& numbers, int mx, const std::vector<int>& rows,
-                 std::vector<int> outputs, std::vector<int> inputs);
+                 std::vector<int> outputs, std::vector<int> inputs, TransformPool* pool);
   std::unique_ptr<Impl> impl_;
 };
 

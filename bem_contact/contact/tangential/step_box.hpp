@@ -15,26 +15,46 @@
 namespace bem_contact::contact {
 
 /// The matrix of one rolling step or load step, tangential components:
-/// B = sum_k present[k] A(x_I + k dx - x_J) (SlipStep::present). Its entries, unrolled for dot products along
-/// x: for rows I, J and components c, d the 2 mx - 1 values of offset mx - 1 .. -(mx - 1).
+/// B = sum_k present[k] A(x_I + k dx - x_J) (SlipStep::present), mm/MPa. Its entries between some rows of a grid depend on the
+/// offset along x alone: for each pair of rows I, J and components c, d the 2 mx - 1 values of offset
+/// mx - 1 .. -(mx - 1).
 class StepNumbers {
 public:
-  StepNumbers(const InfluenceNumbers& numbers, int mx, const std::array<double, 3>& present);
+  /// Between these rows of the numbers, for `columns` columns. Below, a row is its place in `rows`.
+  StepNumbers(const InfluenceNumbers& numbers, const std::vector<int>& rows, int columns,
+              const std::array<double, 3>& present);
+  /// Between all rows.
+  StepNumbers(const InfluenceNumbers& numbers, int columns, const std::array<double, 3>& present);
 
-  /// Value at [ix'] is B_cd of the element (ix, row_i) under a load at (ix', row_j), mm/MPa.
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
+  /// Value at [ix'] is B_cd of the element (ix, row_i) under a load at (ix', row_j).
   const double* line(int ix, int row_i, int c, int row_j, int d) const {
-    return &values_[(((static_cast<std::size_t>(row_i) * ms_ + row_j) * 2 + c) * 2 + d) * (2 * mx_ - 1) +
-                    mx_ - 1 - ix];
+    return &values_[start(row_i, c, row_j, d) + columns_ - 1 - ix];
+  }
+  /// Value at [t] is B_cd of the element (columns - 1 - t, row_i) under a load at (ix, row_j).
+  const double* under_load(int ix, int row_i, int c, int row_j, int d) const {
+    return &values_[start(row_i, c, row_j, d) + ix];
   }
 
 private:
-  int mx_, ms_;
+  std::size_t start(int row_i, int c, int row_j, int d) const {
+    return (((static_cast<std::size_t>(row_i) * rows_ + row_j) * 2 + c) * 2 + d) * (2 * columns_ - 1);
+  }
+  int rows_, columns_;
   std::vector<double> values_;
 };
 
-/// B of the element `target` under a load on the element `load`, mm/MPa.
-Eigen::Matrix2d step_number(const ContactProblem& problem, const std::array<double, 3>& present, int target,
-                            int load);
+/// Where some elements of a grid stand among their own rows and columns.
+struct ElementPlaces {
+  /// `elements`: numbers on a grid with mx columns.
+  ElementPlaces(const std::vector<int>& elements, int mx);
+
+  std::vector<int> rows;        ///< of the grid, in the order in which the elements name them
+  int first_column, columns;    ///< of the grid
+  std::vector<int> row, column; ///< of each element: place in `rows`; column less first_column
+};
+
 /// B of all pairs of these elements: [x, s] of the first element, of the second, ...
 Eigen::MatrixXd step_matrix(const ContactProblem& problem, const std::array<double, 3>& present,
                             const std::vector<int>& elements);
