@@ -60,6 +60,7 @@ template <class Real> Real* parts(Complex<Real>* p) {
 template <class Real> struct BasicPlaneOperator<Real>::Impl {
   int mx = 0, ms = 0, length_x = 0, length_s = 0, frequencies = 0, inputs = 0, outputs = 0;
   FftBuffer<Real> symbol; ///< complex [frequency][output][input][length_s]
+  std::vector<char> zero; ///< [output][input]: all numbers are, and the symbol is not there
   std::shared_ptr<PlaneTransforms<Real>> transforms;
 
   std::size_t symbol_size() const { // reals
@@ -77,9 +78,13 @@ template <class Real> struct BasicPlaneOperator<Real>::Impl {
     frequencies = from.frequencies;
     inputs = from.inputs;
     outputs = from.outputs;
+    zero = from.zero;
     symbol = make_fft_buffer<Real>(symbol_size());
-    std::transform(from.symbol.get(), from.symbol.get() + symbol_size(), symbol.get(),
-                   [](auto v) { return static_cast<Real>(v); });
+    const std::size_t pairs = zero.size(), each = 2 * static_cast<std::size_t>(length_s);
+    for (std::size_t block = 0; block < frequencies * pairs; ++block)
+      if (!zero[block % pairs])
+        std::transform(from.symbol.get() + block * each, from.symbol.get() + (block + 1) * each,
+                       symbol.get() + block * each, [](auto v) { return static_cast<Real>(v); });
   }
   /// Of A_ij where the target lies so many columns and rows ahead of the load.
   struct Entry {
@@ -94,6 +99,7 @@ template <class Real>
 void BasicPlaneOperator<Real>::Impl::transform_numbers(const InfluenceNumbers& numbers, const Entry& entry,
                                                        int middle, int a, int b) {
   const auto [i, j, ahead_x, ahead_s] = entry;
+  bool none = true;
   Real* kernel = transforms->kernel();
   std::fill_n(kernel, static_cast<std::size_t>(length_s) * length_x, Real(0));
   for (int d = 1 - ms; d < ms; ++d) {
@@ -105,11 +111,16 @@ void BasicPlaneOperator<Real>::Impl::transform_numbers(const InfluenceNumbers& n
     }
     Real* line = &kernel[static_cast<std::size_t>((d + 2 * length_s) % length_s) * length_x];
     for (int m = 1 - mx; m < mx + rolling_columns; ++m)
-      if (const int offset = m + ahead_x; std::abs(offset) < numbers.offsets)
-        line[(m + 2 * length_x) % length_x] += static_cast<Real>(
-            (offset < 0 ? parity(i, j) : 1) * numbers.at(std::abs(offset), row_i, i, row_j, j));
+      if (const int offset = m + ahead_x; std::abs(offset) < numbers.offsets) {
+        const double number = numbers.at(std::abs(offset), row_i, i, row_j, j);
+        line[(m + 2 * length_x) % length_x] += static_cast<Real>((offset < 0 ? parity(i, j) : 1) * number);
+        none = none && number == 0;
+      }
   }
-  transforms->transform_kernel(symbol_at(0, a, b), static_cast<std::ptrdiff_t>(inputs) * outputs * length_s);
+  zero[a * inputs + b] = none;
+  if (!none)
+    transforms->transform_kernel(symbol_at(0, a, b),
+                                 static_cast<std::ptrdiff_t>(inputs) * outputs * length_s);
 }
 
 template <class Real>
@@ -128,6 +139,7 @@ void BasicPlaneOperator<Real>::prepare(int mx, int ms, int outputs, int inputs, 
   o.outputs = outputs;
   o.transforms = pooled<Real>(o.shape(), pool);
   o.symbol = make_fft_buffer<Real>(o.symbol_size());
+  o.zero.assign(static_cast<std::size_t>(outputs) * inputs, 0);
 }
 
 template <class Real>
@@ -205,11 +217,18 @@ template <class Real> void BasicPlaneOperator<Real>::Impl::apply(std::span<const
     for (; group < end; ++group) {
       const auto columns = t.forward_s(group, part);
       for (int line = 0; line < columns.count; ++line)
-        for (int a = 0; a < outputs; ++a)
+        for (int a = 0; a < outputs; ++a) {
+          Real* const out = parts(columns.out + (line * outputs + a) * length_s);
+          bool add = false;
           for (int b = 0; b < inputs; ++b)
-            multiply(parts(symbol_at(columns.first + line, a, b)),
-                     parts(columns.in + (line * inputs + b) * length_s), length_s, b > 0,
-                     parts(columns.out + (line * outputs + a) * length_s));
+            if (!zero[a * inputs + b]) {
+              multiply(parts(symbol_at(columns.first + line, a, b)),
+                       parts(columns.in + (line * inputs + b) * length_s), length_s, add, out);
+              add = true;
+            }
+          if (!add)
+            std::fill_n(out, 2 * length_s, Real(0));
+        }
       t.backward_s(columns, part);
     }
   });
