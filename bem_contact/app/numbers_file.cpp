@@ -63,10 +63,11 @@ std::string contact_line(int m, double x, const Block& b, double scale) {
 void write_numbers_h5(const std::filesystem::path& file, const PlainNumbers& plain) {
   const InfluenceNumbers& a = plain.numbers;
   const auto mx = static_cast<std::size_t>(a.offsets), my = static_cast<std::size_t>(a.rows);
+  const InfluenceNumbers written_out = spelled_out(a);
   H5Table table;
   table.datasets["influence_numbers"] = {
       {mx, my, 3, my, 3},
-      spelled_out(a).values,
+      {written_out.values.begin(), written_out.values.end()},
       "mm/MPa",
       "[m][I][i][J][j]: displacement i of element (m, I), averaged over it, under 1 MPa of traction j on "
       "element (0, J); i, j = 0 x, 1 s, 2 n; m < 0: times -1 where exactly one of i, j is x"};

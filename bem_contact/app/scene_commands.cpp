@@ -10,6 +10,7 @@
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/settings.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -84,6 +85,7 @@ struct SceneArguments {
   std::string folder; ///< of a repeated result: where its scene's paths start
   std::vector<std::string> models{"halfspace", "fem"}; ///< of compare
   bool json = false, strict = false;
+  int threads = 1;
 };
 
 /// Prints the warnings; success only if the certificate holds.
@@ -147,7 +149,7 @@ ExitCode run_solve(const SceneArguments& arguments) {
                   {{"--output", arguments.output, OutputForm::whole_file}, {"--vtk", arguments.vtk}});
   if (!arguments.output.empty())
     given.inputs = inputs_of(given.scene);
-  const SceneResult result = Sequence().solve(given.scene);
+  const SceneResult result = Sequence({.threads = arguments.threads}).solve(given.scene);
   if (arguments.strict)
     refuse_warnings(result.warnings);
   if (!arguments.output.empty())
@@ -179,7 +181,7 @@ ExitCode run_compare(const SceneArguments& arguments) {
   require_outputs(files_read(arguments.file, scene), outputs);
   if (!arguments.output.empty())
     given.inputs = inputs_of(scene);
-  const Comparison comparison = Sequence().compare(scene, models);
+  const Comparison comparison = Sequence({.threads = arguments.threads}).compare(scene, models);
   if (arguments.strict)
     for (const SceneResult& result : comparison.leading())
       refuse_warnings(result.warnings);
@@ -220,6 +222,10 @@ CLI::App* add_scene_command(CLI::App& program, const char* name, const char* wha
 void add_outputs(CLI::App& line, SceneArguments& arguments) {
   line.add_flag("--json", arguments.json, "Print one JSON object instead of the text");
   line.add_option("-o,--output", arguments.output, "Result file (HDF5)");
+  line.add_option("--threads", arguments.threads,
+                  "Threads that share the work of a case with thousands of elements in contact (default 1); a smaller "
+                  "one stays on one thread, and results are the same")
+      ->check(CLI::Range(1, most_threads));
 }
 
 } // namespace

@@ -5,16 +5,12 @@
 
 namespace bem_contact {
 
-void in_parts(int threads, int count, const std::function<void(int, int, int)>& body) {
-  threads = std::min(threads, count);
-  if (threads <= 1) {
-    body(0, count, 0);
-    return;
-  }
-#pragma omp parallel num_threads(threads)
+void call_in_parts(int threads, int count, const void* body,
+                   void (*call)(const void* body, int first, int end, int part)) {
+#pragma omp parallel num_threads(std::clamp(count, 1, threads))
   {
     const auto part = static_cast<long>(omp_get_thread_num()), parts = static_cast<long>(omp_get_num_threads());
-    body(static_cast<int>(count * part / parts), static_cast<int>(count * (part + 1) / parts),
+    call(body, static_cast<int>(count * part / parts), static_cast<int>(count * (part + 1) / parts),
          static_cast<int>(part));
   }
 }

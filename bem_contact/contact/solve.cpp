@@ -8,6 +8,7 @@
 #include "bem_contact/contact/grid/larger_elements.hpp"
 #include "bem_contact/contact/grid/patches.hpp"
 #include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/workspace.hpp"
 
 #include <fmt/format.h>
 
@@ -89,6 +90,10 @@ void require_balance(const ContactProblem& problem, const contact::Solution& sol
       "Give less friction or yaw, another lateral position, or an approach in place of the force.");
 }
 
+int threads_of(const SolverOptions& options) {
+  return options.workspace ? options.workspace->threads() : 1;
+}
+
 ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOptions& options,
                                  contact::ContactOperators& operators, WorkBudget& work) {
   const contact::Solution solution = contact::solve_coupled(problem, options, operators, work);
@@ -104,7 +109,8 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
     result.temperatures = flash_temperatures(problem, result);
   result.touches_border = contact::touches_border(problem.grid, result.state);
   const Stopwatch checking;
-  result.certificate = certify(problem, result, options.displacements ? &result.displacements : nullptr);
+  result.certificate = certify(problem, result, options.displacements ? &result.displacements : nullptr,
+                               threads_of(options));
   result.check_seconds = checking.seconds();
   result.converged = result.certificate.holds();
   result.normal_solver = solution.normal.solver;
@@ -126,7 +132,7 @@ std::optional<Discretisation> estimate(const ContactProblem& problem, const Solv
                                        const ContactResult& result) {
   if (!options.estimate_discretisation || !result.converged)
     return std::nullopt;
-  const auto coarse = contact::companion_of(problem, result);
+  const auto coarse = contact::companion_of(problem, result, threads_of(options));
   if (!coarse)
     return std::nullopt;
   // A key costs a pass over the numbers, and is needed only where the operators outlive this call.

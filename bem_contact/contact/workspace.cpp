@@ -6,11 +6,16 @@
 
 namespace bem_contact {
 
-Workspace::Workspace(int most) : most_(most), pool_(std::make_shared<contact::TransformPool>()) {}
+Workspace::Workspace(int most, int threads)
+    : most_(most), pool_(std::make_shared<contact::TransformPool>(threads)) {}
 
 Workspace::~Workspace() = default;
 Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+
+int Workspace::threads() const {
+  return pool_->threads();
+}
 
 contact::ContactOperators& Workspace::of(const ContactProblem& problem) {
   const contact::NumbersKey key = contact::key_of(problem);

@@ -32,8 +32,9 @@ class TransformPool;
 /// Besides, FFTW remembers how it planned a length, for the whole program.
 class Workspace {
 public:
-  /// `most`: how many sets are kept.
-  explicit Workspace(int most = 2);
+  /// `most`: how many sets are kept. `threads`: how many work on a product, a spectrum or a sum, if it is large
+  /// enough (settings.hpp: least_threaded); results are the same to the last bit.
+  explicit Workspace(int most = 2, int threads = 1);
   ~Workspace();
   Workspace(Workspace&&) noexcept;
   Workspace& operator=(Workspace&&) noexcept;
@@ -41,6 +42,7 @@ public:
   /// For the solvers: what is prepared from the influence numbers of this problem.
   contact::ContactOperators& of(const ContactProblem& problem);
 
+  int threads() const;
   int prepared() const { return prepared_; } ///< sets of numbers met for the first time
   int kept() const { return kept_; }         ///< how often a set was met again
 

@@ -14,9 +14,11 @@ struct ExpandOptions {
   StructuralCompliance structural = StructuralCompliance::removed;
   double contact_radius = 0; ///< revolution only: x = contact_radius * theta; 0: the reference radius
   int first_station = 0, stations = -1; ///< a run of stations; -1: all from first_station on
+  int threads = 1;                      ///< share the rows of a kernel, with the same numbers to the last bit
 };
 
-/// Changes the numbers of a row before they are written: one pass over a large table is saved.
+/// Changes the numbers of a row before they are written: one pass over a large table is saved. Several threads may
+/// call it at once.
 using ChangeLines = std::function<void(NumberLines&)>;
 
 /// Influence numbers on the file's own stations: the Fourier series over the half period

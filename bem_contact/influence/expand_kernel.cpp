@@ -1,5 +1,6 @@
 #include "bem_contact/influence/expand_kernel.hpp"
 
+#include "bem_contact/base/parallel.hpp"
 #include "bem_contact/influence/dense.hpp"
 #include "bem_contact/influence/remote_factor.hpp"
 #include "bem_contact/influence/series_weights.hpp"
@@ -93,16 +94,26 @@ InfluenceNumbers expand_kernel(const InfluenceFunction& f, const ExpandOptions& 
   }
   even *= scaling.load;
   odd *= scaling.load;
-  NumberLines lines(range.count, o.offsets);
-  for (int row = 0; row < range.count; ++row) {
-    const KernelRow kernel = kernel_row(f, range, row, removed, nk);
-    lines.begin(row);
-    multiply(even, kernel.even, lines.even());
-    multiply(odd, kernel.odd, lines.odd());
-    if (change)
-      change(lines);
-    lines.write_to(result);
-  }
+  // A row has one block more than the one before. The first and the last together, then the second and the last but
+  // one, and so on, are work for each thread alike.
+  const int pairs = (range.count + 1) / 2;
+  in_parts(o.threads, pairs, [&](int pair, int end, int) {
+    NumberLines lines(range.count, o.offsets);
+    const auto write = [&](int row) {
+      const KernelRow kernel = kernel_row(f, range, row, removed, nk);
+      lines.begin(row);
+      multiply(even, kernel.even, lines.even());
+      multiply(odd, kernel.odd, lines.odd());
+      if (change)
+        change(lines);
+      lines.write_to(result);
+    };
+    for (; pair < end; ++pair) {
+      write(pair);
+      if (const int opposite = range.count - 1 - pair; opposite != pair)
+        write(opposite);
+    }
+  });
   return result;
 }
 

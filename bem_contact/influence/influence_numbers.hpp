@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/base/conventions.hpp"
+#include "bem_contact/base/large_table.hpp"
 
 #include <cstddef>
 #include <utility>
@@ -27,7 +28,7 @@ struct InfluenceNumbers {
   int rows = 0;
   double dx = 0; ///< mm
   double ds = 0; ///< mm
-  std::vector<double> values;
+  LargeTable<double> values; ///< resize() does not set new ones (base/large_table.hpp)
   bool translational = false;
 
   double& at(int m, int row_i, int i, int row_j, int j) { return values[index(m, row_i, i, row_j, j)]; }

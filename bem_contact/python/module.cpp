@@ -13,6 +13,7 @@
 #include "bem_contact/report/report_page.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/sequence/settings.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -33,9 +34,13 @@ namespace {
 
 /// None of the arguments is converted by pybind11, so that what is wrong with one is said in our words.
 std::unique_ptr<PythonSequence> sequence_of(const py::object& scene, const py::args& more,
-                                            const py::object& folder, const py::kwargs& unknown) {
+                                            const py::object& folder, int threads,
+                                            const py::kwargs& unknown) {
   refuse_unknown("Sequence", more, unknown);
-  return std::make_unique<PythonSequence>(scene_of(scene, folder));
+  if (threads < 1 || threads > most_threads)
+    throw InputError("a Sequence cannot have " + std::to_string(threads) + " threads",
+                     "it takes 1 to " + std::to_string(most_threads), "Give as many as the machine has cores.");
+  return std::make_unique<PythonSequence>(scene_of(scene, folder), threads);
 }
 
 PythonResult solved(const PythonSequence& sequence, const py::object& changes, const py::object& model,
@@ -289,8 +294,9 @@ PYBIND11_MODULE(_core, m) {
       "case starts from the tractions of the one before. The scene is read, and its paths are fixed, when "
       "the "
       "object is made. Several threads may call one object: each call waits for the one before. Several "
-      "objects run side by side. Ctrl-C ends a running solve.")
-      .def(py::init(&sequence_of), "scene"_a = py::none(), "folder"_a = py::none())
+      "objects run side by side. Ctrl-C ends a running solve. `threads` share the work of a case with thousands of "
+      "elements in contact; results are the same.")
+      .def(py::init(&sequence_of), "scene"_a = py::none(), "folder"_a = py::none(), "threads"_a = 1)
       .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), "strict"_a = false,
            of_arguments);
   add_compare(m);

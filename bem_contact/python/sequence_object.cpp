@@ -12,8 +12,8 @@ using Result = std::shared_ptr<const SceneResult>;
 
 } // namespace
 
-PythonSequence::PythonSequence(PythonScene scene)
-    : shared_(std::make_shared<Shared>(Shared{std::move(scene), Sequence()})) {}
+PythonSequence::PythonSequence(PythonScene scene, int threads)
+    : shared_(std::make_shared<Shared>(Shared{std::move(scene), Sequence({.threads = threads})})) {}
 
 Result PythonSequence::solve(std::vector<SceneChange> changes, std::string model) const {
   return stoppable([shared = shared_, changes = std::move(changes),

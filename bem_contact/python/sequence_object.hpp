@@ -22,7 +22,7 @@ struct PythonScene {
 /// product. A call to an object that is busy waits.
 class PythonSequence {
 public:
-  explicit PythonSequence(PythonScene scene);
+  explicit PythonSequence(PythonScene scene, int threads = 1);
 
   /// Throws InputError, ConvergenceError, and whatever a signal handler of Python raises.
   std::shared_ptr<const SceneResult> solve(std::vector<SceneChange> changes, std::string model) const;

@@ -41,21 +41,22 @@ bool inside(const std::shared_ptr<const InfluenceFunction>& f, double s, double 
 
 /// One body's numbers at its rows.
 InfluenceNumbers expand_side(const InfluenceFunction& function, const Body& body,
-                             const ContactOnGrid& contact, const std::vector<double>& row_s) {
+                             const ContactOnGrid& contact, const std::vector<double>& row_s, int threads) {
   const ContactGrid& grid = contact.problem.grid;
   const bool plane_strain = contact.problem.plane_strain();
   ExpandOptions options;
   options.dx = plane_strain ? 0.0 : grid.dx;
   options.offsets = plane_strain ? 1 : grid.mx + 2;
   options.structural = body.structural;
+  options.threads = threads;
   options.contact_radius = function.invariance == Invariance::revolution ? contact.contact_radius : 0.0;
   return halfspace::resample(function, options, row_s, grid.ds);
 }
 
 std::shared_ptr<const InfluenceNumbers> rail_numbers(const std::shared_ptr<const InfluenceFunction>& function,
                                                      const Body& body, const ContactOnGrid& contact,
-                                                     RailNumbersStore* store) {
-  const auto compute = [&] { return expand_side(*function, body, contact, contact.rail_s); };
+                                                     RailNumbersStore* store, int threads) {
+  const auto compute = [&] { return expand_side(*function, body, contact, contact.rail_s, threads); };
   const ContactGrid& grid = contact.problem.grid;
   if (!store || contact.problem.plane_strain() || function->invariance == Invariance::revolution)
     return std::make_shared<const InfluenceNumbers>(compute());
@@ -140,7 +141,7 @@ InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGr
 }
 
 InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact,
-                          RailNumbersStore* store) {
+                          RailNumbersStore* store, int threads) {
   if (!files.complete())
     throw InputError("The finite-element model needs influence functions of both bodies",
                      !files.rail && !files.wheel ? "the scene names none"
@@ -152,10 +153,10 @@ InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, con
     require_turn(*files.rail, contact, contact.rail_s, rail_turn_tolerance);
     require_turn(*files.wheel, contact, contact.wheel_s, wheel_turn_tolerance);
   }
-  InfluenceNumbers wheel = expand_side(*files.wheel, setup.wheel, contact, contact.wheel_s);
+  InfluenceNumbers wheel = expand_side(*files.wheel, setup.wheel, contact, contact.wheel_s, threads);
   if (const auto inclination = radial_inclination(setup, contact.problem.rows); !inclination.empty())
     add_radial_displacement(inclination, contact.contact_radius, wheel);
-  return halfspace::combine(*rail_numbers(files.rail, setup.rail, contact, store), std::move(wheel));
+  return halfspace::combine(*rail_numbers(files.rail, setup.rail, contact, store, threads), std::move(wheel));
 }
 
 std::vector<double> radial_inclination(const ContactSetup& setup, const std::vector<ContactRow>& rows) {
@@ -169,8 +170,8 @@ std::vector<double> radial_inclination(const ContactSetup& setup, const std::vec
 }
 
 InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const PairFiles& files,
-                              const ContactOnGrid& contact, RailNumbersStore* store) {
-  return model == Model::fem             ? fem_pair(setup, files, contact, store)
+                              const ContactOnGrid& contact, RailNumbersStore* store, int threads) {
+  return model == Model::fem             ? fem_pair(setup, files, contact, store, threads)
          : model == Model::tangent_plane ? tangent_plane_pair(setup, contact)
                                          : halfspace_pair(setup, contact);
 }

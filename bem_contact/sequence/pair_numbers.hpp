@@ -21,9 +21,10 @@ struct PairFiles {
 PairFiles read_pair_files(const Body& rail, const Body& wheel);
 
 /// The pair's influence numbers by a model other than Hertz's. `store`: what is kept of the rail's; null:
-/// nothing. Throws what the functions below throw.
+/// nothing. `threads` share those of files. Throws what the functions below throw.
 InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const PairFiles& files,
-                              const ContactOnGrid& contact, RailNumbersStore* store = nullptr);
+                              const ContactOnGrid& contact, RailNumbersStore* store = nullptr,
+                              int threads = 1);
 
 /// Half-space numbers of the pair on the grid of `contact`; on a curved strip those of the strip unrolled
 /// (distances along the arc), so that both models share geometry, gap and frames.
@@ -41,7 +42,7 @@ std::vector<double> radial_inclination(const ContactSetup& setup, const std::vec
 /// radial displacement (radial_displacement.hpp) where radial_inclination() is not empty. Throws InputError
 /// where a file is missing or a row lies outside its strip.
 InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact,
-                          RailNumbersStore* store = nullptr);
+                          RailNumbersStore* store = nullptr, int threads = 1);
 
 /// Throws InputError unless the strip of either file covers every row of width ds at these stations, mm.
 void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,

@@ -43,6 +43,7 @@ std::optional<double> lateral_force_of(const SceneResult& solved) {
 Sequence::Sequence(SequenceOptions options, std::shared_ptr<SequenceFiles> files)
     : options_(options), memory_{.files = files ? std::move(files) : std::make_shared<SequenceFiles>(),
                                  .numbers = {},
+                                 .operators = Workspace(operators_kept, options.threads),
                                  .former = {},
                                  .areas = {},
                                  .element_size = ElementSize(options.learn),
@@ -67,7 +68,8 @@ SolveResources Sequence::resources(WorkBudget& work) {
           .numbers = options_.keep_numbers ? &memory_.numbers : nullptr,
           .operators = options_.keep_numbers ? &memory_.operators : nullptr,
           .coarse_start = options_.coarse_start,
-          .displacements = options_.displacements};
+          .displacements = options_.displacements,
+          .threads = options_.threads};
 }
 
 SceneResult Sequence::solve(const SceneFile& scene, const std::atomic<bool>* stop) {

@@ -34,6 +34,9 @@ struct SequenceOptions {
   /// Influence files must be of the scenes' own profiles. False: profiles that wear keep the files of a shape
   /// from which they hardly differ.
   bool own_shape = true;
+  /// Work on one case, where it is large (contact/settings.hpp: least_threaded). Results are the same to the last
+  /// bit. Two sequences on a thread each serve many small cases better.
+  int threads = 1;
 };
 
 /// How a scene is solved on the way to an answer.
@@ -97,7 +100,7 @@ private:
   struct Memory {
     std::shared_ptr<SequenceFiles> files;
     NumbersStore numbers;
-    Workspace operators{operators_kept};
+    Workspace operators;
     std::optional<FormerSolution> former;
     std::vector<PotentialArea> areas; ///< of the last case
     ElementSize element_size;

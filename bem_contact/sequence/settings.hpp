@@ -7,6 +7,9 @@
 /// The tuned numbers of this room (base/tuned.hpp).
 namespace bem_contact {
 
+/// Threads. No case may ask for more: it would spend them waiting. Chosen.
+BEM_CONTACT_TUNED(int, most_threads, 64);
+
 // Estimate of the contact.
 
 /// 1 (share of the approach). Where the undeformed distance is below this share the bodies may touch: the

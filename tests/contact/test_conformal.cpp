@@ -79,7 +79,7 @@ ContactProblem ball_in_seat(const reference::SeatEntry& exact, int across) {
   ContactProblem problem;
   problem.grid = {1, rings.count, 0, rings.area(), 0};
   problem.numbers = {1, rings.count, 0, rings.area(), {}};
-  problem.numbers.values.resize(problem.numbers.expected_values());
+  problem.numbers.values.assign(problem.numbers.expected_values(), 0.0);
   const double outermost = rings.step / std::sin(std::acos(1 - rings.step * rings.count)); // narrowest, rad
   const auto numbers = reference::ring_numbers(material, material, rings, static_cast<int>(10 / outermost));
   for (int i = 0; i < rings.count; ++i) {

@@ -32,7 +32,7 @@ ContactProblem random_problem(std::mt19937& random) {
             ms = std::uniform_int_distribution<>(1, 5)(random);
   problem.grid = {mx, ms, 0.5, 0.4, 0};
   InfluenceNumbers& a = problem.numbers;
-  a = {mx + 2, ms, 0.5, 0.4, std::vector<double>(9 * (mx + 2) * ms * ms)};
+  a = {mx + 2, ms, 0.5, 0.4, LargeTable<double>(9 * (mx + 2) * ms * ms, 0.0)};
   for (int m = 0; m <= mx + 1; ++m)
     for (int row_i = 0; row_i < ms; ++row_i)
       for (int i = 0; i < 3; ++i) {

@@ -1,5 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/normal/conjugate_gradients.hpp"
+#include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/tangential/step_box.hpp"
 #include "tests/contact/scenes.hpp"
 
@@ -88,6 +89,33 @@ TEST(Workspace, ServesEveryKindOfProblem) {
         expect_same(solve(moved), solve(moved, {.workspace = &workspace}));
       }
   EXPECT_EQ(workspace.prepared(), 1);
+}
+
+/// Threads share rows, frequencies and offsets, and each sum stays on one of them.
+TEST(Workspace, TwoCoresGiveTheSameBits) {
+  ContactProblem problem =
+      scenes::flat(scenes::steel, Material{40000, 0.2}, 60, 100, 0.2, 0.12, 1 / 920.0, 1 / 600.0);
+  scenes::bend(problem, 60);
+  scenes::rotate_numbers(problem);
+  scenes::set_creepage(problem, 0.3, 1e-3, 5e-4, 1e-4);
+  problem.force = 20000;
+  ASSERT_FALSE(problem.numbers.translational);
+  ASSERT_GE(problem.grid.ms * 2 * problem.grid.mx, contact::least_threaded);
+  std::vector<ContactResult> results;
+  for (const int threads : {1, 2}) {
+    Workspace workspace(2, threads);
+    EXPECT_EQ(workspace.threads(), threads);
+    results.push_back(solve(problem, {.displacements = true, .workspace = &workspace}));
+    ASSERT_TRUE(results.back().converged) << results.back().remark;
+    ASSERT_TRUE(results.back().discretisation);
+  }
+  EXPECT_GT(std::ranges::count_if(results[0].pn, [](double p) { return p > 0; }), 1000);
+  EXPECT_EQ(results[0].pn, results[1].pn);
+  EXPECT_EQ(results[0].px, results[1].px);
+  EXPECT_EQ(results[0].ps, results[1].ps);
+  EXPECT_EQ(results[0].displacements.us, results[1].displacements.us);
+  EXPECT_EQ(results[0].certificate.worst(), results[1].certificate.worst());
+  EXPECT_EQ(results[0].discretisation->worst(), results[1].discretisation->worst());
 }
 
 TEST(Workspace, OneOtherNumberIsNoticed) {

@@ -72,7 +72,8 @@ InfluenceFunction halfspace_table() {
   f.remote.clear();
   f.remote_self.clear();
   f.table_dx = 0.25;
-  f.table = spelled_out(halfspace::numbers(steel, 0.25, 0.2, 24, 5)).values;
+  const InfluenceNumbers numbers = spelled_out(halfspace::numbers(steel, 0.25, 0.2, 24, 5));
+  f.table.assign(numbers.values.begin(), numbers.values.end());
   return f;
 }
 

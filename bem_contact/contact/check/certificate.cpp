@@ -238,13 +238,13 @@ double vertical_imbalance(const ContactProblem& problem, const ContactResult& re
 } // namespace
 
 Certificate certify(const ContactProblem& problem, const ContactResult& result,
-                    Displacements* displacements) {
+                    Displacements* displacements, int threads) {
   require_fields(problem, result);
   const std::vector<char> slip_rows = rows_in_contact(problem, result);
   Certificate certificate;
   const auto u = contact::direct_displacements(
       problem, displacements ? std::vector<char>(problem.grid.ms, 1) : slip_rows,
-      {result.px, result.ps, result.pn});
+      {result.px, result.ps, result.pn}, threads);
   const int columns = static_cast<int>(u[0].size()) / problem.grid.ms;
   check_normal(problem, result, u[component_n], columns, certificate);
   check_friction(problem, result, u, slip_rows, columns, certificate);

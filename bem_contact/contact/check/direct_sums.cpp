@@ -1,5 +1,6 @@
 #include "bem_contact/contact/check/direct_sums.hpp"
 
+#include "bem_contact/base/parallel.hpp"
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/operator/plane_operator.hpp"
 #include "bem_contact/contact/settings.hpp"
@@ -171,8 +172,9 @@ void add_translational(const Terms& terms, int i, const std::vector<char>& wante
     }
 }
 
-/// The same for any numbers. They are read in the order of memory, all of a row and component at once.
-void add_full(const Terms& terms, int i, const std::vector<char>& wanted, double* u) {
+/// The same for any numbers, on the wanted ones of rows `first` to `end` - 1. They are read in the order of memory, all
+/// of a row and component at once.
+void add_full(const Terms& terms, int i, const std::vector<char>& wanted, int first, int end, double* u) {
   const auto& [a, mx, columns, loads] = terms;
   const int offsets = std::max(mx, columns);
   std::vector<double> lines(static_cast<std::size_t>(3) * a.rows * (mx + columns)); // [J][j][..]
@@ -180,7 +182,7 @@ void add_full(const Terms& terms, int i, const std::vector<char>& wanted, double
   for (int row = 0; row < a.rows; ++row)
     if (std::ranges::any_of(loads, [row](const auto& rows) { return rows[row].count > 0; }))
       loaded.push_back(row);
-  for (int row_i = 0; row_i < a.rows; ++row_i) {
+  for (int row_i = first; row_i < end; ++row_i) {
     if (!wanted[row_i])
       continue;
     for (int m = 0; m < offsets; ++m)
@@ -207,7 +209,7 @@ void add_full(const Terms& terms, int i, const std::vector<char>& wanted, double
 } // namespace
 
 ComponentFields direct_displacements(const ContactProblem& problem, const std::vector<char>& slips,
-                                     const ComponentSpans& p) {
+                                     const ComponentSpans& p, int threads) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   const InfluenceNumbers& a = problem.numbers;
   const int columns = std::min(mx + rolling_columns, a.offsets);
@@ -225,8 +227,14 @@ ComponentFields direct_displacements(const ContactProblem& problem, const std::v
     for (int row = 0; row < ms; ++row)
       terms.loads[j].push_back(loaded_row(p[j].data() + static_cast<std::size_t>(row) * mx, mx));
   const std::vector<char> all(ms, 1);
-  for (int i = slips.empty() ? component_n : component_x; i < 3; ++i)
-    (a.translational ? add_translational : add_full)(terms, i, i == component_n ? all : slips, u[i].data());
+  for (int i = slips.empty() ? component_n : component_x; i < 3; ++i) {
+    const std::vector<char>& wanted = i == component_n ? all : slips;
+    if (a.translational)
+      add_translational(terms, i, wanted, u[i].data());
+    else
+      in_parts(problem.grid.size() < least_threaded ? 1 : threads, a.rows,
+               [&](int first, int end, int) { add_full(terms, i, wanted, first, end, u[i].data()); });
+  }
   return u;
 }
 

@@ -16,6 +16,6 @@ using ComponentSpans = std::array<std::span<const double>, 3>;
 /// direct sums over the influence numbers; if these are too many, by FFT, which direct sums at some elements
 /// confirm. `slips`: the rows on which x and s are wanted; empty: only n is wanted. p: tractions, MPa.
 ComponentFields direct_displacements(const ContactProblem& problem, const std::vector<char>& slips,
-                                     const ComponentSpans& p);
+                                     const ComponentSpans& p, int threads = 1);
 
 } // namespace bem_contact::contact

@@ -1,5 +1,6 @@
 #include "bem_contact/contact/grid/larger_elements.hpp"
 
+#include "bem_contact/base/parallel.hpp"
 #include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 
@@ -194,7 +195,7 @@ std::vector<double> LargerElements::gap_at_centres(const std::vector<double>& ga
   return out;
 }
 
-InfluenceNumbers LargerElements::numbers(const InfluenceNumbers& fine, bool only_normal) const {
+InfluenceNumbers LargerElements::numbers(const InfluenceNumbers& fine, bool only_normal, int threads) const {
   InfluenceNumbers coarse;
   coarse.offsets = only_normal ? x_.count : x_.count + rolling_columns;
   coarse.rows = s_.count;
@@ -205,25 +206,31 @@ InfluenceNumbers LargerElements::numbers(const InfluenceNumbers& fine, bool only
   const std::size_t stride = component_stride(coarse), fine_stride = component_stride(fine);
   const double share = 1.0 / (x_.factor * s_.factor);
   const int from = only_normal ? component_n : component_x;
-  for (int m = 0; m < coarse.offsets; ++m) {
-    const std::vector<OffsetWeight> offsets = offset_weights(m, x_.factor, fine.offsets - 1);
-    for (const auto& [row_i, row_j] : coarse.stored_rows()) {
-      double* sum = &coarse.at(m, row_i, 0, row_j, 0);
-      for (int c = 0; c < s_.factor; ++c)
-        for (int d = 0; d < s_.factor; ++d)
-          for (const auto& [offset, weight] : offsets) {
-            const double* number = &fine.values[fine.index(offset, s_.first + s_.factor * row_i + c, 0,
-                                                           s_.first + s_.factor * row_j + d, 0)];
-            for (int i = from; i <= component_n; ++i)
-              for (int j = from; j <= component_n; ++j)
-                sum[i * stride + j] += share * weight[parity(i, j) < 0] * number[i * fine_stride + j];
-          }
+  const auto add = [&](int m, const std::vector<OffsetWeight>& offsets, int row_i, int row_j) {
+    double* sum = &coarse.at(m, row_i, 0, row_j, 0);
+    for (int c = 0; c < s_.factor; ++c)
+      for (int d = 0; d < s_.factor; ++d)
+        for (const auto& [offset, weight] : offsets) {
+          const double* number = &fine.values[fine.index(offset, s_.first + s_.factor * row_i + c, 0,
+                                                         s_.first + s_.factor * row_j + d, 0)];
+          for (int i = from; i <= component_n; ++i)
+            for (int j = from; j <= component_n; ++j)
+              sum[i * stride + j] += share * weight[parity(i, j) < 0] * number[i * fine_stride + j];
+        }
+  };
+  const auto rows = coarse.stored_rows();
+  in_parts(threads, coarse.offsets, [&](int m, int end, int) {
+    for (; m < end; ++m) {
+      const std::vector<OffsetWeight> offsets = offset_weights(m, x_.factor, fine.offsets - 1);
+      for (const auto& [row_i, row_j] : rows)
+        add(m, offsets, row_i, row_j);
     }
-  }
+  });
   return coarse;
 }
 
-std::optional<Companion> companion_of(const ContactProblem& problem, const ContactResult& result) {
+std::optional<Companion> companion_of(const ContactProblem& problem, const ContactResult& result,
+                                      int threads) {
   if (result.patches.empty() || result.touches_border || problem.grid.size() == 1 ||
       problem.motion == MotionKind::transient)
     return std::nullopt;
@@ -234,7 +241,7 @@ std::optional<Companion> companion_of(const ContactProblem& problem, const Conta
       far = std::max(far, std::abs(problem.gap[i]));
   ContactProblem coarse = same_question(problem);
   coarse.grid = larger.grid();
-  coarse.numbers = larger.numbers(problem.numbers, !problem.has_friction());
+  coarse.numbers = larger.numbers(problem.numbers, !problem.has_friction(), threads);
   coarse.rows = larger.rows_at_centres(problem.rows);
   coarse.friction_rows = larger.mean_of_rows(problem.friction_rows);
   coarse.falling = larger.of_rows(problem.falling);

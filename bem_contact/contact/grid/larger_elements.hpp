@@ -37,7 +37,7 @@ public:
   /// Exact influence numbers: means over the joined target elements of sums over the joined loaded ones,
   /// because those of the fine elements are averages over elements. Offsets beyond the known ones are
   /// extrapolated linearly: only the first columns act over them, ahead of the grid.
-  InfluenceNumbers numbers(const InfluenceNumbers& fine, bool only_normal) const;
+  InfluenceNumbers numbers(const InfluenceNumbers& fine, bool only_normal, int threads = 1) const;
 
 private:
   /// Fine elements of one direction: large element k joins first + factor k and the next.
@@ -66,7 +66,8 @@ struct Companion {
 /// and rows are taken at the new centres. Nothing where the contact touches the border of the grid, where
 /// there is no contact, where the grid is one element, and for a transient rolling step, which is another
 /// step on larger elements.
-std::optional<Companion> companion_of(const ContactProblem& problem, const ContactResult& result);
+std::optional<Companion> companion_of(const ContactProblem& problem, const ContactResult& result,
+                                      int threads = 1);
 
 /// For a start: everything is a mean, and all pairs of rows at the same distance have the influence numbers
 /// of the pair about the row `middle`. Only steady rolling without prescribed shear forces keeps its

@@ -2,12 +2,13 @@
 
 #include <array>
 #include <bit>
+#include <span>
 
 namespace bem_contact::contact {
 namespace {
 
 /// Four interleaved chains of multiplications, so that reading the values is what takes the time.
-std::uint64_t digest_of(const std::vector<double>& values) {
+std::uint64_t digest_of(std::span<const double> values) {
   constexpr std::uint64_t odd = 0x9E3779B97F4A7C15U; // 2^64 over the golden ratio
   std::array<std::uint64_t, 4> chain{1, 2, 3, 4};
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -1,6 +1,5 @@
 #include "bem_contact/contact/operator/plane_operator.hpp"
 
-#include "bem_contact/base/parallel.hpp"
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/operator/plane_transforms.hpp"
 #include "bem_contact/contact/settings.hpp"
@@ -92,6 +91,7 @@ template <class Real> struct BasicPlaneOperator<Real>::Impl {
   };
   /// Symbol (a, b) of this entry. `middle`: as in the constructor of the operator.
   void transform_numbers(const InfluenceNumbers& numbers, const Entry& entry, int middle, int a, int b);
+  void multiply_line(int frequency, int a, Complex<Real>* in, Real* out) const;
   void apply(std::span<const Real> p) const;
 };
 
@@ -197,9 +197,8 @@ template <class Real> void BasicPlaneOperator<Real>::Impl::apply(std::span<const
   PlaneTransforms<Real>& t = *transforms;
   t.begin_product();
   const int pairs = t.shape.lines / 2;
-  in_parts(t.threads(), inputs * pairs, [&](int line, int end, int) {
-    for (; line < end; ++line) {
-      const int b = line / pairs, pair = line % pairs;
+  for (int b = 0; b < inputs; ++b)
+    for (int pair = 0; pair < pairs; ++pair) { // others have left what they had beyond
       Real* to = t.rows_in(b, pair);
       const Real* row = &p[static_cast<std::size_t>(b * ms + std::min(2 * pair, ms - 1)) * mx];
       const int count = 2 * pair < ms ? mx : 0;
@@ -209,30 +208,31 @@ template <class Real> void BasicPlaneOperator<Real>::Impl::apply(std::span<const
         to[2 * ix] = row[ix];
         to[2 * ix + 1] = second * next[ix];
       }
-      std::fill(to + 2 * count, to + 2 * length_x, Real(0)); // others have left there what they had
+      std::fill(to + 2 * count, to + 2 * length_x, Real(0));
     }
-  });
   t.forward();
-  in_parts(t.threads(), t.groups(), [&](int group, int end, int part) {
-    for (; group < end; ++group) {
-      const auto columns = t.forward_s(group, part);
-      for (int line = 0; line < columns.count; ++line)
-        for (int a = 0; a < outputs; ++a) {
-          Real* const out = parts(columns.out + (line * outputs + a) * length_s);
-          bool add = false;
-          for (int b = 0; b < inputs; ++b)
-            if (!zero[a * inputs + b]) {
-              multiply(parts(symbol_at(columns.first + line, a, b)),
-                       parts(columns.in + (line * inputs + b) * length_s), length_s, add, out);
-              add = true;
-            }
-          if (!add)
-            std::fill_n(out, 2 * length_s, Real(0));
-        }
-      t.backward_s(columns, part);
-    }
-  });
+  for (int group = 0; group < t.groups(); ++group) {
+    const auto columns = t.forward_s(group);
+    for (int line = 0; line < columns.count; ++line)
+      for (int a = 0; a < outputs; ++a)
+        multiply_line(columns.first + line, a, columns.in + line * inputs * length_s,
+                      parts(columns.out + (line * outputs + a) * length_s));
+    t.backward_s(columns);
+  }
   t.backward();
+}
+
+/// out = sum over b of the symbols (a, b) of a frequency times in [b][length_s]
+template <class Real>
+void BasicPlaneOperator<Real>::Impl::multiply_line(int frequency, int a, Complex<Real>* in, Real* out) const {
+  bool add = false;
+  for (int b = 0; b < inputs; ++b)
+    if (!zero[a * inputs + b]) {
+      multiply(parts(symbol_at(frequency, a, b)), parts(in + b * length_s), length_s, add, out);
+      add = true;
+    }
+  if (!add)
+    std::fill_n(out, 2 * length_s, Real(0));
 }
 
 template <class Real>
@@ -240,15 +240,12 @@ void BasicPlaneOperator<Real>::apply(std::span<const Real> p, std::span<Real> u,
   const Impl& o = *impl_;
   o.apply(p);
   const Real scale = 1.0 / o.length_x / o.length_s;
-  in_parts(o.transforms->threads(), o.outputs * o.ms, [&](int row, int end, int) {
-    for (; row < end; ++row) {
-      const int is = row % o.ms;
-      const Real* v = o.transforms->rows_out(row / o.ms, is / 2) + is % 2 + 2 * columns;
-      Real* to = &u[static_cast<std::size_t>(row) * o.mx];
+  for (int a = 0; a < o.outputs; ++a)
+    for (int is = 0; is < o.ms; ++is) {
+      const Real* v = o.transforms->rows_out(a, is / 2) + is % 2 + 2 * columns;
       for (int ix = 0; ix < o.mx; ++ix)
-        to[ix] = scale * v[2 * ix];
+        u[static_cast<std::size_t>(a * o.ms + is) * o.mx + ix] = scale * v[2 * ix];
     }
-  });
 }
 
 template <class Real>
@@ -256,16 +253,14 @@ void BasicPlaneOperator<Real>::apply_step(std::span<const Real> p, std::span<Rea
   const Impl& o = *impl_;
   o.apply(p);
   const Real scale = 1.0 / o.length_x / o.length_s;
-  in_parts(o.transforms->threads(), o.outputs * o.ms, [&](int row, int end, int) {
-    for (; row < end; ++row) {
-      const int is = row % o.ms;
-      const Real* v = o.transforms->rows_out(row / o.ms, is / 2) + is % 2;
-      Real* to = &u[static_cast<std::size_t>(row) * o.mx];
+  for (int a = 0; a < o.outputs; ++a)
+    for (int is = 0; is < o.ms; ++is) {
+      const Real* v = o.transforms->rows_out(a, is / 2) + is % 2;
       for (int ix = 0; ix < o.mx; ++ix)
-        to[ix] = scale * (rolling_step[0] * v[2 * ix] + rolling_step[1] * v[2 * ix + 2] +
-                          rolling_step[2] * v[2 * ix + 4]);
+        u[static_cast<std::size_t>(a * o.ms + is) * o.mx + ix] =
+            scale *
+            (rolling_step[0] * v[2 * ix] + rolling_step[1] * v[2 * ix + 2] + rolling_step[2] * v[2 * ix + 4]);
     }
-  });
 }
 
 template <class Real> void BasicPlaneOperator<Real>::invert() {

@@ -1,6 +1,5 @@
 #include "bem_contact/contact/operator/plane_transforms.hpp"
 
-#include "bem_contact/base/parallel.hpp"
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/settings.hpp"
 
@@ -102,11 +101,8 @@ std::pair<int, int> good_lengths(int least_x, int least_s, int lines) {
 }
 
 template <class Real>
-PlaneTransforms<Real>::PlaneTransforms(const PlaneShape& the_shape, std::shared_ptr<Scratch> scratch,
-                                       int threads)
+PlaneTransforms<Real>::PlaneTransforms(const PlaneShape& the_shape, std::shared_ptr<Scratch> scratch)
     : shape(the_shape), scratch_(std::move(scratch)) {
-  const std::size_t plane = static_cast<std::size_t>(shape.lines) * shape.length_x;
-  threads_ = plane >= std::size_t(least_threaded) ? threads : 1;
   const std::size_t bytes =
       2 * static_cast<std::size_t>(shape.inputs + shape.outputs) * shape.length_s * sizeof(Real);
   const int fit = static_cast<int>(std::min<std::size_t>(bytes_in_cache / bytes, shape.frequencies()));
@@ -114,60 +110,50 @@ PlaneTransforms<Real>::PlaneTransforms(const PlaneShape& the_shape, std::shared_
   // whole cache lines: FFTW expects all blocks to be aligned alike
   const auto aligned = [](std::size_t reals) { return (reals + 15) / 16 * 16; };
   const int fields = std::max(shape.inputs, shape.outputs);
-  space_size_ = aligned(fields * plane);
+  space_size_ = aligned(static_cast<std::size_t>(fields) * shape.lines * shape.length_x);
   column_size_ = aligned(2 * static_cast<std::size_t>(together_) * fields * shape.length_s);
   kernel_size_ = aligned(2 * static_cast<std::size_t>(shape.frequencies()) * shape.length_s);
 }
 
-template <class Real> FftPlan<Real> PlaneTransforms<Real>::plan(int length, int lines, int sign) const {
+template <class Real> FftPlan<Real> PlaneTransforms<Real>::plan(int length, int sign) const {
   const std::lock_guard lock(fft_planner());
-  return FftPlan<Real>(Fftw<Real>::plan_many_dft(1, &length, lines, raw(first_), nullptr, 1, length,
-                                                 raw(second_), nullptr, 1, length, sign, FFTW_ESTIMATE));
+  return FftPlan<Real>(Fftw<Real>::plan_many_dft(1, &length, 1, raw(first_), nullptr, 1, length, raw(second_),
+                                                 nullptr, 1, length, sign, FFTW_ESTIMATE));
+}
+
+template <class Real> void PlaneTransforms<Real>::make_plans() {
+  if (x_forward_)
+    return;
+  x_forward_ = plan(shape.length_x, FFTW_FORWARD);
+  x_backward_ = plan(shape.length_x, FFTW_BACKWARD);
+  s_forward_ = plan(shape.length_s, FFTW_FORWARD);
+  s_backward_ = plan(shape.length_s, FFTW_BACKWARD);
 }
 
 template <class Real>
-void PlaneTransforms<Real>::transform_lines(const FftPlan<Real>& plan, int fields, Real* from,
+void PlaneTransforms<Real>::transform_lines(const FftPlan<Real>& plan, int length, int lines, Real* from,
                                             Real* to) const {
-  const int parts = line_parts(fields);
-  const std::size_t each = 2 * static_cast<std::size_t>(lines_of(fields) / parts) * shape.length_x;
-  in_parts(parts, parts, [&](int part, int end, int) {
-    for (; part < end; ++part)
-      Fftw<Real>::execute_dft(plan.get(), raw(from + part * each), raw(to + part * each));
-  });
+  for (int line = 0; line < lines; ++line) {
+    const std::size_t at = 2 * static_cast<std::size_t>(line) * length;
+    Fftw<Real>::execute_dft(plan.get(), raw(from + at), raw(to + at));
+  }
 }
 
 template <class Real> void PlaneTransforms<Real>::begin_product() {
-  first_ = scratch_->reals<Real>(2 * (space_size_ + threads_ * column_size_));
+  first_ = scratch_->reals<Real>(2 * (space_size_ + column_size_));
   second_ = first_ + space_size_;
   columns_ = second_ + space_size_;
-  if (!x_forward_)
-    make_product_plans();
-}
-
-template <class Real> void PlaneTransforms<Real>::make_product_plans() {
-  const auto along_x = [&](int fields, int sign) {
-    return plan(shape.length_x, lines_of(fields) / line_parts(fields), sign);
-  };
-  x_forward_ = along_x(shape.inputs, FFTW_FORWARD);
-  x_backward_ = along_x(shape.outputs, FFTW_BACKWARD);
-  const auto along_s = [&](int count) {
-    return ColumnPlans{plan(shape.length_s, count * shape.inputs, FFTW_FORWARD),
-                       plan(shape.length_s, count * shape.outputs, FFTW_BACKWARD)};
-  };
-  whole_ = along_s(together_);
-  if (const int rest = shape.frequencies() % together_)
-    rest_ = along_s(rest);
+  make_plans();
 }
 
 template <class Real> void PlaneTransforms<Real>::forward() {
-  transform_lines(x_forward_, shape.inputs, first_, second_);
+  transform_lines(x_forward_, shape.length_x, shape.inputs * shape.lines / 2, first_, second_);
 }
 
 template <class Real>
-typename PlaneTransforms<Real>::Group PlaneTransforms<Real>::forward_s(int group, int part) {
+typename PlaneTransforms<Real>::Group PlaneTransforms<Real>::forward_s(int group) const {
   const int first = group * together_, count = std::min(together_, shape.frequencies() - first);
-  Real* const before = columns_ + 2 * part * column_size_;
-  Real* const after = before + column_size_;
+  Real *const before = columns_, *const after = columns_ + column_size_;
   const int stride = shape.inputs * shape.length_s;
   for (int field = 0; field < shape.inputs; ++field) {
     Real* to = before + 2 * static_cast<std::ptrdiff_t>(field) * shape.length_s;
@@ -175,35 +161,31 @@ typename PlaneTransforms<Real>::Group PlaneTransforms<Real>::forward_s(int group
     for (int line = 0; line < count; ++line, to += 2 * stride)
       std::fill(to + 2 * shape.lines, to + 2 * shape.length_s, Real(0));
   }
-  Fftw<Real>::execute_dft(column_plans(count).forward.get(), raw(before), raw(after));
+  transform_lines(s_forward_, shape.length_s, count * shape.inputs, before, after);
   return {first, count, complex(after), complex(before)};
 }
 
-template <class Real> void PlaneTransforms<Real>::backward_s(const Group& group, int part) {
-  Real* const before = columns_ + 2 * part * column_size_;
-  Real* const after = before + column_size_;
-  Fftw<Real>::execute_dft(column_plans(group.count).backward.get(), raw(before), raw(after));
+template <class Real> void PlaneTransforms<Real>::backward_s(const Group& group) const {
+  Real *const before = columns_, *const after = columns_ + column_size_;
+  transform_lines(s_backward_, shape.length_s, group.count * shape.outputs, before, after);
   for (int field = 0; field < shape.outputs; ++field)
     join(after + 2 * static_cast<std::ptrdiff_t>(field) * shape.length_s, shape.outputs * shape.length_s,
          shape.length_x, shape.lines / 2, group.first, group.first + group.count, rows(first_, field, 0));
 }
 
 template <class Real> void PlaneTransforms<Real>::backward() {
-  transform_lines(x_backward_, shape.outputs, first_, second_);
+  transform_lines(x_backward_, shape.length_x, shape.outputs * shape.lines / 2, first_, second_);
 }
 
 template <class Real> Real* PlaneTransforms<Real>::kernel() {
   first_ = scratch_->reals<Real>(2 * kernel_size_);
   second_ = first_ + kernel_size_;
-  if (!kernel_x_) {
-    kernel_x_ = plan(shape.length_x, shape.length_s / 2, FFTW_FORWARD);
-    kernel_s_ = plan(shape.length_s, shape.frequencies(), FFTW_FORWARD);
-  }
+  make_plans();
   return first_;
 }
 
 template <class Real> void PlaneTransforms<Real>::transform_kernel(Complex* symbol, std::ptrdiff_t stride) {
-  const int n = shape.length_x, length_s = shape.length_s;
+  const int n = shape.length_x, length_s = shape.length_s, frequencies = shape.frequencies();
   for (int pair = 0; pair < length_s / 2; ++pair) {
     const Real* row = first_ + static_cast<std::size_t>(2 * pair) * n;
     Real* to = second_ + static_cast<std::size_t>(2 * pair) * n;
@@ -212,11 +194,11 @@ template <class Real> void PlaneTransforms<Real>::transform_kernel(Complex* symb
       to[2 * m + 1] = row[n + m];
     }
   }
-  Fftw<Real>::execute_dft(kernel_x_.get(), raw(second_), raw(first_));
-  separate(first_, n, length_s / 2, 0, shape.frequencies(), second_, length_s);
-  Fftw<Real>::execute_dft(kernel_s_.get(), raw(second_), raw(first_));
-  for (int k = 0; k < shape.frequencies(); ++k)
-    std::copy_n(complex(first_) + static_cast<std::size_t>(k) * length_s, length_s, symbol + k * stride);
+  transform_lines(x_forward_, n, length_s / 2, second_, first_);
+  separate(first_, n, length_s / 2, 0, frequencies, second_, length_s);
+  for (int k = 0; k < frequencies; ++k)
+    Fftw<Real>::execute_dft(s_forward_.get(), raw(second_ + 2 * static_cast<std::size_t>(k) * length_s),
+                            reinterpret_cast<typename Fftw<Real>::Complex*>(symbol + k * stride));
 }
 
 template <class Real>
@@ -230,14 +212,14 @@ const std::complex<Real>* PlaneTransforms<Real>::half_behind(const std::vector<R
         z[2 * k + part] = z[2 * ((n - k) % n) + part] =
             spectra[static_cast<std::size_t>(k) * length_s + 2 * pair + part];
   }
-  Fftw<Real>::execute_dft(kernel_x_.get(), raw(pairs), raw(second_)); // of what is even: there and back are the same
+  transform_lines(x_forward_, n, length_s / 2, pairs, second_); // of what is even: there and back are the same
   for (int pair = 0; pair < length_s / 2; ++pair)
     for (int m = 0; m < n; ++m)
       for (int part = 0; part < 2; ++part)
         pairs[2 * (static_cast<std::size_t>(pair) * n + m) + part] =
             second_[2 * (static_cast<std::size_t>(pair) * n + m) + part] *
             (m == 0 || m == half ? Real(0.5) : Real(m < half)) / static_cast<Real>(n);
-  Fftw<Real>::execute_dft(kernel_x_.get(), raw(pairs), raw(second_));
+  transform_lines(x_forward_, n, length_s / 2, pairs, second_);
   separate(second_, n, length_s / 2, 0, shape.frequencies(), pairs, length_s);
   return complex(pairs);
 }

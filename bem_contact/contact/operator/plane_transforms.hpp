@@ -6,7 +6,6 @@
 #include <complex>
 #include <list>
 #include <memory>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -27,21 +26,19 @@ struct PlaneShape {
 /// cost least.
 std::pair<int, int> good_lengths(int least_x, int least_s, int lines);
 
-/// FFTW's plans for fields [..][lines][length_x], and the order in which a product works on scratch memory.
-/// Operators of the same shape share them, one after the other. Plans for products and those for kernels are
-/// each made when first needed.
+/// The transforms of fields [..][lines][length_x], and the order in which a product works on scratch memory.
+/// Operators of the same shape share them, one after the other.
 ///
 /// Along x two rows are transformed as the real and the imaginary part of one: FFTW does complex transforms
-/// line by line fastest, and it remembers its plan for a length, whatever the number of lines.
+/// fastest. All are done line by line: FFTW remembers its plan for a length. One thread does it all: a second one
+/// needs what the first has in its cache, and made products of 30,000 elements slower.
 template <class Real> class PlaneTransforms {
 public:
   using Complex = std::complex<Real>;
-  /// `threads`: how many work on one product, if it is large enough (settings.hpp: least_threaded).
-  PlaneTransforms(const PlaneShape& shape, std::shared_ptr<Scratch> scratch, int threads);
+  PlaneTransforms(const PlaneShape& shape, std::shared_ptr<Scratch> scratch);
 
   const PlaneShape shape;
 
-  int threads() const { return threads_; } ///< that work on a product of this shape
   void begin_product();
 
   /// Two rows of a field, 2 `pair` and the next, element by element in turn; length_x of each.
@@ -56,9 +53,8 @@ public:
   int groups() const { return (shape.frequencies() + together_ - 1) / together_; }
 
   void forward(); ///< rows_in to spectra along x
-  /// Those of the frequencies of a group to Group::in. `part`: which thread does it.
-  Group forward_s(int group, int part);
-  void backward_s(const Group& group, int part); ///< Group::out to spectra along x
+  Group forward_s(int group) const; ///< those of the frequencies of a group to Group::in
+  void backward_s(const Group& group) const; ///< Group::out to spectra along x
   void backward();                               ///< those to rows_out, times both lengths
 
   /// kernel [length_s][length_x] to symbol [frequency], each frequency's length_s values `stride` after those
@@ -70,37 +66,28 @@ public:
   const Complex* half_behind(const std::vector<Real>& spectra);
 
 private:
-  struct ColumnPlans {
-    FftPlan<Real> forward, backward;
-  };
   Real* rows(Real* space, int field, int pair) const {
     return space + 2 * (static_cast<std::size_t>(field) * shape.lines / 2 + pair) * shape.length_x;
   }
-  int lines_of(int fields) const { return fields * shape.lines / 2; }
-  FftPlan<Real> plan(int length, int lines, int sign) const;
-  /// Lines along x of all fields, as many parts of them at once as threads share evenly.
-  int line_parts(int fields) const { return std::gcd(threads_, lines_of(fields)); }
-  void transform_lines(const FftPlan<Real>& plan, int fields, Real* from, Real* to) const;
-  const ColumnPlans& column_plans(int count) const { return count == together_ ? whole_ : rest_; }
-  void make_product_plans();
+  FftPlan<Real> plan(int length, int sign) const;
+  void transform_lines(const FftPlan<Real>& plan, int length, int lines, Real* from, Real* to) const;
+  void make_plans();
 
-  int threads_ = 1, together_ = 1;
+  int together_ = 1;
   std::size_t space_size_ = 0, column_size_ = 0, kernel_size_ = 0; ///< reals
   std::shared_ptr<Scratch> scratch_;
   /// rows_in, then the spectra of the result; the spectra of rows_in, then rows_out. So no transform is in
-  /// place: FFTW plans and does those in twice the time. For the same reason a thread has two blocks of
+  /// place: FFTW plans and does those in twice the time. For the same reason there are two blocks of
   /// columns, one after the other. Kernels go to and fro between `first_` and `second_` as well.
   Real *first_ = nullptr, *second_ = nullptr, *columns_ = nullptr;
-  FftPlan<Real> x_forward_, x_backward_;
-  ColumnPlans whole_, rest_; ///< of `together_` frequencies, and of the last group
-  FftPlan<Real> kernel_x_, kernel_s_;
+  FftPlan<Real> x_forward_, x_backward_, s_forward_, s_backward_; ///< of one line
 };
 
 /// Keeps transforms, the last used first, and the memory in which they all work. All operators that share one
 /// pool serve one thread at a time.
 class TransformPool {
 public:
-  /// `threads`: how many work on one product (base/parallel.hpp).
+  /// `threads`: how many work on one product with numbers that depend on both rows (base/parallel.hpp).
   explicit TransformPool(int threads = 1) : threads_(threads) {}
 
   int threads() const { return threads_; }
@@ -112,7 +99,7 @@ public:
         list.splice(list.begin(), list, it);
         return list.front();
       }
-    list.push_front(std::make_shared<PlaneTransforms<Real>>(shape, scratch_, threads_));
+    list.push_front(std::make_shared<PlaneTransforms<Real>>(shape, scratch_));
     if (list.size() > std::size_t(most_transforms))
       list.pop_back(); // those who use it keep it
     return list.front();

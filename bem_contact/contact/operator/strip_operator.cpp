@@ -1,5 +1,6 @@
 #include "bem_contact/contact/operator/strip_operator.hpp"
 
+#include "bem_contact/base/large_table.hpp"
 #include "bem_contact/base/parallel.hpp"
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/operator/fft.hpp"
@@ -59,27 +60,28 @@ template <class Real> struct BasicStripOperator<Real>::Impl {
   using Complex = typename Fft::Complex;
   int mx = 0, ms = 0, length = 0, frequencies = 0, lines_in = 0, lines_out = 0;
   std::vector<int> outputs, inputs;
-  std::unique_ptr<Real[]> spectrum; ///< [frequency], column-major lines_out x lines_in
+  LargeTable<Real> spectrum; ///< [frequency], column-major lines_out x lines_in
   std::shared_ptr<Scratch> scratch;
   int threads = 1;
-  FftPlan<Real> forward, backward; ///< of the lines of one part
+  FftPlan<Real> forward, backward; ///< of one line
   std::optional<BasicPlaneOperator<Real>> plane; ///< does all the work where the numbers are translational
 
   std::size_t spectrum_size() const { return static_cast<std::size_t>(frequencies) * lines_out * lines_in; }
-  Real* column(int frequency, int line_in) const {
+  Real* column(int frequency, int line_in) {
     return &spectrum[(static_cast<std::size_t>(frequency) * lines_in + line_in) * lines_out];
   }
-  /// In how many equal parts the lines are transformed side by side: FFTW expects all to be aligned alike.
-  int parts_of(int lines) const {
-    const int parts = std::gcd(threads, lines), each = lines / parts;
-    return each * length % 4 == 0 && each * frequencies % 2 == 0 ? parts : 1;
+  const Real* column(int frequency, int line_in) const {
+    return &spectrum[(static_cast<std::size_t>(frequency) * lines_in + line_in) * lines_out];
   }
   /// A block of scratch holds all lines, [line][place] or [line][frequency]; FFTW expects blocks aligned alike.
   std::size_t block_size() const {
     return (static_cast<std::size_t>(std::max(lines_in, lines_out)) * 2 * frequencies + 15) / 16 * 16;
   }
   std::size_t line_size() const { return (static_cast<std::size_t>(std::max(lines_in, lines_out)) + 15) / 16 * 16; }
-  void make_plans(TransformPool* pool);
+  void transform_rows(const InfluenceNumbers& numbers, const std::vector<int>& rows, int first,
+                      const Eigen::MatrixXd& cosines, const Eigen::MatrixXd& sines);
+  void take(TransformPool* pool);
+  void make_plans();
   const Real* apply(std::span<const Real> p) const;
   void multiply_frequency(int k, const Real* in, Real* work, Real* out) const;
 };
@@ -145,37 +147,45 @@ void BasicStripOperator<Real>::transform(const InfluenceNumbers& numbers, int mx
       cosines(m, k) = m == 0 ? 1.0 : 2.0 * cosine[turn];
       sines(m, k) = -2.0 * sine[turn];
     }
-  o.spectrum = std::make_unique_for_overwrite<Real[]>(o.spectrum_size());
-  const std::size_t in = o.inputs.size(), pairs = o.outputs.size() * in;
-  std::vector<Eigen::MatrixXd> values(pairs); // [pair](row I of the block, J; offset)
-  Eigen::MatrixXd transformed;
-  for (int first = 0; first < o.ms; first += spectra_rows) {
-    const int count = std::min<int>(spectra_rows, o.ms - first);
-    for (Eigen::MatrixXd& of_pair : values)
-      of_pair.resize(static_cast<Eigen::Index>(count) * o.ms, used);
-    transformed.resize(static_cast<Eigen::Index>(count) * o.ms, o.frequencies);
-    // one pass over the numbers, which lie [m][I][i][J][j]: fetching them is what takes the time
-    for (int m = 0; m < used; ++m)
-      for (int row_i = 0; row_i < count; ++row_i)
-        for (std::size_t pair = 0; pair < pairs; ++pair) {
-          const int i = o.outputs[pair / in], j = o.inputs[pair % in];
-          double* to = &values[pair](row_i, m);
-          for (int row_j = 0; row_j < o.ms; ++row_j)
-            to[static_cast<std::ptrdiff_t>(row_j) * count] =
-                numbers.at(m, rows[first + row_i], i, rows[row_j], j);
-        }
-    for (std::size_t pair = 0; pair < pairs; ++pair) {
-      const int i = o.outputs[pair / in], j = o.inputs[pair % in];
-      bem_contact::multiply(values[pair], parity(i, j) > 0 ? cosines : sines, transformed.data());
-      const double sign = parity(i, j) < 0 && i == component_x ? -1.0 : 1.0;
-      for (int k = 0; k < o.frequencies; ++k)
-        for (int row_j = 0; row_j < o.ms; ++row_j)
-          std::transform(&transformed(row_j * count, k), &transformed(row_j * count, k) + count,
-                         o.column(k, static_cast<int>(pair % in) * o.ms + row_j) + pair / in * o.ms + first,
-                         [sign](double v) { return static_cast<Real>(sign * v); });
-    }
+  o.spectrum.resize(o.spectrum_size());
+  o.take(pool);
+  const int blocks = (o.ms + spectra_rows - 1) / spectra_rows;
+  in_parts(o.threads, blocks, [&](int block, int end, int) {
+    for (; block < end; ++block)
+      o.transform_rows(numbers, rows, block * spectra_rows, cosines, sines);
+  });
+  o.make_plans();
+}
+
+/// The spectra of displacements on the block of rows that begins with number `first`.
+template <class Real>
+void BasicStripOperator<Real>::Impl::transform_rows(const InfluenceNumbers& numbers, const std::vector<int>& rows,
+                                                    int first, const Eigen::MatrixXd& cosines,
+                                                    const Eigen::MatrixXd& sines) {
+  const int count = std::min<int>(spectra_rows, ms - first);
+  const Eigen::Index used = cosines.rows(), blocks = static_cast<Eigen::Index>(count) * ms;
+  const std::size_t in = inputs.size(), pairs = outputs.size() * in;
+  std::vector<Eigen::MatrixXd> values(pairs, Eigen::MatrixXd(blocks, used)); // [pair](row I of the block, J; offset)
+  // one pass over the numbers, which lie [m][I][i][J][j]: fetching them is what takes the time
+  for (int m = 0; m < used; ++m)
+    for (int row_i = 0; row_i < count; ++row_i)
+      for (std::size_t pair = 0; pair < pairs; ++pair) {
+        double* to = &values[pair](row_i, m);
+        for (int row_j = 0; row_j < ms; ++row_j)
+          to[static_cast<std::ptrdiff_t>(row_j) * count] =
+              numbers.at(m, rows[first + row_i], outputs[pair / in], rows[row_j], inputs[pair % in]);
+      }
+  Eigen::MatrixXd transformed(blocks, frequencies);
+  for (std::size_t pair = 0; pair < pairs; ++pair) {
+    const int i = outputs[pair / in], j = inputs[pair % in];
+    bem_contact::multiply(values[pair], parity(i, j) > 0 ? cosines : sines, transformed.data());
+    const double sign = parity(i, j) < 0 && i == component_x ? -1.0 : 1.0;
+    for (int k = 0; k < frequencies; ++k)
+      for (int row_j = 0; row_j < ms; ++row_j)
+        std::transform(&transformed(row_j * count, k), &transformed(row_j * count, k) + count,
+                       column(k, static_cast<int>(pair % in) * ms + row_j) + pair / in * ms + first,
+                       [sign](double v) { return static_cast<Real>(sign * v); });
   }
-  o.make_plans(pool);
 }
 
 template <class Real>
@@ -196,25 +206,27 @@ BasicStripOperator<Real>::BasicStripOperator(const BasicStripOperator<Other>& ot
   o.lines_out = from.lines_out;
   o.outputs = from.outputs;
   o.inputs = from.inputs;
-  o.spectrum = std::make_unique_for_overwrite<Real[]>(o.spectrum_size());
-  std::copy_n(from.spectrum.get(), o.spectrum_size(), o.spectrum.get());
-  o.make_plans(pool);
+  o.spectrum.assign(from.spectrum.begin(), from.spectrum.end());
+  o.take(pool);
+  o.make_plans();
 }
 
-template <class Real> void BasicStripOperator<Real>::Impl::make_plans(TransformPool* pool) {
+/// Scratch and threads.
+template <class Real> void BasicStripOperator<Real>::Impl::take(TransformPool* pool) {
   scratch = pool ? pool->scratch() : std::make_shared<Scratch>();
   if (pool && static_cast<std::size_t>(ms) * length >= std::size_t(least_threaded))
     threads = pool->threads();
+}
+
+template <class Real> void BasicStripOperator<Real>::Impl::make_plans() {
   Real* const first = scratch->reals<Real>(2 * block_size());
   Real* const second = first + block_size();
   const std::lock_guard lock(fft_planner());
-  // Line by line: FFTW remembers a length, whatever the number of lines, so that the next plan costs nothing.
-  forward.reset(Fft::plan_many_dft_r2c(1, &length, lines_in / parts_of(lines_in), first, nullptr, 1, length,
-                                       reinterpret_cast<Complex*>(second), nullptr, 1, frequencies,
-                                       FFTW_ESTIMATE));
-  backward.reset(Fft::plan_many_dft_c2r(1, &length, lines_out / parts_of(lines_out),
-                                        reinterpret_cast<Complex*>(first), nullptr, 1, frequencies, second,
-                                        nullptr, 1, length, FFTW_ESTIMATE));
+  // Line by line, so that threads can share them; FFTW remembers a length, so that the next plan costs nothing.
+  forward.reset(Fft::plan_many_dft_r2c(1, &length, 1, first, nullptr, 1, length, reinterpret_cast<Complex*>(second),
+                                       nullptr, 1, frequencies, FFTW_ESTIMATE | FFTW_UNALIGNED));
+  backward.reset(Fft::plan_many_dft_c2r(1, &length, 1, reinterpret_cast<Complex*>(first), nullptr, 1, frequencies,
+                                        second, nullptr, 1, length, FFTW_ESTIMATE | FFTW_UNALIGNED));
 }
 
 template <class Real> BasicStripOperator<Real>::~BasicStripOperator() = default;
@@ -259,31 +271,24 @@ template <class Real> const Real* BasicStripOperator<Real>::Impl::apply(std::spa
   Real* const second = first + block_size();
   Real* const work = second + block_size();
   const auto at_line = [&](Real* block, int line, int each) { return block + static_cast<std::size_t>(line) * each; };
+  const auto spectrum_at = [&](Real* block, int line) {
+    return reinterpret_cast<Complex*>(at_line(block, line, 2 * frequencies));
+  };
   in_parts(threads, lines_in, [&](int line, int end, int) {
     for (; line < end; ++line) {
       Real* to = at_line(first, line, length);
       std::copy_n(&p[static_cast<std::size_t>(line) * mx], mx, to);
       std::fill(to + mx, to + length, Real(0));
-    }
-  });
-  const int parts_in = parts_of(lines_in), parts_out = parts_of(lines_out);
-  in_parts(parts_in, parts_in, [&](int part, int end, int) {
-    for (; part < end; ++part) {
-      const int line = lines_in / parts_in * part;
-      Fft::execute_dft_r2c(forward.get(), at_line(first, line, length),
-                           reinterpret_cast<Complex*>(at_line(second, line, 2 * frequencies)));
+      Fft::execute_dft_r2c(forward.get(), to, spectrum_at(second, line));
     }
   });
   in_parts(threads, frequencies, [&](int k, int end, int part) {
     for (; k < end; ++k)
       multiply_frequency(k, second, work + 4 * part * line_size(), first);
   });
-  in_parts(parts_out, parts_out, [&](int part, int end, int) {
-    for (; part < end; ++part) {
-      const int line = lines_out / parts_out * part;
-      Fft::execute_dft_c2r(backward.get(), reinterpret_cast<Complex*>(at_line(first, line, 2 * frequencies)),
-                           at_line(second, line, length));
-    }
+  in_parts(threads, lines_out, [&](int line, int end, int) {
+    for (; line < end; ++line)
+      Fft::execute_dft_c2r(backward.get(), spectrum_at(first, line), at_line(second, line, length));
   });
   return second;
 }

@@ -1,0 +1,34 @@
+#include "bem_contact/base/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+#include <vector>
+
+using namespace bem_contact;
+
+TEST(Parts, CoverEachIndexOnce) {
+  for (const int threads : {1, 2, 3, 8})
+    for (const int count : {0, 1, 2, 7, 100}) {
+      std::vector<std::atomic<int>> visits(static_cast<std::size_t>(count));
+      in_parts(threads, count, [&](int first, int end, int part) {
+        EXPECT_GE(part, 0);
+        EXPECT_LT(part, threads);
+        for (; first < end; ++first)
+          ++visits[static_cast<std::size_t>(first)];
+      });
+      for (const std::atomic<int>& n : visits)
+        EXPECT_EQ(n, 1) << threads << " threads, " << count;
+    }
+}
+
+TEST(Parts, OneThreadIsTheCaller) {
+  std::thread::id there;
+  in_parts(1, 10, [&](int first, int end, int) {
+    there = std::this_thread::get_id();
+    EXPECT_EQ(first, 0);
+    EXPECT_EQ(end, 10);
+  });
+  EXPECT_EQ(there, std::this_thread::get_id());
+}
