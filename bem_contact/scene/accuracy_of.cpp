@@ -1,4 +1,4 @@
-#include "bem_contact/scene/name_list.hpp"
+#include "bem_contact/scene/accuracy_of.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/text_lines.hpp"
@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <span>
 #include <sstream>
 
 namespace bem_contact {
@@ -19,12 +20,11 @@ std::string nearest_text(const std::string& name, std::span<const std::string_vi
   return like.empty() ? "" : fmt::format("Did you mean {}? ", like.front());
 }
 
-} // namespace
-
-std::vector<std::size_t> places_of_names(std::string_view key, const std::string& text,
-                                         std::span<const std::string_view> known) {
+/// `key`: the scene's, for messages.
+template <NamedEnum E> std::vector<E> name_list(std::string_view key, const std::string& text) {
+  const auto& known = EnumNames<E>::names;
   const std::string choose = fmt::format("Choose from {}, with commas between.", fmt::join(known, ", "));
-  std::vector<std::size_t> out;
+  std::vector<E> out;
   std::istringstream in(text);
   for (std::string name; std::getline(in, name, ',');) {
     name = trimmed(name);
@@ -32,11 +32,21 @@ std::vector<std::size_t> places_of_names(std::string_view key, const std::string
     if (at == known.end())
       throw InputError(fmt::format("{} = \"{}\" cannot be used", key, text),
                        fmt::format("there is no quantity '{}'", name), nearest_text(name, known) + choose);
-    out.push_back(static_cast<std::size_t>(at - known.begin()));
+    out.push_back(static_cast<E>(at - known.begin()));
   }
   if (out.empty())
     throw InputError(fmt::format("{} is empty", key), "an accuracy is of something", choose);
   return out;
+}
+
+} // namespace
+
+std::vector<AccuracyOf> accuracy_of(const std::string& names) {
+  return name_list<AccuracyOf>("grid.accuracy_of", names);
+}
+
+std::vector<ModelErrorOf> model_tolerance_of(const std::string& names) {
+  return name_list<ModelErrorOf>("solver.model_tolerance_of", names);
 }
 
 } // namespace bem_contact
