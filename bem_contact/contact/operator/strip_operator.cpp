@@ -10,7 +10,6 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -153,7 +152,7 @@ void BasicStripOperator<Real>::transform(const InfluenceNumbers& numbers, int mx
         }
     for (std::size_t pair = 0; pair < pairs; ++pair) {
       const int i = o.outputs[pair / in], j = o.inputs[pair % in];
-      bem_contact::multiply(values[pair], parity(i, j) > 0 ? cosines : sines, transformed.data());
+      dense_product(values[pair], parity(i, j) > 0 ? cosines : sines, transformed.data());
       const double sign = parity(i, j) < 0 && i == component_x ? -1.0 : 1.0;
       for (int k = 0; k < o.frequencies; ++k)
         for (int row_j = 0; row_j < o.ms; ++row_j)
