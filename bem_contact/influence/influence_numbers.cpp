@@ -1,4 +1,4 @@
-#include "bem_contact/influence/number_lines.hpp"
+#include "bem_contact/influence/influence_numbers.hpp"
 
 #include <algorithm>
 

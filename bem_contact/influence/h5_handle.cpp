@@ -1,4 +1,4 @@
-#include "bem_contact/influence/h5_attributes.hpp"
+#include "bem_contact/influence/h5_handle.hpp"
 
 #include <algorithm>
 
