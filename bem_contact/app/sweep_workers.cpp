@@ -23,9 +23,10 @@ namespace {
 /// The ends of the pipes in a worker.
 constexpr int orders = 3, answers = 4;
 
-bool read_bytes(int handle, void* to, std::size_t count) {
-  for (auto* at = static_cast<char*>(to); count > 0;) {
-    const ssize_t n = read(handle, at, count);
+/// Calls read() or write() until all bytes are through; false where that fails.
+bool transfer(const auto& call, int handle, auto* at, std::size_t count) {
+  while (count > 0) {
+    const ssize_t n = call(handle, at, count);
     if (n < 0 && errno == EINTR)
       continue;
     if (n <= 0)
@@ -36,17 +37,12 @@ bool read_bytes(int handle, void* to, std::size_t count) {
   return true;
 }
 
+bool read_bytes(int handle, void* to, std::size_t count) {
+  return transfer(read, handle, static_cast<char*>(to), count);
+}
+
 bool write_bytes(int handle, const void* from, std::size_t count) {
-  for (const auto* at = static_cast<const char*>(from); count > 0;) {
-    const ssize_t n = write(handle, at, count);
-    if (n < 0 && errno == EINTR)
-      continue;
-    if (n <= 0)
-      return false;
-    at += n;
-    count -= static_cast<std::size_t>(n);
-  }
-  return true;
+  return transfer(write, handle, static_cast<const char*>(from), count);
 }
 
 /// Never returns: takes a chunk, answers with its cases, until there are no more orders.

@@ -1,5 +1,4 @@
-#include "bem_contact/app/info.hpp"
-
+#include "bem_contact/app/command.hpp"
 #include "bem_contact/app/conicity_output.hpp"
 #include "bem_contact/app/creep_curves_output.hpp"
 #include "bem_contact/app/repeat.hpp"
@@ -13,6 +12,7 @@
 #include "bem_contact/table/table_file.hpp"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <memory>
@@ -79,8 +79,8 @@ std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes)
   return out;
 }
 
-} // namespace
-
+/// An influence file, a result file, a sweep or plain influence numbers in words. Throws InputError for any
+/// other file.
 std::string describe_file(const std::filesystem::path& file) {
   // Only files whose seal holds go to HDF5.
   if (begins_with_seal(file))
@@ -108,6 +108,8 @@ std::string describe_file(const std::filesystem::path& file) {
                    "it is HDF5 and neither influence functions, nor plain numbers, nor a result, nor a sweep",
                    "Name a file that fem_influence or bem_contact wrote.");
 }
+
+} // namespace
 
 Command add_info(CLI::App& program) {
   CLI::App* line = program.add_subcommand("info", "Describe an influence file, a result file or a sweep");
