@@ -1,17 +1,27 @@
-#include "bem_contact/base/standard_streams.hpp"
+#include "bem_contact/base/program.hpp"
 
 #include "bem_contact/base/error.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdio>
+#include <fcntl.h>
 #include <iostream>
 #include <string>
 #include <system_error>
+#include <unistd.h>
+
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
 
 namespace bem_contact {
+
+void keep_freed_memory() {
+#ifdef M_TRIM_THRESHOLD
+  mallopt(M_TRIM_THRESHOLD, 256 << 20); // bytes
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // bytes, the most that glibc takes; a larger piece is given back
+#endif
+}
 
 void hold_standard_streams() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
