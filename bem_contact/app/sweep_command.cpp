@@ -20,7 +20,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -158,8 +157,7 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
     record.reason = reason;
     keep(record, to_bytes(record));
   };
-  const int jobs = request.jobs > 0 ? request.jobs : static_cast<int>(std::thread::hardware_concurrency());
-  solve_in_processes(chunks, jobs, calls);
+  solve_in_processes(chunks, request.jobs, calls);
   progress.finish();
 }
 

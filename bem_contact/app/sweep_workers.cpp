@@ -1,5 +1,6 @@
 #include "bem_contact/app/sweep_workers.hpp"
 
+#include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 
 #include <poll.h>
@@ -15,6 +16,7 @@
 #include <deque>
 #include <fmt/format.h>
 #include <iterator>
+#include <thread>
 
 namespace bem_contact::app {
 
@@ -200,9 +202,14 @@ private:
 
 } // namespace
 
+std::size_t chunk_size(std::size_t cases) {
+  return std::clamp(cases / chunks_of_a_sweep, smallest_chunk, largest_chunk);
+}
+
 void solve_in_processes(std::vector<Chunk> chunks, int jobs, const WorkerCalls& calls) {
   const NoPipeSignal no_signal;
-  Pool pool(std::move(chunks), jobs, calls);
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  Pool pool(std::move(chunks), jobs > 0 ? jobs : cores, calls);
   try {
     pool.solve_all();
   } catch (...) {

@@ -8,9 +8,10 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/roots.hpp>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace bem_contact {
@@ -134,10 +135,11 @@ std::pair<double, double> Search::flat_stretch(const TouchPoint& touch, double a
       inside = i;
     if (i < from || i > to)
       return inside;
-    const auto [low, high] = std::minmax(inside, static_cast<double>(i));
-    return boost::math::tools::bisect([&](double v) { return distance_at(v) - limit; }, low, high,
-                                      [](double a, double b) { return b - a < flat_end_width; })
-        .first;
+    for (double outside = i; std::abs(outside - inside) > flat_end_width;) {
+      const double middle = std::midpoint(inside, outside);
+      (distance_at(middle) <= limit ? inside : outside) = middle;
+    }
+    return inside;
   };
   const double ends[2] = {end(-1), end(1)};
   double s[2];

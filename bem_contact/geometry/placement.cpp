@@ -15,6 +15,8 @@ namespace {
 
 /// t in [0, 1] at which f, positive at 0 and not at 1, vanishes.
 template <class F> double where_it_vanishes(const F& f) {
+  if (!(f(0.0) > 0) || f(1.0) > 0) // but for rounding
+    return f(0.0) > 0 ? 1.0 : 0.0;
   return boost::math::tools::bisect(f, 0.0, 1.0, boost::math::tools::eps_tolerance<double>()).second;
 }
 

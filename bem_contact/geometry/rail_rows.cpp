@@ -44,8 +44,8 @@ std::vector<ContactRow> planar_rows(const WheelOnRail& pair, std::span<const dou
                         "along it",
                         at, wanted),
             "Leave out grid.planar.");
-    const double found =
-        boost::math::tools::bisect(excess, lo, hi, boost::math::tools::eps_tolerance<double>()).second;
+    const auto close = boost::math::tools::eps_tolerance<double>();
+    const double found = lo < hi ? boost::math::tools::bisect(excess, lo, hi, close).second : lo;
     rows.push_back({row, pair.rail_at(found).position, reference.delta});
   }
   return rows;
