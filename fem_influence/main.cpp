@@ -1,6 +1,6 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/program.hpp"
 #include "bem_contact/base/provenance.hpp"
-#include "bem_contact/base/standard_streams.hpp"
 #include "fem_influence/harmonic_command.hpp"
 #include "fem_influence/shared/parallel.hpp"
 #include "fem_influence/solid_command.hpp"

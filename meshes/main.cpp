@@ -1,7 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/program.hpp"
 #include "bem_contact/base/provenance.hpp"
-#include "bem_contact/base/standard_streams.hpp"
 #include "bem_contact/profile/body_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "meshes/heartbeat.hpp"

@@ -4,6 +4,7 @@
 #include "meshes/settings.hpp"
 #include "meshes/size_field.hpp"
 
+#include <string>
 #include <vector>
 
 namespace bem_contact::meshes {
@@ -32,5 +33,8 @@ struct Outline {
 /// Throws InputError for an odd number of strip edges up to a corner.
 Outline divide(const Section& section, int strip_edges, const BodyFile::Mesh& mesh,
                double edge_angle = fine_edge_angle);
+
+/// Throws InputError when edges of the outline cross or touch each other, or a hole is not within the body.
+void refuse_crossings(const Outline& outline, const std::string& name);
 
 } // namespace bem_contact::meshes

@@ -2,7 +2,6 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
-#include "meshes/crossings.hpp"
 #include "meshes/outline.hpp"
 #include "meshes/settings.hpp"
 

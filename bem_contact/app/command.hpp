@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -18,5 +20,31 @@ struct Command {
   CLI::App* line = nullptr;
   std::function<ExitCode()> run;
 };
+
+// Options that several commands have.
+void add_model(CLI::App& line, std::string& model);   ///< --model
+void add_strict(CLI::App& line, bool& strict);        ///< --strict
+void add_jobs(CLI::App& line, int& jobs);             ///< --jobs
+void add_output(CLI::App& line, std::string& output); ///< --output, of a result file
+void add_json(CLI::App& line, bool& json);            ///< --json
+
+/// Prints each on the error output.
+void warn(const std::vector<std::string>& warnings);
+
+// The commands of the program, as main() lists them.
+Command add_solve(CLI::App& program);        ///< one scene with one model
+Command add_compare(CLI::App& program);      ///< half-space and finite elements at the same forces
+Command add_check(CLI::App& program);        ///< what would be solved
+Command add_info(CLI::App& program);         ///< what is in a file
+Command add_influence(CLI::App& program);    ///< `influence expand`: influence numbers of a grid
+Command add_profile(CLI::App& program);      ///< a profile in words
+Command add_sweep(CLI::App& program);        ///< a scene for lists or ranges of any of its keys
+Command add_conicity(CLI::App& program);     ///< how a rigid wheelset steers itself
+Command add_creep_curves(CLI::App& program); ///< forces over creepages
+Command add_table(CLI::App& program);        ///< tables of forces, and values of such a table
+Command add_wear(CLI::App& program);         ///< profiles wear under a load collective
+Command add_fatigue(CLI::App& program);      ///< shakedown, damage and stresses of each case of a sweep
+Command add_wheelset(CLI::App& program);     ///< both wheels under the forces on their axle
+Command add_report(CLI::App& program);       ///< a result file as one HTML page
 
 } // namespace bem_contact::app

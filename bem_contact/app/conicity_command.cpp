@@ -1,5 +1,4 @@
-#include "bem_contact/app/conicity_command.hpp"
-
+#include "bem_contact/app/command.hpp"
 #include "bem_contact/app/conicity_output.hpp"
 #include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -136,7 +135,7 @@ Command add_conicity(CLI::App& program) {
   line->add_flag("--roll", arguments->rolls, "Let the wheelset roll until both wheels stand on their rails");
   line->add_option("--to", arguments->amplitudes.largest, "Largest amplitude, mm")->capture_default_str();
   line->add_option("--step", arguments->amplitudes.step, "Step of the amplitudes, mm")->capture_default_str();
-  line->add_flag("--json", arguments->json, "Print one JSON object on standard output");
+  add_json(*line, arguments->json);
   line->add_option("--csv", arguments->csv,
                    "Write radius difference and contact points over the displacement");
   line->add_option("-o,--output", arguments->output, "All of it (HDF5)");

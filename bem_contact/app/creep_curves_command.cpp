@@ -2,7 +2,6 @@
 
 #include "bem_contact/app/creep_curves_output.hpp"
 #include "bem_contact/app/number_list.hpp"
-#include "bem_contact/app/scene_commands.hpp"
 #include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -47,12 +46,10 @@ std::vector<CreepRange> ranges_of(const std::array<std::string, 3>& texts) {
 }
 
 ExitCode run(const CreepArguments& arguments) {
-  GivenScene given = read_given_scene(arguments.scene, arguments.model);
   const std::vector<CreepRange> ranges = ranges_of(arguments.ranges);
-  require_outputs(files_read(arguments.scene, given.scene),
-                  {{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}});
-  if (!arguments.output.empty())
-    given.inputs = inputs_of(given.scene);
+  const GivenScene given =
+      read_given_scene_for({{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}},
+                           arguments.scene, arguments.model);
   const CreepCurves curves = creep_curves(given.scene, ranges);
   if (!arguments.output.empty()) {
     H5Table table = to_table(curves);
@@ -62,8 +59,7 @@ ExitCode run(const CreepArguments& arguments) {
   if (!arguments.csv.empty())
     write_text(arguments.csv, [&](std::ostream& out) { out << to_csv(curves); });
   fmt::print("{}", arguments.json ? to_json(curves).dump(2) + "\n" : to_text(curves));
-  for (const std::string& warning : curves.solution.warnings)
-    spdlog::warn("{}", warning);
+  warn(curves.solution.warnings);
   if (curves.certified())
     return success;
   spdlog::error(
@@ -98,9 +94,8 @@ Command add_creep_curves(CLI::App& program) {
                    "Range of the longitudinal creepage, as motion.xi counts it");
   line->add_option("--eta", arguments->ranges[1], "Range of the lateral creepage");
   line->add_option("--phi", arguments->ranges[2], "Range of the spin, 1/mm");
-  line->add_option("--model", arguments->model, "Model of the bodies, instead of the scene's own choice")
-      ->check(CLI::IsMember(model_choices()));
-  line->add_flag("--json", arguments->json, "Print one JSON object on standard output");
+  add_model(*line, arguments->model);
+  add_json(*line, arguments->json);
   line->add_option("--csv", arguments->csv, "Write all curves, one line for each point");
   line->add_option("-o,--output", arguments->output, "All of it (HDF5)");
   line->footer(creep_curves_help);

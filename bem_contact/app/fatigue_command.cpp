@@ -1,10 +1,9 @@
-#include "bem_contact/app/fatigue_command.hpp"
-
+#include "bem_contact/app/command.hpp"
 #include "bem_contact/app/csv_name.hpp"
 #include "bem_contact/app/sweep_inputs.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/fatigue/fatigue_columns.hpp"
+#include "bem_contact/fatigue/fatigue_of_result.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <CLI/CLI.hpp>

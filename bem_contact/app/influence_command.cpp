@@ -1,5 +1,4 @@
-#include "bem_contact/app/influence_command.hpp"
-
+#include "bem_contact/app/command.hpp"
 #include "bem_contact/app/numbers_file.hpp"
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
@@ -15,6 +14,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
 
 namespace bem_contact::app {
 
@@ -54,6 +54,19 @@ rows along the profile.
 --structural-compliance removed, the default, takes out how the body moves and turns as a whole; `included` lets it
 bend on its support. `solve` does what the scene says (rail.structural, wheel.structural).
 data/INFLUENCE_FORMAT.md has every layout, unit and sign.)";
+
+/// What `bem_contact influence expand` was asked for.
+struct ExpandRequest {
+  std::vector<std::string> files; ///< one body, or rail and wheel
+  double dx = 0, ds = 0;          ///< mm
+  int mx = 0, my = 0;             ///< offsets along x, rows
+  /// Arc length of the middle of the rows on each body, mm; empty: the middle of its strip.
+  std::optional<double> centre, wheel_centre;
+  std::string structural = "removed"; ///< removed | included
+  std::string format;                 ///< hdf5 | csv | contact; empty: by the ending of `output`
+  std::string matrices = "each";      ///< each | one (contact alone)
+  std::string output;
+};
 
 struct Body {
   InfluenceFunction function;
@@ -146,8 +159,7 @@ std::string format_of(const ExpandRequest& r) {
                    "its name ends neither in .h5 nor in .csv", "Give --format hdf5, csv or contact.");
 }
 
-} // namespace
-
+/// Writes the numbers; returns a line for people. Throws InputError for all that does not fit.
 std::string expand_command(const ExpandRequest& r) {
   const std::string format = format_of(r);
   check(r, format);
@@ -186,6 +198,8 @@ std::string expand_command(const ExpandRequest& r) {
       out.numbers.at(0, middle, component_n, middle, component_n),
       100 * variation_along_the_strip(out.numbers));
 }
+
+} // namespace
 
 Command add_influence(CLI::App& program) {
   CLI::App* influence = program.add_subcommand("influence", "Plain influence numbers from influence files");

@@ -1,8 +1,8 @@
-#include "bem_contact/app/profile_command.hpp"
-
+#include "bem_contact/app/command.hpp"
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
@@ -53,28 +53,15 @@ MeasuredProfile read(const ProfileArguments& arguments, ProfileKind kind) {
   return measured_profile(file, kind, arguments.reading, part);
 }
 
-ExitCode run(ProfileArguments arguments, bool flange_back_given) {
-  arguments.reading.unit = choice<ProfileUnit>(arguments.unit);
-  arguments.reading.profile_z = choice<ProfileZ>(arguments.profile_z);
-  if (flange_back_given)
-    arguments.reading.flange_back = arguments.flange_back;
-  require_outputs(paths_of(files_of_key("file.profile", arguments.name, {})), {{"--csv", arguments.csv}});
-  const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
-  const MeasuredProfile profile = read(arguments, kind);
-  if (!arguments.csv.empty())
-    write_whole(arguments.csv, [&](std::ostream& out) { out << profile_csv(profile.curve, arguments.step); });
-  fmt::print("{}", describe_profile(profile, kind));
-  return success;
-}
-
 std::string radius_text(double turn, double length) {
   const double radius = length / turn;
   return std::abs(radius) < straight_radius ? fmt::format("{:9.1f}", radius)
                                             : fmt::format("{:>9}", "straight");
 }
 
-} // namespace
-
+/// Rail or wheel: a standard by its name, a file by its ending (.prr, .ban, .rai; .prw, .whl, .whe) or by
+/// `kind`
+/// ("rail", "wheel"). Throws InputError where neither says it.
 ProfileKind kind_of_profile(const std::string& name, const std::string& kind) {
   std::string ending = profile_file_name(name).file.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -89,6 +76,7 @@ ProfileKind kind_of_profile(const std::string& name, const std::string& kind) {
                    "neither its name nor its ending says which", "Say --kind rail or --kind wheel.");
 }
 
+/// The profile in words: points, extent, noise, what smoothing removed, radii along s.
 std::string describe_profile(const MeasuredProfile& p, ProfileKind kind) {
   const ProfileCurve& curve = p.curve;
   constexpr double degree = std::numbers::pi / 180;
@@ -125,6 +113,7 @@ std::string describe_profile(const MeasuredProfile& p, ProfileKind kind) {
   return out;
 }
 
+/// One line for each of equal steps of arc length, at most `step` mm long.
 std::string profile_csv(const ProfileCurve& curve, double step) {
   std::string out = "s_mm,y_mm,z_mm,inclination_rad,curvature_per_mm\n";
   const double length = curve.s_end() - curve.s_begin();
@@ -136,6 +125,22 @@ std::string profile_csv(const ProfileCurve& curve, double step) {
   }
   return out;
 }
+
+ExitCode run(ProfileArguments arguments, bool flange_back_given) {
+  arguments.reading.unit = choice<ProfileUnit>(arguments.unit);
+  arguments.reading.profile_z = choice<ProfileZ>(arguments.profile_z);
+  if (flange_back_given)
+    arguments.reading.flange_back = arguments.flange_back;
+  require_outputs(paths_of(files_of_key("file.profile", arguments.name, {})), {{"--csv", arguments.csv}});
+  const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
+  const MeasuredProfile profile = read(arguments, kind);
+  if (!arguments.csv.empty())
+    write_whole(arguments.csv, [&](std::ostream& out) { out << profile_csv(profile.curve, arguments.step); });
+  fmt::print("{}", describe_profile(profile, kind));
+  return success;
+}
+
+} // namespace
 
 Command add_profile(CLI::App& program) {
   const auto arguments = std::make_shared<ProfileArguments>();

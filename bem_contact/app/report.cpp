@@ -111,13 +111,12 @@ json units_json(const SceneResult& r) {
 }
 
 /// Every number of the result under the name that it has in all outputs, with its error.
-json quantities_json(const SceneResult& r) {
+template <class Table, class... Patch>
+json quantities_json(const Table& table, const SceneResult& r, Patch... patch) {
   json out = json::object();
-  for (const Quantity& q : quantities()) {
-    out[q.name] = number_or_null(q.value(r));
-    if (q.error)
-      out[error_name(q.name)] = number_or_null(q.error(r));
-  }
+  with_errors(table, [&](const std::string& name, const QuantityUnit&, auto value, const char*) {
+    out[name] = number_or_null(value(r, patch...));
+  });
   return out;
 }
 
@@ -132,12 +131,7 @@ std::string fixed(double value, double largest) {
 json patches_json(const SceneResult& r) {
   json patches = json::array();
   for (std::size_t i = 0; i < r.result.patches.size(); ++i) {
-    json& patch = patches.emplace_back(json::object());
-    for (const PatchQuantity& q : patch_quantities()) {
-      patch[q.name] = number_or_null(q.value(r, i));
-      if (q.error)
-        patch[error_name(q.name)] = number_or_null(q.error(r, i));
-    }
+    json& patch = patches.emplace_back(quantities_json(patch_quantities(), r, i));
     for (const char* count : {"contact", "adhesion", "slip"}) // whole numbers, not 12.0
       patch[count] = patch[count].get<int>();
   }
@@ -205,7 +199,7 @@ json to_json(const SceneResult& r) {
               {"model", name_of(r.model)},
               {"reason", r.reason},
               {"frame", {{"y", r.left ? "to the left" : "to the right"}, {"units", units_json(r)}}},
-              {"quantities", quantities_json(r)},
+              {"quantities", quantities_json(quantities(), r)},
               {"converged", r.result.converged},
               {"patches", patches_json(r)},
               {"totals",

@@ -1,5 +1,4 @@
-#include "bem_contact/app/report_command.hpp"
-
+#include "bem_contact/app/command.hpp"
 #include "bem_contact/report/report_page.hpp"
 
 #include <CLI/CLI.hpp>

@@ -38,8 +38,6 @@ H5Dataset single(double value, std::string unit, std::string description) {
   return {{}, {value}, std::move(unit), std::move(description)};
 }
 
-constexpr const char* of_error = "estimated error by the size of the elements; nan: not known";
-
 /// [step][ms][mx] of every step, and the totals [step].
 void add_history(H5Table& table, const std::string& group, const SceneResult& r) {
   const ContactGrid& grid = r.problem.grid;
@@ -69,28 +67,21 @@ void add_history(H5Table& table, const std::string& group, const SceneResult& r)
 /// One line [patch] for each number of the patches, and for its error.
 void add_patches(H5Table& table, const std::string& group, const SceneResult& r) {
   const std::size_t count = r.result.patches.size();
-  const auto add = [&](const std::string& name, const auto& value, const char* unit,
-                       const char* description) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < count; ++i)
-      values.push_back(value(r, i));
-    table.datasets[group + name] = line(std::move(values), unit, description);
-  };
-  if (count == 0)
-    return;
-  for (const PatchQuantity& q : patch_quantities()) {
-    add(q.name, q.value, q.unit.of(r), q.description);
-    if (q.error)
-      add(error_name(q.name), q.error, q.unit.of(r), of_error);
-  }
+  if (count > 0)
+    with_errors(patch_quantities(),
+                [&](const std::string& name, const QuantityUnit& unit, auto value, const char* description) {
+                  std::vector<double> values;
+                  for (std::size_t i = 0; i < count; ++i)
+                    values.push_back(value(r, i));
+                  table.datasets[group + name] = line(std::move(values), unit.of(r), description);
+                });
 }
 
 void add_quantities(H5Table& table, const std::string& group, const SceneResult& r) {
-  for (const Quantity& q : quantities()) {
-    table.datasets[group + q.name] = single(q.value(r), q.unit.of(r), q.description);
-    if (q.error)
-      table.datasets[group + error_name(q.name)] = single(q.error(r), q.unit.of(r), of_error);
-  }
+  with_errors(quantities(),
+              [&](const std::string& name, const QuantityUnit& unit, auto value, const char* description) {
+                table.datasets[group + name] = single(value(r), unit.of(r), description);
+              });
 }
 
 /// How the solver went and whether its result can be trusted.

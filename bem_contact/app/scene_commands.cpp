@@ -1,5 +1,4 @@
-#include "bem_contact/app/scene_commands.hpp"
-
+#include "bem_contact/app/command.hpp"
 #include "bem_contact/app/comparison_report.hpp"
 #include "bem_contact/app/error_text.hpp"
 #include "bem_contact/app/repeat.hpp"
@@ -90,8 +89,7 @@ struct SceneArguments {
 
 /// Prints the warnings; success only if the certificate holds.
 ExitCode verdict(const SceneResult& r) {
-  for (const std::string& warning : r.warnings)
-    spdlog::warn("{}", warning);
+  warn(r.warnings);
   if (r.result.certificate.holds())
     return std::ranges::all_of(r.history, &ContactResult::converged) ? success : no_convergence;
   spdlog::error(
@@ -130,8 +128,7 @@ ExitCode run_repeat(const SceneArguments& arguments) {
                        "its case is repeated as it was, and compared",
                        "Write its scene with bem_contact info --scene, and solve that.");
   const Repetition repetition = repeat_result(arguments.file, arguments.folder);
-  for (const std::string& warning : repetition.warnings)
-    spdlog::warn("{}", warning);
+  warn(repetition.warnings);
   if (arguments.strict)
     refuse_warnings(repetition.result.warnings);
   fmt::print("{}", arguments.json ? repetition_json(repetition).dump(2) + "\n" : to_text(repetition));
@@ -144,11 +141,9 @@ ExitCode run_solve(const SceneArguments& arguments) {
   if (!arguments.folder.empty())
     throw InputError("--folder cannot be given with a scene", "a scene's paths start in its own folder",
                      "Leave it out; it is for result files.");
-  GivenScene given = read_given_scene(arguments.file, arguments.model);
-  require_outputs(files_read(arguments.file, given.scene),
-                  {{"--output", arguments.output, OutputForm::whole_file}, {"--vtk", arguments.vtk}});
-  if (!arguments.output.empty())
-    given.inputs = inputs_of(given.scene);
+  const GivenScene given =
+      read_given_scene_for({{"--output", arguments.output, OutputForm::whole_file}, {"--vtk", arguments.vtk}},
+                           arguments.file, arguments.model);
   const SceneResult result = Sequence({.threads = arguments.threads}).solve(given.scene);
   if (arguments.strict)
     refuse_warnings(result.warnings);
@@ -168,8 +163,6 @@ std::vector<Model> models_of(const std::vector<std::string>& names) {
 }
 
 ExitCode run_compare(const SceneArguments& arguments) {
-  GivenScene given = read_given_scene(arguments.file, "");
-  const SceneFile& scene = given.scene;
   const std::vector<Model> models = models_of(arguments.models);
   const auto surface_of = [&](Model model) {
     return fmt::format("{}_{}.vts", arguments.vtk, name_of(model));
@@ -178,10 +171,8 @@ ExitCode run_compare(const SceneArguments& arguments) {
   if (!arguments.vtk.empty())
     for (const Model model : models)
       outputs.push_back({"--vtk-prefix", surface_of(model)});
-  require_outputs(files_read(arguments.file, scene), outputs);
-  if (!arguments.output.empty())
-    given.inputs = inputs_of(scene);
-  const Comparison comparison = Sequence({.threads = arguments.threads}).compare(scene, models);
+  const GivenScene given = read_given_scene_for(outputs, arguments.file, "");
+  const Comparison comparison = Sequence({.threads = arguments.threads}).compare(given.scene, models);
   if (arguments.strict)
     for (const SceneResult& result : comparison.leading())
       refuse_warnings(result.warnings);
@@ -214,34 +205,27 @@ CLI::App* add_scene_command(CLI::App& program, const char* name, const char* wha
                             SceneArguments& arguments) {
   CLI::App* line = program.add_subcommand(name, what);
   line->add_option("scene", arguments.file, "Scene file (TOML)")->required();
-  line->add_flag("--strict", arguments.strict, "End with exit code 2 at a warning, and write no file");
+  add_strict(*line, arguments.strict);
   line->footer(help);
   return line;
 }
 
-void add_outputs(CLI::App& line, SceneArguments& arguments) {
-  line.add_flag("--json", arguments.json, "Print one JSON object instead of the text");
-  line.add_option("-o,--output", arguments.output, "Result file (HDF5)");
-  line.add_option("--threads", arguments.threads,
-                  "Threads that share the work of a case with thousands of elements in contact (default 1); a smaller "
-                  "one stays on one thread, and results are the same")
+void add_threads(CLI::App& line, int& threads) {
+  line.add_option("--threads", threads,
+                  "Threads that share the work of a case by fem with thousands of elements (default 1); results are "
+                  "the same")
       ->check(CLI::Range(1, most_threads));
 }
 
 } // namespace
 
-std::vector<std::string> model_choices() {
-  std::vector<std::string> names{std::string(automatic_model)};
-  names.insert(names.end(), EnumNames<Model>::names.begin(), EnumNames<Model>::names.end());
-  return names;
-}
-
 Command add_solve(CLI::App& program) {
   const auto arguments = std::make_shared<SceneArguments>();
   CLI::App* line = add_scene_command(program, "solve", "Solve a scene", solve_help, *arguments);
-  line->add_option("--model", arguments->model, "Model of the bodies, instead of the scene's own choice")
-      ->check(CLI::IsMember(model_choices()));
-  add_outputs(*line, *arguments);
+  add_model(*line, arguments->model);
+  add_json(*line, arguments->json);
+  add_output(*line, arguments->output);
+  add_threads(*line, arguments->threads);
   line->add_option("--folder", arguments->folder,
                    "With a result file: where the relative paths of its scene start, if it was moved");
   line->add_option("--vtk", arguments->vtk, "Surface with the result for ParaView (.vts)");
@@ -257,7 +241,9 @@ Command add_compare(CLI::App& program) {
                    "Models to compare, with commas between: a column for each (default halfspace,fem)")
       ->delimiter(',')
       ->check(CLI::IsMember(EnumNames<Model>::names));
-  add_outputs(*line, *arguments);
+  add_json(*line, arguments->json);
+  add_output(*line, arguments->output);
+  add_threads(*line, arguments->threads);
   line->add_option("--vtk-prefix", arguments->vtk,
                    "Write PREFIX_MODEL.vts of each model for ParaView (at equal forces)");
   return {line, [arguments] { return run_compare(*arguments); }};

@@ -37,9 +37,18 @@ GivenScene read_given_scene(const std::string& file, const std::string& model,
   SceneReader reader(out.text, file, out.folder);
   for (const SceneChange& change : changes)
     reader.set(change);
-  out.scene = reader.scene();
-  if (!model.empty())
-    out.scene.solver.model = model_named(model);
+  out.scene = with_model(reader.scene(), model);
+  return out;
+}
+
+GivenScene read_given_scene_for(const std::vector<Output>& outputs, const std::string& file,
+                                const std::string& model) {
+  GivenScene out = read_given_scene(file, model);
+  require_outputs(files_read(file, out.scene), outputs);
+  if (std::ranges::any_of(outputs, [](const Output& output) {
+        return output.form == OutputForm::whole_file && !output.file.empty();
+      }))
+    out.inputs = inputs_of(out.scene);
   return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
@@ -37,6 +38,11 @@ struct GivenScene {
 /// no scene.
 GivenScene read_given_scene(const std::string& file, const std::string& model,
                             std::span<const SceneChange> changes = {});
+
+/// The same for a command with these outputs, none of which may be a file that it reads. If there is a result
+/// file among them, the inputs are recorded.
+GivenScene read_given_scene_for(const std::vector<Output>& outputs, const std::string& file,
+                                const std::string& model);
 
 /// A file as an input of that key. What is no regular file can be read only once, and is not read here.
 InputRecord record_of(const NamedFile& named);

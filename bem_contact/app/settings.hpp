@@ -17,7 +17,7 @@ BEM_CONTACT_TUNED(double, largest_table, 4.0);
 /// this along the strip. Chosen, not measured.
 BEM_CONTACT_TUNED(double, largest_variation, 0.01);
 
-// Sweeps.
+// Sweeps, and points of tables.
 
 /// 1. One process solves a chunk of cases one after the other and starts each case from the one before. More
 /// chunks share the work better; longer chunks have fewer cold starts. Chosen, not measured.
@@ -25,14 +25,6 @@ BEM_CONTACT_TUNED(std::size_t, chunks_of_a_sweep, 8);
 /// Cases. Smallest and largest chunk. Chosen, not measured.
 BEM_CONTACT_TUNED(std::size_t, smallest_chunk, 4);
 BEM_CONTACT_TUNED(std::size_t, largest_chunk, 32);
-
-// Tables.
-
-/// 1. A process solves a chunk of points one after the other: as of sweeps, but the contacts are smaller.
-BEM_CONTACT_TUNED(std::size_t, chunks_of_a_table, 8);
-/// Points. Smallest and largest chunk of a table. Chosen: the first of a chunk computes influence numbers.
-BEM_CONTACT_TUNED(std::size_t, smallest_table_chunk, 4);
-BEM_CONTACT_TUNED(std::size_t, largest_table_chunk, 64);
 
 // Result files.
 

@@ -1,6 +1,4 @@
-#include "bem_contact/app/sweep_command.hpp"
-
-#include "bem_contact/app/scene_commands.hpp"
+#include "bem_contact/app/command.hpp"
 #include "bem_contact/app/sweep_inputs.hpp"
 #include "bem_contact/app/sweep_journal.hpp"
 #include "bem_contact/app/sweep_output.hpp"
@@ -13,7 +11,7 @@
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
-#include "bem_contact/influence/h5_writer.hpp"
+#include "bem_contact/influence/h5_table.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
@@ -22,7 +20,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -56,8 +53,6 @@ writes a file of its own beside SWEEP.h5. When all are done, join them:
 
 Exit code 0: every case is certified (of a share: every case of the share). 2: the input is wrong. 3: a case is missing
 or not certified.)";
-
-constexpr int most_jobs = 4096; // a typing error, not a machine
 
 struct SweepRequest {
   std::string scene, output, csv, model;
@@ -109,9 +104,7 @@ CaseRecord solve_case(Solver& solver, const SweepFile& sweep, std::size_t index,
     record.reason = reason;
   };
   try {
-    SceneFile scene = sweep.scene(index);
-    if (!request.model.empty())
-      scene.solver.model = model_named(request.model);
+    const SceneFile scene = with_model(sweep.scene(index), request.model);
     const auto kept = [&](const auto& result) {
       if (request.strict)
         refuse_warnings(result.warnings);
@@ -164,8 +157,7 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
     record.reason = reason;
     keep(record, to_bytes(record));
   };
-  const int jobs = request.jobs > 0 ? request.jobs : static_cast<int>(std::thread::hardware_concurrency());
-  solve_in_processes(chunks, jobs, calls);
+  solve_in_processes(chunks, request.jobs, calls);
   progress.finish();
 }
 
@@ -272,12 +264,9 @@ Command add_sweep(CLI::App& program) {
   line->add_option("--csv", r.csv,
                    "S.csv: a line for each case; beside it S_patches.csv with a line for each patch, and "
                    "S_units.csv with unit and meaning of each column");
-  line->add_option("--model", r.model, "Model of the bodies, instead of the scene's own choice")
-      ->check(CLI::IsMember(model_choices()));
+  add_model(*line, r.model);
   line->add_flag("--strict", r.strict, "Count a case with a warning as refused, and keep no result of it");
-  line->add_option("--jobs", r.jobs, "Number of processes; 0: one for each core")
-      ->check(CLI::Range(0, most_jobs))
-      ->capture_default_str();
+  add_jobs(*line, r.jobs);
   CLI::Option* part = line->add_option("--part", r.part, "I/N: solve the I-th of N shares");
   line->add_flag("--merge", r.merge, "Solve nothing; join what the shares have solved")->excludes(part);
   line->footer(sweep_help);

@@ -69,8 +69,7 @@ GivenScene given_sweep(const SweepFile& sweep, const std::string& model) {
   GivenScene out{sweep.source, sweep.text, model, sweep.folder, sweep.scene(0), {}};
   out.inputs = inputs_of(out.scene);
   std::ranges::move(records_of(files_of_lists(sweep)), std::back_inserter(out.inputs));
-  if (!model.empty())
-    out.scene.solver.model = model_named(model);
+  out.scene = with_model(std::move(out.scene), model);
   return out;
 }
 

@@ -19,26 +19,28 @@ using nlohmann::json;
 
 constexpr const char* model_column = "model";
 constexpr const char* of_model = "0 hertz, 1 halfspace, 2 tangent_plane, 3 fem; CSV: its name";
-constexpr const char* of_error = "estimated error by the size of the elements; nan: not known";
 
-std::vector<Column> columns_of_cases() {
+/// Of a table of sequence/quantities.hpp.
+template <class Table> std::vector<Column> columns_of(const Table& table) {
   std::vector<Column> all;
-  for (const Quantity& q : quantities()) {
-    all.push_back({q.name, q.unit.text(), q.description});
-    if (q.error)
-      all.push_back({error_name(q.name), q.unit.text(), of_error});
-  }
-  all.push_back({model_column, "1", of_model});
+  with_errors(table, [&](const std::string& name, const QuantityUnit& unit, auto, const char* description) {
+    all.push_back({name, unit.text(), description});
+  });
   return all;
 }
 
-std::vector<Column> columns_of_patches() {
-  std::vector<Column> all;
-  for (const PatchQuantity& q : patch_quantities()) {
-    all.push_back({q.name, q.unit.text(), q.description});
-    if (q.error)
-      all.push_back({error_name(q.name), q.unit.text(), of_error});
-  }
+/// `of`: the result, and which patch.
+template <class Table, class... Of> std::vector<double> values_of(const Table& table, const Of&... of) {
+  std::vector<double> values;
+  with_errors(table, [&](const std::string&, const QuantityUnit&, auto value, const char*) {
+    values.push_back(value(of...));
+  });
+  return values;
+}
+
+std::vector<Column> columns_of_cases() {
+  std::vector<Column> all = columns_of(quantities());
+  all.push_back({model_column, "1", of_model});
   return all;
 }
 
@@ -79,27 +81,6 @@ void say(CaseRecord& record, const std::string& text) {
     record.reason += (record.reason.empty() ? "" : "; ") + text;
 }
 
-std::vector<double> summary_of(const SceneResult& result) {
-  std::vector<double> values;
-  for (const Quantity& q : quantities()) {
-    values.push_back(q.value(result));
-    if (q.error)
-      values.push_back(q.error(result));
-  }
-  values.push_back(static_cast<double>(result.model));
-  return values;
-}
-
-std::vector<double> patch_of(const SceneResult& result, std::size_t patch) {
-  std::vector<double> values;
-  for (const PatchQuantity& q : patch_quantities()) {
-    values.push_back(q.value(result, patch));
-    if (q.error)
-      values.push_back(q.error(result, patch));
-  }
-  return values;
-}
-
 /// CBOR keeps every double to the last bit, not-a-number included.
 json table_to_json(const H5Table& table) {
   json datasets = json::object(), attributes = json::object();
@@ -128,7 +109,7 @@ H5Table table_from_json(const json& j) {
 } // namespace
 
 const SweepColumns& contact_columns() {
-  static const SweepColumns columns{columns_of_cases(), columns_of_patches()};
+  static const SweepColumns columns{columns_of_cases(), columns_of(patch_quantities())};
   return columns;
 }
 
@@ -155,9 +136,10 @@ CaseRecord case_record(std::size_t index, const SceneResult& result, bool fields
   say(record, result.result.remark);
   for (const std::string& warning : result.warnings)
     say(record, warning);
-  record.summary = summary_of(result);
+  record.summary = values_of(quantities(), result);
+  record.summary.push_back(static_cast<double>(result.model));
   for (std::size_t i = 0; i < result.result.patches.size(); ++i)
-    record.patches.push_back(patch_of(result, i));
+    record.patches.push_back(values_of(patch_quantities(), result, i));
   if (fields)
     record.fields = to_case_table(result);
   return record;

@@ -1,6 +1,5 @@
 #include "bem_contact/app/sweep_share.hpp"
 
-#include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 
 #include <algorithm>
@@ -8,14 +7,6 @@
 #include <fmt/format.h>
 
 namespace bem_contact::app {
-
-namespace {
-
-std::size_t chunk_size(std::size_t cases) {
-  return std::clamp(cases / chunks_of_a_sweep, smallest_chunk, largest_chunk);
-}
-
-} // namespace
 
 Share share_of(const std::string& text) {
   Share share;

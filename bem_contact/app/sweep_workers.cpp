@@ -1,5 +1,6 @@
 #include "bem_contact/app/sweep_workers.hpp"
 
+#include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 
 #include <poll.h>
@@ -15,6 +16,7 @@
 #include <deque>
 #include <fmt/format.h>
 #include <iterator>
+#include <thread>
 
 namespace bem_contact::app {
 
@@ -23,9 +25,10 @@ namespace {
 /// The ends of the pipes in a worker.
 constexpr int orders = 3, answers = 4;
 
-bool read_bytes(int handle, void* to, std::size_t count) {
-  for (auto* at = static_cast<char*>(to); count > 0;) {
-    const ssize_t n = read(handle, at, count);
+/// Calls read() or write() until all bytes are through; false where that fails.
+bool transfer(const auto& call, int handle, auto* at, std::size_t count) {
+  while (count > 0) {
+    const ssize_t n = call(handle, at, count);
     if (n < 0 && errno == EINTR)
       continue;
     if (n <= 0)
@@ -36,17 +39,12 @@ bool read_bytes(int handle, void* to, std::size_t count) {
   return true;
 }
 
+bool read_bytes(int handle, void* to, std::size_t count) {
+  return transfer(read, handle, static_cast<char*>(to), count);
+}
+
 bool write_bytes(int handle, const void* from, std::size_t count) {
-  for (const auto* at = static_cast<const char*>(from); count > 0;) {
-    const ssize_t n = write(handle, at, count);
-    if (n < 0 && errno == EINTR)
-      continue;
-    if (n <= 0)
-      return false;
-    at += n;
-    count -= static_cast<std::size_t>(n);
-  }
-  return true;
+  return transfer(write, handle, static_cast<const char*>(from), count);
 }
 
 /// Never returns: takes a chunk, answers with its cases, until there are no more orders.
@@ -204,9 +202,14 @@ private:
 
 } // namespace
 
+std::size_t chunk_size(std::size_t cases) {
+  return std::clamp(cases / chunks_of_a_sweep, smallest_chunk, largest_chunk);
+}
+
 void solve_in_processes(std::vector<Chunk> chunks, int jobs, const WorkerCalls& calls) {
   const NoPipeSignal no_signal;
-  Pool pool(std::move(chunks), jobs, calls);
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  Pool pool(std::move(chunks), jobs > 0 ? jobs : cores, calls);
   try {
     pool.solve_all();
   } catch (...) {

@@ -10,6 +10,9 @@ namespace bem_contact::app {
 /// Cases that one process solves one after the other, each from what it learnt of those before.
 using Chunk = std::vector<std::size_t>;
 
+/// How many cases make a chunk.
+std::size_t chunk_size(std::size_t cases);
+
 /// Solves one case and returns what to keep of it. Each chunk gets a new solver, in its own process.
 using CaseSolver = std::function<std::string(std::size_t index)>;
 
@@ -19,9 +22,9 @@ struct WorkerCalls {
   std::function<void(std::size_t index, const std::string& reason)> died; ///< here
 };
 
-/// Solves chunks in `jobs` processes side by side. We use processes, not threads, because FFTW's planner and
-/// HDF5 are not safe with threads, and because a case that kills its process then costs only itself. Workers
-/// end when this process ends. Throws Error if no process can be started.
+/// Solves chunks in `jobs` processes side by side; 0: one for each core. We use processes, not threads,
+/// because FFTW's planner and HDF5 are not safe with threads, and because a case that kills its process then
+/// costs only itself. Workers end when this process ends. Throws Error if no process can be started.
 void solve_in_processes(std::vector<Chunk> chunks, int jobs, const WorkerCalls& calls);
 
 } // namespace bem_contact::app

@@ -1,7 +1,5 @@
-#include "bem_contact/app/table_command.hpp"
-
+#include "bem_contact/app/command.hpp"
 #include "bem_contact/app/number_list.hpp"
-#include "bem_contact/app/scene_commands.hpp"
 #include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/app/table_workers.hpp"
 #include "bem_contact/base/error.hpp"
@@ -220,12 +218,9 @@ Command add_table(CLI::App& program) {
   line->add_option("--poisson", a.options.poisson, "Creep forces: Poisson's ratio")->capture_default_str();
   line->add_option("--elements", a.options.elements, "Creep forces: elements across each axis of the ellipse")
       ->capture_default_str();
-  line->add_option("--model", a.model, "Model of the bodies, instead of the scene's own choice")
-      ->check(CLI::IsMember(model_choices()));
-  line->add_option("--jobs", a.jobs, "Number of processes; 0: one for each core")
-      ->check(CLI::Range(0, 4096))
-      ->capture_default_str();
-  line->add_flag("--json", a.json, "Print one JSON object on standard output");
+  add_model(*line, a.model);
+  add_jobs(*line, a.jobs);
+  add_json(*line, a.json);
   line->add_option("--at", a.at,
                    "Print the values of a table at a point, with the error of the interpolation");
   line->footer(table_help);

@@ -1,12 +1,9 @@
 #include "bem_contact/app/table_workers.hpp"
 
-#include "bem_contact/app/settings.hpp"
 #include "bem_contact/app/sweep_workers.hpp"
 #include "bem_contact/base/progress.hpp"
 
-#include <algorithm>
 #include <cstring>
-#include <thread>
 #include <utility>
 
 namespace bem_contact::app {
@@ -30,8 +27,7 @@ table::PointValues point_of(const std::string& bytes) {
 }
 
 std::vector<Chunk> chunks_of(std::size_t points) {
-  const std::size_t length =
-      std::clamp(points / chunks_of_a_table, smallest_table_chunk, largest_table_chunk);
+  const std::size_t length = chunk_size(points);
   std::vector<Chunk> out;
   for (std::size_t i = 0; i < points; ++i) {
     if (i % length == 0)
@@ -64,8 +60,7 @@ table::PointsSolver side_by_side(std::function<table::PointSolver()> make, int j
       progress.step();
     };
     calls.died = [&](std::size_t index, const std::string&) { calls.done(index, ""); };
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
-    solve_in_processes(chunks_of(points.size()), jobs > 0 ? jobs : cores, calls);
+    solve_in_processes(chunks_of(points.size()), jobs, calls);
     progress.finish();
     return out;
   };

@@ -1,5 +1,4 @@
-#include "bem_contact/app/wear_command.hpp"
-
+#include "bem_contact/app/command.hpp"
 #include "bem_contact/app/sweep_inputs.hpp"
 #include "bem_contact/app/wear_influence.hpp"
 #include "bem_contact/app/wear_state.hpp"
@@ -69,10 +68,8 @@ wear::EvolutionOptions options_of(const WearArguments& a, const std::optional<we
 
 std::vector<wear::CollectiveCase> collective_of(const SweepFile& sweep, const std::string& model) {
   std::vector<wear::CollectiveCase> out;
-  for (std::size_t i = 0; i < sweep.size(); ++i) {
-    const SceneFile scene = sweep.scene(i);
-    out.push_back({model.empty() ? scene : with_model(scene, model_named(model)), sweep.weight(i)});
-  }
+  for (std::size_t i = 0; i < sweep.size(); ++i)
+    out.push_back({with_model(sweep.scene(i), model), sweep.weight(i)});
   return out;
 }
 
@@ -159,7 +156,7 @@ Command add_wear(CLI::App& program) {
          "Influence functions are kept until a surface has turned by this, rad");
   number("--hardness", a.hardness, "Of the softer body, for archard, MPa");
   number("--speed", a.speed, "Rolling speed, for archard, mm/s");
-  line->add_option("--model", a.model, "Model of the bodies, instead of the scene's own choice");
+  add_model(*line, a.model);
   line->add_option("--law", a.law, "Wear law")->check(CLI::IsMember(wear::law_names))->capture_default_str();
   line->add_option("--body", a.body, "Which body wears")
       ->check(CLI::IsMember({"both", "rail", "wheel"}))

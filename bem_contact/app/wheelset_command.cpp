@@ -1,6 +1,4 @@
-#include "bem_contact/app/wheelset_command.hpp"
-
-#include "bem_contact/app/scene_commands.hpp"
+#include "bem_contact/app/command.hpp"
 #include "bem_contact/app/vtk_file.hpp"
 #include "bem_contact/app/wheelset_output.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -10,7 +8,6 @@
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <spdlog/spdlog.h>
 
 namespace bem_contact::app {
 
@@ -51,10 +48,7 @@ std::vector<Output> outputs_of(const WheelsetArguments& arguments) {
 }
 
 ExitCode run(const WheelsetArguments& arguments) {
-  GivenScene given = read_given_scene(arguments.scene, arguments.model);
-  require_outputs(files_read(arguments.scene, given.scene), outputs_of(arguments));
-  if (!arguments.output.empty())
-    given.inputs = inputs_of(given.scene);
+  const GivenScene given = read_given_scene_for(outputs_of(arguments), arguments.scene, arguments.model);
   const WheelsetResult result = solve_wheelset(given.scene);
   if (arguments.strict)
     refuse_warnings(result.warnings);
@@ -64,8 +58,7 @@ ExitCode run(const WheelsetArguments& arguments) {
     if (!arguments.vtk.empty())
       write_vts(surface_of(arguments, side), result.state.solved(side));
   fmt::print("{}", arguments.json ? to_json(result).dump(2) + "\n" : to_text(result));
-  for (const std::string& warning : result.warnings)
-    spdlog::warn("{}", warning);
+  warn(result.warnings);
   return result.state.certified() ? success : no_convergence;
 }
 
@@ -76,11 +69,10 @@ Command add_wheelset(CLI::App& program) {
   CLI::App* line =
       program.add_subcommand("wheelset", "Both wheels of a wheelset under the forces on its axle");
   line->add_option("scene", arguments->scene, "Scene file (TOML) with a table [wheelset]")->required();
-  line->add_option("--model", arguments->model, "Model of the bodies, instead of the scene's own choice")
-      ->check(CLI::IsMember(model_choices()));
-  line->add_flag("--strict", arguments->strict, "End with exit code 2 at a warning, and write no file");
-  line->add_flag("--json", arguments->json, "Print one JSON object instead of the text");
-  line->add_option("-o,--output", arguments->output, "Result file (HDF5)");
+  add_model(*line, arguments->model);
+  add_strict(*line, arguments->strict);
+  add_json(*line, arguments->json);
+  add_output(*line, arguments->output);
   line->add_option("--vtk-prefix", arguments->vtk,
                    "Write PREFIX_right.vts and PREFIX_left.vts for ParaView, each in the frame of its side");
   line->footer(wheelset_help);

@@ -3,15 +3,12 @@
 namespace bem_contact {
 
 void add_material(Schema& schema, const std::string& table, Material& material, double& young) {
+  SchemaTable t(schema, table);
   young = material.young();
-  schema.add(table + ".shear_modulus", material.shear_modulus,
-             {.doc = "G; give either this or young", .unit = "MPa", .above = 0});
-  schema.add(table + ".young", young,
-             {.doc = "E; give either this or shear_modulus = E/(2 (1 + poisson))",
-              .unit = "MPa",
-              .above = 0,
-              .commented_out = true});
-  schema.add(table + ".poisson", material.poisson, {.doc = "Poisson's ratio", .at_least = 0, .below = 0.5});
+  t.add("shear_modulus", material.shear_modulus, "G; give either this or young", {.unit = "MPa", .above = 0});
+  t.add("young", young, "E; give either this or shear_modulus = E/(2 (1 + poisson))",
+        {.unit = "MPa", .above = 0, .commented_out = true});
+  t.add("poisson", material.poisson, "Poisson's ratio", {.at_least = 0, .below = 0.5});
 }
 
 void settle_material(const Schema& schema, const std::string& table, Material& material, double young) {

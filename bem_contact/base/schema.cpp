@@ -31,9 +31,9 @@ bool has_no_value(const SchemaTarget& target) {
 
 } // namespace
 
-void Schema::add_key(std::string path, SchemaTarget target, KeyRule rule) {
+void Schema::add_key(std::string path, SchemaTarget target, std::string doc, KeyRule rule) {
   std::string text = std::holds_alternative<TableList>(target) ? "" : value_text(target);
-  keys_.push_back({std::move(path), target, std::move(rule), std::move(text)});
+  keys_.push_back({std::move(path), std::move(doc), target, std::move(rule), std::move(text)});
 }
 
 const Schema::Key* Schema::find(std::string_view path) const {
@@ -155,7 +155,7 @@ void Schema::require_needed() const {
   for (const Key& key : keys_)
     if (key.rule.needed && !has(key.path))
       throw InputError(
-          where(key.path) + key.path + " is missing", key.rule.doc,
+          where(key.path) + key.path + " is missing", key.doc,
           fmt::format("Give it, for instance {} = {}.", last_part(key.path), value_text(key.target)));
 }
 
@@ -190,7 +190,7 @@ std::string Schema::print() const {
     const bool off = !belongs(key) || key.rule.commented_out ||
                      std::holds_alternative<TableList>(key.target) ||
                      (has_no_value(key.target) && !key.rule.zero_is_none);
-    out += fmt::format("# {} ({})\n{}{} = {}\n", key.rule.doc, fmt::join(facts, "; "), off ? "# " : "",
+    out += fmt::format("# {} ({})\n{}{} = {}\n", key.doc, fmt::join(facts, "; "), off ? "# " : "",
                        last_part(key.path), value_text(key.target));
   }
   return out;

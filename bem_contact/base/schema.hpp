@@ -17,9 +17,8 @@
 
 namespace bem_contact {
 
-/// Everything about one key of a file besides its name, type and default.
+/// Everything about one key of a file besides its name, type, default and documentation.
 struct KeyRule {
-  std::string doc;       ///< one line
   std::string unit = {}; ///< "" for none
   double at_least = -std::numeric_limits<double>::infinity();
   double above = -std::numeric_limits<double>::infinity();
@@ -70,28 +69,31 @@ public:
   /// Numbers, flags, texts, points and optionals of them; the range of the rule holds for each number.
   template <class T>
   requires std::constructible_from<SchemaTarget, T*>
-  void add(std::string path, T& value, KeyRule rule) { add_key(std::move(path), &value, std::move(rule)); }
-  template <NamedEnum E> void add(std::string path, E& value, KeyRule rule) {
+  void add(std::string path, T& value, std::string doc, KeyRule rule = {}) {
+    add_key(std::move(path), &value, std::move(doc), std::move(rule));
+  }
+  template <NamedEnum E> void add(std::string path, E& value, std::string doc, KeyRule rule = {}) {
     const auto& names = EnumNames<E>::names;
     add_key(std::move(path),
             NamedChoice{{names.begin(), names.end()},
                         [&value] { return static_cast<std::size_t>(value); },
                         [&value](std::size_t i) { value = static_cast<E>(i); }},
-            std::move(rule));
+            std::move(doc), std::move(rule));
   }
   /// `none`: what the file writes for the empty optional.
-  template <NamedEnum E> void add(std::string path, std::optional<E>& value, std::string none, KeyRule rule) {
+  template <NamedEnum E>
+  void add(std::string path, std::optional<E>& value, std::string none, std::string doc, KeyRule rule = {}) {
     NamedChoice choice{
         {std::move(none)},
         [&value] { return value ? static_cast<std::size_t>(*value) + 1 : 0; },
         [&value](std::size_t i) { value = i > 0 ? std::optional(static_cast<E>(i - 1)) : std::nullopt; }};
     choice.names.insert(choice.names.end(), EnumNames<E>::names.begin(), EnumNames<E>::names.end());
-    add_key(std::move(path), std::move(choice), std::move(rule));
+    add_key(std::move(path), std::move(choice), std::move(doc), std::move(rule));
   }
   /// A list of tables. The schema of one table in the list declares each key with the list's path in front:
   /// for the list "body.holes" that is "body.holes.radius".
-  void add(std::string path, TableList list, KeyRule rule) {
-    add_key(std::move(path), std::move(list), std::move(rule));
+  void add(std::string path, TableList list, std::string doc, KeyRule rule = {}) {
+    add_key(std::move(path), std::move(list), std::move(doc), std::move(rule));
   }
   /// read() ignores this table, because other code reads it.
   void skip(std::string table) { skipped_.insert(std::move(table)); }
@@ -126,11 +128,12 @@ public:
 private:
   struct Key {
     std::string path;
+    std::string doc; ///< one line
     SchemaTarget target;
     KeyRule rule;
     std::string default_text; ///< as value_text() has it; of a list of tables: ""
   };
-  void add_key(std::string path, SchemaTarget target, KeyRule rule);
+  void add_key(std::string path, SchemaTarget target, std::string doc, KeyRule rule);
   const Key* find(std::string_view path) const;
   static std::string name_of_choice(const Key& key);
   bool belongs(const Key& key) const;
@@ -145,6 +148,35 @@ private:
   std::vector<Key> keys_;
   std::map<std::string, int> lines_; ///< of the keys and tables that the file has
   friend class SchemaReader;
+};
+
+/// Adds keys of one table: their paths begin with its name, and they belong to the same kinds of file unless
+/// their rules name others.
+class SchemaTable {
+public:
+  SchemaTable(Schema& schema, std::string name, std::vector<std::string> kinds = {})
+      : schema_(schema), name_(std::move(name)), kinds_(std::move(kinds)) {}
+
+  /// As Schema::add().
+  template <class Value> void add(const std::string& key, Value&& value, std::string doc, KeyRule rule = {}) {
+    schema_.add(name_ + "." + key, std::forward<Value>(value), std::move(doc), of_kinds(std::move(rule)));
+  }
+  template <NamedEnum E>
+  void add(const std::string& key, std::optional<E>& value, std::string none, std::string doc,
+           KeyRule rule = {}) {
+    schema_.add(name_ + "." + key, value, std::move(none), std::move(doc), of_kinds(std::move(rule)));
+  }
+
+private:
+  KeyRule of_kinds(KeyRule rule) const {
+    if (rule.kinds.empty())
+      rule.kinds = kinds_;
+    return rule;
+  }
+
+  Schema& schema_;
+  std::string name_;
+  std::vector<std::string> kinds_;
 };
 
 } // namespace bem_contact

@@ -121,7 +121,7 @@ BEM_CONTACT_TUNED(double, force_precision, 0.1);
 BEM_CONTACT_TUNED(double, approach_bracket_start, 0.01);
 /// Doublings of that step, and steps inside the bracket. Chosen: far more than are ever needed.
 BEM_CONTACT_TUNED(int, most_bracket_doublings, 60);
-BEM_CONTACT_TUNED(int, most_illinois_steps, 100);
+BEM_CONTACT_TUNED(int, most_approach_steps, 100);
 
 // --- tangential: Newton ---
 

@@ -25,7 +25,7 @@ struct SolverOptions {
   bool coarse_start = true;   ///< without `start`, solve a large problem on larger elements first
   /// Starts from here instead of larger elements. A guess without pressure, or on another grid, is ignored.
   const StartingPoint* start = nullptr;
-  Workspace* workspace = nullptr; ///< prepared for earlier problems (workspace.hpp); null: for this one only
+  Workspace* workspace = nullptr; ///< prepared for earlier problems (solve.hpp); null: for this one only
 };
 
 } // namespace bem_contact

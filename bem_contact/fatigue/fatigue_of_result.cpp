@@ -5,8 +5,66 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <numbers>
 
 namespace bem_contact::fatigue {
+
+namespace {
+
+void require_positive(double value, const char* name) {
+  if (!(std::isfinite(value) && value > 0))
+    throw InputError(fmt::format("{} cannot be {}", name, value), "it must be a positive number",
+                     "Correct it.");
+}
+
+} // namespace
+
+void require_yield_shear(double yield_shear) {
+  require_positive(yield_shear, "The yield stress in shear");
+}
+
+double surface_index(const ShakedownPoint& point) {
+  require_positive(point.load, "p0/k");
+  return point.traction - 1 / point.load;
+}
+
+ShakedownPoint shakedown_point(const HertzPatch& patch, double yield_shear) {
+  require_yield_shear(yield_shear);
+  require_positive(patch.a, "The semi-axis a");
+  require_positive(patch.b, "The semi-axis b");
+  require_positive(patch.normal_force, "The normal force");
+  const double p0 = 1.5 * patch.normal_force / (std::numbers::pi * patch.a * patch.b);
+  return {.load = p0 / yield_shear, .traction = std::abs(patch.shear_force) / patch.normal_force};
+}
+
+double element_index(double shear_traction, double pressure, double yield_shear) {
+  return std::max(least_element_index, (shear_traction - yield_shear) / pressure);
+}
+
+double damage_of(const DamageFunction& f, double t_gamma) {
+  const std::vector<double>& nodes = f.t_gamma;
+  if (t_gamma < nodes.front() || (t_gamma > nodes.back() && !f.wear_is_negative))
+    return 0;
+  const auto above = std::ranges::upper_bound(nodes, t_gamma) - nodes.begin();
+  const std::size_t right = std::min<std::size_t>(above, nodes.size() - 1), left = right - 1;
+  const double share = (t_gamma - nodes[left]) / (nodes[right] - nodes[left]);
+  return std::lerp(f.damage[left], f.damage[right], share);
+}
+
+void validate(const DamageFunction& f) {
+  const auto finite = [](double value) { return std::isfinite(value); };
+  const auto refuse = [](const std::string& why) {
+    throw InputError("The damage function cannot have these nodes", why,
+                     "Give rising values of T-gamma, and one damage for each.");
+  };
+  if (f.t_gamma.size() < 2 || f.t_gamma.size() != f.damage.size())
+    refuse(fmt::format("there are {} values of T-gamma and {} of damage", f.t_gamma.size(), f.damage.size()));
+  if (!std::ranges::all_of(f.t_gamma, finite) || !std::ranges::all_of(f.damage, finite) ||
+      f.t_gamma.front() < 0 ||
+      std::ranges::adjacent_find(f.t_gamma, std::greater_equal<>()) != f.t_gamma.end())
+    refuse("T-gamma must be finite, not negative, and rise");
+}
 
 namespace {
 
@@ -57,6 +115,22 @@ Fatigue fatigue_of(const SceneResult& solved, const FatigueProperties& propertie
   if (properties.stresses && !out.patches.empty())
     out.peaks = stress_peaks(solved.problem, r, properties.poisson);
   return out;
+}
+
+std::span<const PatchColumn> patch_columns() {
+  using P = PatchFatigue;
+  static constexpr PatchColumn columns[] = {
+      {"s", "mm", [](const P& p) { return p.s; }},
+      {"y", "mm", [](const P& p) { return p.y; }},
+      {"Fn", "N", [](const P& p) { return p.normal_force; }},
+      {"pmax", "MPa", [](const P& p) { return p.pmax; }},
+      {"p0_over_k", "1", [](const P& p) { return p.point.load; }},
+      {"mu_used", "1", [](const P& p) { return p.point.traction; }},
+      {"FI_surf", "1", [](const P& p) { return p.surface_index; }},
+      {"FI_worst_element", "1", [](const P& p) { return p.largest_index; }},
+      {"T_gamma", "N", [](const P& p) { return p.t_gamma; }},
+      {"damage", "1", [](const P& p) { return p.damage; }}};
+  return columns;
 }
 
 } // namespace bem_contact::fatigue

@@ -1,17 +1,68 @@
 #pragma once
 
-#include "bem_contact/fatigue/damage.hpp"
-#include "bem_contact/fatigue/shakedown.hpp"
 #include "bem_contact/fatigue/stress_peaks.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
+/// What rolling contact fatigue reads off a contact.
 namespace bem_contact {
 struct SceneResult;
 }
 
 namespace bem_contact::fatigue {
+
+/// Where a contact lies in the shakedown diagram (Johnson 1985, section 9.2).
+struct ShakedownPoint {
+  double load = 0;     ///< p0 / k, the largest pressure over the yield stress in shear
+  double traction = 0; ///< mu used: the resultant of shear over the normal force
+};
+
+/// FI_surf = mu used - k / p0 (Ekberg, Kabo and Andersson, Fatigue Fract. Eng. Mater. Struct. 25 (2002) 899):
+/// above 0 the surface flows cycle after cycle, and fatigues. Throws InputError unless p0/k >
+/// 0.
+double surface_index(const ShakedownPoint& point);
+
+/// An elliptical contact after Hertz, its load and shear.
+struct HertzPatch {
+  double a = 0, b = 0;     ///< semi-axes, mm
+  double normal_force = 0; ///< N
+  double shear_force = 0;  ///< resultant, N
+};
+
+/// The point of a Hertz contact, p0 = 3 Fz / (2 pi a b): its index is mu used - 2 pi a b k / (3 Fz). Throws
+/// InputError for what is not positive (shear may be 0).
+ShakedownPoint shakedown_point(const HertzPatch& patch, double yield_shear);
+
+/// FI of an element that bears no pressure. The map of Ekberg et al. is not read below it.
+inline constexpr double least_element_index = -0.5;
+
+/// FI of one element, from its own tractions: (|p_t| - k) / p_n, or least_element_index if that is more.
+/// p_n > 0, MPa.
+double element_index(double shear_traction, double pressure, double yield_shear);
+
+/// Throws InputError unless the yield stress in shear is positive.
+void require_yield_shear(double yield_shear);
+
+/// Damage by fatigue of one passage over T-gamma, N: straight lines between nodes (Burstow, AEA Technology
+/// AEATR-ES-2003-832 (2003), the whole life rail model). A crack begins where the damage of all passages
+/// sums up to 1. Below the first node there is none. The defaults are public values for rails of grade 220:
+/// nothing below 20 N, most at 65 N, none at 175 N. Other steels need other nodes.
+struct DamageFunction {
+  std::vector<double> t_gamma{20, 65, 175}; ///< N, rising
+  std::vector<double> damage{0, 1e-5, 0};   ///< by passage, 1
+  /// Above the last node: 0, or the last line goes on, below zero: there wear removes more than cracks grow.
+  bool wear_is_negative = false;
+
+  bool operator==(const DamageFunction&) const = default;
+};
+
+/// Of one passage, 1.
+double damage_of(const DamageFunction& function, double t_gamma);
+
+/// Throws InputError unless there are two nodes or more, finite and rising, each with a damage.
+void validate(const DamageFunction& function);
 
 /// What the steel bears.
 struct FatigueProperties {
@@ -45,5 +96,13 @@ struct Fatigue {
 /// Throws InputError for properties that make no sense and for a result that did not converge. Without
 /// friction, or of a shift, T-gamma and damage are 0.
 Fatigue fatigue_of(const SceneResult& result, const FatigueProperties& properties = {});
+
+/// A number of each patch. The program's CSV and Python take names, units and values from here.
+struct PatchColumn {
+  const char *name, *unit;
+  double (*value)(const PatchFatigue&);
+};
+/// All of them, in the order of the outputs.
+std::span<const PatchColumn> patch_columns();
 
 } // namespace bem_contact::fatigue

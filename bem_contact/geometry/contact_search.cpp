@@ -2,13 +2,16 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/geometry/contact_locus.hpp"
-#include "bem_contact/geometry/line_search.hpp"
 #include "bem_contact/geometry/rail_height.hpp"
 #include "bem_contact/geometry/settings.hpp"
+#include "bem_contact/geometry/undeformed_distance.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace bem_contact {
@@ -104,9 +107,10 @@ bool Search::ends_at(int k, int beyond) const {
 
 /// The minimum near node k of the stretch from .. to.
 TouchPoint Search::refined(int k, int from, int to) {
-  const Minimum minimum =
-      golden_section(k - 1, k + 1, minimum_width, [&](double v) { return distance_at(v); });
-  const double at = distance[k] < minimum.value ? k : minimum.at;
+  const auto [beside, least] = boost::math::tools::brent_find_minima(
+      [&](double t) { return std::min(distance_at(k + t), excluded_gap); }, -1.0, 1.0,
+      std::numeric_limits<double>::digits / 2);
+  const double at = distance[k] < least ? k : k + beside;
   const ContactLocus::Point p = locus_at(at);
   const auto height = rail.at(p.position.y, near);
   TouchPoint touch;
@@ -131,7 +135,11 @@ std::pair<double, double> Search::flat_stretch(const TouchPoint& touch, double a
       inside = i;
     if (i < from || i > to)
       return inside;
-    return bisect(inside, i, flat_end_halvings, [&](double v) { return distance_at(v) <= limit; }).first;
+    for (double outside = i; std::abs(outside - inside) > flat_end_width;) {
+      const double middle = std::midpoint(inside, outside);
+      (distance_at(middle) <= limit ? inside : outside) = middle;
+    }
+    return inside;
   };
   const double ends[2] = {end(-1), end(1)};
   double s[2];

@@ -1,11 +1,11 @@
 #include "bem_contact/geometry/placement.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/geometry/line_search.hpp"
 #include "bem_contact/geometry/settings.hpp"
 #include "bem_contact/profile/wheel_datum.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/roots.hpp>
 #include <fmt/format.h>
 #include <utility>
 
@@ -15,7 +15,9 @@ namespace {
 
 /// t in [0, 1] at which f, positive at 0 and not at 1, vanishes.
 template <class F> double where_it_vanishes(const F& f) {
-  return bisect(0, 1, placement_halvings, [&](double t) { return f(t) > 0; }).second;
+  if (!(f(0.0) > 0) || f(1.0) > 0) // but for rounding
+    return f(0.0) > 0 ? 1.0 : 0.0;
+  return boost::math::tools::bisect(f, 0.0, 1.0, boost::math::tools::eps_tolerance<double>()).second;
 }
 
 void require_axle_above(const TabulatedProfile& wheel, double wheel_radius) {

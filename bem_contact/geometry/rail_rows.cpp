@@ -1,9 +1,9 @@
 #include "bem_contact/geometry/rail_rows.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/geometry/line_search.hpp"
 #include "bem_contact/geometry/settings.hpp"
 
+#include <boost/math/tools/roots.hpp>
 #include <fmt/format.h>
 
 namespace bem_contact {
@@ -44,7 +44,8 @@ std::vector<ContactRow> planar_rows(const WheelOnRail& pair, std::span<const dou
                         "along it",
                         at, wanted),
             "Leave out grid.planar.");
-    const double found = bisect(lo, hi, planar_halvings, [&](double at) { return excess(at) < 0; }).second;
+    const auto close = boost::math::tools::eps_tolerance<double>();
+    const double found = lo < hi ? boost::math::tools::bisect(excess, lo, hi, close).second : lo;
     rows.push_back({row, pair.rail_at(found).position, reference.delta});
   }
   return rows;

@@ -27,12 +27,8 @@ BEM_CONTACT_TUNED(double, edge_step, 0.005);
 /// mm. Minima of the distance with a barrier lower than this between them are one minimum: under a wheel load
 /// bodies approach by a thousand times as much, so that elastically the two are the same.
 BEM_CONTACT_TUNED(double, flat_distance, 2e-5);
-/// 1 (node intervals, 0.1 mm each). Width at which the search for a minimum ends.
-BEM_CONTACT_TUNED(double, minimum_width, 1e-7);
-/// 1. Halvings of an interval of 0.1 mm for the end of a flat stretch: to 1e-7 mm.
-BEM_CONTACT_TUNED(int, flat_end_halvings, 20);
-/// 1. Halvings of an interval for extremes of the rail's head: to the last bit.
-BEM_CONTACT_TUNED(int, placement_halvings, 52);
+/// 1 (node intervals, 0.1 mm each). How closely the end of a flat stretch is found.
+BEM_CONTACT_TUNED(double, flat_end_width, 1e-6);
 /// 1. Newton steps for the height of the rail at y. They converge quadratically; the number is a bound.
 BEM_CONTACT_TUNED(int, height_newton_steps, 30);
 /// 1 (share of an interval), and mm for y of 1 mm. Where these Newton steps end: a digit above rounding.
@@ -57,9 +53,6 @@ BEM_CONTACT_TUNED(int, crossing_halving_period, 8); ///< 1. As above.
 /// 1 (share of an interval of 0.1 mm) and mm. Where that search ends: a digit above rounding.
 BEM_CONTACT_TUNED(double, crossing_width, 1e-14);
 BEM_CONTACT_TUNED(double, crossing_distance, 1e-13); ///< mm. As above.
-/// 1 (node intervals). Width at which the search for a row's point on the wheel ends. Influence functions
-/// vary over millimetres.
-BEM_CONTACT_TUNED(double, station_width, 1e-6);
 
 // Slices and planar rows.
 
@@ -72,7 +65,5 @@ BEM_CONTACT_TUNED(double, farthest_slice, 3.0);
 BEM_CONTACT_TUNED(double, least_slice_curvature, 0.05);
 /// mm. Steps in which the bracket of a planar row is found; the rail turns by little over each.
 BEM_CONTACT_TUNED(double, planar_step, 0.5);
-/// 1. Halvings of that bracket: to the last bit.
-BEM_CONTACT_TUNED(int, planar_halvings, 60);
 
 } // namespace bem_contact

@@ -1,10 +1,11 @@
 #include "bem_contact/geometry/undeformed_distance.hpp"
 
-#include "bem_contact/geometry/line_search.hpp"
 #include "bem_contact/geometry/settings.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace bem_contact {
@@ -228,18 +229,20 @@ std::vector<double> wheel_stations(const ContactLocus& locus, std::span<const Co
   for (const ContactRow& row : rows) {
     const int near = nearest_node(row.position);
     // On the stretches beside the node.
-    const auto on_locus = [&](double v) {
-      const int k = std::min(static_cast<int>(v), static_cast<int>(nodes.size()) - 2);
-      return locus.between(k, v - k);
+    const auto on_locus = [&](double beside) {
+      const int k = std::min(static_cast<int>(near + beside), static_cast<int>(nodes.size()) - 2);
+      return locus.between(k, near + beside - k);
     };
-    const auto square = [&](double v) {
-      const Point2 d = on_locus(v).position - row.position;
+    const auto square = [&](double beside) {
+      const Point2 d = on_locus(beside).position - row.position;
       return dot(d, d);
     };
     const bool left = near > 0 && nodes[near].joined;
     const bool right = near + 1 < static_cast<int>(nodes.size()) && nodes[near + 1].joined;
-    const double from = near - (left ? 1 : 0), to = near + (right ? 1 : 0);
-    out.push_back(on_locus(golden_section(from, to, station_width, square).at).s);
+    constexpr int bits = std::numeric_limits<double>::digits / 2;
+    const auto minimum =
+        boost::math::tools::brent_find_minima(square, left ? -1.0 : 0.0, right ? 1.0 : 0.0, bits);
+    out.push_back(on_locus(minimum.first).s);
   }
   return out;
 }

@@ -1,5 +1,6 @@
 #include "bem_contact/halfspace/near_field.hpp"
 
+#include "bem_contact/base/simd.hpp"
 #include "bem_contact/halfspace/element_line.hpp"
 #include "bem_contact/halfspace/plane_strain.hpp"
 #include "bem_contact/halfspace/settings.hpp"
@@ -9,6 +10,19 @@
 #include <numbers>
 
 namespace bem_contact::halfspace {
+
+BEM_CONTACT_WIDE void add_mix(const LineMix& mix, std::size_t shift, double factor, double* line,
+                              std::size_t offsets) {
+  for (std::size_t m = 0; m < offsets; ++m)
+    line[m] *= factor;
+  for (std::size_t b = 0; b < mix.count; ++b) {
+    const double weight = mix.weight[b];
+    const double* __restrict from = mix.block[b] + shift;
+    for (std::size_t m = 0; m < offsets; ++m)
+      line[m] += weight * from[m];
+  }
+}
+
 namespace {
 
 /// How many lines serve the distances from .. to (absolute values) of rows ds wide; more than `most`: no

@@ -1,13 +1,34 @@
 #pragma once
 
-#include "bem_contact/halfspace/line_mix.hpp"
 #include "bem_contact/influence/expand.hpp"
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
+/// Private to this room.
+
 namespace bem_contact::halfspace {
+
+/// A weighted sum of lines: a line is one influence number at all offsets. What is mixed are blocks of nine
+/// lines [i][j][m], one after the other.
+struct LineMix {
+  static constexpr std::size_t most = 11; ///< blocks
+  std::size_t count = 0;
+  std::array<const double*, most> block{};
+  std::array<double, most> weight{};
+
+  void add(const double* from, double factor) {
+    if (factor != 0) {
+      block[count] = from;
+      weight[count++] = factor;
+    }
+  }
+};
+
+/// line = factor line + the mix of the blocks' lines `shift` values after their beginning.
+void add_mix(const LineMix& mix, std::size_t shift, double factor, double* line, std::size_t offsets);
 
 /// Half-space numbers of all pairs of rows of one strip, at every offset. Rows need not be equally far apart.
 ///

@@ -1,7 +1,6 @@
 #include "bem_contact/halfspace/resample.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/halfspace/line_mix.hpp"
 #include "bem_contact/halfspace/near_field.hpp"
 #include "bem_contact/halfspace/rows_on_stations.hpp"
 #include "bem_contact/halfspace/settings.hpp"

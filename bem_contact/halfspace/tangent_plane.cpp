@@ -5,7 +5,6 @@
 #include "bem_contact/halfspace/plane_strain.hpp"
 #include "bem_contact/halfspace/settings.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>

@@ -77,7 +77,7 @@ bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x) {
   return info == 0;
 }
 
-void multiply(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out) {
+void dense_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out) {
   const int m = static_cast<int>(a.rows()), n = static_cast<int>(b.cols()), k = static_cast<int>(a.cols());
   const double one = 1, zero = 0;
   const OneThread one_thread;

@@ -18,6 +18,6 @@ void solve_factored(const Eigen::MatrixXd& factor, Eigen::MatrixXd& x);
 bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x);
 
 /// A B into `out`, column-major.
-void multiply(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out);
+void dense_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out);
 
 } // namespace bem_contact

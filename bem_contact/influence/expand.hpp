@@ -2,7 +2,6 @@
 
 #include "bem_contact/influence/influence_function.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
-#include "bem_contact/influence/number_lines.hpp"
 
 #include <functional>
 

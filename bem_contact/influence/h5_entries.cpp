@@ -1,7 +1,7 @@
 #include "bem_contact/influence/h5_entries.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/influence/h5_attributes.hpp"
+#include "bem_contact/influence/h5_handle.hpp"
 
 #include <algorithm>
 #include <functional>

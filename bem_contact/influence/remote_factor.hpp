@@ -1,12 +1,16 @@
 #pragma once
 
-#include "bem_contact/influence/expand_scope.hpp"
 #include "bem_contact/influence/influence_function.hpp"
 
 #include <Eigen/Core>
 
 /// Private to this room.
 namespace bem_contact {
+
+/// Stations first .. first + count - 1 of a body.
+struct StationRange {
+  int first = 0, count = 0;
+};
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 

@@ -28,7 +28,7 @@ BEM_CONTACT_TUNED(double, expansion_tolerance, 1e-17);
 /// grows with their number.
 BEM_CONTACT_TUNED(long, rotated_harmonics, 64);
 BEM_CONTACT_TUNED(long, rotated_offsets, 16); ///< 1 (offsets). The same for the offsets along x.
-/// 1. Points that stand for a run of harmonics (harmonic_points.hpp): so many more than the radians in half
+/// 1. Points that stand for a run of harmonics (harmonic_points()): so many more than the radians in half
 /// of the run, times their cube root. There the Chebyshev series of a wave has ended at 1e-16.
 BEM_CONTACT_TUNED(double, point_reserve, 7.0);
 /// 1. And so many for the factor beside the wave: it is analytic down to k = 0, and a run is a third of its

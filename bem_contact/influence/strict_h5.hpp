@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/influence/h5_attributes.hpp"
+#include "bem_contact/influence/h5_handle.hpp"
 
 #include <span>
 #include <string>

@@ -21,11 +21,10 @@ TableList outline_of(BodyFile::Body& body) {
           [&body] {
             auto& piece = body.outline.emplace_back();
             Schema s("piece of an outline");
-            s.add("body.outline.to", piece.to,
-                  {.doc = "The piece ends here, (y, z)", .unit = "mm", .needed = true});
-            s.add("body.outline.radius", piece.radius,
-                  {.doc = "0: a line; > 0: convex, < 0: concave arc", .unit = "mm"});
-            s.add("body.outline.group", piece.group, {.doc = "What the piece is"});
+            s.add("body.outline.to", piece.to, "The piece ends here, (y, z)", {.unit = "mm", .needed = true});
+            s.add("body.outline.radius", piece.radius, "0: a line; > 0: convex, < 0: concave arc",
+                  {.unit = "mm"});
+            s.add("body.outline.group", piece.group, "What the piece is");
             return s;
           },
           "[{ to = [10, 0] }, { to = [0, 10], radius = 10, group = \"contact\" }, ...]"};
@@ -36,140 +35,122 @@ TableList holes_of(BodyFile::Body& body) {
           [&body] {
             auto& hole = body.holes.emplace_back();
             Schema s("hole of an outline");
-            s.add("body.holes.centre", hole.centre, {.doc = "Centre (y, z)", .unit = "mm", .needed = true});
-            s.add("body.holes.radius", hole.radius,
-                  {.doc = "Radius of the hole", .unit = "mm", .above = 0, .needed = true});
-            s.add("body.holes.group", hole.group, {.doc = "What it is"});
+            s.add("body.holes.centre", hole.centre, "Centre (y, z)", {.unit = "mm", .needed = true});
+            s.add("body.holes.radius", hole.radius, "Radius of the hole",
+                  {.unit = "mm", .above = 0, .needed = true});
+            s.add("body.holes.group", hole.group, "What it is");
             return s;
           },
           "[{ centre = [0, 0], radius = 5, group = \"held\" }, ...]"};
 }
 
 void add_outline(Schema& s, BodyFile::Body& body) {
-  const std::vector<std::string> kinds{"outline"};
-  s.add("body.name", body.name, {.doc = "Name of the body and of its contact profile", .kinds = kinds});
-  s.add("body.reference_radius", body.reference_radius,
-        {.doc = "0: prismatic; else of revolution about an axle this far above z = 0",
-         .unit = "mm",
-         .kinds = kinds});
-  s.add("body.outline", outline_of(body),
-        {.doc = "Closed loop of lines and arcs (radius > 0 convex, < 0 concave, at most half a circle), each "
-                "from the end of the one before; drawn with y to the right and z down the material is on the "
-                "right hand",
-         .unit = "mm",
-         .kinds = kinds});
-  s.add("body.holes", holes_of(body), {.doc = "Round holes", .unit = "mm", .kinds = kinds});
+  SchemaTable t(s, "body", {"outline"});
+  t.add("name", body.name, "Name of the body and of its contact profile");
+  t.add("reference_radius", body.reference_radius,
+        "0: prismatic; else of revolution about an axle this far above z = 0", {.unit = "mm"});
+  t.add("outline", outline_of(body),
+        "Closed loop of lines and arcs (radius > 0 convex, < 0 concave, at most half a circle), each "
+        "from the end of the one before; drawn with y to the right and z down the material is on the "
+        "right hand",
+        {.unit = "mm"});
+  t.add("holes", holes_of(body), "Round holes", {.unit = "mm"});
 }
 
 void add_body(Schema& s, BodyFile::Body& body) {
-  s.add("body.kind", body.kind, {.doc = "Kind of body"});
-  s.add("body.profile", body.profile,
-        {.doc = "Rail: 60E1, 60E2, 54E1, 46E3; wheel: S1002 (its default); or a profile file",
-         .kinds = {"rail", "wheel"}});
+  SchemaTable t(s, "body");
+  t.add("kind", body.kind, "Kind of body");
+  t.add("profile", body.profile,
+        "Rail: 60E1, 60E2, 54E1, 46E3; wheel: S1002 (its default); or a profile file",
+        {.kinds = {"rail", "wheel"}});
   add_profile_reading(s, "body", body.reading, {"rail", "wheel"});
   add_flange_back(s, "body", body.reading, {"wheel"});
-  s.add("body.graft_onto", body.graft_onto,
-        {.doc = "Of a profile file: the standard whose body carries it; empty: 60E1 or S1002",
-         .kinds = {"rail", "wheel"}});
-  s.add("body.graft_at", body.graft_at,
-        {.doc = "Where that standard's origin lies in the file's frame, (y, z); found where neither this nor "
-                "graft_angle is given",
-         .unit = "mm",
-         .kinds = {"rail", "wheel"}});
-  s.add("body.graft_angle", body.graft_angle,
-        {.doc = "How its body is turned there, from +y towards +z (a rail inclined by 1:40: -0.025)",
-         .unit = "rad",
-         .at_least = -0.5,
-         .at_most = 0.5,
-         .kinds = {"rail", "wheel"}});
-  s.add("body.held", body.held,
-        {.doc = "What is held: rail: foot or web, wheel: bore or rim, block: base or sides; empty: the first",
-         .kinds = {"rail", "wheel", "block"}});
-  s.add("body.radius", body.radius,
-        {.doc = "Radius of the contact surface", .unit = "mm", .above = 0, .kinds = {"disc", "bore"}});
-  s.add("body.size", body.size,
-        {.doc = "Half width and depth of the block", .unit = "mm", .above = 0, .kinds = {"block", "bore"}});
+  t.add("graft_onto", body.graft_onto,
+        "Of a profile file: the standard whose body carries it; empty: 60E1 or S1002",
+        {.kinds = {"rail", "wheel"}});
+  t.add("graft_at", body.graft_at,
+        "Where that standard's origin lies in the file's frame, (y, z); found where neither this nor "
+        "graft_angle is given",
+        {.unit = "mm", .kinds = {"rail", "wheel"}});
+  t.add("graft_angle", body.graft_angle,
+        "How its body is turned there, from +y towards +z (a rail inclined by 1:40: -0.025)",
+        {.unit = "rad", .at_least = -0.5, .at_most = 0.5, .kinds = {"rail", "wheel"}});
+  t.add("held", body.held,
+        "What is held: rail: foot or web, wheel: bore or rim, block: base or sides; empty: the first",
+        {.kinds = {"rail", "wheel", "block"}});
+  t.add("radius", body.radius, "Radius of the contact surface",
+        {.unit = "mm", .above = 0, .kinds = {"disc", "bore"}});
+  t.add("size", body.size, "Half width and depth of the block",
+        {.unit = "mm", .above = 0, .kinds = {"block", "bore"}});
   add_outline(s, body);
 }
 
 void add_strip(Schema& s, BodyFile::Strip& strip) {
-  s.add("strip.from", strip.from,
-        {.doc = "The contact strip begins here, arc length on the profile (a wheel: 20)", .unit = "mm"});
-  s.add("strip.to", strip.to, {.doc = "The contact strip ends here (a wheel: 50)", .unit = "mm"});
-  s.add("strip.station_width", strip.station_width,
-        {.doc = "Width of a station; it must divide the strip", .unit = "mm", .above = 0});
+  SchemaTable t(s, "strip");
+  t.add("from", strip.from, "The contact strip begins here, arc length on the profile (a wheel: 20)",
+        {.unit = "mm"});
+  t.add("to", strip.to, "The contact strip ends here (a wheel: 50)", {.unit = "mm"});
+  t.add("station_width", strip.station_width, "Width of a station; it must divide the strip",
+        {.unit = "mm", .above = 0});
 }
 
 void add_mesh(Schema& s, BodyFile::Mesh& mesh) {
-  s.add("mesh.elements_per_station", mesh.elements_per_station,
-        {.doc = "Element edges per station on the strip", .at_least = 1, .at_most = 16});
-  s.add("mesh.grading", mesh.grading,
-        {.doc = "Element size grows by this much per mm of distance from the strip",
-         .above = 0,
-         .at_most = 2,
-         .commented_out = true});
-  s.add("mesh.largest", mesh.largest, {.doc = "Largest element size", .unit = "mm", .above = 0});
+  SchemaTable t(s, "mesh");
+  t.add("elements_per_station", mesh.elements_per_station, "Element edges per station on the strip",
+        {.at_least = 1, .at_most = 16});
+  t.add("grading", mesh.grading, "Element size grows by this much per mm of distance from the strip",
+        {.above = 0, .at_most = 2, .commented_out = true});
+  t.add("largest", mesh.largest, "Largest element size", {.unit = "mm", .above = 0});
 }
 
 void add_harmonic(Schema& s, BodyFile::Harmonic& harmonic) {
-  s.add("harmonic.degree", harmonic.degree,
-        {.doc = "Degree of the finite elements", .at_least = 1, .at_most = 4, .commented_out = true});
-  s.add("harmonic.border_levels", harmonic.border_levels,
-        {.doc = "How often elements at the borders of the stations are halved",
-         .at_least = 0,
-         .at_most = 12,
-         .commented_out = true});
-  s.add("harmonic.half_period", harmonic.half_period,
-        {.doc = "Half period of the Fourier series along x; a body of revolution uses pi times its radius",
-         .unit = "mm",
-         .above = 0});
-  s.add("harmonic.shortest_dx", harmonic.shortest_dx,
-        {.doc = "Shortest element length along x that the file must serve", .unit = "mm", .above = 0});
-  s.add("harmonic.samples_per_decade", harmonic.samples_per_decade,
-        {.doc = "Wavenumbers per decade above the lowest harmonics",
-         .at_least = 2,
-         .at_most = 100,
-         .commented_out = true});
-  s.add("harmonic.remote_distance", harmonic.remote_distance,
-        {.doc = "The remote section lies between one and two times this from the strip; 0: 20 mm, or less "
-                "in a small body",
-         .unit = "mm",
-         .at_least = 0});
+  SchemaTable t(s, "harmonic");
+  t.add("degree", harmonic.degree, "Degree of the finite elements",
+        {.at_least = 1, .at_most = 4, .commented_out = true});
+  t.add("border_levels", harmonic.border_levels,
+        "How often elements at the borders of the stations are halved",
+        {.at_least = 0, .at_most = 12, .commented_out = true});
+  t.add("half_period", harmonic.half_period,
+        "Half period of the Fourier series along x; a body of revolution uses pi times its radius",
+        {.unit = "mm", .above = 0});
+  t.add("shortest_dx", harmonic.shortest_dx, "Shortest element length along x that the file must serve",
+        {.unit = "mm", .above = 0});
+  t.add("samples_per_decade", harmonic.samples_per_decade,
+        "Wavenumbers per decade above the lowest harmonics",
+        {.at_least = 2, .at_most = 100, .commented_out = true});
+  t.add("remote_distance", harmonic.remote_distance,
+        "The remote section lies between one and two times this from the strip; 0: 20 mm, or less "
+        "in a small body",
+        {.unit = "mm", .at_least = 0});
 }
 
 void add_solid(Schema& s, BodyFile::Solid& solid) {
-  s.add("solid.size", solid.size,
-        {.doc = "3-D method: element size on the strip before the mesh is refined towards the load",
-         .unit = "mm",
-         .above = 0});
-  s.add("solid.edge_angle", solid.edge_angle,
-        {.doc = "Edges of that mesh on an arc turn by at most so much",
-         .unit = "deg",
-         .at_least = 1,
-         .at_most = 45});
-  s.add("solid.degree", solid.degree, {.doc = "Degree of the finite elements", .at_least = 1, .at_most = 4});
-  s.add("solid.dx", solid.dx,
-        {.doc = "Element length along x; 0: the station width", .unit = "mm", .at_least = 0});
-  s.add("solid.offsets", solid.offsets,
-        {.doc = "Influence numbers at x = 0, dx, .. (offsets - 1) dx", .at_least = 1, .at_most = 2000});
-  s.add("solid.elements_per_load", solid.elements_per_load,
-        {.doc = "Element edges along each side of the loaded element", .at_least = 1, .at_most = 64});
-  s.add("solid.grading", solid.grading,
-        {.doc = "Element size grows by this much per mm of distance from the loaded element",
-         .above = 0,
-         .at_most = 2});
-  s.add("solid.loads_at_once", solid.loads_at_once,
-        {.doc = "Stations loaded on one refined mesh: more need more memory", .at_least = 1});
+  SchemaTable t(s, "solid");
+  t.add("size", solid.size,
+        "3-D method: element size on the strip before the mesh is refined towards the load",
+        {.unit = "mm", .above = 0});
+  t.add("edge_angle", solid.edge_angle, "Edges of that mesh on an arc turn by at most so much",
+        {.unit = "deg", .at_least = 1, .at_most = 45});
+  t.add("degree", solid.degree, "Degree of the finite elements", {.at_least = 1, .at_most = 4});
+  t.add("dx", solid.dx, "Element length along x; 0: the station width", {.unit = "mm", .at_least = 0});
+  t.add("offsets", solid.offsets, "Influence numbers at x = 0, dx, .. (offsets - 1) dx",
+        {.at_least = 1, .at_most = 2000});
+  t.add("elements_per_load", solid.elements_per_load, "Element edges along each side of the loaded element",
+        {.at_least = 1, .at_most = 64});
+  t.add("grading", solid.grading,
+        "Element size grows by this much per mm of distance from the loaded element",
+        {.above = 0, .at_most = 2});
+  t.add("loads_at_once", solid.loads_at_once, "Stations loaded on one refined mesh: more need more memory",
+        {.at_least = 1});
 }
 
 Schema schema_of(BodyFile& f, double& young) {
   Schema s("body file");
   s.kind_is("body.kind");
   s.add("tolerance", f.tolerance,
-        {.doc = "Error asked for, of the influence number itself; it chooses what is not given of [mesh] and "
-                "[harmonic]",
-         .at_least = 1e-5,
-         .at_most = 0.05});
+        "Error asked for, of the influence number itself; it chooses what is not given of [mesh] and "
+        "[harmonic]",
+        {.at_least = 1e-5, .at_most = 0.05});
   add_body(s, f.body);
   add_material(s, "material", f.material, young);
   add_strip(s, f.strip);

@@ -4,30 +4,23 @@ namespace bem_contact {
 
 void add_profile_reading(Schema& s, const std::string& table, ProfileReading& reading,
                          const std::vector<std::string>& kinds) {
-  s.add(table + ".smoothing", reading.smoothing,
-        {.doc = "Of a profile file: shortest wavelength kept; 0: no smoothing",
-         .unit = "mm",
-         .at_least = 0,
-         .at_most = 50,
-         .kinds = kinds});
-  s.add(table + ".unit", reading.unit,
-        {.doc = "Of a profile file: its unit; found: by the width, mm or m", .kinds = kinds});
-  s.add(table + ".profile_z", reading.profile_z,
-        {.doc = "Of a profile file: where z points; as stated: as the format says, else found by the shape",
-         .kinds = kinds});
-  s.add(table + ".mirror", reading.mirror,
-        {.doc = "Of a profile file: its y points the other way (a Vampire file: its left profile)",
-         .kinds = kinds});
+  SchemaTable t(s, table, kinds);
+  t.add("smoothing", reading.smoothing, "Of a profile file: shortest wavelength kept; 0: no smoothing",
+        {.unit = "mm", .at_least = 0, .at_most = 50});
+  t.add("unit", reading.unit, "Of a profile file: its unit; found: by the width, mm or m");
+  t.add("profile_z", reading.profile_z,
+        "Of a profile file: where z points; as stated: as the format says, else found by the shape");
+  t.add("mirror", reading.mirror,
+        "Of a profile file: its y points the other way (a Vampire file: its left profile)");
 }
 
 void add_flange_back(Schema& s, const std::string& table, ProfileReading& reading,
                      const std::vector<std::string>& kinds) {
-  s.add(table + ".flange_back", reading.flange_back,
-        {.doc =
-             "Of a wheel's profile file: y of the back of the flange in the file; not given: y = 0 is at the "
-             "tape circle, or it is found by the shape",
-         .unit = "mm",
-         .kinds = kinds});
+  SchemaTable t(s, table, kinds);
+  t.add("flange_back", reading.flange_back,
+        "Of a wheel's profile file: y of the back of the flange in the file; not given: y = 0 is at the "
+        "tape circle, or it is found by the shape",
+        {.unit = "mm"});
 }
 
 std::vector<std::string> given_reading(const Schema& schema, const std::string& table) {

@@ -3,14 +3,11 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/messages.hpp"
-#include "bem_contact/profile/miniprof_format.hpp"
-#include "bem_contact/profile/plain_columns.hpp"
+#include "bem_contact/profile/profile_formats.hpp"
 #include "bem_contact/profile/profile_repair.hpp"
 #include "bem_contact/profile/profile_smoothing.hpp"
 #include "bem_contact/profile/settings.hpp"
-#include "bem_contact/profile/simpack_format.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
-#include "bem_contact/profile/vampire_format.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -19,6 +19,9 @@ namespace bem_contact {
 ProfileCurve standard_profile(std::string_view name);
 bool is_standard_profile(std::string_view name);
 std::span<const std::string> standard_profile_names();
+/// z(y) of S1002 by the formulas of EN 13715 as they stand, -70 <= y <= 60; at a joint the zone on the field
+/// side.
+double s1002_height(double y);
 
 /// The contact curve of a body, in its section's frame.
 ///   rail, wheel: the profile named (a standard or a file)

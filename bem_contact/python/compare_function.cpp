@@ -1,6 +1,5 @@
-#include "bem_contact/python/compare_function.hpp"
-
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"

@@ -1,11 +1,8 @@
-#include "bem_contact/python/conicity_function.hpp"
-
 #include "bem_contact/conicity/conicity_columns.hpp"
 #include "bem_contact/conicity/scene_wheelset.hpp"
+#include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
-
-#include <pybind11/numpy.h>
 
 #include <span>
 

@@ -1,7 +1,6 @@
-#include "bem_contact/python/creep_curves_function.hpp"
-
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/curves/creep_columns.hpp"
+#include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
 
@@ -63,9 +62,7 @@ void add_range(std::vector<CreepRange>& ranges, CreepKind kind, const py::object
 py::dict curves(const py::object& scene, const py::object& changes, const py::object& model,
                 const py::object& xi, const py::object& eta, const py::object& phi,
                 const py::object& folder) {
-  SceneFile file = scene_file_of(scene, folder, changes_of(changes));
-  if (const std::string name = model_of(model); !name.empty())
-    file = with_model(std::move(file), model_named(name));
+  const SceneFile file = with_model(scene_file_of(scene, folder, changes_of(changes)), model_of(model));
   std::vector<CreepRange> ranges;
   add_range(ranges, CreepKind::xi, xi);
   add_range(ranges, CreepKind::eta, eta);

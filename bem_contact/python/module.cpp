@@ -1,15 +1,10 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/provenance.hpp"
-#include "bem_contact/python/compare_function.hpp"
-#include "bem_contact/python/conicity_function.hpp"
-#include "bem_contact/python/creep_curves_function.hpp"
+#include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/sequence_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
-#include "bem_contact/python/table_function.hpp"
 #include "bem_contact/python/values.hpp"
-#include "bem_contact/python/wear_functions.hpp"
-#include "bem_contact/python/wheelset_function.hpp"
 #include "bem_contact/report/report_page.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
@@ -86,11 +81,9 @@ std::optional<double> known(double value) {
 
 py::dict patch_of(const SceneResult& r, std::size_t index) {
   py::dict out;
-  for (const PatchQuantity& q : patch_quantities()) {
-    out[q.name] = known(q.value(r, index));
-    if (q.error)
-      out[error_name(q.name).c_str()] = known(q.error(r, index));
-  }
+  with_errors(patch_quantities(), [&](const std::string& name, const QuantityUnit&, auto value, const char*) {
+    out[name.c_str()] = known(value(r, index));
+  });
   for (const char* count : {"contact", "adhesion", "slip"})
     out[count] = py::int_(out[count]);
   return out;
@@ -182,15 +175,11 @@ std::string doc_of(const char* description, const QuantityUnit& unit, const char
 
 /// Every number of quantities(), and its error.
 void add_quantities(ResultClass& c) {
-  for (const Quantity& q : quantities()) {
+  with_errors(quantities(), [&](const std::string& name, const QuantityUnit& unit, auto value,
+                                const char* description) {
     c.def_property_readonly(
-        q.name, [value = q.value](const SceneResult& r) { return known(value(r)); },
-        doc_of(q.description, q.unit));
-    if (q.error)
-      c.def_property_readonly(
-          error_name(q.name), [error = q.error](const SceneResult& r) { return known(error(r)); },
-          "Estimated error by the size of the elements, absolute; None: not known");
-  }
+        name, [value](const SceneResult& r) { return known(value(r)); }, doc_of(description, unit));
+  });
 }
 
 void add_parts(ResultClass& c) {

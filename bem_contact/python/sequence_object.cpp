@@ -18,10 +18,8 @@ PythonSequence::PythonSequence(PythonScene scene, int threads)
 Result PythonSequence::solve(std::vector<SceneChange> changes, std::string model) const {
   return stoppable([shared = shared_, changes = std::move(changes),
                     model = std::move(model)](const std::atomic<bool>* stop) -> Result {
-    SceneFile scene = parse_scene_file(shared->scene.text, shared->scene.source, changes);
+    SceneFile scene = with_model(parse_scene_file(shared->scene.text, shared->scene.source, changes), model);
     scene.folder = shared->scene.folder;
-    if (!model.empty())
-      scene = with_model(std::move(scene), model_named(model));
     return std::make_shared<const SceneResult>(shared->sequence.solve(scene, stop));
   });
 }

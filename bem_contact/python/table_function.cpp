@@ -1,7 +1,6 @@
-#include "bem_contact/python/table_function.hpp"
-
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/work.hpp"
+#include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/scene/sweep_file.hpp"

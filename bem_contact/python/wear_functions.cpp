@@ -1,7 +1,6 @@
-#include "bem_contact/python/wear_functions.hpp"
-
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/fatigue/fatigue_columns.hpp"
+#include "bem_contact/fatigue/fatigue_of_result.hpp"
+#include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/wear/wear_of_result.hpp"

@@ -1,5 +1,4 @@
-#include "bem_contact/python/wheelset_function.hpp"
-
+#include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
@@ -23,9 +22,7 @@ py::dict wheel_of(const WheelsetResult& r, WheelSide side) {
 
 py::dict wheelset(const py::object& scene, const py::object& changes, const py::object& model,
                   const py::object& folder) {
-  SceneFile file = scene_file_of(scene, folder, changes_of(changes));
-  if (const std::string name = model_of(model); !name.empty())
-    file = with_model(std::move(file), model_named(name));
+  const SceneFile file = with_model(scene_file_of(scene, folder, changes_of(changes)), model_of(model));
   const WheelsetResult found =
       stoppable([file](const std::atomic<bool>* stop) { return solve_wheelset(file, stop); });
   py::dict totals;

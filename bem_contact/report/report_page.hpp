@@ -1,17 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
-#include <string>
 
 namespace bem_contact::report {
 
-/// One HTML page that needs no other file and no network: report_data() as JSON, the plotting library, and
-/// the scripts that draw. Throws InputError if this build has no plotting library.
-std::string report_page(const nlohmann::json& data);
-
-/// Reads `file` (see report_data()) and writes its page to `output`, whole or not at all. Throws InputError
-/// also where `output` is `file` or cannot be written.
+/// Reads a file that bem_contact wrote (a result, a comparison, a sweep, creep curves, conicity, a wheelset
+/// or wear) and writes its page to `output`, whole or not at all: HTML that needs no other file and no
+/// network. Throws InputError for any other file, where `output` is `file` or cannot be written, and if this
+/// build has no plotting library.
 void write_report(const std::filesystem::path& file, const std::filesystem::path& output);
 
 } // namespace bem_contact::report

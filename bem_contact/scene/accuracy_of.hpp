@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/scene/name_list.hpp"
+#include "bem_contact/base/enum_names.hpp"
 
 #include <array>
 #include <string>
@@ -16,11 +16,6 @@ template <> struct EnumNames<AccuracyOf> {
                                                          "approach", "creepages", "friction_power"};
 };
 
-/// The value of grid.accuracy_of (name_list.hpp).
-inline std::vector<AccuracyOf> accuracy_of(const std::string& names) {
-  return name_list<AccuracyOf>("grid.accuracy_of", names);
-}
-
 /// What solver.model_tolerance may be about. `creepages`: those that are found for prescribed shear forces;
 /// not that of free rolling, which comes along.
 enum class ModelErrorOf { forces, pmax, creepages, friction_power };
@@ -28,9 +23,9 @@ template <> struct EnumNames<ModelErrorOf> {
   static constexpr std::array<std::string_view, 4> names{"forces", "pmax", "creepages", "friction_power"};
 };
 
-/// The value of solver.model_tolerance_of (name_list.hpp).
-inline std::vector<ModelErrorOf> model_tolerance_of(const std::string& names) {
-  return name_list<ModelErrorOf>("solver.model_tolerance_of", names);
-}
+// The values of grid.accuracy_of and solver.model_tolerance_of: names with commas between. Throw InputError
+// for an unknown name, with the nearest known one, and for none.
+std::vector<AccuracyOf> accuracy_of(const std::string& names);
+std::vector<ModelErrorOf> model_tolerance_of(const std::string& names);
 
 } // namespace bem_contact

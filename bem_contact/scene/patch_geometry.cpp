@@ -2,7 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/geometry/undeformed_distance.hpp"
-#include "bem_contact/scene/grid_table.hpp"
+#include "bem_contact/scene/csv_table.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -224,6 +224,9 @@ std::string scene_with_defaults(const SceneFile& scene);
 
 /// The same scene, to be answered with another model. Empty: with the cheapest that is accurate enough.
 SceneFile with_model(SceneFile scene, std::optional<Model> model);
+/// The same for the name of one, or "auto", as an option gives it; "": as the scene says. Throws InputError
+/// for any other text.
+SceneFile with_model(SceneFile scene, const std::string& name);
 /// The same scene at a given lateral displacement, mm, instead of a given lateral force.
 SceneFile with_lateral(SceneFile scene, double lateral);
 /// One wheel of a scene with [wheelset], which it no longer has: with its side and what differs on the left.

@@ -3,6 +3,9 @@
 #include "bem_contact/scene/scene_file.hpp"
 
 /// Private to this room: every key of a scene, with its unit, range and a line of explanation.
+/// Private to this room: the keys of the two bodies, where they stand and what they bear.
+/// Private to this room: the keys of motion, friction and heat.
+
 namespace bem_contact {
 
 /// Values of keys that have no member of their own in SceneFile; settle() turns them into one.
@@ -16,5 +19,16 @@ Schema scene_schema(SceneFile& file, SceneKeysAsRead& read);
 
 /// After reading: sets shear moduli and rows. Throws InputError if a material has two moduli.
 void settle(SceneFile& file, const Schema& schema, const SceneKeysAsRead& read);
+
+/// [rail] or [wheel], the `name`. `role` and `standards`: for the explanation; `young`: read beside the shear
+/// modulus.
+void add_side(Schema& s, const std::string& name, const std::string& role, SceneFile::Side& side,
+              const std::string& standards, double& young);
+void add_position(Schema& s, SceneFile::Position& p); ///< [position]
+void add_load(Schema& s, SceneFile::Load& load);      ///< [load]
+void add_wheelset(Schema& s, SceneFile::Wheelset& w); ///< [wheelset]
+
+void add_motion(Schema& s, SceneFile::Motion& m);           ///< [motion]
+void add_temperature(Schema& s, SceneFile::Temperature& t); ///< [temperature]
 
 } // namespace bem_contact

@@ -1,4 +1,4 @@
-#include "bem_contact/scene/unused_keys.hpp"
+#include "bem_contact/scene/scene_checks.hpp"
 
 #include "bem_contact/profile/standard_profiles.hpp"
 
@@ -16,18 +16,12 @@ struct Cause {
   const char* why;
 };
 
-} // namespace
-
-std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
+std::vector<Cause> causes_of_motion(const SceneFile& f) {
   const SceneFile::Motion& m = f.motion;
-  const bool patch = f.kind == SceneKind::patch;
-  const bool files = !f.rail.influence.empty() && !f.wheel.influence.empty();
-  const bool one_file = f.rail.influence.empty() != f.wheel.influence.empty();
-  const bool chosen = f.grid.elements || f.grid.accuracy;
   const bool rates = m.pitch_rate || m.lateral_velocity != 0 || m.vertical_velocity != 0 ||
                      m.roll_rate != 0 || m.yaw_rate != 0;
   const bool falls = m.falling_friction || m.polach_a || !m.friction_table.empty();
-  const Cause causes[] = {
+  return {
       {{"motion.friction",
         "motion.kinetic_friction",
         "motion.friction_table",
@@ -75,12 +69,13 @@ std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
       {{"temperature.falls_from", "temperature.falls_to"},
        !f.temperature.hot_friction,
        "temperature.hot_friction is not given"},
-      {{"grid.dx", "grid.ds"}, chosen, "grid.accuracy or grid.elements chooses the elements"},
-      {{"grid.accuracy_of"}, !f.grid.accuracy, "grid.accuracy is not given"},
-      {{"grid.dx", "gap.a", "gap.c", "stresses.x"},
-       f.grid.plane_strain,
-       "plane strain is the same all along x"},
-      {{"stresses.x", "stresses.s"}, f.stresses.depths.empty(), "no stresses.depths are given"},
+  };
+}
+
+std::vector<Cause> causes_of_bodies(const SceneFile& f) {
+  const SceneFile::Motion& m = f.motion;
+  const bool one_file = f.rail.influence.empty() != f.wheel.influence.empty();
+  return {
       {{"rail.structural"},
        f.rail.structural == StructuralCompliance::included && f.rail.influence.empty(),
        "it says which part of an influence file is taken, and there is no rail.influence"},
@@ -106,9 +101,28 @@ std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
       {{"position.back_to_back"},
        f.wheel.place == BodyPlace::absolute,
        "wheel.place = \"absolute\" places the wheel"},
+  };
+}
+
+std::vector<Cause> causes_of_grid(const SceneFile& f) {
+  const bool patch = f.kind == SceneKind::patch;
+  const bool files = !f.rail.influence.empty() && !f.wheel.influence.empty();
+  const bool chosen = f.grid.elements || f.grid.accuracy;
+  return {
+      {{"grid.dx", "grid.ds"}, chosen, "grid.accuracy or grid.elements chooses the elements"},
+      {{"grid.accuracy_of"}, !f.grid.accuracy, "grid.accuracy is not given"},
+      {{"grid.dx", "gap.a", "gap.c", "stresses.x"},
+       f.grid.plane_strain,
+       "plane strain is the same all along x"},
+      {{"stresses.x", "stresses.s"}, f.stresses.depths.empty(), "no stresses.depths are given"},
       {{"strip.rail_s0", "strip.wheel_s0"}, patch && !files, "they are places in influence files"},
       {{"strip.upper_radius"}, !files && !f.gap.table.empty(), "gap.table is the whole distance"},
   };
+}
+
+} // namespace
+
+std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
   std::vector<std::string> out;
   for (const auto& [table, side] : {std::pair{"rail", &f.rail}, std::pair{"wheel", &f.wheel}}) {
     const std::string& profile = side->profile;
@@ -118,14 +132,15 @@ std::vector<std::string> unused_keys(const SceneFile& f, const Schema& schema) {
                                 profile,
                                 profile.ends_with(".toml") ? "; a body file has these keys of its own" : ""));
   }
-  for (const Cause& cause : causes) {
-    std::vector<const char*> given;
-    for (const char* key : cause.keys)
-      if (cause.holds && schema.changed(key))
-        given.push_back(key);
-    if (!given.empty())
-      out.push_back(fmt::format("{}: without effect ({})", fmt::join(given, ", "), cause.why));
-  }
+  for (const std::vector<Cause>& causes : {causes_of_motion(f), causes_of_grid(f), causes_of_bodies(f)})
+    for (const Cause& cause : causes) {
+      std::vector<const char*> given;
+      for (const char* key : cause.keys)
+        if (cause.holds && schema.changed(key))
+          given.push_back(key);
+      if (!given.empty())
+        out.push_back(fmt::format("{}: without effect ({})", fmt::join(given, ", "), cause.why));
+    }
   return out;
 }
 

@@ -109,6 +109,18 @@ const Quantity& quantity(std::string_view name);
 
 /// "Fx_error"
 std::string error_name(const char* name);
+/// What an error is, in a few words.
+inline constexpr const char* error_description =
+    "estimated error by the size of the elements; nan: not known";
+/// Lists the numbers of a table, and behind each its error, if it has one: use(name, unit, value,
+/// description), where `value` is the function of the quantity.
+template <class Table, class Use> void with_errors(const Table& table, const Use& use) {
+  for (const auto& q : table) {
+    use(std::string(q.name), q.unit, q.value, q.description);
+    if (q.error)
+      use(error_name(q.name), q.unit, q.error, error_description);
+  }
+}
 
 /// Share of the elements in contact that adhere; 0 without contact.
 double adhesion_share(const ContactResult& result);

@@ -2,14 +2,123 @@
 
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/scene/contact_centre.hpp"
+#include "bem_contact/scene/elastic_limit.hpp"
+#include "bem_contact/scene/outlines.hpp"
+#include "bem_contact/scene/warnings.hpp"
 #include "bem_contact/sequence/grow_grid.hpp"
 #include "bem_contact/sequence/hertz_model.hpp"
-#include "bem_contact/sequence/record.hpp"
+#include "bem_contact/sequence/model_choice.hpp"
+#include "bem_contact/sequence/patch_places.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/sequence/solve_on_grid.hpp"
 #include "bem_contact/sequence/structural_motion.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <iterator>
 
 namespace bem_contact {
 
 namespace {
+
+/// Of all steps, as far as they are solutions, MPa.
+double highest_pressure(const GridSolution& solved) {
+  double highest = 0;
+  const auto look = [&](const ContactResult& result) {
+    if (result.converged)
+      highest = std::max(highest, largest_pressure(result));
+  };
+  look(solved.result);
+  std::ranges::for_each(solved.history, look);
+  return highest;
+}
+
+void warn_of_discretisation(const ContactResult& result, std::vector<std::string>& warnings) {
+  const double error = result.certificate.discretisation;
+  if (error > poor_discretisation)
+    warnings.push_back(fmt::format(
+        "the elements are too large for this contact: the estimated discretisation error is {:.0f} %",
+        100 * error));
+}
+
+/// Undeformed distance and normals are those of surfaces that stay opposite each other.
+void warn_of_slide(const ContactCase& asked, GridSolution& solved) {
+  const double slide = unseen_slide(asked, solved), half_row = 0.5 * solved.contact.problem.grid.ds;
+  const auto included = [](const Body& body) { return body.structural == StructuralCompliance::included; };
+  if (solved.model == Model::fem && (included(asked.setup.rail) || included(asked.setup.wheel)) &&
+      slide > half_row)
+    solved.warnings.push_back(fmt::format(
+        "the surfaces move past each other by up to {:.3f} mm along s, more than half a row ({:.3f} mm), and "
+        "the "
+        "undeformed distance and the normals do not follow: {}",
+        slide, half_row,
+        asked.setup.wheel_rail() ? "solver.structural_motion = \"placed\" lets them follow a steady contact"
+                                 : "forces and approach may be some percent off"));
+}
+
+void add_stresses(const SceneFile& scene, SceneResult& out) {
+  if (scene.stresses.depths.empty() || !out.result.converged)
+    return;
+  out.stresses =
+      stresses_below(scene.stresses, out.problem, out.result, scene.rail.material.poisson, out.reference.s);
+  const double turn = turn_of_contact(out.problem, out.result);
+  if (const double error = predicted_halfspace_error(turn); error > scene.solver.model_tolerance)
+    out.warnings.push_back(fmt::format(
+        "the stresses below the surface are those of a half-space under these tractions: an "
+        "approximation here, for the normal turns by {:.1f} degrees within the patch, and they may "
+        "be off by up to {:.1f} %",
+        degrees(turn), 100 * error));
+}
+
+/// The creepages that the last step had.
+void add_creepages(const ContactSetup& setup, SceneResult& out) {
+  const Motion& motion = setup.motion;
+  if (!motion.tangential || (setup.patch() && setup.patch()->slip))
+    return;
+  const Creepage last = motion.steps.empty() ? motion.creepage : motion.creepage_of(motion.steps.back());
+  out.xi = last.xi + last.slip_x + out.result.creepage_x;
+  out.eta = last.eta + out.result.creepage_s;
+  out.phi = last.phi;
+}
+
+/// What is handed back of a solution: with totals about the reference point, outlines of the bodies, stresses
+/// below the surface, and everything that a person should be warned of. Throws InputError for pressures that
+/// are beyond elasticity.
+SceneResult record_of(const ContactCase& asked, GridSolution solved, const ModelChoice& choice) {
+  require_elastic(asked.setup, highest_pressure(solved));
+  SceneResult out;
+  out.approach_datum = approach_datum(asked, solved.model);
+  warn_of_slide(asked, solved);
+  out.patch_places = patch_places(asked.setup, solved.contact, solved.result);
+  out.model = solved.model;
+  out.reason = choice.reason;
+  out.problem = std::move(solved.contact.problem);
+  out.result = std::move(solved.result);
+  out.history = std::move(solved.history);
+  out.warnings = std::move(solved.warnings);
+  out.seconds = solved.seconds;
+  if (!choice.enough)
+    out.warnings.push_back("the finite-element model is needed here: " + out.reason);
+  std::ranges::move(input_warnings(asked.scene, asked.setup), std::back_inserter(out.warnings));
+  out.left = asked.scene.position.side == WheelSide::left;
+  out.reference = asked.setup.reference();
+  if (const WheelRailGeometry* placed = asked.setup.wheel_rail()) {
+    out.lateral = asked.scene.position.lateral;
+    out.rail_geometry = placed->pair.rail.digest();
+    out.wheel_geometry = placed->pair.wheel.digest();
+  }
+  add_creepages(asked.setup, out);
+  out.moment = moment_about(out.reference, out.result);
+  if (asked.setup.wheel_rail() || names_bodies(asked))
+    out.wheel_s = std::move(solved.contact.wheel_s);
+  Outlines bodies = outlines(asked.setup, out.problem);
+  out.rail_profile = std::move(bodies.rail);
+  out.wheel_profile = std::move(bodies.wheel);
+  warn_of_discretisation(out.result, out.warnings);
+  std::ranges::move(result_warnings(asked, out), std::back_inserter(out.warnings));
+  add_stresses(asked.scene, out);
+  return out;
+}
 
 /// A case with the influence files that its model needs, on its first grid.
 struct FirstContact {

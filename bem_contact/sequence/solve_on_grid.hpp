@@ -6,7 +6,6 @@
 #include "bem_contact/sequence/scene_result.hpp"
 #include "bem_contact/sequence/warm_start.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -96,10 +96,7 @@ std::string text_of(const SceneTable& described, const Point& point) {
 SceneFile scene_at(const SceneTable& described, SceneReader& reader, const Point& point) {
   for (std::size_t a = 0; a < point.size(); ++a)
     reader.set_number(described.axes[a].key, point[a]);
-  SceneFile scene = reader.scene();
-  if (!described.model.empty())
-    scene.solver.model = model_named(described.model);
-  return scene;
+  return with_model(reader.scene(), described.model);
 }
 
 SceneReader reader_of(const SceneTable& described) {

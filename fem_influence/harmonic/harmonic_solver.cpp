@@ -1,10 +1,10 @@
 #include "fem_influence/harmonic/harmonic_solver.hpp"
 
+#include "bem_contact/base/stopwatch.hpp"
 #include "fem_influence/shared/settings.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -111,6 +111,19 @@ WavenumberResult HarmonicSolver::at(double k) {
                      std::abs(all[(n + 6 + m) * size + b] + system_.load_work[m * n + b]) / system_.width);
   result.smallest_eigenvalue = smallest_eigenvalue(result.kernel);
   return result;
+}
+
+SolverOnDemand::SolverOnDemand(std::function<AssembledSystem()> assemble, Timing& timing)
+    : assemble_(std::move(assemble)), timing_(timing) {}
+
+WavenumberResult SolverOnDemand::at(double wavenumber) {
+  if (!solver_) {
+    AssembledSystem assembled = assemble_();
+    const TimedScope timer(timing_.analysis);
+    solver_.emplace(std::move(assembled.system), assembled.order);
+  }
+  const TimedScope timer(timing_.factorization);
+  return solver_->at(wavenumber);
 }
 
 } // namespace bem_contact::fem

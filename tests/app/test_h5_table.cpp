@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/influence/h5_writer.hpp"
+#include "bem_contact/influence/h5_table.hpp"
 
 #include <csignal>
 #include <cstdio>

@@ -24,10 +24,10 @@ struct Paint {
 
 Schema schema_of(Paint& paint) {
   Schema s("paint file");
-  s.add("colour", paint.colour, {.doc = "Of the wall"});
-  s.add("frame", paint.frame, "same", {.doc = "Of the frame"});
-  s.add("thickness", paint.thickness, {.doc = "Of a coat", .unit = "mm", .at_least = 0});
-  s.add("coats", paint.coats, {.doc = "How many; 0: as needed", .at_least = 0, .zero_is_none = true});
+  s.add("colour", paint.colour, "Of the wall");
+  s.add("frame", paint.frame, "same", "Of the frame");
+  s.add("thickness", paint.thickness, "Of a coat", {.unit = "mm", .at_least = 0});
+  s.add("coats", paint.coats, "How many; 0: as needed", {.at_least = 0, .zero_is_none = true});
   return s;
 }
 

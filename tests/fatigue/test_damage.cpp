@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/fatigue/damage.hpp"
+#include "bem_contact/fatigue/fatigue_of_result.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "bem_contact/base/error.hpp"
+#include "fem_influence/harmonic/harmonic_solver.hpp"
 #include "fem_influence/harmonic/machine_system.hpp"
 #include "fem_influence/harmonic/run_plan.hpp"
-#include "fem_influence/harmonic/solver_on_demand.hpp"
 #include "fem_influence/harmonic/task_distribution.hpp"
 #include "section_meshes.hpp"
 

@@ -3,7 +3,7 @@
 #include "bem_contact/influence/expand.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "fem_influence/harmonic/harmonic_run.hpp"
-#include "fem_influence/harmonic/wavenumbers.hpp"
+#include "fem_influence/harmonic/run_plan.hpp"
 #include "section_meshes.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,4 @@
 // The weights of the Fourier series against the series itself, added up term by term.
-#include "bem_contact/influence/harmonic_points.hpp"
 #include "bem_contact/influence/series_tail.hpp"
 #include "bem_contact/influence/series_weights.hpp"
 

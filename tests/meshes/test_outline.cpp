@@ -1,5 +1,4 @@
 #include "bem_contact/base/error.hpp"
-#include "meshes/crossings.hpp"
 #include "meshes/outline.hpp"
 #include "meshes/sampled_span.hpp"
 #include "meshes/wheel_section.hpp"

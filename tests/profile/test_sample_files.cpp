@@ -1,6 +1,5 @@
 // The published files of the Manchester contact benchmark, where they are at hand.
 #include "bem_contact/profile/read_profile.hpp"
-#include "bem_contact/profile/s1002.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "warnings.hpp"
 

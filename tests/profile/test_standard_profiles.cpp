@@ -1,5 +1,4 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/s1002.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 
 #include <gmock/gmock.h>

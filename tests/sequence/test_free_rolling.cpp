@@ -1,6 +1,6 @@
 #include "bem_contact/sequence/sequence.hpp"
 
-#include "bem_contact/sequence/radial_displacement.hpp"
+#include "bem_contact/sequence/pair_numbers.hpp"
 #include "tests/base/message.hpp"
 
 #include <cmath>

@@ -2,7 +2,9 @@
 //     bench_answers SWEEP.toml REPEATS      a CSV line a case; each repeat with a sequence of its own
 // tools/benchmarks/bench_answers builds it for older commits too; this is why it asks what there is.
 #include "bem_contact/base/error.hpp"
-#if __has_include("bem_contact/base/memory.hpp")
+#if __has_include("bem_contact/base/program.hpp")
+#include "bem_contact/base/program.hpp"
+#elif __has_include("bem_contact/base/memory.hpp")
 #include "bem_contact/base/memory.hpp"
 #else
 namespace bem_contact {

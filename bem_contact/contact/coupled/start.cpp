@@ -5,7 +5,6 @@
 #include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace bem_contact::contact {
 namespace {

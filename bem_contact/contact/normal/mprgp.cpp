@@ -4,7 +4,6 @@
 #include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace bem_contact::contact {

@@ -2,8 +2,6 @@
 
 #include "bem_contact/base/simd.hpp"
 
-#include <algorithm>
-
 namespace bem_contact::contact {
 namespace {
 

@@ -5,6 +5,7 @@
 #include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -35,37 +36,28 @@ double first_touch(const NormalSystem& system, const VectorXd& gap) {
   return low;
 }
 
-/// Finds the approach q at which missing_at(q), which grows with q, is 0 up to `close`: a bracket that starts
-/// at `low`, where `at_low` < 0 is missing, then the Illinois variant of regula falsi. The last call of
-/// missing_at is the one at the result. False if it is not found.
+/// Finds the approach q at which missing_at(q), which grows with q, is 0 up to `close`. The bracket starts at
+/// `low`, where `at_low` < 0 is missing. The last call of missing_at is the one at the result. False if it is
+/// not found.
 bool bracket_approach(const std::function<double(double)>& missing_at, double low, double at_low, double step,
                       double close) {
-  double high = low + approach_bracket_start * step, at_high = missing_at(high);
+  const auto at = [&](double q) {
+    const double missing = missing_at(q);
+    return std::abs(missing) <= close ? 0.0 : missing;
+  };
+  double high = low + approach_bracket_start * step, at_high = at(high);
   for (int k = 0; k < most_bracket_doublings && at_high < 0; ++k) {
     low = high;
     at_low = at_high;
     high += step *= 2;
-    at_high = missing_at(high);
+    at_high = at(high);
   }
-  int last_side = 0; // the end that is kept twice running counts half
-  for (int k = 0; k < most_illinois_steps; ++k) {
-    const double q = high - at_high * (high - low) / (at_high - at_low);
-    const double at_q = missing_at(q);
-    if (std::abs(at_q) <= close)
-      return true;
-    if (at_q < 0) {
-      low = q;
-      at_low = at_q;
-      at_high *= last_side < 0 ? 0.5 : 1.0;
-      last_side = -1;
-    } else {
-      high = q;
-      at_high = at_q;
-      at_low *= last_side > 0 ? 0.5 : 1.0;
-      last_side = 1;
-    }
-  }
-  return false;
+  if (at_high <= 0)
+    return at_high == 0;
+  std::uintmax_t calls = most_approach_steps;
+  const auto never = [](double, double) { return false; }; // only a root ends the search
+  const auto [from, to] = boost::math::tools::toms748_solve(at, low, high, at_low, at_high, never, calls);
+  return from == to;
 }
 
 } // namespace

@@ -13,7 +13,6 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -178,7 +177,7 @@ void BasicStripOperator<Real>::Impl::transform_rows(const InfluenceNumbers& numb
   Eigen::MatrixXd transformed(blocks, frequencies);
   for (std::size_t pair = 0; pair < pairs; ++pair) {
     const int i = outputs[pair / in], j = inputs[pair % in];
-    bem_contact::multiply(values[pair], parity(i, j) > 0 ? cosines : sines, transformed.data());
+    dense_product(values[pair], parity(i, j) > 0 ? cosines : sines, transformed.data());
     const double sign = parity(i, j) < 0 && i == component_x ? -1.0 : 1.0;
     for (int k = 0; k < frequencies; ++k)
       for (int row_j = 0; row_j < ms; ++row_j)

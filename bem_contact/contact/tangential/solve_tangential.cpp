@@ -1,13 +1,101 @@
 #include "bem_contact/contact/tangential/solve_tangential.hpp"
 
+#include "bem_contact/contact/operator/norm_bound.hpp"
 #include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/solver_options.hpp"
 #include "bem_contact/contact/tangential/element_sweeps.hpp"
 #include "bem_contact/contact/tangential/newton.hpp"
-#include "bem_contact/contact/tangential/roll_on.hpp"
+#include "bem_contact/contact/tangential/tangential_system.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace bem_contact::contact {
+
+namespace {
+
+using Eigen::VectorXd;
+
+/// Into the friction discs; zero outside the contact.
+VectorXd project(const TangentialTask& task, const VectorXd& p) {
+  const Eigen::Index n = task.bound.size();
+  VectorXd inside = VectorXd::Zero(2 * n);
+  for (const int i : task.contact) {
+    const double length = std::hypot(p[i], p[n + i]);
+    const double scale = length > task.bound[i] ? task.bound[i] / length : 1.0;
+    inside[i] = scale * p[i];
+    inside[n + i] = scale * p[n + i];
+  }
+  return inside;
+}
+
+/// min 1/2 p'A p - c'p over the friction discs.
+class ShiftProblem {
+public:
+  ShiftProblem(const TangentialSystem& system, const TangentialTask& task, WorkBudget& work)
+      : system_(system), task_(task), work_(work),
+        norm_(
+            norm_bound(2 * system.size(), [&](const VectorXd& v) { return system.displacement(v, work); })) {}
+
+  /// Accelerated projected gradients from p, restarted when the momentum points uphill (Nesterov 1983;
+  /// O'Donoghue, Candes 2015).
+  void solve(const VectorXd& c, double tolerance, VectorXd& p) const {
+    VectorXd y = p;
+    double t = 1;
+    for (int k = 0; k < most_gradient_steps; ++k) {
+      const VectorXd next = project(task_, y - (system_.displacement(y, work_) - c) / norm_);
+      const VectorXd change = next - p;
+      const double moved = (next - y).cwiseAbs().maxCoeff();
+      if ((y - next).dot(change) > 0) {
+        t = 1;
+        y = next;
+      } else {
+        const double t_next = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
+        y = next + (t - 1) / t_next * change;
+        t = t_next;
+      }
+      p = next;
+      if (moved <= tolerance * task_.bound.maxCoeff())
+        break;
+    }
+  }
+
+private:
+  const TangentialSystem& system_;
+  const TangentialTask& task_;
+  WorkBudget& work_;
+  double norm_;
+};
+
+/// Rolls on from the present tractions, by `steps` columns with p_n held: each rolling step is a convex
+/// problem, min 1/2 p'A p - c'p over the friction discs. A transient step or a shift is one such problem.
+void roll_on(const TangentialSystem& system, const TangentialTask& task, const SolverOptions& options,
+             int steps, WorkBudget& work, TangentialState& state) {
+  const ShiftProblem shift(system, task, work);
+  state.p = project(task, state.p);
+  state.converged = false;
+  if (system.problem->motion != MotionKind::steady) {
+    state.solver = "projected gradients";
+    ++state.iterations;
+    shift.solve(task.drive / system.rule.present[0], shift_precision, state.p);
+    judge(system, task, options.tolerance, work, state);
+    return;
+  }
+  state.solver = "rolling on";
+  VectorXd older = state.p;
+  for (int k = 0; k < steps && !state.converged; ++k) {
+    ++state.iterations;
+    // S = rolling_step[0] (c - A p); the old fields are those of one and two rolling steps ago
+    const VectorXd c = (task.drive - rolling_step[1] * system.displacement(state.p, work, 1) -
+                        rolling_step[2] * system.displacement(older, work, 2)) /
+                       rolling_step[0];
+    older = state.p;
+    shift.solve(c, rolling_precision, state.p);
+    judge(system, task, options.tolerance, work, state);
+  }
+}
+
+} // namespace
 
 void solve_tangential(const TangentialSystem& system, const TangentialTask& task,
                       const SolverOptions& options, WorkBudget& work, TangentialState& state) {

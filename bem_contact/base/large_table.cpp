@@ -1,0 +1,32 @@
+#include "bem_contact/base/large_table.hpp"
+
+#include <sys/mman.h>
+
+namespace bem_contact {
+
+namespace {
+
+constexpr std::size_t large_page = 2 << 20; ///< bytes
+/// Bytes. Smaller tables lie on the heap, where the next one finds their pages again.
+constexpr std::size_t own_pages = 16 << 20;
+
+} // namespace
+
+void* allocate_table(std::size_t bytes) {
+  if (bytes < own_pages)
+    return ::operator new(bytes);
+  void* table = ::operator new(bytes, std::align_val_t(large_page));
+#ifdef MADV_HUGEPAGE
+  madvise(table, bytes / large_page * large_page, MADV_HUGEPAGE); // where it cannot, all is as before
+#endif
+  return table;
+}
+
+void free_table(void* table, std::size_t bytes) noexcept {
+  if (bytes < own_pages)
+    ::operator delete(table);
+  else
+    ::operator delete(table, std::align_val_t(large_page));
+}
+
+} // namespace bem_contact

@@ -1,0 +1,74 @@
+#include "bem_contact/base/program.hpp"
+
+#include "bem_contact/base/error.hpp"
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <iostream>
+#include <string>
+#include <sys/mman.h>
+#include <system_error>
+#include <unistd.h>
+
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
+namespace bem_contact {
+
+namespace {
+
+constexpr std::size_t kept = std::size_t(512) << 20;     ///< bytes
+constexpr std::size_t reserved = std::size_t(256) << 20; ///< bytes
+constexpr std::size_t large_page = 2 << 20;              ///< bytes
+constexpr int usual_top_pad = 128 << 10;                 ///< bytes, as mallopt(3) has it
+constexpr int largest_piece = 32 << 20;                  ///< bytes, the most that glibc takes
+
+/// Asks for large pages on a heap that no one has touched yet. The first touch of a page costs a change to the kernel
+/// and back; large ones cost a hundredth of that for each byte. Nothing is used before it is touched, and where large
+/// pages cannot be had all is as before.
+void reserve_large_pages() {
+#if defined(M_TOP_PAD) && defined(MADV_HUGEPAGE)
+  mallopt(M_TOP_PAD, static_cast<int>(reserved)); // the heap grows by so much beyond what is asked for
+  void* volatile grown = std::malloc(1 << 20);    // volatile: or the compiler leaves both calls out
+  std::free(grown);
+  mallopt(M_TOP_PAD, usual_top_pad);
+  const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0)) / large_page * large_page;
+  const auto begin = (end - reserved) / large_page * large_page + large_page;
+  madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#endif
+}
+
+} // namespace
+
+void keep_freed_memory() {
+#ifdef M_TRIM_THRESHOLD
+  mallopt(M_TRIM_THRESHOLD, static_cast<int>(kept));
+  mallopt(M_MMAP_THRESHOLD, largest_piece); // a larger piece is given back
+#endif
+  reserve_large_pages();
+}
+
+void hold_standard_streams() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
+      // The lowest free number is this one. Its wrong direction makes each use an error.
+      static_cast<void>(open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+}
+
+int checked_exit_code(int code) {
+  errno = 0;
+  std::cout.flush();
+  if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
+    return code;
+  const std::string why = errno != 0 ? std::generic_category().message(errno) : "the disk may be full";
+  const Error error("Standard output cannot be written", why,
+                    "Do not use what was printed; check that the disk is not full, and run it again.");
+  std::fputs(("error: " + std::string(error.what()) + "\n").c_str(), stderr);
+  return 1;
+}
+
+} // namespace bem_contact
