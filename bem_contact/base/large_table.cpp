@@ -6,7 +6,6 @@ namespace bem_contact {
 
 namespace {
 
-constexpr std::size_t large_page = 2 << 20; ///< bytes
 /// Bytes. Smaller tables lie on the heap, where the next one finds their pages again.
 constexpr std::size_t own_pages = 16 << 20;
 

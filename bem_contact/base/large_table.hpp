@@ -8,6 +8,8 @@
 
 namespace bem_contact {
 
+inline constexpr std::size_t large_page = 2 << 20; ///< bytes
+
 /// Memory for a large table, in large pages where the system has them; free_table() gives it back. Throws
 /// std::bad_alloc.
 void* allocate_table(std::size_t bytes);

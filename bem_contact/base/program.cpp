@@ -1,6 +1,7 @@
 #include "bem_contact/base/program.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/large_table.hpp"
 
 #include <cerrno>
 #include <cstdint>
@@ -23,7 +24,6 @@ namespace {
 
 constexpr std::size_t kept = std::size_t(512) << 20;     ///< bytes
 constexpr std::size_t reserved = std::size_t(256) << 20; ///< bytes
-constexpr std::size_t large_page = 2 << 20;              ///< bytes
 constexpr int usual_top_pad = 128 << 10;                 ///< bytes, as mallopt(3) has it
 constexpr int largest_piece = 32 << 20;                  ///< bytes, the most that glibc takes
 
