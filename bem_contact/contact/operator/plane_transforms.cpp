@@ -115,39 +115,40 @@ PlaneTransforms<Real>::PlaneTransforms(const PlaneShape& the_shape, std::shared_
   kernel_size_ = aligned(2 * static_cast<std::size_t>(shape.frequencies()) * shape.length_s);
 }
 
-template <class Real> FftPlan<Real> PlaneTransforms<Real>::plan(int length, int sign) const {
+template <class Real> FftPlan<Real> PlaneTransforms<Real>::plan(int length, int lines, int sign) const {
   const std::lock_guard lock(fft_planner());
-  return FftPlan<Real>(Fftw<Real>::plan_many_dft(1, &length, 1, raw(first_), nullptr, 1, length, raw(second_),
-                                                 nullptr, 1, length, sign, FFTW_ESTIMATE));
+  return FftPlan<Real>(Fftw<Real>::plan_many_dft(1, &length, lines, raw(first_), nullptr, 1, length,
+                                                 raw(second_), nullptr, 1, length, sign, FFTW_ESTIMATE));
 }
 
-template <class Real> void PlaneTransforms<Real>::make_plans() {
-  if (x_forward_)
-    return;
-  x_forward_ = plan(shape.length_x, FFTW_FORWARD);
-  x_backward_ = plan(shape.length_x, FFTW_BACKWARD);
-  s_forward_ = plan(shape.length_s, FFTW_FORWARD);
-  s_backward_ = plan(shape.length_s, FFTW_BACKWARD);
-}
-
+/// All blocks are aligned alike, so that a plan serves any of them.
 template <class Real>
-void PlaneTransforms<Real>::transform_lines(const FftPlan<Real>& plan, int length, int lines, Real* from,
-                                            Real* to) const {
-  for (int line = 0; line < lines; ++line) {
-    const std::size_t at = 2 * static_cast<std::size_t>(line) * length;
-    Fftw<Real>::execute_dft(plan.get(), raw(from + at), raw(to + at));
-  }
+void PlaneTransforms<Real>::run(const FftPlan<Real>& plan, Real* from, Real* to) const {
+  Fftw<Real>::execute_dft(plan.get(), raw(from), raw(to));
+}
+
+template <class Real> void PlaneTransforms<Real>::make_product_plans() {
+  x_forward_ = plan(shape.length_x, shape.inputs * shape.lines / 2, FFTW_FORWARD);
+  x_backward_ = plan(shape.length_x, shape.outputs * shape.lines / 2, FFTW_BACKWARD);
+  const auto along_s = [&](int count) {
+    return ColumnPlans{plan(shape.length_s, count * shape.inputs, FFTW_FORWARD),
+                       plan(shape.length_s, count * shape.outputs, FFTW_BACKWARD)};
+  };
+  whole_ = along_s(together_);
+  if (const int rest = shape.frequencies() % together_)
+    rest_ = along_s(rest);
 }
 
 template <class Real> void PlaneTransforms<Real>::begin_product() {
   first_ = scratch_->reals<Real>(2 * (space_size_ + column_size_));
   second_ = first_ + space_size_;
   columns_ = second_ + space_size_;
-  make_plans();
+  if (!x_forward_)
+    make_product_plans();
 }
 
 template <class Real> void PlaneTransforms<Real>::forward() {
-  transform_lines(x_forward_, shape.length_x, shape.inputs * shape.lines / 2, first_, second_);
+  run(x_forward_, first_, second_);
 }
 
 template <class Real>
@@ -161,26 +162,29 @@ typename PlaneTransforms<Real>::Group PlaneTransforms<Real>::forward_s(int group
     for (int line = 0; line < count; ++line, to += 2 * stride)
       std::fill(to + 2 * shape.lines, to + 2 * shape.length_s, Real(0));
   }
-  transform_lines(s_forward_, shape.length_s, count * shape.inputs, before, after);
+  run(column_plans(count).forward, before, after);
   return {first, count, complex(after), complex(before)};
 }
 
 template <class Real> void PlaneTransforms<Real>::backward_s(const Group& group) const {
   Real *const before = columns_, *const after = columns_ + column_size_;
-  transform_lines(s_backward_, shape.length_s, group.count * shape.outputs, before, after);
+  run(column_plans(group.count).backward, before, after);
   for (int field = 0; field < shape.outputs; ++field)
     join(after + 2 * static_cast<std::ptrdiff_t>(field) * shape.length_s, shape.outputs * shape.length_s,
          shape.length_x, shape.lines / 2, group.first, group.first + group.count, rows(first_, field, 0));
 }
 
 template <class Real> void PlaneTransforms<Real>::backward() {
-  transform_lines(x_backward_, shape.length_x, shape.outputs * shape.lines / 2, first_, second_);
+  run(x_backward_, first_, second_);
 }
 
 template <class Real> Real* PlaneTransforms<Real>::kernel() {
   first_ = scratch_->reals<Real>(2 * kernel_size_);
   second_ = first_ + kernel_size_;
-  make_plans();
+  if (!kernel_x_) {
+    kernel_x_ = plan(shape.length_x, shape.length_s / 2, FFTW_FORWARD);
+    kernel_s_ = plan(shape.length_s, shape.frequencies(), FFTW_FORWARD);
+  }
   return first_;
 }
 
@@ -194,11 +198,11 @@ template <class Real> void PlaneTransforms<Real>::transform_kernel(Complex* symb
       to[2 * m + 1] = row[n + m];
     }
   }
-  transform_lines(x_forward_, n, length_s / 2, second_, first_);
+  run(kernel_x_, second_, first_);
   separate(first_, n, length_s / 2, 0, frequencies, second_, length_s);
+  run(kernel_s_, second_, first_);
   for (int k = 0; k < frequencies; ++k)
-    Fftw<Real>::execute_dft(s_forward_.get(), raw(second_ + 2 * static_cast<std::size_t>(k) * length_s),
-                            reinterpret_cast<typename Fftw<Real>::Complex*>(symbol + k * stride));
+    std::copy_n(complex(first_) + static_cast<std::size_t>(k) * length_s, length_s, symbol + k * stride);
 }
 
 template <class Real>
@@ -212,14 +216,14 @@ const std::complex<Real>* PlaneTransforms<Real>::half_behind(const std::vector<R
         z[2 * k + part] = z[2 * ((n - k) % n) + part] =
             spectra[static_cast<std::size_t>(k) * length_s + 2 * pair + part];
   }
-  transform_lines(x_forward_, n, length_s / 2, pairs, second_); // of what is even: there and back are the same
+  run(kernel_x_, pairs, second_); // of what is even: there and back are the same
   for (int pair = 0; pair < length_s / 2; ++pair)
     for (int m = 0; m < n; ++m)
       for (int part = 0; part < 2; ++part)
         pairs[2 * (static_cast<std::size_t>(pair) * n + m) + part] =
             second_[2 * (static_cast<std::size_t>(pair) * n + m) + part] *
             (m == 0 || m == half ? Real(0.5) : Real(m < half)) / static_cast<Real>(n);
-  transform_lines(x_forward_, n, length_s / 2, pairs, second_);
+  run(kernel_x_, pairs, second_);
   separate(second_, n, length_s / 2, 0, shape.frequencies(), pairs, length_s);
   return complex(pairs);
 }

@@ -30,8 +30,8 @@ std::pair<int, int> good_lengths(int least_x, int least_s, int lines);
 /// Operators of the same shape share them, one after the other.
 ///
 /// Along x two rows are transformed as the real and the imaginary part of one: FFTW does complex transforms
-/// fastest. All are done line by line: FFTW remembers its plan for a length. One thread does it all: a second one
-/// needs what the first has in its cache, and made products of 30,000 elements slower.
+/// line by line fastest, and it remembers its plan for a length, whatever the number of lines. One thread does it
+/// all: a second one needs what the first has in its cache, and made products of 30,000 elements slower.
 template <class Real> class PlaneTransforms {
 public:
   using Complex = std::complex<Real>;
@@ -66,12 +66,16 @@ public:
   const Complex* half_behind(const std::vector<Real>& spectra);
 
 private:
+  struct ColumnPlans {
+    FftPlan<Real> forward, backward;
+  };
   Real* rows(Real* space, int field, int pair) const {
     return space + 2 * (static_cast<std::size_t>(field) * shape.lines / 2 + pair) * shape.length_x;
   }
-  FftPlan<Real> plan(int length, int sign) const;
-  void transform_lines(const FftPlan<Real>& plan, int length, int lines, Real* from, Real* to) const;
-  void make_plans();
+  FftPlan<Real> plan(int length, int lines, int sign) const;
+  void run(const FftPlan<Real>& plan, Real* from, Real* to) const;
+  const ColumnPlans& column_plans(int count) const { return count == together_ ? whole_ : rest_; }
+  void make_product_plans();
 
   int together_ = 1;
   std::size_t space_size_ = 0, column_size_ = 0, kernel_size_ = 0; ///< reals
@@ -80,7 +84,9 @@ private:
   /// place: FFTW plans and does those in twice the time. For the same reason there are two blocks of
   /// columns, one after the other. Kernels go to and fro between `first_` and `second_` as well.
   Real *first_ = nullptr, *second_ = nullptr, *columns_ = nullptr;
-  FftPlan<Real> x_forward_, x_backward_, s_forward_, s_backward_; ///< of one line
+  FftPlan<Real> x_forward_, x_backward_;
+  ColumnPlans whole_, rest_; ///< of `together_` frequencies, and of the last group
+  FftPlan<Real> kernel_x_, kernel_s_;
 };
 
 /// Keeps transforms, the last used first, and the memory in which they all work. All operators that share one

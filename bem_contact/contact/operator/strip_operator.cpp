@@ -62,7 +62,7 @@ template <class Real> struct BasicStripOperator<Real>::Impl {
   LargeTable<Real> spectrum; ///< [frequency], column-major lines_out x lines_in
   std::shared_ptr<Scratch> scratch;
   int threads = 1;
-  FftPlan<Real> forward, backward; ///< of one line
+  FftPlan<Real> forward, backward;
   std::optional<BasicPlaneOperator<Real>> plane; ///< does all the work where the numbers are translational
 
   std::size_t spectrum_size() const { return static_cast<std::size_t>(frequencies) * lines_out * lines_in; }
@@ -221,11 +221,12 @@ template <class Real> void BasicStripOperator<Real>::Impl::make_plans() {
   Real* const first = scratch->reals<Real>(2 * block_size());
   Real* const second = first + block_size();
   const std::lock_guard lock(fft_planner());
-  // Line by line, so that threads can share them; FFTW remembers a length, so that the next plan costs nothing.
-  forward.reset(Fft::plan_many_dft_r2c(1, &length, 1, first, nullptr, 1, length, reinterpret_cast<Complex*>(second),
-                                       nullptr, 1, frequencies, FFTW_ESTIMATE | FFTW_UNALIGNED));
-  backward.reset(Fft::plan_many_dft_c2r(1, &length, 1, reinterpret_cast<Complex*>(first), nullptr, 1, frequencies,
-                                        second, nullptr, 1, length, FFTW_ESTIMATE | FFTW_UNALIGNED));
+  // Line by line: FFTW remembers a length, whatever the number of lines, so that the next plan costs nothing.
+  forward.reset(Fft::plan_many_dft_r2c(1, &length, lines_in, first, nullptr, 1, length,
+                                       reinterpret_cast<Complex*>(second), nullptr, 1, frequencies,
+                                       FFTW_ESTIMATE));
+  backward.reset(Fft::plan_many_dft_c2r(1, &length, lines_out, reinterpret_cast<Complex*>(first), nullptr, 1,
+                                        frequencies, second, nullptr, 1, length, FFTW_ESTIMATE));
 }
 
 template <class Real> BasicStripOperator<Real>::~BasicStripOperator() = default;
@@ -269,26 +270,17 @@ template <class Real> const Real* BasicStripOperator<Real>::Impl::apply(std::spa
   Real* const first = scratch->reals<Real>(2 * block_size() + 4 * threads * line_size());
   Real* const second = first + block_size();
   Real* const work = second + block_size();
-  const auto at_line = [&](Real* block, int line, int each) { return block + static_cast<std::size_t>(line) * each; };
-  const auto spectrum_at = [&](Real* block, int line) {
-    return reinterpret_cast<Complex*>(at_line(block, line, 2 * frequencies));
-  };
-  in_parts(threads, lines_in, [&](int line, int end, int) {
-    for (; line < end; ++line) {
-      Real* to = at_line(first, line, length);
-      std::copy_n(&p[static_cast<std::size_t>(line) * mx], mx, to);
-      std::fill(to + mx, to + length, Real(0));
-      Fft::execute_dft_r2c(forward.get(), to, spectrum_at(second, line));
-    }
-  });
+  for (int line = 0; line < lines_in; ++line) {
+    Real* to = first + static_cast<std::size_t>(line) * length;
+    std::copy_n(&p[static_cast<std::size_t>(line) * mx], mx, to);
+    std::fill(to + mx, to + length, Real(0));
+  }
+  Fft::execute_dft_r2c(forward.get(), first, reinterpret_cast<Complex*>(second));
   in_parts(threads, frequencies, [&](int k, int end, int part) {
     for (; k < end; ++k)
       multiply_frequency(k, second, work + 4 * part * line_size(), first);
   });
-  in_parts(threads, lines_out, [&](int line, int end, int) {
-    for (; line < end; ++line)
-      Fft::execute_dft_c2r(backward.get(), spectrum_at(first, line), at_line(second, line, length));
-  });
+  Fft::execute_dft_c2r(backward.get(), reinterpret_cast<Complex*>(first), second);
   return second;
 }
 
