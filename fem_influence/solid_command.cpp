@@ -39,7 +39,7 @@ std::vector<int> station_numbers(const std::string& text, std::size_t stations) 
         throw std::invalid_argument(word);
     } catch (const std::logic_error&) {
       throw InputError("'" + text + "' is no list of stations", "'" + word + "' is no whole number",
-                       "give --load-station as in 12 or 12,40,66");
+                       "Give --load-station as in 12 or 12,40,66.");
     }
   return numbers;
 }
@@ -68,7 +68,7 @@ void print_check(const std::vector<SolidDifference>& bands) {
 void check_files(const std::vector<std::filesystem::path>& inputs, const SolidOptions& options) {
   if (options.output.empty() && options.check.empty() && options.vtu.empty())
     throw InputError("There is nothing to do with the 3-D numbers", "they would be computed and forgotten",
-                     "give -o OUT.h5, --check INFLUENCE.h5 or --vtu FIELD.vtu");
+                     "Give -o OUT.h5, --check INFLUENCE.h5 or --vtu FIELD.vtu.");
   require_outputs(inputs, {{"--output", options.output, OutputForm::whole_file}, {"--vtu", options.vtu}});
 }
 

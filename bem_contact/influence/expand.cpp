@@ -19,7 +19,7 @@ StationRange checked_range(const InfluenceFunction& f, const ExpandOptions& o) {
     throw InputError("stations were asked for that the influence functions of '" + f.body + "' do not have",
                      std::to_string(count) + " from number " + std::to_string(o.first_station) + " on, of " +
                          std::to_string(total),
-                     "ask for stations on the strip");
+                     "Ask for stations on the strip.");
   return {o.first_station, count};
 }
 
@@ -27,10 +27,10 @@ Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
   if (!(std::isfinite(o.dx) && o.dx >= 0) || o.offsets < 1)
     throw InputError("influence numbers cannot be expanded",
                      "dx = " + std::to_string(o.dx) + " mm, " + std::to_string(o.offsets) + " offsets",
-                     "give dx >= 0 and at least one offset");
+                     "Give dx >= 0 and at least one offset.");
   if (!(std::isfinite(o.contact_radius) && o.contact_radius >= 0))
     throw InputError("influence numbers cannot be expanded",
-                     "contact radius " + std::to_string(o.contact_radius) + " mm", "give a radius above 0");
+                     "contact radius " + std::to_string(o.contact_radius) + " mm", "Give a radius above 0.");
   Scaling scaling{o.dx, 1};
   if (f.invariance == Invariance::revolution && o.contact_radius > 0) {
     scaling.load = o.contact_radius / f.reference_radius;
@@ -41,7 +41,7 @@ Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
   if (o.dx == 0) {
     if (o.offsets != 1)
       throw InputError("plane strain has no offsets along x", std::to_string(o.offsets) + " were asked for",
-                       "ask for one offset, or give dx");
+                       "Ask for one offset, or give dx.");
     return scaling;
   }
   const double largest = f.wavenumber.back();
@@ -50,13 +50,13 @@ Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
                          "' are too coarse along x for dx = " + std::to_string(o.dx) + " mm",
                      largest > 0 ? "they serve dx >= " + std::to_string(shortest_dx(f) * scaling.load) + " mm"
                                  : "they hold plane strain only",
-                     "use longer elements, or compute them with a smaller harmonic.shortest_dx");
+                     "Use longer elements, or compute them with a smaller harmonic.shortest_dx.");
   if (o.offsets * scaling.dx > f.half_period)
     throw InputError("the patch is longer than the half period of the influence functions of '" + f.body +
                          "'",
                      std::to_string(o.offsets) + " elements of " + std::to_string(o.dx) +
                          " mm, half period " + std::to_string(f.half_period) + " mm",
-                     "use a shorter patch, or compute them with a larger harmonic.half_period");
+                     "Use a shorter patch, or compute them with a larger harmonic.half_period.");
   return scaling;
 }
 

@@ -14,20 +14,20 @@ int checked_parts(const InfluenceFunction& f, const ExpandOptions& o, const Scal
   if (o.structural != StructuralCompliance::included)
     throw InputError("the structural compliance of '" + f.body + "' cannot be removed",
                      "its file is a table of influence numbers and knows no remote section",
-                     "use structural compliance 'included'");
+                     "Use structural compliance 'included'.");
   const double parts = scaling.dx / f.table_dx;
   if (!(parts >= 1 - whole_ratio_slack) || std::abs(parts - std::round(parts)) > whole_ratio_slack * parts)
     throw InputError("the influence numbers of '" + f.body + "' do not serve dx = " + std::to_string(o.dx) +
                          " mm",
                      "they are a table of elements " + std::to_string(f.table_dx * scaling.load) +
                          " mm long at this radius",
-                     "use that length or a whole multiple of it, or compute them with another solid.dx");
+                     "Use that length or a whole multiple of it, or compute them with another solid.dx.");
   if (o.offsets * parts > static_cast<double>(f.table_offsets()) + 0.5)
     throw InputError("the patch is longer than the table of influence numbers of '" + f.body + "'",
                      std::to_string(o.offsets) + " elements of " + std::to_string(o.dx) +
                          " mm, the table has " + std::to_string(f.table_offsets()) + " of " +
                          std::to_string(f.table_dx * scaling.load) + " mm",
-                     "use a shorter patch, or compute it with more solid.offsets");
+                     "Use a shorter patch, or compute it with more solid.offsets.");
   return static_cast<int>(std::lround(parts));
 }
 

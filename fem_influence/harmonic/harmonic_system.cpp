@@ -31,7 +31,7 @@ std::vector<int> number_unknowns(const Section& section) {
       unknown[d] = next++;
   if (next == 0)
     throw InputError("The mesh has nothing that can move", "all its nodes lie on the group 'held'",
-                     "hold a part of the body, or refine the mesh");
+                     "Hold a part of the body, or refine the mesh.");
   return unknown;
 }
 

@@ -45,7 +45,7 @@ SparseColumns patch_functionals(const SolidBody& body, const ContactSurface& sur
       throw InputError("The mesh's group 'contact' does not cover the strip",
                        "of the element at " + place(patches[p]) + " it has " + std::to_string(covered[p]) +
                            " of " + std::to_string(patches[p].area()) + " mm^2",
-                       "widen the group, or change [strip] or solid.offsets");
+                       "Widen the group, or change [strip] or solid.offsets.");
   SparseColumns columns;
   for (const auto& column : of_node) {
     for (const auto& [node, vector] : column)

@@ -62,7 +62,7 @@ SolidNumbers empty_numbers(const BodyFile& body, const ProfileCurve& curve, std:
   for (const int load : loads)
     if (load < 0 || load >= count)
       throw InputError("There is no station " + std::to_string(load) + " to load",
-                       "the strip has " + std::to_string(count) + ", counted from 0", "choose another one");
+                       "the strip has " + std::to_string(count) + ", counted from 0", "Choose another one.");
   numbers.loads = std::move(loads);
   numbers.values.assign(
       numbers.loads.size() * 9 * static_cast<std::size_t>(numbers.offsets) * numbers.stations.size(), 0.0);

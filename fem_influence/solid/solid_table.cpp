@@ -14,7 +14,7 @@ InfluenceFunction as_table(const BodyFile& body, const ProfileCurve& curve, cons
     throw InputError("The table of influence numbers would not be complete",
                      std::to_string(numbers.loads.size()) + " of " + std::to_string(stations) +
                          " stations were loaded",
-                     "load all of them");
+                     "Load all of them.");
   InfluenceFunction f = describe(body, curve, numbers.stations);
   f.held = "all three displacements are zero on the mesh's group 'held' (physical surface 2)";
   f.method = "solid3d, degree " + std::to_string(body.solid.degree) + ", up to " +
