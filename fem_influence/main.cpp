@@ -95,7 +95,7 @@ void compute(const Arguments& arguments) {
     throw InputError(options.output.empty() ? "There is no file to write"
                                             : "The mesh of a section serves -o alone",
                      "--check, --load-station and --vtu belong to 3-D meshes",
-                     "give -o OUT.h5, or --solid with a 3-D mesh");
+                     "Give -o OUT.h5, or --solid with a 3-D mesh.");
   } else {
     fem::harmonic_command(arguments.body, arguments.mesh, options.output);
   }

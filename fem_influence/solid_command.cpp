@@ -36,7 +36,7 @@ InfluenceFunction as_table(const BodyFile& body, const ProfileCurve& curve, cons
     throw InputError("The table of influence numbers would not be complete",
                      std::to_string(numbers.loads.size()) + " of " + std::to_string(stations) +
                          " stations were loaded",
-                     "load all of them");
+                     "Load all of them.");
   InfluenceFunction f = describe(body, curve, numbers.stations);
   f.held = "all three displacements are zero on the mesh's group 'held' (physical surface 2)";
   f.method = "solid3d, degree " + std::to_string(body.solid.degree) + ", up to " +
@@ -98,7 +98,7 @@ std::vector<int> station_numbers(const std::string& text, std::size_t stations) 
         throw std::invalid_argument(word);
     } catch (const std::logic_error&) {
       throw InputError("'" + text + "' is no list of stations", "'" + word + "' is no whole number",
-                       "give --load-station as in 12 or 12,40,66");
+                       "Give --load-station as in 12 or 12,40,66.");
     }
   return numbers;
 }
@@ -127,7 +127,7 @@ void print_check(const std::vector<SolidDifference>& bands) {
 void check_files(const std::vector<std::filesystem::path>& inputs, const SolidOptions& options) {
   if (options.output.empty() && options.check.empty() && options.vtu.empty())
     throw InputError("There is nothing to do with the 3-D numbers", "they would be computed and forgotten",
-                     "give -o OUT.h5, --check INFLUENCE.h5 or --vtu FIELD.vtu");
+                     "Give -o OUT.h5, --check INFLUENCE.h5 or --vtu FIELD.vtu.");
   require_outputs(inputs, {{"--output", options.output, OutputForm::whole_file}, {"--vtu", options.vtu}});
 }
 

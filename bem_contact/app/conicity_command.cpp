@@ -112,7 +112,8 @@ void add_keys(CLI::App& line, const std::shared_ptr<ConicityArguments>& argument
   };
   number("--gauge", "position.gauge", "Track gauge, mm");
   number("--gauge-height", "position.gauge_height", "Where it is measured: below the top of the rail, mm");
-  number("--cant", "position.cant", "Inclination of the rails towards the track's centre, rad");
+  number("--cant", "position.cant",
+         "Inclination of the rails towards the track's centre, rad (1:40 is 0.025)");
   number("--back-to-back", "position.back_to_back", "Distance of the flange backs, mm");
   number("--wheel-radius", "position.wheel_radius", "At the tape circle, mm");
 }

@@ -21,9 +21,9 @@ namespace bem_contact::app {
 namespace {
 
 constexpr const char* influence_help =
-    R"(An influence file holds a function, not a table. `expand` makes of it the influence numbers (influence coefficients)
-of one grid: how far element (m, I) moves under 1 MPa on element (0, J). m counts elements along x; I and J count
-rows along the profile.
+    R"(An influence file holds a function. From it `expand` makes the influence numbers (Kalker's influence coefficients) of
+one grid: how far element (m, I) moves under 1 MPa on element (0, J). m counts elements along x; I and J count rows
+along the profile.
 
 1 Look at the file first. It says the shortest --dx, and the part of the profile on which the rows must lie:
     bem_contact info rail.h5

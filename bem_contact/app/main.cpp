@@ -23,16 +23,16 @@ constexpr const char* program_help =
     R"(A scene is a TOML file that says which bodies touch, where they stand, how they are loaded and how they move.
 Begin with one that is there, then change it:
     bem_contact solve data/scenes/hertz.toml
-You should see one patch, its forces, its largest pressure and the line `certificate`, which says `holds`: code
-that is not part of the solver has found that the result fulfils the contact conditions.
+You should see one patch, its forces, its largest pressure and the line `certificate`. `holds` in this line means that
+the result fulfils the contact conditions; code that is not part of the solver checks that.
 data/scenes/README.md lists what scenes can ask; --print-default prints every key of a scene.
 
 Units are mm, N, MPa. x points in the direction of rolling, y to the right, z down. s is the arc length of the
 rail's profile: 0 at the middle of its top, negative towards the gauge corner. n points into the rail. Forces are
 those on the rail.
 
-Exit code 0: the certificate holds (sweep: of every case). 2: the input is wrong. 3: the solver did not converge or
-a certificate does not hold. 1: something else, for instance a printed result that the disk had no room for.
+Exit code 0: the certificate holds (sweep: of every case). 1: an unforeseen error, such as a full disk. 2: the input is
+wrong. 3: the solver did not converge or a certificate does not hold.
 Each command has its own --help with an example.)";
 
 /// Comes before the options are parsed, because options of an unknown command are no errors of their own.

@@ -25,7 +25,7 @@ Vampire, or two columns y and z), the name of a standard (60E1, S1002) or a body
 of the same name do in [rail] and [wheel] of a scene (data/scenes/README.md). Example, with a worn wheel of this
 project:
     bem_contact profile data/bodies/hollow_wheel.txt --kind wheel
-You should see 307 points, 0.5 mm apart, a noise of 0.05 um, which needs no smoothing, and the mean radius of every
+You should see 307 points, 0.5 mm apart. Their noise of 0.05 um needs no smoothing. Then comes the mean radius of every
 5 mm of the profile: -13.2 mm (concave) at the root of the flange, 20.0 mm (convex) on its face.
 
 To draw profile and curvature, with the standard beside it:
@@ -73,7 +73,10 @@ ProfileKind kind_of_profile(const std::string& name, const std::string& kind) {
   if (kind == "rail" || (kind.empty() && (is_standard_profile(name) || is({".prr", ".ban", ".rai"}))))
     return ProfileKind::rail;
   throw InputError(fmt::format("'{}' is the profile of a rail or of a wheel", name),
-                   "neither its name nor its ending says which", "Say --kind rail or --kind wheel.");
+                   "neither its name nor its ending says which",
+                   is({".toml"})
+                       ? "Say --kind rail or --kind wheel; if it is a scene, solve it first (-o R.h5)."
+                       : "Say --kind rail or --kind wheel.");
 }
 
 /// The profile in words: points, extent, noise, what smoothing removed, radii along s.

@@ -268,7 +268,7 @@ std::string to_text(const SceneResult& r) {
   out += totals_text(r, force);
   out += rolling_text(r);
   if (r.result.outer_iterations > 1)
-    out += fmt::format("{} outer iterations, each reducing the residual to {:.2g}\n",
+    out += fmt::format("{} outer iterations, each leaving {:.2g} of the residual\n",
                        r.result.outer_iterations, r.result.outer_rate);
   if (!r.history.empty())
     out += fmt::format("the last of {} steps\n", r.history.size());

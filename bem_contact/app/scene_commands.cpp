@@ -28,9 +28,9 @@ constexpr const char* solve_help =
     R"(Example: a wheel-like body rolls steadily with creepage and spin.
     bem_contact solve data/scenes/steady_rolling.toml
 You should see one patch of 13.8 mm2 with a largest pressure of 437.0 MPa, nearly all of it in slip, and the
-forces on the rail: Fx 671.5 N, Fy 919.8 N, Fz 4000.0 N. Behind +- stands how far the size of the elements may put
-a number off. The line `certificate` `holds` if code that is not part of the solver finds every violation of the
-contact conditions below solver.tolerance (1e-6, relative).
+forces on the rail: Fx 671.5 N, Fy 919.8 N, Fz 4000.0 N. +- says how far the size of the elements may put a number off.
+The line `certificate` says `holds` if no contact condition is violated by more than solver.tolerance (1e-6, relative).
+Code that is not part of the solver checks that.
 
 --model says where the influence numbers come from:
   hertz          no elements: the closed form for a contact without friction and with constant curvatures
@@ -51,7 +51,7 @@ You should see which version made it, and `the same`, or each total that differs
 bem_contact info --scene result.h5 prints the scene.
 
 Exit code 0: the certificate holds, and a repeated result is the same. 2: the input is wrong. 3: the solver did not
-converge, and nothing is written; or the certificate does not hold; or a repeated result differs. 1: something else.)";
+converge, and nothing is written; or the certificate does not hold; or a repeated result differs. 1: an unforeseen error.)";
 
 constexpr const char* compare_help =
     R"(fem needs influence files of both bodies. Example, with the small files of this project:
@@ -60,11 +60,11 @@ You should see three tables with a column for each model:
   1. Equal forces on the rail. Fz is that of the scene. Fx is load.force_x; without that key it is 0, and the wheel
      rolls freely. Fy is load.force_y; without that key it is what the reference finds at the scene's position. The
      reference is fem, or the last of the models if fem is not among them. Each other model finds the lateral
-     position at which it bears the same Fy. In this scene it is some hundredths of a millimetre away.
+     displacement at which it has the same Fy. In this scene that is some hundredths of a millimetre away.
   2. Creep forces. Each model starts from its own free rolling, Fx = 0, and gets the same creepage beyond it: 0.0005,
      0.001, 0.002.
   3. Equal position and creepage, those of the scene. Near a flange most of the difference comes from the small shift
-     of table 1: a flange takes up much force in little way.
+     of table 1, because there a small shift changes the forces much.
 All models have elements of the same size. If the scene gives an approach and no force, Fz is what the reference finds
 for it. The result file has all tables but the second.
 
@@ -222,6 +222,7 @@ void add_threads(CLI::App& line, int& threads) {
 Command add_solve(CLI::App& program) {
   const auto arguments = std::make_shared<SceneArguments>();
   CLI::App* line = add_scene_command(program, "solve", "Solve a scene", solve_help, *arguments);
+  line->get_option("scene")->description("Scene file (TOML), or a result file (HDF5) to solve again");
   add_model(*line, arguments->model);
   add_json(*line, arguments->json);
   add_output(*line, arguments->output);
@@ -238,7 +239,7 @@ Command add_compare(CLI::App& program) {
       add_scene_command(program, "compare", "Solve a scene with several models, at equal forces first",
                         compare_help, *arguments);
   line->add_option("--models", arguments->models,
-                   "Models to compare, with commas between: a column for each (default halfspace,fem)")
+                   "Models to compare, separated by commas (default halfspace,fem)")
       ->delimiter(',')
       ->check(CLI::IsMember(EnumNames<Model>::names));
   add_json(*line, arguments->json);

@@ -36,7 +36,7 @@ Forces of a pair of profiles: add a table [table] to a scene. Its lists and rang
     [table]
     position.lateral = { from = -4, to = 2, count = 4 }
     load.force = [ 4e4, 8e4 ]
-    hold = [ "Fx", "Fy" ]      # numbers whose error is kept within the tolerance; or leave it out
+    hold = [ "Fx", "Fy" ]      # quantities whose error is kept within the tolerance; or leave it out
     bem_contact table SCENE.toml -o forces.h5
 Points are added where the error in the middle of a cell is larger than the tolerance. The file says what was found.
 
@@ -176,7 +176,8 @@ ExitCode run(TableArguments arguments) {
                      arguments.creep ? "a scene and --creep-forces are given" : "there is no scene",
                      "Name a scene with a table [table], or give --creep-forces.");
   if (arguments.output.empty() && arguments.text.empty())
-    throw InputError("The table has no file", "neither --output nor --text is given", "Give -o TABLE.h5.");
+    throw InputError("The table has no file", "neither --output nor --text is given",
+                     "Give -o TABLE.h5 to make a table, or --at to look one up.");
   Order order = arguments.creep ? creep_order(arguments) : scene_order(arguments);
   const std::vector<std::filesystem::path> inputs =
       order.given ? files_read(arguments.input, order.given->scene) : std::vector<std::filesystem::path>{};

@@ -20,18 +20,17 @@ constexpr const char* wear_help =
     mode = "zip"
     position.lateral = [ 0.0, 2.0, 5.0 ]
     weight           = [ 6, 3, 1 ]
-All cases are solved with the profiles as they are. Then these move until the deepest place of this step is --cap
-deep, and so on until --depth is reached. Example:
+All cases are solved with the profiles as they are. Then wear moves the profiles by --cap at the deepest place. This is
+repeated until --depth is reached. Example:
     bem_contact wear data/scenes/wear_collective.toml -o worn --depth 0.2
-You should see one line a step. The folder has the profiles of each step (rail_0001.txt, wheel_0001.txt), wear.csv
+You should see one line for each step. The folder has the profiles of each step (rail_0001.txt, wheel_0001.txt), wear.csv
 (mileage, depths, areas gone from the sections) and wear.h5. If the program is stopped, give the same command again: it
-goes on after the last finished step.
-
+goes on after the last finished step. To draw the steps:
     tools/plot worn -o worn.png
 
-With both bodies, a place of the rail meets --passages wheels while a wheel turns once; 1 is that of two discs of one size.
+How many wheels pass a place of the rail while one wheel turns once? --passages; 1 is the case of two discs of one size.
 
-A collective may also be a CSV file, one line a case: a table of your own, or one that bem_contact sweep --csv wrote.
+A collective may also be a CSV file with a line for each case: your own table, or one that bem_contact sweep --csv wrote.
     [sweep]
     table = "collective.csv"     # position.lateral,load.force,motion.friction,weight
                                  # 0.0,8e4,0.3,6
@@ -148,16 +147,18 @@ Command add_wear(CLI::App& program) {
   const auto number = [&](const char* name, double& value, const char* what) {
     line->add_option(name, value, what)->check(positive)->capture_default_str();
   };
-  number("--depth", a.depth, "End where the deepest place is so deep, mm");
+  number("--depth", a.depth, "End when this depth is worn off at the deepest place, mm");
   number("--cap", a.options.cap, "Largest depth of one step, mm");
   number("--smoothing", a.options.smoothing, "Shortest wavelength of the wear of a step, mm");
-  number("--passages", a.options.passages, "Passages on the rail while the wheel turns once");
+  number("--passages", a.options.passages, "Wheels that pass a place of the rail while one wheel turns once");
   number("--kept-turn", a.options.kept_turn,
          "Influence functions are kept until a surface has turned by this, rad");
-  number("--hardness", a.hardness, "Of the softer body, for archard, MPa");
+  number("--hardness", a.hardness, "Hardness of the softer body, for archard, MPa");
   number("--speed", a.speed, "Rolling speed, for archard, mm/s");
   add_model(*line, a.model);
-  line->add_option("--law", a.law, "Wear law")->check(CLI::IsMember(wear::law_names))->capture_default_str();
+  line->add_option("--law", a.law, "Wear law; energy: T-gamma")
+      ->check(CLI::IsMember(wear::law_names))
+      ->capture_default_str();
   line->add_option("--body", a.body, "Which body wears")
       ->check(CLI::IsMember({"both", "rail", "wheel"}))
       ->capture_default_str();

@@ -14,7 +14,7 @@ namespace bem_contact::app {
 namespace {
 
 constexpr const char* wheelset_help =
-    R"(A scene of one wheel becomes one of both if its table [load] gives way to
+    R"(A scene of one wheel becomes one of both if its table [load] is replaced by
     [wheelset]
     force = 2e5          # N, vertical force on the axle; both wheels share it
 Example:

@@ -119,7 +119,7 @@ void Schema::refuse_unknown(const std::string& path, bool is_table) const {
   }
   throw InputError(fmt::format("{}unknown {} '{}'", where(path), is_table ? "table" : "key", path),
                    fmt::format("a {} has no such {}", title_, is_table ? "table" : "key"),
-                   like.empty() ? "See --print-default for all of them."
+                   like.empty() ? "See --print-default (of bem_contact for scenes, of mesh_body for bodies)."
                                 : fmt::format("Did you mean {}?", fmt::join(like, " or ")));
 }
 

@@ -18,11 +18,11 @@
  * on the surface s is the arc length along the rail and n points into the rail. data/scenes/README.md lists
  * the keys.
  *
- * Every function but the first three returns one of the codes below, and conformal_message() then says what
- * is wrong, why, and what to do. No exception leaves a function, and none prints or ends the program. A
- * handle is for one thread at a time; many handles may be used side by side. Only conformal_stop() may be
- * called while another thread solves. A case starts from the tractions of the case before on the same handle,
- * so that small changes are solved faster than new cases.
+ * Every function that returns an int returns one of the codes below. If one fails, conformal_message() says
+ * what is wrong, why, and what to do; functions that get a `message` put the words there. No exception leaves
+ * a function, and none prints or ends the program. A handle is for one thread at a time; many handles may be
+ * used side by side. Only conformal_stop() may be called while another thread solves. A case starts from the
+ * tractions of the case before on the same handle, so that small changes are solved faster than new cases.
  */
 #ifndef CONFORMAL_CONTACT_H
 #define CONFORMAL_CONTACT_H
@@ -52,8 +52,8 @@ int conformal_open_text(const char* toml, const char* folder, conformal_contact*
 /* A null pointer is fine. */
 void conformal_close(conformal_contact* handle);
 
-/* What the last function that failed on this handle had to say; "" if the last one did not fail. Valid until
- * the next call with this handle. */
+/* What the last call with this handle had to say if it failed; "" if it did not fail. Valid until the next
+ * call with this handle. */
 const char* conformal_message(const conformal_contact* handle);
 
 /* The index of a key, such as "position.lateral" or "load.force", for the functions below. */
@@ -88,9 +88,9 @@ int conformal_stop(conformal_contact* handle);
 /* Copies the first `count` of them. */
 int conformal_totals(conformal_contact* handle, double* totals, int count);
 
-/* Patches, the one with the largest force first: values of one patch. */
-/* A value that a patch does not have is not a number (not equal to itself): a patch scene has no profiles, a
- * frictionless one no creepages. */
+/* Patches, the one with the largest force first: values of one patch. A value that a patch does not have is
+ * not a number (not equal to itself): a scene of kind "patch" has no profiles, a frictionless one no
+ * creepages. */
 #define CONFORMAL_PATCH_FN 0       /* N, sum of pressure */
 #define CONFORMAL_PATCH_FX 1       /* N */
 #define CONFORMAL_PATCH_FS 2       /* N */

@@ -13,7 +13,7 @@ std::vector<ContactResult> solve_history(ContactProblem problem, int steps,
     options.workspace = &own; // the numbers stay the same
   if (problem.motion == MotionKind::steady)
     throw InputError("steady rolling has no steps", "it is the state that steps lead to",
-                     "solve it as one problem, or choose a shift or transient rolling");
+                     "Solve it as one problem, or choose a shift or transient rolling.");
   const std::size_t kept = problem.motion == MotionKind::transient ? 2 : 1;
   std::vector<ContactResult> results;
   for (int k = 0; k < steps; ++k) {

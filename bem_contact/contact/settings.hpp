@@ -8,7 +8,7 @@ namespace bem_contact::contact {
 
 // --- work.cpp: the budget of one case ---
 
-/// Units of work (work.hpp). Some minutes: about 10 times what the dearest accepted case takes (7e8).
+/// Units of work (work.hpp). Some minutes: about 10 times what the costliest accepted case takes (7e8).
 BEM_CONTACT_TUNED(double, most_work, 1e10);
 /// Rows. A product A p with influence numbers that depend on both rows (that are not translational) costs
 /// 1 + rows / this units an element (measured).
@@ -31,7 +31,7 @@ BEM_CONTACT_TUNED(double, several_boxes_share, 0.6);
 /// 1. Boxes of former elements are used again up to this many times the size that is needed. Chosen.
 BEM_CONTACT_TUNED(double, box_reuse_factor, 2.5);
 /// Elements. They may have so many elements on top of box_reuse_factor times the size that is needed: small
-/// boxes are hardly dearer than the smallest. Chosen.
+/// boxes cost hardly more than the smallest. Chosen.
 BEM_CONTACT_TUNED(int, box_reuse_elements, 64);
 
 // --- grid/larger_elements.cpp ---

@@ -66,7 +66,7 @@ struct CreepCurves {
   CreepDerivatives sensitivities;
   /// The same from one linear system, with the pressure held (linearised.hpp).
   std::optional<CreepMatrix> linearised;
-  /// Where the surfaces do not move over each other: the creepages of the geometry are cancelled.
+  /// At zero rigid slip: without creepage and spin, those of the geometry included.
   CreepDerivatives slopes;
   std::optional<LinearTheory> linear; ///< to compare the slopes with
   std::vector<CreepCurve> curves;     ///< one for each range
@@ -75,8 +75,8 @@ struct CreepCurves {
 };
 
 /// Solves one scene in steady rolling for all points of all curves, each from the one before. The wheelset
-/// stays where it is: a lateral force (load.force_y) is turned into the displacement that bears it, the
-/// creepage of free rolling into a number, and the elements keep their size. Throws InputError for a scene
+/// stays where it is: the displacement of a lateral force (load.force_y) and the creepage of free rolling are
+/// found once and kept, and the elements keep their size. Throws InputError for a scene
 /// without friction, one that is no steady rolling, or one that prescribes shear forces; ConvergenceError as
 /// Sequence::solve() does, and Stopped where another thread sets `stop`.
 CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ranges,

@@ -132,20 +132,20 @@ int checked_parts(const InfluenceFunction& f, const ExpandOptions& o, const Scal
   if (o.structural != StructuralCompliance::included)
     throw InputError("the structural compliance of '" + f.body + "' cannot be removed",
                      "its file is a table of influence numbers and knows no remote section",
-                     "use structural compliance 'included'");
+                     "Use structural compliance 'included'.");
   const double parts = scaling.dx / f.table_dx;
   if (!(parts >= 1 - whole_ratio_slack) || std::abs(parts - std::round(parts)) > whole_ratio_slack * parts)
     throw InputError("the influence numbers of '" + f.body + "' do not serve dx = " + std::to_string(o.dx) +
                          " mm",
                      "they are a table of elements " + std::to_string(f.table_dx * scaling.load) +
                          " mm long at this radius",
-                     "use that length or a whole multiple of it, or compute them with another solid.dx");
+                     "Use that length or a whole multiple of it, or compute them with another solid.dx.");
   if (o.offsets * parts > static_cast<double>(f.table_offsets()) + 0.5)
     throw InputError("the patch is longer than the table of influence numbers of '" + f.body + "'",
                      std::to_string(o.offsets) + " elements of " + std::to_string(o.dx) +
                          " mm, the table has " + std::to_string(f.table_offsets()) + " of " +
                          std::to_string(f.table_dx * scaling.load) + " mm",
-                     "use a shorter patch, or compute it with more solid.offsets");
+                     "Use a shorter patch, or compute it with more solid.offsets.");
   return static_cast<int>(std::lround(parts));
 }
 
@@ -180,7 +180,7 @@ StationRange checked_range(const InfluenceFunction& f, const ExpandOptions& o) {
     throw InputError("stations were asked for that the influence functions of '" + f.body + "' do not have",
                      std::to_string(count) + " from number " + std::to_string(o.first_station) + " on, of " +
                          std::to_string(total),
-                     "ask for stations on the strip");
+                     "Ask for stations on the strip.");
   return {o.first_station, count};
 }
 
@@ -188,10 +188,10 @@ Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
   if (!(std::isfinite(o.dx) && o.dx >= 0) || o.offsets < 1)
     throw InputError("influence numbers cannot be expanded",
                      "dx = " + std::to_string(o.dx) + " mm, " + std::to_string(o.offsets) + " offsets",
-                     "give dx >= 0 and at least one offset");
+                     "Give dx >= 0 and at least one offset.");
   if (!(std::isfinite(o.contact_radius) && o.contact_radius >= 0))
     throw InputError("influence numbers cannot be expanded",
-                     "contact radius " + std::to_string(o.contact_radius) + " mm", "give a radius above 0");
+                     "contact radius " + std::to_string(o.contact_radius) + " mm", "Give a radius above 0.");
   Scaling scaling{o.dx, 1};
   if (f.invariance == Invariance::revolution && o.contact_radius > 0) {
     scaling.load = o.contact_radius / f.reference_radius;
@@ -202,7 +202,7 @@ Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
   if (o.dx == 0) {
     if (o.offsets != 1)
       throw InputError("plane strain has no offsets along x", std::to_string(o.offsets) + " were asked for",
-                       "ask for one offset, or give dx");
+                       "Ask for one offset, or give dx.");
     return scaling;
   }
   const double largest = f.wavenumber.back();
@@ -211,13 +211,13 @@ Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
                          "' are too coarse along x for dx = " + std::to_string(o.dx) + " mm",
                      largest > 0 ? "they serve dx >= " + std::to_string(shortest_dx(f) * scaling.load) + " mm"
                                  : "they hold plane strain only",
-                     "use longer elements, or compute them with a smaller harmonic.shortest_dx");
+                     "Use longer elements, or compute them with a smaller harmonic.shortest_dx.");
   if (o.offsets * scaling.dx > f.half_period)
     throw InputError("the patch is longer than the half period of the influence functions of '" + f.body +
                          "'",
                      std::to_string(o.offsets) + " elements of " + std::to_string(o.dx) +
                          " mm, half period " + std::to_string(f.half_period) + " mm",
-                     "use a shorter patch, or compute them with a larger harmonic.half_period");
+                     "Use a shorter patch, or compute them with a larger harmonic.half_period.");
   return scaling;
 }
 

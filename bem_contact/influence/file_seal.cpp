@@ -21,12 +21,12 @@ std::ifstream open_file(const std::filesystem::path& file) {
   // Before it is opened, because a pipe would wait for somebody to write.
   if (file_exists(file) && !is_regular(file))
     throw InputError("'" + file.string() + "' is no influence file", "it is not a regular file",
-                     "name a file that fem_influence wrote");
+                     "Name a file that fem_influence wrote.");
   std::ifstream in(file, std::ios::binary);
   if (!in)
     throw InputError("the influence file '" + file.string() + "' cannot be opened",
                      file_exists(file) ? "no permission to read it" : "there is no such file",
-                     "check its name, or compute it with tools/influence");
+                     "Check its name, or compute it with tools/influence.");
   return in;
 }
 
@@ -104,7 +104,7 @@ void seal_file(const std::filesystem::path& file, int format_major, int format_m
   out.close();
   if (!out)
     throw InputError("the influence file '" + file.string() + "' cannot be written", "the disk may be full",
-                     "make room and run again");
+                     "Make room and run again.");
 }
 
 bool begins_with_seal(const std::filesystem::path& file) {
@@ -126,8 +126,8 @@ void check_seal(const std::filesystem::path& file, int format_major) {
   std::getline(head, line);
   if (line != title)
     throw InputError(name + " is no influence file", "its first line is not '" + std::string(title) + "'",
-                     "name a file that fem_influence wrote");
-  const std::string again = "copy it again from where it was whole, or compute it again";
+                     "Name a file that fem_influence wrote.");
+  const std::string again = "Copy it again from where it was whole, or compute it again.";
   int major = 0, minor = 0;
   char dot = 0;
   std::size_t size = 0;
@@ -139,7 +139,7 @@ void check_seal(const std::filesystem::path& file, int format_major) {
     throw InputError("the influence file " + name + " has format version " + std::to_string(major) + "." +
                          std::to_string(minor),
                      "this program reads version " + std::to_string(format_major),
-                     "compute it again with the fem_influence of this version");
+                     "Compute it again with the fem_influence of this version.");
   if (found < size || found < seal_size)
     throw InputError("the influence file " + name + " is truncated",
                      "it holds " + std::to_string(found) + " of " + std::to_string(size) + " bytes", again);

@@ -15,7 +15,7 @@ namespace {
 void check(bool good, const char* what) {
   if (!good)
     throw InputError(std::string("HDF5 failed at ") + what, "the memory may be full",
-                     "close other programs, or write a smaller file");
+                     "Close other programs, or write a smaller file.");
 }
 
 /// The buffer grows in steps; where the file ends is said by its superblock (version 2, byte 28).

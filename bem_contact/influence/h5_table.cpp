@@ -23,7 +23,9 @@ H5Table read_paths(const std::filesystem::path& file, const std::function<bool(c
   const QuietHdf5 silence;
   if (!is_regular(file))
     throw InputError("The file '" + file.string() + "' cannot be read",
-                     file_exists(file) ? "it is no file" : "there is no such file", "Check the path.");
+                     file_exists(file) ? "it is a folder or a device" : "there is no such file",
+                     file_exists(file) ? "Name a file, such as wear.h5 in the folder of bem_contact wear."
+                                       : "Check the path.");
   const H5Handle root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   std::vector<std::string> paths;
   const auto add = [](hid_t, const char* name, const H5O_info_t*, void* data) -> herr_t {

@@ -83,7 +83,7 @@ InfluenceFunction read_contents(const std::filesystem::path& file) {
   read(root, "invariance", invariance);
   if (invariance != prismatic_name && invariance != revolution_name)
     throw InputError("the influence file '" + file.string() + "' has the invariance '" + invariance + "'",
-                     "there are 'prismatic' and 'revolution'", "compute it again");
+                     "there are 'prismatic' and 'revolution'", "Compute it again.");
   f.invariance = invariance == revolution_name ? Invariance::revolution : Invariance::prismatic;
   const std::vector<double> stations = read_table(root, "stations", {0, 4});
   for (std::size_t i = 0; i < stations.size(); i += 4)

@@ -13,7 +13,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& problem, const std::string& why) {
   throw InputError("the influence function is not valid: " + problem, why,
-                   "compute the influence file again");
+                   "Compute the influence file again.");
 }
 
 void require(bool holds, const std::string& problem, const std::string& why) {

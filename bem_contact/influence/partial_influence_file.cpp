@@ -103,7 +103,7 @@ struct PartialInfluenceFile::Impl {
   }
   [[noreturn]] void fail(const char* why) const {
     throw InputError("the file of finished wavenumbers '" + path.string() + "' cannot be written", why,
-                     "check that its folder exists and has room");
+                     "Check that its folder exists and has room.");
   }
 };
 
@@ -165,7 +165,7 @@ void PartialInfluenceFile::take_into(InfluenceFunction& function, std::vector<do
     throw InputError("the influence functions are not complete",
                      "wavenumber " + std::to_string(impl_->in_order) + " of " + std::to_string(count) +
                          " is missing in '" + impl_->path.string() + "'",
-                     "run fem_influence again: it goes on where it stopped");
+                     "Run fem_influence again: it goes on where it stopped.");
   function.wavenumber = impl_->wavenumber;
   function.kernel = std::move(impl_->kernel);
   function.remote = std::move(impl_->remote);

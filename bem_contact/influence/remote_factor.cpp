@@ -29,7 +29,7 @@ RowMajor remote_factor(const InfluenceFunction& f, StationRange range, Eigen::In
   throw InputError("the structural compliance of '" + f.body + "' cannot be removed",
                    "the remote section's own compliance is not positive definite at wavenumber " +
                        std::to_string(f.wavenumber[static_cast<std::size_t>(k)]) + " 1/mm",
-                   "use structural compliance 'included', or compute the file again");
+                   "Use structural compliance 'included', or compute the file again.");
 }
 
 } // namespace bem_contact

@@ -23,7 +23,7 @@ void require_profile(const InfluenceFunction& f, const std::string& profile, std
     throw InputError(
         text("the influence functions of '", f.body, "' do not belong to the profile '", profile, "'"),
         text("they were computed for the profile '", f.profile, "', whose geometry differs"),
-        "compute the influence functions of this profile, or name their own profile");
+        "Compute the influence functions of this profile, or name their own profile.");
 }
 
 void require_material(const InfluenceFunction& f, const Material& material) {
@@ -31,7 +31,7 @@ void require_material(const InfluenceFunction& f, const Material& material) {
     throw InputError(text("the influence functions of '", f.body, "' do not belong to this material"),
                      text("they hold for G = ", f.material.shear_modulus, " MPa, nu = ", f.material.poisson,
                           ", not G = ", material.shear_modulus, " MPa, nu = ", material.poisson),
-                     "compute them for this material, or give the body theirs");
+                     "Compute them for this material, or give the body theirs.");
 }
 
 void require_order(const InfluenceFunction& lower, const InfluenceFunction& upper) {
@@ -44,7 +44,7 @@ void require_order(const InfluenceFunction& lower, const InfluenceFunction& uppe
                           "', which is given as the rail, lies above its surface; "
                           "that of '",
                           upper.body, "', given as the wheel, below"),
-                     "give the rail's (lower body's) file as the rail's and the wheel's as the wheel's");
+                     "Give the rail's (lower body's) file as the rail's and the wheel's as the wheel's.");
 }
 
 void require_strip(const InfluenceFunction& f, double s_from, double s_to) {
@@ -56,7 +56,7 @@ void require_strip(const InfluenceFunction& f, double s_from, double s_to) {
     throw InputError(
         text("the patch from s = ", s_from, " to ", s_to, " mm leaves the contact strip of '", f.body, "'"),
         text("its influence functions cover s = ", from, " to ", to, " mm"),
-        "compute them for a wider strip, or move the patch");
+        "Compute them for a wider strip, or move the patch.");
 }
 
 double shortest_dx(const InfluenceFunction& function) {

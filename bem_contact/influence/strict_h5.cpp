@@ -30,7 +30,7 @@ OpenTable open_table(hid_t at, const char* name, Shape shape) {
   if (!fits || found != shape)
     throw InputError("the influence file's table '" + std::string(name) + "' has the wrong shape or type",
                      "it does not fit the file's stations and wavenumbers",
-                     "compute the influence file again");
+                     "Compute the influence file again.");
   return {std::move(set), std::move(shape)};
 }
 
@@ -39,13 +39,14 @@ OpenTable open_table(hid_t at, const char* name, Shape shape) {
 Handle::Handle(hid_t id, herr_t (*close)(hid_t), std::string_view what) : H5Handle(id, close) {
   if (id < 0)
     throw InputError("HDF5 failed at " + std::string(what),
-                     "see data/INFLUENCE_FORMAT.md for what is expected", "compute the influence file again");
+                     "see data/INFLUENCE_FORMAT.md for what is expected",
+                     "Compute the influence file again.");
 }
 
 void check(bool success, std::string_view what) {
   if (!success)
     throw InputError("HDF5 failed at " + std::string(what), "the disk may be full or the file damaged",
-                     "make room, or compute the influence file again");
+                     "Make room, or compute the influence file again.");
 }
 
 Handle open_scalar(hid_t at, const char* name, H5T_class_t wanted) {
@@ -55,7 +56,7 @@ Handle open_scalar(hid_t at, const char* name, H5T_class_t wanted) {
   if (H5Sget_simple_extent_npoints(space) != 1 || H5Tget_class(type) != wanted)
     throw InputError("the influence file's attribute '" + std::string(name) +
                          "' is not one value of the right type",
-                     "see data/INFLUENCE_FORMAT.md", "compute the influence file again");
+                     "see data/INFLUENCE_FORMAT.md", "Compute the influence file again.");
   return attribute;
 }
 

@@ -9,26 +9,26 @@ namespace bem_contact {
 
 /// Longitudinal forces at one distance from free rolling.
 struct CreepForces {
-  double creepage = 0;    ///< beyond that of free rolling, which each model has its own of
+  double creepage = 0;    ///< beyond free rolling; each model has its own creepage of free rolling
   std::vector<double> Fx; ///< on the rail, N; one a model
 };
 
 /// One scene solved with several models, all with elements of the same size.
 ///
-/// Results at equal forces say what a vehicle feels: forces are given, and the wheelset finds its place. At
-/// equal position a wheel that stands a hundredth of a millimetre nearer to the gauge corner bears another
-/// lateral force, and most of the difference is of that hundredth. Which hundredth it is depends on what is
-/// counted as elastic: on the distance that structural = "removed" means, for instance.
+/// Results at equal forces say what a vehicle feels: forces are given, and the wheelset finds its place. Near
+/// the gauge corner some hundredths of a millimetre of lateral displacement change the lateral force much,
+/// and the models differ by such a shift. So at equal position most of the difference comes from it. How
+/// large the shift is depends on what counts as elastic, for instance on the distance that structural =
+/// "removed" means.
 struct Comparison {
   std::vector<Model> models; ///< as asked for
   std::size_t reference = 0; ///< which of them the others are compared with: fem, or the last one
-  /// The same Fx (load.force_x, or 0 with friction: free rolling), Fy and Fz; one a model. Fy is
-  /// load.force_y, or what the reference bears at position.lateral; a model that has it there within
-  /// same_lateral_force stays there. Of a patch: the same normal force. Empty for transient rolling and
-  /// shifts.
+  /// One for each model, with the same Fx (load.force_x, or 0 with friction: free rolling), Fy and Fz. Fy is
+  /// load.force_y, or the reference's Fy at position.lateral. A model whose Fy there agrees within
+  /// same_lateral_force stays there. A patch: the same normal force. Empty for transient rolling and shifts.
   std::vector<SceneResult> at_forces;
   std::vector<CreepForces> creep_forces; ///< where at_forces have friction and load.force_x is not given
-  /// The same Fz, position and creepages; one a model. Empty for a patch.
+  /// One for each model, with the same Fz, position and creepages. Empty for a patch.
   std::vector<SceneResult> at_position;
 
   /// Those to look at first: at equal forces where there are some.

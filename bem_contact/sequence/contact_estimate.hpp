@@ -11,8 +11,9 @@ namespace bem_contact {
 /// A Hertz-like estimate of where and how far the bodies touch. Semi-Hertzian method of Kik and Piotrowski
 /// (1996): the contact is where they would overlap at 0.55 of the approach.
 struct ContactEstimate {
-  std::vector<RailSlice> slices;  ///< the whole head of the rail
-  std::vector<double> lift;       ///< of each: vertical force of pressure and shear over that of the pressure
+  std::vector<RailSlice> slices; ///< the whole head of the rail
+  /// One for each slice: vertical force of pressure and shear, over that of the pressure alone.
+  std::vector<double> lift;
   double approach = 0;            ///< mm
   double force = 0;               ///< vertical, N
   double turn = 0;                ///< turn of the normal within the largest area of contact, rad

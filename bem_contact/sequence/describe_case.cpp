@@ -43,7 +43,7 @@ ContactOnGrid grown_contact(const ContactCase& asked, const ContactOnGrid& conta
 }
 
 void add_strip(const char* body, const Range& strip, std::vector<std::string>& lines) {
-  lines.push_back(fmt::format("strip that fem needs of the {0}, for its body file:\n"
+  lines.push_back(fmt::format("strip that the model fem needs on the {0}, for its body file:\n"
                               "    [strip]\n    from = {1:g} # mm\n    to = {2:g}\n    station_width = {3:g}",
                               body, strip.from, strip.to, double(usual_station_width)));
 }

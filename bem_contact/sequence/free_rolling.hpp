@@ -6,11 +6,11 @@ namespace bem_contact {
 
 /// solve_case() for a wheel in steady rolling, with SceneResult::free_rolling.
 ///
-/// The creepage of free rolling is found as that of a prescribed force is: the case is solved once more with
-/// load.force_x = 0, from the tractions of the first solution. If motion.from_free_rolling is set this comes
-/// first, and motion.xi is then counted from there; it throws ConvergenceError where free rolling is not
-/// found. If it is only reported, a result without it has no free_rolling. A scene that leaves it out, and
-/// one without friction, is solved by solve_case() alone.
+/// The creepage of free rolling is found like that of a prescribed force: the case is solved once more with
+/// load.force_x = 0, from the tractions of the first solution. If motion.from_free_rolling is set, this comes
+/// first, and motion.xi is then counted from there. Throws ConvergenceError if it is set and free rolling is
+/// not found. If free rolling is only to be reported and is not found, the result has no free_rolling. A
+/// scene with motion.free_rolling = false, and one without friction, is solved by solve_case() alone.
 SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::Grid& grid,
                                     const SolveResources& resources);
 

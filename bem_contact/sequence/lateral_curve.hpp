@@ -43,9 +43,9 @@ public:
   void learn(const LateralSample& exact);
   /// Points, ascending, near enough to each other to show each place where the curve passes `wanted`.
   std::vector<Point> points(double wanted);
-  /// Where the curve leaves the force at `from` by more than `error` (N), on the side of `direction` (-1 or
-  /// 1). It has the shape of the rough samples, which the model's own unevenness from element to element does
-  /// not reach. The last sample where it leaves it nowhere.
+  /// Where, on the side of `direction` (-1 or 1), the force first differs from that at `from` by `error` (N);
+  /// the last sample if it nowhere does. The curve has the shape of the rough samples, linear between them,
+  /// because the model's own forces are uneven from element to element.
   LateralSample leaves(const LateralSample& from, double error, int direction) const;
   const std::map<double, KnownLateralForces::Exact>& exact() const { return known_.exact; } ///< of the model
 

@@ -27,12 +27,12 @@ public:
   LateralSearch(const Question& question, const LateralForce& rough, KnownLateralForces& known);
 
   bool passes(); ///< whether the curve passes the force, as far as the curve is known
-  /// Where it passes the force, nearest to the start, mm. The start where it does not.
+  /// The displacement nearest to the start where the curve passes the force, mm; the start if it does not.
   double guess();
 
-  /// The displacement, mm, with a force within lateral_tolerance. `force` is the model's. Throws InputError
-  /// where no displacement bears it, with what can be reached; ConvergenceError where the force jumps over
-  /// it, or the model has no solution on the way.
+  /// The displacement, mm, whose force is the wanted one within lateral_tolerance. `force` is the model's.
+  /// Throws InputError if no displacement has this force, with the forces that can be reached;
+  /// ConvergenceError if the force jumps over it, or if the model has no solution on the way.
   double find(const LateralForce& force);
 
   /// What to say of the displacement that was found. `error`: of the lateral force, N; nan: not

@@ -63,7 +63,7 @@ ModelChoice choose_hertz(const HertzModel& model, const ContactTraits& traits, c
           fmt::format(
               "no friction, the undeformed distance is a quadratic within {:.1g} of the approach, {}{}{}",
               model.deviation, turn_text(model.turn), miss_text("Hertz's closed form is", errors, request),
-              within_text(request, "a dearer model")),
+              within_text(request, "a costlier model")),
           largest(errors, request) <= request.tolerance};
 }
 

@@ -17,7 +17,8 @@ struct ModelRequest {
 };
 ModelRequest request_of(const ContactCase& asked);
 
-/// The cheapest model that is predicted to be within the tolerance, why, and what a dearer one would change.
+/// The cheapest model that is predicted to be within the tolerance, why, and what a costlier one would
+/// change.
 struct ModelChoice {
   Model model;
   std::string reason;

@@ -38,8 +38,8 @@ struct ContactTraits {
   double approach = 0;           ///< mm
   double inclination = 0;        ///< of the rail where the bodies are nearest, against the track plane, rad
   double size = 0;               ///< of the contact along x and s: geometric mean, mm
-  double force_steepness = 0;    ///< lateral over normal force, by how far the wheel stands aside, 1/mm
-  double pressure_steepness = 0; ///< largest pressure likewise, relative, 1/mm
+  double force_steepness = 0;    ///< change of lateral over normal force, per mm of lateral shift, 1/mm
+  double pressure_steepness = 0; ///< relative change of the largest pressure, likewise, 1/mm
   double edge = 0; ///< from the middle of the contact to the nearest end of a profile, mm; 0: none is known
   double slip = 0; ///< rigid creepage in the middle, without spin
   double creep_stiffness = 0; ///< shear force over the friction limit, by creepage

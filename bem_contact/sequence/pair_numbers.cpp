@@ -147,7 +147,8 @@ InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, con
                      !files.rail && !files.wheel ? "the scene names none"
                      : files.rail                ? "the scene names none for the wheel"
                                                  : "the scene names none for the rail",
-                     "Give rail.influence and wheel.influence, or ask for the half-space model.");
+                     "Give rail.influence and wheel.influence, or name other models, such as halfspace and "
+                     "tangent_plane.");
   require_strips(files, contact.problem.grid.ds, contact.rail_s, contact.wheel_s);
   if (setup.patch()) {
     require_turn(*files.rail, contact, contact.rail_s, rail_turn_tolerance);

@@ -13,12 +13,12 @@ namespace bem_contact {
 /// elements that are too large, fields that do not converge.
 std::vector<std::string> result_warnings(const ContactCase& asked, const SceneResult& result);
 
-/// A warning more where the estimated error of a solution is above the grid.accuracy asked for. `why`: it was
-/// not reached.
+/// Adds a warning if the estimated error of a solution is above the grid.accuracy asked for. `why`: the
+/// reason why the accuracy was not reached.
 void warn_of_accuracy(const SceneFile::Grid& asked, const std::string& why, SceneResult& out);
 
-/// Warnings more where load.force_y says little of the lateral displacement. `at_start`: Fy at
-/// position.lateral, N, where it is known.
+/// Adds warnings if Fy hardly depends on the lateral displacement, so that load.force_y hardly determines it.
+/// `at_start`: Fy at position.lateral, N, if it is known.
 void warn_of_lateral(const SceneFile& asked, std::optional<double> at_start, SceneResult& out);
 
 /// For those who take warnings as errors: throws InputError with all of them unless there are none.

@@ -46,7 +46,7 @@ struct FreeRolling {
 struct LateralPosition {
   double lateral = 0;           ///< position.lateral, mm
   double slope = 0;             ///< dFy/dy there, N/mm
-  double error = unknown_error; ///< of the displacement, mm: where Fy is the same within its error
+  double error = unknown_error; ///< of the displacement, mm: so far away Fy is the same within its own error
   std::vector<double>
       others; ///< other displacements with the same force, to some hundredths of a millimetre, mm
 };
@@ -81,8 +81,8 @@ struct SceneResult {
   std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none
   std::vector<Point2> rail_profile, wheel_profile; ///< Outlines: at approach 0, frame of the rows, mm
   std::optional<StressesBelow> stresses;           ///< where the scene asks for them
-  /// Of which points of the bodies the approach is the relative displacement, in words. Approaches of
-  /// different datums are not to be compared.
+  /// In words: the approach is the relative displacement of these points of the two bodies. Approaches with
+  /// different datums must not be compared.
   std::string approach_datum;
   std::optional<StructuralResult> structure; ///< fem with structural compliance of at least one body
   std::vector<std::string> warnings;         ///< what to know before the numbers are used

@@ -19,15 +19,15 @@ namespace bem_contact {
 /// each saves.
 struct SequenceOptions {
   bool keep_files = true; ///< profiles and influence files are read once
-  /// Influence numbers of a grid met before are not computed again, nor what solving made of them.
+  /// Influence numbers of a known grid are not computed again, nor what the solver prepares from them.
   bool keep_numbers = true;
-  /// A case starts from the former one's tractions, moved and scaled. If the bodies may now touch in other
-  /// areas than in the former case (alike()), it starts from larger elements instead.
+  /// A case starts from the tractions of the case before, moved and scaled. If the bodies may now touch in
+  /// other areas than in that case (alike()), it starts from larger elements instead.
   bool keep_start = true;
-  bool learn = true;         ///< learn the area in contact over the predicted one (ContactEstimate)
-  bool coarse_start = true;  ///< a case without a former one starts from larger elements
+  bool learn = true;        ///< learn the ratio of the area in contact to the predicted one (ContactEstimate)
+  bool coarse_start = true; ///< a case without one before it starts from larger elements
   bool displacements = true; ///< results hold them; not needed where no fields are written
-  bool foresee_shear = true; ///< the estimate knows what shear bears of the load
+  bool foresee_shear = true; ///< the estimate counts the part of the load that shear bears
   /// The grid covers only where h < potential_share of the approach. False: where h is below three times
   /// that.
   bool potential_contact = true;
@@ -41,7 +41,7 @@ struct SequenceOptions {
 
 /// How a scene is solved on the way to an answer.
 struct SceneTask {
-  bool totals_only = false;    ///< no error of the elements, no displacements
+  bool totals_only = false;    ///< no stated errors, no displacements
   bool read_influence = false; ///< influence files are read for each model: all have the same rows
   bool lateral_force = false;  ///< the lateral displacement is found for a force, and not given
 };
@@ -49,9 +49,9 @@ struct SceneTask {
 /// Answers scenes. This is the one way in: the program, sweeps and Python all use it, and one scene is a
 /// sequence of one.
 ///
-/// Scenes of a wheel on a rail in steady rolling profit from the ones before: a case starts from the
-/// tractions of the former case, and grid.elements or grid.accuracy are met by what former cases taught.
-/// On the same grid, a scene has the same result as when it is solved alone, within the certificate's
+/// Scenes of a wheel on a rail in steady rolling profit from the cases before. A case starts from the
+/// tractions of the case before it. Earlier cases also teach how many elements grid.elements or grid.accuracy
+/// need. On the same grid, a scene has the same result as when it is solved alone, within the certificate's
 /// tolerance. Files must not change meanwhile.
 ///
 /// Several threads may call one object: each call waits for the one before. Several objects run side by side,
@@ -62,18 +62,19 @@ public:
   explicit Sequence(SequenceOptions options = {}, std::shared_ptr<SequenceFiles> files = nullptr);
 
   /// Solves a scene with the model that it asks for (solve_case.hpp). If load.force_y is given, the lateral
-  /// displacement that bears it is found, the nearest to position.lateral (lateral_search.hpp). Where it
-  /// asks for grid.elements or grid.accuracy, dx and ds are chosen: the case is solved again, at most
+  /// displacement with this force is found, the nearest to position.lateral (lateral_search.hpp). If the
+  /// scene asks for grid.elements or grid.accuracy, dx and ds are chosen: the case is solved again, at most
   /// most_solves times, until its estimated error is within the accuracy. The grid of a wheel on a rail grows
-  /// until the contact lies inside. Throws InputError for wrong input, ConvergenceError where the work
-  /// allowed is used up; other lack of convergence is in the result. If another thread sets `stop`, the
-  /// solution ends with Stopped (contact/work.hpp) at the next product with influence numbers.
+  /// until the contact lies inside. Throws InputError for wrong input, ConvergenceError if the work budget is
+  /// used up; any other lack of convergence is in the result. If another thread sets `stop`, the solution
+  /// ends with Stopped (contact/work.hpp) at the next product with influence numbers.
   SceneResult solve(const SceneFile& scene, const std::atomic<bool>* stop = nullptr);
 
-  /// Solves a scene with each model, at equal forces and at equal position. Where it asks for grid.elements
-  /// or grid.accuracy, dx and ds are those that solve() chooses for the reference; all models have them. A
-  /// prescribed approach is turned into the force that the reference finds for it. Throws like solve(), and
-  /// InputError for fewer than two models. `stop`: as solve() has it.
+  /// Solves a scene with each model, at equal forces and at equal position. All models have elements of the
+  /// same size: if the scene asks for grid.elements or grid.accuracy, those that solve() chooses for the
+  /// reference model (Comparison::reference). A prescribed approach is replaced by the force that the
+  /// reference finds for it. Throws what solve() throws, and InputError for fewer than two models. `stop`: as
+  /// in solve().
   Comparison compare(const SceneFile& scene, std::vector<Model> models = {Model::halfspace, Model::fem},
                      const std::atomic<bool>* stop = nullptr);
 
@@ -81,8 +82,8 @@ public:
   /// throw before it solves.
   SceneDescription check(const SceneFile& scene);
 
-  /// Since the object was made: scenes solved, solutions (several for a scene if an accuracy is asked for),
-  /// how often influence numbers were there already, and solutions that started from a former case.
+  /// Counts since the object was made: scenes solved, solutions (several for a scene if an accuracy is asked
+  /// for), how often influence numbers were there already, and solutions that started from an earlier case.
   struct Counts {
     int cases = 0, solves = 0, numbers_kept = 0, starts = 0; ///< how many
     int rough = 0; ///< rough solutions for lateral forces, which are not among the others

@@ -127,32 +127,31 @@ BEM_CONTACT_TUNED(double, wavelength_reserve, 1.05);
 
 // Lateral displacement for a lateral force.
 
-/// mm. Displacements are looked at so far on either side of position.lateral: more than a wheelset has
-/// between its flanges (about 7 mm to either side), so that tread and flange are both seen.
+/// mm. The search looks this far to either side of position.lateral: farther than a wheelset can move between
+/// its flanges (about 7 mm to either side), so that it sees tread and flange.
 BEM_CONTACT_TUNED(double, lateral_reach, 12.0);
-/// mm. Distance of the displacements that are looked at first: a tread's force bends little over it.
+/// mm. Distance of the displacements that are tried first: a tread's force bends little over it.
 BEM_CONTACT_TUNED(double, first_lateral_samples, 2.0);
-/// mm. Distance below which no more are looked at: a flange takes up its force within about this.
+/// mm. No displacements nearer to each other are tried: a flange takes up its force within about this.
 BEM_CONTACT_TUNED(double, lateral_step, 0.5);
 /// 1. Forces that differ by less than this, over the resultant of Fy and Fz, count as alike where a tread is
 /// sampled: rough solutions of S1002 on 60E1 are uneven by .0005.
 BEM_CONTACT_TUNED(double, even_lateral_force, 1e-3);
-/// 1. Elements in contact of the rough half-space solutions that are looked at. Chosen: they only tell which
-/// branches there are.
+/// 1. Elements in contact of the rough half-space solutions. Chosen: they only tell which branches there are.
 BEM_CONTACT_TUNED(int, lateral_map_elements, 60);
-/// mm. Precision of the displacements that rough solutions give to begin from, and of the others that are
-/// said.
+/// mm. Precision of the displacement that rough solutions give to begin from, and of the other displacements
+/// that a result names.
 BEM_CONTACT_TUNED(double, lateral_root_width, 1e-4);
 BEM_CONTACT_TUNED(double, other_lateral_width, 0.02);
 /// mm. An extremum of the force is known to this: it changes by its square there.
 BEM_CONTACT_TUNED(double, lateral_extremum_width, 0.05);
-/// mm. On a tread the force is uneven from element to element, over some tenths of a millimetre. Where it is
-/// almost the one wanted at position.lateral, it is looked for so far to either side, and doubly.
+/// mm. On a tread the force is uneven from element to element, over some tenths of a millimetre. If it is
+/// almost the wanted one at position.lateral, the search tries this distance to either side, then doubles it.
 BEM_CONTACT_TUNED(double, first_look_around, 0.1);
-/// 1. Solutions whose forces differ by this, over the resultant, tell a slope.
+/// 1. Two solutions give a slope if their forces differ by this, over the resultant.
 BEM_CONTACT_TUNED(double, telling_lateral_force, 1e-4);
-/// mm. Less than this is known of the lateral displacement where the force says little of it: a warning. A
-/// rail's gauge is measured to some tenths, and a flange takes up 20 kN within it.
+/// mm. A larger stated error of the lateral displacement gives a warning: the force then hardly determines
+/// it. A rail's gauge is measured to some tenths, and a flange takes up 20 kN within this.
 BEM_CONTACT_TUNED(double, unsure_lateral, 0.05);
 /// 1. Precision of a lateral force, over the resultant of Fy and Fz: what the certificate allows for
 /// prescribed forces.
@@ -175,24 +174,24 @@ BEM_CONTACT_TUNED(double, narrowest_lateral, 1e-9); ///< mm. A narrower bracket 
 inline constexpr std::array<double, 3> compared_creepages{5e-4, 1e-3, 2e-3};
 /// 1. A model whose lateral force at the reference's position is as near to the reference's as this, over the
 /// resultant of Fy and Fz, is compared there. On a tread Fy hardly depends on the position: at cant 1:40 the
-/// half-space's is within .0003, and the place where the last newton fits is .28 mm off, with a pmax 12 %
+/// half-space's is within .0003. The place where it is exactly the same lies .28 mm off, where pmax is 12 %
 /// off.
 BEM_CONTACT_TUNED(double, same_lateral_force, 0.005);
 
 // Start from the case before.
 
-/// 1. From so many elements on, tractions of a former case whose elements were longer or wider by more than
-/// coarse_former are no start: what the solver itself finds on elements twice as large is nearer.
+/// 1. From this number of elements on, a former case is no start if its elements were longer or wider by more
+/// than coarse_former: what the solver itself finds on elements twice as large is nearer.
 BEM_CONTACT_TUNED(int, many_elements, 2000);
 BEM_CONTACT_TUNED(double, coarse_former, 1.5); ///< 1. Length and width over the wanted ones.
 /// 1. Two areas are the same contact if they overlap by this share of the smaller one.
 BEM_CONTACT_TUNED(double, alike_overlap, 0.3);
 /// mm. Least extent of an area: it may be one slice of the estimate.
 BEM_CONTACT_TUNED(double, least_extent, 0.2);
-/// 1. Influence numbers of so many grids are kept: numbers take up to 8 GB.
+/// 1. Influence numbers of this many grids are kept: the numbers of one grid take up to 8 GB.
 BEM_CONTACT_TUNED(int, numbers_kept, 6);
-/// MB. But no more than this, the last grid's apart; and as much of the rail's own numbers. A case of 2 %
-/// accuracy has 2 to 20 MB.
+/// MB. But no more than this, the last grid's not counted; and the same for the rail's own numbers. A case of
+/// 2 % accuracy has 2 to 20 MB.
 BEM_CONTACT_TUNED(double, largest_kept_numbers, 200.0);
 BEM_CONTACT_TUNED(int, operators_kept, 3); ///< 1. Grids whose operators are kept: they take more.
 

@@ -152,7 +152,7 @@ ModelChoice choose(const ContactCase& asked, const ContactOnGrid& contact, const
   return choose_model(traits, request);
 }
 
-/// What the solution itself says of the choice: a dearer model, or the same with what is known now.
+/// What the solution itself says of the choice: a costlier model, or the same with what is known now.
 ModelChoice checked(const ContactCase& asked, ModelChoice taken, const ContactTraits& foreseen,
                     const GridSolution& solved) {
   if (taken.model == Model::hertz || taken.model == Model::fem || !solved.result.converged ||

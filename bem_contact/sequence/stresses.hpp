@@ -15,8 +15,8 @@ struct StressesBelow {
   std::vector<double> von_mises, largest_shear; ///< MPa
 };
 
-/// Sums the closed forms of the half-space over the tractions of `result`, distances taken along the arc: the
-/// strip is unrolled into its tangent plane, exact where it is flat. In plane strain elements are endless
+/// Sums the closed forms of the half-space over the tractions of `result`. Distances are taken along the arc,
+/// as if the strip were unrolled into a plane: exact where it is flat. In plane strain elements are endless
 /// along x. asked.s is relative to `reference_s`. Throws InputError for more than a million points.
 StressesBelow stresses_below(const SceneFile::Stresses& asked, const ContactProblem& problem,
                              const ContactResult& result, double poisson, double reference_s);

@@ -17,9 +17,8 @@ struct PlacedSolution {
 /// solve_on_growing_grid(), and after it, if structural compliance is included (fem) and the scene wants the
 /// bodies placed (solver.structural_motion):
 /// 1. the force of the contact on each body gives its structural motion (influence/structure.hpp);
-/// 2. the bodies are moved by it and the wheel is lowered until it touches: contact search, gap and rigid
-/// slip
-///    anew;
+/// 2. the bodies are moved by it and the wheel is lowered until it touches; contact points, gap and rigid
+///    slip are found anew;
 /// 3. the contact is solved again there. Its influence numbers contain the structural motion too, so the
 ///    former motion is taken out of the gap: what they add is only how the motion changes.
 /// With solver.contact_motion = "placed" (any model but Hertz's) the wheel is moved along y, too, as the

@@ -18,11 +18,11 @@ struct FormerSolution {
   std::vector<double> px, ps, pn;   ///< MPa; fields
 };
 
-/// Nothing where the result is no start for anything: not certified, or without contact.
+/// Nothing if no case can start from the result: it is not certified, or has no contact.
 std::optional<FormerSolution> former_of(const ContactProblem& problem, const ContactResult& result,
                                         const ContactEstimate& estimate);
 
-/// Whether the two have as many areas, each of them over its counterpart: else the one is no start for the
+/// Whether the two have as many areas, each of them over its counterpart. If not, neither is a start for the
 /// other.
 bool alike(const std::vector<PotentialArea>& a, const std::vector<PotentialArea>& b);
 

@@ -32,10 +32,10 @@ LateralRoot narrow(const LateralForce& force, LateralSample a, LateralSample b, 
                    : LateralRoot{a.lateral, first_slope}; // rough forces so near to each other say nothing
 }
 
-/// The first displacement from `start` on at which the lateral forces on both rails add up to about `wanted`
-/// (N; `force`: their sum, nothing where the wheelset does not stand), to the side on which the force is met
-/// if it grows with the displacement, as it does until a wheel climbs its rail; within rough_lateral_width.
-/// Throws InputError, with what the force reaches, where it is not met.
+/// The first displacement from `start` on at which the lateral forces on both rails add up to about `wanted`,
+/// N; within rough_lateral_width. `force`: this sum at a displacement, nothing where the wheelset does not
+/// stand. The force grows with the displacement until a wheel climbs its rail, so the search goes to that
+/// side. Throws InputError, with the largest force on the way, if the wanted one is not met.
 LateralRoot search_lateral(const LateralForce& force, double start, double wanted) {
   const std::optional<double> first = force(start);
   if (!first)

@@ -68,7 +68,7 @@ void require_covered(std::span<const double> covered, std::span<const Station> s
                        "station " + std::to_string(J) + " at s = " + std::to_string(stations[J].s) +
                            " mm is covered by " + std::to_string(covered[J]) + " mm of edges instead of " +
                            std::to_string(width),
-                       "mesh the body file that is used here");
+                       "Mesh the body file that is used here.");
 }
 
 /// The functionals f_Jj(v) = integral over station J of v . e_j(delta(s)) ds with the local frame
@@ -91,7 +91,7 @@ SparseColumns station_functionals(const Section& section, const ProfileCurve& cu
       throw InputError("The mesh does not match the strip",
                        "an edge of the group 'contact' at s = " + std::to_string(range.low()) + " .. " +
                            std::to_string(range.high()) + " mm crosses the border of a station",
-                       "mesh the body file that is used here");
+                       "Mesh the body file that is used here.");
     const auto J = static_cast<std::size_t>(station);
     covered[J] += std::abs(range.b - range.a);
     add_edge(columns, J, edge, range, curve);
@@ -118,7 +118,7 @@ std::vector<int> number_unknowns(const Section& section) {
       unknown[d] = next++;
   if (next == 0)
     throw InputError("The mesh has nothing that can move", "all its nodes lie on the group 'held'",
-                     "hold a part of the body, or refine the mesh");
+                     "Hold a part of the body, or refine the mesh.");
   return unknown;
 }
 

@@ -63,7 +63,7 @@ void require_cells_beyond(double limit, const Section& section, std::span<const 
   if (limit >= largest)
     throw InputError("No cell is farther than " + std::to_string(limit) + " mm from the strip",
                      "the largest distance is " + std::to_string(largest) + " mm",
-                     "lower harmonic.remote_distance, or give 0 for the default");
+                     "Lower harmonic.remote_distance, or give 0 for the default.");
 }
 
 /// Sets the weights and drops the cells that have none. The weight is smooth: a sharp border would pass
@@ -82,7 +82,7 @@ void weigh(std::vector<RemoteCell>& cells, double limit) {
     throw InputError("No cell lies between " + std::to_string(limit) + " .. " + std::to_string(2 * limit) +
                          " mm from the strip",
                      "the mesh is too coarse there, and the remote section would be empty",
-                     "change harmonic.remote_distance, or give 0 for the default");
+                     "Change harmonic.remote_distance, or give 0 for the default.");
 }
 
 /// Weighted area, mm^2, centroid, and second moments about it, mm^4.

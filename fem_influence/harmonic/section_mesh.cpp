@@ -30,7 +30,7 @@ void require_groups(const dealii::Triangulation<2>& mesh, const std::filesystem:
         "The mesh '" + path.string() + "' has no group '" +
             (contact ? "held' (physical curve 2)" : "contact' (physical curve 1)"),
         "loads and supports are found by the mesh's physical groups",
-        "make the mesh with mesh_body, or add the physical curves contact = 1, held = 2, free = 3");
+        "Make the mesh with mesh_body, or add the physical curves contact = 1, held = 2, free = 3.");
 }
 
 /// A mesh of another body, or in another frame, is told by its distance from the curve; the sagitta of a
@@ -42,7 +42,7 @@ void require_on_curve(Point2 a, Point2 b, const ProfileCurve& curve) {
     throw InputError("The mesh does not fit the profile '" + curve.name() + "'",
                      "an edge of the group 'contact' at (y, z) = (" + std::to_string(middle.y) + ", " +
                          std::to_string(middle.z) + ") lies " + std::to_string(off) + " mm off it",
-                     "mesh the body file that is used here");
+                     "Mesh the body file that is used here.");
 }
 
 /// New points are means along the profile, or on one of the outline's other arcs.

@@ -31,7 +31,7 @@ SectionOperator lay_out(const Section& section, const Material& material, double
     if (reference_radius > 0 && !(reference_radius + p.z > 0))
       throw InputError("The mesh reaches the axle of the wheel",
                        "a node has z = " + std::to_string(p.z) + " mm and r = R_ref + z <= 0",
-                       "use a section with a bore");
+                       "Use a section with a bore.");
   SectionOperator op;
   op.cells = section.cells();
   op.mu = material.shear_modulus;

@@ -13,7 +13,7 @@ namespace bem_contact::fem {
 void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh) {
   if (file_exists(mesh) && !is_regular(mesh))
     throw InputError("The mesh file '" + mesh.string() + "' cannot be read",
-                     "it is no regular file, and it is read more than once", "name a file");
+                     "it is no regular file, and it is read more than once", "Name a file.");
   std::ifstream in(mesh, std::ios::binary | std::ios::ate);
   const auto size = static_cast<std::streamoff>(in.tellg());
   constexpr std::streamoff tail = 200; // bytes; mesh_body's mark is the last thing in the file
@@ -23,7 +23,7 @@ void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std:
   if (at != std::string::npos && text.substr(at + mark.size(), 16) != mesh_digest(body, curve.digest()))
     throw InputError("The mesh '" + mesh.string() + "' was made from another body file",
                      "its digest of [body], [strip] and [mesh] is another one",
-                     "make it anew: mesh_body BODY.toml -o " + mesh.string());
+                     "Make it anew: mesh_body BODY.toml -o " + mesh.string());
 }
 
 } // namespace bem_contact::fem

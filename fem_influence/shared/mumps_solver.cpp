@@ -34,7 +34,7 @@ struct MumpsSolver::Impl {
     if (id.infog[0] == -10 || id.infog[0] == -40)
       throw InputError("The stiffness matrix is not positive definite",
                        "MUMPS found no Cholesky factors, " + codes,
-                       "check that the mesh's group 'held' holds the body and that no element is inverted");
+                       "Check that the mesh's group 'held' holds the body and that no element is inverted.");
     if (id.infog[0] == -13 || id.infog[0] == -9 || id.infog[0] == -8)
       throw Error(std::string("MUMPS ran out of memory in the ") + what, codes,
                   "use a coarser mesh, a lower degree or fewer processes");

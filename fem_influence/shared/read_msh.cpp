@@ -18,17 +18,17 @@ struct Wording {
 };
 constexpr Wording of_sections = {"mesh_body",
                                  "quadrilaterals in the plane",
-                                 "make it with mesh_body, and give --solid with a 3-D mesh",
+                                 "Make it with mesh_body, and give --solid with a 3-D mesh.",
                                  "quadrilaterals",
                                  "the elements are tensor products",
-                                 "recombine all triangles, or use mesh_body"};
+                                 "Recombine all triangles, or use mesh_body."};
 constexpr Wording of_solids = {
     "mesh_body --solid",
     "hexahedra",
-    "make it with mesh_body --solid, or of first-order hexahedra alone",
+    "Make it with mesh_body --solid, or of first-order hexahedra alone.",
     "hexahedra",
     "the elements are tensor products: tetrahedra, wedges and pyramids are not served",
-    "recombine all cells, or use mesh_body --solid"};
+    "Recombine all cells, or use mesh_body --solid."};
 
 } // namespace
 
@@ -51,7 +51,7 @@ template <int dim> void read_msh(dealii::Triangulation<dim, dim>& mesh, const st
   std::ifstream in(path);
   if (!in || std::filesystem::is_directory(path))
     throw InputError("The mesh file '" + file + "' cannot be read", "no readable file has that name",
-                     std::string("make it with ") + words.program + ", or correct the path");
+                     std::string("Make it with ") + words.program + ", or correct the path.");
   try {
     dealii::GridIn<dim> reader(mesh);
     reader.read_msh(in);

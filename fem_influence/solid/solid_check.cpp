@@ -114,7 +114,7 @@ std::vector<SolidDifference> compare(const SolidNumbers& a, const InfluenceNumbe
   if (reference.rows != static_cast<int>(a.stations.size()) || reference.offsets < a.offsets ||
       std::abs(reference.dx - a.dx) > 1e-9 * a.dx || std::abs(reference.ds - a.ds) > 1e-9 * a.ds)
     throw InputError("The influence numbers cannot be compared", "they belong to other stations or elements",
-                     "compute both from one body file");
+                     "Compute both from one body file.");
   std::vector<SolidDifference> bands(4);
   bands[1].up_to = settings::near_band;
   bands[2].up_to = settings::middle_band;

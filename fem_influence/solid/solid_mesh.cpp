@@ -63,7 +63,7 @@ void require_on_profile(const Face& face, const ContactSurface& surface, const s
                        "a vertex of the group 'contact' at (" + std::to_string(p[0]) + ", " +
                            std::to_string(p[1]) + ", " + std::to_string(p[2]) + ") lies " +
                            std::to_string(off) + " mm off it",
-                       "put the body file's profile and the mesh into one frame: x along, z down");
+                       "Put the body file's profile and the mesh into one frame: x along, z down.");
   }
 }
 
@@ -74,7 +74,7 @@ void require_across_x(const Face& face, const std::string& name) {
       throw InputError("A face of the group 'symmetry' of '" + name + "' is not normal to x",
                        "its corners lie at x = " + std::to_string(face->vertex(v)[0]) + " and around " +
                            std::to_string(x) + " mm",
-                       "give the number 4 only to the planes the body is mirrored at");
+                       "Give the number 4 only to the planes the body is mirrored at.");
 }
 
 void check_groups(const dealii::Triangulation<3>& mesh, const ContactSurface& surface,
@@ -100,8 +100,8 @@ void check_groups(const dealii::Triangulation<3>& mesh, const ContactSurface& su
                           : !held  ? "held' (physical surface 2)"
                                    : "symmetry' (physical surface 4) at x = 0"),
                      "loads, supports and the mirror plane are found by the mesh's physical groups",
-                     "make the mesh with mesh_body --solid, or add the physical surfaces contact = 1, "
-                     "held = 2, free = 3, symmetry = 4");
+                     "Make the mesh with mesh_body --solid, or add the physical surfaces contact = 1, "
+                     "held = 2, free = 3, symmetry = 4.");
 }
 
 /// What a face of the boundary off the mirror planes stands for, by one of its edges across x.

@@ -58,7 +58,7 @@ SparseColumns patch_functionals(const SolidBody& body, const ContactSurface& sur
       throw InputError("The mesh's group 'contact' does not cover the strip",
                        "of the element at " + place(patches[p]) + " it has " + std::to_string(covered[p]) +
                            " of " + std::to_string(patches[p].area()) + " mm^2",
-                       "widen the group, or change [strip] or solid.offsets");
+                       "Widen the group, or change [strip] or solid.offsets.");
   SparseColumns columns;
   for (const auto& column : of_node) {
     for (const auto& [node, vector] : column)
@@ -114,7 +114,7 @@ SolidNumbers empty_numbers(const BodyFile& body, const ProfileCurve& curve, std:
   for (const int load : loads)
     if (load < 0 || load >= count)
       throw InputError("There is no station " + std::to_string(load) + " to load",
-                       "the strip has " + std::to_string(count) + ", counted from 0", "choose another one");
+                       "the strip has " + std::to_string(count) + ", counted from 0", "Choose another one.");
   numbers.loads = std::move(loads);
   numbers.values.assign(
       numbers.loads.size() * 9 * static_cast<std::size_t>(numbers.offsets) * numbers.stations.size(), 0.0);

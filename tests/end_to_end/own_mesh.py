@@ -88,7 +88,7 @@ class OwnMesh(unittest.TestCase):
         self.assertAlmostEqual(fem["pmax"], halfspace["pmax"], delta=0.005 * pmax)
         self.assertAlmostEqual(fem["pmax"], pmax, delta=0.05 * pmax)
         self.assertEqual(refused.returncode, 2)
-        self.assertIn("use that length or a whole multiple of it", refused.stderr)
+        self.assertIn("Use that length or a whole multiple of it", refused.stderr)
 
 
 if __name__ == "__main__":

@@ -114,5 +114,5 @@ TEST(ExpandTable, RefusesOtherLengthsAndWhatItDoesNotKnow) {
     EXPECT_THAT(refusal(f, {.dx = dx, .structural = included}), HasSubstr("a whole multiple of it")) << dx;
   EXPECT_THAT(refusal(f, {.dx = 0.5, .offsets = 13, .structural = included}),
               HasSubstr("the patch is longer than the table"));
-  EXPECT_THAT(refusal(f, {.dx = 0.25}), HasSubstr("use structural compliance 'included'"));
+  EXPECT_THAT(refusal(f, {.dx = 0.25}), HasSubstr("Use structural compliance 'included'"));
 }

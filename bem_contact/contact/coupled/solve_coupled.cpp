@@ -186,9 +186,9 @@ void require_capacity(const ContactProblem& problem, const FoundCreepage& creepa
         fmt::format("|F| = {:g} N where friction carries less than sum mu p_n dS = {:g} N", wanted,
                     creepage.capacity),
         problem.friction_varies()
-            ? "prescribe less, or give a creepage (mu falls in sliding: over the creepage the force has "
-              "a maximum)"
-            : "prescribe less, or give a creepage (full slip leaves it undetermined)");
+            ? "Prescribe less, or give a creepage (mu falls in sliding: over the creepage the force has "
+              "a maximum)."
+            : "Prescribe less, or give a creepage (full slip leaves it undetermined).");
   const double slipping = problem.kinetic * creepage.capacity;
   if (!creepage.reached && problem.kinetic < 1 && wanted >= slipping)
     throw InputError(
@@ -196,7 +196,7 @@ void require_capacity(const ContactProblem& problem, const FoundCreepage& creepa
         fmt::format("|F| = {:g} N where full slip carries {:g} N, and at no creepage tried does what "
                     "sticks carry the rest",
                     wanted, slipping),
-        "prescribe less, or give a creepage");
+        "Prescribe less, or give a creepage.");
 }
 
 Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options,
