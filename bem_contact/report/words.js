@@ -32,7 +32,7 @@ const number = (value, error) => {
     return "–";
   if (Math.abs(value) < LEAST_NUMBER)
     value = 0;
-  if (!(error > 0))
+  if (!(error > LEAST_NUMBER * Math.max(1, Math.abs(value))))
     return Math.abs(value) < 1e-3 && value !== 0 ? value.toExponential(3) : String(Number(value.toPrecision(6)));
   const size = Math.max(Math.abs(value), error);
   if (value !== 0 && size < 0.01) {

@@ -1,32 +1,82 @@
 #include "bem_contact/sequence/second_solution.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/flash_temperature.hpp"
 #include "bem_contact/sequence/settings.hpp"
 
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
+#include <optional>
+#include <tuple>
 
 namespace bem_contact {
 
 namespace {
 
-/// Where all slides in one direction the force is mu(w) N. If that falls below the force found, it equals it
-/// at one slip velocity.
+/// The shear force, N, where all elements slide in one direction at one velocity, mm/s: mu of each row at
+/// that velocity, and at the temperature that this sliding makes. Nothing where these two do not settle.
+std::optional<double> force_of_sliding(const ContactProblem& problem, const ContactResult& result,
+                                       double velocity) {
+  const int n = problem.grid.size();
+  std::vector<double> traction(n), factor(n, 1.0), heat(n);
+  std::vector<char> in_contact(n);
+  for (int i = 0; i < n; ++i) {
+    const int row = i / problem.grid.mx;
+    traction[i] = problem.friction_of(row) * problem.falling_factor(row, velocity) * result.pn[i];
+    in_contact[i] = result.pn[i] > 0;
+  }
+  const auto force = [&] {
+    return problem.element_area() * std::inner_product(traction.begin(), traction.end(), factor.begin(), 0.0);
+  };
+  if (!problem.friction_falls_with_heat())
+    return force();
+  for (int k = 0; k < most_heat_changes; ++k) {
+    for (int i = 0; i < n; ++i)
+      heat[i] = factor[i] * traction[i] * velocity;
+    const SurfaceTemperatures at =
+        flash_temperatures(problem.grid, *problem.heating, problem.speed, heat, in_contact);
+    double change = 0;
+    for (int i = 0; i < n; ++i) {
+      const double step = problem.heating->friction->factor(at.mean(i)) - factor[i];
+      factor[i] += heat_damping * step; // less friction makes less heat: whole steps would swing
+      change = std::max(change, std::abs(step) * in_contact[i]);
+    }
+    if (change < least_heat_change)
+      return force();
+  }
+  return std::nullopt;
+}
+
+/// The slip velocity above that of `result` at which sliding as a whole carries the prescribed force too,
+/// mm/s. The faster it slides, the less it carries; beyond the rolling speed nothing is looked for.
+std::optional<double> velocity_of_sliding(const ContactProblem& problem, const ContactResult& result) {
+  const double wanted = std::hypot(problem.force_x.value_or(0), problem.force_s.value_or(0));
+  double low = problem.speed * std::hypot(result.creepage_x, result.creepage_s), high = problem.speed;
+  const auto carries = [&](double velocity) {
+    return force_of_sliding(problem, result, velocity).value_or(wanted) - wanted;
+  };
+  if (!(low < high) || carries(low) <= 0 || carries(high) >= 0)
+    return std::nullopt;
+  boost::uintmax_t steps = most_sliding_steps;
+  std::tie(low, high) = boost::math::tools::toms748_solve(
+      carries, low, high, boost::math::tools::eps_tolerance<double>(sliding_bits), steps);
+  return (low + high) / 2;
+}
+
 std::string larger_creepage(const ContactProblem& problem, const ContactResult& result) {
-  if (problem.falling.size() != 1 || problem.friction_falls_with_heat())
+  const std::optional<double> velocity = velocity_of_sliding(problem, result);
+  if (!velocity)
     return "";
-  const FallingFriction& law = problem.falling.front();
-  const double used =
-      std::hypot(problem.force_x.value_or(0), problem.force_s.value_or(0)) / friction_bound(problem, result);
-  if (used <= law.ratio)
-    return "";
-  const double velocity = -law.scale * std::log((used - law.ratio) / (1 - law.ratio));
-  return fmt::format("friction falls with the slip velocity, and two creepages give the shear force: the "
+  return fmt::format("friction falls with {}, and two creepages give the shear force: the "
                      "smaller one was taken "
                      "({:.3g} along x, {:.3g} along s); sliding as a whole at some {:.3g} (slip velocity "
                      "{:.3g} mm/s) carries it "
                      "too. Give a creepage (motion.xi, eta) to choose.",
-                     result.creepage_x, result.creepage_s, velocity / problem.speed, velocity);
+                     problem.friction_falls() ? "the slip velocity" : "temperature", result.creepage_x,
+                     result.creepage_s, *velocity / problem.speed, *velocity);
 }
 
 std::string forces_text(const ContactResult& result) {
