@@ -55,15 +55,18 @@ std::optional<double> force_of_sliding(const ContactProblem& problem, const Cont
 std::optional<double> velocity_of_sliding(const ContactProblem& problem, const ContactResult& result) {
   const double wanted = std::hypot(problem.force_x.value_or(0), problem.force_s.value_or(0));
   double low = problem.speed * std::hypot(result.creepage_x, result.creepage_s), high = problem.speed;
+  bool settled = true;
   const auto carries = [&](double velocity) {
-    return force_of_sliding(problem, result, velocity).value_or(wanted) - wanted;
+    const std::optional<double> force = force_of_sliding(problem, result, velocity);
+    settled = settled && force;
+    return force.value_or(0) - wanted;
   };
   if (!(low < high) || carries(low) <= 0 || carries(high) >= 0)
     return std::nullopt;
   boost::uintmax_t steps = most_sliding_steps;
   std::tie(low, high) = boost::math::tools::toms748_solve(
       carries, low, high, boost::math::tools::eps_tolerance<double>(sliding_bits), steps);
-  return (low + high) / 2;
+  return settled ? std::optional((low + high) / 2) : std::nullopt;
 }
 
 std::string larger_creepage(const ContactProblem& problem, const ContactResult& result) {

@@ -1,9 +1,9 @@
 """data/tutorial: the commands of its pages run, and print what the pages print.
 
-A page is read as its reader does: a toml or python block is saved under the name that the text before it gives, indented lines that
-begin with a program are called in the project's folder, and other indented lines must be in what the commands of their page have
-printed. Numbers may differ a little, `...` stands for anything. In pictures no word may lie on another. Commands that the page says to take seconds are left out, unless
-TUTORIAL_LONG is set.
+A page is read as its reader does: a toml block is saved under the name that the text before it gives, a python block runs,
+indented lines that begin with a program are called in the project's folder, and other indented lines must be in what the commands
+of their page have printed. Numbers may differ a little, `...` stands for anything. In pictures no word may lie on another.
+Commands that the page says to take seconds are left out, unless TUTORIAL_LONG is set.
 """
 
 import contextlib
@@ -19,6 +19,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import bem_contact
 import picture_faults
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -40,15 +41,15 @@ def kind_of(line, inside):
 
 
 def blocks_of(text):
-    """(kind, lines) in the order of the page: file (between fences), commands and output (indented), text."""
+    """(kind, lines) in the order of the page: python and file (between fences), commands and output (indented), text."""
     blocks, inside = [("text", [])], False
     for line in text.splitlines():
         kind = kind_of(line, inside)
         if kind == "fence":
             inside = not inside
             if inside:
-                blocks.append(("file", []))
-        elif kind == blocks[-1][0]:
+                blocks.append(("python" if line == "```python" else "file", []))
+        elif kind == blocks[-1][0] or inside:
             blocks[-1][1].append(line)
         else:
             blocks.append((kind, [line]))
@@ -133,6 +134,9 @@ class Pages(unittest.TestCase):
             elif kind == "file":
                 for name in re.findall(r"[Ss]ave this as `(demo/\S+)`", text)[-1:]:
                     Path(name).write_text("\n".join(content) + "\n")
+            elif kind == "python":
+                with contextlib.redirect_stdout(io.StringIO()):
+                    exec("\n".join(content), {"bem_contact": bem_contact})
             elif kind == "commands":
                 for line in map(str.strip, content):
                     files = set(re.findall(r"demo/\S+", line))

@@ -202,7 +202,8 @@ sweep.weight = [3, 1]
             self.assertEqual(found["wheel_depth"][-1], 0.05)
             for step in range(len(found["step"])):
                 for body in ("rail", "wheel"):
-                    np.testing.assert_array_equal(found[body][step], np.loadtxt(worn / f"{body}_{step:04}.txt"))
+                    written = np.loadtxt(worn / f"{body}_{step:04}.txt")  # mm, with twelve digits
+                    np.testing.assert_allclose(found[body][step], written, rtol=0, atol=1e-10)
 
     def test_what_cannot_wear_is_refused(self):
         for words, scene, options in (("There is no body 'both wheels'", self.SCENE, {"body": "both wheels"}),
