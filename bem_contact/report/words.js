@@ -40,7 +40,7 @@ const number = (value, error) => {
     return `(${number(value / scale, error / scale)})e${power}`;
   }
   const digits = Math.min(12, Math.max(0, Math.ceil(-Math.log10(error) + 0.3)));
-  return `${value.toFixed(digits)} ± ${error.toFixed(digits)}`;
+  return `${value.toFixed(digits)} ±\u00a0${error.toFixed(digits)}`;
 };
 
 /// "mm2" as people write it.

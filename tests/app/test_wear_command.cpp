@@ -138,7 +138,7 @@ TEST_F(WearCommand, AsksForInfluenceFunctionsOfTheWornShape) {
 /// step.
 TEST_F(WearCommand, LetsAProgramComputeInfluenceFunctions) {
   write("scene.toml", corner);
-  const std::string study = "wear " + path("scene.toml") + " --depth 0.02 --cap 0.01 ";
+  const std::string study = "wear " + path("scene.toml") + " --depth 0.015 --cap 0.01 ";
   ASSERT_EQ(run(study + "-o " + path("kept")).code, 0);
   for (const auto& [body, kind] :
        {std::pair("rail", ProfileKind::rail), std::pair("wheel", ProfileKind::wheel)}) {
