@@ -43,14 +43,15 @@ H = 3000 MPa. The rows of coefficients go from low to high pressure:
     coefficients = [ 5.5e-4, 35e-4, 5.5e-4,    350e-4, 350e-4, 350e-4 ]
 
 With solver.model = "fem" the influence functions of the unworn shape are kept until a surface has turned by --kept-turn.
-Then the program stops and says how to compute those of the worn shape; the same command goes on with them.)";
+Then new ones are computed by --influence tools/influence. Without it the program stops and says how; the same command
+goes on with them.)";
 
 struct WearArguments {
-  std::string scene, output, model, law = "energy", body = "both";
+  std::string scene, output, model, law = "energy", body = "both", influence;
   double depth = 0.1, hardness = 3000, speed = 3e4;
   wear::EvolutionOptions options;
 
-  /// All that the result depends on but --depth: a run may go deeper later.
+  /// All that the result depends on but --depth and --influence: a run may go deeper later.
   std::string digest_text() const {
     return fmt::format("wear {} {} {} {} {} {} {} {} {}", model, law, body, hardness, speed, options.cap,
                        options.smoothing, options.passages, options.kept_turn);
@@ -65,19 +66,12 @@ wear::EvolutionOptions options_of(const WearArguments& a, const std::optional<we
   return out;
 }
 
-std::vector<wear::CollectiveCase> collective_of(const SweepFile& sweep, const std::string& model) {
-  std::vector<wear::CollectiveCase> out;
-  for (std::size_t i = 0; i < sweep.size(); ++i)
-    out.push_back({with_model(sweep.scene(i), model), sweep.weight(i)});
-  return out;
-}
-
 void write_table(const std::filesystem::path& file, const WearState& state) {
   H5Table table;
-  for (const WearColumn& column : wear_columns) {
+  for (const wear::WearColumn& column : wear::wear_columns) {
     H5Dataset& data = table.datasets[column.name];
     data = {{state.history.size()}, {}, column.unit, "by step"};
-    for (const WearRow& row : state.history)
+    for (const wear::WearRow& row : state.history)
       data.values.push_back(row.*column.member);
   }
   const auto body = [&](const std::string& name, const wear::WornBody& worn) {
@@ -96,7 +90,7 @@ void write_table(const std::filesystem::path& file, const WearState& state) {
 ExitCode run(const WearArguments& arguments) {
   const SweepFile sweep = read_sweep_file(arguments.scene);
   check_values(sweep);
-  const std::vector<wear::CollectiveCase> cases = collective_of(sweep, arguments.model);
+  const std::vector<wear::CollectiveCase> cases = wear::collective_of(sweep, arguments.model);
   const wear::EvolutionOptions options = options_of(arguments, wear::wear_map_of(cases.front().scene));
   wear::validate(cases, options);
   const std::string digest = digest_of(sweep, arguments.digest_text());
@@ -109,10 +103,10 @@ ExitCode run(const WearArguments& arguments) {
   const SceneFile& first = cases.front().scene;
   const wear::WornPair unworn = wear::unworn(first);
   WearState state = read_wear(folder, digest).value_or(WearState{0, unworn, {}});
-  WearInfluence influence(first, unworn, folder);
+  WearInfluence influence(first, unworn, folder, arguments.influence);
   const Stopwatch watch;
   if (state.history.empty()) {
-    state.history.push_back(history_row(0, state.pair, first.position.wheel_radius));
+    state.history.push_back(wear::history_row(0, state.pair, first.position.wheel_radius));
     write_wear(folder, digest, state);
   } else
     fmt::print("continued after step {}\n", state.step);
@@ -120,9 +114,9 @@ ExitCode run(const WearArguments& arguments) {
   while (state.pair.largest() < arguments.depth * (1 - 1e-9)) {
     state.pair = wear::wear_step(state.pair, cases, options, arguments.depth, folder,
                                  influence.at(state.step, state.pair, options.kept_turn));
-    state.history.push_back(history_row(++state.step, state.pair, first.position.wheel_radius));
+    state.history.push_back(wear::history_row(++state.step, state.pair, first.position.wheel_radius));
     write_wear(folder, digest, state);
-    const WearRow& row = state.history.back();
+    const wear::WearRow& row = state.history.back();
     fmt::print("step {}: {:.4g} km, rail {:.4f} mm deep, {:.4f} mm2; wheel {:.4f} mm deep, {:.4f} mm2\n",
                state.step, row.mileage, row.rail_depth, row.rail_area, row.wheel_depth, row.wheel_area);
     std::fflush(stdout);
@@ -155,6 +149,10 @@ Command add_wear(CLI::App& program) {
          "Influence functions are kept until a surface has turned by this, rad");
   number("--hardness", a.hardness, "Hardness of the softer body, for archard, MPa");
   number("--speed", a.speed, "Rolling speed, for archard, mm/s");
+  line->add_option(
+      "--influence", a.influence,
+      "Program that computes new influence functions where they are needed, such as tools/influence: "
+      "called with a body file and the file to write");
   add_model(*line, a.model);
   line->add_option("--law", a.law, "Wear law; energy: T-gamma")
       ->check(CLI::IsMember(wear::law_names))

@@ -8,9 +8,15 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <fmt/format.h>
 #include <ostream>
+#include <spawn.h>
 #include <sstream>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace bem_contact::app {
 
@@ -43,37 +49,35 @@ std::string body_file_text(const InfluenceFunction& f, const char* body, const s
   return out;
 }
 
-void ask_for(const std::filesystem::path& file, int since, double turn, double kept_turn, const char* body,
-             const std::string& text) {
-  std::filesystem::path body_file = file;
-  body_file.replace_extension("toml");
-  if (!file_exists(body_file)) // the user may have completed it
-    write_whole(body_file, [&](std::ostream& out) { out << text; });
-  wear::refuse_outgrown(
-      body, turn, kept_turn, fmt::format("step {}, where they were computed", since),
-      fmt::format("Compute new ones, tools/influence {} {}, and give the same command again: "
-                  "it goes on from here.",
-                  body_file.string(), file.string()));
+/// Runs `program` on a body file; what it prints goes to standard error. Throws InputError where it fails.
+void compute(const std::string& program, const std::filesystem::path& body_file,
+             const std::filesystem::path& file) {
+  std::array<std::string, 3> words{program, body_file.string(), file.string()};
+  std::array<char*, 4> arguments{words[0].data(), words[1].data(), words[2].data(), nullptr};
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  pid_t process = 0;
+  int status = 0;
+  const int failed = posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed == 0)
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR)
+      ;
+  if (failed != 0 || status != 0 || !file_exists(file))
+    throw InputError(fmt::format("'{} {} {}' has made no influence functions", words[0], words[1], words[2]),
+                     failed != 0 ? std::strerror(failed) : "it failed, or wrote no such file",
+                     "Call it alone to see why. Then give the same command again: it goes on from here.");
 }
 
 } // namespace
 
 WearInfluence::WearInfluence(const SceneFile& scene, const wear::WornPair& unworn,
-                             std::filesystem::path folder)
-    : scene_folder_(scene.folder), folder_(std::move(folder)), used_(wear::needs_influence(scene)),
+                             std::filesystem::path folder, std::string program)
+    : folder_(std::move(folder)), program_(std::move(program)), used_(wear::needs_influence(scene)),
       rail_{"rail", ProfileKind::rail, scene.rail, 0}, wheel_{"wheel", ProfileKind::wheel, scene.wheel, 0} {
-  if (!used_)
-    return;
-  begin(rail_, kept_.rail, unworn.rail);
-  begin(wheel_, kept_.wheel, unworn.wheel);
-}
-
-void WearInfluence::begin(Side& side, wear::KeptInfluence& kept, const wear::WornBody& unworn) {
-  if (side.scene.influence.empty())
-    return; // the solution says what is missing
-  kept = {scene_folder_ / side.scene.influence, unworn.points};
-  const ProfileCurve curve = named_profile(side.scene.profile, side.kind, scene_folder_, side.scene.reading);
-  require_profile(read_influence_file(kept.file), curve.name(), curve.digest());
+  if (used_)
+    kept_ = wear::unworn_influence(scene, unworn);
 }
 
 void WearInfluence::take_newest(Side& side, wear::KeptInfluence& kept, int step) {
@@ -91,6 +95,24 @@ void WearInfluence::take_newest(Side& side, wear::KeptInfluence& kept, int step)
   }
 }
 
+void WearInfluence::renew(const Side& side, const wear::KeptInfluence& kept, int step, double turn,
+                          double kept_turn) const {
+  const std::filesystem::path file = folder_ / step_file(side.name, step, "h5"),
+                              body_file = folder_ / step_file(side.name, step, "toml");
+  if (!file_exists(body_file)) // the user may have completed it
+    write_whole(body_file, [&](std::ostream& out) {
+      out << body_file_text(read_influence_file(kept.file), side.name, side.scene.profile,
+                            step_file(side.name, step, "txt"));
+    });
+  if (!program_.empty())
+    return compute(program_, body_file, file);
+  wear::refuse_outgrown(
+      side.name, turn, kept_turn, fmt::format("step {}, where they were computed", side.step),
+      fmt::format("Compute new ones, tools/influence {} {}, and give the same command again: it goes on "
+                  "from here. With --influence tools/influence it does so itself.",
+                  body_file.string(), file.string()));
+}
+
 const wear::KeptPair& WearInfluence::at(int step, const wear::WornPair& now, double kept_turn) {
   if (!used_)
     return kept_;
@@ -100,10 +122,10 @@ const wear::KeptPair& WearInfluence::at(int step, const wear::WornPair& now, dou
       return;
     if (!resumed_ || turn() > kept_turn)
       take_newest(side, kept, step);
-    if (turn() > kept_turn)
-      ask_for(folder_ / step_file(side.name, step, "h5"), side.step, turn(), kept_turn, side.name,
-              body_file_text(read_influence_file(kept.file), side.name, side.scene.profile,
-                             step_file(side.name, step, "txt")));
+    if (turn() > kept_turn) {
+      renew(side, kept, step, turn(), kept_turn);
+      take_newest(side, kept, step);
+    }
   };
   follow(rail_, kept_.rail, now.rail);
   follow(wheel_, kept_.wheel, now.wheel);

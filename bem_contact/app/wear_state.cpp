@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <numbers>
 #include <ostream>
 #include <sstream>
 
@@ -17,11 +16,10 @@ namespace bem_contact::app {
 namespace {
 
 constexpr const char* state_format = "bem_contact wear 1";
-constexpr double mm_per_km = 1e6;
 
-std::vector<double> values_of(const WearRow& row) {
+std::vector<double> values_of(const wear::WearRow& row) {
   std::vector<double> out;
-  for (const WearColumn& column : wear_columns)
+  for (const wear::WearColumn& column : wear::wear_columns)
     out.push_back(row.*column.member);
   return out;
 }
@@ -46,16 +44,6 @@ void read_body(std::istream& in, wear::WornBody& body) {
 
 } // namespace
 
-WearRow history_row(int step, const wear::WornPair& pair, double wheel_radius) {
-  return {.step = double(step),
-          .revolutions = pair.revolutions,
-          .mileage = pair.revolutions * 2 * std::numbers::pi * wheel_radius / mm_per_km,
-          .rail_depth = pair.rail.largest(),
-          .wheel_depth = pair.wheel.largest(),
-          .rail_area = pair.rail.area,
-          .wheel_area = pair.wheel.area};
-}
-
 std::string step_file(std::string_view body, int step, std::string_view extension) {
   return fmt::format("{}_{:04}.{}", body, step, extension);
 }
@@ -65,16 +53,16 @@ void write_wear(const std::filesystem::path& folder, const std::string& digest, 
   wear::write_profile(folder / step_file("wheel", state.step, "txt"), state.pair.wheel.points);
   write_whole(folder / "wear.csv", [&](std::ostream& out) {
     std::vector<std::string> names;
-    for (const WearColumn& column : wear_columns)
+    for (const wear::WearColumn& column : wear::wear_columns)
       names.push_back(csv_name(column.name, column.unit));
     out << fmt::format("{}\n", fmt::join(names, ","));
-    for (const WearRow& row : state.history)
+    for (const wear::WearRow& row : state.history)
       out << fmt::format("{:.9g}\n", fmt::join(values_of(row), ","));
   });
   write_whole(folder / "state.txt", [&](std::ostream& out) {
     out << state_format << '\n' << digest << '\n';
     out << fmt::format("{} {} {}\n", state.step, state.pair.revolutions, state.history.size());
-    for (const WearRow& row : state.history)
+    for (const wear::WearRow& row : state.history)
       out << fmt::format("{}\n", fmt::join(values_of(row), " "));
     write_body(out, state.pair.rail);
     write_body(out, state.pair.wheel);
@@ -102,8 +90,8 @@ std::optional<WearState> read_wear(const std::filesystem::path& folder, const st
   std::size_t rows = 0;
   in >> state.step >> state.pair.revolutions >> rows;
   for (std::size_t i = 0; i < rows && in; ++i) {
-    WearRow& row = state.history.emplace_back();
-    for (const WearColumn& column : wear_columns)
+    wear::WearRow& row = state.history.emplace_back();
+    for (const wear::WearColumn& column : wear::wear_columns)
       in >> row.*column.member;
   }
   read_body(in, state.pair.rail);

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "bem_contact/wear/evolution.hpp"
+#include "bem_contact/wear/history.hpp"
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,35 +10,12 @@
 
 namespace bem_contact::app {
 
-/// What has become of both bodies after a step.
-struct WearRow {
-  double step = 0, revolutions = 0, mileage = 0; ///< 1, 1, km
-  double rail_depth = 0, wheel_depth = 0;        ///< largest depth of each body, mm
-  double rail_area = 0, wheel_area = 0;          ///< gone from each section, mm^2
-};
-
-/// A column of wear.csv and a dataset of wear.h5.
-struct WearColumn {
-  const char *name, *unit;
-  double WearRow::*member;
-};
-inline constexpr std::array<WearColumn, 7> wear_columns{{{"step", "1", &WearRow::step},
-                                                         {"revolutions", "1", &WearRow::revolutions},
-                                                         {"mileage", "km", &WearRow::mileage},
-                                                         {"rail_depth", "mm", &WearRow::rail_depth},
-                                                         {"wheel_depth", "mm", &WearRow::wheel_depth},
-                                                         {"rail_area", "mm^2", &WearRow::rail_area},
-                                                         {"wheel_area", "mm^2", &WearRow::wheel_area}}};
-
 /// What `bem_contact wear` keeps between two steps, and after the last.
 struct WearState {
   int step = 0;
   wear::WornPair pair;
-  std::vector<WearRow> history; ///< one row a step, 0 included
+  std::vector<wear::WearRow> history; ///< one row a step, 0 included
 };
-
-/// The row of the history of a state; the mileage is that of a wheel of this radius, mm.
-WearRow history_row(int step, const wear::WornPair& pair, double wheel_radius);
 
 /// The name of a body's file of a step: rail_0001.txt. `extension`: txt, h5 or toml.
 std::string step_file(std::string_view body, int step, std::string_view extension);

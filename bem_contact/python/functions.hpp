@@ -9,7 +9,8 @@ void add_compare(pybind11::module_& module);
 void add_conicity(pybind11::module_& module);
 void add_creep_curves(pybind11::module_& module);
 void add_table(pybind11::module_& module);
-void add_wear_functions(pybind11::module_& module); ///< `wear` and `fatigue`: what follows from a Result
+/// `wear` and `fatigue` of a Result, and how profiles wear under a load collective.
+void add_wear_functions(pybind11::module_& module);
 void add_wheelset(pybind11::module_& module);
 
 } // namespace bem_contact

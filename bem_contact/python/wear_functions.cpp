@@ -1,10 +1,17 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/work.hpp"
 #include "bem_contact/fatigue/fatigue_of_result.hpp"
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/result_object.hpp"
+#include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
+#include "bem_contact/wear/history.hpp"
 #include "bem_contact/wear/wear_of_result.hpp"
 
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
 #include <fmt/format.h>
 #include <optional>
 #include <pybind11/stl.h>
@@ -50,6 +57,84 @@ py::dict wear_of(const PythonResult& result, const std::string& law, double hard
                   "volume_per_distance"_a = w.volume_per_distance);
 }
 
+/// A new folder for the profiles of the present step, removed at the end.
+class PresentProfiles {
+public:
+  PresentProfiles() : name_((std::filesystem::temp_directory_path() / "bem_contact_wear_XXXXXX").string()) {
+    if (!mkdtemp(name_.data()))
+      throw Error(fmt::format("The folder '{}' cannot be made", name_), std::strerror(errno),
+                  "Let TMPDIR name a folder that you may write in.");
+  }
+  ~PresentProfiles() {
+    std::error_code ignored;
+    std::filesystem::remove_all(name_, ignored);
+  }
+  PresentProfiles(const PresentProfiles&) = delete;
+  PresentProfiles& operator=(const PresentProfiles&) = delete;
+  std::filesystem::path path() const { return name_; }
+
+private:
+  std::string name_;
+};
+
+using States = std::vector<wear::WornPair>; ///< by step, the unworn one first
+
+States worn_by(const std::vector<wear::CollectiveCase>& cases, const wear::EvolutionOptions& options,
+               double depth, const std::atomic<bool>* stop) {
+  const PresentProfiles folder;
+  States states{wear::unworn(cases.front().scene)};
+  wear::KeptPair influence;
+  if (wear::needs_influence(cases.front().scene))
+    influence = wear::unworn_influence(cases.front().scene, states.front());
+  while (states.back().largest() < depth * (1 - 1e-9)) {
+    if (*stop)
+      throw Stopped();
+    states.push_back(wear::wear_step(states.back(), cases, options, depth, folder.path(), influence));
+  }
+  return states;
+}
+
+py::array_t<double> points_of(const States& states, wear::WornBody wear::WornPair::*body) {
+  py::array_t<double> out({states.size(), (states.front().*body).points.size(), std::size_t(2)});
+  double* at = out.mutable_data();
+  for (const wear::WornPair& state : states)
+    for (const Point2& p : (state.*body).points)
+      *at++ = p.y, *at++ = p.z;
+  return out;
+}
+
+py::dict wear_under(const py::object& scene, double depth, const std::string& law, double hardness,
+                    double speed, const std::string& body, double cap, double smoothing, double passages,
+                    double kept_turn, const py::object& model, const py::object& folder) {
+  const PythonScene given = scene_of(scene, folder);
+  const std::vector<wear::CollectiveCase> cases =
+      wear::collective_of(parse_sweep_file(given.text, given.source, "sweep", given.folder), model_of(model));
+  if (body != "both" && body != "rail" && body != "wheel")
+    throw InputError(fmt::format("There is no body '{}'", body), "there are rail and wheel",
+                     "Give both, rail or wheel.");
+  const wear::EvolutionOptions options{
+      .law = wear::law_named(law, hardness, speed, wear::wear_map_of(cases.front().scene)),
+      .rail = body != "wheel",
+      .wheel = body != "rail",
+      .cap = cap,
+      .smoothing = smoothing,
+      .passages = passages,
+      .kept_turn = kept_turn};
+  wear::validate(cases, options);
+  const States states =
+      stoppable([=](const std::atomic<bool>* stop) { return worn_by(cases, options, depth, stop); });
+  py::dict out("rail"_a = points_of(states, &wear::WornPair::rail),
+               "wheel"_a = points_of(states, &wear::WornPair::wheel));
+  for (const wear::WearColumn& column : wear::wear_columns) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < states.size(); ++k)
+      values.push_back(wear::history_row(int(k), states[k], cases.front().scene.position.wheel_radius).*
+                       column.member);
+    out[column.name] = array_of(values);
+  }
+  return out;
+}
+
 py::dict peak(const fatigue::StressPeak& p) {
   return py::dict("stress"_a = p.stress, "x"_a = p.x, "s"_a = p.s, "depth"_a = p.depth);
 }
@@ -90,6 +175,20 @@ void add_wear_functions(py::module_& module) {
       "as "
       "rows over pressure of columns over speed; None: the map of KTH Stockholm. Raises InputError for what "
       "does not roll steadily with friction.");
+  const wear::EvolutionOptions usual;
+  module.def(
+      "wear", &wear_under, "scene"_a, "depth"_a = 0.1, py::kw_only(), "law"_a = "energy",
+      "hardness"_a = 3000.0, "speed"_a = 3e4, "body"_a = "both", "cap"_a = usual.cap,
+      "smoothing"_a = usual.smoothing, "passages"_a = usual.passages, "kept_turn"_a = usual.kept_turn,
+      "model"_a = py::none(), "folder"_a = py::none(),
+      "Lets both profiles of a scene wear under the load collective of its table [sweep] until the deepest "
+      "place is `depth` (mm) deep, as `bem_contact wear` does. Arrays by step, the unworn state first: "
+      "`revolutions`, `mileage` (km), `rail_depth`, `wheel_depth` (mm), `rail_area`, `wheel_area` (gone from "
+      "the section, mm^2), and the profiles `rail`, `wheel` [step][point][y, z] (own frame, z down, mm). "
+      "`body`: both, rail or wheel; `cap`, `smoothing` (mm), `passages`, `kept_turn` (rad): as the options "
+      "of "
+      "the command. Nothing is kept on disk: a study that is to go on after it was stopped belongs to the "
+      "command. Raises InputError where influence functions would have to be computed anew.");
   const fatigue::DamageFunction defaults;
   module.def("fatigue", &fatigue_of, "result"_a, "yield_shear"_a = 300.0, "poisson"_a = 0.28,
              "nodes"_a = defaults.t_gamma, "damage"_a = defaults.damage, "stresses"_a = true,

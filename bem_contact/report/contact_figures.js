@@ -4,6 +4,7 @@ const ALONG_X = "#6a3d9a", ALONG_S = "#1b7f79";
 const PRESSURE = [[0, "#eef4fb"], [1, "#3b7cc4"]];
 const STRESS = [[0, "#ffffff"], [1, "#7a7a7a"]];
 const EXTERIOR = 0, ADHERES = 1, SLIPS = 2;
+const MOST_SLENDER = 15; // length over width of a patch that is drawn in its proportions, with arrows
 
 /// Row-major values as rows.
 const rows = data => {
@@ -25,7 +26,7 @@ const contactOf = (name, coordinates, group) => ({
 /// Whether the rail has no shape that is worth a picture.
 const flat = contact => {
   const size = k => Math.max(...contact.rail.map(p => p[k])) - Math.min(...contact.rail.map(p => p[k]));
-  return size(1) < 0.02 * size(0);
+  return size(1) <= 0.02 * size(0);
 };
 
 const sideways = contact => `y to the ${contact.left ? "left" : "right"}, mm`;
@@ -84,7 +85,7 @@ const arrows = (contact, window) => {
         shown.push([contact.x[j], contact.s[i], contact.px[i][j], contact.ps[i][j]]);
   const longest = Math.max(0, ...shown.map(([, , a, b]) => Math.hypot(a, b)));
   const x = [], y = [];
-  const scale = 1.15 * apart / longest;
+  const scale = 0.9 * apart / longest;
   for (const [at, up, a, b] of longest > 0 ? shown : []) {
     const [u, v] = [a * scale, b * scale], [tipX, tipY] = [at + u / 2, up + v / 2];
     x.push(at - u / 2, tipX, null, tipX - 0.35 * u + 0.18 * v, tipX, tipX - 0.35 * u - 0.18 * v, null);
@@ -101,13 +102,18 @@ const patchFigure = contact => {
   const pressure = contact.pn.map((row, i) => row.map((p, j) => contact.state[i][j] === EXTERIOR ? null : p));
   const line = (points, name, style, more = {}) =>
       ({type: "scatter", mode: "lines", ...points, name, line: style, hoverinfo: "skip", ...more});
-  const arrow = arrows(contact, window);
+  const range = (middles, [from, to], step) => [middles[from] - 3 * step, middles[to] + 3 * step];
+  const x = range(contact.x, window.columns, contact.dx), s = range(contact.s, window.rows, contact.ds);
+  const proportion = (s[1] - s[0]) / (x[1] - x[0]), slender = Math.max(proportion, 1 / proportion) > MOST_SLENDER;
+  const arrow = slender ? {longest: 0} : arrows(contact, window);
   const traces = [{type: "heatmap", x: contact.x, y: contact.s, z: pressure, colorscale: PRESSURE, zmin: 0,
                    colorbar: {title: {text: "pressure, MPa", side: "right"}, thickness: 14}, hoverongaps: false,
                    hovertemplate: "x %{x:.3f} mm<br>s %{y:.3f} mm<br>%{z:.1f} MPa<extra></extra>"}];
   if (contact.friction > 0) {
     traces.push(line(hatching(contact), "slip (hatched)", {color: INK, width: 0.7}));
-    traces.push(line(outline(contact, state => state === ADHERES), "adhesion", {color: ADHESION, width: 3}));
+    const adheres = outline(contact, state => state === ADHERES);
+    traces.push(line(adheres, "", {color: "#ffffff", width: 6.5}, {showlegend: false}));
+    traces.push(line(adheres, "adhesion", {color: ADHESION, width: 3.5}));
   }
   traces.push(line(outline(contact, state => state !== EXTERIOR), "contact", {color: INK, width: 2}));
   if (arrow.longest > 0) {
@@ -115,12 +121,10 @@ const patchFigure = contact => {
     traces.push(line(arrow, `shear, at most ${arrow.longest.toPrecision(3)} MPa`,
                      {color: INK, width: 1.8}));
   }
-  const range = (middles, [from, to], step) => [middles[from] - 3 * step, middles[to] + 3 * step];
-  const x = range(contact.x, window.columns, contact.dx), s = range(contact.s, window.rows, contact.ds);
-  const height = Math.min(620, Math.max(240, 520 * (s[1] - s[0]) / (x[1] - x[0])));
-  return {traces, height: height + 120, layout: {
+  const height = slender ? 300 : Math.min(620, Math.max(240, 520 * proportion));
+  return {traces, longest: arrow.longest, height: height + 120, layout: {
     xaxis: {title: "x, rolling direction, mm", range: x, constrain: "domain"},
-    yaxis: {title: "s along the rail, mm", range: s, scaleanchor: "x", constrain: "domain"},
+    yaxis: {title: "s along the rail, mm", range: s, constrain: "domain", ...slender ? {} : {scaleanchor: "x"}},
     legend: {orientation: "h", y: 1.02, yanchor: "bottom", x: 0}, margin: {t: 60}}};
 };
 
@@ -133,9 +137,9 @@ const cutFigure = (contact, along) => {
   const traces = contact.friction > 0 ? [
     {...line(pn.map(p => contact.friction * p), `friction bound, ${contact.friction} × pressure`,
              {color: BOUND, width: 1.5, dash: "dot"}), fill: "tozeroy", fillcolor: "rgba(138,148,158,0.18)"},
-    line(px, "along x", {color: ALONG_X, width: 2, dash: "dash"}),
-    line(ps, "along s", {color: ALONG_S, width: 2, dash: "dashdot"}),
-    line(px.map((p, k) => Math.hypot(p, ps[k])), "size of the shear traction", {color: INK, width: 2})]
+    line(px.map((p, k) => Math.hypot(p, ps[k])), "size of the shear traction", {color: INK, width: 1.3}),
+    line(px, "along x", {color: ALONG_X, width: 2.4, dash: "dash"}),
+    line(ps, "along s", {color: ALONG_S, width: 2.4, dash: "dashdot"})]
     : [line(pn, "pressure", {color: PRESSURE[1][1], width: 2})];
   const where = along === "x" ? `s = ${contact.s[row].toFixed(2)} mm` : `x = ${contact.x[column].toFixed(2)} mm`;
   const title = along === "x" ? "x, rolling direction, mm" : "s along the rail, mm";
@@ -235,12 +239,17 @@ const solidFigure = (contact, radius) => {
                colorscale: PRESSURE, cmin: 0, cmax: contact.pn[row][column], name: "patch", showlegend: true,
                colorbar: {title: {text: "pressure, MPa", side: "right"}, thickness: 14, len: 0.7},
                lighting: {ambient: 1, diffuse: 0, specular: 0}, flatshading: true, hoverinfo: "skip"});
+  const border = outline(contact, state => state !== EXTERIOR);
+  traces.push({...lineOf(border.x.map((x, k) => x === null ? [null, null, null]
+                                                 : [x, ...edge(Math.round((border.y[k] - contact.s[0]) / ds + 0.5))]),
+                         "patch", INK, 5), connectgaps: false});
   const side = contact.delta[row] < 0 !== contact.left ? 1 : -1; // looks at the patch from where the rail's surface faces
   const view = (label, x, y, z) => ({label, method: "relayout", args: ["scene.camera.eye", {x, y, z}]});
-  const aslant = [-1.0, 1.4 * side, 0.95];
+  const aslant = [-1.25, 1.75 * side, 1.2];
   return {traces, height: 520, layout: {
-    scene: {aspectmode: "data", camera: {eye: {x: aslant[0], y: aslant[1], z: aslant[2]}}, xaxis: {title: "x, mm"},
-            yaxis: {title: "y, mm", autorange: contact.left ? true : "reversed"}, zaxis: {title: "z down, mm", autorange: "reversed"}},
+    scene: {aspectmode: "data", camera: {eye: {x: aslant[0], y: aslant[1], z: aslant[2]}, center: {x: 0, y: 0, z: -0.15}},
+            xaxis: {title: "x, mm", nticks: 4}, yaxis: {title: "y, mm", nticks: 6, autorange: contact.left ? true : "reversed"},
+            zaxis: {title: "z down, mm", nticks: 3, autorange: "reversed"}},
     margin: {t: 40, l: 0, r: 0, b: 30}, legend: {orientation: "h", y: 0, yanchor: "top", x: 0},
     updatemenus: [{type: "buttons", direction: "right", x: 0, xanchor: "left", y: 1.0, yanchor: "bottom", showactive: false,
                    buttons: [view("aslant", ...aslant), view("along the track", -1.9, 0, 0.15),

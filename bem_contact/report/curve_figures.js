@@ -158,9 +158,10 @@ const conicityFigure = ({conicity: c}) => ({
 
 /// Where both wheels touch: on the wheel or on the rail.
 const touchFigure = ({function: f}, body) => ({
-  height: 340, traces: [["right", "circle"], ["left", "x-thin-open"]].map(([side, symbol]) => ({
+  height: 340, traces: [["right", {symbol: "circle", size: 4}],
+                         ["left", {symbol: "x-thin", size: 9, maxdisplayed: 40, line: {color: body === "rail" ? RAIL : WHEEL, width: 1.5}}]].map(([side, mark]) => ({
     type: "scatter", mode: "markers", x: f.lateral.values, y: f[`${side}_${body}_y`].values, name: side,
-    marker: {symbol, size: 5, color: body === "rail" ? RAIL : WHEEL}})),
+    marker: {color: body === "rail" ? RAIL : WHEEL, ...mark}})),
   layout: {xaxis: {title: "lateral displacement to the right, mm"}, yaxis: {title: `y on the ${body}, mm, to the field side`}, legend: ABOVE}});
 
 const wearFigure = (data, what, unit) => ({

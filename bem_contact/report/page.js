@@ -13,10 +13,11 @@ const addContactFigures = (contact, solid) => {
   if (solid && shaped)
     addFigure(`solid-${contact.name}`, "Wheel and rail in place, with the pressure on the patch; the wheel is lifted by 1 mm. Turn it with the mouse; a " +
               "click on a name hides or shows that body.", solidFigure(contact, radiusOf(contact)));
-  addFigure(`patch-${contact.name}`, `${title}: the patch from above.` + (contact.friction > 0 ?
-            " Hatched elements slip; those within the thick orange line adhere. Arrows: shear traction on the rail." : ""),
-            patchFigure(contact));
-  for (const along of ["x", "s"]) {
+  const patch = patchFigure(contact);
+  addFigure(`patch-${contact.name}`, `${title}: the patch from above.` +
+            (contact.friction > 0 ? " Hatched elements slip; those within the thick line (orange) adhere." : "") +
+            (patch.longest > 0 ? " Arrows: shear traction on the rail." : ""), patch);
+  for (const along of ["x", "s"].filter(name => contact[name].length > 1)) {
     const cut = cutFigure(contact, along);
     addFigure(`cut-${along}-${contact.name}`, `${title}: ${contact.friction > 0 ? "shear traction within the bound of friction"
               : "pressure"} along ${along} through the largest pressure (${cut.where}).`, cut);
@@ -54,7 +55,7 @@ const addComparison = () => {
   const box = add("div", "", page, {className: broken.length ? "certificate broken" : "certificate"});
   add("p", broken.length ? `DO NOT HOLD: the certificates of ${broken.map(([title]) => title).join("; ")}.`
                          : "All certificates hold.", box);
-  addTable("", ["", "worst violation of a contact condition, relative", "at most", "solvers"], all.map(([title, {group: {attributes: a}}]) =>
+  addTable("Worst violations of a contact condition, relative", ["", "worst", "at most", "solvers"], all.map(([title, {group: {attributes: a}}]) =>
     [title, a.certificate_worst.toExponential(1), a.certificate_tolerance.toExponential(0),
      `${a.normal_solver}${a.tangential_solver ? ", " + a.tangential_solver : ""}`]), {parent: box, numbers: [1, 2]});
   for (const [title, contact] of all)
@@ -119,7 +120,7 @@ const addWear = () => {
   add("h2", "Wear");
   for (const body of report.steps.length > 1 ? ["rail", "wheel"] : [])
     if (data[`${body}_depth`].values.at(-1) > 0) {
-      addFigure(`film-${body}`, `The ${body} from step to step: move the slider, or play.`, filmFigure(report.steps, data, body));
+      addFigure(`film-${body}`, `The ${body} from step to step. On a screen: move the slider, or play.`, filmFigure(report.steps, data, body));
       addFigure(`worn-${body}`, `What is gone from the ${body}, by step.`, wornFigure(report.steps, data, body));
     }
   addFigure("wear-depth", "Depth of the deepest place.", wearFigure(data, "depth", "mm"));
@@ -177,12 +178,12 @@ const loadLibrary = async () => {
 
 const draw = async ([frame, {traces, layout, height, frames}]) => {
   const drawing = frame.firstChild, size = {width: 700, height};
-  const axis = {showline: true, linecolor: INK, ticks: "outside", zeroline: false, gridcolor: "#e3e7eb"};
+  const axis = {automargin: true, showline: true, linecolor: INK, ticks: "outside", zeroline: false, gridcolor: "#e3e7eb"};
   const whole = {...size, font: {family: "sans-serif", size: 12, color: INK}, hovermode: "closest", ...layout,
                  margin: {t: 50, l: 65, r: 20, b: 50, ...layout.margin}};
-  for (const name of ["xaxis", "yaxis"])
+  for (const name of ["xaxis", "yaxis", "yaxis2"])
     if (layout[name])
-      whole[name] = {...axis, ...layout[name]};
+      whole[name] = {...axis, ...layout[name], title: {text: layout[name].title, standoff: 6}};
   await Plotly.newPlot(drawing, traces, whole, {displaylogo: false, modeBarButtonsToRemove: ["select2d", "lasso2d"]});
   if (frames)
     await Plotly.addFrames(drawing, frames);

@@ -24,18 +24,27 @@ const addFigure = (id, caption, figure) => {
   figures.push([frame, figure]);
 };
 
-/// "1859 ± 4": as many digits as the error has meaning.
+const LEAST_NUMBER = 1e-9; // in every unit of a page (mm, rad, MPa, N, N mm) less is rounding
+
+/// "1859 ± 4" or "(-9.27 ± 0.05)e-4": as many digits as the error has meaning.
 const number = (value, error) => {
   if (value === null || value === undefined)
     return "–";
-  if (!(error > 0))
+  if (Math.abs(value) < LEAST_NUMBER)
+    value = 0;
+  if (!(error > LEAST_NUMBER * Math.max(1, Math.abs(value))))
     return Math.abs(value) < 1e-3 && value !== 0 ? value.toExponential(3) : String(Number(value.toPrecision(6)));
+  const size = Math.max(Math.abs(value), error);
+  if (value !== 0 && size < 0.01) {
+    const power = Math.floor(Math.log10(size)), scale = 10 ** power;
+    return `(${number(value / scale, error / scale)})e${power}`;
+  }
   const digits = Math.min(12, Math.max(0, Math.ceil(-Math.log10(error) + 0.3)));
-  return `${value.toFixed(digits)} ± ${error.toFixed(digits)}`;
+  return `${value.toFixed(digits)} ±\u00a0${error.toFixed(digits)}`;
 };
 
 /// "mm2" as people write it.
-const unitText = unit => unit.replace(/mm\^?2/g, "mm²").replace(/mm\^?3/g, "mm³");
+const unitText = unit => unit.replace(/mm\^?2/g, "mm²").replace(/mm\^?3/g, "mm³").replace("N mm", "N\u00a0mm");
 
 /// A table; the cells numbered `numbers` from the left, or all of them, are numbers.
 const addTable = (caption, head, lines, {parent = page, numbers, id = "", wide = false} = {}) => {
@@ -147,10 +156,11 @@ const addQuantities = (contacts, caption, id) => {
   const head = ["", ...contacts.map(c => contacts.length > 1 ? SHORT[c.name] : "value ± error"), "unit", ""];
   const known = name => contacts.some(c => c.group.quantities[name]?.values[0] !== null);
   const numbers = contacts.map((_, k) => k + 1);
-  addTable(caption, head, MAIN.filter(name => all.includes(name) && known(name)).map(line), {numbers, id});
+  const wide = contacts.length > 2;
+  addTable(caption, head, MAIN.filter(name => all.includes(name) && known(name)).map(line), {numbers, id, wide});
   const rest = add("details");
   add("summary", "all other numbers", rest);
-  addTable("", head, all.filter(name => !MAIN.includes(name)).map(line), {parent: rest, numbers});
+  addTable("", head, all.filter(name => !MAIN.includes(name)).map(line), {parent: rest, numbers, wide});
 };
 
 const addPatches = contact => {

@@ -318,5 +318,13 @@ BEM_CONTACT_TUNED(double, least_creepage, 1e-3);
 /// 1. Two solutions with falling friction are two if their shear forces differ by more than this share of the
 /// sum of mu p_n: a hundred times what the certificate allows.
 BEM_CONTACT_TUNED(double, least_branch_difference, 1e-4);
+/// 1. Sliding as a whole: steps between friction and heat, the part of each that is taken, and the change of
+/// mu over mu(0) at which they end. A fifth settles where mu falls by as much as four times its own change.
+BEM_CONTACT_TUNED(int, most_heat_changes, 100);
+BEM_CONTACT_TUNED(double, heat_damping, 0.2);
+BEM_CONTACT_TUNED(double, least_heat_change, 1e-4);
+/// 1. Most steps of the search for its slip velocity, and bits of it: it is said with three digits.
+BEM_CONTACT_TUNED(int, most_sliding_steps, 60);
+BEM_CONTACT_TUNED(int, sliding_bits, 12);
 
 } // namespace bem_contact

@@ -1,6 +1,8 @@
 #include "bem_contact/wear/evolution.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
@@ -58,9 +60,31 @@ double WornBody::largest() const {
   return *std::ranges::max_element(depth);
 }
 
+std::vector<CollectiveCase> collective_of(const SweepFile& sweep, const std::string& model) {
+  std::vector<CollectiveCase> out;
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    const SceneFile scene = sweep.scene(i);
+    out.push_back({model.empty() ? scene : with_model(scene, model_named(model)), sweep.weight(i)});
+  }
+  return out;
+}
+
 WornPair unworn(const SceneFile& scene) {
   return {body_of(scene.rail, ProfileKind::rail, scene.folder),
           body_of(scene.wheel, ProfileKind::wheel, scene.folder), 0};
+}
+
+KeptPair unworn_influence(const SceneFile& scene, const WornPair& unworn) {
+  const auto kept = [&](const SceneFile::Side& side, ProfileKind kind, const WornBody& body) {
+    if (side.influence.empty())
+      return KeptInfluence{}; // the solution says what is missing
+    const KeptInfluence out{scene.folder / side.influence, body.points};
+    const ProfileCurve curve = named_profile(side.profile, kind, scene.folder, side.reading);
+    require_profile(read_influence_file(out.file), curve.name(), curve.digest());
+    return out;
+  };
+  return {kept(scene.rail, ProfileKind::rail, unworn.rail),
+          kept(scene.wheel, ProfileKind::wheel, unworn.wheel)};
 }
 
 WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases,

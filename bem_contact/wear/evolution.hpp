@@ -1,12 +1,13 @@
 #pragma once
 
-#include "bem_contact/scene/scene_file.hpp"
+#include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/wear/kept_influence.hpp"
 #include "bem_contact/wear/settings.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace bem_contact::wear {
@@ -45,8 +46,15 @@ struct WornPair {
   double largest() const { return std::max(rail.largest(), wheel.largest()); } ///< depth of both, mm
 };
 
+/// The cases of a sweep with their weights; `model`: instead of the scenes' own, "": none.
+std::vector<CollectiveCase> collective_of(const SweepFile& sweep, const std::string& model);
+
 /// The unworn bodies of a scene.
 WornPair unworn(const SceneFile& scene);
+
+/// The influence files that a scene names, as those of its unworn bodies. Throws InputError where they are
+/// not of the scene's profiles.
+KeptPair unworn_influence(const SceneFile& scene, const WornPair& unworn);
 
 /// Solves every case with the profiles of `now`, which are written into `folder` as rail.txt and wheel.txt,
 /// and moves the profiles of the bodies that wear: explicit Euler, first order in the length of the step. The

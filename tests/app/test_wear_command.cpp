@@ -1,4 +1,6 @@
 // `bem_contact wear` and `bem_contact fatigue` as a user runs them.
+#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/profile/read_profile.hpp"
 #include "tests/app/run_program.hpp"
 
 #include <gmock/gmock.h>
@@ -12,6 +14,14 @@ const std::string scene =
     "kind = \"wheel_rail\"\nrail.profile = \"60E1\"\nwheel.profile = \"S1002\"\n"
     "solver.model = \"halfspace\"\nload.force = 8e4\n[motion]\nxi = 2e-3\nfree_rolling = "
     "false\n[grid]\ndx = 1\nds = 0.5\n[sweep]\nposition.lateral = [0.0, 1.0]\n";
+
+/// A wheel at the gauge corner, with influence files.
+const std::string small_files = CONFORMAL_SOURCE_DIR "/data/influence/",
+                  corner = "rail = { profile = \"60E1\", influence = \"" + small_files +
+                           "small_rail.h5\" }\nwheel = { profile = \"S1002\", influence = \"" + small_files +
+                           "small_wheel.h5\" }\nsolver.model = \"fem\"\nload.force = 1e5\n[motion]\n"
+                           "free_rolling = false\n[grid]\ndx = 0.5\nds = 0.5\n[sweep]\n"
+                           "position.lateral = [6.6]\n";
 
 class WearCommand : public ProgramTest {
 protected:
@@ -109,12 +119,7 @@ TEST_F(WearCommand, TakesTheWearMapOfTheScene) {
 /// Influence functions of the unworn shape are kept for a while. Then the program says how to make new ones,
 /// and takes no others.
 TEST_F(WearCommand, AsksForInfluenceFunctionsOfTheWornShape) {
-  const std::string data = CONFORMAL_SOURCE_DIR "/data/influence/";
-  write("scene.toml",
-        "rail = { profile = \"60E1\", influence = \"" + data +
-            "small_rail.h5\" }\nwheel = { profile = \"S1002\", influence = \"" + data +
-            "small_wheel.h5\" }\nsolver.model = \"fem\"\nload.force = 1e5\n[motion]\nfree_rolling = "
-            "false\n[grid]\ndx = 0.5\nds = 0.5\n[sweep]\nposition.lateral = [6.6]\n");
+  write("scene.toml", corner);
   const std::string command =
       "wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.02 --cap 0.01 --kept-turn 1e-5";
   const Outcome asked = run(command);
@@ -124,8 +129,42 @@ TEST_F(WearCommand, AsksForInfluenceFunctionsOfTheWornShape) {
               HasSubstr("tools/influence " + path("worn/rail_0001.toml") + " " + path("worn/rail_0001.h5")));
   EXPECT_THAT(text("worn/rail_0001.toml"), HasSubstr("graft_onto = \"60E1\""));
   EXPECT_THAT(text("worn/rail_0001.toml"), HasSubstr("from = -44 # mm\nto = -20\nstation_width = 0.5"));
-  std::filesystem::copy(data + "small_rail.h5", folder_ / "worn/rail_0001.h5");
+  std::filesystem::copy(small_files + "small_rail.h5", folder_ / "worn/rail_0001.h5");
   EXPECT_THAT(run(command).err, HasSubstr("do not belong to the profile"));
+}
+
+/// A program that is given computes them, as tools/influence does, and the study goes on. The one here hands
+/// out the unworn functions as those of the shapes that a study without new functions had after its first
+/// step.
+TEST_F(WearCommand, LetsAProgramComputeInfluenceFunctions) {
+  write("scene.toml", corner);
+  const std::string study = "wear " + path("scene.toml") + " --depth 0.015 --cap 0.01 ";
+  ASSERT_EQ(run(study + "-o " + path("kept")).code, 0);
+  for (const auto& [body, kind] :
+       {std::pair("rail", ProfileKind::rail), std::pair("wheel", ProfileKind::wheel)}) {
+    InfluenceFunction f = read_influence_file(small_files + "small_" + body + ".h5");
+    const ProfileCurve worn = named_profile(path("kept/" + std::string(body) + "_0001.txt"), kind, {},
+                                            {.profile_z = ProfileZ::down});
+    f.profile = worn.name();
+    f.profile_digest = worn.digest();
+    write_influence_file(folder_ / (std::string(body) + "_0001.h5"), f);
+  }
+  write("hand_out", "#!/bin/sh\necho hands out $1\ncp " + path("") + "$(basename $2) $2\n");
+  std::filesystem::permissions(folder_ / "hand_out", std::filesystem::perms::owner_all);
+
+  const std::string command = study + "--kept-turn 1e-5 -o " + path("worn") + " --influence ";
+  const Outcome failed = run(command + "false");
+  EXPECT_EQ(failed.code, 2);
+  EXPECT_THAT(failed.err, HasSubstr("has made no influence functions (it failed, or wrote no such file)"));
+  EXPECT_THAT(run(command + path("no_such")).err,
+              HasSubstr("has made no influence functions (No such file or directory)"));
+  const Outcome done = run(command + path("hand_out"));
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_THAT(done.out, HasSubstr("continued after step 1"));
+  EXPECT_THAT(done.out, HasSubstr("1 steps, 1 contact problems"));
+  EXPECT_THAT(done.err, HasSubstr("hands out " + path("worn/rail_0001.toml")));
+  EXPECT_THAT(done.err, HasSubstr("hands out " + path("worn/wheel_0001.toml")));
+  EXPECT_EQ(text("worn/wear.csv"), text("kept/wear.csv")) << "these functions are the same";
 }
 
 TEST_F(WearCommand, RefusesWhatHasNoProfiles) {

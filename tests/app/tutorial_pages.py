@@ -1,9 +1,9 @@
 """data/tutorial: the commands of its pages run, and print what the pages print.
 
-A page is read as its reader does: a toml or python block is saved under the name that the text before it gives, indented lines that
-begin with a program are called in the project's folder, and other indented lines must be in what the commands of their page have
-printed. Numbers may differ a little, `...` stands for anything. Commands that the page says to take seconds are left out, unless
-TUTORIAL_LONG is set.
+A page is read as its reader does: a toml block is saved under the name that the text before it gives, a python block runs,
+indented lines that begin with a program are called in the project's folder, and other indented lines must be in what the commands
+of their page have printed. Numbers may differ a little, `...` stands for anything. In pictures no word may lie on another.
+Commands that the page says to take seconds are left out, unless TUTORIAL_LONG is set.
 """
 
 import contextlib
@@ -18,6 +18,9 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+
+import bem_contact
+import picture_faults
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = ROOT / "data" / "tutorial"
@@ -38,15 +41,15 @@ def kind_of(line, inside):
 
 
 def blocks_of(text):
-    """(kind, lines) in the order of the page: file (between fences), commands and output (indented), text."""
+    """(kind, lines) in the order of the page: python and file (between fences), commands and output (indented), text."""
     blocks, inside = [("text", [])], False
     for line in text.splitlines():
         kind = kind_of(line, inside)
         if kind == "fence":
             inside = not inside
             if inside:
-                blocks.append(("file", []))
-        elif kind == blocks[-1][0]:
+                blocks.append(("python" if line == "```python" else "file", []))
+        elif kind == blocks[-1][0] or inside:
             blocks[-1][1].append(line)
         else:
             blocks.append((kind, [line]))
@@ -89,6 +92,14 @@ class Pages(unittest.TestCase):
             (cls.folder / name).symlink_to(ROOT / name)
         (cls.folder / "demo").mkdir()
         sys.path.insert(0, str(ROOT / "tools"))
+        from plotting import style
+        cls.pictures, save = {}, style.save
+
+        def save_and_look(figure, output):
+            save(figure, output)
+            cls.pictures[str(output)] = picture_faults.faults(figure)
+
+        style.save = save_and_look
         os.environ["CONFORMAL_BIN"] = str(PROGRAM.parent)
         cls.before = os.getcwd()
         os.chdir(cls.folder)
@@ -123,6 +134,9 @@ class Pages(unittest.TestCase):
             elif kind == "file":
                 for name in re.findall(r"[Ss]ave this as `(demo/\S+)`", text)[-1:]:
                     Path(name).write_text("\n".join(content) + "\n")
+            elif kind == "python":
+                with contextlib.redirect_stdout(io.StringIO()):
+                    exec("\n".join(content), {"bem_contact": bem_contact})
             elif kind == "commands":
                 for line in map(str.strip, content):
                     files = set(re.findall(r"demo/\S+", line))
@@ -144,6 +158,7 @@ class Pages(unittest.TestCase):
                 before = seconds()
                 self.run_page(page)
                 commands, pictures = (now - then for now, then in zip(seconds(), before))
+                self.assertEqual({name: found for name, found in self.pictures.items() if found}, {})
                 print(f"{page.stem:14} {commands:5.1f} s and {pictures:.1f} s for pictures")
 
     def test_every_command_has_a_page(self):
@@ -158,6 +173,27 @@ class Pages(unittest.TestCase):
             done = subprocess.run(shlex.split(line), stderr=subprocess.PIPE, text=True)
             self.assertEqual(done.returncode, 2, line)
             self.assertIn(words, done.stderr)
+
+    def test_pictures_beside_the_pages(self):
+        """Kinds of results that no page draws: stresses below, a cylinder that starts to roll, hot friction ..."""
+        scenes = ROOT / "data/scenes"
+        for name, command in (("stresses", "solve"), ("cattaneo_to_carter", "solve"), ("falling_friction", "solve"),
+                              ("persson", "solve"), ("rolling_over_a_grid", "solve"),
+                              ("conformal_small", "compare")):
+            more = "--models halfspace tangent_plane fem" if command == "compare" else ""
+            self.call(f"bem_contact {command} {scenes / name}.toml {more} -o demo/{name}.h5")
+            self.call(f"tools/plot demo/{name}.h5 -o demo/{name}.png")
+            self.assertEqual(self.pictures[f"demo/{name}.png"], [])
+
+    def test_a_picture_that_cannot_be_read_is_found(self):
+        from plotting import style
+        figure, axes = style.panels(1, 1, (4, 3))
+        axes[0, 0].plot([0, 1], [0, 1], "o", label="under")
+        axes[0, 0].legend(loc="lower left")
+        axes[0, 0].text(0.5, 0.5, "words on")
+        self.assertEqual(picture_faults.faults(figure), ["1 marks under the legend of ''"])
+        axes[0, 0].text(0.52, 0.52, "words")
+        self.assertIn("'words on' lies on 'words'", picture_faults.faults(figure))
 
     def test_a_wrong_number_is_found(self):
         self.assertTrue(same_line("pmax 12.25 MPa, ... holds", "pmax 12.26 MPa, worst 3e-9, it holds"))

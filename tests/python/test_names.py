@@ -177,6 +177,42 @@ class Names(unittest.TestCase):
         self.assertEqual(defined, set(bem_contact.__all__))
 
 
+class Wear(unittest.TestCase):
+    SCENE = """rail.profile = "60E1"
+wheel.profile = "S1002"
+solver.model = "halfspace"
+load.force = 8e4
+motion = { xi = 2e-3, free_rolling = false }
+grid = { dx = 1, ds = 0.5 }
+sweep.position.lateral = [0.0, 1.0]
+sweep.weight = [3, 1]
+"""
+
+    def test_python_wears_as_the_program_does(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scene, worn = Path(folder) / "scene.toml", Path(folder) / "worn"
+            scene.write_text(self.SCENE)
+            program("wear", scene, "-o", worn, "--depth", "0.05", "--body", "wheel")
+            found = bem_contact.wear(scene, 0.05, body="wheel")
+            with h5py.File(worn / "wear.h5") as h5:
+                numbers = {name for name, item in h5.items() if isinstance(item, h5py.Dataset)}
+                self.assertEqual(set(found) - {"rail", "wheel"}, numbers)
+                for name in numbers:
+                    np.testing.assert_array_equal(found[name], h5[name][()], name)
+            self.assertEqual(found["wheel_depth"][-1], 0.05)
+            for step in range(len(found["step"])):
+                for body in ("rail", "wheel"):
+                    written = np.loadtxt(worn / f"{body}_{step:04}.txt")  # mm, with twelve digits
+                    np.testing.assert_allclose(found[body][step], written, rtol=0, atol=1e-10)
+
+    def test_what_cannot_wear_is_refused(self):
+        for words, scene, options in (("There is no body 'both wheels'", self.SCENE, {"body": "both wheels"}),
+                                      ("depth of a step", self.SCENE, {"cap": 0}),
+                                      ("sweep", self.SCENE.split("sweep")[0], {})):
+            with self.assertRaisesRegex(bem_contact.InputError, words):
+                bem_contact.wear(scene, **options)
+
+
 class TwoPointContact(unittest.TestCase):
     """A sweep over two-point contact is plotted from its CSV files alone."""
 

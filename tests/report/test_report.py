@@ -11,9 +11,11 @@ from xml.etree import ElementTree
 
 import h5py
 import numpy as np
+from matplotlib.image import imread
 
 import browser
 
+LOOK = Path(__file__).with_name("look.js").read_text()
 ROOT = Path(__file__).resolve().parents[2]
 SCENES, TOOLS = ROOT / "data" / "scenes", ROOT / "tools"
 PATCH = """kind = "patch"
@@ -46,10 +48,14 @@ class Report(unittest.TestCase):
         (cls.folder / "patch.toml").write_text(PATCH + "# </script><!--\n")
         (cls.folder / "wear.toml").write_text(WEAR)
         patch = cls.folder / "patch.toml"
-        cls.files = {kind: cls.folder / f"{kind}.h5" for kind in ("result", "comparison", "curves", "sweep", "conicity", "wheelset")}
+        cls.files = {kind: cls.folder / f"{kind}.h5" for kind in ("result", "stresses", "cylinder", "comparison", "curves", "sweep",
+                                                                   "conicity", "wheelset")}
         cls.files["wear"] = cls.folder / "worn" / "wear.h5"
         for command in (("solve", SCENES / "conformal_small.toml", "-o", cls.files["result"]),
-                        ("compare", patch, "--models", "halfspace", "tangent_plane", "-o", cls.files["comparison"]),
+                        ("compare", SCENES / "conformal_small.toml", "--models", "halfspace", "tangent_plane", "fem", "-o",
+                         cls.files["comparison"]),
+                        ("solve", patch, "-o", cls.files["stresses"]),
+                        ("solve", SCENES / "cattaneo_to_carter.toml", "-o", cls.files["cylinder"]),
                         ("creep-curves", patch, "--xi=0:4e-3:5", "--phi=0:1e-3:3", "-o", cls.files["curves"]),
                         ("sweep", SCENES / "cases_two_areas.toml", "-o", cls.files["sweep"]),
                         ("conicity", SCENES / "wheelset.toml", "-o", cls.files["conicity"]),
@@ -88,7 +94,7 @@ class Report(unittest.TestCase):
                 h5.visititems(compare)
             self.assertGreater(compared, 10, kind)
         self.assertEqual(set(self.report_of("result")["data"]["fem"]) & {"p_n", "u_x", "quantities"}, {"p_n", "quantities"})
-        self.assertIn("</script><!--", self.report_of("comparison")["data"]["scene_text"]["text"])
+        self.assertIn("</script><!--", self.report_of("stresses")["data"]["scene_text"]["text"])
         worn = self.report_of("wear")["steps"]
         np.testing.assert_array_equal(worn[-1]["rail"], np.loadtxt(self.folder / "worn" / f"rail_{worn[-1]['step']:04}.txt"))
 
@@ -133,13 +139,29 @@ class Report(unittest.TestCase):
             self.assertFalse(page.exists())
         self.assertTrue(h5py.is_hdf5(self.files["result"]))
 
+    def look_at_the_screenshot(self, show, kind):
+        """Each figure has paper and something on it, in several shades; the whole page prints."""
+        picture = self.folder / f"{kind}.png"
+        show.screenshot(picture)
+        pixels = imread(picture)[..., :3]
+        for name, x, y, width, height in show.value("""[...document.querySelectorAll(".figure")].map(figure => {
+                const at = figure.getBoundingClientRect();
+                return [figure.id, at.x + scrollX, at.y + scrollY, at.width, at.height].map((v, k) => k ? Math.round(v) : v); })"""):
+            figure = pixels[y:y + height, x:x + width].reshape(-1, 3)
+            drawn = np.mean(np.any(figure < 0.9, axis=1))
+            self.assertTrue(0.005 < drawn < 0.95, (kind, name, drawn))
+            self.assertGreater(len(np.unique(figure.round(2), axis=0)), 20, (kind, name))
+        printed = self.folder / f"{kind}.pdf"
+        show.pdf(printed)
+        self.assertGreater(printed.read_bytes().count(b"/Type /Page\n"), 0, kind)
+
     @unittest.skipUnless(browser.PROGRAM, "chromium is not installed")
     def test_a_browser_draws_it(self):
         contact = ["patch", "cut-x", "cut-s"]
         wanted = {"result": ["quantities", "patches-fem", "solid-fem", "section-fem", *(f"{c}-fem" for c in contact)],
+                  "stresses": ["stresses-halfspace"], "cylinder": ["patch-halfspace", "cut-x-halfspace", "history"],
                   "comparison": ["pressures", "quantities-equal_forces", *(f"{c}-{m}" for c in contact
-                                                                          for m in ("halfspace", "tangent_plane")),
-                                 "stresses-halfspace"],
+                                                                          for m in ("halfspace", "tangent_plane", "fem"))],
                   "curves": ["slopes", "kalker", "sensitivities", "curve-xi", "curve-phi"],
                   "sweep": ["patches-over-y", "over-pmax", "over-Fx-Fy", "cases"],
                   "conicity": ["conicities", "tan-gamma", "radius-difference", "touch-wheel", "touch-rail"],
@@ -155,6 +177,8 @@ class Report(unittest.TestCase):
                     drawn = f"!!document.getElementById('{name}')?.matches('table, :has(svg.main-svg)')"
                     self.assertTrue(show.value(drawn), (kind, name))
                 self.assertGreater(len(show.value("document.getElementById('words').textContent")), 50, kind)
+                self.assertEqual(show.value(LOOK), "", kind)
+                self.look_at_the_screenshot(show, kind)
                 if kind == "wear":
                     moved = """(async film => { await Plotly.animate(film, ["step 1"], {mode: "immediate", frame: {duration: 0}});
                         return Math.max(...film.data[1].y.map((z, i) => Math.abs(z - film.data[0].y[i]))); })
@@ -167,7 +191,11 @@ class Report(unittest.TestCase):
                     self.assertGreater(pixels, 20000)  # a picture of the bodies for paper, not an empty one
                     certificate = show.value("document.querySelector('.certificate').innerText")
                     self.assertIn("The certificate holds", certificate)
-            # The record of script errors, which was empty so far, can be filled.
+            # What was found nowhere so far can be found: words on words, wide tables, script errors.
+            show.value("document.querySelectorAll('#film-rail svg .xtick text')[1].setAttribute('x', 90)")
+            show.value("document.getElementById('steps').style.width = '900px'")
+            self.assertRegex(show.value(LOOK), "film-rail: '.*' lies on '.*'")
+            self.assertIn("steps is wider than the page", show.value(LOOK))
             page = self.folder / "damaged.html"
             page.write_text(self.pages["curves"].read_text().replace('"kind":"creep curves"', '"kind":"unheard of"'))
             show.open(page)

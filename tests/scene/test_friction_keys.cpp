@@ -120,6 +120,37 @@ TEST(FrictionKeys, ASecondCreepageIsSaid) {
   EXPECT_THAT(Sequence().solve(patch(law, "load.force_x = 14000")).warnings, IsEmpty());
 }
 
+/// The slip velocity that a warning of a second creepage names, mm/s; 0: no warning does.
+double velocity_said(const SceneResult& r) {
+  for (const std::string& warning : r.warnings)
+    if (warning.find("two creepages") != std::string::npos)
+      return std::stod(warning.substr(warning.find("(slip velocity ") + 15));
+  return 0;
+}
+
+/// Where each row has a law of its own, and where friction falls with temperature alone or besides, the
+/// second creepage is said, too. Solved with it, the contact has the prescribed force.
+TEST(FrictionKeys, ASecondCreepageIsSaidOfRowsAndHeat) {
+  const TemporaryFolder folder;
+  const std::string rows = folder / "rows.csv";
+  std::ofstream(rows)
+      << "s, mu, falling_friction, half_slip_velocity\n-2, .25, .15, 500\n2, .35, .15, 2000\n";
+  const std::string hot = "temperature.flash = true\ntemperature.hot_friction = 0.1\n"
+                          "temperature.falls_from = 20\ntemperature.falls_to = 400\n",
+                    of_rows = fmt::format("friction_table = '{}'\nspeed = 1e4\n", rows),
+                    of_all = "falling_friction = 0.15\nhalf_slip_velocity = 1000\nspeed = 1e4\n";
+  for (const auto& [motion, heat] : {std::pair{of_rows, std::string()}, std::pair{of_rows, hot},
+                                     std::pair{std::string("speed = 1e4\n"), hot}, std::pair{of_all, hot}}) {
+    const SceneResult r = Sequence().solve(patch(motion, "load.force_x = 26000\n" + heat));
+    ASSERT_TRUE(r.result.converged) << r.result.remark;
+    const double velocity = velocity_said(r);
+    ASSERT_GT(velocity, 2e4 * r.result.creepage_x) << motion << heat;
+    const SceneResult there = Sequence().solve(patch(motion + fmt::format("xi = {}", velocity / 1e4), heat));
+    ASSERT_TRUE(there.result.converged) << there.result.remark;
+    EXPECT_NEAR(there.result.Fx, 26000, 0.005 * 26000) << motion << heat;
+  }
+}
+
 /// Friction that drops within .3 mm/s is nearly a jump.
 TEST(FrictionKeys, ASecondSolutionIsSaid) {
   const SceneResult r =

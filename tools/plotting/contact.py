@@ -8,6 +8,7 @@ from . import style
 
 ADHERES = 1
 MOST_ROWS, MOST_COLUMNS = 8, 12  # of arrows
+MOST_SLENDER = 15  # length over width of a patch that is drawn in its proportions
 
 
 class Contact:
@@ -30,6 +31,12 @@ class Contact:
 
     def peak(self):
         return np.unravel_index(self.pressure.argmax(), self.pressure.shape)
+
+    @property
+    def slender(self):
+        """Whether it is too long to be drawn in its proportions, as a cylinder's contact is. Arrows would be distorted."""
+        sizes = [np.ptp(limits) for limits in self.window()]
+        return max(sizes) > MOST_SLENDER * min(sizes)
 
     def window(self, margin=3):
         """What lies around the contact: limits of x and of s."""
@@ -62,7 +69,7 @@ def arrows(axis, contact, longest):
     shown = np.zeros_like(touched)
     shown[rows // 2::rows, columns // 2::columns] = True
     i, j = np.where(shown & touched)
-    look = {"angles": "xy", "scale_units": "xy", "scale": longest / (1.15 * apart), "pivot": "mid", "units": "dots", "headwidth": 4.5,
+    look = {"angles": "xy", "scale_units": "xy", "scale": longest / (0.9 * apart), "pivot": "mid", "units": "dots", "headwidth": 4.5,
             "headlength": 5, "headaxislength": 4.5, "minlength": 0.4}
     tractions = (contact.x[j], contact.s[i], contact.px[i, j], contact.ps[i, j])
     axis.quiver(*tractions, color="white", edgecolor="white", linewidth=2.4, width=2.0, zorder=3, **look)
@@ -77,23 +84,24 @@ def draw_patch(axis, contact, pmax, shear, title):
     outline(axis, contact, touched, color=style.INK, linewidth=1.4)
     if shear > 0:
         outline(axis, contact, contact.state == ADHERES, color=style.ADHESION, linewidth=2.6, zorder=2.5)
-        arrows(axis, contact, shear)
+        if not contact.slender:
+            arrows(axis, contact, shear)
     a = contact.attributes
     verdict = "holds" if a["certificate_holds"] else "DOES NOT HOLD"
     axis.set_title(title, pad=18)
     axis.annotate(f"certificate {verdict}: {a['certificate_worst']:.0e}, at most {a['certificate_tolerance']:.0e}", (0, 1),
                   xycoords="axes fraction", xytext=(0, 5), textcoords="offset points", fontsize=9)
-    axis.set(aspect="equal", facecolor=style.OUTSIDE, ylabel=style.UP)
+    axis.set(aspect="auto" if contact.slender else "equal", facecolor=style.OUTSIDE, ylabel=style.UP)
     axis.grid(False)
     return image
 
 
-def patch_key(axis, shear, columns=3):
+def patch_key(axis, shear, columns=3, with_arrows=True):
     """What the lines and arrows of a patch mean."""
     handles = [Line2D([], [], color=style.INK, linewidth=1.4, label="border of the contact"),
                Line2D([], [], color=style.ADHESION, linewidth=2.6, label="adhesion within, slip around"),
                Line2D([], [], color=style.INK, marker=r"$\rightarrow$", markersize=13, linestyle="none",
-                      label=f"shear traction on the rail, longest {shear:.0f} MPa")]
+                      label=f"shear traction on the rail, longest {shear:.0f} MPa")][:3 if with_arrows else 2]
     if shear > 0:
         style.legend_beside(axis, below=True, columns=columns, handles=handles, fontsize=8.5, handlelength=1.6)
 
@@ -107,9 +115,9 @@ def draw_cut(axis, contact, along="x"):
         bound = contact.friction * contact.pressure[cut]
         axis.fill_between(at, bound, color=style.BOUND, alpha=0.18, linewidth=0)
         axis.plot(at, bound, color=style.BOUND, linestyle=(0, (2, 2)), label=f"friction bound {contact.friction:g} p")
+        axis.plot(at, contact.shear[cut], color=style.INK, linewidth=1.3, label="shear traction")
         axis.plot(at, contact.px[cut], color=style.ALONG_X, linestyle="--", label="along x")
         axis.plot(at, contact.ps[cut], color=style.ALONG_S, linestyle="-.", label="along s")
-        axis.plot(at, contact.shear[cut], color=style.INK, linewidth=1.3, label="shear traction")
         axis.set_ylabel("traction on the rail, MPa")
         style.legend_beside(axis)
     else:
@@ -120,6 +128,15 @@ def draw_cut(axis, contact, along="x"):
         axis.set(xlabel=f"{style.ACROSS} (cut at s = {contact.s[row]:.2f} mm)", xlim=window[0])
     else:
         axis.set(xlabel=f"{style.UP} (cut at x = {contact.x[column]:.2f} mm)", xlim=window[1])
+
+
+def draw_history(axis, group):
+    """Forces on the rail by load step."""
+    for name in ("Fx", "Fy", "Fz"):
+        axis.plot(np.arange(len(group[name])) + 1, group[name][:], **style.line(style.FORCES[name], markersize=3), label=name)
+    axis.set(title="Forces on the rail", xlabel="load step", ylabel="N")
+    style.whole_numbers(axis.xaxis)
+    axis.legend()
 
 
 def draw_section(axis, contacts):

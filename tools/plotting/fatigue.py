@@ -5,6 +5,7 @@ import numpy as np
 from . import style
 
 MU = np.linspace(0.01, 0.6, 200)
+LARGEST_DAMAGE = 1e-5  # of the usual damage function, for an axis where there is none
 
 
 def draw(files):
@@ -18,13 +19,13 @@ def draw(files):
         if shown.any():
             diagram.plot(t["mu_used"][shown], t["p0_over_k"][shown], mark, color=style.RAIL, markeredgecolor=style.INK, label=name)
     diagram.set(title="Shakedown diagram", xlabel="μ used: shear force over normal force", ylabel="p0 / k", xlim=(0, 0.6), ylim=(0, top))
-    diagram.legend(loc="lower right")
+    style.legend_beside(diagram, below=True, columns=1)
 
     index.plot(t["s_mm"], t["FI_surf"], "o", color=style.RAIL, markeredgecolor=style.INK, label="whole patch")
     index.plot(t["s_mm"], t["FI_worst_element"], "v", color="none", markeredgecolor=style.INK, label="worst element")
     style.limit(index, 0, "limit: above it the surface fatigues")
     index.set(title="Index of surface fatigue", ylabel="FI_surf", xlabel=style.UP)
-    style.legend(index)
+    style.legend_beside(index, below=True, columns=1)
 
     stress.vlines(t["s_mm"], 0, t["von_mises_depth_mm"], color=style.GRID, linewidth=1)
     image = stress.scatter(t["s_mm"], t["von_mises_depth_mm"], c=t["von_mises_MPa"], cmap=style.STRESS, edgecolor=style.INK, vmin=0, zorder=3)
@@ -35,4 +36,6 @@ def draw(files):
     damage.vlines(t["s_mm"], 0, t["damage"], color=style.RAIL, linewidth=1.5)
     damage.plot(t["s_mm"], t["damage"], "o", color=style.RAIL, markeredgecolor=style.INK)
     damage.set(title="Damage of one passage (T-gamma)", xlabel=style.UP, ylabel="damage")
+    if not t["damage"].any():
+        damage.set_ylim(-0.05 * LARGEST_DAMAGE, LARGEST_DAMAGE)
     return figure

@@ -4,12 +4,12 @@ import h5py
 import numpy as np
 
 from . import style
-from .contact import Contact, draw_cut, draw_patch, draw_section, draw_stresses, patch_key
+from .contact import Contact, draw_cut, draw_history, draw_patch, draw_section, draw_stresses, patch_key
 from .kinds import text
 
 SETS = {"equal_forces": "At equal forces", "equal_position": "At equal position and vertical force"}
 NUMBERS = (("pmax", "MPa", 1), ("area", "mm²", 1), ("Fx", "N", 1), ("Fy", "N", 1), ("Fz", "N", 1), ("Mz", "N mm", 1), ("approach", "mm", 1),
-           ("lateral", "mm", 1), ("free_rolling_xi", "‰", 1e3))  # scale last
+           ("lateral", "mm", 1), ("free_rolling_xi", "‰", 1e3), ("Tmax_rail", "°C", 1), ("Tmax_wheel", "°C", 1))  # scale last
 SIDES = ("left", "right")
 OF_WHEELSET = ("lateral", "roll", "yaw", "rolling_radius", "Fx", "Fy", "Fz", "roll_moment", "yaw_moment", "torque")
 ON_TRACK = (("share", "1"), ("Fx", "N"), ("Fy", "N"), ("Fz", "N"), ("Y_over_Q", "1"), ("radius", "mm"), ("delta", "rad"), ("pmax", "MPa"),
@@ -56,7 +56,7 @@ def draw_patches(figure, axes, contacts, titles, key=-1, columns=3):
         axis.set(xlim=contact.window()[0], ylim=contact.window()[1])
     axes[-1].set_xlabel(style.ACROSS)
     figure.colorbar(image, ax=axes, label="pressure, MPa", shrink=0.8, pad=0.02, aspect=30)
-    patch_key(axes[key], shear, columns)
+    patch_key(axes[key], shear, columns, not all(c.slender for c in contacts))
 
 
 def one_window(axes, contacts):
@@ -77,6 +77,8 @@ def draw_result(files):
             draw_stresses(axes[0, 1], stresses)
         elif np.ptp(contact.rail[:, 1]) > 0.02 * np.ptp(contact.rail[:, 0]):
             draw_section(axes[0, 1], [contact])
+        elif "history" in contact.group:
+            draw_history(axes[0, 1], contact.group["history"])
         else:
             draw_cut(axes[0, 1], contact, "s")
         write_table(axes[1, 1], "Numbers (± size of elements)", ["value"], list(numbers_of([contact])), 0.105)
@@ -125,9 +127,9 @@ def draw_wheelset(files):
         axes[1, 0].invert_xaxis()  # y to the left: the field side is on the left
         number = {name: f"{data[()]:.6g}" for name, data in file["wheelset"].items()}
         write_table(axes[2, 0], "Each wheel, y to the right", SIDES, [
-            [f"{name}, {unit}".removesuffix(", 1"), *(f"{file[side]['track'][name][()]:.6g}" for side in SIDES)]
+            [style.titled(name, unit), *(f"{file[side]['track'][name][()]:.6g}" for side in SIDES)]
             for name, unit in ON_TRACK], 0.11)
         write_table(axes[2, 1], "The wheelset", ["value"], [
-            [f"{name}, {text(data.attrs['unit'])}".removesuffix(", 1"), number[name]] for name, data in file["wheelset"].items()
+            [style.titled(name, text(data.attrs["unit"])), number[name]] for name, data in file["wheelset"].items()
             if name in OF_WHEELSET and np.isfinite(data[()])], 0.11)
         return figure

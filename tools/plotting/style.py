@@ -40,6 +40,11 @@ def panels(rows, columns, size, **options):
     return plt.subplots(rows, columns, figsize=size, layout="constrained", squeeze=False, **options)
 
 
+def titled(name, unit):
+    """ "pmax, MPa"; a number without a unit has its name alone."""
+    return name if unit in ("", "1") else f"{name}, {unit}".replace("mm2", "mm²")
+
+
 def line(style, **more):
     """Options of plot() for a colour, a line and a mark."""
     colour, dash, mark = style

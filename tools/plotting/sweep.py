@@ -64,8 +64,7 @@ def draw_totals(axis, file, names, over, groups, certified, joined):
             axis.errorbar(over[sure], file[name][:][sure], yerr=np.nan_to_num(file[f"{name}_error"][:][sure]) if f"{name}_error" in file
                           else None, linestyle=dash if joined else "none", color=colour, marker=mark, markersize=4.5, elinewidth=1,
                           capsize=2, label=words)
-    unit = text(file[names[0]].attrs["unit"]).replace("mm2", "mm²")
-    axis.set_ylabel(f"{', '.join(names)}, {unit}" if unit != "1" else names[0])
+    axis.set_ylabel(style.titled(", ".join(names), text(file[names[0]].attrs["unit"])))
     if len(groups) * len(names) > 1 and len(groups) * len(names) <= 8:
         axis.legend()
 
@@ -83,7 +82,7 @@ def draw_wheels(axis, file, quantity, over, groups, certified, joined):
                       **style.line((colour, dash, MARKS[k % len(MARKS)] if len(groups) > 1 else mark), markersize=4.5, label=words)
                       | ({} if joined else {"linestyle": "none"}))
     unit = text(file[f"right_{quantity}" if sides else quantity].attrs["unit"])
-    axis.set_ylabel(f"{quantity}, {unit}" if unit != "1" else quantity)
+    axis.set_ylabel(style.titled(quantity, unit))
     if 1 < len(groups) * len(sides or [""]) <= 8:
         axis.legend()
 
@@ -99,7 +98,7 @@ def draw(files):
         unit = text(file[lead].attrs["unit"]) if lead else ""
         if lead and keys[lead]:
             over, unit = np.arange(len(certified)), ""
-        name = f"{lead}, {unit}".rstrip(", ") if lead and not keys[lead] else "case"
+        name = style.titled(lead, unit) if lead and not keys[lead] else "case"
         groups = groups_of(file, keys, lead)
         figure, axes = style.panels(2, 2, (12.5, 8.8))
         left_out = "" if certified.all() else f"; {(~certified).sum()} without a certificate are left out"

@@ -8,6 +8,7 @@ from .kinds import text
 
 DRAWN = 5  # columns of the table that a picture draws
 LINES = 4  # values of the second axis
+LEAST_CHANGE = 1e-6  # of a column that is drawn, over its scale: less is rounding, as of a prescribed force
 
 
 def draw_errors(axis, file, columns, held):
@@ -39,8 +40,8 @@ def draw_column(axis, file, axes, column):
         axis.plot(grid[:], values[tuple(at)], dash, marker=mark, markersize=4, color=colour, linewidth=1.3, label=label)
     others = ", ".join(f"{name} {file[f'axes/{name}'][at[k]]:.6g}" for k, name in enumerate(axes) if k not in (first, second))
     unit = text(file[f"values/{column}"].attrs["unit"])
-    axis.set(xlabel=f"{axes[first]}, {text(grid.attrs['unit'])}".removesuffix(", 1") + (f"   (at {others})" if others else ""),
-             ylabel=f"{column}, {unit}".removesuffix(", 1"), title=column)
+    axis.set(xlabel=style.titled(axes[first], text(grid.attrs["unit"])) + (f"   (at {others})" if others else ""),
+             ylabel=style.titled(column, unit), title=column)
     style.legend(axis, fontsize=8)
 
 
@@ -72,7 +73,8 @@ def draw_nested(axis, file, axes, column):
 def draw(files):
     with h5py.File(files[0]) as file:
         axes, columns, held = (text(file.attrs[name]).split() for name in ("axes", "columns", "held"))
-        shown = (held + [c for c in columns if c not in held])[:DRAWN]
+        varies = [c for c in columns if np.ptp(file[f"values/{c}"][:]) > LEAST_CHANGE * file[f"scale/{c}"][()]]
+        shown = sorted(varies, key=lambda c: c not in held)[:DRAWN]
         rows = 1 + len(shown) // 3
         figure, panels = style.panels(rows, 3, (14, 0.8 + 4.2 * rows))
         draw_errors(panels[0, 0], file, columns, held)

@@ -1,6 +1,6 @@
 from collections.abc import Mapping, Sequence as _List
 from os import PathLike
-from typing import Any, Literal
+from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -321,6 +321,25 @@ class Table:
 def read_table(file: str | PathLike[str]) -> Table:
     """Reads a table that table() or `bem_contact table` wrote."""
 
+@overload
+def wear(
+    scene: _Scene,
+    depth: float = 0.1,
+    *,
+    law: str = "energy",
+    hardness: float = 3000,
+    speed: float = 3e4,
+    body: str = "both",
+    cap: float = ...,
+    smoothing: float = ...,
+    passages: float = 1,
+    kept_turn: float = ...,
+    model: _Model = None,
+    folder: str | PathLike[str] | None = None,
+) -> dict[str, NDArray[Any]]:
+    """Profiles worn under the load collective of a scene's table [sweep]: mileage, depths, areas, profiles by step."""
+
+@overload
 def wear(
     result: Result,
     law: str = "energy",
