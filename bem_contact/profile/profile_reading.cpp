@@ -10,6 +10,10 @@ void add_profile_reading(Schema& s, const std::string& table, ProfileReading& re
          .at_least = 0,
          .at_most = 50,
          .kinds = kinds});
+  s.add(table + ".nominal", reading.nominal,
+        {.doc = "Of a profile file: the standard profile from which it was made (S1002, 60E1); only the depth "
+                "worn off it is smoothed, by smoothing or, if that is 0, as the points tell",
+         .kinds = kinds});
   s.add(table + ".unit", reading.unit,
         {.doc = "Of a profile file: its unit; found: by the width, mm or m", .kinds = kinds});
   s.add(table + ".profile_z", reading.profile_z,
@@ -32,7 +36,7 @@ void add_flange_back(Schema& s, const std::string& table, ProfileReading& readin
 
 std::vector<std::string> given_reading(const Schema& schema, const std::string& table) {
   std::vector<std::string> given;
-  for (const char* key : {"smoothing", "unit", "profile_z", "mirror"})
+  for (const char* key : {"smoothing", "nominal", "unit", "profile_z", "mirror"})
     if (const std::string path = table + "." + key; schema.changed(path))
       given.push_back(path);
   if (const std::string path = table + ".flange_back"; schema.has(path))

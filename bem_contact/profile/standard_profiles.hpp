@@ -2,6 +2,7 @@
 
 #include "bem_contact/profile/body_file.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
+#include "bem_contact/profile/profile_kind.hpp"
 
 #include <span>
 #include <string>
@@ -19,6 +20,8 @@ namespace bem_contact {
 ProfileCurve standard_profile(std::string_view name);
 bool is_standard_profile(std::string_view name);
 std::span<const std::string> standard_profile_names();
+/// Rail or wheel, of one of these names.
+ProfileKind kind_of_standard(std::string_view name);
 
 /// The contact curve of a body, in its section's frame.
 ///   rail, wheel: the profile named (a standard or a file)
