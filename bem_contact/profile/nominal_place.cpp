@@ -65,9 +65,8 @@ void lay(NominalPlace& place, const ProfileCurve& nominal, std::span<const Point
 /// By what lies on it.
 void settle(NominalPlace& place, const ProfileCurve& nominal, std::span<const Point2> points, double least) {
   for (int i = 0; i < placing_steps; ++i) {
-    const double width = std::max(tukey_width * normal_deviation_over_median *
-                                      median_distance(nominal, points, place),
-                                  least);
+    const double width =
+        std::max(tukey_width * normal_deviation_over_median * median_distance(nominal, points, place), least);
     const Weight weight = [&](double d) {
       const double root = 1 - d * d / (width * width);
       return root > 0 ? root * root : 0.0;
@@ -79,7 +78,8 @@ void settle(NominalPlace& place, const ProfileCurve& nominal, std::span<const Po
 
 /// Middle, along y, and height of what is near the top of a rail, or near the tip of a wheel's flange.
 Point2 top_of(std::span<const Point2> points, bool wheel) {
-  const double top = wheel ? std::ranges::max(points, {}, &Point2::z).z : std::ranges::min(points, {}, &Point2::z).z;
+  const double top =
+      wheel ? std::ranges::max(points, {}, &Point2::z).z : std::ranges::min(points, {}, &Point2::z).z;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Point2 p : points)
     if (std::abs(p.z - top) < placing_top) {
@@ -93,13 +93,14 @@ Point2 top_of(std::span<const Point2> points, bool wheel) {
 std::vector<NominalPlace> starts(const ProfileCurve& nominal, std::span<const Point2> points) {
   std::vector<Point2> its;
   for (int i = 0; i <= placing_points; ++i)
-    its.push_back(nominal.at(nominal.s_begin() + (nominal.s_end() - nominal.s_begin()) * i / placing_points)
-                      .position);
+    its.push_back(
+        nominal.at(nominal.s_begin() + (nominal.s_end() - nominal.s_begin()) * i / placing_points).position);
   const bool wheel = its.back().y < its.front().y;
   std::vector<NominalPlace> out;
   for (const double angle : placing_angles) {
     std::vector<Point2> turned_points;
-    std::ranges::transform(points, std::back_inserter(turned_points), [&](Point2 p) { return turned(p, -angle); });
+    std::ranges::transform(points, std::back_inserter(turned_points),
+                           [&](Point2 p) { return turned(p, -angle); });
     const Point2 shift = top_of(turned_points, wheel) - top_of(its, wheel);
     for (const double side : placing_sides)
       out.push_back({turned(shift + Point2{side, 0}, angle), angle});

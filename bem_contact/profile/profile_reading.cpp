@@ -11,8 +11,9 @@ void add_profile_reading(Schema& s, const std::string& table, ProfileReading& re
          .at_most = 50,
          .kinds = kinds});
   s.add(table + ".nominal", reading.nominal,
-        {.doc = "Of a profile file: the standard profile from which it was made (S1002, 60E1); only the depth "
-                "worn off it is smoothed, by smoothing or, if that is 0, as the points tell",
+        {.doc =
+             "Of a profile file: the standard profile from which it was made (S1002, 60E1); only the depth "
+             "worn off it is smoothed, by smoothing or, if that is 0, as the points tell",
          .kinds = kinds});
   s.add(table + ".unit", reading.unit,
         {.doc = "Of a profile file: its unit; found: by the width, mm or m", .kinds = kinds});

@@ -69,10 +69,11 @@ std::string file_name(const std::string& source) {
 
 void warn_of_noise(const std::string& source, const MeasuredProfile& p) {
   const std::string better =
-      p.like ? fmt::format("; as it looks like {} worn by {:.2g} .. {:.2g} mm, nominal = \"{}\" keeps more of "
-                           "its shape",
-                           p.like->name, p.like->least_depth, p.like->largest_depth, p.like->name)
-             : "";
+      p.like
+          ? fmt::format("; as it looks like {} worn by {:.2g} .. {:.2g} mm, nominal = \"{}\" keeps more of "
+                        "its shape",
+                        p.like->name, p.like->least_depth, p.like->largest_depth, p.like->name)
+          : "";
   messages()->warn(
       "{}: its points scatter by {:.2g} um, {:.2g} mm apart: a curve through all of them bends to radii of "
       "{:.2g} mm, which moves pressures between steel bodies by some {:.0f} MPa and may split patches "
@@ -112,8 +113,8 @@ ProfileCurve nominal_profile(const std::string& name, ProfileKind kind, const st
 
 void report_smoothing(const std::string& source, const MeasuredProfile& p) {
   messages()->info(
-      "{}: smoothed, waves shorter than {} mm removed: {:.2g} um root mean square, {:.2g} um at most",
-      source, wavelength_text(p), 1e3 * p.removed_rms, 1e3 * p.removed_most);
+      "{}: smoothed, waves shorter than {} mm removed: {:.2g} um root mean square, {:.2g} um at most", source,
+      wavelength_text(p), 1e3 * p.removed_rms, 1e3 * p.removed_most);
 }
 
 void warn_of_smoothing(const std::string& source, const MeasuredProfile& p) {
@@ -143,8 +144,7 @@ MeasuredProfile smoothed_profile(const std::string& source, std::span<const Poin
   WornNominal worn = worn_from_nominal(nominal_profile(reading.nominal, kind, source), points, noise.scatter,
                                        reading.smoothing, source);
   messages()->info("{}: {}", source, worn_text(worn));
-  MeasuredProfile out{worn.curve,       worn.points,      noise, worn.longest_wave,
-                      worn.removed_rms, worn.removed_most};
+  MeasuredProfile out{worn.curve, worn.points, noise, worn.longest_wave, worn.removed_rms, worn.removed_most};
   out.worn = std::move(worn);
   return out;
 }

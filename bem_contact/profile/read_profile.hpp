@@ -43,7 +43,8 @@ struct MeasuredProfile {
 /// smoothing to use, and with the standard profile from which the measured one may be worn.
 ///
 /// Throws InputError: no such file, empty, truncated, not a number, a size that no rail or wheel has, a file
-/// of the other kind, a nominal profile that is not near, smoothing asked for by the file (approx.smooth), zig-zag and loops beyond repair.
+/// of the other kind, a nominal profile that is not near, smoothing asked for by the file (approx.smooth),
+/// zig-zag and loops beyond repair.
 MeasuredProfile measured_profile(const std::filesystem::path& file, ProfileKind kind,
                                  const ProfileReading& reading = {}, int part = 0);
 ProfileCurve read_profile(const std::filesystem::path& file, ProfileKind kind,

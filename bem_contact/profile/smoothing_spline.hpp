@@ -36,9 +36,9 @@ public:
 
 private:
   Eigen::MatrixXd measured_;
-  Eigen::VectorXd weight_;               ///< length that a value stands for, mm
-  Eigen::VectorXd length_;               ///< that a third derivative stands for, mm
-  Eigen::VectorXd middle_;               ///< mm
+  Eigen::VectorXd weight_;            ///< length that a value stands for, mm
+  Eigen::VectorXd length_;            ///< that a third derivative stands for, mm
+  Eigen::VectorXd middle_;            ///< mm
   Eigen::SparseMatrix<double> third_; ///< maps values to third derivatives, 1/mm^3
 };
 

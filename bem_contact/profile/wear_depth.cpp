@@ -14,7 +14,8 @@ SmoothingSpline spline_of(std::span<const double> s, std::span<const double> dep
   return {s, Eigen::Map<const Eigen::VectorXd>(depth.data(), static_cast<Eigen::Index>(depth.size()))};
 }
 
-SmoothDepth smooth(const SmoothingSpline& spline, std::span<const double> s, const Eigen::VectorXd& wavelength) {
+SmoothDepth smooth(const SmoothingSpline& spline, std::span<const double> s,
+                   const Eigen::VectorXd& wavelength) {
   const Eigen::MatrixXd found = spline.minimise(wavelength);
   SmoothDepth out{{found.data(), found.data() + found.size()}, {}};
   Eigen::Index nearest = 0;
@@ -26,9 +27,10 @@ SmoothDepth smooth(const SmoothingSpline& spline, std::span<const double> s, con
   return out;
 }
 
-/// Which points lie on a stretch whose removed parts do not look like noise, at least half as little as on the
-/// worst: what is removed at an edge spreads, and goes when the edge is kept.
-std::vector<bool> too_much_removed(std::span<const double> removed, double scatter) {
+/// Which points lie on a stretch whose removed parts do not look like noise, at least half as little as on
+/// the worst: what is removed at an edge spreads, and goes when the edge is kept.
+std::vector<bool> too_much_removed(std::span<const double> s, const SmoothDepth& smooth,
+                                   std::span<const double> removed, double scatter) {
   const std::size_t n = removed.size();
   std::vector<double> sum(n + 1, 0.0);
   for (std::size_t i = 0; i < n; ++i)
@@ -37,10 +39,11 @@ std::vector<bool> too_much_removed(std::span<const double> removed, double scatt
   const auto excess = [&](std::size_t from, std::size_t length) {
     return std::abs(sum[from + length] - sum[from]) / (scatter * std::sqrt(static_cast<double>(length)));
   };
-  const auto each_stretch = [n](const auto& look) {
+  const auto each_stretch = [&](const auto& look) {
     for (std::size_t length = shortest_stretch; length <= n; length += length / 2)
       for (std::size_t from = 0; from + length <= n; from += length / 4)
-        look(from, length);
+        if (s[from + length - 1] - s[from] >= stretch_share * smooth.wavelength[from + length / 2])
+          look(from, length);
   };
   double limit = 0;
   each_stretch([&](auto from, auto length) { limit = std::max(limit, excess(from, length) / 2); });
@@ -86,14 +89,19 @@ SmoothDepth smoothed_depth_by_noise(std::span<const double> s, std::span<const d
   const double shortest = std::min(longest_depth_wave, shortest_depth_wave * spacing);
   Eigen::VectorXd wavelength = Eigen::VectorXd::Constant(spline.third_derivatives(), longest_depth_wave);
   for (;;) {
-    SmoothDepth out = smooth(spline, s, wavelength);
+    const SmoothDepth out = smooth(spline, s, wavelength);
     std::vector<double> removed(depth.begin(), depth.end());
     for (std::size_t i = 0; i < removed.size(); ++i)
       removed[i] -= out.depth[i];
-    const std::vector<bool> marked = too_much_removed(removed, scatter);
+    const std::vector<bool> marked =
+        too_much_removed(s, out, removed, std::max(scatter, least_depth_scatter));
     if (std::ranges::find(marked, true) == marked.end() || !shorten(wavelength, spline, s, marked, shortest))
-      return out;
+      break;
   }
+  // What is removed just looks like noise there: shape of the same size may be hidden in it.
+  const auto shortened = wavelength.array() < longest_depth_wave;
+  wavelength = shortened.select(depth_wave_step * wavelength.array(), wavelength.array()).matrix().eval();
+  return smooth(spline, s, wavelength);
 }
 
 } // namespace bem_contact

@@ -85,8 +85,7 @@ ProfileCurve worn_curve(const ProfileCurve& nominal, const NominalPlace& place, 
   std::vector<std::size_t> corners;
   const auto add = [&](double s) {
     const CurvePoint p = nominal.at(s);
-    points.push_back(
-        place.to_measured(p.position + between(smooth.s, smooth.depth, s) * normal_of(p.delta)));
+    points.push_back(place.to_measured(p.position + between(smooth.s, smooth.depth, s) * normal_of(p.delta)));
   };
   double from = first;
   add(first);
@@ -108,7 +107,8 @@ void refuse_far(const ProfileCurve& nominal, const NominalFit& fit, std::size_t 
       fmt::format("{}: the profile is not one of {} that is worn", source, nominal.name()),
       fmt::format("where {0} lies best, moved by {1:.3f} mm along y and {2:.3f} mm along z and turned by "
                   "{3:.3f} degrees, the points lie {4:.3g} .. {5:.3g} mm inside it (root mean square {6:.3g} "
-                  "mm), and {7} of {8} beyond its ends; taken are at most {9:g} mm, root mean square {10:g} mm, and half of the points",
+                  "mm), and {7} of {8} beyond its ends; taken are at most {9:g} mm, root mean square {10:g} "
+                  "mm, and half of the points",
                   nominal.name(), fit.place.shift.y, fit.place.shift.z,
                   fit.place.angle * 180 / std::numbers::pi, fit.least, fit.largest, fit.rms, fit.beyond,
                   points, farthest_from_nominal, farthest_rms_from_nominal),
@@ -175,11 +175,11 @@ WornNominal worn_from_nominal(const ProfileCurve& nominal, std::span<const Point
 }
 
 std::string worn_text(const WornNominal& worn) {
-  return fmt::format(
-      "{} worn by {:.3f} .. {:.3f} mm (root mean square {:.3f} mm), where it is moved by {:.3f} mm along y and "
-      "{:.3f} mm along z and turned by {:.3f} degrees; {} points beyond its ends left out",
-      worn.nominal, worn.least_depth, worn.largest_depth, worn.rms_depth, worn.place.shift.y,
-      worn.place.shift.z, worn.place.angle * 180 / std::numbers::pi, worn.beyond);
+  return fmt::format("{} worn by {:.3f} .. {:.3f} mm (root mean square {:.3f} mm), where it is moved by "
+                     "{:.3f} mm along y and "
+                     "{:.3f} mm along z and turned by {:.3f} degrees; {} points beyond its ends left out",
+                     worn.nominal, worn.least_depth, worn.largest_depth, worn.rms_depth, worn.place.shift.y,
+                     worn.place.shift.z, worn.place.angle * 180 / std::numbers::pi, worn.beyond);
 }
 
 } // namespace bem_contact

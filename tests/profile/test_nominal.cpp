@@ -29,7 +29,8 @@ double depth_at(const std::vector<Bump>& wear, double s) {
 }
 
 /// Points of a standard profile, worn along its normal, then placed; one every `step` mm.
-Points worn_points(const char* standard, const std::vector<Bump>& wear, const NominalPlace& place, double step) {
+Points worn_points(const char* standard, const std::vector<Bump>& wear, const NominalPlace& place,
+                   double step) {
   const ProfileCurve curve = standard_profile(standard);
   const double length = curve.s_end() - curve.s_begin();
   const int count = static_cast<int>(length / step);
@@ -160,9 +161,11 @@ TEST(Nominal, EndsAreStable) {
   const Warnings quiet;
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const MeasuredProfile p = read(noisy(truth, 0.01, seed), ProfileKind::wheel, {.nominal = "S1002"});
-    for (const std::size_t end : {std::size_t{2}, truth.size() - 3}) // the outermost may lie beyond the scattered ones
+    for (const std::size_t end :
+         {std::size_t{2}, truth.size() - 3}) // the outermost may lie beyond the scattered ones
       EXPECT_LT(norm(truth[end] - p.curve.nearest(truth[end]).position), 0.02) << seed;
-    EXPECT_NEAR(p.curve.s_end() - p.curve.s_begin(), standard_profile("S1002").s_end() - standard_profile("S1002").s_begin(), 1);
+    EXPECT_NEAR(p.curve.s_end() - p.curve.s_begin(),
+                standard_profile("S1002").s_end() - standard_profile("S1002").s_begin(), 1);
   }
 }
 
@@ -245,6 +248,17 @@ TEST(WearDepth, PureNoiseIsRemovedByTheLongestWave) {
   EXPECT_LE(shortened, 6);
 }
 
+TEST(WearDepth, ExactPointsKeepTheirShape) {
+  std::vector<double> s, depth;
+  for (int i = 0; i < 400; ++i) {
+    s.push_back(0.25 * i);
+    depth.push_back(0.3 * std::exp(-std::pow((s.back() - 50) / 10, 2)));
+  }
+  const SmoothDepth smooth = smoothed_depth_by_noise(s, depth, 0, 0.25);
+  for (std::size_t i = 0; i < s.size(); ++i)
+    EXPECT_NEAR(smooth.depth[i], depth[i], 1e-5) << s[i];
+}
+
 /// Wear begins within a millimetre: only there the wavelength is short.
 TEST(WearDepth, AnEdgeShortensTheWaveOnlyWhereItIs) {
   std::vector<double> s, depth;
@@ -279,7 +293,8 @@ TEST(Nominal, AnotherShapeIsRefusedWithItsFigures) {
   const ProfileReading as_is{.nominal = "S1002", .profile_z = ProfileZ::down, .keep_origin = true};
   EXPECT_THAT(refusal(roller, ProfileKind::wheel, as_is),
               AllOf(HasSubstr("not one of S1002 that is worn"), HasSubstr("moved by"), HasSubstr("degrees"),
-                    HasSubstr("root mean square"), HasSubstr("at most 5 mm"), HasSubstr("leave out nominal")));
+                    HasSubstr("root mean square"), HasSubstr("at most 5 mm"),
+                    HasSubstr("leave out nominal")));
   // Worn by 6 mm.
   EXPECT_THAT(refusal(worn_points("60E1", {{6, -30, 10}}, {}, 0.25), ProfileKind::rail, {.nominal = "60E1"}),
               HasSubstr("not one of 60E1 that is worn"));
@@ -309,9 +324,9 @@ TEST(NoisyFile, IsToldFromWhichStandardItMayBeWorn) {
     groove.push_back({60 * std::sin(angle), 60 * std::cos(angle)});
   EXPECT_THAT(said(noisy(groove, 0.005, 1), ProfileKind::rail, {.profile_z = ProfileZ::down}),
               AllOf(HasSubstr("smoothing ="), Not(HasSubstr("nominal"))));
-  EXPECT_THAT(said(noisy(worn_points("S1002", {}, {}, 0.25), 0.005, 1), ProfileKind::wheel,
-                   {.nominal = "S1002"}),
-              AllOf(Not(HasSubstr("warning")), HasSubstr("S1002 worn by"), HasSubstr("root mean square")));
+  EXPECT_THAT(
+      said(noisy(worn_points("S1002", {}, {}, 0.25), 0.005, 1), ProfileKind::wheel, {.nominal = "S1002"}),
+      AllOf(Not(HasSubstr("warning")), HasSubstr("S1002 worn by"), HasSubstr("root mean square")));
 }
 
 } // namespace
