@@ -2,12 +2,14 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/wear_depth.hpp"
 #include "sampled.hpp"
+#include "tests/base/temporary_folder.hpp"
 #include "warnings.hpp"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
 namespace bem_contact {
@@ -274,6 +276,20 @@ TEST(WearDepth, AnEdgeShortensTheWaveOnlyWhereItIs) {
   EXPECT_GT(smooth.wavelength[480], 30);
   for (std::size_t i = 0; i < s.size(); ++i)
     EXPECT_NEAR(smooth.depth[i], 0.2 / (1 + std::exp(-(s[i] - 60) / 0.5)), 0.02) << s[i];
+}
+
+/// A body's contact surface is what a scene makes of the same file.
+TEST(Nominal, IsAKeyOfBodyFiles) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "w.txt") << as_columns(
+      noisy(worn_points("S1002", {{0.3, 5, 15}}, {}, 0.25), 0.005, 9));
+  std::ofstream(folder / "body.toml")
+      << "[body]\nkind = \"wheel\"\nprofile = \"w.txt\"\nnominal = \"S1002\"\n";
+  const Warnings quiet;
+  const ProfileCurve of_body = named_profile("body.toml", ProfileKind::wheel, folder.path());
+  EXPECT_EQ(of_body.digest(),
+            named_profile("w.txt", ProfileKind::wheel, folder.path(), {.nominal = "S1002"}).digest());
+  EXPECT_NE(of_body.digest(), named_profile("w.txt", ProfileKind::wheel, folder.path()).digest());
 }
 
 std::string refusal(const Points& points, ProfileKind kind, const ProfileReading& reading) {
