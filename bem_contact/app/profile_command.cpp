@@ -94,11 +94,16 @@ std::string describe_profile(const MeasuredProfile& p, ProfileKind kind) {
         p.noise.smoothing > 0 ? fmt::format("smoothing = {:.2g} advised", p.noise.smoothing)
                               : std::string("no smoothing needed"));
   }
+  if (p.like)
+    out += fmt::format("  like {0}, worn by {1:.3f} .. {2:.3f} mm: nominal = \"{0}\" advised\n", p.like->name,
+                       p.like->least_depth, p.like->largest_depth);
+  if (p.worn)
+    out += fmt::format("  nominal: {}\n", worn_text(*p.worn));
   if (p.smoothing > 0)
-    out += fmt::format(
-        "  smoothed: waves shorter than {:g} mm removed, {:.2f} um root mean square, {:.2f} um at "
-        "most\n",
-        p.smoothing, 1e3 * p.removed_rms, 1e3 * p.removed_most);
+    out +=
+        fmt::format("  smoothed: waves shorter than {} mm removed, {:.2f} um root mean square, {:.2f} um at "
+                    "most\n",
+                    wavelength_text(p), 1e3 * p.removed_rms, 1e3 * p.removed_most);
   out +=
       fmt::format("  length: {:.2f} mm, s = {:.2f} .. {:.2f} mm\n", length, curve.s_begin(), curve.s_end());
   out += "  radii: mean over each stretch, > 0 convex, < 0 concave\n";
@@ -153,9 +158,14 @@ Command add_profile(CLI::App& program) {
   line->add_option("--kind", arguments->kind,
                    "rail or wheel; needed where neither the file nor its ending says it")
       ->check(CLI::IsMember({"rail", "wheel"}));
-  line->add_option("--smoothing", arguments->reading.smoothing,
-                   "Remove waves shorter than this, mm; 0, the default, removes nothing")
+  line->add_option(
+          "--smoothing", arguments->reading.smoothing,
+          "Remove waves shorter than this, mm; 0, the default, removes nothing, or with --nominal what "
+          "the points tell")
       ->check(CLI::Range(0.0, 50.0));
+  line->add_option(
+      "--nominal", arguments->reading.nominal,
+      "Standard profile from which it was made (S1002, 60E1): only the depth worn off it is smoothed");
   line->add_option("--unit", arguments->unit,
                    "Unit of the file; found, the default: by the size of the profile")
       ->check(CLI::IsMember(choices<ProfileUnit>()));

@@ -1,23 +1,18 @@
 #include "bem_contact/profile/profile_noise.hpp"
 
+#include "bem_contact/profile/median.hpp"
 #include "bem_contact/profile/settings.hpp"
 
 #include <Eigen/Dense>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace bem_contact {
 
 namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// How far the middle point is from the cubic that fits all points, over what noise of deviation 1 makes of
 /// it.
@@ -49,13 +44,11 @@ ProfileNoise measure_noise(std::span<const Point2> points) {
   const auto of_fit = static_cast<std::size_t>(2 * noise_neighbours + 1);
   if (points.size() < of_fit)
     return noise;
-  std::vector<double> lengths, deviations;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    lengths.push_back(norm(points[i] - points[i - 1]));
+  std::vector<double> deviations;
   for (std::size_t i = 0; i + of_fit <= points.size(); ++i)
     deviations.push_back(deviation(points.subspan(i, of_fit)));
-  noise.spacing = median(lengths);
-  noise.scatter = normal_deviation_over_median * median(deviations);
+  noise.spacing = median_spacing(points);
+  noise.scatter = normal_deviation_over_median * median(std::move(deviations));
   noise.slope = std::numbers::pi * noise.scatter / (std::sqrt(3.0) * noise.spacing);
   noise.bending =
       std::numbers::pi * std::numbers::pi * noise.scatter / (std::sqrt(5.0) * noise.spacing * noise.spacing);

@@ -7,6 +7,9 @@ void add_profile_reading(Schema& s, const std::string& table, ProfileReading& re
   SchemaTable t(s, table, kinds);
   t.add("smoothing", reading.smoothing, "Of a profile file: shortest wavelength kept; 0: no smoothing",
         {.unit = "mm", .at_least = 0, .at_most = 50});
+  t.add("nominal", reading.nominal,
+        "Of a profile file: the standard profile from which it was made (S1002, 60E1); only the depth worn off it "
+        "is smoothed, by smoothing or, if that is 0, as the points tell");
   t.add("unit", reading.unit, "Of a profile file: its unit; found: by the width, mm or m");
   t.add("profile_z", reading.profile_z,
         "Of a profile file: where z points; as stated: as the format says, else found by the shape");
@@ -25,7 +28,7 @@ void add_flange_back(Schema& s, const std::string& table, ProfileReading& readin
 
 std::vector<std::string> given_reading(const Schema& schema, const std::string& table) {
   std::vector<std::string> given;
-  for (const char* key : {"smoothing", "unit", "profile_z", "mirror"})
+  for (const char* key : {"smoothing", "nominal", "unit", "profile_z", "mirror"})
     if (const std::string path = table + "." + key; schema.changed(path))
       given.push_back(path);
   if (const std::string path = table + ".flange_back"; schema.has(path))

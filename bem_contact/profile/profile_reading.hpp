@@ -25,6 +25,9 @@ template <> struct EnumNames<ProfileZ> {
 struct ProfileReading {
   /// Shortest wavelength kept, mm (profile_smoothing.hpp); 0: every point is kept as it is.
   double smoothing = 0;
+  /// The standard profile from which it was made; "": not said. Then only the depth worn off it is smoothed
+  /// (worn_nominal.hpp), and smoothing = 0 finds the wavelength from the points.
+  std::string nominal = {};
   ProfileUnit unit = ProfileUnit::found;
   ProfileZ profile_z = ProfileZ::as_stated;
   /// y of the file points the other way. Of a Vampire file: its left profile, as seen from the other end.
@@ -38,7 +41,7 @@ struct ProfileReading {
   bool operator==(const ProfileReading&) const = default;
 };
 
-/// Declares smoothing, unit, profile_z and mirror below `table` ("rail").
+/// Declares smoothing, nominal, unit, profile_z and mirror below `table` ("rail").
 void add_profile_reading(Schema& schema, const std::string& table, ProfileReading& reading,
                          const std::vector<std::string>& kinds);
 /// Declares flange_back.

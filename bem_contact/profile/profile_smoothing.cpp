@@ -1,9 +1,9 @@
 #include "bem_contact/profile/profile_smoothing.hpp"
 
 #include "bem_contact/profile/settings.hpp"
+#include "bem_contact/profile/smoothing_spline.hpp"
 
 #include <Eigen/Dense>
-#include <Eigen/Sparse>
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,6 @@
 namespace bem_contact {
 
 namespace {
-
-using Sparse = Eigen::SparseMatrix<double>;
 
 std::vector<double> chord_lengths(std::span<const Point2> p) {
   std::vector<double> t(p.size(), 0.0);
@@ -81,81 +79,22 @@ std::vector<std::size_t> find_kinks(std::span<const Point2> p, double reach) {
   return kinks;
 }
 
-/// Maps values at t to their divided differences of order 3, times 3!: the third derivative.
-Sparse third_derivative(std::span<const double> t) {
-  const auto n = static_cast<Eigen::Index>(t.size());
-  Sparse product(n, n);
-  product.setIdentity();
-  for (Eigen::Index order = 1; order <= 3; ++order) {
-    const Eigen::Index rows = n - order;
-    Sparse next(rows, rows + 1);
-    std::vector<Eigen::Triplet<double>> entries;
-    for (Eigen::Index i = 0; i < rows; ++i) {
-      const double factor = static_cast<double>(order) / (t[i + order] - t[i]);
-      entries.emplace_back(i, i, -factor);
-      entries.emplace_back(i, i + 1, factor);
-    }
-    next.setFromTriplets(entries.begin(), entries.end());
-    product = Sparse(next * product);
-  }
-  return product;
-}
-
-/// The equations of one part between kinks, and its third derivative.
-struct Part {
-  Eigen::MatrixXd measured; ///< (y, z) of its points, mm
-  Eigen::VectorXd weight;   ///< length along the chords that a point stands for, mm
-  Eigen::VectorXd bend;     ///< of the square of each third derivative in the integral, mm^6
-  Sparse third;             ///< maps points to third derivatives, 1/mm^2
-};
-
-Part part_of(std::span<const Point2> p, double wavelength) {
-  const auto n = static_cast<Eigen::Index>(p.size());
-  const std::vector<double> t = chord_lengths(p);
-  Part out{Eigen::MatrixXd(n, 2), Eigen::VectorXd(n), Eigen::VectorXd(n - 3), third_derivative(t)};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    out.measured.row(i) << p[i].y, p[i].z;
-    out.weight[i] = (t[std::min(i + 1, n - 1)] - t[std::max<Eigen::Index>(i - 1, 0)]) / 2;
-  }
-  for (Eigen::Index i = 0; i + 3 < n; ++i)
-    out.bend[i] = std::pow(wavelength / (2 * std::numbers::pi), 6) * (t[i + 3] - t[i]) / 3;
-  return out;
-}
-
-/// Minimises Huber's function by weighted least squares, repeated (Holland and Welsch 1977): where the third
-/// derivative is above `steepest`, the weight of its square is lowered by as much.
-Eigen::MatrixXd minimise(const Part& part, double steepest) {
-  const Sparse transposed = part.third.transpose();
-  const Sparse weight(part.weight.asDiagonal());
-  const Eigen::MatrixXd load = part.weight.asDiagonal() * part.measured;
-  Eigen::VectorXd share = Eigen::VectorXd::Ones(part.bend.size());
-  Eigen::SimplicialLDLT<Sparse> factors;
-  factors.analyzePattern(Sparse(transposed * part.third) + weight);
-  for (int round = 1;; ++round) {
-    factors.factorize(Sparse(transposed * part.bend.cwiseProduct(share).asDiagonal() * part.third) + weight);
-    Eigen::MatrixXd found = factors.solve(load);
-    const Eigen::ArrayXd bent = (part.third * found).rowwise().norm().array();
-    const Eigen::VectorXd next = (steepest / bent.max(steepest)).matrix();
-    const double change = (next - share).cwiseAbs().maxCoeff();
-    if (change <= smoothing_precision || round == most_smoothing_rounds)
-      return found;
-    share = next;
-  }
-}
-
 /// The points of one part between kinks; one that is too short to have a third derivative stays. An end that
 /// is a kink is held by a weight, because both parts end there.
 std::vector<Point2> smooth_part(std::span<const Point2> p, double wavelength, bool held_first,
                                 bool held_last) {
   if (p.size() < 5)
     return {p.begin(), p.end()};
-  Part part = part_of(p, wavelength);
+  Eigen::MatrixXd measured(p.size(), 2);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    measured.row(static_cast<Eigen::Index>(i)) << p[i].y, p[i].z;
+  SmoothingSpline spline(chord_lengths(p), std::move(measured));
   if (held_first)
-    part.weight[0] *= kink_weight;
+    spline.hold(0);
   if (held_last)
-    part.weight[part.weight.size() - 1] *= kink_weight;
-  const double steepest = highest_wave * std::pow(2 * std::numbers::pi / wavelength, 3);
-  const Eigen::MatrixXd found = minimise(part, steepest);
+    spline.hold(static_cast<Eigen::Index>(p.size()) - 1);
+  const Eigen::MatrixXd found =
+      spline.minimise(Eigen::VectorXd::Constant(spline.third_derivatives(), wavelength), highest_wave);
   std::vector<Point2> out;
   for (Eigen::Index i = 0; i < found.rows(); ++i)
     out.push_back({found(i, 0), found(i, 1)});

@@ -15,6 +15,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace bem_contact {
 
@@ -55,27 +60,90 @@ MeasuredPoints points_of(std::string_view text, const std::string& source, Profi
                             : plain_points(text, source);
 }
 
-void warn_of_noise(const std::string& source, const ProfileNoise& noise) {
+std::string file_name(const std::string& source) {
+  return std::filesystem::path(source).filename().string();
+}
+
+void warn_of_noise(const std::string& source, const MeasuredProfile& p) {
+  const std::string better =
+      p.like
+          ? fmt::format("; as it looks like {} worn by {:.2g} .. {:.2g} mm, nominal = \"{}\" keeps more of "
+                        "its shape",
+                        p.like->name, p.like->least_depth, p.like->largest_depth, p.like->name)
+          : "";
   messages()->warn(
       "{}: its points scatter by {:.2g} um, {:.2g} mm apart: a curve through all of them bends to radii of "
       "{:.2g} mm, which moves pressures between steel bodies by some {:.0f} MPa and may split patches "
-      "(smoothing = {:.2g} removes it)",
-      source, 1e3 * noise.scatter, noise.spacing, 1 / noise.bending, noise.pressure, noise.smoothing);
+      "(smoothing = {:.2g} removes it{})",
+      source, 1e3 * p.noise.scatter, p.noise.spacing, 1 / p.noise.bending, p.noise.pressure,
+      p.noise.smoothing, better);
+}
+
+/// The standard whose profile lies nearest, if one is near.
+std::optional<LikeStandard> like_standard(std::span<const Point2> points, double scatter, ProfileKind kind) {
+  std::optional<LikeStandard> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::string& name : standard_profile_names()) {
+    if (kind_of_standard(name) != kind)
+      continue;
+    const NominalFit fit = fit_nominal(standard_profile(name), points, scatter);
+    if (fit.near && std::max(-fit.least, fit.largest) <= farthest_advised && fit.rms < least) {
+      least = fit.rms;
+      best = {name, fit.least, fit.largest};
+    }
+  }
+  return best;
+}
+
+/// The nominal profile that `reading` names.
+ProfileCurve nominal_profile(const std::string& name, ProfileKind kind, const std::string& source) {
+  if (is_standard_profile(name) && kind_of_standard(name) == kind)
+    return standard_profile(name);
+  std::vector<std::string> known;
+  std::ranges::copy_if(standard_profile_names(), std::back_inserter(known),
+                       [&](const std::string& its) { return kind_of_standard(its) == kind; });
+  throw InputError(fmt::format("{}: nominal = \"{}\" is not known", source, name),
+                   fmt::format("it is the standard profile from which a {} was made: {}", name_of(kind),
+                               fmt::join(known, ", ")),
+                   "Use one of these, or leave out nominal and give smoothing.");
 }
 
 void report_smoothing(const std::string& source, const MeasuredProfile& p) {
   messages()->info(
-      "{}: smoothed, waves shorter than {:g} mm removed: {:.2g} um root mean square, {:.2g} um at most",
-      source, p.smoothing, 1e3 * p.removed_rms, 1e3 * p.removed_most);
+      "{}: smoothed, waves shorter than {} mm removed: {:.2g} um root mean square, {:.2g} um at most", source,
+      wavelength_text(p), 1e3 * p.removed_rms, 1e3 * p.removed_most);
+}
+
+void warn_of_smoothing(const std::string& source, const MeasuredProfile& p) {
   if (p.smoothing < least_smoothing_share * p.noise.smoothing)
     messages()->warn("{}: smoothing = {:g} leaves noise: for a scatter of {:.2g} um use {:.2g}", source,
                      p.smoothing, 1e3 * p.noise.scatter, p.noise.smoothing);
-  const double scatter = std::sqrt(2.0) * p.noise.scatter; // along y and along z
+  const double scatter = (p.worn ? 1 : std::sqrt(2.0)) * p.noise.scatter; // a depth; or along y and along z
   if (p.removed_rms > std::max(removed_over_noise * scatter, least_removed))
     messages()->warn(
         "{}: smoothing = {:g} takes shape away: it moved points by {:.2g} um (root mean square), and their "
         "scatter is {:.2g} um: use a shorter one",
         source, p.smoothing, 1e3 * p.removed_rms, 1e3 * p.noise.scatter);
+}
+
+/// Smoothed as `reading` asks; something is asked.
+MeasuredProfile smoothed_profile(const std::string& source, std::span<const Point2> points,
+                                 const ProfileNoise& noise, ProfileKind kind, const ProfileReading& reading) {
+  if (reading.nominal.empty()) {
+    SmoothedProfile smooth = smoothed(points, reading.smoothing);
+    return {ProfileCurve::through_points(file_name(source), smooth.points, smooth.kinks),
+            smooth.points.size(),
+            noise,
+            reading.smoothing,
+            smooth.rms,
+            smooth.largest};
+  }
+  WornNominal worn = worn_from_nominal(nominal_profile(reading.nominal, kind, source), points, noise.scatter,
+                                       reading.smoothing, source);
+  messages()->info("{}: {}", source, worn_text(worn));
+  MeasuredProfile out{worn.curve, worn.points, noise, worn.longest_wave, worn.removed_rms, worn.removed_most};
+  out.worn = std::move(worn);
+  return out;
 }
 
 } // namespace
@@ -93,20 +161,18 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
   how.mirror = reading.mirror && !is_vampire(text); // there it has chosen the left profile, mirrored
   const std::vector<Point2> points = repaired(std::move(measured), source, kind, how);
   const ProfileNoise noise = measure_noise(points);
-  const std::string name = std::filesystem::path(source).filename().string();
-  if (reading.smoothing == 0) {
-    if (noise.smoothing > 0)
-      warn_of_noise(source, noise);
-    return {ProfileCurve::through_points(name, points), points.size(), noise};
+  if (reading.smoothing == 0 && reading.nominal.empty()) {
+    MeasuredProfile out{ProfileCurve::through_points(file_name(source), points), points.size(), noise};
+    if (noise.smoothing > 0) {
+      out.like = like_standard(points, noise.scatter, kind);
+      warn_of_noise(source, out);
+    }
+    return out;
   }
-  const SmoothedProfile smooth = smoothed(points, reading.smoothing);
-  MeasuredProfile out{ProfileCurve::through_points(name, smooth.points, smooth.kinks),
-                      smooth.points.size(),
-                      noise,
-                      reading.smoothing,
-                      smooth.rms,
-                      smooth.largest};
+  MeasuredProfile out = smoothed_profile(source, points, noise, kind, reading);
   report_smoothing(source, out);
+  if (reading.smoothing > 0)
+    warn_of_smoothing(source, out);
   return out;
 }
 
@@ -126,6 +192,12 @@ ProfileCurve read_profile(const std::filesystem::path& file, ProfileKind kind,
   return measured_profile(file, kind, reading).curve;
 }
 
+std::string wavelength_text(const MeasuredProfile& p) {
+  return p.worn && p.worn->shortest_wave < p.worn->longest_wave
+             ? fmt::format("{:.2g} .. {:.2g}", p.worn->shortest_wave, p.worn->longest_wave)
+             : fmt::format("{:g}", p.smoothing);
+}
+
 ProfileFileName profile_file_name(std::string_view name, const std::filesystem::path& folder) {
   const std::filesystem::path whole = folder / std::filesystem::path(name); // an absolute path stays itself
   const auto hash = name.rfind('#');
@@ -142,8 +214,7 @@ ProfileFileName profile_file_name(std::string_view name, const std::filesystem::
 ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::filesystem::path& folder,
                            const ProfileReading& reading) {
   if (is_standard_profile(name)) {
-    const ProfileKind its_kind = name == "S1002" ? ProfileKind::wheel : ProfileKind::rail;
-    if (its_kind != kind)
+    if (const ProfileKind its_kind = kind_of_standard(name); its_kind != kind)
       throw InputError(fmt::format("{} is the profile of a {}", name, name_of(its_kind)),
                        fmt::format("a {} is asked for", name_of(kind)),
                        kind == ProfileKind::rail ? "Use for instance 60E1." : "Use for instance S1002.");

@@ -4,20 +4,31 @@
 #include "bem_contact/profile/profile_kind.hpp"
 #include "bem_contact/profile/profile_noise.hpp"
 #include "bem_contact/profile/profile_reading.hpp"
+#include "bem_contact/profile/worn_nominal.hpp"
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace bem_contact {
+
+/// A standard profile that a measured one may be worn from.
+struct LikeStandard {
+  std::string name;
+  double least_depth = 0, largest_depth = 0; ///< of the points inside it, mm
+};
 
 /// A profile file, and what was found out about it on the way.
 struct MeasuredProfile {
   ProfileCurve curve;
   std::size_t points = 0;  ///< that the curve goes through
   ProfileNoise noise;      ///< of the points as measured
-  double smoothing = 0;    ///< shortest wavelength kept, mm; 0: not smoothed
+  double smoothing = 0;    ///< shortest wavelength kept, mm; 0: not smoothed; the longest of several
   double removed_rms = 0;  ///< by smoothing, mm
   double removed_most = 0; ///< mm
+  std::optional<WornNominal> worn = {};  ///< if reading.nominal is given
+  std::optional<LikeStandard> like = {}; ///< what nominal could be: of a noisy file that is not smoothed
 };
 
 /// Reads a profile file: Simpack .prr/.prw, MiniProf .ban/.whl/.mpt, Vampire .rai/.whe (told by their
@@ -29,10 +40,11 @@ struct MeasuredProfile {
 /// upward, a wheel's flange at y > 0, a wheel's y measured from the back of its flange, shuffled points,
 /// doubled or crowded points (nearer than 0.01 mm), single points that zig-zag, loops shorter than 1 mm.
 /// `reading` says what the file does not. Noise that would show in pressures gives a warning with the
-/// smoothing to use.
+/// smoothing to use, and with the standard profile from which the measured one may be worn.
 ///
 /// Throws InputError: no such file, empty, truncated, not a number, a size that no rail or wheel has, a file
-/// of the other kind, smoothing asked for by the file (approx.smooth), zig-zag and loops beyond repair.
+/// of the other kind, a nominal profile that is not near, smoothing asked for by the file (approx.smooth),
+/// zig-zag and loops beyond repair.
 MeasuredProfile measured_profile(const std::filesystem::path& file, ProfileKind kind,
                                  const ProfileReading& reading = {}, int part = 0);
 ProfileCurve read_profile(const std::filesystem::path& file, ProfileKind kind,
@@ -48,6 +60,9 @@ ProfileCurve parse_profile(std::string_view text, std::string_view source_name, 
 /// bodies are wheels); and names the nearest standards where there is no such file.
 ProfileCurve named_profile(std::string_view name_or_file, ProfileKind kind,
                            const std::filesystem::path& folder = {}, const ProfileReading& reading = {});
+
+/// "8", or "21 .. 50" where the shortest wavelength kept is not the same everywhere, mm.
+std::string wavelength_text(const MeasuredProfile& profile);
 
 /// The file of a profile's name, and the number behind its "#", 0 without.
 struct ProfileFileName {

@@ -170,6 +170,10 @@ ProfileCurve standard_profile(std::string_view name) {
                                 : fmt::format("Did you mean {}?", fmt::join(like, " or ")));
 }
 
+ProfileKind kind_of_standard(std::string_view name) {
+  return name == "S1002" ? ProfileKind::wheel : ProfileKind::rail;
+}
+
 ProfileCurve body_profile(const BodyFile& file) {
   const auto& body = file.body;
   if (body.kind == BodyKind::outline)

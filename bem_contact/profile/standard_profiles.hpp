@@ -2,6 +2,7 @@
 
 #include "bem_contact/profile/body_file.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
+#include "bem_contact/profile/profile_kind.hpp"
 
 #include <span>
 #include <string>
@@ -22,6 +23,8 @@ std::span<const std::string> standard_profile_names();
 /// z(y) of S1002 by the formulas of EN 13715 as they stand, -70 <= y <= 60; at a joint the zone on the field
 /// side.
 double s1002_height(double y);
+/// Rail or wheel, of one of these names.
+ProfileKind kind_of_standard(std::string_view name);
 
 /// The contact curve of a body, in its section's frame.
 ///   rail, wheel: the profile named (a standard or a file)

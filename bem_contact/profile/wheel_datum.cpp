@@ -1,11 +1,13 @@
 #include "bem_contact/profile/wheel_datum.hpp"
 
+#include "bem_contact/profile/median.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace bem_contact {
@@ -37,11 +39,9 @@ std::optional<Point2> flange_tip(std::span<const Point2> points) {
   const Point2 tip = *std::ranges::max_element(points, {}, &Point2::z);
   std::vector<double> heights;
   std::ranges::transform(points, std::back_inserter(heights), &Point2::z);
-  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-  std::ranges::nth_element(heights, middle);
   const auto [low, high] = std::ranges::minmax(points, {}, &Point2::y);
   const bool near_end = std::abs(tip.y - (low.y + high.y) / 2) > (high.y - low.y) / 4;
-  if (!near_end || tip.z - *middle < least_flange)
+  if (!near_end || tip.z - median(std::move(heights)) < least_flange)
     return std::nullopt;
   return tip;
 }

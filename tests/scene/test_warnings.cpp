@@ -56,6 +56,8 @@ TEST(Warnings, AWheelOnItsFlangeIsSaid) {
 TEST(Warnings, KeysOfProfileFilesHaveNoEffectOnStandards) {
   EXPECT_THAT(warnings_of("rail.smoothing = 5"),
               ElementsAre(HasSubstr("rail.smoothing: without effect (60E1 is no profile file)")));
+  EXPECT_THAT(warnings_of("rail.nominal = '60E1'"),
+              ElementsAre(HasSubstr("rail.nominal: without effect (60E1 is no profile file)")));
   EXPECT_THAT(warnings_of("wheel.flange_back = 0\nwheel.mirror = true"),
               ElementsAre(HasSubstr("wheel.mirror, wheel.flange_back: without effect")));
   EXPECT_THAT(warnings_of("rail.y = 3"), ElementsAre(HasSubstr("rail.y: without effect")));

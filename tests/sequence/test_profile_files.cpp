@@ -69,6 +69,21 @@ TEST_F(ProfileFiles, SmoothingAsAdvisedGivesTheSmoothContact) {
     }
 }
 
+/// In the conformal corner pmax hangs on the small difference of two large curvatures. Smoothing alone misses
+/// 3 % there in nine of ten draws with this noise.
+TEST_F(ProfileFiles, ANominalProfileGivesTheSmoothContactInTheConformalCorner) {
+  const std::string in_the_corner =
+      "rail.profile = \"60E1\"\nwheel.profile = \"w.txt\"\nposition.lateral = 6.6\n";
+  write("w.txt", wheel());
+  const Contact exact = solved(scene(in_the_corner));
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    write("w.txt", noisy(wheel(), 0.01, seed));
+    const Contact smooth = solved(scene(in_the_corner + "wheel.nominal = \"S1002\"\n"));
+    EXPECT_NEAR(smooth.pmax, exact.pmax, 0.03 * exact.pmax) << seed;
+    EXPECT_NEAR(smooth.area, exact.area, 0.03 * exact.area) << seed;
+  }
+}
+
 TEST_F(ProfileFiles, AWheelMeasuredFromTheBackOfItsFlangeStandsWhereItShould) {
   std::vector<Point2> from_back = wheel();
   for (Point2& p : from_back)
