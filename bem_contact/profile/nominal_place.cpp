@@ -54,10 +54,9 @@ double median_distance(const ProfileCurve& nominal, std::span<const Point2> poin
 }
 
 /// By the least sum of distances (weights 1 / distance).
-void lay(NominalPlace& place, const ProfileCurve& nominal, std::span<const Point2> points, double least,
-         int steps) {
+void lay(NominalPlace& place, const ProfileCurve& nominal, std::span<const Point2> points, double least) {
   const Weight weight = [&](double d) { return 1 / std::max(std::abs(d), least); };
-  for (int i = 0; i < steps; ++i)
+  for (int i = 0; i < placing_steps; ++i)
     if (step(place, nominal, points, weight) < placing_tolerance)
       return;
 }
@@ -125,17 +124,17 @@ NominalPlace place_nominal(const ProfileCurve& nominal, std::span<const Point2> 
     few.push_back(points[i]);
   const double least = std::max(placing_scatters * scatter, least_placing_distance);
   NominalPlace best;
-  lay(best, nominal, few, least, placing_steps);
+  lay(best, nominal, few, least);
   double distance = median_distance(nominal, few, best);
   if (distance > placed_distance)
     for (NominalPlace place : starts(nominal, few)) {
-      lay(place, nominal, few, least, placing_steps);
+      lay(place, nominal, few, least);
       if (const double its = median_distance(nominal, few, place); its < distance) {
         best = place;
         distance = its;
       }
     }
-  lay(best, nominal, points, least, placing_steps);
+  lay(best, nominal, points, least);
   settle(best, nominal, points, tukey_width * least);
   return best;
 }

@@ -21,7 +21,7 @@ struct PointOnNominal {
   double s = 0;       ///< arc length of the nearest point of the nominal profile, mm
   Point2 normal;      ///< of the nominal profile there, into the body, in its own frame
   double depth = 0;   ///< along the nominal normal, into the body, mm: how much is worn off
-  bool beyond = true; ///< it lies beyond an end of the nominal profile
+  bool beyond = true; ///< it lies more than beyond_end (settings.hpp) beyond an end of the nominal profile
 };
 PointOnNominal seen_from(const ProfileCurve& nominal, Point2 measured, const NominalPlace& place);
 

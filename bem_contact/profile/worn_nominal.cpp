@@ -79,7 +79,7 @@ std::vector<double> jumps(const ProfileCurve& nominal, double from, double to) {
 ProfileCurve worn_curve(const ProfileCurve& nominal, const NominalPlace& place, const Depths& smooth,
                         const std::string& name) {
   const double first = smooth.s.front(), last = smooth.s.back();
-  std::vector<double> ends = jumps(nominal, first, last);
+  std::vector<double> ends = jumps(nominal, first + crowded, last - crowded);
   ends.push_back(last);
   std::vector<Point2> points;
   std::vector<std::size_t> corners;

@@ -158,7 +158,7 @@ SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene, const Scene
   const double wanted = *scene.load.force_y, start = scene.position.lateral;
   const SceneFile rough = rough_scene(scene);
   if (!memory_.lateral || memory_.lateral->rough != rough)
-    memory_.lateral = LateralMemory{.rough = rough, .exact = {}, .known = {}};
+    memory_.lateral.emplace().rough = rough;
   LateralMemory& memory = *memory_.lateral;
   LateralSearch search(
       {wanted, start, std::hypot(wanted, *scene.load.force)},

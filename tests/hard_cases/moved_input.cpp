@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <functional>
 #include <random>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,7 +21,7 @@ constexpr std::array fractions{0.125, 0.25, 0.5};
 
 using Move = std::function<void(ContactProblem&, double size)>;
 
-void scale(std::vector<double>& values, double factor) {
+void scale(std::span<double> values, double factor) {
   for (double& v : values)
     v *= factor;
 }
