@@ -211,9 +211,10 @@ CLI::App* add_scene_command(CLI::App& program, const char* name, const char* wha
 }
 
 void add_threads(CLI::App& line, int& threads) {
-  line.add_option("--threads", threads,
-                  "Threads that share the work of a case by fem with thousands of elements (default 1); results are "
-                  "the same")
+  line.add_option(
+          "--threads", threads,
+          "Threads that share the work of a case by fem with thousands of elements (default 1); results are "
+          "the same")
       ->check(CLI::Range(1, most_threads));
 }
 

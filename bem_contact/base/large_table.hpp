@@ -30,8 +30,8 @@ template <class T> struct TableAllocator {
   bool operator==(const TableAllocator&) const = default;
 };
 
-/// A vector for megabytes of values. New values of resize(n) are not set, since clearing them takes as long as writing
-/// them; resize(n, 0.0) and assign(n, 0.0) set them.
+/// A vector for megabytes of values. New values of resize(n) are not set, since clearing them takes as long
+/// as writing them; resize(n, 0.0) and assign(n, 0.0) set them.
 template <class T> using LargeTable = std::vector<T, TableAllocator<T>>;
 
 } // namespace bem_contact

@@ -6,9 +6,9 @@ namespace bem_contact {
 void call_in_parts(int threads, int count, const void* body,
                    void (*call)(const void* body, int first, int end, int part));
 
-/// Divides 0 .. count - 1 into at most `threads` runs of about equal length and calls body(first, end, part) for
-/// each, `part` its number from 0 on, side by side on as many threads (OpenMP). With one thread the body runs here.
-/// It must not throw.
+/// Divides 0 .. count - 1 into at most `threads` runs of about equal length and calls body(first, end, part)
+/// for each, `part` its number from 0 on, side by side on as many threads (OpenMP). With one thread the body
+/// runs here. It must not throw.
 template <class Body> void in_parts(int threads, int count, const Body& body) {
   if (threads <= 1)
     body(0, count, 0);

@@ -56,7 +56,8 @@ BEM_CONTACT_TUNED(float, least_eigenvalue, 1e-4f);
 BEM_CONTACT_TUNED(int, bytes_in_cache, 1 << 19);
 /// Frequencies along x that rows and columns exchange together, at least: 8 complex floats are a cache line.
 BEM_CONTACT_TUNED(int, least_together, 8);
-/// Values (rows times the transform's length along x). Products with fewer stay on one thread. Chosen for now.
+/// Values (rows times the transform's length along x). Products with fewer stay on one thread. Chosen for
+/// now.
 BEM_CONTACT_TUNED(int, least_threaded, 10000);
 /// Transforms of different shapes that are kept. Chosen: a sequence meets fewer.
 BEM_CONTACT_TUNED(int, most_transforms, 32);

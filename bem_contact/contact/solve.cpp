@@ -134,8 +134,8 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
     result.temperatures = flash_temperatures(problem, result);
   result.touches_border = contact::touches_border(problem.grid, result.state);
   const Stopwatch checking;
-  result.certificate = certify(problem, result, options.displacements ? &result.displacements : nullptr,
-                               threads_of(options));
+  result.certificate =
+      certify(problem, result, options.displacements ? &result.displacements : nullptr, threads_of(options));
   result.check_seconds = checking.seconds();
   result.converged = result.certificate.holds();
   result.normal_solver = solution.normal.solver;

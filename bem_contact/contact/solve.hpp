@@ -36,8 +36,8 @@ class TransformPool;
 /// Besides, FFTW remembers how it planned a length, for the whole program.
 class Workspace {
 public:
-  /// `most`: how many sets are kept. `threads`: how many work on a product, a spectrum or a sum, if it is large
-  /// enough (settings.hpp: least_threaded); results are the same to the last bit.
+  /// `most`: how many sets are kept. `threads`: how many work on a product, a spectrum or a sum, if it is
+  /// large enough (settings.hpp: least_threaded); results are the same to the last bit.
   explicit Workspace(int most = 2, int threads = 1);
   ~Workspace();
   Workspace(Workspace&&) noexcept;

@@ -104,8 +104,8 @@ InfluenceNumbers expand_kernel(const InfluenceFunction& f, const ExpandOptions& 
   }
   even *= scaling.load;
   odd *= scaling.load;
-  // A row has one block more than the one before. The first and the last together, then the second and the last but
-  // one, and so on, are work for each thread alike.
+  // A row has one block more than the one before. The first and the last together, then the second and the
+  // last but one, and so on, are work for each thread alike.
   const int pairs = (range.count + 1) / 2;
   in_parts(o.threads, pairs, [&](int pair, int end, int) {
     NumberLines lines(range.count, o.offsets);

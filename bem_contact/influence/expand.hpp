@@ -16,8 +16,8 @@ struct ExpandOptions {
   int threads = 1;                      ///< share the rows of a kernel, with the same numbers to the last bit
 };
 
-/// Changes the numbers of a row before they are written: one pass over a large table is saved. Several threads may
-/// call it at once.
+/// Changes the numbers of a row before they are written: one pass over a large table is saved. Several
+/// threads may call it at once.
 using ChangeLines = std::function<void(NumberLines&)>;
 
 /// Influence numbers on the file's own stations: the Fourier series over the half period

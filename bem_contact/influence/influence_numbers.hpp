@@ -28,8 +28,8 @@ namespace bem_contact {
 struct InfluenceNumbers {
   int offsets = 0;
   int rows = 0;
-  double dx = 0; ///< mm
-  double ds = 0; ///< mm
+  double dx = 0;             ///< mm
+  double ds = 0;             ///< mm
   LargeTable<double> values; ///< resize() does not set new ones (base/large_table.hpp)
   bool translational = false;
 

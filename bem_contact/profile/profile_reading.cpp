@@ -8,7 +8,8 @@ void add_profile_reading(Schema& s, const std::string& table, ProfileReading& re
   t.add("smoothing", reading.smoothing, "Of a profile file: shortest wavelength kept; 0: no smoothing",
         {.unit = "mm", .at_least = 0, .at_most = 50});
   t.add("nominal", reading.nominal,
-        "Of a profile file: the standard profile from which it was made (S1002, 60E1); only the depth worn off it "
+        "Of a profile file: the standard profile from which it was made (S1002, 60E1); only the depth worn "
+        "off it "
         "is smoothed, by smoothing or, if that is 0, as the points tell");
   t.add("unit", reading.unit, "Of a profile file: its unit; found: by the width, mm or m");
   t.add("profile_z", reading.profile_z,

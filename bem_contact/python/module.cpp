@@ -34,7 +34,8 @@ std::unique_ptr<PythonSequence> sequence_of(const py::object& scene, const py::a
   refuse_unknown("Sequence", more, unknown);
   if (threads < 1 || threads > most_threads)
     throw InputError("a Sequence cannot have " + std::to_string(threads) + " threads",
-                     "it takes 1 to " + std::to_string(most_threads), "Give as many as the machine has cores.");
+                     "it takes 1 to " + std::to_string(most_threads),
+                     "Give as many as the machine has cores.");
   return std::make_unique<PythonSequence>(scene_of(scene, folder), threads);
 }
 
@@ -283,7 +284,8 @@ PYBIND11_MODULE(_core, m) {
       "case starts from the tractions of the one before. The scene is read, and its paths are fixed, when "
       "the "
       "object is made. Several threads may call one object: each call waits for the one before. Several "
-      "objects run side by side. Ctrl-C ends a running solve. `threads` share the work of a case with thousands of "
+      "objects run side by side. Ctrl-C ends a running solve. `threads` share the work of a case with "
+      "thousands of "
       "elements in contact; results are the same.")
       .def(py::init(&sequence_of), "scene"_a = py::none(), "folder"_a = py::none(), "threads"_a = 1)
       .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), "strict"_a = false,

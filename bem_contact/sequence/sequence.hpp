@@ -34,8 +34,8 @@ struct SequenceOptions {
   /// Influence files must be of the scenes' own profiles. False: profiles that wear keep the files of a shape
   /// from which they hardly differ.
   bool own_shape = true;
-  /// Work on one case, where it is large (contact/settings.hpp: least_threaded). Results are the same to the last
-  /// bit. Two sequences on a thread each serve many small cases better.
+  /// Work on one case, where it is large (contact/settings.hpp: least_threaded). Results are the same to the
+  /// last bit. Two sequences on a thread each serve many small cases better.
   int threads = 1;
 };
 

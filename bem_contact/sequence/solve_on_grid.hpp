@@ -21,7 +21,7 @@ struct SolveResources {
   bool coarse_start = true;              ///< without a start a case starts from larger elements
   bool totals_only = false;              ///< no error of the elements, no displacements
   bool displacements = true;             ///< the result holds them
-  int threads = 1;                       ///< share the influence numbers; `operators` have a number of their own
+  int threads = 1; ///< share the influence numbers; `operators` have a number of their own
 };
 
 /// With which numbers, and how much of the problem is solved.

@@ -237,8 +237,8 @@ double vertical_imbalance(const ContactProblem& problem, const ContactResult& re
 
 } // namespace
 
-Certificate certify(const ContactProblem& problem, const ContactResult& result,
-                    Displacements* displacements, int threads) {
+Certificate certify(const ContactProblem& problem, const ContactResult& result, Displacements* displacements,
+                    int threads) {
   require_fields(problem, result);
   const std::vector<char> slip_rows = rows_in_contact(problem, result);
   Certificate certificate;

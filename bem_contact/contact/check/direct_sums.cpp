@@ -172,8 +172,8 @@ void add_translational(const Terms& terms, int i, const std::vector<char>& wante
     }
 }
 
-/// The same for any numbers, on the wanted ones of rows `first` to `end` - 1. They are read in the order of memory, all
-/// of a row and component at once.
+/// The same for any numbers, on the wanted ones of rows `first` to `end` - 1. They are read in the order of
+/// memory, all of a row and component at once.
 void add_full(const Terms& terms, int i, const std::vector<char>& wanted, int first, int end, double* u) {
   const auto& [a, mx, columns, loads] = terms;
   const int offsets = std::max(mx, columns);

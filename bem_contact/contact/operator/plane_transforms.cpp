@@ -122,8 +122,7 @@ template <class Real> FftPlan<Real> PlaneTransforms<Real>::plan(int length, int 
 }
 
 /// All blocks are aligned alike, so that a plan serves any of them.
-template <class Real>
-void PlaneTransforms<Real>::run(const FftPlan<Real>& plan, Real* from, Real* to) const {
+template <class Real> void PlaneTransforms<Real>::run(const FftPlan<Real>& plan, Real* from, Real* to) const {
   Fftw<Real>::execute_dft(plan.get(), raw(from), raw(to));
 }
 

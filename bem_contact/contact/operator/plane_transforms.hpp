@@ -30,8 +30,9 @@ std::pair<int, int> good_lengths(int least_x, int least_s, int lines);
 /// Operators of the same shape share them, one after the other.
 ///
 /// Along x two rows are transformed as the real and the imaginary part of one: FFTW does complex transforms
-/// line by line fastest, and it remembers its plan for a length, whatever the number of lines. One thread does it
-/// all: a second one needs what the first has in its cache, and made products of 30,000 elements slower.
+/// line by line fastest, and it remembers its plan for a length, whatever the number of lines. One thread
+/// does it all: a second one needs what the first has in its cache, and made products of 30,000 elements
+/// slower.
 template <class Real> class PlaneTransforms {
 public:
   using Complex = std::complex<Real>;
@@ -44,7 +45,8 @@ public:
   /// Two rows of a field, 2 `pair` and the next, element by element in turn; length_x of each.
   Real* rows_in(int input, int pair) { return rows(first_, input, pair); }
   const Real* rows_out(int output, int pair) const { return rows(second_, output, pair); }
-  /// Frequencies along x that are transformed along s at once: as many as stay in the cache; fewer at the end.
+  /// Frequencies along x that are transformed along s at once: as many as stay in the cache; fewer at the
+  /// end.
   struct Group {
     int first = 0, count = 0;
     Complex* in = nullptr;  ///< [count][input][length_s]
@@ -52,10 +54,10 @@ public:
   };
   int groups() const { return (shape.frequencies() + together_ - 1) / together_; }
 
-  void forward(); ///< rows_in to spectra along x
-  Group forward_s(int group) const; ///< those of the frequencies of a group to Group::in
+  void forward();                            ///< rows_in to spectra along x
+  Group forward_s(int group) const;          ///< those of the frequencies of a group to Group::in
   void backward_s(const Group& group) const; ///< Group::out to spectra along x
-  void backward();                               ///< those to rows_out, times both lengths
+  void backward();                           ///< those to rows_out, times both lengths
 
   /// kernel [length_s][length_x] to symbol [frequency], each frequency's length_s values `stride` after those
   /// of the one before.

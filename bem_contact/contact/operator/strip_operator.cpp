@@ -72,11 +72,14 @@ template <class Real> struct BasicStripOperator<Real>::Impl {
   const Real* column(int frequency, int line_in) const {
     return &spectrum[(static_cast<std::size_t>(frequency) * lines_in + line_in) * lines_out];
   }
-  /// A block of scratch holds all lines, [line][place] or [line][frequency]; FFTW expects blocks aligned alike.
+  /// A block of scratch holds all lines, [line][place] or [line][frequency]; FFTW expects blocks aligned
+  /// alike.
   std::size_t block_size() const {
     return (static_cast<std::size_t>(std::max(lines_in, lines_out)) * 2 * frequencies + 15) / 16 * 16;
   }
-  std::size_t line_size() const { return (static_cast<std::size_t>(std::max(lines_in, lines_out)) + 15) / 16 * 16; }
+  std::size_t line_size() const {
+    return (static_cast<std::size_t>(std::max(lines_in, lines_out)) + 15) / 16 * 16;
+  }
   void transform_rows(const InfluenceNumbers& numbers, const std::vector<int>& rows, int first,
                       const Eigen::MatrixXd& cosines, const Eigen::MatrixXd& sines);
   void take(TransformPool* pool);
@@ -158,13 +161,15 @@ void BasicStripOperator<Real>::transform(const InfluenceNumbers& numbers, int mx
 
 /// The spectra of displacements on the block of rows that begins with number `first`.
 template <class Real>
-void BasicStripOperator<Real>::Impl::transform_rows(const InfluenceNumbers& numbers, const std::vector<int>& rows,
-                                                    int first, const Eigen::MatrixXd& cosines,
+void BasicStripOperator<Real>::Impl::transform_rows(const InfluenceNumbers& numbers,
+                                                    const std::vector<int>& rows, int first,
+                                                    const Eigen::MatrixXd& cosines,
                                                     const Eigen::MatrixXd& sines) {
   const int count = std::min<int>(spectra_rows, ms - first);
   const Eigen::Index used = cosines.rows(), blocks = static_cast<Eigen::Index>(count) * ms;
   const std::size_t in = inputs.size(), pairs = outputs.size() * in;
-  std::vector<Eigen::MatrixXd> values(pairs, Eigen::MatrixXd(blocks, used)); // [pair](row I of the block, J; offset)
+  std::vector<Eigen::MatrixXd> values(pairs,
+                                      Eigen::MatrixXd(blocks, used)); // [pair](row I of the block, J; offset)
   // one pass over the numbers, which lie [m][I][i][J][j]: fetching them is what takes the time
   for (int m = 0; m < used; ++m)
     for (int row_i = 0; row_i < count; ++row_i)
@@ -234,7 +239,8 @@ template <class Real> BasicStripOperator<Real>::BasicStripOperator(BasicStripOpe
 template <class Real>
 BasicStripOperator<Real>& BasicStripOperator<Real>::operator=(BasicStripOperator&&) noexcept = default;
 
-/// Of one frequency: spectra [line][frequency] of tractions to those of displacements. `work`: four times line_size().
+/// Of one frequency: spectra [line][frequency] of tractions to those of displacements. `work`: four times
+/// line_size().
 template <class Real>
 void BasicStripOperator<Real>::Impl::multiply_frequency(int k, const Real* in, Real* work, Real* out) const {
   Real *const re_in = work, *const im_in = work + line_size();

@@ -99,7 +99,8 @@ public:
         for (int d = 0; d < 2; ++d)
           self(c, d) += b_.line(ix, row, c, row, d)[ix];
       const Vector2d old = p_.segment<2>(2 * a);
-      const Vector2d next = solve_element(self, Vector2d(slip_at(a, 0), slip_at(a, 1)) + self * old, bound_[a]);
+      const Vector2d next =
+          solve_element(self, Vector2d(slip_at(a, 0), slip_at(a, 1)) + self * old, bound_[a]);
       const Vector2d more = next - old;
       for (int to = 0; to < b_.rows(); ++to)
         for (int c = 0; c < 2; ++c)

@@ -65,8 +65,7 @@ MatrixXd step_matrix(const ContactProblem& problem, const std::array<double, 3>&
     for (Eigen::Index a = 0; a < n; ++a)
       for (int d = 0; d < 2; ++d)
         for (int c = 0; c < 2; ++c)
-          matrix(2 * a + c, 2 * b + d) =
-              numbers.line(at.column[a], at.row[a], c, at.row[b], d)[at.column[b]];
+          matrix(2 * a + c, 2 * b + d) = numbers.line(at.column[a], at.row[a], c, at.row[b], d)[at.column[b]];
   return matrix;
 }
 

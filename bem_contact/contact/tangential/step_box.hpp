@@ -15,9 +15,9 @@
 namespace bem_contact::contact {
 
 /// The matrix of one rolling step or load step, tangential components:
-/// B = sum_k present[k] A(x_I + k dx - x_J) (SlipStep::present), mm/MPa. Its entries between some rows of a grid depend on the
-/// offset along x alone: for each pair of rows I, J and components c, d the 2 mx - 1 values of offset
-/// mx - 1 .. -(mx - 1).
+/// B = sum_k present[k] A(x_I + k dx - x_J) (SlipStep::present), mm/MPa. Its entries between some rows of a
+/// grid depend on the offset along x alone: for each pair of rows I, J and components c, d the 2 mx - 1
+/// values of offset mx - 1 .. -(mx - 1).
 class StepNumbers {
 public:
   /// Between these rows of the numbers, for `columns` columns. Below, a row is its place in `rows`.
