@@ -18,8 +18,8 @@ struct LinearTheory {
   double tilt = 0;                         ///< of the ellipse out of the axes x and s, rad; taken as 0
   double deviation = 0;                    ///< of the undeformed distance from a quadratic, over the approach
   double shear_modulus = 0, poisson = 0;   ///< of the pair, MPa
-  reference::CreepCoefficients coefficients;
-  CreepMatrix slopes{};
+  reference::CreepCoefficients coefficients; ///< Kalker's C11, C22, C23, C33
+  CreepMatrix slopes{};                      ///< of the forces over the creepages, by them
 
   double c() const; ///< sqrt(a b), mm
 };

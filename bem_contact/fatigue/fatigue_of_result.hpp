@@ -99,8 +99,9 @@ Fatigue fatigue_of(const SceneResult& result, const FatigueProperties& propertie
 
 /// A number of each patch. The program's CSV and Python take names, units and values from here.
 struct PatchColumn {
-  const char *name, *unit;
-  double (*value)(const PatchFatigue&);
+  const char* name;                     ///< as in the outputs
+  const char* unit;                     ///< "1" where it has none
+  double (*value)(const PatchFatigue&); ///< of one patch
 };
 /// All of them, in the order of the outputs.
 std::span<const PatchColumn> patch_columns();
