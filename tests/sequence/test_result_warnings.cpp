@@ -62,9 +62,9 @@ TEST(Strips, CheckGivesTablesForBothBodies) {
                        "position.lateral = 6.4\ngrid.dx = 1.0\ngrid.ds = 0.5\n");
   const std::vector<std::string> lines = Sequence().check(scene).lines;
   // Contact on the gauge corner: on the rail at negative arc lengths, on the wheel at positive ones.
-  EXPECT_THAT(lines, Contains(HasSubstr("needs of the rail, for its body file:\n    [strip]\n    from = -")));
+  EXPECT_THAT(lines, Contains(HasSubstr("needs on the rail, for its body file:\n    [strip]\n    from = -")));
   EXPECT_THAT(lines, Contains(testing::ContainsRegex(
-                         "of the wheel, for its body file:\n    .strip.\n    from = [0-9]")));
+                         "on the wheel, for its body file:\n    .strip.\n    from = [0-9]")));
 }
 
 } // namespace
