@@ -18,7 +18,7 @@ FLAGS = ["--headless", "--no-sandbox", "--disable-gpu-sandbox", "--use-angle=swi
 class Browser:
     """One page at a time. `requests` has the address of everything that the page asked for."""
 
-    def __init__(self, seconds=120):
+    def __init__(self, seconds=300):  # a 3-D figure takes 2 s on a quiet machine, and 80 s beside many compilers
         self.seconds, self.count, self.buffer, self.requests = seconds, 0, b"", []
         self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         commands, self.to = os.pipe()
