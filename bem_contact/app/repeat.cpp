@@ -8,15 +8,13 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
+#include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <fmt/format.h>
 #include <fstream>
 #include <string_view>
@@ -26,40 +24,6 @@ namespace bem_contact::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that is gone when its object is.
-class TemporaryFolder {
-public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "bem_contact_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw Error("No temporary folder can be made", std::strerror(errno),
-                  "Set TMPDIR to a folder that you may write to.");
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  /// A file of that name, in a folder of its own.
-  fs::path write(const std::string& folder, const std::string& name, const std::string& text) const {
-    fs::create_directories(path_ / folder);
-    const fs::path file = path_ / folder / fs::path(name).filename();
-    std::ofstream out(file, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out)
-      throw Error(fmt::format("The file '{}' cannot be written", file.string()), "the disk may be full",
-                  "Make room, or set TMPDIR to another folder.");
-    return file;
-  }
-
-private:
-  fs::path path_;
-};
 
 /// A file whose scene another command solves.
 struct OtherFile {
@@ -166,8 +130,8 @@ private:
             place.string(), input.key, input.sha256, now));
     }
     const bool profile = names_profile(input.key);
-    return folder_of_copies_.write(
-        input.key, profile ? profile_file_name(input.name).file.string() : input.name, *input.content);
+    const fs::path name = profile ? profile_file_name(input.name).file : fs::path(input.name);
+    return folder_of_copies_.write(input.key / name.filename(), *input.content);
   }
 
   std::vector<InputRecord> inputs_;

@@ -6,7 +6,8 @@ namespace bem_contact {
 
 namespace {
 
-/// Bytes. Smaller tables lie on the heap, where the next one finds their pages again.
+/// Bytes, some large pages. Smaller tables lie on the heap, where the next one finds their pages again.
+/// Chosen.
 constexpr std::size_t own_pages = 16 << 20;
 
 } // namespace

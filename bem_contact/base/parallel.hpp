@@ -8,7 +8,7 @@ void call_in_parts(int threads, int count, const void* body,
 
 /// Divides 0 .. count - 1 into at most `threads` runs of about equal length and calls body(first, end, part)
 /// for each, `part` its number from 0 on, side by side on as many threads (OpenMP). With one thread the body
-/// runs here. It must not throw.
+/// runs here. What one of them throws is thrown here when all have ended.
 template <class Body> void in_parts(int threads, int count, const Body& body) {
   if (threads <= 1)
     body(0, count, 0);

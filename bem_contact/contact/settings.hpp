@@ -56,9 +56,9 @@ BEM_CONTACT_TUNED(float, least_eigenvalue, 1e-4f);
 BEM_CONTACT_TUNED(int, bytes_in_cache, 1 << 19);
 /// Frequencies along x that rows and columns exchange together, at least: 8 complex floats are a cache line.
 BEM_CONTACT_TUNED(int, least_together, 8);
-/// Values (rows times the transform's length along x). Products with fewer stay on one thread. Chosen for
-/// now.
-BEM_CONTACT_TUNED(int, least_threaded, 10000);
+/// Elements. Products, spectra and sums over fewer stay on one thread. Threads are for contacts of some 5,000
+/// elements and more (tools/BENCHMARKS.md, section 10); smaller ones were not measured.
+BEM_CONTACT_TUNED(int, least_threaded, 5000);
 /// Transforms of different shapes that are kept. Chosen: a sequence meets fewer.
 BEM_CONTACT_TUNED(int, most_transforms, 32);
 /// ns. Time of a complex transform for each value, if FFTW is quick for the length (multiples of 16), and if

@@ -1,4 +1,5 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/contact/work.hpp"
 #include "bem_contact/fatigue/fatigue_of_result.hpp"
 #include "bem_contact/python/functions.hpp"
@@ -8,10 +9,6 @@
 #include "bem_contact/wear/history.hpp"
 #include "bem_contact/wear/wear_of_result.hpp"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
 #include <fmt/format.h>
 #include <optional>
 #include <pybind11/stl.h>
@@ -57,31 +54,11 @@ py::dict wear_of(const PythonResult& result, const std::string& law, double hard
                   "volume_per_distance"_a = w.volume_per_distance);
 }
 
-/// A new folder for the profiles of the present step, removed at the end.
-class PresentProfiles {
-public:
-  PresentProfiles() : name_((std::filesystem::temp_directory_path() / "bem_contact_wear_XXXXXX").string()) {
-    if (!mkdtemp(name_.data()))
-      throw Error(fmt::format("The folder '{}' cannot be made", name_), std::strerror(errno),
-                  "Let TMPDIR name a folder that you may write in.");
-  }
-  ~PresentProfiles() {
-    std::error_code ignored;
-    std::filesystem::remove_all(name_, ignored);
-  }
-  PresentProfiles(const PresentProfiles&) = delete;
-  PresentProfiles& operator=(const PresentProfiles&) = delete;
-  std::filesystem::path path() const { return name_; }
-
-private:
-  std::string name_;
-};
-
 using States = std::vector<wear::WornPair>; ///< by step, the unworn one first
 
 States worn_by(const std::vector<wear::CollectiveCase>& cases, const wear::EvolutionOptions& options,
                double depth, const std::atomic<bool>* stop) {
-  const PresentProfiles folder;
+  const TemporaryFolder folder; // of the profiles of the present step
   States states{wear::unworn(cases.front().scene)};
   wear::KeptPair influence;
   if (wear::needs_influence(cases.front().scene))

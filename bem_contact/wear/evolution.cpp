@@ -62,10 +62,8 @@ double WornBody::largest() const {
 
 std::vector<CollectiveCase> collective_of(const SweepFile& sweep, const std::string& model) {
   std::vector<CollectiveCase> out;
-  for (std::size_t i = 0; i < sweep.size(); ++i) {
-    const SceneFile scene = sweep.scene(i);
-    out.push_back({model.empty() ? scene : with_model(scene, model_named(model)), sweep.weight(i)});
-  }
+  for (std::size_t i = 0; i < sweep.size(); ++i)
+    out.push_back({with_model(sweep.scene(i), model), sweep.weight(i)});
   return out;
 }
 

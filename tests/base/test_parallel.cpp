@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -31,4 +32,17 @@ TEST(Parts, OneThreadIsTheCaller) {
     EXPECT_EQ(end, 10);
   });
   EXPECT_EQ(there, std::this_thread::get_id());
+}
+
+TEST(Parts, WhatOneThrowsIsThrownAfterAllHaveEnded) {
+  for (const int threads : {1, 2, 3}) {
+    std::atomic<int> ended{0};
+    const auto body = [&](int, int end, int) {
+      ++ended;
+      if (end == 6)
+        throw std::runtime_error("the last one");
+    };
+    EXPECT_THROW(in_parts(threads, 6, body), std::runtime_error);
+    EXPECT_EQ(ended, threads);
+  }
 }

@@ -100,7 +100,7 @@ TEST(Workspace, TwoCoresGiveTheSameBits) {
   scenes::set_creepage(problem, 0.3, 1e-3, 5e-4, 1e-4);
   problem.force = 20000;
   ASSERT_FALSE(problem.numbers.translational);
-  ASSERT_GE(problem.grid.ms * 2 * problem.grid.mx, contact::least_threaded);
+  ASSERT_GE(problem.grid.size(), contact::least_threaded);
   std::vector<ContactResult> results;
   for (const int threads : {1, 2}) {
     Workspace workspace(2, threads);

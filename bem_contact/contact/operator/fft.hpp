@@ -48,6 +48,12 @@ template <class Real> FftBuffer<Real> make_fft_buffer(std::size_t n) {
   return FftBuffer<Real>(Fftw<Real>::alloc_real(std::max<std::size_t>(n, 1)));
 }
 
+/// The least multiple of a cache line, in reals of either kind, that holds n of them: FFTW expects blocks
+/// that lie one after the other to be aligned alike.
+inline std::size_t fft_block(std::size_t n) {
+  return (n + 15) / 16 * 16;
+}
+
 /// Memory in which one operation after the other works. Each leaves there what it likes.
 class Scratch {
 public:

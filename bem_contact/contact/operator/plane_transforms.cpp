@@ -107,12 +107,10 @@ PlaneTransforms<Real>::PlaneTransforms(const PlaneShape& the_shape, std::shared_
       2 * static_cast<std::size_t>(shape.inputs + shape.outputs) * shape.length_s * sizeof(Real);
   const int fit = static_cast<int>(std::min<std::size_t>(bytes_in_cache / bytes, shape.frequencies()));
   together_ = std::clamp(fit, std::min(least_together, shape.frequencies()), shape.frequencies());
-  // whole cache lines: FFTW expects all blocks to be aligned alike
-  const auto aligned = [](std::size_t reals) { return (reals + 15) / 16 * 16; };
   const int fields = std::max(shape.inputs, shape.outputs);
-  space_size_ = aligned(static_cast<std::size_t>(fields) * shape.lines * shape.length_x);
-  column_size_ = aligned(2 * static_cast<std::size_t>(together_) * fields * shape.length_s);
-  kernel_size_ = aligned(2 * static_cast<std::size_t>(shape.frequencies()) * shape.length_s);
+  space_size_ = fft_block(static_cast<std::size_t>(fields) * shape.lines * shape.length_x);
+  column_size_ = fft_block(2 * static_cast<std::size_t>(together_) * fields * shape.length_s);
+  kernel_size_ = fft_block(2 * static_cast<std::size_t>(shape.frequencies()) * shape.length_s);
 }
 
 template <class Real> FftPlan<Real> PlaneTransforms<Real>::plan(int length, int lines, int sign) const {

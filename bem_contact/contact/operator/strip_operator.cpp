@@ -72,14 +72,11 @@ template <class Real> struct BasicStripOperator<Real>::Impl {
   const Real* column(int frequency, int line_in) const {
     return &spectrum[(static_cast<std::size_t>(frequency) * lines_in + line_in) * lines_out];
   }
-  /// A block of scratch holds all lines, [line][place] or [line][frequency]; FFTW expects blocks aligned
-  /// alike.
+  /// A block of scratch holds all lines, [line][place] or [line][frequency].
   std::size_t block_size() const {
-    return (static_cast<std::size_t>(std::max(lines_in, lines_out)) * 2 * frequencies + 15) / 16 * 16;
+    return fft_block(static_cast<std::size_t>(std::max(lines_in, lines_out)) * 2 * frequencies);
   }
-  std::size_t line_size() const {
-    return (static_cast<std::size_t>(std::max(lines_in, lines_out)) + 15) / 16 * 16;
-  }
+  std::size_t line_size() const { return fft_block(std::max(lines_in, lines_out)); }
   void transform_rows(const InfluenceNumbers& numbers, const std::vector<int>& rows, int first,
                       const Eigen::MatrixXd& cosines, const Eigen::MatrixXd& sines);
   void take(TransformPool* pool);
@@ -168,8 +165,9 @@ void BasicStripOperator<Real>::Impl::transform_rows(const InfluenceNumbers& numb
   const int count = std::min<int>(spectra_rows, ms - first);
   const Eigen::Index used = cosines.rows(), blocks = static_cast<Eigen::Index>(count) * ms;
   const std::size_t in = inputs.size(), pairs = outputs.size() * in;
-  std::vector<Eigen::MatrixXd> values(pairs,
-                                      Eigen::MatrixXd(blocks, used)); // [pair](row I of the block, J; offset)
+  std::vector<Eigen::MatrixXd> values(pairs); // [pair](row I of the block, J; offset)
+  for (Eigen::MatrixXd& of_pair : values)
+    of_pair.resize(blocks, used);
   // one pass over the numbers, which lie [m][I][i][J][j]: fetching them is what takes the time
   for (int m = 0; m < used; ++m)
     for (int row_i = 0; row_i < count; ++row_i)
@@ -218,7 +216,7 @@ BasicStripOperator<Real>::BasicStripOperator(const BasicStripOperator<Other>& ot
 /// Scratch and threads.
 template <class Real> void BasicStripOperator<Real>::Impl::take(TransformPool* pool) {
   scratch = pool ? pool->scratch() : std::make_shared<Scratch>();
-  if (pool && static_cast<std::size_t>(ms) * length >= std::size_t(least_threaded))
+  if (pool && ms * mx >= least_threaded)
     threads = pool->threads();
 }
 

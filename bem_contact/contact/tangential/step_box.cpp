@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <numeric>
 
 namespace bem_contact::contact {
 
@@ -23,16 +22,6 @@ StepNumbers::StepNumbers(const InfluenceNumbers& numbers, const std::vector<int>
             values_[position++] = present[0] * a(m) + present[1] * a(m + 1) + present[2] * a(m + 2);
         }
 }
-
-StepNumbers::StepNumbers(const InfluenceNumbers& numbers, int columns, const std::array<double, 3>& present)
-    : StepNumbers(
-          numbers,
-          [&] {
-            std::vector<int> all(numbers.rows);
-            std::iota(all.begin(), all.end(), 0);
-            return all;
-          }(),
-          columns, present) {}
 
 ElementPlaces::ElementPlaces(const std::vector<int>& elements, int mx) : first_column(mx), columns(0) {
   std::vector<int> rank;

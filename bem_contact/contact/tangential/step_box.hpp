@@ -23,8 +23,6 @@ public:
   /// Between these rows of the numbers, for `columns` columns. Below, a row is its place in `rows`.
   StepNumbers(const InfluenceNumbers& numbers, const std::vector<int>& rows, int columns,
               const std::array<double, 3>& present);
-  /// Between all rows.
-  StepNumbers(const InfluenceNumbers& numbers, int columns, const std::array<double, 3>& present);
 
   int rows() const { return rows_; }
   int columns() const { return columns_; }

@@ -1,5 +1,6 @@
 #include "bem_contact/contact/tangential/tangential_operators.hpp"
 
+#include <numeric>
 #include <utility>
 
 namespace bem_contact::contact {
@@ -17,8 +18,12 @@ const StripOperator& TangentialOperators::whole(const ContactProblem& problem, W
 
 const StepNumbers& TangentialOperators::step_numbers(const ContactProblem& problem,
                                                      const std::array<double, 3>& present) {
-  if (!step_numbers_ || step_numbers_->present != present)
-    step_numbers_.emplace(NumbersOfStep{present, StepNumbers(problem.numbers, problem.grid.mx, present)});
+  if (!step_numbers_ || step_numbers_->present != present) {
+    std::vector<int> rows(problem.numbers.rows);
+    std::iota(rows.begin(), rows.end(), 0);
+    step_numbers_.emplace(
+        NumbersOfStep{present, StepNumbers(problem.numbers, rows, problem.grid.mx, present)});
+  }
   return step_numbers_->numbers;
 }
 
