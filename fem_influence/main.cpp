@@ -1,3 +1,4 @@
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/program.hpp"
 #include "bem_contact/base/provenance.hpp"
@@ -109,7 +110,7 @@ int run_program(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return exit_code_of(app, error);
   }
 
   use_one_blas_thread();

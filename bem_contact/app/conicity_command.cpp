@@ -1,6 +1,7 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/conicity_output.hpp"
 #include "bem_contact/app/scene_record.hpp"
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/conicity/scene_wheelset.hpp"
 #include "bem_contact/conicity/wheelset_conicity.hpp"
@@ -14,6 +15,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <tuple>
 
 namespace bem_contact::app {
 
@@ -56,6 +58,12 @@ std::string from_here(const std::string& name) {
 GivenScene given_scene(const ConicityArguments& arguments) {
   if (!arguments.scene.empty())
     return read_given_scene(arguments.scene, "", arguments.changes);
+  for (const auto& [key, option, example] :
+       {std::tuple{"wheel.profile", "--wheel", "S1002"}, {"rail.profile", "--rail", "60E1"}})
+    if (std::ranges::count(arguments.changes, key, &SceneChange::key) == 0)
+      throw InputError(
+          fmt::format("{} is not given", option), "without a scene it says what touches",
+          fmt::format("Give a standard or a profile file, for instance {} {}.", option, example));
   const SceneFile scene = scene_without_file(arguments.changes);
   return {"options", scene_with_defaults(scene), "", {}, scene, {}};
 }

@@ -1,4 +1,5 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/program.hpp"
@@ -10,7 +11,6 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <iostream>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -84,8 +84,7 @@ int run_program(int argc, char** argv) {
     cli.parse(argc, argv);
     return run(cli, commands, print_default);
   } catch (const CLI::ParseError& error) {
-    const int code = cli.exit(error, std::cout, std::cerr); // --help is no error
-    return code == 0 ? success : wrong_input;
+    return exit_code_of(cli, error); // --help is no error
   } catch (const ConvergenceError& error) {
     spdlog::error("{}", error.what());
     return no_convergence;

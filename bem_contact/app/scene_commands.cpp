@@ -87,9 +87,8 @@ struct SceneArguments {
   int threads = 1;
 };
 
-/// Prints the warnings; success only if the certificate holds.
+/// Success only if the certificate holds.
 ExitCode verdict(const SceneResult& r) {
-  warn(r.warnings);
   if (r.result.certificate.holds())
     return std::ranges::all_of(r.history, &ContactResult::converged) ? success : no_convergence;
   spdlog::error(
@@ -132,6 +131,7 @@ ExitCode run_repeat(const SceneArguments& arguments) {
   if (arguments.strict)
     refuse_warnings(repetition.result.warnings);
   fmt::print("{}", arguments.json ? repetition_json(repetition).dump(2) + "\n" : to_text(repetition));
+  warn(repetition.result.warnings);
   return std::max(verdict(repetition.result), repetition.same() ? success : no_convergence);
 }
 
@@ -152,6 +152,7 @@ ExitCode run_solve(const SceneArguments& arguments) {
   if (!arguments.vtk.empty())
     write_vts(arguments.vtk, result);
   fmt::print("{}", arguments.json ? to_json(result).dump(2) + "\n" : to_text(result));
+  warn(result.warnings);
   return verdict(result);
 }
 
@@ -160,6 +161,30 @@ std::vector<Model> models_of(const std::vector<std::string>& names) {
   for (const std::string& name : names)
     models.push_back(model_named(name).value());
   return models;
+}
+
+/// Each once, with the models and tables whose numbers it has.
+std::vector<std::string> warnings_of(const Comparison& comparison) {
+  std::vector<std::string> texts, where;
+  const auto note = [&](const SceneResult& result, const char* table) {
+    for (const std::string& text : result.warnings) {
+      const std::string place = fmt::format("{} at {}", name_of(result.model), table);
+      const auto known = std::ranges::find(texts, text);
+      if (known == texts.end()) {
+        texts.push_back(text);
+        where.push_back(place);
+      } else {
+        where[static_cast<std::size_t>(known - texts.begin())] += ", " + place;
+      }
+    }
+  };
+  for (const SceneResult& result : comparison.at_forces)
+    note(result, "equal forces");
+  for (const SceneResult& result : comparison.at_position)
+    note(result, "equal position");
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    texts[i] = fmt::format("{}: {}", where[i], texts[i]);
+  return texts;
 }
 
 ExitCode run_compare(const SceneArguments& arguments) {
@@ -182,6 +207,7 @@ ExitCode run_compare(const SceneArguments& arguments) {
     for (const SceneResult& result : comparison.leading())
       write_vts(surface_of(result.model), result);
   fmt::print("{}", arguments.json ? to_json(comparison).dump(2) + "\n" : to_text(comparison));
+  warn(warnings_of(comparison));
   ExitCode worst = success;
   for (const auto* results : {&comparison.at_forces, &comparison.at_position})
     for (const SceneResult& result : *results)

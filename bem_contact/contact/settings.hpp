@@ -337,18 +337,17 @@ BEM_CONTACT_TUNED(double, adhesion_change, 0.25); ///< 1. Share of the change of
 BEM_CONTACT_TUNED(double, adhesion_local, 1.2);   ///< 1. elements whose state is in doubt anyway,
 BEM_CONTACT_TUNED(double, adhesion_border, 1.05); ///< 1. and for the root of the border of adhesion.
 /// 1. Fx, Fs, Fy, Mz and those of patches are sums over elements. Share of the change of the sum,
-BEM_CONTACT_TUNED(double, shear_change, 0.51);
+BEM_CONTACT_TUNED(double, shear_change, 0.475);
 /// 1. of the mean of the elements' absolute values: the contact is off by parts of an element,
-BEM_CONTACT_TUNED(double, shear_local, 0.59);
+BEM_CONTACT_TUNED(double, shear_local, 0.55);
 /// 1. but no more than of so many times their mean deviation from parts in proportion to the pressure,
 BEM_CONTACT_TUNED(double, shear_deviation, 10.0);
 /// 1. and of the root of the sum of squares over the elements in adhesion: each is off by chance.
-BEM_CONTACT_TUNED(double, shear_adhesion, 0.59);
-/// 1. So much of that for Fx and for Mz: they are off by less than lateral forces.
-BEM_CONTACT_TUNED(double, shear_x_share, 0.93);
-BEM_CONTACT_TUNED(double, moment_share, 0.81);
+BEM_CONTACT_TUNED(double, shear_adhesion, 0.55);
+/// 1. So much of that for Mz: it is off by less than forces.
+BEM_CONTACT_TUNED(double, moment_share, 0.87);
 /// 1. So much for the normal force of a patch, where the larger of two changes counts.
-BEM_CONTACT_TUNED(double, normal_share, 0.77);
+BEM_CONTACT_TUNED(double, normal_share, 0.83);
 BEM_CONTACT_TUNED(double, power_change, 1.15);       ///< 1. Share of the change of the frictional power,
 BEM_CONTACT_TUNED(double, power_local, 0.40);        ///< 1. and of that of one element (mean).
 BEM_CONTACT_TUNED(double, temperature_change, 0.17); ///< 1. Share of the change of the highest temperature,
@@ -363,7 +362,7 @@ BEM_CONTACT_TUNED(double, overlap_peak, 0.034);  ///< 1. As above.
 /// 1. Share of the change of a creepage found,
 BEM_CONTACT_TUNED(double, creepage_change, 0.52);
 /// 1. of the strain of what no change shows of the force,
-BEM_CONTACT_TUNED(double, creepage_local, 0.78);
+BEM_CONTACT_TUNED(double, creepage_local, 0.84);
 /// 1. and of the creepage itself: what both grids miss alike.
 BEM_CONTACT_TUNED(double, creepage_alike, 0.0015);
 

@@ -10,6 +10,7 @@
 #include "bem_contact/scene/scene_reader.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <iterator>
 #include <utility>
 
@@ -80,7 +81,14 @@ void SceneReader::require_key(const std::string& key) const {
 }
 
 SceneFile SceneReader::scene() const {
-  return checked(state_->file, state_->read, state_->schema);
+  SceneFile file = checked(state_->file, state_->read, state_->schema);
+  if (changes_.empty()) // a case of a sweep has changes
+    for (const char* table : {"sweep", "table"})
+      if (state_->schema.has(table))
+        file.unused.push_back(fmt::format(
+            "[{0}]: without effect (one case is solved, that of the other keys; bem_contact {0} solves all)",
+            table));
+  return file;
 }
 
 SceneFile parse_scene_file(std::string_view toml, std::string_view source_name,

@@ -116,6 +116,17 @@ TEST_F(CommandLine, ThePrintedDefaultIsAScene) {
   EXPECT_NO_THROW(parse_scene_file(r.out));
 }
 
+TEST_F(CommandLine, CompareSaysAWarningOnceWithWhatItIsAbout) {
+  std::string scene = hertz;
+  scene.replace(scene.find("friction = 0.3"), 14, "friction = 30");
+  const Outcome r = run("compare '" + write("s.toml", scene).string() + "' --models halfspace,tangent_plane");
+  EXPECT_EQ(r.code, 0) << r.err;
+  const auto at = r.err.find("motion.friction = 30: ");
+  ASSERT_NE(at, std::string::npos) << r.err;
+  EXPECT_EQ(r.err.find("motion.friction = 30: ", at + 1), std::string::npos) << r.err;
+  EXPECT_THAT(r.err, HasSubstr("halfspace at equal forces, tangent_plane at equal forces"));
+}
+
 TEST_F(CommandLine, NoContactIsZeroForceAndSuccess) {
   std::string scene = hertz;
   scene.replace(scene.find("force = 1e4"), 11, "approach = -0.01");
@@ -138,7 +149,12 @@ TEST_F(CommandLine, LackOfConvergenceIsThree) {
 
 TEST_F(CommandLine, WrongArgumentsAreTwo) {
   EXPECT_EQ(run("").code, 2);
-  EXPECT_EQ(run("solve").code, 2);
+  refused(run("solve"),
+          {"error: The arguments cannot be used (scene is required) See bem_contact solve --help."});
+  refused(run("solve x.toml --thread 3"), {"There is no option '--thread'", "Did you mean --threads?"});
+  refused(run("influence expand --centr 3"), {"(bem_contact influence expand has others)", "--centre"});
+  refused(run("solve x.toml --threads 0"), {"(--threads: Value 0 not in range 1 to 64)"});
+  refused(run("conicity --wheel S1002"), {"--rail is not given", "--rail 60E1"});
   refused(run("dissolve x.toml"), {"there is no command 'dissolve'", "Did you mean solve?"});
   const std::string scene = write("s.toml", hertz).string();
   refused(run("'" + scene + "'"), {"Did you mean bem_contact solve " + scene});

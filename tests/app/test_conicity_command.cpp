@@ -102,7 +102,7 @@ TEST_F(ConicityCommand, SaysWhatIsMissingOrWrong) {
     EXPECT_EQ(r.out, "");
     EXPECT_THAT(r.err, HasSubstr(word));
   };
-  refused("--wheel S1002", "rail.profile");
+  refused("--wheel S1002", "--rail is not given (without a scene it says what touches)");
   refused("--wheel S1002 --rail 60E9", "60E1");
   refused("--wheel S1002 --rail 60E1 --to 60", "at most 45 mm");
   refused("--wheel S1002 --rail 60E1 --step 0", "above 0");

@@ -84,7 +84,7 @@ PatchErrors patch_errors(const Region& fine, const Region& coarse, double roughn
   out.area = area_error(fine);
   out.approach = overlap_change * std::abs(fine.approach - coarse.approach) +
                  fine.approach * (overlap_local / fine.contact + overlap_peak * fine.relative_fall());
-  out.fx = shear_x_share * shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine.contact);
+  out.fx = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine.contact);
   out.fs = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine.contact);
   return out;
 }
@@ -122,7 +122,7 @@ double strain_per_force(const ContactProblem& problem, const Region& r) {
 void estimate_shear(const ContactProblem& problem, const ContactResult& result, const ContactResult& coarse,
                     const std::pair<Region, Region>& regions, double power_gained, TotalErrors& e) {
   const auto& [fine, rough] = regions;
-  e.Fx = problem.force_x ? 0 : shear_x_share * shear_error(result.Fx - coarse.Fx, fine.fx, fine.contact);
+  e.Fx = problem.force_x ? 0 : shear_error(result.Fx - coarse.Fx, fine.fx, fine.contact);
   e.Fs = problem.force_s ? 0 : shear_error(result.Fs - coarse.Fs, fine.fs, fine.contact);
   e.adhesion_share =
       adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "bem_contact/base/error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fmt/format.h>
+#include <string>
+#include <vector>
+
+// Included by programs alone: the libraries know nothing of CLI11.
+
+namespace bem_contact {
+
+/// The command of a parsed line, with its program's name: "bem_contact influence expand".
+struct UsedCommand {
+  const CLI::App* app;
+  std::string name;
+
+  explicit UsedCommand(const CLI::App& program)
+      : app(&program), name(std::filesystem::path(program.get_name()).filename().string()) {
+    while (!app->get_subcommands().empty()) {
+      app = app->get_subcommands().front();
+      name += " " + app->get_name();
+    }
+  }
+};
+
+/// What is wrong with the arguments of a program, as all errors are said.
+inline std::string argument_error(const CLI::App& program, const CLI::ParseError& error) {
+  const UsedCommand command(program);
+  const std::string help = fmt::format("See {} --help.", command.name);
+  for (const std::string& given : program.remaining(true)) {
+    if (!given.starts_with("--"))
+      continue;
+    std::vector<std::string> options;
+    for (const CLI::Option* option : command.app->get_options())
+      for (const std::string& name : option->get_lnames())
+        options.push_back("--" + name);
+    const auto like = nearest_names(given.substr(0, given.find('=')), options, 1);
+    return fmt::format("There is no option '{}' ({} has others) {}", given, command.name,
+                       like.empty() ? help : fmt::format("Did you mean {}?", like.front()));
+  }
+  return fmt::format("The arguments cannot be used ({}) {}", error.what(), help);
+}
+
+/// Ends what CLI11 has begun: prints help or version and returns 0, or prints the error and returns 2.
+inline int exit_code_of(const CLI::App& program, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0)
+    return program.exit(error);
+  fmt::print(stderr, "error: {}\n", argument_error(program, error));
+  return 2;
+}
+
+} // namespace bem_contact
