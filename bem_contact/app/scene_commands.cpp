@@ -74,7 +74,7 @@ constexpr const char* check_help =
     R"(Example:
     bem_contact check data/scenes/conformal_small.toml
 You should see where wheel and rail touch first (rail s = -29.957 mm, in the gauge corner), the estimated vertical
-approach, the grid that would be solved (46 elements along x, 28 rows along s), and whether these rows lie on the part
+approach, the grid that would be solved (42 elements along x, 24 rows along s), and whether these rows lie on the part
 of either profile that its influence file covers. Input that can be solved but is probably a mistake gives a warning.
 
 Exit code 0: the scene can be solved. 2: it cannot, or --strict is set and there is a warning.)";

@@ -19,7 +19,7 @@ constexpr const char* wheelset_help =
     force = 2e5          # N, vertical force on the axle; both wheels share it
 Example:
     bem_contact wheelset data/scenes/wheelset.toml
-You should see that a lateral force of 20 kN moves the wheelset by 6.07 mm to the right, where the right wheel bears
+You should see that a lateral force of 20000 N moves the wheelset by 6.07 mm to the right, where the right wheel bears
 0.547 of the vertical force and the axle rolls on a radius of 461.93 mm. Then comes what solve prints of each wheel.
 
 Both forces act at the wheelset's centre, on the axle. Roll follows from the moments about the forward axis through
