@@ -88,7 +88,7 @@ RadialDisplacement michell_line_load(const Material& material, double load, doub
     throw InputError("the displacement under a line load is infinite", "theta = " + std::to_string(theta),
                      "ask for another point");
   const double c = 4 * load / (pi * plane_strain_modulus(material)), logarithm = std::log(2 * half);
-  return {c * (-std::cos(theta) * logarithm - 0.25), c * std::sin(theta) * (logarithm - 0.25)};
+  return {c * (-std::cos(theta) * logarithm - 0.25), c * std::sin(theta) * (logarithm - 0.5)};
 }
 
 std::span<const SeatEntry> sphere_in_seat() {

@@ -145,8 +145,8 @@ def influence_functions(page, program, files, quick, say):
         surfaces against each other, pressure along the deformed normal), sharing nothing with this project. S1002 on 60E1,
         lateral displacement 6.6 mm, 1e5 N, no friction, structural motion removed. Its uncertainty is 0.02 % in Fy and
         approach, 0.4 % in pmax, 1 % in the area. Ours solves the undeformed geometry (linear kinematics): that is the rest of
-        the difference. With linear kinematics in the 3-D analysis too, the largest pressures agree within 0.05 %. How it pairs
-        the forces of the two bodies matters for the last 0.5 % of Fy (bem_contact/THEORY.md, section 1).""")
+        the difference. With linear kinematics in the 3-D analysis too, the largest pressures agree within 0.05 %. The last 0.5 %
+        of Fy depends on how the 3-D analysis assigns contact forces to points of the two bodies (bem_contact/THEORY.md, section 1).""")
     pairs = [("shipped files, 0.5 x 0.5 mm", textbook.RAIL, textbook.WHEEL, 0.5)]
     if files:
         pairs.append(("gauge-corner files, 0.5 x 0.325 mm", files["rail_60E1_gauge_corner"], files["wheel_S1002_flange_root"], 0.325))
@@ -193,7 +193,8 @@ def model_limits(page, program, quick, say):
 def not_validated(page):
     page.heading("6 Limits that were measured")
     page.items("""Linear kinematics: 0.9 % in Fy and 0.3 % in pmax at the gauge corner at equal position, which is 0.003 mm of
-        lateral displacement; `solver.contact_motion = "placed"` leaves 0.2 %. With rail foot and wheel bore held 6 % in Fy unless
+        lateral displacement; `solver.contact_motion = "placed"` leaves 0.2 % of Fy at most and 0.3 %
+        of the approach. With rail foot and wheel bore held 6 % in Fy unless
         the bodies are placed by their structural motion, as they are by default (section 4).""",
                """Small errors of the input may be enlarged: [tests/STABILITY.md](STABILITY.md) tables by how much, and the condition
         numbers of the influence matrices.""",
