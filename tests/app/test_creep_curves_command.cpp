@@ -18,7 +18,7 @@ const std::string rolling = "'" CONFORMAL_SOURCE_DIR "/data/scenes/steady_rollin
 
 class CreepCurvesCommand : public ProgramTest {};
 
-TEST_F(CreepCurvesCommand, TextJsonCsvAndHdf5Agree) {
+TEST_F(CreepCurvesCommand, TextJsonCsvAndHdf5AgreeAndTheHelpIsRight) {
   const std::string command = "creep-curves " + rolling + " --xi=-0.001:0.001:3 --phi 0:0.001:2 ";
   const Outcome text =
       run(command + "--csv '" + (folder_ / "c.csv").string() + "' -o '" + (folder_ / "c.h5").string() + "'");
@@ -29,6 +29,9 @@ TEST_F(CreepCurvesCommand, TextJsonCsvAndHdf5Agree) {
   for (const char* start :
        {"  dFx/dxi", "  dMz/dphi", "  Fx         671.54", "  Fs                -4.013e+05"})
     EXPECT_THAT(page, HasSubstr(text.out.substr(text.out.find(start), 45))) << start;
+  const Outcome help = run("creep-curves --help");
+  for (const char* figure : {"1.7149e+06", "1.719e+06", "0.24 %", "6.092e+05"})
+    EXPECT_THAT(help.out, HasSubstr(figure));
   const json j = json::parse(run(command + "--json").out);
   EXPECT_TRUE(j["certified"].get<bool>());
   EXPECT_NEAR(j["sensitivities"][0][0].get<double>(), 6.092e5, 100);
