@@ -21,10 +21,10 @@ using testing::HasSubstr;
 
 namespace {
 
-struct Close {
+struct CloseTable {
   void operator()(conformal_table* handle) const { conformal_table_close(handle); }
 };
-using Handle = std::unique_ptr<conformal_table, Close>;
+using TableHandle = std::unique_ptr<conformal_table, CloseTable>;
 
 /// Two columns over two axes: f = 10 x + y, and twice that.
 table::ContactTable plane() {
@@ -55,7 +55,7 @@ table::ContactTable slipping() {
   return t;
 }
 
-Handle opened(const table::ContactTable& t) {
+TableHandle opened(const table::ContactTable& t) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("conformal_table_" + std::to_string(getpid()) + ".h5");
   write_h5(file, table::to_h5(t));
@@ -64,11 +64,11 @@ Handle opened(const table::ContactTable& t) {
   EXPECT_EQ(conformal_table_open(file.c_str(), &handle, message, sizeof message), CONFORMAL_OK) << message;
   EXPECT_STREQ(message, "");
   std::filesystem::remove(file);
-  return Handle(handle);
+  return TableHandle(handle);
 }
 
 TEST(CTable, GivesNamesUnitsValuesAndErrors) {
-  const Handle t = opened(plane());
+  const TableHandle t = opened(plane());
   int axes = 0, columns = 0, g = -1;
   ASSERT_EQ(conformal_table_size(t.get(), &axes, &columns), CONFORMAL_OK);
   EXPECT_EQ(axes, 2);
@@ -95,7 +95,7 @@ TEST(CTable, GivesNamesUnitsValuesAndErrors) {
 
 /// Values are over mu N, and Mz over mu N R, R^2 = (a^2 + b^2)/2.
 TEST(CTable, CreepForcesHaveTheUnitsOfTheCaller) {
-  const Handle t = opened(slipping());
+  const TableHandle t = opened(slipping());
   const double ellipse[CONFORMAL_ELLIPSE_VALUES] = {9, 4, 8e4, 3e4, -1e-3, 0, 0};
   double forces[3], errors[3];
   ASSERT_EQ(conformal_table_creep_forces(t.get(), ellipse, forces, errors, nullptr, 0), CONFORMAL_OK);
@@ -112,7 +112,7 @@ TEST(CTable, SaysWhatIsWrong) {
   EXPECT_EQ(none, nullptr);
   EXPECT_THAT(message, HasSubstr("no/such.h5"));
   EXPECT_EQ(conformal_table_open(nullptr, nullptr, message, sizeof message), CONFORMAL_WRONG_INPUT);
-  const Handle t = opened(plane());
+  const TableHandle t = opened(plane());
   int count = 0;
   EXPECT_EQ(conformal_table_size(nullptr, &count, &count), CONFORMAL_WRONG_INPUT);
   EXPECT_EQ(conformal_table_axis(t.get(), 2, nullptr, nullptr, nullptr, nullptr), CONFORMAL_WRONG_INPUT);
@@ -137,7 +137,7 @@ TEST(CTable, SaysWhatIsWrong) {
   EXPECT_THAT(
       refused(conformal_table_creep_forces(t.get(), ellipse, values, nullptr, message, sizeof message)),
       HasSubstr("one of a scene"));
-  const Handle creep = opened(slipping());
+  const TableHandle creep = opened(slipping());
   std::array<double, CONFORMAL_ELLIPSE_VALUES> wrong;
   for (const auto& [index, value, words] : {std::tuple(CONFORMAL_ELLIPSE_A, 1e4, "is outside the table"),
                                             {CONFORMAL_ELLIPSE_B, 0.0, "must be positive"},
@@ -151,7 +151,7 @@ TEST(CTable, SaysWhatIsWrong) {
 }
 
 TEST(CTable, ThreadsShareATable) {
-  const Handle t = opened(plane());
+  const TableHandle t = opened(plane());
   std::vector<std::thread> threads;
   for (int i = 0; i < 4; ++i)
     threads.emplace_back([&t, i] {

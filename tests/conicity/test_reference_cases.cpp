@@ -18,7 +18,7 @@ namespace {
 
 using namespace bem_contact;
 
-constexpr KlingelLengths lengths{1500, 460};
+constexpr KlingelLengths standard_lengths{1500, 460};
 
 struct Case {
   const char *wheel, *difference;
@@ -82,7 +82,7 @@ TEST_F(ReferenceCases, ConicityOfThePrintedFunction) {
   for (const Case& c : {a, b}) {
     const auto function = printed(*reference_folder() / c.difference);
     for (int k = 0; k < 6; ++k) {
-      const auto found = equivalent_conicity(function, k + 1, lengths);
+      const auto found = equivalent_conicity(function, k + 1, standard_lengths);
       ASSERT_TRUE(found) << c.wheel << " " << k + 1;
       fmt::print("{} amplitude {} mm: {:.4f}, printed {:.4f}\n", c.difference, k + 1, found->tan_gamma,
                  c.conicity[k]);
@@ -95,7 +95,7 @@ TEST_F(ReferenceCases, ConicityOfTheProfiles) {
   for (const Case& c : {a, b}) {
     const auto function = computed(*reference_folder(), c);
     for (int k = 0; k < 6; ++k) {
-      const auto found = equivalent_conicity(function, k + 1, lengths);
+      const auto found = equivalent_conicity(function, k + 1, standard_lengths);
       ASSERT_TRUE(found) << c.wheel << " " << k + 1;
       fmt::print("{} amplitude {} mm: {:.4f}, printed {:.4f}\n", c.wheel, k + 1, found->tan_gamma,
                  c.conicity[k]);
@@ -109,8 +109,8 @@ TEST_F(ReferenceCases, ConicityOfWheelBBesideItsJump) {
   const auto from_profile = computed(*reference_folder(), b);
   const auto from_print = printed(*reference_folder() / b.difference);
   for (const double amplitude : {2.8, 3.1, 3.2}) {
-    const double expected = equivalent_conicity(from_print, amplitude, lengths)->tan_gamma;
-    const double found = equivalent_conicity(from_profile, amplitude, lengths)->tan_gamma;
+    const double expected = equivalent_conicity(from_print, amplitude, standard_lengths)->tan_gamma;
+    const double found = equivalent_conicity(from_profile, amplitude, standard_lengths)->tan_gamma;
     fmt::print("{} amplitude {} mm: {:.4f}, from the printed function {:.4f}\n", b.wheel, amplitude, found,
                expected);
     EXPECT_NEAR(found, expected, tolerance(expected));

@@ -11,6 +11,7 @@
 namespace bem_contact::scenes {
 
 inline const Material steel{82000.0, 0.28};
+inline const SolverOptions without_estimate{.estimate_discretisation = false};
 
 /// Two half-spaces on each other. Turned by pi about x, rows reversed with it, the upper body's numbers
 /// change sign where exactly one of the components is normal.

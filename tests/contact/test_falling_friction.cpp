@@ -21,9 +21,7 @@ ContactProblem locomotive(double xi, int mx = 40, int ms = 20) {
   return problem;
 }
 const FallingFriction falling = exponential_friction(0.14, 0.19, 1250);
-const SolverOptions plain{.estimate_discretisation = false};
-
-ContactResult solved(const ContactProblem& problem, SolverOptions options = plain) {
+ContactResult solved(const ContactProblem& problem, SolverOptions options = scenes::without_estimate) {
   ContactResult result = solve(problem, options);
   EXPECT_TRUE(result.converged) << result.remark << result.certificate.worst();
   return result;
@@ -31,7 +29,7 @@ ContactResult solved(const ContactProblem& problem, SolverOptions options = plai
 
 std::string refusal(const ContactProblem& problem) {
   try {
-    solve(problem, plain);
+    solve(problem, scenes::without_estimate);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -154,7 +152,7 @@ TEST(FallingFriction, WhatDoesNotSettleIsSaid) {
     for (const double xi : {8e-4, 1.6e-3}) {
       ContactProblem problem = locomotive(xi);
       problem.falling = {exponential_friction(0.14, 0.19, half)};
-      const ContactResult r = solve(problem, plain);
+      const ContactResult r = solve(problem, scenes::without_estimate);
       EXPECT_NE(r.converged, r.remark.find("did not settle in 100 iterations") != std::string::npos)
           << r.remark;
       unsettled += !r.converged;

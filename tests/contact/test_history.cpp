@@ -21,8 +21,6 @@ ContactProblem cylinders(int across) {
   return problem;
 }
 
-const SolverOptions plain{.estimate_discretisation = false};
-
 /// Shifted by Carter's force, then rolling with it: the creepage tends to Carter's, the better the smaller
 /// the elements.
 TEST(History, FromCattaneoToCarterByForce) {
@@ -31,12 +29,12 @@ TEST(History, FromCattaneoToCarterByForce) {
     ContactProblem problem = cylinders(across);
     problem.motion = MotionKind::shift;
     problem.force_x = 0.64 * friction * normal_force;
-    const ContactResult shifted = solve(problem, plain);
+    const ContactResult shifted = solve(problem, scenes::without_estimate);
     ASSERT_TRUE(shifted.converged);
     problem.motion = MotionKind::transient;
     problem.previous = {tractions_of(shifted)};
     const auto steps = solve_history(
-        problem, 3 * across, [](int, ContactProblem&) {}, plain);
+        problem, 3 * across, [](int, ContactProblem&) {}, scenes::without_estimate);
     for (const ContactResult& step : steps) {
       ASSERT_TRUE(step.converged) << step.remark;
       EXPECT_NEAR(step.Fx, *problem.force_x, 1e-6 * *problem.force_x);
@@ -56,10 +54,10 @@ TEST(History, EndsInTheSteadyState) {
   ContactProblem problem = scenes::flat({23000, 0.31}, scenes::steel, 16, 16, 0.7, 0.7, 1e-3, 1.4e-3);
   problem.force = 15000;
   scenes::set_creepage(problem, 0.3, 4e-4, 2e-4, 2e-4);
-  const ContactResult steady = solve(problem, plain);
+  const ContactResult steady = solve(problem, scenes::without_estimate);
   problem.motion = MotionKind::transient;
   const auto steps = solve_history(
-      problem, 45, [](int, ContactProblem&) {}, plain);
+      problem, 45, [](int, ContactProblem&) {}, scenes::without_estimate);
   for (const ContactResult& step : steps)
     ASSERT_TRUE(step.converged) << step.remark;
   EXPECT_LT(steps.front().Fy, 0.3 * steady.Fy);
@@ -74,9 +72,9 @@ TEST(History, MovingAndFixedGridAreTheSameStep) {
   const int mx = problem.grid.mx;
   scenes::set_creepage(problem, friction, carter_creepage, 0, 0);
   problem.motion = MotionKind::transient;
-  const ContactResult before = solve(problem, plain);
+  const ContactResult before = solve(problem, scenes::without_estimate);
   problem.previous = {tractions_of(before)};
-  const ContactResult moving = solve(problem, plain);
+  const ContactResult moving = solve(problem, scenes::without_estimate);
   // On the material's grid the contact now lies one column further on.
   ContactProblem fixed = problem;
   fixed.motion = MotionKind::shift;
@@ -85,7 +83,7 @@ TEST(History, MovingAndFixedGridAreTheSameStep) {
     fixed.gap[ix] = 0.5 / radius * x * x;
   }
   scenes::set_creepage(fixed, friction, carter_creepage * problem.grid.dx, 0, 0);
-  const ContactResult still = solve(fixed, plain);
+  const ContactResult still = solve(fixed, scenes::without_estimate);
   ASSERT_TRUE(moving.converged && still.converged);
   EXPECT_NEAR(still.Fx, moving.Fx, 1e-6 * moving.Fx);
   for (int ix = 0; ix + 1 < mx; ++ix)
@@ -100,7 +98,8 @@ TEST(History, ShiftThereAndBack) {
   scenes::set_creepage(problem, 0.4, 0, 0, 0);
   const double there = 0.7 * 0.4 * problem.force;
   const auto steps = solve_history(
-      problem, 2, [&](int k, ContactProblem& p) { p.force_x = k == 0 ? there : 0.0; }, plain);
+      problem, 2, [&](int k, ContactProblem& p) { p.force_x = k == 0 ? there : 0.0; },
+      scenes::without_estimate);
   ASSERT_TRUE(steps[0].converged && steps[1].converged) << steps[1].remark;
   // Mindlin and Deresiewicz 1953: unloading slips in from the edge by half of the force's change
   const auto shift = [&](double force) { return 1 - std::pow(1 - force / (0.4 * problem.force), 2.0 / 3); };
@@ -125,7 +124,7 @@ TEST(History, Spence) {
     scenes::set_creepage(problem, 0.2986, 0, 0, 0);
     const auto results = solve_history(
         problem, steps, [&](int k, ContactProblem& p) { p.force = force * std::pow((k + 1.0) / steps, 3); },
-        plain);
+        scenes::without_estimate);
     for (const ContactResult& step : results)
       ASSERT_TRUE(step.converged) << step.remark << step.certificate.worst();
     const ContactResult& last = results.back();
@@ -145,7 +144,7 @@ TEST(History, Spence) {
 
 TEST(History, OfSteadyRollingIsRefused) {
   EXPECT_THROW(solve_history(
-                   cylinders(10), 3, [](int, ContactProblem&) {}, plain),
+                   cylinders(10), 3, [](int, ContactProblem&) {}, scenes::without_estimate),
                InputError);
 }
 

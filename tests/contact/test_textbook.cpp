@@ -19,13 +19,14 @@ namespace bem_contact {
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr int problems = 100; // of each kind of numbers: slow there
+constexpr int problem_count = 100; // of each kind of numbers: slow there
 #else
-constexpr int problems = 500;
+constexpr int problem_count = 500;
 #endif
 
 /// The same problems every time; RC_PARAMS="seed=7 max_success=10000" in the environment asks for others.
-const int parameters = setenv("RC_PARAMS", ("seed=17 max_success=" + std::to_string(problems)).c_str(), 0);
+const int parameters =
+    setenv("RC_PARAMS", ("seed=17 max_success=" + std::to_string(problem_count)).c_str(), 0);
 
 enum class Numbers { halfspace, tangent_plane, fem, disturbed };
 
@@ -200,7 +201,7 @@ void have_the_same_tractions(Numbers kind) {
   ASSERT_TRUE(rc::check([&] { compare(random_problem(kind), seen); }));
   std::printf("%d compared, %d without contact, %d elements adhere, %d slip; %.1e to %.1e N\n", seen.compared,
               seen.without_contact, seen.adhering, seen.slipping, seen.least, seen.most);
-  EXPECT_GE(seen.compared, problems);
+  EXPECT_GE(seen.compared, problem_count);
   EXPECT_LT(seen.without_contact, 0.2 * seen.compared);
   EXPECT_GT(seen.adhering, seen.compared);
   EXPECT_GT(seen.slipping, seen.compared);
@@ -251,7 +252,7 @@ TEST(Textbook, WedgedBodiesAreCertifiedOrRefused) {
   }));
   std::printf("%d certified, %d of them by one thing after the other, %d refused\n", seen.certified,
               seen.balanced_apart, seen.refused);
-  EXPECT_GT(seen.certified, 2 * problems);
+  EXPECT_GT(seen.certified, 2 * problem_count);
   EXPECT_GT(seen.balanced_apart, 0);
 }
 

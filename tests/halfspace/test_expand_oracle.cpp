@@ -2,6 +2,7 @@
 #include "bem_contact/halfspace/flat_strip.hpp"
 #include "bem_contact/influence/expand.hpp"
 
+#include "steel.hpp"
 #include "strip_kernel.hpp"
 
 #include <gmock/gmock.h>
@@ -9,8 +10,6 @@
 using namespace bem_contact;
 
 namespace {
-
-const Material steel{82000, 0.28};
 
 /// Largest difference between expanded and closed-form numbers, relative to the self number u_n / p_n.
 double expansion_error(const InfluenceFunction& f, double dx, int offsets) {

@@ -4,6 +4,7 @@
 #include "bem_contact/halfspace/rectangle.hpp"
 
 #include "quadrature.hpp"
+#include "steel.hpp"
 
 #include <gmock/gmock.h>
 
@@ -18,8 +19,6 @@ using halfspace::averaged;
 using halfspace::Matrix3;
 
 namespace {
-
-const Material steel{82000, 0.28};
 
 /// Boussinesq-Cerruti point force at the origin, n into the body.
 Matrix3 point_force(const Material& m, double x, double s) {

@@ -6,6 +6,7 @@
 #include "bem_contact/halfspace/rectangle.hpp"
 #include "bem_contact/halfspace/resample.hpp"
 
+#include "steel.hpp"
 #include "strip_kernel.hpp"
 #include "tests/base/message.hpp"
 
@@ -19,8 +20,6 @@
 using namespace bem_contact;
 
 namespace {
-
-const Material steel{82000, 0.28};
 
 ExpandOptions options_for(double dx, int offsets) {
   ExpandOptions options;

@@ -3,6 +3,7 @@
 #include "bem_contact/halfspace/combine.hpp"
 #include "bem_contact/halfspace/flat_strip.hpp"
 #include "bem_contact/reference/conformal.hpp"
+#include "steel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,6 @@
 
 namespace bem_contact::halfspace {
 namespace {
-
-const Material steel{82000, 0.28};
 
 /// Rows ds wide about s = 0 on a circle; radius > 0 convex, < 0 concave.
 std::vector<StripRow> arc(double radius, double ds, int count) {

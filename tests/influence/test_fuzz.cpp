@@ -50,11 +50,6 @@ void write_anew(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// The smallest file with everything in it: one station, four wavenumbers.
 InfluenceFunction small_function(std::size_t stations) {
   InfluenceFunction f = sample_function();
@@ -170,7 +165,7 @@ TEST(Fuzz, NoDamagedFileIsAccepted) {
   const TemporaryFolder folder;
   write_influence_file(folder / "a.h5", small_function(1));
   write_influence_file(folder / "b.h5", small_function(2));
-  const std::string whole = bytes_of(folder / "a.h5"), other = bytes_of(folder / "b.h5");
+  const std::string whole = text_of(folder / "a.h5"), other = text_of(folder / "b.h5");
   Mutator mutate(20240229);
   for (int run = 0; run < files_each; ++run) {
     write_anew(folder / "c.h5", mutate(whole, 0, other));
@@ -182,7 +177,7 @@ TEST(Fuzz, NoSealedDamageCrashesOrPassesUnchecked) {
   const TemporaryFolder folder;
   write_influence_file(folder / "a.h5", small_function(1));
   write_influence_file(folder / "b.h5", small_function(2));
-  const std::string whole = bytes_of(folder / "a.h5"), other = bytes_of(folder / "b.h5");
+  const std::string whole = text_of(folder / "a.h5"), other = text_of(folder / "b.h5");
   Mutator mutate(20240301);
   int accepted = 0;
   for (int run = 0; run < files_each; ++run) {

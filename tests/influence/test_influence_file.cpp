@@ -17,11 +17,6 @@ using testing::HasSubstr;
 
 namespace {
 
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
@@ -80,7 +75,7 @@ TEST(InfluenceFile, SameNumbersGiveTheSameBytes) {
   const TemporaryFolder folder;
   write_influence_file(folder / "a.h5", sample_function());
   write_influence_file(folder / "b.h5", sample_function());
-  EXPECT_EQ(bytes_of(folder / "a.h5"), bytes_of(folder / "b.h5"));
+  EXPECT_EQ(text_of(folder / "a.h5"), text_of(folder / "b.h5"));
 }
 
 TEST(InfluenceFile, IsWholeOrAbsent) {
@@ -112,7 +107,7 @@ TEST(InfluenceFile, RefusesWhatIsNoInfluenceFile) {
 TEST(InfluenceFile, RefusesTruncatedAlteredAndForeignVersions) {
   const TemporaryFolder folder;
   write_influence_file(folder / "a.h5", sample_function());
-  const std::string whole = bytes_of(folder / "a.h5");
+  const std::string whole = text_of(folder / "a.h5");
 
   write_bytes(folder / "b.h5", whole.substr(0, whole.size() - 100));
   EXPECT_THAT(reading(folder / "b.h5"),
@@ -136,7 +131,7 @@ TEST(InfluenceFile, RefusesTruncatedAlteredAndForeignVersions) {
 TEST(InfluenceFile, NoFlippedByteAndNoTruncationIsAccepted) {
   const TemporaryFolder folder;
   write_influence_file(folder / "a.h5", sample_function());
-  const std::string whole = bytes_of(folder / "a.h5");
+  const std::string whole = text_of(folder / "a.h5");
   std::mt19937 random(20240229);
   for (int run = 0; run < 300; ++run) {
     std::string bytes = whole;
@@ -233,9 +228,9 @@ TEST(InfluenceFile, ReadsATableAsVersionOneOne) {
   EXPECT_EQ(g.table, f.table);
   EXPECT_EQ(g.table_offsets(), 4u);
   EXPECT_TRUE(g.kernel.empty());
-  EXPECT_THAT(bytes_of(folder / "a.h5"), HasSubstr("\nformat 1.1\n"));
+  EXPECT_THAT(text_of(folder / "a.h5"), HasSubstr("\nformat 1.1\n"));
   write_influence_file(folder / "b.h5", sample_function());
-  EXPECT_THAT(bytes_of(folder / "b.h5"), HasSubstr("\nformat 1.0\n"));
+  EXPECT_THAT(text_of(folder / "b.h5"), HasSubstr("\nformat 1.0\n"));
 }
 
 TEST(InfluenceFile, RefusesTablesThatAreNone) {

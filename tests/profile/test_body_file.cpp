@@ -14,7 +14,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-std::string refusal(const std::string& toml) {
+std::string body_refusal(const std::string& toml) {
   return message_of([&] { parse_body_file(toml, "body.toml"); });
 }
 
@@ -64,7 +64,7 @@ TEST(BodyFile, the_tolerance_chooses_what_is_not_given) {
   EXPECT_EQ(given.harmonic.samples_per_decade, 9);
   EXPECT_EQ(given.mesh.elements_per_station, 4);
   EXPECT_EQ(given.harmonic.border_levels, 4); // 16 times less by the elements, 5 times more by the degree
-  EXPECT_THAT(refusal("tolerance = 0.1"), HasSubstr("tolerance"));
+  EXPECT_THAT(body_refusal("tolerance = 0.1"), HasSubstr("tolerance"));
 }
 
 TEST(BodyFile, the_digest_of_a_mesh_sees_what_the_mesh_depends_on) {
@@ -157,7 +157,7 @@ TEST(BodyFile, every_misspelt_key_is_answered_with_the_right_one) {
       wrong.erase(1, 1);
     const std::string header = table.empty() ? "\n" : "[" + table + "]\n",
                       path = table.empty() ? "" : table + ".";
-    EXPECT_THAT(refusal(header + wrong + " = 1"),
+    EXPECT_THAT(body_refusal(header + wrong + " = 1"),
                 AllOf(StartsWith("body.toml:2: unknown key '" + path + wrong + "' ("),
                       HasSubstr("Did you mean " + path + key)));
     ++tried;
@@ -166,69 +166,70 @@ TEST(BodyFile, every_misspelt_key_is_answered_with_the_right_one) {
 }
 
 TEST(BodyFile, unknown_tables_and_misplaced_keys) {
-  EXPECT_EQ(refusal("\n[strp]\nfrom = 1"),
+  EXPECT_EQ(body_refusal("\n[strp]\nfrom = 1"),
             "body.toml:2: unknown table 'strp' (a body file has no such table) Did you mean strip?");
-  EXPECT_THAT(refusal("[mesh]\npoisson = 0.3"), HasSubstr("Did you mean material.poisson?"));
-  EXPECT_THAT(refusal("qqqqqqqq = 1"), HasSubstr("See --print-default"));
-  EXPECT_THAT(refusal("strip = 3"),
+  EXPECT_THAT(body_refusal("[mesh]\npoisson = 0.3"), HasSubstr("Did you mean material.poisson?"));
+  EXPECT_THAT(body_refusal("qqqqqqqq = 1"), HasSubstr("See --print-default"));
+  EXPECT_THAT(body_refusal("strip = 3"),
               StartsWith("body.toml:1: strip is a whole number (it is the name of a table)"));
-  EXPECT_THAT(refusal("[strip.from]\nx = 1"),
+  EXPECT_THAT(body_refusal("[strip.from]\nx = 1"),
               HasSubstr("strip.from is a table (it must be of type: number)"));
 }
 
 TEST(BodyFile, wrong_types_ranges_and_values_name_line_and_key) {
   EXPECT_EQ(
-      refusal("[strip]\nfrom = 'a'"),
+      body_refusal("[strip]\nfrom = 'a'"),
       "body.toml:2: strip.from is text (it must be of type: number) Correct it, for instance from = -45.0.");
-  EXPECT_THAT(refusal("[mesh]\nelements_per_station = 2.5"), HasSubstr("(it must be of type: whole number)"));
-  EXPECT_THAT(refusal("[mesh]\nelements_per_station = 99999999999"), HasSubstr("(out of range)"));
-  EXPECT_EQ(refusal("[strip]\nfrom = nan"),
+  EXPECT_THAT(body_refusal("[mesh]\nelements_per_station = 2.5"),
+              HasSubstr("(it must be of type: whole number)"));
+  EXPECT_THAT(body_refusal("[mesh]\nelements_per_station = 99999999999"), HasSubstr("(out of range)"));
+  EXPECT_EQ(body_refusal("[strip]\nfrom = nan"),
             "body.toml:2: strip.from = nan (the value must be finite) Give a number.");
-  EXPECT_THAT(refusal("[strip]\nto = inf"), HasSubstr("strip.to = inf (the value must be finite)"));
-  EXPECT_EQ(refusal("[material]\npoisson = 0.5"),
+  EXPECT_THAT(body_refusal("[strip]\nto = inf"), HasSubstr("strip.to = inf (the value must be finite)"));
+  EXPECT_EQ(body_refusal("[material]\npoisson = 0.5"),
             "body.toml:2: material.poisson = 0.5 (out of range) Give a value >= 0 and < 0.5.");
-  EXPECT_EQ(refusal("[material]\nshear_modulus = 0"),
+  EXPECT_EQ(body_refusal("[material]\nshear_modulus = 0"),
             "body.toml:2: material.shear_modulus = 0.0 (out of range) Give a value > 0 MPa.");
-  EXPECT_THAT(refusal("[body]\nkind = 'weel'"),
+  EXPECT_THAT(body_refusal("[body]\nkind = 'weel'"),
               AllOf(HasSubstr("(known are rail, wheel, block, disc, bore, outline)"),
                     HasSubstr("Did you mean \"wheel\"?")));
 }
 
 TEST(BodyFile, what_is_not_toml_names_the_line) {
-  EXPECT_THAT(refusal("[strip]\nfrom = = 3"),
+  EXPECT_THAT(body_refusal("[strip]\nfrom = = 3"),
               AllOf(StartsWith("body.toml:2: "), HasSubstr("(the file is not valid TOML)")));
-  EXPECT_THAT(refusal("[strip]\nfrom = 1\nfrom = 2"), StartsWith("body.toml:3: "));
+  EXPECT_THAT(body_refusal("[strip]\nfrom = 1\nfrom = 2"), StartsWith("body.toml:3: "));
 }
 
 TEST(BodyFile, the_station_width_divides_the_strip) {
   EXPECT_THAT(
-      refusal("[strip]\nfrom = -10\nto = 0\nstation_width = 0.3"),
+      body_refusal("[strip]\nfrom = -10\nto = 0\nstation_width = 0.3"),
       AllOf(StartsWith("body.toml:4: strip.station_width = 0.3 (it does not divide the strip of 10 mm"),
             HasSubstr("Use 0.303030303 for 33 stations")));
   EXPECT_NO_THROW(parse_body_file("[strip]\nfrom = -10\nto = 0\nstation_width = 0.303030303"));
-  EXPECT_THAT(refusal("[strip]\nstation_width = 0.001"), HasSubstr("25000 stations"));
-  EXPECT_THAT(refusal("[strip]\nfrom = 10"), HasSubstr("Give strip.to greater than strip.from."));
+  EXPECT_THAT(body_refusal("[strip]\nstation_width = 0.001"), HasSubstr("25000 stations"));
+  EXPECT_THAT(body_refusal("[strip]\nfrom = 10"), HasSubstr("Give strip.to greater than strip.from."));
 }
 
 TEST(BodyFile, the_strip_lies_on_the_body) {
   EXPECT_THAT(
-      refusal("[body]\nkind='disc'\nradius=10\n[strip]\nfrom=-16\nto=10\nstation_width=1"),
+      body_refusal("[body]\nkind='disc'\nradius=10\n[strip]\nfrom=-16\nto=10\nstation_width=1"),
       AllOf(StartsWith("body.toml:5: strip.from = -16.0"), HasSubstr("runs from -15.708 to 15.708 mm")));
-  EXPECT_THAT(refusal("[body]\nkind='block'\nsize=5\n[strip]\nfrom=-4\nto=6\nstation_width=1"),
+  EXPECT_THAT(body_refusal("[body]\nkind='block'\nsize=5\n[strip]\nfrom=-4\nto=6\nstation_width=1"),
               StartsWith("body.toml:6: strip.to = 6.0"));
-  EXPECT_THAT(refusal("[body]\nkind='bore'\nsize=5\nradius=6\n[strip]\nfrom=-4\nto=4"),
+  EXPECT_THAT(body_refusal("[body]\nkind='bore'\nsize=5\nradius=6\n[strip]\nfrom=-4\nto=4"),
               HasSubstr("does not fit into the block"));
 }
 
 TEST(BodyFile, an_axle_below_the_contact_surface_is_refused_with_the_way_round_it) {
-  EXPECT_THAT(refusal("[body]\nkind='outline'\nreference_radius=-50"),
+  EXPECT_THAT(body_refusal("[body]\nkind='outline'\nreference_radius=-50"),
               AllOf(StartsWith("body.toml:3: body.reference_radius = -50.0 (an axle below"),
                     HasSubstr("Turn the outline by half a turn")));
 }
 
 TEST(BodyFile, a_key_of_another_kind_of_body_is_refused) {
   EXPECT_THAT(
-      refusal("[body]\nkind = 'disc'\nprofile = '60E1'"),
+      body_refusal("[body]\nkind = 'disc'\nprofile = '60E1'"),
       StartsWith("body.toml:3: body.profile = \"60E1\" (the key has no meaning where body.kind is \"disc\""));
 }
 
@@ -238,9 +239,9 @@ TEST(BodyFile, the_material_is_given_by_G_or_by_E) {
   EXPECT_EQ(by_E.poisson, 0.3);
   EXPECT_NEAR(parse_body_file("material.young = 209920").material.shear_modulus, 82000, 1e-9);
   EXPECT_EQ(
-      refusal("[material]\nshear_modulus = 80000\nyoung = 210000"),
+      body_refusal("[material]\nshear_modulus = 80000\nyoung = 210000"),
       "body.toml:3: material.young = 210000.0 (shear_modulus is given too) Give exactly one of the two.");
-  EXPECT_THAT(refusal("[material]\nyoung = -1"), HasSubstr("(out of range)"));
+  EXPECT_THAT(body_refusal("[material]\nyoung = -1"), HasSubstr("(out of range)"));
   EXPECT_THAT(default_body_file(), HasSubstr("\n# young = 209920.0\n"));
 }
 
@@ -248,10 +249,10 @@ TEST(BodyFile, a_body_is_held_where_its_kind_can_be) {
   EXPECT_EQ(parse_body_file("body.held = 'web'").body.held, "web");
   EXPECT_EQ(parse_body_file("body.kind = 'wheel'\nbody.held = 'rim'").body.held, "rim");
   EXPECT_EQ(
-      refusal("[body]\nkind = 'rail'\nheld = 'bore'"),
+      body_refusal("[body]\nkind = 'rail'\nheld = 'bore'"),
       "body.toml:3: body.held = \"bore\" (a rail is held at its foot or its web) Use \"foot\" or \"web\".");
-  EXPECT_THAT(refusal("[body]\nkind = 'block'\nheld = 'foot'"), HasSubstr("Use \"base\" or \"sides\"."));
-  EXPECT_THAT(refusal("[body]\nkind = 'disc'\nheld = 'bore'"), HasSubstr("the key has no meaning"));
+  EXPECT_THAT(body_refusal("[body]\nkind = 'block'\nheld = 'foot'"), HasSubstr("Use \"base\" or \"sides\"."));
+  EXPECT_THAT(body_refusal("[body]\nkind = 'disc'\nheld = 'bore'"), HasSubstr("the key has no meaning"));
 }
 
 TEST(BodyFile, files_are_read_and_missing_ones_named) {

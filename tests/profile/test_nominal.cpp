@@ -65,18 +65,18 @@ MeasuredProfile read(const Points& points, ProfileKind kind, ProfileReading read
   return parse_measured_profile(as_columns(points), "p.txt", kind, reading);
 }
 
-const NominalPlace moved{{0.7, -0.5}, 0.006};
+const NominalPlace displaced{{0.7, -0.5}, 0.006};
 
 TEST(Nominal, ExactPointsGiveItBackWithItsJumpsAndItsPlace) {
   for (const char* name : {"S1002", "60E1", "60E2", "54E1", "46E3"}) {
     const ProfileKind kind = kind_of_standard(name);
-    const Points points = worn_points(name, {}, moved, 0.25);
+    const Points points = worn_points(name, {}, displaced, 0.25);
     const Warnings quiet;
     const MeasuredProfile p = read(points, kind, {.nominal = name, .keep_origin = true});
     ASSERT_TRUE(p.worn) << name;
-    EXPECT_NEAR(p.worn->place.shift.y, moved.shift.y, 1e-5) << name;
-    EXPECT_NEAR(p.worn->place.shift.z, moved.shift.z, 1e-5) << name;
-    EXPECT_NEAR(p.worn->place.angle, moved.angle, 1e-7) << name;
+    EXPECT_NEAR(p.worn->place.shift.y, displaced.shift.y, 1e-5) << name;
+    EXPECT_NEAR(p.worn->place.shift.z, displaced.shift.z, 1e-5) << name;
+    EXPECT_NEAR(p.worn->place.angle, displaced.angle, 1e-7) << name;
     EXPECT_LT(p.worn->rms_depth, 1e-5) << name;
     EXPECT_LT(off(p.curve, points).second, 1e-4) << name;
     // Half a tenth of a millimetre on either side of every jump the curvature is what it was.
@@ -85,7 +85,7 @@ TEST(Nominal, ExactPointsGiveItBackWithItsJumpsAndItsPlace) {
       for (const double side : {-0.05, 0.05})
         if (s + side > exact.s_begin() + 1 && s + side < exact.s_end() - 1) {
           const CurvePoint e = exact.at(s + side);
-          EXPECT_NEAR(p.curve.nearest(moved.to_measured(e.position)).curvature, e.curvature,
+          EXPECT_NEAR(p.curve.nearest(displaced.to_measured(e.position)).curvature, e.curvature,
                       2e-3 + 0.01 * std::abs(e.curvature))
               << name << ' ' << s + side;
         }
@@ -114,14 +114,14 @@ TEST(Nominal, TellsTheCurvatureOfTheFlangeRootFromNoisyPoints) {
 
 TEST(Nominal, WearAndPlaceAreFoundInNoisyPoints) {
   const std::vector<Bump> hollow{{0.3, 5, 15}};
-  const Points truth = worn_points("S1002", hollow, moved, 0.25);
+  const Points truth = worn_points("S1002", hollow, displaced, 0.25);
   const Warnings quiet;
   for (const double scatter : {0.002, 0.01})
     for (unsigned seed = 1; seed <= 5; ++seed) {
       const MeasuredProfile p = read(noisy(truth, scatter, seed), ProfileKind::wheel, {.nominal = "S1002"});
-      EXPECT_NEAR(p.worn->place.shift.y, moved.shift.y, 0.01);
-      EXPECT_NEAR(p.worn->place.shift.z, moved.shift.z, 0.02);
-      EXPECT_NEAR(p.worn->place.angle, moved.angle, 3e-4);
+      EXPECT_NEAR(p.worn->place.shift.y, displaced.shift.y, 0.01);
+      EXPECT_NEAR(p.worn->place.shift.z, displaced.shift.z, 0.02);
+      EXPECT_NEAR(p.worn->place.angle, displaced.angle, 3e-4);
       EXPECT_NEAR(p.worn->largest_depth, 0.3, 0.02);
       EXPECT_GT(p.worn->least_depth, -0.02);
       EXPECT_LT(off(p.curve, truth).first, 0.4 * scatter); // points alone: their scatter
@@ -198,7 +198,7 @@ TEST(Nominal, PointsBeyondItsEndsAreLeftOutAndCounted) {
 
 /// Of right and left wheels, z up or down, the same curve is made.
 TEST(Nominal, MirroredAndTurnedFilesGiveTheSameCurve) {
-  const Points truth = noisy(worn_points("S1002", {{0.3, 5, 15}}, moved, 0.25), 0.005, 4);
+  const Points truth = noisy(worn_points("S1002", {{0.3, 5, 15}}, displaced, 0.25), 0.005, 4);
   const Warnings quiet;
   const ProfileReading reading{.nominal = "S1002"};
   const ProfileCurve curve = read(truth, ProfileKind::wheel, reading).curve;
@@ -308,8 +308,8 @@ TEST(Nominal, AnotherShapeIsRefusedWithItsFigures) {
     roller.push_back({-30 * std::sin(angle), 30 * std::cos(angle)});
   const ProfileReading as_is{.nominal = "S1002", .profile_z = ProfileZ::down, .keep_origin = true};
   EXPECT_THAT(refusal(roller, ProfileKind::wheel, as_is),
-              AllOf(HasSubstr("not one of S1002 that is worn"), HasSubstr("moved by"), HasSubstr("degrees"),
-                    HasSubstr("root mean square"), HasSubstr("at most 5 mm"),
+              AllOf(HasSubstr("not one of S1002 that is worn"), HasSubstr("displaced by"),
+                    HasSubstr("degrees"), HasSubstr("root mean square"), HasSubstr("at most 5 mm"),
                     HasSubstr("leave out nominal")));
   // Worn by 6 mm.
   EXPECT_THAT(refusal(worn_points("60E1", {{6, -30, 10}}, {}, 0.25), ProfileKind::rail, {.nominal = "60E1"}),
@@ -330,11 +330,13 @@ std::string said(const Points& points, ProfileKind kind, const ProfileReading& r
 }
 
 TEST(NoisyFile, IsToldFromWhichStandardItMayBeWorn) {
-  EXPECT_THAT(said(noisy(worn_points("S1002", {{0.3, 5, 15}}, moved, 0.25), 0.005, 1), ProfileKind::wheel),
-              AllOf(HasSubstr("looks like S1002 worn by -0.0"), HasSubstr("nominal = \"S1002\"")));
+  EXPECT_THAT(
+      said(noisy(worn_points("S1002", {{0.3, 5, 15}}, displaced, 0.25), 0.005, 1), ProfileKind::wheel),
+      AllOf(HasSubstr("looks like S1002 worn by -0.0"), HasSubstr("nominal = \"S1002\"")));
   for (const char* rail : {"60E1", "60E2", "54E1", "46E3"})
-    EXPECT_THAT(said(noisy(worn_points(rail, {{0.3, -20, 10}}, moved, 0.25), 0.005, 1), ProfileKind::rail),
-                HasSubstr(std::string("nominal = \"") + rail + "\""));
+    EXPECT_THAT(
+        said(noisy(worn_points(rail, {{0.3, -20, 10}}, displaced, 0.25), 0.005, 1), ProfileKind::rail),
+        HasSubstr(std::string("nominal = \"") + rail + "\""));
   Points groove;
   for (double angle = -0.6; angle <= 0.6; angle += 0.005)
     groove.push_back({60 * std::sin(angle), 60 * std::cos(angle)});

@@ -32,7 +32,7 @@ ProfileCurve profile(const std::string& text) {
   return body_profile(parse_body_file(text, "body.toml"));
 }
 
-std::string refusal(const std::string& text) {
+std::string outline_refusal(const std::string& text) {
   return message_of([&] { profile(text); });
 }
 
@@ -89,35 +89,37 @@ TEST(OwnOutline, a_half_circle_is_the_disc_and_the_bore) {
 }
 
 TEST(OwnOutline, what_is_no_closed_smooth_outline_is_refused) {
-  EXPECT_THAT(refusal(toml("")),
+  EXPECT_THAT(outline_refusal(toml("")),
               AllOf(HasSubstr("the outline of part has 0 pieces"), HasSubstr("{ to = [y, z] }")));
-  EXPECT_THAT(refusal(toml("{to = [0, 0], group = 'contact'},\n{to = [9, 0], group = 'held'},\n")),
+  EXPECT_THAT(outline_refusal(toml("{to = [0, 0], group = 'contact'},\n{to = [9, 0], group = 'held'},\n")),
               HasSubstr("the outline of part has 2 pieces"));
-  EXPECT_THAT(refusal(toml("{to = [-10, 10]},\n" + corner)),
+  EXPECT_THAT(outline_refusal(toml("{to = [-10, 10]},\n" + corner)),
               AllOf(HasSubstr("piece 2 of the outline of part from (-10, 10) to (-10, 10) mm has no length"),
                     HasSubstr("the loop is closed")));
-  EXPECT_THAT(
-      refusal(toml("{to = [0, 0]},\n{to = [20, 0], radius = -9.9, group = 'contact'},\n{to = [20, 50], "
-                   "group = 'held'},\n{to = [0, 50]},\n")),
-      AllOf(HasSubstr("piece 2"), HasSubstr("is no arc"),
-            HasSubstr("its ends are 20 mm apart, more than twice its radius of 9.9 mm")));
+  EXPECT_THAT(outline_refusal(
+                  toml("{to = [0, 0]},\n{to = [20, 0], radius = -9.9, group = 'contact'},\n{to = [20, 50], "
+                       "group = 'held'},\n{to = [0, 50]},\n")),
+              AllOf(HasSubstr("piece 2"), HasSubstr("is no arc"),
+                    HasSubstr("its ends are 20 mm apart, more than twice its radius of 9.9 mm")));
   const std::string head = "{to = [0, 0]},\n{to = [20, 0], group = 'contact'},\n";
-  EXPECT_THAT(refusal(toml(head + "{to = [20, 50]},\n{to = [0, 50]},\n")),
+  EXPECT_THAT(outline_refusal(toml(head + "{to = [20, 50]},\n{to = [0, 50]},\n")),
               AllOf(HasSubstr("nothing holds part"), HasSubstr("group = \"held\"")));
-  EXPECT_THAT(refusal(toml(head + "{to = [40, 2], group = 'contact'},\n{to = [0, 50], group = 'held'},\n")),
-              AllOf(HasSubstr("the contact surface of part has a corner at (20, 0) mm"),
-                    HasSubstr("meet at 0.09967 rad, at most 0.01")));
-  EXPECT_THAT(refusal(toml(head + "{to = [20, 50]},\n{to = [0, 50], group = 'contact'},\n")),
-              HasSubstr("form 2 separate runs"));
-  EXPECT_THAT(refusal(toml("{to = [0, 0]},\n{to = [9, 0]},\n{to = [9, 9], group = 'held'},\n")),
-              HasSubstr("has no contact piece"));
-  EXPECT_THAT(refusal(toml("{to = [0, 0], group = 'contact'},\n{to = [9, 0], group = 'contact'},\n{to = [9, "
-                           "9], group = 'contact'},\n")),
-              HasSubstr("has only contact piece"));
   EXPECT_THAT(
-      refusal(toml("{to = [20, 0]},\n{to = [0, 0], group = 'contact'},\n{to = [0, 50], group = 'held'},\n"
-                   "{to = [20, 50]},\n")),
-      AllOf(HasSubstr("is walked the wrong way round"), HasSubstr("Reverse the order")));
+      outline_refusal(toml(head + "{to = [40, 2], group = 'contact'},\n{to = [0, 50], group = 'held'},\n")),
+      AllOf(HasSubstr("the contact surface of part has a corner at (20, 0) mm"),
+            HasSubstr("meet at 0.09967 rad, at most 0.01")));
+  EXPECT_THAT(outline_refusal(toml(head + "{to = [20, 50]},\n{to = [0, 50], group = 'contact'},\n")),
+              HasSubstr("form 2 separate runs"));
+  EXPECT_THAT(outline_refusal(toml("{to = [0, 0]},\n{to = [9, 0]},\n{to = [9, 9], group = 'held'},\n")),
+              HasSubstr("has no contact piece"));
+  EXPECT_THAT(
+      outline_refusal(toml("{to = [0, 0], group = 'contact'},\n{to = [9, 0], group = 'contact'},\n{to = [9, "
+                           "9], group = 'contact'},\n")),
+      HasSubstr("has only contact piece"));
+  EXPECT_THAT(outline_refusal(
+                  toml("{to = [20, 0]},\n{to = [0, 0], group = 'contact'},\n{to = [0, 50], group = 'held'},\n"
+                       "{to = [20, 50]},\n")),
+              AllOf(HasSubstr("is walked the wrong way round"), HasSubstr("Reverse the order")));
 }
 
 TEST(OwnOutline, a_body_of_revolution_keeps_off_its_axle) {
@@ -126,24 +128,26 @@ TEST(OwnOutline, a_body_of_revolution_keeps_off_its_axle) {
                 "{to = [9, -20], radius = 15, group = 'held'},\n",
                 "reference_radius = " + radius + "\n");
   };
-  EXPECT_EQ(refusal(roller("30")), "no error");
-  EXPECT_THAT(refusal(roller("23")), AllOf(HasSubstr("part reaches its axle"), // the arc's top is 3 mm higher
-                                           HasSubstr("Raise [body] reference_radius")));
+  EXPECT_EQ(outline_refusal(roller("30")), "no error");
+  EXPECT_THAT(outline_refusal(roller("23")),
+              AllOf(HasSubstr("part reaches its axle"), // the arc's top is 3 mm higher
+                    HasSubstr("Raise [body] reference_radius")));
 }
 
 TEST(OwnOutline, wrong_keys_name_their_line) {
-  EXPECT_THAT(refusal(toml("{to = [0, 0]},\n{to = [9, 0], raduis = 3},\n")),
+  EXPECT_THAT(outline_refusal(toml("{to = [0, 0]},\n{to = [9, 0], raduis = 3},\n")),
               AllOf(HasSubstr("body.toml:6: unknown key 'body.outline.raduis'"),
                     HasSubstr("Did you mean body.outline.radius?")));
-  EXPECT_THAT(refusal(toml("{radius = 3},\n")), HasSubstr("body.toml:5: body.outline.to is missing"));
-  EXPECT_THAT(refusal(toml("{to = [0, 0, 0]},\n")),
+  EXPECT_THAT(outline_refusal(toml("{radius = 3},\n")), HasSubstr("body.toml:5: body.outline.to is missing"));
+  EXPECT_THAT(outline_refusal(toml("{to = [0, 0, 0]},\n")),
               AllOf(HasSubstr("body.outline.to is a list (it must be of type: two numbers)")));
-  EXPECT_THAT(refusal(toml("{to = [0, nan]},\n")), HasSubstr("the value must be finite"));
-  EXPECT_THAT(refusal(toml("{to = [0, 0], group = 'strip'},\n")), HasSubstr("known are contact, held, free"));
-  EXPECT_THAT(refusal(toml("[0, 0],\n")), HasSubstr("it must be of type: list of tables"));
-  EXPECT_THAT(refusal(toml(corner, "holes = [{centre = [0, 50], radius = 0}]\n")),
+  EXPECT_THAT(outline_refusal(toml("{to = [0, nan]},\n")), HasSubstr("the value must be finite"));
+  EXPECT_THAT(outline_refusal(toml("{to = [0, 0], group = 'strip'},\n")),
+              HasSubstr("known are contact, held, free"));
+  EXPECT_THAT(outline_refusal(toml("[0, 0],\n")), HasSubstr("it must be of type: list of tables"));
+  EXPECT_THAT(outline_refusal(toml(corner, "holes = [{centre = [0, 50], radius = 0}]\n")),
               HasSubstr("body.toml:4: body.holes.radius = 0.0 (out of range)"));
-  EXPECT_THAT(refusal(toml(corner, "radius = 3\n")), HasSubstr("only where it is disc or bore"));
+  EXPECT_THAT(outline_refusal(toml(corner, "radius = 3\n")), HasSubstr("only where it is disc or bore"));
 }
 
 TEST(NamedProfile, of_a_body_file_is_its_contact_curve) {

@@ -1,6 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/read_profile.hpp"
-#include "tests/base/message.hpp"
+#include "refusal.hpp"
 #include "warnings.hpp"
 
 #include <fmt/format.h>
@@ -13,11 +13,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-std::string refusal(const std::string& text) {
-  const Warnings warnings;
-  return message_of([&] { parse_profile(text, "p.txt", ProfileKind::rail); });
-}
 
 std::string simpack(const std::string& flags, const std::string& points, int type = 0) {
   return fmt::format(

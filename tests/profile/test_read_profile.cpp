@@ -1,6 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "refusal.hpp"
 #include "tests/base/message.hpp"
 #include "warnings.hpp"
 
@@ -53,11 +54,6 @@ double deviation(const ProfileCurve& curve, const std::string& standard) {
   return worst;
 }
 constexpr double sampling = 1e-3; // what half a millimetre between points costs where curvature jumps
-
-std::string refusal(const std::string& text, ProfileKind kind = ProfileKind::rail) {
-  const Warnings warnings;
-  return message_of([&] { parse_profile(text, "p.txt", kind); });
-}
 
 TEST(PlainProfile, reads_what_it_should_without_a_word) {
   const Warnings warnings;

@@ -1,6 +1,8 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 
+#include "tests/base/message.hpp"
+
 #include <gmock/gmock.h>
 
 namespace {
@@ -11,13 +13,8 @@ using ::testing::HasSubstr;
 constexpr const char* text = "kind = \"wheel_rail\"\nrail.profile = \"60E1\"\nwheel.profile = \"S1002\"\n"
                              "load.force = 1e5\n";
 
-std::string message_of(SceneReader& reader, const SceneChange& change) {
-  try {
-    reader.set(change);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+std::string refusal_of(SceneReader& reader, const SceneChange& change) {
+  return message_of([&] { reader.set(change); });
 }
 
 TEST(SceneReader, GivesWhatReadingWithTheSameChangesGives) {
@@ -40,11 +37,11 @@ TEST(SceneReader, GivesWhatReadingWithTheSameChangesGives) {
 TEST(SceneReader, AKeyThatIsRefusedKeepsItsValue) {
   SceneReader reader(text, "text", "");
   reader.set({"position.lateral", 4.0});
-  EXPECT_THAT(message_of(reader, {"position.lateral", std::string("far")}),
+  EXPECT_THAT(refusal_of(reader, {"position.lateral", std::string("far")}),
               HasSubstr("position.lateral is text"));
-  EXPECT_THAT(message_of(reader, {"position.laterol", 1.0}), HasSubstr("position.lateral"));
-  EXPECT_THAT(message_of(reader, {"load.force", -1.0}), HasSubstr("load.force"));
-  EXPECT_THAT(message_of(reader, {"gap.a", 1.0}), HasSubstr("gap.a"));
+  EXPECT_THAT(refusal_of(reader, {"position.laterol", 1.0}), HasSubstr("position.lateral"));
+  EXPECT_THAT(refusal_of(reader, {"load.force", -1.0}), HasSubstr("load.force"));
+  EXPECT_THAT(refusal_of(reader, {"gap.a", 1.0}), HasSubstr("gap.a"));
   const SceneFile scene = reader.scene();
   EXPECT_EQ(scene.position.lateral, 4.0);
   EXPECT_EQ(scene.load.force, 1e5);

@@ -137,7 +137,7 @@ TEST(LateralForce, AJumpOverTheForceIsNoSolution) {
   }
 }
 
-SceneFile rolling(double lateral, const std::string& more = "") {
+SceneFile rolling_at(double lateral, const std::string& more = "") {
   return parse_scene_file(
       fmt::format("rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nposition.lateral = {}\n"
                   "load.force = 1e5\nsolver.model = \"halfspace\"\ngrid.dx = 1.0\ngrid.ds = 0.6\n{}",
@@ -145,10 +145,10 @@ SceneFile rolling(double lateral, const std::string& more = "") {
 }
 
 TEST(PrescribedLateralForce, FindsThePositionThatBearsIt) {
-  const SceneResult there = Sequence().solve(rolling(6.62));
+  const SceneResult there = Sequence().solve(rolling_at(6.62));
   Sequence sequence;
   const SceneResult found =
-      sequence.solve(rolling(6.5, fmt::format("load.force_y = {:.17g}\n", there.result.Fy)));
+      sequence.solve(rolling_at(6.5, fmt::format("load.force_y = {:.17g}\n", there.result.Fy)));
   ASSERT_TRUE(found.found_lateral && found.result.certificate.holds());
   EXPECT_NEAR(found.found_lateral->lateral, 6.62, 1e-5);
   EXPECT_NEAR(found.result.Fy, there.result.Fy, 0.2);
@@ -157,7 +157,7 @@ TEST(PrescribedLateralForce, FindsThePositionThatBearsIt) {
   // The next one on the same branch: rough solutions are there already.
   const int rough = sequence.counts().rough;
   EXPECT_LE(rough, 40);
-  const SceneResult next = sequence.solve(rolling(6.5, "load.force_y = 2e4\n"));
+  const SceneResult next = sequence.solve(rolling_at(6.5, "load.force_y = 2e4\n"));
   EXPECT_LE(sequence.counts().rough - rough, 20);
   EXPECT_NEAR(next.result.Fy, 2e4, 0.2);
   EXPECT_LT(*next.lateral, 6.62);
@@ -166,7 +166,7 @@ TEST(PrescribedLateralForce, FindsThePositionThatBearsIt) {
 TEST(PrescribedLateralForce, ATreadWhoseForceSaysLittleIsFoundWithinTheStatedError) {
   // With friction, forces on the tread lie within 500 N over 6 mm, and each has an error of some ten newtons.
   const auto finer = [](double lateral) {
-    SceneFile scene = rolling(lateral, "position.cant = 0.025\n");
+    SceneFile scene = rolling_at(lateral, "position.cant = 0.025\n");
     scene.grid.dx = 0.6, scene.grid.ds = 0.4;
     return scene;
   };
@@ -188,8 +188,8 @@ TEST(PrescribedLateralForce, ATreadWhoseForceSaysLittleIsFoundWithinTheStatedErr
 }
 
 TEST(PrescribedLateralForce, AnUnknownErrorOfTheForceIsWarnedOfToo) {
-  const double force = Sequence().solve(rolling(0)).result.Fy;
-  const SceneResult found = Sequence().solve(rolling(0.1, fmt::format("load.force_y = {:.17g}\n", force)));
+  const double force = Sequence().solve(rolling_at(0)).result.Fy;
+  const SceneResult found = Sequence().solve(rolling_at(0.1, fmt::format("load.force_y = {:.17g}\n", force)));
   ASSERT_TRUE(found.found_lateral);
   ASSERT_TRUE(std::isnan(found.found_lateral->error)) << "the elements are too large for an estimate";
   EXPECT_THAT(found.warnings, Contains(HasSubstr("and its error is not known")));
@@ -197,9 +197,9 @@ TEST(PrescribedLateralForce, AnUnknownErrorOfTheForceIsWarnedOfToo) {
 
 TEST(PrescribedLateralForce, ATreadWithoutFrictionIsFoundWithoutAWarning) {
   const std::string more = "motion.frictionless = true\nposition.cant = 0.025\n";
-  const SceneResult there = Sequence().solve(rolling(1, more));
+  const SceneResult there = Sequence().solve(rolling_at(1, more));
   const SceneResult found =
-      Sequence().solve(rolling(1.1, more + fmt::format("load.force_y = {:.17g}\n", there.result.Fy)));
+      Sequence().solve(rolling_at(1.1, more + fmt::format("load.force_y = {:.17g}\n", there.result.Fy)));
   ASSERT_TRUE(found.found_lateral);
   EXPECT_NEAR(found.found_lateral->lateral, 1, found.found_lateral->error);
   EXPECT_LT(found.found_lateral->error, 0.02);
@@ -209,10 +209,10 @@ TEST(PrescribedLateralForce, ATreadWithoutFrictionIsFoundWithoutAWarning) {
 
 TEST(PrescribedLateralForce, TheLeastForceOfATreadIsFound) {
   const std::string more = "motion.frictionless = true\nposition.cant = 0.05\n";
-  const SceneResult there = Sequence().solve(rolling(-1, more));
+  const SceneResult there = Sequence().solve(rolling_at(-1, more));
   for (const double start : {-1.1, -0.9}) {
     const SceneResult found =
-        Sequence().solve(rolling(start, more + fmt::format("load.force_y = {:.17g}\n", there.result.Fy)));
+        Sequence().solve(rolling_at(start, more + fmt::format("load.force_y = {:.17g}\n", there.result.Fy)));
     ASSERT_TRUE(found.found_lateral);
     EXPECT_NEAR(found.found_lateral->lateral, -1, found.found_lateral->error);
     EXPECT_THAT(found.warnings, Contains(HasSubstr("says little of the lateral displacement")));
@@ -220,28 +220,30 @@ TEST(PrescribedLateralForce, TheLeastForceOfATreadIsFound) {
 }
 
 TEST(PrescribedLateralForce, TheNearestBranchIsTakenAndTheOthersAreSaid) {
-  const SceneResult flange = Sequence().solve(rolling(7, "motion.frictionless = true\nload.force_y = 2e5\n"));
+  const SceneResult flange =
+      Sequence().solve(rolling_at(7, "motion.frictionless = true\nload.force_y = 2e5\n"));
   ASSERT_TRUE(flange.found_lateral);
   ASSERT_FALSE(flange.found_lateral->others.empty()) << "behind the steepest place of the flange";
   const double other = flange.found_lateral->others.front();
   const SceneResult beyond =
-      Sequence().solve(rolling(other, "motion.frictionless = true\nload.force_y = 2e5\n"));
+      Sequence().solve(rolling_at(other, "motion.frictionless = true\nload.force_y = 2e5\n"));
   EXPECT_NEAR(beyond.found_lateral->lateral, other, 0.1);
   EXPECT_NEAR(beyond.result.Fy, 2e5, 0.3);
 }
 
 TEST(PrescribedLateralForce, ALeftWheelIsTheMirrorImage) {
-  const SceneResult right = Sequence().solve(rolling(6.5, "load.force_y = 3e4\n"));
-  const SceneResult left = Sequence().solve(rolling(-6.5, "position.side = \"left\"\nload.force_y = 3e4\n"));
+  const SceneResult right = Sequence().solve(rolling_at(6.5, "load.force_y = 3e4\n"));
+  const SceneResult left =
+      Sequence().solve(rolling_at(-6.5, "position.side = \"left\"\nload.force_y = 3e4\n"));
   EXPECT_NEAR(*left.lateral, -*right.lateral, 1e-7);
   EXPECT_NEAR(largest_pressure(left.result), largest_pressure(right.result), 1e-3);
 }
 
 TEST(PrescribedLateralForce, WhatCannotBeIsRefused) {
-  EXPECT_THAT(message_of([] { Sequence().solve(rolling(0, "load.force_y = 1e9\n")); }),
+  EXPECT_THAT(message_of([] { Sequence().solve(rolling_at(0, "load.force_y = 1e9\n")); }),
               AllOf(HasSubstr("No lateral displacement gives a lateral force of 1e+09 N"),
                     HasSubstr("the force on the rail is between")));
-  EXPECT_THAT(message_of([] { rolling(0, "load.force_y = 1e4\nmotion.kind = \"transient\"\n"); }),
+  EXPECT_THAT(message_of([] { rolling_at(0, "load.force_y = 1e4\nmotion.kind = \"transient\"\n"); }),
               HasSubstr("another one at each step"));
   EXPECT_THAT(message_of([] {
                 parse_scene_file("rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nload.approach = 0.1\n"

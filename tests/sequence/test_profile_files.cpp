@@ -46,7 +46,7 @@ struct Contact {
   double pmax = 0, area = 0;
 };
 
-Contact solved(const SceneFile& scene) {
+Contact contact_of(const SceneFile& scene) {
   const ContactResult result = Sequence().solve(scene).result;
   return {largest_pressure(result), contact_area(result)};
 }
@@ -55,13 +55,13 @@ Contact solved(const SceneFile& scene) {
 TEST_F(ProfileFiles, SmoothingAsAdvisedGivesTheSmoothContact) {
   const std::string on_the_tread = "rail.profile = \"60E1\"\nwheel.profile = \"w.txt\"\n";
   write("w.txt", wheel());
-  const Contact exact = solved(scene(on_the_tread));
+  const Contact exact = contact_of(scene(on_the_tread));
   for (const double scatter : {0.002, 0.01})
     for (unsigned seed = 1; seed <= 4; ++seed) {
       const std::vector<Point2> points = noisy(wheel(), scatter, seed);
       write("w.txt", points);
-      const Contact rough = solved(scene(on_the_tread));
-      const Contact smooth = solved(
+      const Contact rough = contact_of(scene(on_the_tread));
+      const Contact smooth = contact_of(
           scene(on_the_tread + fmt::format("wheel.smoothing = {:.2g}\n", measure_noise(points).smoothing)));
       EXPECT_GT(rough.pmax, 1.1 * exact.pmax) << scatter << ' ' << seed;
       EXPECT_NEAR(smooth.pmax, exact.pmax, 0.03 * exact.pmax) << scatter << ' ' << seed;
@@ -75,10 +75,10 @@ TEST_F(ProfileFiles, ANominalProfileGivesTheSmoothContactInTheConformalCorner) {
   const std::string in_the_corner =
       "rail.profile = \"60E1\"\nwheel.profile = \"w.txt\"\nposition.lateral = 6.6\n";
   write("w.txt", wheel());
-  const Contact exact = solved(scene(in_the_corner));
+  const Contact exact = contact_of(scene(in_the_corner));
   for (unsigned seed = 1; seed <= 4; ++seed) {
     write("w.txt", noisy(wheel(), 0.01, seed));
-    const Contact smooth = solved(scene(in_the_corner + "wheel.nominal = \"S1002\"\n"));
+    const Contact smooth = contact_of(scene(in_the_corner + "wheel.nominal = \"S1002\"\n"));
     EXPECT_NEAR(smooth.pmax, exact.pmax, 0.03 * exact.pmax) << seed;
     EXPECT_NEAR(smooth.area, exact.area, 0.03 * exact.area) << seed;
   }
@@ -91,9 +91,9 @@ TEST_F(ProfileFiles, AWheelMeasuredFromTheBackOfItsFlangeStandsWhereItShould) {
   write("tape.txt", wheel());
   write("back.txt", from_back);
   const std::string rail = "rail.profile = \"60E1\"\nposition.lateral = 3\n";
-  const Contact by_tape = solved(scene(rail + "wheel.profile = \"tape.txt\"\n"));
-  const Contact found = solved(scene(rail + "wheel.profile = \"back.txt\"\n"));
-  const Contact said = solved(scene(rail + "wheel.profile = \"back.txt\"\nwheel.flange_back = 0\n"));
+  const Contact by_tape = contact_of(scene(rail + "wheel.profile = \"tape.txt\"\n"));
+  const Contact found = contact_of(scene(rail + "wheel.profile = \"back.txt\"\n"));
+  const Contact said = contact_of(scene(rail + "wheel.profile = \"back.txt\"\nwheel.flange_back = 0\n"));
   EXPECT_NEAR(found.pmax, by_tape.pmax, 1e-4 * by_tape.pmax);
   EXPECT_EQ(said.pmax, found.pmax);
 }
@@ -128,7 +128,7 @@ TEST_F(ProfileFiles, ARollerInAGrooveNeedsNeitherGaugeFaceNorFlange) {
   const Contact hertz = [&] {
     SceneFile closed_form = placed;
     closed_form.solver.model = Model::hertz;
-    return solved(closed_form);
+    return contact_of(closed_form);
   }();
   EXPECT_NEAR(contact.pmax, hertz.pmax, 0.02 * hertz.pmax);
   EXPECT_THAT(result.warnings, Not(Contains(HasSubstr("flange"))));

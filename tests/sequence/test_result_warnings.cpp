@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-SceneResult solved(const std::string& more, double dx = 1.0) {
+SceneResult on_standard_rail(const std::string& more, double dx = 1.0) {
   return Sequence().solve(parse_scene_file(
       fmt::format("rail.profile = '60E1'\nwheel.profile = 'S1002'\nsolver.model = 'halfspace'\n"
                   "grid.dx = {}\ngrid.ds = {}\n{}",
@@ -22,27 +22,28 @@ SceneResult solved(const std::string& more, double dx = 1.0) {
 }
 
 TEST(ResultWarnings, AnOrdinaryContactHasNone) {
-  EXPECT_THAT(solved("load.force = 6e4").warnings, IsEmpty());
+  EXPECT_THAT(on_standard_rail("load.force = 6e4").warnings, IsEmpty());
 }
 
 TEST(ResultWarnings, PressureThatSteelDoesNotBearIsSaid) {
-  const SceneResult r = solved("load.force = 1.2e5\nposition.lateral = 6.4", 0.7);
+  const SceneResult r = on_standard_rail("load.force = 1.2e5\nposition.lateral = 6.4", 0.7);
   ASSERT_GT(largest_pressure(r.result), 1560);
   EXPECT_THAT(r.warnings, Contains(HasSubstr("three times the yield strength")));
-  const SceneResult soft = solved("load.force = 1.2e5\nposition.lateral = 6.4\n"
-                                  "rail.material.shear_modulus = 5e4\nwheel.material.shear_modulus = 5e4",
-                                  0.7);
+  const SceneResult soft =
+      on_standard_rail("load.force = 1.2e5\nposition.lateral = 6.4\n"
+                       "rail.material.shear_modulus = 5e4\nwheel.material.shear_modulus = 5e4",
+                       0.7);
   EXPECT_THAT(soft.warnings, Not(Contains(HasSubstr("yield strength")))) << "not of steel";
 }
 
 TEST(ResultWarnings, ACreepageAboveTenPercentIsSaid) {
-  EXPECT_THAT(solved("load.force = 6e4\nmotion.xi = 0.15").warnings,
+  EXPECT_THAT(on_standard_rail("load.force = 6e4\nmotion.xi = 0.15").warnings,
               Contains(HasSubstr("the creepage is above 10 % (along x 0.1")));
-  EXPECT_THAT(solved("load.force = 6e4\nmotion.xi = 0.01").warnings, IsEmpty());
+  EXPECT_THAT(on_standard_rail("load.force = 6e4\nmotion.xi = 0.01").warnings, IsEmpty());
 }
 
 TEST(ResultWarnings, ElementsThatAreTooLargeAreSaidWithTheirSize) {
-  EXPECT_THAT(solved("load.force = 6e4", 4.0).warnings,
+  EXPECT_THAT(on_standard_rail("load.force = 6e4", 4.0).warnings,
               Contains(HasSubstr("the elements are too large for this contact (patch 1")));
 }
 

@@ -53,7 +53,7 @@ CollectiveCase corner(const char* model) {
       1.0};
 }
 
-std::filesystem::path folder() {
+std::filesystem::path shared_folder() {
   static const TemporaryFolder out;
   return out.path();
 }
@@ -69,8 +69,8 @@ KeptPair unworn_files() {
 TEST(KeptInfluence, FemWearsLikeTheHalfSpace) {
   const EvolutionOptions options{.law = EnergyLaw{.mild_until = 1e9, .severe_until = 1e9}, .cap = 0.02};
   const WornPair begin = unworn(corner("fem").scene);
-  const WornPair fem = wear_step(begin, {corner("fem")}, options, 1, folder(), unworn_files());
-  const WornPair half = wear_step(begin, {corner("halfspace")}, options, 1, folder());
+  const WornPair fem = wear_step(begin, {corner("fem")}, options, 1, shared_folder(), unworn_files());
+  const WornPair half = wear_step(begin, {corner("halfspace")}, options, 1, shared_folder());
   EXPECT_NEAR(fem.largest(), 0.02, 1e-9);
   EXPECT_NEAR(fem.rail.area / fem.revolutions, half.rail.area / half.revolutions,
               0.15 * half.rail.area / half.revolutions);
@@ -78,14 +78,14 @@ TEST(KeptInfluence, FemWearsLikeTheHalfSpace) {
     return std::ranges::max_element(body.depth) - body.depth.begin();
   };
   EXPECT_NEAR(deepest(fem.rail), deepest(half.rail), 8); // points, 0.25 mm apart
-  const WornPair second = wear_step(fem, {corner("fem")}, options, 1, folder(), unworn_files());
+  const WornPair second = wear_step(fem, {corner("fem")}, options, 1, shared_folder(), unworn_files());
   EXPECT_GT(second.rail.area, fem.rail.area);
   EXPECT_NEAR(area_between(begin.rail.points, second.rail.points), second.rail.area, 1e-6 * second.rail.area);
 }
 
 std::string refusal(const WornPair& pair, const EvolutionOptions& options, const KeptPair& kept) {
   try {
-    wear_step(pair, {corner("fem")}, options, 1, folder(), kept);
+    wear_step(pair, {corner("fem")}, options, 1, shared_folder(), kept);
   } catch (const InputError& error) {
     return error.what();
   }
