@@ -1,5 +1,6 @@
 #include "bem_contact/app/comparison_report.hpp"
 
+#include "bem_contact/app/error_text.hpp"
 #include "bem_contact/app/report.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 
@@ -67,12 +68,15 @@ constexpr ComparedQuantity compared[] = {
     {"lateral", "mm", "lateral", Scale::plain},
 };
 
+/// Whether two approaches are the same quantity: they are relative to the same places.
+bool same_datum(const SceneResult& a, const SceneResult& b) {
+  return a.approach_datum == b.approach_datum;
+}
+
 /// What the reference is beyond the model; nothing where it would be of zero.
 Value difference(const ComparedQuantity& q, const SceneResult& model, const SceneResult& reference) {
   const Value a = q.of(model), b = q.of(reference);
-  // Approaches that are relative to different places are not the same quantity.
-  const bool same_datum = q.name != approach_name || model.approach_datum == reference.approach_datum;
-  if (!a || !b || !same_datum)
+  if (!a || !b || (q.name == approach_name && !same_datum(model, reference)))
     return std::nullopt;
   const double scale = scale_of(q.scale, *a, model);
   return scale > 0 ? Value((*b - *a) / scale) : std::nullopt;
@@ -128,6 +132,23 @@ std::string discretisation_text(const SceneResult& r) {
   return estimate < 0 ? "-" : fmt::format("{:.2f} %", 100 * estimate);
 }
 
+/// Stated errors, one a model; "" where there is none.
+std::string errors_line(const std::vector<double>& errors) {
+  std::string out = line("", "+-");
+  for (const double error : errors)
+    out += cell(two_digits(error));
+  const bool any = std::ranges::any_of(errors, [](double e) { return e > 0; });
+  return any ? out + '\n' : "";
+}
+
+std::string errors_line(const ComparedQuantity& q, const std::vector<SceneResult>& results) {
+  std::vector<double> errors;
+  const auto error = quantity(q.name).error;
+  for (const SceneResult& r : results)
+    errors.push_back(error && q.of(r) ? error(r) : unknown_error);
+  return errors_line(errors);
+}
+
 /// A column for each model, then one for each difference.
 std::string table(const Comparison& c, const std::vector<SceneResult>& results) {
   const SceneResult& reference = results[c.reference];
@@ -149,7 +170,7 @@ std::string table(const Comparison& c, const std::vector<SceneResult>& results) 
     for (std::size_t i = 0; i < results.size(); ++i)
       if (i != c.reference)
         out += cell(difference_text(q, difference(q, results[i], reference)));
-    out += '\n';
+    out += '\n' + errors_line(q, results);
   }
   const auto add = [&](const char* name, const char* unit, const auto& of) {
     out += line(name, unit);
@@ -162,6 +183,17 @@ std::string table(const Comparison& c, const std::vector<SceneResult>& results) 
       [](const SceneResult& r) { return fmt::format("{:.1e}", r.result.certificate.worst()); });
   add("discretisation (est.)", "", discretisation_text);
   add("seconds", "", [](const SceneResult& r) { return fmt::format("{:.2f}", r.seconds.total); });
+  return out;
+}
+
+/// Why approaches have no difference; "" where they have.
+std::string datum_text(const Comparison& c, const std::vector<SceneResult>& results) {
+  const SceneResult& reference = results[c.reference];
+  if (std::ranges::all_of(results, [&](const SceneResult& r) { return same_datum(r, reference); }))
+    return "";
+  std::string out = "Approaches are not compared, because they are relative to different places:\n";
+  for (std::size_t i = 0; i < results.size(); ++i)
+    out += fmt::format("  {}: {}\n", title_of(c.models[i]), results[i].approach_datum);
   return out;
 }
 
@@ -186,7 +218,7 @@ std::string creep_text(const Comparison& c) {
     for (std::size_t i = 0; i < forces.Fx.size(); ++i)
       if (i != c.reference)
         out += cell(fmt::format("{:+.2f} %", 100 * (forces.Fx[c.reference] - forces.Fx[i]) / scale));
-    out += '\n';
+    out += '\n' + errors_line(forces.Fx_error);
   }
   return out;
 }
@@ -216,10 +248,13 @@ json to_json(const Comparison& c) {
   for (const Model model : c.models)
     models.push_back(name_of(model));
   for (const CreepForces& forces : c.creep_forces) {
-    json fx = json::object();
-    for (std::size_t i = 0; i < c.models.size(); ++i)
-      fx[std::string(name_of(c.models[i]))] = forces.Fx[i];
-    creep.push_back({{"xi_from_free_rolling", forces.creepage}, {"Fx", fx}});
+    json fx = json::object(), errors = json::object();
+    for (std::size_t i = 0; i < c.models.size(); ++i) {
+      const std::string name(name_of(c.models[i]));
+      fx[name] = forces.Fx[i];
+      errors[name] = number_or_null(forces.Fx_error[i]);
+    }
+    creep.push_back({{"xi_from_free_rolling", forces.creepage}, {"Fx", fx}, {"Fx_error", errors}});
   }
   return {{"models", models},
           {"reference", name_of(c.models[c.reference])},
@@ -238,7 +273,7 @@ std::string to_text(const Comparison& c) {
                      "Fz over their resultant\n\n",
                      grid.dx, grid.ds, title_of(c.models[c.reference]));
   if (!c.at_forces.empty())
-    out += forces_title(c) + table(c, c.at_forces);
+    out += forces_title(c) + table(c, c.at_forces) + datum_text(c, c.at_forces);
   if (!c.creep_forces.empty())
     out += creep_text(c);
   if (!c.at_position.empty())
@@ -247,7 +282,7 @@ std::string to_text(const Comparison& c) {
                                : fmt::format("lateral displacement {:g} mm, ",
                                              c.at_position[c.reference].lateral.value_or(0)),
                        c.at_position[c.reference].result.Fz) +
-           table(c, c.at_position);
+           table(c, c.at_position) + datum_text(c, c.at_position);
   return out;
 }
 

@@ -9,19 +9,14 @@
 
 namespace bem_contact::app {
 
-namespace {
-
 using nlohmann::json;
 
-/// Two digits, without an exponent where that is short; "" for what is not known.
 std::string two_digits(double error) {
   if (!(error > 0))
     return "";
   const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 9);
   return decimals < 7 ? fmt::format("{:.{}f}", error, decimals) : fmt::format("{:.1e}", error);
 }
-
-} // namespace
 
 json number_or_null(double value) {
   return std::isnan(value) ? json(nullptr) : json(value);

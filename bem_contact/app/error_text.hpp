@@ -7,8 +7,11 @@
 
 namespace bem_contact::app {
 
-/// " +- 4.2": the error with two digits; "" for one that is zero, because the number is prescribed, and for
-/// one that is not known.
+/// An error with two digits, "4.2", without an exponent where that is short; "" for one that is zero, because
+/// the number is prescribed, and for one that is not known.
+std::string two_digits(double error);
+
+/// " +- 4.2", or "" where two_digits() are.
 std::string plus_minus(double error);
 
 /// The number of this name (quantities()), as plus_minus() has its error.

@@ -79,9 +79,10 @@ std::string rolling_text(const SceneResult& r) {
   }
   if (r.free_rolling)
     out += fmt::format(
-        "creepage xi {:+.5g}; the wheel rolls freely at {:+.5g} (rolling radius {:.4f} mm): {:+.5g} from "
+        "creepage xi {:+.5g}; the wheel rolls freely at {:+.5g}{} (rolling radius {:.4f}{} mm): {:+.5g} from "
         "there\n",
-        r.xi, r.free_rolling->xi, r.free_rolling->rolling_radius, r.xi - r.free_rolling->xi);
+        r.xi, r.free_rolling->xi, plus_minus(r, "free_rolling_xi"), r.free_rolling->rolling_radius,
+        plus_minus(r, "free_rolling_radius"), r.xi - r.free_rolling->xi);
   return out;
 }
 
@@ -90,7 +91,9 @@ json free_rolling_json(const SceneResult& r) {
   if (!r.free_rolling)
     return nullptr;
   return {{"xi", r.free_rolling->xi},
+          {"xi_error", number_or_null(r.free_rolling->xi_error)},
           {"rolling_radius", r.free_rolling->rolling_radius},
+          {"rolling_radius_error", number_or_null(r.free_rolling->radius_error())},
           {"xi_from_there", r.xi - r.free_rolling->xi}};
 }
 

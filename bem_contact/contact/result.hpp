@@ -81,6 +81,8 @@ struct TotalErrors {
 /// The same of the numbers of PatchSummary. nan too where the coarser elements have other patches.
 struct PatchErrors {
   double fn = unknown_error, fx = unknown_error, fs = unknown_error;           ///< N
+  double fy = unknown_error, fz = unknown_error;                               ///< N
+  double moment_n = unknown_error, friction_power = unknown_error;             ///< N mm; N (shift: N mm)
   double approach = unknown_error, pmax = unknown_error, area = unknown_error; ///< mm, MPa, mm^2
 };
 

@@ -71,7 +71,8 @@ Point2 point_of(std::string_view line, const Header& header, const std::string& 
 std::vector<Part> parts_of(std::string_view text, const std::string& source) {
   bool in_header = header_ends_at_empty_line(text);
   std::vector<Part> parts(1);
-  Header next; ///< of the section that describes the next points
+  Header next;            ///< of the section that describes the next points
+  bool described = false; ///< by keys that follow points: what comes next is another profile
   std::size_t number = 0;
   for (const std::string_view raw : lines_of(text)) {
     ++number;
@@ -85,13 +86,16 @@ std::vector<Part> parts_of(std::string_view text, const std::string& source) {
         if (!parts.back().points.empty())
           parts.emplace_back();
         parts.back().header = next;
+        described = false;
       } else {
         next = {};
       }
       continue;
     }
     if (const auto equals = line.find('='); equals != std::string_view::npos) {
-      Header& header = parts.back().points.empty() ? parts.back().header : next;
+      const bool begun = !parts.back().points.empty();
+      Header& header = begun ? next : parts.back().header;
+      described = begun;
       const std::string_view key = trimmed(line.substr(0, equals)), value = trimmed(line.substr(equals + 1));
       read_key(key, value, source, header);
       if (&header != &next)
@@ -100,6 +104,10 @@ std::vector<Part> parts_of(std::string_view text, const std::string& source) {
     }
     if (numbers_of(line).empty() && parts.back().points.empty())
       continue; // a title of the older variant
+    if (described) {
+      parts.emplace_back().header = next;
+      described = false;
+    }
     parts.back().points.push_back(point_of(line, parts.back().header, source, number));
   }
   return parts;

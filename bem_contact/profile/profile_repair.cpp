@@ -46,14 +46,25 @@ double millimetres(ProfileUnit unit) {
   }
 }
 
-/// What a width that no profile in mm has could be.
-std::string question(double width) {
-  std::string guess;
-  for (const auto& [name, factor] : {std::pair{"centimetres", 10.0}, std::pair{"inches", 25.4}})
-    if (factor * width >= narrowest_guess && factor * width <= widest_guess)
-      guess +=
-          fmt::format("{}in {} it would be {:.4g} mm wide", guess.empty() ? "" : ", ", name, factor * width);
-  return guess;
+/// What a width that no profile in mm has could be, and the keys that say so.
+struct UnitGuess {
+  std::string reason, keys;
+};
+UnitGuess guess_unit(double width) {
+  struct Unit {
+    const char *name, *key;
+    double millimetres;
+  };
+  UnitGuess out;
+  for (const Unit& unit : {Unit{"centimetres", "cm", 10.0}, Unit{"inches", "inch", 25.4}}) {
+    const double size = unit.millimetres * width;
+    if (size < narrowest_guess || size > widest_guess)
+      continue;
+    out.reason +=
+        fmt::format("{}in {} it would be {:.4g} mm wide", out.reason.empty() ? "" : ", ", unit.name, size);
+    out.keys += fmt::format("{}unit = \"{}\"", out.keys.empty() ? "" : " or ", unit.key);
+  }
+  return out;
 }
 
 void mend_units(std::vector<Point2>& points, const std::string& source, ProfileUnit unit) {
@@ -68,14 +79,15 @@ void mend_units(std::vector<Point2>& points, const std::string& source, ProfileU
     for (Point2& p : points)
       p = factor * p;
   width *= factor;
-  const std::string guess = unit == ProfileUnit::found ? question(width) : "";
+  const UnitGuess guess = unit == ProfileUnit::found ? guess_unit(width) : UnitGuess{};
   if (!(width >= narrowest_profile && width <= widest_profile) ||
-      (width < narrowest_unasked && !guess.empty()))
-    throw InputError(
-        fmt::format("{}: the profile is {:.4g} mm wide", source, width),
-        guess.empty() ? "no rail or wheel is; the unit is neither mm nor m, or the columns are not y and z"
-                      : fmt::format("hardly a rail or wheel is; {}", guess),
-        guess.empty() ? "Convert it to mm." : "Convert it to mm, or say the unit: unit = \"cm\".");
+      (width < narrowest_unasked && !guess.keys.empty()))
+    throw InputError(fmt::format("{}: the profile is {:.4g} mm wide", source, width),
+                     guess.keys.empty()
+                         ? "no rail or wheel is; the unit is neither mm nor m, or the columns are not y and z"
+                         : fmt::format("hardly a rail or wheel is; {}", guess.reason),
+                     guess.keys.empty() ? "Convert it to mm."
+                                        : fmt::format("Convert it to mm, or say the unit: {}.", guess.keys));
 }
 
 /// Whether the walk goes over the same ground twice. A profile does not, even with under-head or flange back.

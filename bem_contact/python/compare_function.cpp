@@ -44,7 +44,7 @@ py::object results_of(const std::vector<SceneResult>& results) {
 py::object creep_forces_of(const Comparison& c) {
   if (c.creep_forces.empty())
     return py::none();
-  py::dict out, fx;
+  py::dict out, fx, errors;
   const auto column = [&](const auto& value) {
     std::vector<double> values;
     for (const CreepForces& forces : c.creep_forces)
@@ -52,9 +52,13 @@ py::object creep_forces_of(const Comparison& c) {
     return array_of(values);
   };
   out["xi_from_free_rolling"] = column([](const CreepForces& f) { return f.creepage; });
-  for (std::size_t m = 0; m < c.models.size(); ++m)
-    fx[py::str(std::string(name_of(c.models[m])))] = column([m](const CreepForces& f) { return f.Fx[m]; });
+  for (std::size_t m = 0; m < c.models.size(); ++m) {
+    const py::str name(std::string(name_of(c.models[m])));
+    fx[name] = column([m](const CreepForces& f) { return f.Fx[m]; });
+    errors[name] = column([m](const CreepForces& f) { return f.Fx_error[m]; });
+  }
   out["Fx"] = fx;
+  out["Fx_error"] = errors;
   return out;
 }
 
@@ -79,10 +83,9 @@ void add_compare(py::module_& module) {
       "folder"_a = py::none(),
       "One scene with several models, half-space and fem unless `models` names others. A dict: "
       "\"at_equal_forces\" and \"at_equal_position\" are {model: Result}; \"creep_forces\" has "
-      "\"xi_from_free_rolling\", an array, and \"Fx\", {model: array} (N); \"reference\" is the model that "
-      "the "
-      "others "
-      "are compared with. A set that the scene does not have is None. `scene`, `changes`: as solve() takes "
+      "\"xi_from_free_rolling\", an array, and \"Fx\" and \"Fx_error\", {model: array} (N); "
+      "\"reference\" is the model that the others are compared with. A set that the scene does not have is "
+      "None. `scene`, `changes`: as solve() takes "
       "them. Look at equal forces first: at equal position a hundredth of a millimetre makes most of the "
       "difference.");
 }

@@ -162,6 +162,10 @@ ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, Structural
   ContactLoad load = setup.load;
   load.approach -= load.kind == LoadKind::approach ? by.lowered : 0.0;
   ContactSetup out = set_up_touching(scene, std::move(pair), std::move(touch), before.lowered, load);
+  // What is prescribed need not be the scene's: free rolling is solved with force_x = 0.
+  const double rolling_radius = out.motion.creepage.rolling_radius;
+  out.motion = setup.motion;
+  out.motion.creepage.rolling_radius = rolling_radius;
   std::get<WheelRailGeometry>(out.geometry).structure = by;
   return out;
 }

@@ -64,13 +64,17 @@ SceneResult solve_at_force(SceneFile equal, std::optional<double> given, const S
 
 /// `equal`: without load.force_y.
 std::vector<CreepForces> creep_forces(const SceneFile& equal, const std::vector<SceneResult>& at_forces,
-                                      const CreepForceSolver& force_beyond) {
+                                      const BeyondSolver& solve_beyond) {
   std::vector<CreepForces> out;
   for (const double creepage : compared_creepages) {
-    CreepForces forces{creepage, {}};
-    for (const SceneResult& free : at_forces)
-      forces.Fx.push_back(force_beyond(with_model(with_lateral(equal, *free.lateral), free.model),
-                                       *free.free_rolling, creepage));
+    CreepForces forces{creepage, {}, {}};
+    for (const SceneResult& free : at_forces) {
+      const SceneResult beyond = solve_beyond(with_model(with_lateral(equal, *free.lateral), free.model),
+                                              *free.free_rolling, creepage);
+      forces.Fx.push_back(beyond.result.Fx);
+      forces.Fx_error.push_back(beyond.result.discretisation ? beyond.result.discretisation->errors.Fx
+                                                             : unknown_error);
+    }
     out.push_back(std::move(forces));
   }
   return out;
@@ -79,7 +83,7 @@ std::vector<CreepForces> creep_forces(const SceneFile& equal, const std::vector<
 } // namespace
 
 Comparison compare_models(const SceneFile& scene, std::vector<Model> models, const SceneSolver& solve,
-                          const CreepForceSolver& force_beyond) {
+                          const BeyondSolver& solve_beyond) {
   require_comparable(scene, models);
   Comparison out;
   const auto fem = std::ranges::find(models, Model::fem);
@@ -110,7 +114,7 @@ Comparison compare_models(const SceneFile& scene, std::vector<Model> models, con
   const bool free_rolling =
       std::ranges::all_of(out.at_forces, [](const SceneResult& r) { return r.free_rolling.has_value(); });
   if (!the_same && free_rolling)
-    out.creep_forces = creep_forces(equal, out.at_forces, force_beyond);
+    out.creep_forces = creep_forces(equal, out.at_forces, solve_beyond);
   return out;
 }
 

@@ -9,8 +9,9 @@ namespace bem_contact {
 
 /// Longitudinal forces at one distance from free rolling.
 struct CreepForces {
-  double creepage = 0;    ///< beyond free rolling; each model has its own creepage of free rolling
-  std::vector<double> Fx; ///< on the rail, N; one a model
+  double creepage = 0;          ///< beyond free rolling; each model has its own creepage of free rolling
+  std::vector<double> Fx;       ///< on the rail, N; one a model
+  std::vector<double> Fx_error; ///< by the size of the elements, N; nan: not known
 };
 
 /// One scene solved with several models, all with elements of the same size.
@@ -37,12 +38,12 @@ struct Comparison {
 
 /// Answers a scene with the model that it names.
 using SceneSolver = std::function<SceneResult(const SceneFile&)>;
-/// Fx, N, on the rail of a scene at so much longitudinal creepage beyond free rolling.
-using CreepForceSolver = std::function<double(const SceneFile&, const FreeRolling& free, double creepage)>;
+/// Answers a scene at so much longitudinal creepage beyond free rolling.
+using BeyondSolver = std::function<SceneResult(const SceneFile&, const FreeRolling& free, double creepage)>;
 
 /// One scene with each of the models: at the same position, at the same forces, and beyond free rolling.
 /// Throws what the solvers throw, and InputError for models or scenes that cannot be compared.
 Comparison compare_models(const SceneFile& scene, std::vector<Model> models, const SceneSolver& solve,
-                          const CreepForceSolver& force_beyond);
+                          const BeyondSolver& solve_beyond);
 
 } // namespace bem_contact

@@ -13,8 +13,16 @@ bool has_free_rolling(const ContactCase& asked) {
 }
 
 /// Of a solution without longitudinal force.
-FreeRolling free_rolling_of(const ContactCase& asked, const SceneResult& solved) {
-  return {solved.xi, asked.setup.motion.creepage.rolling_radius / (1 - solved.xi)};
+FreeRolling free_rolling_of(const SceneResult& solved) {
+  const auto& estimate = solved.result.discretisation;
+  return {solved.xi, solved.rolling_radius / (1 - solved.xi),
+          estimate ? estimate->errors.creepage_x : unknown_error};
+}
+
+/// The same with the creepage counted as that of `result` is: placed bodies may have another rolling radius.
+FreeRolling counted_as(const SceneResult& result, FreeRolling free) {
+  free.xi = 1 - result.rolling_radius / free.rolling_radius;
+  return free;
 }
 
 /// The case with load.force_x = 0 and the creepage of rolling_radius as a start. Nothing where it is not
@@ -23,11 +31,10 @@ std::optional<FreeRolling> find_free_rolling(ContactCase asked, const SceneFile:
                                              SolveResources resources, SceneResult* solution = nullptr) {
   asked.setup.motion.force_x = 0;
   asked.scene.stresses.depths.clear();
-  resources.totals_only = true;
   SceneResult solved = solve_case(asked, grid, resources);
   if (!solved.result.converged || solved.result.patches.empty())
     return std::nullopt;
-  const FreeRolling out = free_rolling_of(asked, solved);
+  const FreeRolling out = free_rolling_of(solved);
   if (solution)
     *solution = std::move(solved);
   return out;
@@ -50,15 +57,18 @@ SceneResult solve_from_free_rolling(const ContactCase& asked, const SceneFile::G
   resources.start = start ? &*start : resources.start;
   SceneResult out = solve_case(counted, grid, resources);
   out.reason = free.reason;
-  out.free_rolling = found;
+  out.free_rolling = counted_as(out, *found);
   return out;
 }
 
 } // namespace
 
 ContactCase beyond_free_rolling(ContactCase asked, const FreeRolling& free, double creepage) {
-  asked.setup.motion.creepage.xi = 0;
-  asked.setup.motion.creepage.slip_x = free.xi + creepage;
+  Creepage& motion = asked.setup.motion.creepage;
+  motion.xi = 0;
+  motion.slip_x = free.xi + creepage;
+  if (!asked.scene.motion.pitch_rate) // that of free.xi, wherever the bodies are placed
+    asked.scene.motion.rolling_radius = motion.rolling_radius = free.rolling_radius * (1 - free.xi);
   asked.setup.motion.force_x.reset();
   return asked;
 }
@@ -73,7 +83,7 @@ SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::G
   if (out.model == Model::hertz || !out.result.converged || out.result.patches.empty())
     return out;
   if (asked.setup.motion.force_x == 0.0) {
-    out.free_rolling = free_rolling_of(asked, out);
+    out.free_rolling = free_rolling_of(out);
     return out;
   }
   ContactCase free = asked;
@@ -81,13 +91,16 @@ SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::G
   const std::optional<FormerSolution> start = former_of(out.problem, out.result, *asked.estimate);
   WorkBudget work = resources.work.another(); // it must not end the case that is asked for
   try {
-    out.free_rolling = find_free_rolling(free, grid,
+    const auto found = find_free_rolling(free, grid,
                                          {.work = work,
                                           .files = resources.files,
                                           .numbers = resources.numbers,
                                           .operators = resources.operators,
                                           .start = start ? &*start : nullptr,
-                                          .coarse_start = resources.coarse_start});
+                                          .coarse_start = resources.coarse_start,
+                                          .totals_only = resources.totals_only});
+    if (found)
+      out.free_rolling = counted_as(out, *found);
   } catch (const ConvergenceError&) { // free rolling is not what was asked for
   }
   return out;

@@ -38,8 +38,11 @@ struct PhaseSeconds {
 /// Steady rolling in which the wheel transmits no longitudinal force (Fx = 0); everything else is as
 /// prescribed.
 struct FreeRolling {
-  double xi = 0;             ///< its creepage, counted from motion.rolling_radius as motion.xi is
-  double rolling_radius = 0; ///< forward over angular speed of the wheel, mm
+  double xi = 0;                   ///< its creepage, counted as SceneResult::xi is
+  double rolling_radius = 0;       ///< forward over angular speed of the wheel, mm
+  double xi_error = unknown_error; ///< of the creepage, by the size of the elements
+
+  double radius_error() const { return rolling_radius * xi_error / (1 - xi); } ///< mm
 };
 
 /// Where the wheelset stands so that the lateral force is load.force_y.
@@ -74,6 +77,9 @@ struct SceneResult {
   /// from motion.rolling_radius, and phi is without the spin of the geometry. Shift: mm, mm and rad. 0
   /// without friction and where a table gives the rigid slip.
   double xi = 0, eta = 0, phi = 0;
+  /// wheel_rail: forward over angular speed of the wheel at xi = 0, mm: motion.rolling_radius, or that of the
+  /// contact's centre on the bodies as they are placed. 0 of a patch.
+  double rolling_radius = 0;
   std::optional<FreeRolling>
       free_rolling; ///< wheel_rail, steady with friction, unless the scene leaves it out
   /// ProfileCurve::digest() of both profiles, as influence files have it; 0 of a patch.

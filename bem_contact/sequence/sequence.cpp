@@ -197,13 +197,10 @@ SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene, const Scene
   return out;
 }
 
-double Sequence::force_beyond(const SceneFile& scene, const FreeRolling& free, double creepage) {
+SceneResult Sequence::solve_beyond(const SceneFile& scene, const FreeRolling& free, double creepage) {
   WorkBudget work(stop_);
-  SolveResources tools = resources(work);
-  tools.totals_only = true;
   return solve_case(beyond_free_rolling(prepare(scene, {.read_influence = true}), free, creepage), scene.grid,
-                    tools)
-      .result.Fx;
+                    resources(work));
 }
 
 Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models,
@@ -213,7 +210,7 @@ Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models,
       scene, std::move(models),
       [&](const SceneFile& asked) { return answer(asked, stop, {.read_influence = true}); },
       [&](const SceneFile& asked, const FreeRolling& free, double creepage) {
-        return force_beyond(asked, free, creepage);
+        return solve_beyond(asked, free, creepage);
       });
 }
 

@@ -114,7 +114,7 @@ private:
   SceneResult solve_at_position(const SceneFile& scene, const SceneTask& task);
   SceneResult solve_at_lateral_force(const SceneFile& scene, const SceneTask& task);
   std::optional<double> rough_lateral_force(SceneFile scene, double lateral);
-  double force_beyond(const SceneFile& scene, const FreeRolling& free, double creepage);
+  SceneResult solve_beyond(const SceneFile& scene, const FreeRolling& free, double creepage);
   SceneResult solve_steady_rolling(const ContactCase& asked, bool totals_only);
   const FormerSolution* start_for(const std::vector<PotentialArea>& areas, const SceneFile::Grid& grid) const;
   void remember(const SceneResult& result, const ContactEstimate& estimate);

@@ -104,6 +104,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   out.reference = asked.setup.reference();
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail()) {
     out.lateral = asked.scene.position.lateral;
+    out.rolling_radius = asked.setup.motion.creepage.rolling_radius;
     out.rail_geometry = placed->pair.rail.digest();
     out.wheel_geometry = placed->pair.wheel.digest();
   }

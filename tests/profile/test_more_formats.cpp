@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <algorithm>
 #include <fstream>
 
 namespace bem_contact {
@@ -53,6 +54,22 @@ TEST(MiniProfParts, OneOfTwoProfilesIsChosenByItsNumber) {
     return parse_measured_profile(two, "p.mpt", ProfileKind::wheel, {}, part).curve.at(0).position.z;
   };
   EXPECT_NEAR(height(2) - height(1), 3, 1e-6);
+}
+
+TEST(MiniProfParts, AHeaderAfterPointsBeginsAnotherProfile) {
+  const auto part = [](double z) {
+    const std::string columns = miniprof_columns(0.5, z);
+    const auto points = std::ranges::count(columns, '\n');
+    return fmt::format("Stock=wheel\nColumnDef=X,Y\nXYPoints={}\n\n{}\n", points, columns);
+  };
+  const std::string two = part(0) + part(3);
+  const Warnings warnings;
+  const auto height = [&](int number) {
+    return parse_measured_profile(two, "p.mpt", ProfileKind::wheel, {}, number).curve.at(0).position.z;
+  };
+  EXPECT_NEAR(height(2) - height(1), 3, 1e-6);
+  // Keys at the end of a file describe no profile.
+  EXPECT_NEAR(tip_of(part(0) + "Remark=end\n"), -55, 0.1);
 }
 
 TEST(MiniProfParts, TheNumberStandsBehindTheFilesName) {

@@ -157,11 +157,12 @@ std::string scaled(double factor, double by = 0) {
 }
 
 TEST(Unit, CentimetresAndInchesAreAskedAbout) {
-  EXPECT_THAT(
-      message_of([] { read(scaled(0.1)); }),
-      AllOf(HasSubstr("13 mm wide"), HasSubstr("in centimetres it would be 130 mm"), HasSubstr("unit = ")));
+  EXPECT_THAT(message_of([] { read(scaled(0.1)); }),
+              AllOf(HasSubstr("13 mm wide"), HasSubstr("in centimetres it would be 130 mm"),
+                    HasSubstr("unit = \"cm\".")));
   EXPECT_THAT(message_of([] { read(scaled(1 / 25.4)); }),
-              AllOf(HasSubstr("5.118 mm wide"), HasSubstr("in inches it would be 130 mm")));
+              AllOf(HasSubstr("5.118 mm wide"), HasSubstr("in inches it would be 130 mm"),
+                    HasSubstr("unit = \"inch\".")));
   EXPECT_NEAR(read(scaled(0.1), {.unit = ProfileUnit::cm}).tip, -55, 0.1);
   EXPECT_NEAR(read(scaled(1 / 25.4), {.unit = ProfileUnit::inch}).tip, -55, 0.1);
 }

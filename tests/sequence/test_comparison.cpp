@@ -51,8 +51,11 @@ TEST(Comparison, OnATreadWhereTheLateralForceSaysLittleOfThePositionAllModelsSta
 TEST(Comparison, CreepForcesBeyondFreeRollingAreNearlyTheSame) {
   const Comparison c = Sequence().compare(read_scene_file(small));
   ASSERT_EQ(c.creep_forces.size(), 3u);
-  for (const CreepForces& forces : c.creep_forces)
+  for (const CreepForces& forces : c.creep_forces) {
     EXPECT_NEAR(forces.Fx[0], forces.Fx[1], 0.01 * 0.3 * 1.07e5) << forces.creepage; // 1 % of mu Fn
+    for (const double error : forces.Fx_error)
+      EXPECT_TRUE(error > 0 && error < 0.02 * 0.3 * 1.07e5) << error;
+  }
   EXPECT_GT(c.at_forces[1].free_rolling->xi - c.at_forces[0].free_rolling->xi, 5e-4)
       << "what differs is free rolling itself";
 }

@@ -14,9 +14,10 @@ using namespace bem_contact;
 using ::testing::HasSubstr;
 
 SceneFile rolling(const std::string& more) {
-  return parse_scene_file("rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nposition.lateral = 6.6\n"
-                          "load.force = 1e5\nsolver.model = \"halfspace\"\ngrid.dx = 1.0\ngrid.ds = 0.6\n" +
-                          more);
+  return parse_scene_file(
+      "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nposition.lateral = 6.6\n"
+      "load.force = 1e5\nsolver.model = \"halfspace\"\n" +
+      std::string(more.find("grid.") == std::string::npos ? "grid.dx = 1.0\ngrid.ds = 0.6\n" : "") + more);
 }
 
 TEST(FreeRolling, IsTheCreepageOfNoLongitudinalForce) {
@@ -26,6 +27,13 @@ TEST(FreeRolling, IsTheCreepageOfNoLongitudinalForce) {
   EXPECT_NEAR(prescribed.result.Fx, 0, 0.1);
   EXPECT_NEAR(asked.free_rolling->xi, prescribed.xi, 1e-8);
   EXPECT_NEAR(prescribed.free_rolling->xi, prescribed.xi, 0.0);
+  // The error is that of a creepage found for a force.
+  EXPECT_NEAR(asked.free_rolling->xi_error, prescribed.result.discretisation->errors.creepage_x,
+              1e-3 * asked.free_rolling->xi_error);
+  const FreeRolling finer =
+      *Sequence().solve(rolling("load.force_x = 0\ngrid.dx = 0.25\ngrid.ds = 0.15\n")).free_rolling;
+  EXPECT_NEAR(asked.free_rolling->xi, finer.xi, asked.free_rolling->xi_error);
+  EXPECT_NEAR(asked.free_rolling->rolling_radius, finer.rolling_radius, asked.free_rolling->radius_error());
   EXPECT_GT(asked.result.Fx, 1000) << "at xi = 0 the wheel does not roll freely here";
 }
 

@@ -134,6 +134,44 @@ TEST(StructuralMotion, EqualsTheLocalContactOfRigidBodiesInThatPosition) {
   EXPECT_GT(std::abs(removed.result.Fy - placed.result.Fy), 2e-2 * placed.result.Fz);
 }
 
+/// The same with friction, 0.3.
+SceneFile rolling(const std::string& structural, const std::string& more = "") {
+  SceneFile scene = gauge_corner(1e5, structural, more);
+  scene.motion.frictionless = false;
+  return scene;
+}
+
+TEST(StructuralMotion, PlacedBodiesRollFreelyWithoutLongitudinalForce) {
+  const std::string placed = "solver.contact_motion = 'placed'\n";
+  for (const auto& [structural, more] :
+       {std::pair{"included", std::string()}, std::pair{"removed", placed}}) {
+    // The radius of free rolling is found once as what is reported, once for a prescribed force.
+    const SceneResult asked = solved(rolling(structural, more));
+    const SceneResult free = solved(rolling(structural, more + "load.force_x = 0\n"));
+    ASSERT_TRUE(asked.free_rolling && free.free_rolling && asked.structure->placed) << structural;
+    EXPECT_GT(std::abs(asked.result.Fx), 500) << "this test would say nothing";
+    EXPECT_NEAR(free.result.Fx, 0, 0.1);
+    EXPECT_NEAR(asked.free_rolling->rolling_radius, free.free_rolling->rolling_radius, 2e-3) << structural;
+    // So does a wheel that is given this radius.
+    const SceneResult given =
+        solved(rolling(structural, more + fmt::format("motion.rolling_radius = {:.9g}\n",
+                                                      asked.free_rolling->rolling_radius)));
+    EXPECT_NEAR(given.result.Fx, 0, 1e-3 * 0.3 * 1e5) << structural;
+    EXPECT_NEAR(given.free_rolling->xi, 0, 1e-5) << structural;
+  }
+}
+
+TEST(StructuralMotion, CreepForcesFromFreeRollingAreThoseOfBodiesThatStand) {
+  const std::string driven = "motion.from_free_rolling = true\nmotion.xi = 1e-3\n";
+  const SceneResult placed = solved(rolling("included", driven));
+  EXPECT_NEAR(placed.xi - placed.free_rolling->xi, 1e-3, 1e-6);
+  // Structures hardly change creep forces from there: 1 % of the friction limit.
+  const SceneResult local =
+      solved(rolling("removed", driven + fmt::format("load.force_y = {:.6g}\n", placed.result.Fy)));
+  EXPECT_GT(placed.result.Fx, 3000);
+  EXPECT_NEAR(placed.result.Fx, local.result.Fx, 0.01 * 0.3 * 1e5);
+}
+
 TEST(StructuralMotion, SurfacesThatSlideUnseenAreWarnedOf) {
   const auto warning = Contains(HasSubstr("the surfaces move past each other by up to"));
   EXPECT_THAT(solved(gauge_corner(8e4, "included", linear)).warnings, warning);

@@ -18,7 +18,9 @@ PLACES = {f"position.{k}": 10.0 for k in ("lateral", "gauge", "gauge_height", "b
 ANGLES = {f"position.{k}": 0.1 for k in ("roll", "yaw", "cant", "rail_roll")}
 ALWAYS = {"wheel_rail": {"position.gauge": 1435.0, "position.back_to_back": 1360.0, "position.wheel_radius": 460.0,
                          "position.lateral": 0.0, "position.cant": 0.0, "position.yaw": 0.0}, "patch": {}}
-NO_INPUTS = ("grid.", "solver.", "stresses.", "motion.steps", "strip.rail_s0", "strip.wheel_s0", "sweep.")
+NO_INPUTS = ("grid.", "solver.", "stresses.", "motion.steps", "strip.rail_s0", "strip.wheel_s0", "sweep.", "table.", "weight")
+# Bodies of the influence files that the scenes name, in demo/.
+BODIES = ("bore", "disc", "ring", "roller", "groove", "wheel_in_groove", "rail_60E1_gauge_corner", "wheel_S1002_flange_root")
 
 
 @dataclass
@@ -41,9 +43,35 @@ def keys_of(table, prefix=""):
             yield prefix + key, value
 
 
-def inputs_of(scene):
+def first_case(scene):
+    """{key: value} of what the first case of a sweep changes; {} of another scene."""
+    def first_of(table, prefix=""):
+        for key, value in table.items():
+            if isinstance(value, list):
+                yield prefix + key, value[0]
+            elif isinstance(value, dict) and "from" in value:
+                yield prefix + key, value["from"]
+            elif isinstance(value, dict):
+                yield from first_of(value, f"{prefix}{key}.")
+    swept = tomllib.loads(scene.read_text()).get("sweep", {})
+    out = dict(first_of(swept))
+    if "table" in swept:
+        lines = [line for line in (scene.parent / swept["table"]).read_text().splitlines() if not line.startswith("#")]
+        out |= dict(zip(lines[0].split(","), map(float, lines[1].split(","))))
+    out.pop("weight", None)
+    return out
+
+
+def answers(module, scene, options, model=None):
+    """The result, or those of both wheels."""
+    if "[wheelset]" in scene.read_text():
+        pair = module.wheelset(scene, options, model)
+        return [pair[side]["result"] for side in ("right", "left")]
+    return [module.solve(scene, options, model)]
+
+
+def inputs_of(given):
     """{key: (value, scale)} of every number that a scene gives, and of what places wheel and rail."""
-    given = dict(keys_of(tomllib.loads(scene.read_text())))
     found = ALWAYS[given.get("kind", "wheel_rail")] | {k: v for k, v in given.items() if isinstance(v, (int, float))}
     out = {}
     for key, value in found.items():
@@ -64,30 +92,38 @@ def changes(before, after, friction):
     return out
 
 
+def largest_changes(before, after, friction):
+    """changes() of one result or of several."""
+    all_of_them = [changes(b, a, friction) for b, a in zip(before, after)]
+    return {total: max(c.get(total, 0.0) for c in all_of_them) for total in all_of_them[0]}
+
+
 def amplification(module, scene):
-    """Every input of one scene is moved by every size, each solved from a cold start."""
-    options = {"solver.tolerance": 1e-12}
-    given = dict(keys_of(tomllib.loads(scene.read_text())))
+    """Every input of one scene, or of the first case of a sweep, is moved by every size, each solved from a cold start."""
+    case = first_case(scene)
+    options = {"solver.tolerance": 1e-12} | case
+    given = dict(keys_of(tomllib.loads(scene.read_text()))) | case
     friction = given.get("motion.friction", 0.3)
     try:
-        model = module.solve(scene, options).model
+        model = answers(module, scene, options, "fem" if "rail.influence" in given else None)[0].model
     except module.InputError:
         model = "halfspace"  # its influence files are not here
-    before = module.solve(scene, options, model)
-    out = Moved(scene.stem, model, {size: (0.0, "", "") for size in SIZES}, stated=before.discretisation if before.discretisation is not None else float("nan"))
-    for key, (value, scale) in inputs_of(scene).items():
+    before = answers(module, scene, options, model)
+    stated = [r.discretisation for r in before if r.discretisation is not None]
+    out = Moved(scene.stem, model, {size: (0.0, "", "") for size in SIZES}, stated=max(stated, default=float("nan")))
+    for key, (value, scale) in inputs_of(given).items():
         for size in SIZES:
             try:
-                after = module.solve(scene, options | {key: value + size * scale}, model)
+                after = answers(module, scene, options | {key: value + size * scale}, model)
             except module.InputError as refusal:
                 out.note = f"{key}: {str(refusal).split('(')[0].strip()}"
                 continue
-            for total, change in changes(before, after, friction).items():
+            for total, change in largest_changes(before, after, friction).items():
                 if change / size > out.worst[size][0]:
                     out.worst[size] = (change / size, key, total)
-    if not any(key.endswith("table") for key in given):  # a table belongs to its grid
+    if len(before) == 1 and not any(key.endswith("table") and key != "sweep.table" for key in given):  # a table belongs to its grid
         chosen = {key: 0 for key in ("grid.elements", "grid.accuracy") if key in given}
-        out.grid = moved_grid(module, scene, options | chosen, model, before, friction)
+        out.grid = moved_grid(module, scene, options | chosen, model, before[0], friction)
     return out
 
 

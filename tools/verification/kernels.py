@@ -81,22 +81,6 @@ def flat_block(program, files):
                  {"largest pressure": ("MPa", 3e-3, 0), "pressure, r.m.s. difference": ("", 0.03, 0, 1.0)})
 
 
-# An independent 3-D finite-element contact analysis: S1002 on 60E1, lateral displacement 6.6 mm, 1e5 N, frictionless, patches of
-# 0.5 x 0.325 mm, structural motion removed, exact kinematics (deformed surfaces, pressure along the deformed normal).
-# Quantity: (value, its uncertainty, bar, unit). What is left to us is linear kinematics.
-ANALYSIS = {"Fy": (61736.0, 2e-4, 0.01, "N"), "pmax": (2010.0, 4e-3, 0.01, "MPa"), "area": (117.7, 0.01, 0.03, "mm2"),
-            "approach": (0.13314, 2e-4, 0.01, "mm"), "centre of pressure, s": (-30.352, 0.0, 0.05 / 30.352, "mm")}
-
-
-def gauge_corner(program, rail, wheel, dx, ds):
-    r = program.solve({"kind": "wheel_rail", "rail.profile": "60E1", "wheel.profile": "S1002", "rail.influence": rail,
-                       "wheel.influence": wheel, "position.lateral": 6.6, "load.force": 1e5, "motion.frictionless": True,
-                       "grid.dx": dx, "grid.ds": ds}, "fem")
-    p = r.fields["p_n"]
-    return {"Fy": r["Fy"], "pmax": r["pmax"], "area": r["area"], "approach": r["approach"],
-            "centre of pressure, s": float((p.sum(axis=1) * r.fields["s"]).sum() / p.sum())}
-
-
 def model_limits(program, quick):
     """Rows: half angle, error of pmax by half-space and by tangent-plane influence numbers, and the half-space's prediction."""
     rows = []

@@ -78,14 +78,28 @@ double local_normal_force(const Region& r) {
   return 1.5 * r.fn * local_approach(r);
 }
 
+/// Of the power of friction that changed so much.
+double power_error(double change, double power, int contact) {
+  return power_change * std::abs(change) + power_local * std::abs(power) / contact;
+}
+
+/// Of what friction does in a patch.
+void estimate_patch_shear(const Region& fine, const Region& coarse, PatchErrors& out) {
+  out.fx = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine.contact);
+  out.fs = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine.contact);
+  out.moment_n = shear_change * std::abs(fine.moment.total - coarse.moment.total) +
+                 moment_share * local_error(fine.moment, fine.contact);
+  out.friction_power =
+      power_error(fine.friction_power - coarse.friction_power, fine.friction_power, fine.contact);
+}
+
 PatchErrors patch_errors(const Region& fine, const Region& coarse, double roughness) {
   PatchErrors out;
   out.pmax = pmax_error(fine, coarse, roughness);
   out.area = area_error(fine);
   out.approach = overlap_change * std::abs(fine.approach - coarse.approach) +
                  fine.approach * (overlap_local / fine.contact + overlap_peak * fine.relative_fall());
-  out.fx = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine.contact);
-  out.fs = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine.contact);
+  estimate_patch_shear(fine, coarse, out);
   return out;
 }
 
@@ -110,6 +124,21 @@ void estimate_patches(const ContactProblem& problem, const std::vector<Region>& 
     errors[0].fx = 0; // prescribed
 }
 
+/// Forces of the patches in the track frame. The one patch of a contact has its totals.
+void estimate_track_forces(const ContactResult& result, Discretisation& out) {
+  if (out.patches.size() == 1) {
+    out.patches[0].fy = out.errors.Fy;
+    out.patches[0].fz = out.errors.Fz;
+    return;
+  }
+  for (std::size_t i = 0; i < out.patches.size(); ++i) {
+    PatchErrors& e = out.patches[i];
+    const double cosine = std::cos(result.patches[i].delta), sine = std::sin(result.patches[i].delta);
+    e.fy = std::hypot(e.fn * sine, e.fs * cosine);
+    e.fz = std::hypot(e.fn * cosine, e.fs * sine);
+  }
+}
+
 /// Strain of the surface under a shear force, over that force, 1/N: from the displacement of one element that
 /// bears pmax.
 double strain_per_force(const ContactProblem& problem, const Region& r) {
@@ -117,18 +146,17 @@ double strain_per_force(const ContactProblem& problem, const Region& r) {
   return r.pmax * self / std::sqrt(problem.element_area()) / r.fn;
 }
 
-/// Sets what needs friction: shear forces, adhesion, creepages, power. `power_gained`: the power of the
-/// result less that of the coarse one.
+/// Sets what needs friction: shear forces, adhesion, creepages, power.
 void estimate_shear(const ContactProblem& problem, const ContactResult& result, const ContactResult& coarse,
-                    const std::pair<Region, Region>& regions, double power_gained, TotalErrors& e) {
+                    const std::pair<Region, Region>& regions, TotalErrors& e) {
   const auto& [fine, rough] = regions;
   e.Fx = problem.force_x ? 0 : shear_error(result.Fx - coarse.Fx, fine.fx, fine.contact);
   e.Fs = problem.force_s ? 0 : shear_error(result.Fs - coarse.Fs, fine.fs, fine.contact);
   e.adhesion_share =
       adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
       (adhesion_local + adhesion_border * std::sqrt(double(fine.adhesion_border))) / fine.contact;
-  e.friction_power = power_change * std::abs(power_gained) +
-                     power_local * std::abs(friction_power(result, problem.element_area())) / fine.contact;
+  e.friction_power =
+      power_error(fine.friction_power - rough.friction_power, fine.friction_power, fine.contact);
   const double strain = strain_per_force(problem, fine);
   const auto creepage_error = [&](double found, double rough_one, const UncertainSum& force) {
     return creepage_change * std::abs(found - rough_one) + creepage_alike * std::abs(found) +
@@ -170,10 +198,7 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   e.pmax = pmax_error(fine, rough, roughness);
   e.Fx = e.Fs = e.adhesion_share = e.friction_power = e.creepage_x = e.creepage_s = 0;
   if (problem.has_friction())
-    estimate_shear(problem, result, coarse, regions,
-                   friction_power(result, problem.element_area()) -
-                       friction_power(coarse, coarse_problem.element_area()),
-                   e);
+    estimate_shear(problem, result, coarse, regions, e);
   if (result.temperatures && coarse.temperatures) {
     const auto error = [&](std::vector<double> SurfaceTemperatures::*surface, const ThermalBody& body) {
       return temperature_error(problem.grid, (*result.temperatures).*surface, (*coarse.temperatures).*surface,
@@ -189,9 +214,10 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   const ShearEffects effects = effects_of_shear(problem, result, fine);
   e.Fy = shear_error(result.Fy - coarse.Fy, effects.fy, fine.contact);
   e.Fz = force ? 0 : shear_error(result.Fz - coarse.Fz, effects.fz, fine.contact) + local_normal_force(fine);
-  out.local_moment = moment_share * local_error(effects.moment, fine.contact);
+  out.local_moment = moment_share * local_error(fine.moment, fine.contact);
   estimate_patches(problem, patches, patches_of(coarse_problem, coarse), effects, fine.contact, roughness,
                    out.patches);
+  estimate_track_forces(result, out);
 }
 
 } // namespace bem_contact::contact

@@ -64,6 +64,16 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
   out.area = out.contact * dS;
   out.x /= out.fn;
   out.s /= out.fn;
+  const std::vector<double> rate = friction_power(result);
+  std::vector<Part> moment;
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    const int i = elements[k];
+    const double lever_x = problem.grid.x(i % problem.grid.mx) - out.x;
+    const double lever_s = problem.rows[i / problem.grid.mx].s - out.s;
+    moment.push_back({lever_x * fs[k].value - lever_s * fx[k].value, fx[k].fn, fx[k].adheres});
+    out.friction_power += rate.empty() ? 0.0 : rate[i] * dS;
+  }
+  out.moment = sum_of(moment);
   return out;
 }
 
@@ -127,23 +137,20 @@ ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult
     out.slope = std::abs(across) / down;
     out.turned = contact.fn - std::hypot(across, down);
   }
-  std::vector<Part> moment, fy, fz, fn;
+  std::vector<Part> fy, fz, fn;
   for (int i = 0; i < problem.grid.size(); ++i) {
     if (result.state[i] == ElementState::exterior)
       continue;
     const ContactRow& row = problem.rows[i / mx];
-    const double fx = result.px[i] * dS, fs = result.ps[i] * dS;
+    const double fs = result.ps[i] * dS;
     const double cosine = std::cos(row.delta), sine = std::abs(std::sin(row.delta));
-    const double lever_x = problem.grid.x(i % mx) - contact.x, lever_s = row.s - contact.s;
     const auto part = [&](double value) {
       return Part{value, result.pn[i] * dS, result.state[i] == ElementState::adhesion};
     };
-    moment.push_back(part(lever_x * fs - lever_s * fx));
     fy.push_back(part(fs * (cosine + out.slope * sine)));
     fz.push_back(part(made_up ? 0.0 : fs * sine));
     fn.push_back(part(made_up ? fs * sine * contact.fn / down : 0.0));
   }
-  out.moment = sum_of(moment);
   out.fy = sum_of(fy);
   out.fz = sum_of(fz);
   out.fn = sum_of(fn);

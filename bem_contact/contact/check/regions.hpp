@@ -34,6 +34,8 @@ struct Region {
   int adhesion = 0, adhesion_border = 0; ///< border: one beside it slips
   double fn = 0;                         ///< sum of p_n dS, N
   UncertainSum fx, fs;                   ///< of p_x dS, p_s dS, N
+  UncertainSum moment;                   ///< of both about the centre of pressure, N mm
+  double friction_power = 0;             ///< N (shift: N mm)
   double pmax = 0;                       ///< MPa
   double curvature = 0;                  ///< at the peak: how far p_n falls to its neighbours, twice the mean
                                          ///< along x and twice that along s, MPa
@@ -53,10 +55,9 @@ std::vector<Region> patches_of(const ContactProblem& problem, const ContactResul
 /// Coarse patches that lie where the fine ones do; empty where their numbers differ.
 std::vector<Region> matched(const std::vector<Region>& fine, std::vector<Region> coarse);
 
-/// What an error in the shear tractions changes besides Fx and Fs. Where the vertical force is prescribed,
-/// the pressure makes up for what the shear tractions bear of it.
+/// What an error in the shear tractions changes besides Fx, Fs and the moment. Where the vertical force is
+/// prescribed, the pressure makes up for what the shear tractions bear of it.
 struct ShearEffects {
-  UncertainSum moment; ///< about the centre of pressure, N mm
   UncertainSum fy, fz; ///< N
   UncertainSum fn;     ///< sum of p_n dS, N
   double slope = 0;    ///< change of that sum with Fs: tan of the pressure's mean direction
