@@ -34,16 +34,8 @@ std::optional<std::size_t> first_zig_zag(const std::vector<Point2>& p) {
 }
 
 double millimetres(ProfileUnit unit) {
-  switch (unit) {
-  case ProfileUnit::cm:
-    return 10;
-  case ProfileUnit::m:
-    return 1000;
-  case ProfileUnit::inch:
-    return 25.4;
-  default:
-    return 1;
-  }
+  constexpr double lengths[] = {1, 1, 10, 1000, 25.4};
+  return lengths[static_cast<std::size_t>(unit)];
 }
 
 /// What a width that no profile in mm has could be.
