@@ -14,9 +14,9 @@ struct ContactEstimate {
   std::vector<RailSlice> slices; ///< the whole head of the rail
   /// One for each slice: vertical force of pressure and shear, over that of the pressure alone.
   std::vector<double> lift;
-  double approach = 0;            ///< mm
-  double force = 0;               ///< vertical, N
-  double turn = 0;                ///< turn of the normal within the largest area of contact, rad
+  double approach = 0; ///< mm
+  double force = 0;    ///< vertical, N
+  double turn = 0;     ///< turn of the normal within the largest area of contact, rad
 };
 
 /// Without shear. `compliance`: contact_compliance() of the pair.
