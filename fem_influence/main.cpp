@@ -75,9 +75,11 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--check", arguments.options.check,
                  "With --solid: influence file of the same body to compare with (.h5)");
   app.add_option(
-      "--load-station", arguments.options.load_stations,
-      "With --check or --vtu: stations to load, the points of the strip, counted from 0: 12 or 12,40 "
-      "(default: the middle one)");
+         "--load-station", arguments.options.load_stations,
+         "With --check or --vtu: stations to load, the points of the strip, counted from 0: 12 or 12,40 "
+         "(default: the middle one)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   app.add_option("--load-component", arguments.options.component,
                  "With --vtu: component of the load, 0 = x, 1 = s, 2 = n (default)")
       ->check(CLI::Range(0, 2));

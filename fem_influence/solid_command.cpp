@@ -20,7 +20,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <numeric>
-#include <sstream>
 #include <vector>
 
 namespace bem_contact::fem {
@@ -85,24 +84,6 @@ double mesh_error(const BodyFile& body, const ProfileCurve& curve, const std::fi
   return worst / 2;
 }
 
-std::vector<int> station_numbers(const std::string& text, std::size_t stations) {
-  std::vector<int> numbers;
-  if (text.empty())
-    return {static_cast<int>(stations / 2)};
-  std::istringstream in(text);
-  for (std::string word; std::getline(in, word, ',');)
-    try {
-      std::size_t end = 0;
-      numbers.push_back(std::stoi(word, &end));
-      if (end != word.size())
-        throw std::invalid_argument(word);
-    } catch (const std::logic_error&) {
-      throw InputError("'" + text + "' is no list of stations", "'" + word + "' is no whole number",
-                       "Give --load-station as in 12 or 12,40,66.");
-    }
-  return numbers;
-}
-
 void print_check(const std::vector<SolidDifference>& bands) {
   constexpr const char* name = "xsn";
   fmt::print("{:<16}{:>9}  largest of self and of local, %; then each component of local, %\n", "distance",
@@ -162,7 +143,8 @@ void solid_command(const std::string& body_file, const std::string& mesh, const 
   const ProfileCurve curve = body_profile(body);
   require_mesh_of(body, curve, mesh);
   const std::size_t stations = make_stations(body.strip, curve).size();
-  const std::vector<int> chosen = station_numbers(options.load_stations, stations);
+  const std::vector<int> chosen =
+      options.load_stations.empty() ? std::vector{static_cast<int>(stations / 2)} : options.load_stations;
   std::vector<int> loads = chosen;
   if (!options.output.empty()) { // a file needs them all
     loads.resize(stations);

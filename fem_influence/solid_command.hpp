@@ -3,16 +3,17 @@
 #include "bem_contact/base/conventions.hpp"
 
 #include <string>
+#include <vector>
 
 namespace bem_contact::fem {
 
 /// Options of the solid method. Texts are empty where an option is not given.
 struct SolidOptions {
-  std::string output;          ///< influence file to write (.h5)
-  std::string check;           ///< influence file of the same body to compare with (.h5)
-  std::string vtu;             ///< displacement field to write (.vtu)
-  std::string load_stations;   ///< as in "12,40"
-  int component = component_n; ///< of the load whose field is written
+  std::string output;             ///< influence file to write (.h5)
+  std::string check;              ///< influence file of the same body to compare with (.h5)
+  std::string vtu;                ///< displacement field to write (.vtu)
+  std::vector<int> load_stations; ///< empty: the middle one
+  int component = component_n;    ///< of the load whose field is written
 };
 
 /// `fem_influence BODY.toml MESH.msh --solid ...`: the solid method. Throws InputError for files or settings

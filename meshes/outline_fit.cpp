@@ -1,5 +1,6 @@
 #include "meshes/outline_fit.hpp"
 
+#include "bem_contact/profile/median.hpp"
 #include "meshes/settings.hpp"
 
 #include <Eigen/Cholesky>
@@ -123,13 +124,12 @@ bool settle(GraftPlace& place, std::span<const ProfileSample> samples, std::span
       !refine(place, samples, outline, 2 * unworn_distance, settling_steps))
     return false;
   for (int round = 0; round < settling_rounds; ++round) {
-    auto distances = unworn_at(place, samples, outline).distances;
+    const auto distances = unworn_at(place, samples, outline).distances;
     if (distances.empty())
       return false;
-    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-    std::nth_element(distances.begin(), middle, distances.end());
     if (!refine(place, samples, outline,
-                std::clamp(settling_medians * *middle, settling_least, 2 * unworn_distance), settling_steps))
+                std::clamp(settling_medians * median(distances), settling_least, 2 * unworn_distance),
+                settling_steps))
       return false;
   }
   place.share = static_cast<double>(unworn_at(place, samples, outline).distances.size()) /

@@ -114,17 +114,8 @@ std::string line(const std::string& name, const std::string& unit) {
 }
 
 std::string title_of(Model model) {
-  switch (model) {
-  case Model::hertz:
-    return "Hertz";
-  case Model::halfspace:
-    return "half-space";
-  case Model::tangent_plane:
-    return "tangent plane";
-  case Model::fem:
-    break;
-  }
-  return "FEM";
+  constexpr const char* titles[] = {"Hertz", "half-space", "tangent plane", "FEM"};
+  return titles[static_cast<std::size_t>(model)];
 }
 
 std::string discretisation_text(const SceneResult& r) {
@@ -252,7 +243,7 @@ json to_json(const Comparison& c) {
     for (std::size_t i = 0; i < c.models.size(); ++i) {
       const std::string name(name_of(c.models[i]));
       fx[name] = forces.Fx[i];
-      errors[name] = number_or_null(forces.Fx_error[i]);
+      errors[name] = forces.Fx_error[i];
     }
     creep.push_back({{"xi_from_free_rolling", forces.creepage}, {"Fx", fx}, {"Fx_error", errors}});
   }

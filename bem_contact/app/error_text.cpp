@@ -18,10 +18,6 @@ std::string two_digits(double error) {
   return decimals < 7 ? fmt::format("{:.{}f}", error, decimals) : fmt::format("{:.1e}", error);
 }
 
-json number_or_null(double value) {
-  return std::isnan(value) ? json(nullptr) : json(value);
-}
-
 std::string plus_minus(double error) {
   const std::string text = two_digits(error);
   return text.empty() ? "" : " +- " + text;
@@ -59,7 +55,7 @@ std::string patch_errors_text(const SceneResult& r, std::size_t patch) {
 void add_errors(const SceneResult& result, json& numbers) {
   for (const Quantity& number : quantities())
     if (number.error && numbers.contains(number.name))
-      numbers[error_name(number.name)] = number_or_null(number.error(result));
+      numbers[error_name(number.name)] = number.error(result);
 }
 
 } // namespace bem_contact::app

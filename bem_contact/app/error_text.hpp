@@ -23,11 +23,8 @@ std::string pressure_text(const SceneResult& result);
 /// The line below a patch in the table of patches, of the same columns; "" where nothing is estimated.
 std::string patch_errors_text(const SceneResult& result, std::size_t patch);
 
-/// null for nan.
-nlohmann::json number_or_null(double value);
-
-/// A member "<name>_error" beside each number of `numbers` that has an estimate (quantities()); null where it
-/// has none.
+/// A member "<name>_error" beside each number of `numbers` that has an estimate (quantities()); nan, which
+/// JSON writes as null, where it has none.
 void add_errors(const SceneResult& result, nlohmann::json& numbers);
 
 } // namespace bem_contact::app

@@ -58,7 +58,7 @@ json history_json(const SceneResult& r) {
   for (const ContactResult& step : r.history) {
     json numbers = {{"creepage_found", creepages_json(r.problem, step)}};
     for (const StepQuantity& q : step_quantities())
-      numbers[q.name] = number_or_null(q.value(r, step));
+      numbers[q.name] = q.value(r, step);
     numbers["converged"] = step.converged;
     steps.push_back(std::move(numbers));
   }
@@ -91,9 +91,9 @@ json free_rolling_json(const SceneResult& r) {
   if (!r.free_rolling)
     return nullptr;
   return {{"xi", r.free_rolling->xi},
-          {"xi_error", number_or_null(r.free_rolling->xi_error)},
+          {"xi_error", r.free_rolling->xi_error},
           {"rolling_radius", r.free_rolling->rolling_radius},
-          {"rolling_radius_error", number_or_null(r.free_rolling->radius_error())},
+          {"rolling_radius_error", r.free_rolling->radius_error()},
           {"xi_from_there", r.xi - r.free_rolling->xi}};
 }
 
@@ -118,7 +118,7 @@ template <class Table, class... Patch>
 json quantities_json(const Table& table, const SceneResult& r, Patch... patch) {
   json out = json::object();
   with_errors(table, [&](const std::string& name, const QuantityUnit&, auto value, const char*) {
-    out[name] = number_or_null(value(r, patch...));
+    out[name] = value(r, patch...);
   });
   return out;
 }

@@ -101,8 +101,8 @@ ExitCode verdict(const SceneResult& r) {
 json difference_json(const QuantityDifference& d, const SceneResult& now) {
   return {{"name", d.quantity->name},
           {"unit", d.quantity->unit.of(now)},
-          {"before", number_or_null(d.before)},
-          {"now", number_or_null(d.now)},
+          {"before", d.before},
+          {"now", d.now},
           {"allowed", d.allowed}};
 }
 

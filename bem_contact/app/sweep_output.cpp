@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ostream.h>
+#include <functional>
 #include <numeric>
 #include <ostream>
 
@@ -37,26 +38,6 @@ std::string quoted(const std::string& text) {
   return out;
 }
 
-} // namespace
-
-const char* status_text(CaseStatus status) {
-  switch (status) {
-  case CaseStatus::certified:
-    return "certified";
-  case CaseStatus::not_certified:
-    return "not certified";
-  case CaseStatus::refused:
-    return "refused";
-  case CaseStatus::died:
-    return "died";
-  case CaseStatus::missing:
-    break;
-  }
-  return "missing";
-}
-
-namespace {
-
 const SweepColumns& columns_of(const SweepFile& sweep) {
   return is_of_wheelsets(sweep) ? wheelset_columns() : contact_columns();
 }
@@ -68,25 +49,18 @@ bool is_of_wheelsets(const SweepFile& sweep) {
 }
 
 SweepOutput::SweepOutput(const SweepFile& sweep, std::string digest)
-    : sweep_(&sweep), columns_(&columns_of(sweep)), digest_(std::move(digest)),
-      status_(sweep.size(), CaseStatus::missing), seconds_(sweep.size(), std::nan("")),
-      cpu_seconds_(sweep.size(), std::nan("")),
-      summary_(columns_->cases.size(), std::vector<double>(sweep.size(), std::nan(""))),
-      patches_(sweep.size()) {}
+    : sweep_(&sweep), columns_(&columns_of(sweep)), digest_(std::move(digest)), cases_(sweep.size()) {
+  for (CaseRecord& missing : cases_)
+    missing.seconds = missing.cpu_seconds = std::nan("");
+}
 
-void SweepOutput::add(const CaseRecord& record) {
-  if (record.index >= status_.size() || status_[record.index] != CaseStatus::missing)
-    return;
-  status_[record.index] = record.status;
-  seconds_[record.index] = record.seconds;
-  cpu_seconds_[record.index] = record.cpu_seconds;
-  for (std::size_t k = 0; k < record.summary.size() && k < summary_.size(); ++k)
-    summary_[k][record.index] = record.summary[k];
-  patches_[record.index] = record.patches;
+void SweepOutput::add(const CaseRecord& r) {
+  if (r.index < cases_.size() && status(r.index) == CaseStatus::missing)
+    cases_[r.index] = {r.index, r.status, {}, r.seconds, r.cpu_seconds, r.summary, r.patches, {}};
 }
 
 std::size_t SweepOutput::count(CaseStatus status) const {
-  return static_cast<std::size_t>(std::ranges::count(status_, status));
+  return static_cast<std::size_t>(std::ranges::count(cases_, status, &CaseRecord::status));
 }
 
 void SweepOutput::add_axes(H5Table& table, const std::string& group,
@@ -112,13 +86,13 @@ void SweepOutput::add_patches(H5Table& table) const {
   std::vector<std::size_t> cases;
   std::vector<double> case_of, rank;
   std::vector<std::vector<double>> columns(columns_->patches.size());
-  for (std::size_t i = 0; i < patches_.size(); ++i)
-    for (std::size_t patch = 0; patch < patches_[i].size(); ++patch) {
+  for (std::size_t i = 0; i < size(); ++i)
+    for (std::size_t patch = 0; patch < cases_[i].patches.size(); ++patch) {
       cases.push_back(i);
       case_of.push_back(static_cast<double>(i));
       rank.push_back(static_cast<double>(patch + 1));
       for (std::size_t k = 0; k < columns.size(); ++k)
-        columns[k].push_back(patches_[i][patch].at(k));
+        columns[k].push_back(cases_[i].patches[patch].at(k));
     }
   const std::size_t n = cases.size();
   table.datasets["patches/case"] = {{n}, std::move(case_of), "1", "the case, from 0"};
@@ -132,22 +106,22 @@ void SweepOutput::add_patches(H5Table& table) const {
 
 H5Table SweepOutput::top() const {
   H5Table table;
-  const std::size_t n = status_.size();
-  const auto line = [&](const std::string& name, std::vector<double> values, std::string unit,
-                        std::string description) {
-    table.datasets[name] = {{n}, std::move(values), std::move(unit), std::move(description)};
+  const std::size_t n = size();
+  const auto line = [&](const std::string& name, std::string unit, std::string description, auto value) {
+    H5Dataset& data = table.datasets[name];
+    data = {{n}, std::vector<double>(n), std::move(unit), std::move(description)};
+    std::ranges::transform(cases_, data.values.begin(), value);
   };
   std::vector<std::size_t> cases(n);
   std::iota(cases.begin(), cases.end(), std::size_t{0});
   add_axes(table, "", cases);
-  std::vector<double> status(n);
-  std::ranges::transform(status_, status.begin(), [](CaseStatus s) { return static_cast<double>(s); });
-  line("status", std::move(status), "1", status_description);
-  line("seconds", seconds_, "s", seconds_description);
-  line("cpu_seconds", cpu_seconds_, "s", cpu_description);
-  for (std::size_t k = 0; k < summary_.size(); ++k) {
+  line("status", "1", status_description, [](const CaseRecord& r) { return static_cast<double>(r.status); });
+  line("seconds", "s", seconds_description, std::mem_fn(&CaseRecord::seconds));
+  line("cpu_seconds", "s", cpu_description, std::mem_fn(&CaseRecord::cpu_seconds));
+  for (std::size_t k = 0; k < columns_->cases.size(); ++k) {
     const Column& column = columns_->cases[k];
-    line(column.name, summary_[k], column.unit, column.description);
+    line(column.name, column.unit, column.description,
+         [k](const CaseRecord& r) { return r.summary.empty() ? std::nan("") : r.summary.at(k); });
   }
   if (!columns_->patches.empty())
     add_patches(table);
@@ -155,11 +129,10 @@ H5Table SweepOutput::top() const {
   a["format"] = std::string(sweep_format);
   a["digest"] = digest_;
   a["cases"] = static_cast<double>(n);
-  for (const CaseStatus s : {CaseStatus::missing, CaseStatus::certified, CaseStatus::not_certified,
-                             CaseStatus::refused, CaseStatus::died}) {
-    std::string name = status_text(s);
+  for (std::size_t s = 0; s < EnumNames<CaseStatus>::names.size(); ++s) {
+    std::string name(EnumNames<CaseStatus>::names[s]);
     std::ranges::replace(name, ' ', '_');
-    a[name] = static_cast<double>(count(s));
+    a[name] = static_cast<double>(count(static_cast<CaseStatus>(s)));
   }
   return table;
 }
@@ -196,8 +169,8 @@ std::string cell(const H5Table& table, const Column& column, std::size_t i) {
                                                 : cell(table, column.name, i);
 }
 
-const char* status_of(const H5Table& top, std::size_t i) {
-  return status_text(static_cast<CaseStatus>(top.datasets.at("status").values[i]));
+std::string_view status_of(const H5Table& top, std::size_t i) {
+  return name_of(static_cast<CaseStatus>(top.datasets.at("status").values[i]));
 }
 
 void print_axes(std::ostream& out, const SweepFile& sweep) {

@@ -27,8 +27,8 @@ public:
   SweepOutput(const SweepFile& sweep, std::string digest);
 
   void add(const CaseRecord& record); ///< the first record of a case counts; its fields are not kept
-  std::size_t size() const { return status_.size(); } ///< cases
-  CaseStatus status(std::size_t index) const { return status_[index]; }
+  std::size_t size() const { return cases_.size(); } ///< cases
+  CaseStatus status(std::size_t index) const { return cases_[index].status; }
   std::size_t count(CaseStatus status) const;
 
   /// What is written at the file's top, but for scene and inputs.
@@ -41,10 +41,7 @@ private:
   const SweepFile* sweep_;
   const SweepColumns* columns_;
   std::string digest_;
-  std::vector<CaseStatus> status_;
-  std::vector<double> seconds_, cpu_seconds_;
-  std::vector<std::vector<double>> summary_;
-  std::vector<std::vector<std::vector<double>>> patches_; ///< [case][patch][column]
+  std::vector<CaseRecord> cases_; ///< without their fields
 };
 
 /// Whether the cases are solved by solve_wheelset().
@@ -68,7 +65,5 @@ CsvFiles csv_files(const std::filesystem::path& csv);
 /// `top` has the group "patches". Throws InputError if a file cannot be written.
 void write_csv(const CsvFiles& files, const SweepFile& sweep, const H5Table& top,
                const std::vector<std::string>& reasons);
-
-const char* status_text(CaseStatus status);
 
 } // namespace bem_contact::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/base/enum_names.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
 #include "bem_contact/wheelset/solve_wheelset.hpp"
@@ -8,7 +9,8 @@
 #include <string>
 #include <vector>
 
-namespace bem_contact::app {
+namespace bem_contact {
+namespace app {
 
 enum class CaseStatus {
   missing = 0,       ///< not solved yet
@@ -17,6 +19,12 @@ enum class CaseStatus {
   refused = 3,       ///< the input of the case is wrong: the reason says what
   died = 4           ///< the process that solved it ended
 };
+} // namespace app
+template <> struct EnumNames<app::CaseStatus> {
+  static constexpr std::array<std::string_view, 5> names{"missing", "certified", "not certified", "refused",
+                                                         "died"};
+};
+namespace app {
 
 /// What is kept of one case of a sweep.
 struct CaseRecord {
@@ -56,4 +64,5 @@ CaseRecord case_record(std::size_t index, const WheelsetResult& result, bool fie
 std::string to_bytes(const CaseRecord& record);
 CaseRecord from_bytes(std::string_view bytes);
 
-} // namespace bem_contact::app
+} // namespace app
+} // namespace bem_contact

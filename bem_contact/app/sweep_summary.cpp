@@ -13,7 +13,7 @@ SweepSummary summary_of(const H5Table& top, const Share& share, const std::strin
   const std::vector<double>& cpu = top.datasets.at("cpu_seconds").values;
   SweepSummary out;
   out.text = head;
-  std::map<std::string, int> counts;
+  std::map<std::string_view, int> counts;
   const std::vector<double>& warnings = top.datasets.at("warning_count").values;
   std::size_t cases = 0, warned = 0;
   std::vector<double> times;
@@ -23,7 +23,7 @@ SweepSummary summary_of(const H5Table& top, const Share& share, const std::strin
       continue;
     const auto s = static_cast<CaseStatus>(status[i]);
     ++cases;
-    ++counts[status_text(s)];
+    ++counts[name_of(s)];
     if (!std::isnan(cpu[i]) && s != CaseStatus::died)
       times.push_back(cpu[i]);
     warned += warnings[i] > 0; // nan: no result

@@ -4,7 +4,6 @@
 #include "bem_contact/app/wear_state.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
-#include "bem_contact/influence/h5_table.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -66,27 +65,6 @@ wear::EvolutionOptions options_of(const WearArguments& a, const std::optional<we
   return out;
 }
 
-void write_table(const std::filesystem::path& file, const WearState& state) {
-  H5Table table;
-  for (const wear::WearColumn& column : wear::wear_columns) {
-    H5Dataset& data = table.datasets[column.name];
-    data = {{state.history.size()}, {}, column.unit, "by step"};
-    for (const wear::WearRow& row : state.history)
-      data.values.push_back(row.*column.member);
-  }
-  const auto body = [&](const std::string& name, const wear::WornBody& worn) {
-    H5Dataset &points = table.datasets[name + "/profile"], &depth = table.datasets[name + "/depth"];
-    points = {{worn.points.size(), 2}, {}, "mm", "worn profile (y, z), own frame, z down"};
-    depth = {{worn.depth.size()}, worn.depth, "mm", "taken off along the normals"};
-    for (const Point2& p : worn.points)
-      points.values.insert(points.values.end(), {p.y, p.z});
-  };
-  body("rail", state.pair.rail);
-  body("wheel", state.pair.wheel);
-  table.attributes["format"] = std::string("bem_contact wear");
-  write_h5(file, table);
-}
-
 ExitCode run(const WearArguments& arguments) {
   const SweepFile sweep = read_sweep_file(arguments.scene);
   check_values(sweep);
@@ -121,7 +99,6 @@ ExitCode run(const WearArguments& arguments) {
                state.step, row.mileage, row.rail_depth, row.rail_area, row.wheel_depth, row.wheel_area);
     std::fflush(stdout);
   }
-  write_table(folder / "wear.h5", state);
   fmt::print("{} steps, {} contact problems, {:.1f} minutes\n", state.step - before,
              (state.step - before) * static_cast<int>(cases.size()), watch.seconds() / 60);
   return success;

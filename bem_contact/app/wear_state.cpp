@@ -5,41 +5,47 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/influence/h5_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <ostream>
-#include <sstream>
 
 namespace bem_contact::app {
 
 namespace {
 
-constexpr const char* state_format = "bem_contact wear 1";
+constexpr const char *state_file = "wear.h5", *wear_format = "bem_contact wear";
 
-std::vector<double> values_of(const wear::WearRow& row) {
-  std::vector<double> out;
-  for (const wear::WearColumn& column : wear::wear_columns)
-    out.push_back(row.*column.member);
-  return out;
-}
-
-void write_body(std::ostream& out, const wear::WornBody& body) {
-  out << fmt::format("{} {}\n", body.points.size(), body.area);
-  for (std::size_t i = 0; i < body.points.size(); ++i)
-    out << fmt::format("{} {} {}\n", body.points[i].y, body.points[i].z, body.depth[i]);
-}
-
-void read_body(std::istream& in, wear::WornBody& body) {
-  std::size_t points = 0;
-  in >> points >> body.area;
-  for (std::size_t i = 0; i < points && in; ++i) {
-    Point2 p;
-    double depth = 0;
-    in >> p.y >> p.z >> depth;
-    body.points.push_back(p);
-    body.depth.push_back(depth);
+/// All of the state: the last row of the history has what WearState holds beside it.
+H5Table table_of(const WearState& state, const std::string& digest) {
+  H5Table table;
+  for (const wear::WearColumn& column : wear::wear_columns) {
+    H5Dataset& data = table.datasets[column.name];
+    data = {{state.history.size()}, {}, column.unit, "by step"};
+    for (const wear::WearRow& row : state.history)
+      data.values.push_back(row.*column.member);
   }
+  const auto body = [&](const std::string& name, const wear::WornBody& worn) {
+    H5Dataset &points = table.datasets[name + "/profile"], &depth = table.datasets[name + "/depth"];
+    points = {{worn.points.size(), 2}, {}, "mm", "worn profile (y, z), own frame, z down"};
+    depth = {{worn.depth.size()}, worn.depth, "mm", "taken off along the normals"};
+    for (const Point2& p : worn.points)
+      points.values.insert(points.values.end(), {p.y, p.z});
+  };
+  body("rail", state.pair.rail);
+  body("wheel", state.pair.wheel);
+  table.attributes["format"] = std::string(wear_format);
+  table.attributes["digest"] = digest;
+  return table;
+}
+
+wear::WornBody body_of(const H5Table& table, const std::string& name, double area) {
+  wear::WornBody out{.points = {}, .depth = table.datasets.at(name + "/depth").values, .area = area};
+  const std::vector<double>& points = table.datasets.at(name + "/profile").values;
+  for (std::size_t i = 0; i < points.size(); i += 2)
+    out.points.push_back({points[i], points[i + 1]});
+  return out;
 }
 
 } // namespace
@@ -56,50 +62,40 @@ void write_wear(const std::filesystem::path& folder, const std::string& digest, 
     for (const wear::WearColumn& column : wear::wear_columns)
       names.push_back(csv_name(column.name, column.unit));
     out << fmt::format("{}\n", fmt::join(names, ","));
-    for (const wear::WearRow& row : state.history)
-      out << fmt::format("{:.9g}\n", fmt::join(values_of(row), ","));
+    for (const wear::WearRow& row : state.history) {
+      std::vector<double> values;
+      for (const wear::WearColumn& column : wear::wear_columns)
+        values.push_back(row.*column.member);
+      out << fmt::format("{:.9g}\n", fmt::join(values, ","));
+    }
   });
-  write_whole(folder / "state.txt", [&](std::ostream& out) {
-    out << state_format << '\n' << digest << '\n';
-    out << fmt::format("{} {} {}\n", state.step, state.pair.revolutions, state.history.size());
-    for (const wear::WearRow& row : state.history)
-      out << fmt::format("{}\n", fmt::join(values_of(row), " "));
-    write_body(out, state.pair.rail);
-    write_body(out, state.pair.wheel);
-    out << "end\n";
-  });
+  write_h5(folder / state_file, table_of(state, digest));
 }
 
 std::optional<WearState> read_wear(const std::filesystem::path& folder, const std::string& digest) {
-  const std::filesystem::path file = folder / "state.txt";
-  if (!file_exists(file)) {
+  const auto refuse = [&](const std::string& why, const char* what_to_do) {
+    throw InputError(fmt::format("The output '{}' exists and is not of this wear", folder.string()), why,
+                     what_to_do);
+  };
+  if (!file_exists(folder / state_file)) {
     if (!std::filesystem::is_empty(folder))
-      throw InputError(fmt::format("The output '{}' exists and is not of this wear", folder.string()),
-                       "it is not empty, and there is no state.txt in it: its files might be overwritten",
-                       "Give a new folder, or an empty one.");
+      refuse(fmt::format("it is not empty, and there is no {} in it: its files might be overwritten",
+                         state_file),
+             "Give a new folder, or an empty one.");
     return std::nullopt;
   }
-  std::istringstream in(read_text_file(file.string(), "state of wear"));
-  std::string format, known, end;
-  std::getline(in, format);
-  std::getline(in, known);
-  if (format != state_format || known != digest)
-    throw InputError(fmt::format("The output '{}' exists and is not of this wear", folder.string()),
-                     digest_changed, "Give another folder, or remove it.");
+  const H5Table table = read_h5(folder / state_file);
+  if (text_attribute(table, "format") != wear_format || text_attribute(table, "digest") != digest)
+    refuse(digest_changed, "Give another folder, or remove it.");
   WearState state;
-  std::size_t rows = 0;
-  in >> state.step >> state.pair.revolutions >> rows;
-  for (std::size_t i = 0; i < rows && in; ++i) {
-    wear::WearRow& row = state.history.emplace_back();
-    for (const wear::WearColumn& column : wear::wear_columns)
-      in >> row.*column.member;
-  }
-  read_body(in, state.pair.rail);
-  read_body(in, state.pair.wheel);
-  in >> end;
-  if (end != "end")
-    throw InputError(fmt::format("'{}' is damaged", file.string()), "its end is missing",
-                     "Remove the folder and begin again.");
+  state.history.resize(table.datasets.at("step").values.size());
+  for (const wear::WearColumn& column : wear::wear_columns)
+    for (std::size_t i = 0; i < state.history.size(); ++i)
+      state.history[i].*column.member = table.datasets.at(column.name).values[i];
+  const wear::WearRow& last = state.history.back();
+  state.step = static_cast<int>(last.step);
+  state.pair = {body_of(table, "rail", last.rail_area), body_of(table, "wheel", last.wheel_area),
+                last.revolutions};
   return state;
 }
 

@@ -20,7 +20,7 @@ struct WearState {
 /// The name of a body's file of a step: rail_0001.txt. `extension`: txt, h5 or toml.
 std::string step_file(std::string_view body, int step, std::string_view extension);
 
-/// Writes profiles of this step (rail_0001.txt), wear.csv, and last the state (state.txt), each whole or not
+/// Writes profiles of this step (rail_0001.txt), wear.csv, and last the state (wear.h5), each whole or not
 /// at all: a kill at any moment leaves the state of a finished step.
 void write_wear(const std::filesystem::path& folder, const std::string& digest, const WearState& state);
 

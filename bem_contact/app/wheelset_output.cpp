@@ -51,7 +51,7 @@ std::string pose_text(const WheelsetResult& r) {
 json numbers_of(const WheelsetState& state, WheelSide side) {
   json out = json::object();
   for (const WheelQuantity& q : wheel_quantities())
-    out[q.name] = number_or_null(q.value(state, side));
+    out[q.name] = q.value(state, side);
   return out;
 }
 
@@ -83,7 +83,7 @@ std::string to_text(const WheelsetResult& r) {
 json to_json(const WheelsetResult& r) {
   json totals = json::object(), units = json::object();
   for (const WheelsetQuantity& q : wheelset_quantities()) {
-    totals[q.name] = number_or_null(q.value(r));
+    totals[q.name] = q.value(r);
     units[q.name] = q.unit;
   }
   for (const WheelQuantity& q : wheel_quantities())

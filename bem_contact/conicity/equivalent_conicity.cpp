@@ -108,10 +108,9 @@ std::optional<EquivalentConicity> equivalent_conicity(std::span<const RadiusDiff
   double low = 0, high = std::min(highest(right), highest(left));
   if (!(width(high) >= 2 * amplitude) || !(high > 0))
     return std::nullopt;
-  for (int i = 0; i < level_halvings; ++i) {
-    const double middle = 0.5 * (low + high);
+  for (double middle = 0.5 * high; low < middle && middle < high;
+       middle = 0.5 * (low + high)) // to the last bit
     (width(middle) < 2 * amplitude ? low : high) = middle;
-  }
   const double from = *reach(left, high), to = *reach(right, high);
   EquivalentConicity out{.amplitude = amplitude,
                          .wavelength = std::numeric_limits<double>::infinity(),

@@ -21,8 +21,6 @@ BEM_CONTACT_TUNED(double, beyond_amplitude, 2.0);
 BEM_CONTACT_TUNED(double, height_difference, 1e-9);
 /// 1. Steps to the roll at which they do. Each is a secant step; 4 are usual. A bound.
 BEM_CONTACT_TUNED(int, roll_steps, 40);
-/// 1. Halvings of the level of a motion: to the last bit.
-BEM_CONTACT_TUNED(int, level_halvings, 100);
 /// mm. A motion whose width differs by more from the one asked for stands at a jump of the width: there is
 /// none of this amplitude.
 BEM_CONTACT_TUNED(double, width_tolerance, 1e-6);

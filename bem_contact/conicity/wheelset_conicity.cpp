@@ -14,8 +14,7 @@ WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplit
         fmt::format("The conicity cannot be given for amplitudes up to {:g} mm in steps of {:g} mm", largest,
                     step),
         "the step must be above 0 and not above the largest, the largest at most 45 mm, and 10000 of them "
-        "are "
-        "allowed",
+        "are allowed",
         "Give both in mm, as 10 and 1.");
   WheelsetConicity out{.lengths = {wheelset.contact_distance(), wheelset.position.wheel_radius},
                        .stands = rolling_radius_difference(wheelset, largest + beyond_amplitude),

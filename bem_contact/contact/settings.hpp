@@ -30,9 +30,6 @@ BEM_CONTACT_TUNED(int, most_boxes, 3);
 BEM_CONTACT_TUNED(double, several_boxes_share, 0.6);
 /// 1. Boxes of former elements are used again up to this many times the size that is needed. Chosen.
 BEM_CONTACT_TUNED(double, box_reuse_factor, 2.5);
-/// Elements. They may have so many elements on top of box_reuse_factor times the size that is needed: small
-/// boxes cost hardly more than the smallest. Chosen.
-BEM_CONTACT_TUNED(int, box_reuse_elements, 64);
 
 // --- grid/larger_elements.cpp ---
 

@@ -12,7 +12,7 @@ namespace bem_contact {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr int most_terms = 64; ///< of an expansion: room for them
+constexpr int most_terms = 64; ///< of an expansion: room for them, and a bound
 
 /// Sum over n >= start of n^-power: Euler-Maclaurin, next term below 1e-16 for start >= 64.
 double infinite_sum(int power, double start) {
@@ -30,7 +30,7 @@ Complex infinite_sum(int power, double start, double angle) {
   double factor = 1;                                   // C(-power, l) start^-l
   Complex sum = 0;
   double smallest = std::numeric_limits<double>::infinity(), before = smallest;
-  for (int l = 0; l < std::min(int(expansion_terms), most_terms); ++l) {
+  for (int l = 0; l < most_terms; ++l) {
     Complex value = 0;
     for (int d = l + 1; d >= 0; --d)
       value = value * u + polynomial[static_cast<std::size_t>(d)];

@@ -20,8 +20,6 @@ BEM_CONTACT_TUNED(double, tail_reach, 16.0);
 BEM_CONTACT_TUNED(double, expansion_phase, 36.0);
 /// 1 (harmonics). and without a phase from this harmonic on (Euler-Maclaurin: next term below 1e-16).
 BEM_CONTACT_TUNED(double, expansion_start, 64.0);
-/// 1. Terms of that expansion: a bound, it ends at its smallest term.
-BEM_CONTACT_TUNED(int, expansion_terms, 40);
 /// 1 (share of the sum). Smaller terms of it no longer count.
 BEM_CONTACT_TUNED(double, expansion_tolerance, 1e-17);
 /// 1 (harmonics). Cosines follow from each other by rotation, and anew from the angle after so many: rounding

@@ -1,6 +1,7 @@
 #include "bem_contact/profile/profile_orientation.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/median.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/settings.hpp"
 #include "bem_contact/profile/wheel_datum.hpp"
@@ -48,13 +49,12 @@ void mend_rail_signs(std::vector<Point2>& points, const std::string& source) {
 
 /// The top of a rail is broad. What is narrow at the top of something as wide as a wheel is a flange.
 void require_rail(const std::vector<Point2>& points, const std::string& source) {
-  const auto by_y = [](Point2 a, Point2 b) { return a.y < b.y; };
   const double top = std::ranges::min_element(points, {}, &Point2::z)->z;
   std::vector<Point2> high;
   std::ranges::copy_if(points, std::back_inserter(high), [&](Point2 p) { return p.z < top + top_depth; });
   const auto width = [&](const std::vector<Point2>& of) {
-    const auto [low, last] = std::minmax_element(of.begin(), of.end(), by_y);
-    return last->y - low->y;
+    const auto [low, last] = std::ranges::minmax(of, {}, &Point2::y);
+    return last.y - low.y;
   };
   if (width(high) < narrowest_top && width(points) > widest_rail_head)
     throw InputError(
@@ -67,10 +67,10 @@ void require_rail(const std::vector<Point2>& points, const std::string& source) 
 
 /// A wheel's flange is what stands out most from the median height; it points down.
 void mend_wheel_z(std::vector<Point2>& points, const std::string& source) {
-  std::vector<Point2> by_height = points;
-  std::sort(by_height.begin(), by_height.end(), [](Point2 a, Point2 b) { return a.z < b.z; });
-  const double median = by_height[by_height.size() / 2].z;
-  const double down = by_height.back().z - median, up = median - by_height.front().z;
+  std::vector<double> heights;
+  std::ranges::transform(points, std::back_inserter(heights), &Point2::z);
+  const auto [top, bottom] = std::ranges::minmax(heights);
+  const double middle = median(heights), down = bottom - middle, up = middle - top;
   if (up > down && up >= least_flange)
     flip_z_by_shape(points, source);
 }

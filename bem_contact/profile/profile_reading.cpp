@@ -9,8 +9,7 @@ void add_profile_reading(Schema& s, const std::string& table, ProfileReading& re
         {.unit = "mm", .at_least = 0, .at_most = 50});
   t.add("nominal", reading.nominal,
         "Of a profile file: the standard profile from which it was made (S1002, 60E1); only the depth worn "
-        "off it "
-        "is smoothed, by smoothing or, if that is 0, as the points tell");
+        "off it is smoothed, by smoothing or, if that is 0, as the points tell");
   t.add("unit", reading.unit, "Of a profile file: its unit; found: by the width, mm or m");
   t.add("profile_z", reading.profile_z,
         "Of a profile file: where z points; as stated: as the format says, else found by the shape");

@@ -1,6 +1,7 @@
 #include "bem_contact/profile/profile_repair.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/median.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/profile_orientation.hpp"
 #include "bem_contact/profile/settings.hpp"
@@ -34,16 +35,8 @@ std::optional<std::size_t> first_zig_zag(const std::vector<Point2>& p) {
 }
 
 double millimetres(ProfileUnit unit) {
-  switch (unit) {
-  case ProfileUnit::cm:
-    return 10;
-  case ProfileUnit::m:
-    return 1000;
-  case ProfileUnit::inch:
-    return 25.4;
-  default:
-    return 1;
-  }
+  constexpr double lengths[] = {1, 1, 10, 1000, 25.4};
+  return lengths[static_cast<std::size_t>(unit)];
 }
 
 /// What a width that no profile in mm has could be, and the keys that say so.
@@ -68,9 +61,8 @@ UnitGuess guess_unit(double width) {
 }
 
 void mend_units(std::vector<Point2>& points, const std::string& source, ProfileUnit unit) {
-  const auto [low, high] =
-      std::minmax_element(points.begin(), points.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
-  double width = high->y - low->y;
+  const auto [low, high] = std::ranges::minmax(points, {}, &Point2::y);
+  double width = high.y - low.y;
   const bool metres = unit == ProfileUnit::found && width >= narrowest_in_metres && width <= widest_in_metres;
   const double factor = metres ? 1000 : millimetres(unit);
   if (metres)
@@ -148,7 +140,7 @@ void mend_order(std::vector<Point2>& points, const std::string& source) {
   if (!at && !runs_back(points))
     return;
   std::vector<Point2> sorted = points;
-  std::stable_sort(sorted.begin(), sorted.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
+  std::ranges::stable_sort(sorted, {}, &Point2::y);
   if (!first_zig_zag(sorted) && path_length(points) > shuffled_walk * path_length(sorted)) {
     messages()->warn("{}: the points are out of order: sorted by y", source);
     points = std::move(sorted);
@@ -205,10 +197,7 @@ void report_holes(const std::vector<Point2>& p, const std::string& source) {
   std::vector<double> length;
   for (std::size_t i = 1; i < p.size(); ++i)
     length.push_back(norm(p[i] - p[i - 1]));
-  std::vector<double> sorted = length;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
-                   sorted.end());
-  const double median = sorted[sorted.size() / 2];
+  const double usual = median(length);
   const auto direction = [&](std::size_t i) { return std::atan2(p[i + 1].z - p[i].z, p[i + 1].y - p[i].y); };
   const auto degrees = [&](std::size_t from, std::size_t to) {
     return std::remainder(direction(to) - direction(from), 2 * std::numbers::pi) * 180 / std::numbers::pi;
@@ -216,7 +205,7 @@ void report_holes(const std::vector<Point2>& p, const std::string& source) {
   std::size_t jumps = 0, first = 0;
   for (std::size_t i = 1; i + 2 < p.size(); ++i) {
     const double turned = std::abs(degrees(i - 1, i + 1));
-    if (length[i] > std::max(hole_length * median, least_hole) && turned > hole_turn)
+    if (length[i] > std::max(hole_length * usual, least_hole) && turned > hole_turn)
       messages()->warn(
           "{}: no points for {:.3g} mm from y = {:.4g} to y = {:.4g}, over which the profile turns by "
           "{:.2g} degrees: its shape there is a guess",

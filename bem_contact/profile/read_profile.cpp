@@ -8,6 +8,7 @@
 #include "bem_contact/profile/profile_smoothing.hpp"
 #include "bem_contact/profile/settings.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/profile/vampire_format.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -46,18 +47,6 @@ ProfileCurve profile_of_body(const std::filesystem::path& file, ProfileKind kind
         "the distance of the surfaces is that to a straight rail",
         "Use kind = \"patch\": gap.a has the curvatures along x, and influence files of rings serve there.");
   return curve;
-}
-
-MeasuredPoints points_of(std::string_view text, const std::string& source, ProfileKind kind, int part,
-                         bool left) {
-  if (is_miniprof(text))
-    return miniprof_points(text, source, part);
-  if (part > 1)
-    throw InputError(fmt::format("{} has no profile {}", source, part), "its format holds one",
-                     "Leave out the number behind #.");
-  return is_simpack(text)   ? simpack_points(text, source, kind)
-         : is_vampire(text) ? vampire_points(text, source, kind, left)
-                            : plain_points(text, source);
 }
 
 std::string file_name(const std::string& source) {

@@ -269,11 +269,8 @@ PYBIND11_MODULE(_core, m) {
   constexpr const char* of_arguments =
       "`scene`: the path of a scene file; the text of one (more than one line of TOML); or a dict, as "
       "{\"load\": {\"force\": 1e5}, \"rail.profile\": \"60E1\"}. Relative paths start in the file's folder, "
-      "of a "
-      "text or a dict in `folder` (None: the working directory). "
-      "`changes`: values of the scene's keys instead of the file's, as {\"position.lateral\": 6.6}; numbers "
-      "and "
-      "arrays may be NumPy's. `model`: "
+      "of a text or a dict in `folder` (None: the working directory). `changes`: values of the scene's keys "
+      "instead of the file's, as {\"position.lateral\": 6.6}; numbers and arrays may be NumPy's. `model`: "
       "auto, hertz, halfspace, tangent_plane or fem; \"\" takes the scene's own. Raises InputError (a "
       "ValueError) for wrong input. `strict`: warnings are errors. Lack of convergence is in the result.";
   m.def("solve", solve_one, "scene"_a = py::none(), "changes"_a = py::none(), "model"_a = py::none(),
@@ -282,18 +279,13 @@ PYBIND11_MODULE(_core, m) {
       m, "Sequence",
       "Solves one scene with many changes, each from what the former ones taught: files are read once, and a "
       "case starts from the tractions of the one before. The scene is read, and its paths are fixed, when "
-      "the "
-      "object is made. Several threads may call one object: each call waits for the one before. Several "
+      "the object is made. Several threads may call one object: each call waits for the one before. Several "
       "objects run side by side. Ctrl-C ends a running solve. `threads` share the work of a case with "
-      "thousands of "
-      "elements in contact; results are the same.")
+      "thousands of elements in contact; results are the same.")
       .def(py::init(&sequence_of), "scene"_a = py::none(), "folder"_a = py::none(), "threads"_a = 1)
       .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), "strict"_a = false,
            of_arguments);
-  add_compare(m);
-  add_conicity(m);
-  add_creep_curves(m);
-  add_wheelset(m);
+  add_functions(m);
   add_table(m);
   add_wear_functions(m);
   m.def("report", &report::write_report, "file"_a, "output"_a, py::call_guard<py::gil_scoped_release>(),

@@ -62,9 +62,8 @@ table::SceneTable described(const py::object& scene, const py::object& axes, con
     if (const auto* numbers = std::get_if<std::vector<double>>(&axis.value))
       out.axes.push_back({axis.key, *numbers});
     else
-      throw py::type_error(Error("The axis " + axis.key + " cannot be used", "it is no list of numbers",
-                                 "Give one, as [4e4, 8e4].")
-                               .what());
+      refuse_type("The axis " + axis.key + " cannot be used", "it is no list of numbers",
+                  "Give one, as [4e4, 8e4].");
   return out;
 }
 
@@ -177,14 +176,12 @@ void add_table(py::module_& module) {
       "folder"_a = py::none(),
       "Forces over axes, refined until the interpolation is within `tolerance`. Without a `scene`: creep "
       "forces of an ellipse over a/b (`ratio`, from and to) and the creepages, for `poisson` and so many "
-      "`elements` across. With a scene, as solve() takes it: `axes` (a dict of keys and lists of numbers) "
-      "or its own table [table]; `hold` names the numbers whose error is kept within the tolerance. A dict: "
+      "`elements` across. With a scene, as solve() takes it: `axes` (a dict of keys and lists of numbers) or "
+      "its own table [table]; `hold` names the numbers whose error is kept within the tolerance. A dict: "
       "\"axes\", \"first\" (of creep forces: where on an axis the points begin that belong to each point of "
-      "the "
-      "axes before it), \"values\" (an array over all axes for each number; of creep forces over all "
-      "points), "
-      "\"errors\" (interpolation, elements, scale, held), \"units\", \"creep_scale\". `output`: an HDF5 "
-      "file, too.");
+      "the axes before it), \"values\" (an array over all axes for each number; of creep forces over all "
+      "points), \"errors\" (interpolation, elements, scale, held), \"units\", \"creep_scale\". `output`: an "
+      "HDF5 file, too.");
 }
 
 } // namespace bem_contact

@@ -17,10 +17,6 @@ namespace bem_contact {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& problem, const std::string& why, const std::string& what_to_do) {
-  throw py::type_error(Error(problem, why, what_to_do).what());
-}
-
 std::string type_name(const py::object& value) {
   return py::cast<std::string>(py::type::of(value).attr("__name__"));
 }
@@ -38,10 +34,10 @@ bool is_path(const py::object& value) {
 std::string path_of(const py::object& given, const char* what) {
   const py::object path = py::hasattr(given, "__fspath__") ? py::object(given.attr("__fspath__")()) : given;
   if (!py::isinstance<py::str>(path))
-    refuse(fmt::format("The {} cannot be used", what),
-           py::isinstance<py::bytes>(path) ? "its path is of bytes"
-                                           : fmt::format("its type is {}", type_name(path)),
-           "Give the path as text or as pathlib.Path.");
+    refuse_type(fmt::format("The {} cannot be used", what),
+                py::isinstance<py::bytes>(path) ? "its path is of bytes"
+                                                : fmt::format("its type is {}", type_name(path)),
+                "Give the path as text or as pathlib.Path.");
   return path.cast<std::string>();
 }
 
@@ -80,15 +76,15 @@ SchemaValue value_of(const std::string& key, const py::object& given) {
     for (const py::handle element : value) {
       const py::object number = without_numpy(py::reinterpret_borrow<py::object>(element));
       if (!is_number(number))
-        refuse(fmt::format("The value of {} cannot be used", key),
-               fmt::format("its list holds something of type {}", type_name(number)),
-               "Give a list of numbers, or an array of one dimension.");
+        refuse_type(fmt::format("The value of {} cannot be used", key),
+                    fmt::format("its list holds something of type {}", type_name(number)),
+                    "Give a list of numbers, or an array of one dimension.");
       numbers.push_back(number_of(number));
     }
   else
-    refuse(fmt::format("The value of {} cannot be used", key),
-           fmt::format("its type is {}", type_name(given)),
-           "Give a number, text, True, False, or a list of numbers.");
+    refuse_type(fmt::format("The value of {} cannot be used", key),
+                fmt::format("its type is {}", type_name(given)),
+                "Give a number, text, True, False, or a list of numbers.");
   return numbers;
 }
 
@@ -115,8 +111,8 @@ void add_table(const py::object& table, const std::string& prefix, std::string& 
   for (const py::handle item : table.attr("items")()) {
     const auto [key, value] = py::cast<std::pair<py::object, py::object>>(item);
     if (!py::isinstance<py::str>(key))
-      refuse("The scene cannot be used", fmt::format("one of its keys is of type {}", type_name(key)),
-             "Name the keys of a scene, as {'load': {'force': 1e5}}.");
+      refuse_type("The scene cannot be used", fmt::format("one of its keys is of type {}", type_name(key)),
+                  "Name the keys of a scene, as {'load': {'force': 1e5}}.");
     const std::string name = key_text(key.cast<std::string>()),
                       path = prefix.empty() ? name : prefix + "." + name;
     if (path == "sweep") // as in a file: for sweeps alone
@@ -130,6 +126,10 @@ void add_table(const py::object& table, const std::string& prefix, std::string& 
 
 } // namespace
 
+void refuse_type(const std::string& problem, const std::string& why, const std::string& what_to_do) {
+  throw py::type_error(Error(problem, why, what_to_do).what());
+}
+
 PythonScene scene_of(const py::object& scene, const py::object& folder) {
   const auto start = [&](const std::filesystem::path& own) {
     return std::filesystem::absolute(folder.is_none() ? own
@@ -141,8 +141,8 @@ PythonScene scene_of(const py::object& scene, const py::object& folder) {
     return {text, "dict", start(".")};
   }
   if (!is_path(scene))
-    refuse("The scene cannot be used", fmt::format("its type is {}", type_name(scene)),
-           "Give the path of a scene file, its text, or a dict.");
+    refuse_type("The scene cannot be used", fmt::format("its type is {}", type_name(scene)),
+                "Give the path of a scene file, its text, or a dict.");
   std::string name = path_of(scene, "scene");
   // No scene fits into one line, and hardly a file has a name of two.
   if (py::isinstance<py::str>(scene) && name.find('\n') != std::string::npos)
@@ -163,13 +163,14 @@ std::vector<SceneChange> changes_of(const py::object& changes) {
   if (changes.is_none())
     return list;
   if (!py::hasattr(changes, "items"))
-    refuse("The changes cannot be used", fmt::format("their type is {}", type_name(changes)),
-           "Give a dict, as {'position.lateral': 6.6}.");
+    refuse_type("The changes cannot be used", fmt::format("their type is {}", type_name(changes)),
+                "Give a dict, as {'position.lateral': 6.6}.");
   for (const py::handle item : changes.attr("items")()) {
     const auto [key, value] = py::cast<std::pair<py::object, py::object>>(item);
     if (!py::isinstance<py::str>(key))
-      refuse("The changes cannot be used", fmt::format("one of their keys is of type {}", type_name(key)),
-             "Name the keys of a scene, as {'position.lateral': 6.6}.");
+      refuse_type("The changes cannot be used",
+                  fmt::format("one of their keys is of type {}", type_name(key)),
+                  "Name the keys of a scene, as {'position.lateral': 6.6}.");
     const auto name = key.cast<std::string>();
     list.push_back({name, value_of(name, value)});
   }
@@ -180,8 +181,8 @@ std::string model_of(const py::object& model) {
   if (model.is_none())
     return "";
   if (!py::isinstance<py::str>(model))
-    refuse("The model cannot be used", fmt::format("its type is {}", type_name(model)),
-           "Give 'auto', 'hertz', 'halfspace', 'tangent_plane' or 'fem'.");
+    refuse_type("The model cannot be used", fmt::format("its type is {}", type_name(model)),
+                "Give 'auto', 'hertz', 'halfspace', 'tangent_plane' or 'fem'.");
   return model.cast<std::string>();
 }
 
@@ -191,16 +192,16 @@ py::array_t<double> array_of(const std::vector<double>& values) {
 
 void refuse_unknown(const char* function, const py::args& more, const py::kwargs& unknown) {
   if (!more.empty())
-    refuse(fmt::format("{}() has too many arguments", function),
-           fmt::format("{} more than it takes", more.size()), "See help(bem_contact.solve).");
+    refuse_type(fmt::format("{}() has too many arguments", function),
+                fmt::format("{} more than it takes", more.size()), "See help(bem_contact.solve).");
   for (const auto& item : unknown) {
     const auto name = py::cast<std::string>(item.first);
     const std::vector<std::string> known{"scene", "changes", "model", "strict", "folder"};
     const auto like = nearest_names(name, known, 1);
-    refuse(fmt::format("{}() has no argument '{}'", function, name),
-           "its arguments are scene, changes, model, strict and folder",
-           like.empty() ? "Put keys of the scene into the dict `changes`."
-                        : fmt::format("Did you mean {}?", like.front()));
+    refuse_type(fmt::format("{}() has no argument '{}'", function, name),
+                "its arguments are scene, changes, model, strict and folder",
+                like.empty() ? "Put keys of the scene into the dict `changes`."
+                             : fmt::format("Did you mean {}?", like.front()));
   }
 }
 

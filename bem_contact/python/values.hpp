@@ -27,6 +27,9 @@ std::vector<SceneChange> changes_of(const pybind11::object& changes);
 std::string model_of(const pybind11::object& model);
 /// A copy, as an array of one dimension.
 pybind11::array_t<double> array_of(const std::vector<double>& values);
+/// Throws TypeError.
+[[noreturn]] void refuse_type(const std::string& problem, const std::string& why,
+                              const std::string& what_to_do);
 /// Throws TypeError if there are any, naming the nearest known argument.
 void refuse_unknown(const char* function, const pybind11::args& more, const pybind11::kwargs& unknown);
 

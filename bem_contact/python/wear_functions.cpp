@@ -145,13 +145,12 @@ void add_wear_functions(py::module_& module) {
   module.def(
       "wear", &wear_of, "result"_a, "law"_a = "energy", "hardness"_a = 3000.0, "speed"_a = 3e4,
       "map"_a = py::none(),
-      "What a Result wears away: `rate` (depth per mm rolled, [ms][mx]), `depth` over `s` of the rail in "
-      "a passage and over `wheel_s` of the wheel in a revolution (mm), `sliding_distance` (mm), "
+      "What a Result wears away: `rate` (depth per mm rolled, [ms][mx]), `depth` over `s` of the rail in a "
+      "passage and over `wheel_s` of the wheel in a revolution (mm), `sliding_distance` (mm), "
       "`volume_per_distance` (mm^3/mm). `law`: energy (T-gamma) or archard, with `hardness` (MPa) and "
       "rolling `speed` (mm/s) and `map`: borders of sliding speed (mm/s), borders of pressure (MPa), and k "
-      "as "
-      "rows over pressure of columns over speed; None: the map of KTH Stockholm. Raises InputError for what "
-      "does not roll steadily with friction.");
+      "as rows over pressure of columns over speed; None: the map of KTH Stockholm. Raises InputError for "
+      "what does not roll steadily with friction.");
   const wear::EvolutionOptions usual;
   module.def(
       "wear", &wear_under, "scene"_a, "depth"_a = 0.1, py::kw_only(), "law"_a = "energy",
@@ -163,8 +162,7 @@ void add_wear_functions(py::module_& module) {
       "`revolutions`, `mileage` (km), `rail_depth`, `wheel_depth` (mm), `rail_area`, `wheel_area` (gone from "
       "the section, mm^2), and the profiles `rail`, `wheel` [step][point][y, z] (own frame, z down, mm). "
       "`body`: both, rail or wheel; `cap`, `smoothing` (mm), `passages`, `kept_turn` (rad): as the options "
-      "of "
-      "the command. Nothing is kept on disk: a study that is to go on after it was stopped belongs to the "
+      "of the command. Nothing is kept on disk: a study that is to go on after it was stopped belongs to the "
       "command. Raises InputError where influence functions would have to be computed anew.");
   const fatigue::DamageFunction defaults;
   module.def("fatigue", &fatigue_of, "result"_a, "yield_shear"_a = 300.0, "poisson"_a = 0.28,

@@ -20,8 +20,8 @@ template <class Force> double approach_for(double wanted, const Force& force) {
   if (at_hi <= 0)
     return hi;
   std::uintmax_t calls = approach_steps;
-  const auto narrow = [](double a, double b) { return b - a <= approach_width; };
-  return boost::math::tools::toms748_solve(excess, lo, hi, at_lo, at_hi, narrow, calls).second;
+  const boost::math::tools::eps_tolerance<double> to_rounding;
+  return boost::math::tools::toms748_solve(excess, lo, hi, at_lo, at_hi, to_rounding, calls).second;
 }
 
 } // namespace bem_contact

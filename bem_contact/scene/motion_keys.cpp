@@ -31,8 +31,7 @@ void add_friction(SchemaTable& t, SceneFile::Motion& m) {
   t.add("polach_b", m.polach_b, "Polach's B. Dry and clean: 0.60, wet: 0.20",
         {.unit = "s/m", .at_least = 0, .zero_is_none = true});
   t.add("friction_table", m.friction_table,
-        "CSV file with columns s, mu (linear in between) instead of friction; s as in the result. "
-        "With two "
+        "CSV file with columns s, mu (linear in between) instead of friction; s as in the result. With two "
         "columns more, falling_friction and half_slip_velocity, each row has its own law");
 }
 

@@ -105,17 +105,14 @@ struct Reader {
   std::vector<SchemaValue> values(const toml::array& list, const std::string& key, int line) const {
     std::vector<SchemaValue> out;
     for (const toml::node& node : list) {
-      if (const auto* whole = node.as_integer())
-        out.emplace_back(whole->get());
-      else if (const auto* number = node.as_floating_point())
-        out.emplace_back(number->get());
-      else if (const auto* flag = node.as_boolean())
-        out.emplace_back(flag->get());
-      else if (const auto* text = node.as_string())
-        out.emplace_back(text->get());
-      else
-        refuse(line, fmt::format("{}.{} holds something that is no value", section, key),
-               "its elements must be numbers, texts, true or false", "Correct the list.");
+      node.visit([&](const auto& value) {
+        if constexpr (toml::is_integer<decltype(value)> || toml::is_floating_point<decltype(value)> ||
+                      toml::is_boolean<decltype(value)> || toml::is_string<decltype(value)>)
+          out.emplace_back(value.get());
+        else
+          refuse(line, fmt::format("{}.{} holds something that is no value", section, key),
+                 "its elements must be numbers, texts, true or false", "Correct the list.");
+      });
     }
     if (out.empty())
       refuse(line, fmt::format("{}.{} is empty", section, key), "there is nothing to solve", "Give values.");
@@ -253,15 +250,9 @@ SweepFile read_sweep_file(const std::filesystem::path& file) {
 }
 
 std::string to_text(const SchemaValue& value) {
-  if (const auto* number = std::get_if<double>(&value))
-    return fmt::format("{}", *number);
-  if (const auto* whole = std::get_if<std::int64_t>(&value))
-    return fmt::format("{}", *whole);
-  if (const auto* flag = std::get_if<bool>(&value))
-    return *flag ? "true" : "false";
-  if (const auto* list = std::get_if<std::vector<double>>(&value))
-    return fmt::format("[{}]", fmt::join(*list, ", "));
-  return fmt::format("\"{}\"", std::get<std::string>(value));
+  if (const auto* text = std::get_if<std::string>(&value))
+    return fmt::format("\"{}\"", *text);
+  return std::visit([](const auto& plain) { return fmt::format("{}", plain); }, value);
 }
 
 } // namespace bem_contact

@@ -1,4 +1,4 @@
-#include "bem_contact/scene/scene_checks.hpp"
+#include "bem_contact/scene/unused_keys.hpp"
 
 #include "bem_contact/profile/standard_profiles.hpp"
 
@@ -58,8 +58,7 @@ std::vector<Cause> causes_of_motion(const SceneFile& f) {
       {{"motion.speed"},
        !m.frictionless && m.kind != MotionKind::shift && !rates && !falls && !f.temperature.flash,
        "neither motion.pitch_rate nor a velocity is given beside it, and neither friction that falls with "
-       "the slip "
-       "velocity nor a temperature is asked for"},
+       "the slip velocity nor a temperature is asked for"},
       {{"motion.half_slip_velocity"}, !m.falling_friction, "motion.falling_friction is not given"},
       {{"temperature.rail", "temperature.wheel", "temperature.rail_conductivity",
         "temperature.wheel_conductivity", "temperature.rail_heat_capacity", "temperature.wheel_heat_capacity",

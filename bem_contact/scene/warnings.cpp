@@ -76,8 +76,7 @@ std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSet
       out.push_back(fmt::format(
           "the wheel stands on the tip of its flange, y = {:.1f} mm of its profile: it has left the track "
           "(position.lateral, position.gauge, position.back_to_back), or the profile's y = 0 is not at the "
-          "tape "
-          "circle (wheel.flange_back)",
+          "tape circle (wheel.flange_back)",
           tip->y));
   }
   return out;

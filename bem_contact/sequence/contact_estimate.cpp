@@ -17,7 +17,7 @@ namespace {
 /// difference itself, because K and E cancel for the small m of slices far from the deepest one.
 double k_minus_e(double m) {
   double a = 1, b = std::sqrt(1 - m), sum = m, power = 1;
-  for (int i = 0; i < elliptic_steps && a - b > elliptic_tolerance; ++i) {
+  while (a - b > elliptic_tolerance) { // each step doubles the digits
     const double c = 0.5 * (a - b), mean = 0.5 * (a + b);
     b = std::sqrt(a * b);
     a = mean;
@@ -232,7 +232,7 @@ std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, doub
 }
 
 std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate) {
-  return potential_areas(estimate, estimate.reach * std::max(estimate.approach, least_approach));
+  return potential_areas(estimate, potential_share * std::max(estimate.approach, least_approach));
 }
 
 } // namespace bem_contact

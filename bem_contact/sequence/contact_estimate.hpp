@@ -14,10 +14,9 @@ struct ContactEstimate {
   std::vector<RailSlice> slices; ///< the whole head of the rail
   /// One for each slice: vertical force of pressure and shear, over that of the pressure alone.
   std::vector<double> lift;
-  double approach = 0;            ///< mm
-  double force = 0;               ///< vertical, N
-  double turn = 0;                ///< turn of the normal within the largest area of contact, rad
-  double reach = potential_share; ///< of the approach: where h is below, the bodies may touch
+  double approach = 0; ///< mm
+  double force = 0;    ///< vertical, N
+  double turn = 0;     ///< turn of the normal within the largest area of contact, rad
 };
 
 /// Without shear. `compliance`: contact_compliance() of the pair.
@@ -34,7 +33,7 @@ struct PotentialArea {
 };
 /// All of them, h < q cos(delta), along s.
 std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, double q);
-/// Those within reach of the estimate's own approach.
+/// Those where the undeformed distance is below potential_share of the estimate's own approach.
 std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate);
 
 /// What the estimate says of the area that bears most.

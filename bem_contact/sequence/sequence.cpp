@@ -52,14 +52,11 @@ Sequence::Sequence(SequenceOptions options, std::shared_ptr<SequenceFiles> files
 ContactCase Sequence::prepare(const SceneFile& scene, const SceneTask& task) {
   if (!options_.keep_files)
     memory_.files = std::make_shared<SequenceFiles>();
-  ContactCase out = prepare_case(scene, *memory_.files,
-                                 {.foresee_shear = options_.foresee_shear,
-                                  .own_shape = options_.own_shape,
-                                  .read_influence = task.read_influence,
-                                  .lateral_force = task.lateral_force});
-  if (out.estimate && !options_.potential_contact)
-    out.estimate->reach *= generous_reach;
-  return out;
+  return prepare_case(scene, *memory_.files,
+                      {.foresee_shear = options_.foresee_shear,
+                       .own_shape = options_.own_shape,
+                       .read_influence = task.read_influence,
+                       .lateral_force = task.lateral_force});
 }
 
 SolveResources Sequence::resources(WorkBudget& work) {

@@ -28,9 +28,6 @@ struct SequenceOptions {
   bool coarse_start = true; ///< a case without one before it starts from larger elements
   bool displacements = true; ///< results hold them; not needed where no fields are written
   bool foresee_shear = true; ///< the estimate counts the part of the load that shear bears
-  /// The grid covers only where h < potential_share of the approach. False: where h is below three times
-  /// that.
-  bool potential_contact = true;
   /// Influence files must be of the scenes' own profiles. False: profiles that wear keep the files of a shape
   /// from which they hardly differ.
   bool own_shape = true;

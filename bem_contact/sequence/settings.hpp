@@ -31,11 +31,6 @@ BEM_CONTACT_TUNED(double, most_approach_with_shear, 2.0);
 BEM_CONTACT_TUNED(double, slice_self_distance, 0.25);
 /// 1. Where the arithmetic-geometric mean ends: its error is the square of this.
 BEM_CONTACT_TUNED(double, elliptic_tolerance, 1e-9);
-/// 1. Bound of its steps, each of which doubles the digits.
-BEM_CONTACT_TUNED(int, elliptic_steps, 12);
-/// 1. If SequenceOptions::potential_contact is false, the potential contact is planned for so many times
-/// potential_share of the approach.
-BEM_CONTACT_TUNED(double, generous_reach, 3.0);
 /// 1/mm. Least half of the curvature along x that the estimate of a given distance takes: of a wheel of
 /// radius 50 m. Chosen.
 BEM_CONTACT_TUNED(double, least_half_curvature, 1e-5);

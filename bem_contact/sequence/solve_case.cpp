@@ -49,8 +49,7 @@ void warn_of_slide(const ContactCase& asked, GridSolution& solved) {
       slide > half_row)
     solved.warnings.push_back(fmt::format(
         "the surfaces move past each other by up to {:.3f} mm along s, more than half a row ({:.3f} mm), and "
-        "the "
-        "undeformed distance and the normals do not follow: {}",
+        "the undeformed distance and the normals do not follow: {}",
         slide, half_row,
         asked.setup.wheel_rail() ? "solver.structural_motion = \"placed\" lets them follow a steady contact"
                                  : "forces and approach may be some percent off"));

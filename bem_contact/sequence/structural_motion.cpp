@@ -171,7 +171,6 @@ ContactCase placed_case(const ContactCase& asked, const StructuralPlacement& by)
   ContactCase out = asked;
   out.setup = moved(asked.scene, asked.setup, by);
   out.estimate = estimate_contact(out.setup, true);
-  out.estimate->reach = asked.estimate->reach;
   out.setup.load = asked.setup.load; // the approach is counted from where the scene puts the bodies
   return out;
 }

@@ -1,9 +1,9 @@
 #include "bem_contact/table/refine.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/table/measured_table.hpp"
 #include "bem_contact/table/refine_nested.hpp"
 #include "bem_contact/table/settings.hpp"
-#include "bem_contact/table/solved_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,27 +15,20 @@ namespace bem_contact::table {
 
 namespace {
 
-/// The largest error of one cell, and where.
-struct CellError {
-  std::size_t column = 0;
-  double relative = 0; ///< over the column's scale
-};
-
 class TensorRefinement {
 public:
   TensorRefinement(ContactTable& table, const PointsSolver& solve, const Wanted& wanted)
-      : table_(table), wanted_(wanted), solved_(solve) {}
+      : table_(table), measured_(table, solve, wanted) {}
 
   void run() {
     for (int round = 0;; ++round) {
-      require_room(table_, wanted_, round, worst_);
-      fill();
+      measured_.fill(round);
       const std::vector<Point> cells = middles();
-      std::map<Point, CellError> wrong = measure(sample(cells, round));
+      std::vector<WorstError> wrong = measured_.measure(sample(cells, round));
       if (wrong.empty()) // nothing wrong is seen: look at all of them
-        wrong = measure(cells);
+        wrong = measured_.measure(cells);
       if (wrong.empty())
-        return state_errors(cells);
+        return;
       insert(wrong);
     }
   }
@@ -72,38 +65,6 @@ private:
     return out;
   }
 
-  void fill() {
-    if (wanted_.progress)
-      wanted_.progress(
-          fmt::format("{} points{}", table_.size(), worst_.at.empty() ? "" : "; " + worst_.text(table_)));
-    solved_.fill(table_);
-    if (wanted_.rescale)
-      wanted_.rescale(table_);
-  }
-
-  double error(const Point& middle, std::size_t c) const {
-    return std::abs(interpolate(table_, table_.columns[c], middle) - solved_.at(middle).values[c]);
-  }
-
-  /// The cells among them whose error is too large.
-  std::map<Point, CellError> measure(const std::vector<Point>& middles) {
-    solved_.ask(middles);
-    std::map<Point, CellError> out;
-    worst_.relative = 0;
-    for (const Point& middle : middles) {
-      CellError cell;
-      for (std::size_t c = 0; c < table_.columns.size(); ++c)
-        if (const Column& column = table_.columns[c]; column.held)
-          if (const double relative = error(middle, c) / column.scale; !(relative <= cell.relative))
-            cell = {c, relative};
-      if (cell.relative > wanted_.tolerance)
-        out[middle] = cell;
-      if (cell.relative > worst_.relative)
-        worst_ = {cell.relative, cell.column, middle};
-    }
-    return out;
-  }
-
   /// The middle of a cell's interval of one axis, at the lower or the upper ends of its other intervals. If
   /// this interval is halved, it is a point of the table.
   Point on_edge(const Point& middle, std::size_t axis, std::size_t end) const {
@@ -117,23 +78,23 @@ private:
 
   /// Halves intervals of the worst cells: of the axis along which the error is largest, as solutions on two
   /// of the cell's edges tell.
-  void insert(const std::map<Point, CellError>& wrong) {
+  void insert(const std::vector<WorstError>& wrong) {
     std::vector<Point> edges;
     const auto each_edge = [&](const auto& use) {
-      for (const auto& [middle, cell] : wrong)
-        if (cell.relative >= worst_share * worst_.relative)
-          for (std::size_t a = 0; a < middle.size(); ++a)
-            use(middle, cell, a);
+      for (const WorstError& cell : wrong)
+        if (cell.relative >= worst_share * measured_.worst().relative)
+          for (std::size_t a = 0; a < cell.at.size(); ++a)
+            use(cell, a);
     };
-    each_edge([&](const Point& middle, const CellError&, std::size_t a) {
+    each_edge([&](const WorstError& cell, std::size_t a) {
       for (const std::size_t end : {0u, 1u})
-        edges.push_back(on_edge(middle, a, end));
+        edges.push_back(on_edge(cell.at, a, end));
     });
-    solved_.ask(edges);
+    measured_.ask(edges);
     std::map<Point, std::vector<double>> along; ///< error of each cell along each axis
-    each_edge([&](const Point& middle, const CellError& cell, std::size_t a) {
-      along[middle].push_back(
-          std::max(error(on_edge(middle, a, 0), cell.column), error(on_edge(middle, a, 1), cell.column)));
+    each_edge([&](const WorstError& cell, std::size_t a) {
+      const auto off = [&](std::size_t end) { return measured_.off(on_edge(cell.at, a, end), cell.column); };
+      along[cell.at].push_back(std::max(off(0), off(1)));
     });
     std::vector<std::set<double>> fresh(table_.axes.size());
     for (const auto& [middle, errors] : along)
@@ -147,22 +108,8 @@ private:
     }
   }
 
-  void state_errors(const std::vector<Point>& cells) {
-    table_.tolerance = wanted_.tolerance;
-    table_.checked = cells.size();
-    table_.solved = solved_.size();
-    for (std::size_t c = 0; c < table_.columns.size(); ++c) {
-      double largest = 0;
-      for (const Point& middle : cells)
-        largest = std::fmax(largest, error(middle, c)); // leaves nan out
-      table_.columns[c].interpolation_error = largest;
-    }
-  }
-
   ContactTable& table_;
-  const Wanted& wanted_;
-  SolvedPoints solved_;
-  WorstError worst_;
+  MeasuredTable measured_;
 };
 
 } // namespace

@@ -1,7 +1,7 @@
 #include "bem_contact/table/refine_nested.hpp"
 
+#include "bem_contact/table/measured_table.hpp"
 #include "bem_contact/table/settings.hpp"
-#include "bem_contact/table/solved_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,7 +99,8 @@ using Insertion = Point;
 class NestedRefinement {
 public:
   NestedRefinement(ContactTable& table, const PointsSolver& solve, const Wanted& wanted)
-      : table_(table), wanted_(wanted), solved_(solve), root_(line_of(table, 0, 0)) {}
+      : table_(table), measured_(table, solve, wanted), large_(inner_share * wanted.tolerance),
+        root_(line_of(table, 0, 0)) {}
 
   void run() {
     for (int round = 0;; ++round) {
@@ -115,58 +116,26 @@ public:
   }
 
 private:
+  /// The table of the lines.
   void fill(int round) {
     for (Axis& axis : table_.axes)
       axis.points.clear(), axis.first = {0};
     append(root_, table_.axes);
     table_.axes.front().first.clear(); // nothing comes before it
-    require_room(table_, wanted_, round, worst_);
-    if (wanted_.progress)
-      wanted_.progress(
-          fmt::format("{} points{}", table_.size(), round == 0 ? "" : "; " + worst_.text(table_)));
-    solved_.fill(table_);
-    if (wanted_.rescale)
-      wanted_.rescale(table_);
+    measured_.fill(round);
   }
 
-  /// The largest error of a held column at a point that was solved; `errors` becomes those of all columns, in
-  /// their units, where they are larger.
-  WorstError error(const Point& at, std::span<double> errors = {}) const {
-    const std::vector<PointWeight> weights = weights_at(table_, at);
-    const std::vector<double>& values = solved_.at(at).values;
-    WorstError worst{.at = at};
-    for (std::size_t c = 0; c < table_.columns.size(); ++c) {
-      const Column& column = table_.columns[c];
-      const double off = std::abs(interpolate(column, weights) - values[c]);
-      if (!errors.empty())
-        errors[c] = std::fmax(errors[c], off); // leaves nan out
-      if (column.held && !(off / column.scale <= worst.relative))
-        worst.relative = off / column.scale, worst.column = c;
-    }
-    return worst;
-  }
-
-  /// States the errors of all cells, and gives those where they are too large.
+  /// The cells whose errors are too large.
   std::vector<Cell> measure(const std::vector<Cell>& cells) {
     std::vector<Point> middles;
     for (const Cell& cell : cells)
       middles.push_back(cell.middle());
-    solved_.ask(middles);
-    std::vector<double> errors(table_.columns.size());
     std::vector<Cell> wrong;
-    worst_.relative = 0;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const WorstError here = error(middles[i], errors);
-      if (!(here.relative <= wanted_.tolerance))
-        wrong.push_back(cells[i]);
-      if (here.relative > worst_.relative)
-        worst_ = here;
+    auto at = middles.begin();
+    for (const WorstError& here : measured_.measure(middles)) { // in the order of the middles
+      at = std::find(at, middles.end(), here.at);
+      wrong.push_back(cells[at - middles.begin()]);
     }
-    for (std::size_t c = 0; c < errors.size(); ++c)
-      table_.columns[c].interpolation_error = errors[c];
-    table_.tolerance = wanted_.tolerance;
-    table_.checked = cells.size();
-    table_.solved = solved_.size();
     return wrong;
   }
 
@@ -206,7 +175,7 @@ private:
       for (const Insertion& insertion : candidates.back())
         std::ranges::copy(tests_of(insertion, cell), std::back_inserter(tests));
     }
-    solved_.ask(tests);
+    measured_.ask(tests);
     std::set<Insertion> chosen;
     for (std::size_t i = 0; i < wrong.size(); ++i)
       choose(candidates[i], wrong[i], chosen);
@@ -221,17 +190,16 @@ private:
     std::vector<double> errors;
     double largest = 0;
     std::size_t innermost = 0; // coordinates of the candidates with a large error
-    const double large = inner_share * wanted_.tolerance;
     for (const Insertion& insertion : candidates) {
       errors.push_back(0);
       for (const Point& test : tests_of(insertion, cell))
-        errors.back() = std::max(errors.back(), error(test).relative);
+        errors.back() = std::max(errors.back(), measured_.error(test).relative);
       largest = std::max(largest, errors.back());
-      if (errors.back() >= large)
+      if (errors.back() >= large_)
         innermost = std::max(innermost, insertion.size());
     }
     for (std::size_t k = 0; k < errors.size(); ++k)
-      if (innermost > 0 ? candidates[k].size() == innermost && errors[k] >= large
+      if (innermost > 0 ? candidates[k].size() == innermost && errors[k] >= large_
                         : errors[k] >= axis_share * largest)
         chosen.insert(candidates[k]);
   }
@@ -252,10 +220,9 @@ private:
   }
 
   ContactTable& table_;
-  const Wanted& wanted_;
-  SolvedPoints solved_;
+  MeasuredTable measured_;
+  double large_; ///< an error along the last axes that is removed first
   Line root_;
-  WorstError worst_; ///< of the last measurement
 };
 
 } // namespace

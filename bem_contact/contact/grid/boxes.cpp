@@ -82,8 +82,7 @@ Boxes boxes_around(std::span<const int> elements, const ContactGrid& grid, int m
 }
 
 bool serve(const Boxes& earlier, const Boxes& needed, std::span<const int> elements, int grid_mx) {
-  return earlier.size() <= box_reuse_factor * needed.size() + box_reuse_elements &&
-         earlier.cover(elements, grid_mx);
+  return earlier.size() <= box_reuse_factor * needed.size() && earlier.cover(elements, grid_mx);
 }
 
 } // namespace bem_contact::contact

@@ -94,7 +94,6 @@ void ablation(const SweepFile& sweep, const SweepFile& by) {
   row("nor from a coarse grid", {.keep_start = false, .coarse_start = false}, usual);
   row("area in contact not learnt", {.learn = false}, usual);
   row("shear's part of the load not foreseen", {.foresee_shear = false}, usual);
-  row("potential contact three times as deep", {.potential_contact = false}, usual);
   row("nothing kept", {false, false, false, false}, usual);
   row("200 elements in each case", {}, elements);
   row("dx, ds of 1 x .5 mm in each case", {}, [](SceneFile& s) { s.grid.dx = 1.0, s.grid.ds = 0.5; });

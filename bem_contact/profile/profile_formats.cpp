@@ -1,12 +1,20 @@
 #include "bem_contact/profile/profile_formats.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/miniprof_format.hpp"
+#include "bem_contact/profile/simpack_format.hpp"
 #include "bem_contact/profile/text_lines.hpp"
+#include "bem_contact/profile/vampire_format.hpp"
 
 #include <fmt/format.h>
 
 namespace bem_contact {
 
+namespace {
+
+/// The points of a text in two columns "y z". Comments begin with #, !, %, a quotation mark or (at the start
+/// of a line) with //; one line of column names may come first. `source` names the file in messages. Throws
+/// InputError for any other line.
 MeasuredPoints plain_points(std::string_view text, const std::string& source) {
   MeasuredPoints out;
   bool names_seen = false;
@@ -29,6 +37,20 @@ MeasuredPoints plain_points(std::string_view text, const std::string& source) {
     out.points.push_back({values[0], values[1]});
   }
   return out;
+}
+
+} // namespace
+
+MeasuredPoints points_of(std::string_view text, const std::string& source, ProfileKind kind, int part,
+                         bool left) {
+  if (is_miniprof(text))
+    return miniprof_points(text, source, part);
+  if (part > 1)
+    throw InputError(fmt::format("{} has no profile {}", source, part), "its format holds one",
+                     "Leave out the number behind #.");
+  return is_simpack(text)   ? simpack_points(text, source, kind)
+         : is_vampire(text) ? vampire_points(text, source, kind, left)
+                            : plain_points(text, source);
 }
 
 } // namespace bem_contact

@@ -1,0 +1,227 @@
+#include "bem_contact/python/functions.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/conicity/conicity_columns.hpp"
+#include "bem_contact/conicity/scene_wheelset.hpp"
+#include "bem_contact/curves/creep_columns.hpp"
+#include "bem_contact/python/result_object.hpp"
+#include "bem_contact/python/stoppable.hpp"
+#include "bem_contact/python/values.hpp"
+#include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/wheelset/quantities.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace py = pybind11;
+
+namespace bem_contact {
+
+namespace {
+
+using namespace py::literals;
+
+std::vector<Model> models_of(const py::object& names) {
+  if (names.is_none())
+    return {Model::halfspace, Model::fem};
+  if (py::isinstance<py::str>(names) || !py::isinstance<py::iterable>(names))
+    refuse_type("The models cannot be used", std::string(py::str(py::type::of(names))) + " is no list",
+                "Give a list of names, as [\"halfspace\", \"fem\"].");
+  std::vector<Model> models;
+  for (const py::handle name : names) {
+    const std::optional<Model> model = model_named(model_of(py::reinterpret_borrow<py::object>(name)));
+    if (!model)
+      throw InputError("The model auto cannot be compared", "it stands for one of the others",
+                       "Name those to compare, for instance halfspace and fem.");
+    models.push_back(*model);
+  }
+  return models;
+}
+
+/// {model: Result}; None where the scene has no such set.
+py::object results_of(const std::vector<SceneResult>& results) {
+  if (results.empty())
+    return py::none();
+  py::dict out;
+  for (const SceneResult& r : results)
+    out[py::str(std::string(name_of(r.model)))] = PythonResult{std::make_shared<const SceneResult>(r), {}};
+  return out;
+}
+
+py::object creep_forces_of(const Comparison& c) {
+  if (c.creep_forces.empty())
+    return py::none();
+  py::dict out, fx, errors;
+  const auto column = [&](const auto& value) {
+    std::vector<double> values;
+    for (const CreepForces& forces : c.creep_forces)
+      values.push_back(value(forces));
+    return array_of(values);
+  };
+  out["xi_from_free_rolling"] = column([](const CreepForces& f) { return f.creepage; });
+  for (std::size_t m = 0; m < c.models.size(); ++m) {
+    const py::str name(std::string(name_of(c.models[m])));
+    fx[name] = column([m](const CreepForces& f) { return f.Fx[m]; });
+    errors[name] = column([m](const CreepForces& f) { return f.Fx_error[m]; });
+  }
+  out["Fx"] = fx;
+  out["Fx_error"] = errors;
+  return out;
+}
+
+py::dict compare(const py::object& scene, const py::object& models, const py::object& changes,
+                 const py::object& folder) {
+  const SceneFile file = scene_file_of(scene, folder, changes_of(changes));
+  const Comparison c = stoppable([file, models = models_of(models)](const std::atomic<bool>* stop) {
+    return Sequence().compare(file, models, stop);
+  });
+  return py::dict("reference"_a = std::string(name_of(c.models[c.reference])),
+                  "at_equal_forces"_a = results_of(c.at_forces), "creep_forces"_a = creep_forces_of(c),
+                  "at_equal_position"_a = results_of(c.at_position));
+}
+
+template <class Column> py::dict dict_of(std::span<const Column> columns, const WheelsetConicity& c) {
+  py::dict out;
+  for (const Column& column : columns)
+    out[column.name] = array_of(column.values(c));
+  return out;
+}
+
+py::dict conicity(const py::object& scene, const py::object& changes, const std::string& left_wheel,
+                  const std::string& left_rail, bool roll, double to, double step, const py::object& folder) {
+  const std::vector<SceneChange> list = changes_of(changes);
+  const SceneFile file = scene.is_none() ? scene_without_file(list) : scene_file_of(scene, folder, list);
+  WheelsetOnTrack wheelset = wheelset_of(file, {.rail = left_rail, .wheel = left_wheel});
+  wheelset.rolls = roll;
+  const WheelsetConicity found = stoppable(
+      [=](const std::atomic<bool>*) { return wheelset_conicity(wheelset, {.largest = to, .step = step}); });
+  return py::dict("function"_a = dict_of(stand_columns(), found),
+                  "conicity"_a = dict_of(conicity_columns(), found),
+                  "wheel_radius"_a = found.lengths.wheel_radius,
+                  "contact_distance"_a = found.lengths.contact_distance, "rolls"_a = roll);
+}
+
+py::array_t<double> matrix(const CreepMatrix& m) {
+  return py::array_t<double>({3, 3}, m.front().data());
+}
+
+py::dict curve_of(const CreepCurve& curve) {
+  py::dict out;
+  out["creepage"] = array_of(creepages_of(curve));
+  for (const CreepColumn& column : creep_columns())
+    out[column.name] = array_of(column.values(curve));
+  return out;
+}
+
+py::dict dict_of(const CreepCurves& c) {
+  py::dict curves;
+  for (const CreepCurve& curve : c.curves)
+    curves[py::str(std::string(name_of(curve.which)))] = curve_of(curve);
+  const CreepForceValues forces = forces_of(c.solution);
+  py::dict out("curves"_a = curves, "forces"_a = py::array_t<double>(3, forces.data()), "bound"_a = c.bound,
+               "radius"_a = c.radius, "model"_a = std::string(name_of(c.solution.model)),
+               "certified"_a = c.certified());
+  for (const CreepMatrixEntry& entry : creep_matrices()) {
+    const CreepMatrix* m = entry.of(c);
+    out[entry.name] = m ? py::object(matrix(*m)) : py::none();
+  }
+  return out;
+}
+
+/// Numbers in a list or an array of one dimension; None: no curve.
+void add_range(std::vector<CreepRange>& ranges, CreepKind kind, const py::object& values) {
+  if (values.is_none())
+    return;
+  const std::string key(name_of(kind));
+  py::dict one;
+  one[py::str(key)] = values;
+  const SchemaValue value = changes_of(one).front().value;
+  if (const auto* numbers = std::get_if<std::vector<double>>(&value); numbers && !numbers->empty())
+    ranges.push_back({kind, *numbers});
+  else
+    refuse_type("The values of " + key + " cannot be used", "they are no list of numbers",
+                "Give a list or an array, as [0, 1e-3, 2e-3].");
+}
+
+py::dict curves(const py::object& scene, const py::object& changes, const py::object& model,
+                const py::object& xi, const py::object& eta, const py::object& phi,
+                const py::object& folder) {
+  const SceneFile file = with_model(scene_file_of(scene, folder, changes_of(changes)), model_of(model));
+  std::vector<CreepRange> ranges;
+  add_range(ranges, CreepKind::xi, xi);
+  add_range(ranges, CreepKind::eta, eta);
+  add_range(ranges, CreepKind::phi, phi);
+  if (ranges.empty())
+    ranges = {{CreepKind::xi, {}}, {CreepKind::eta, {}}, {CreepKind::phi, {}}};
+  return dict_of(stoppable([=](const std::atomic<bool>* stop) { return creep_curves(file, ranges, stop); }));
+}
+
+py::dict wheel_of(const WheelsetResult& r, WheelSide side) {
+  py::dict track;
+  for (const WheelQuantity& q : wheel_quantities())
+    track[q.name] = q.value(r.state, side);
+  py::dict out;
+  out["track"] = track;
+  out["result"] = PythonResult{std::make_shared<const SceneResult>(r.state.solved(side)), {}};
+  return out;
+}
+
+py::dict wheelset(const py::object& scene, const py::object& changes, const py::object& model,
+                  const py::object& folder) {
+  const SceneFile file = with_model(scene_file_of(scene, folder, changes_of(changes)), model_of(model));
+  const WheelsetResult found =
+      stoppable([file](const std::atomic<bool>* stop) { return solve_wheelset(file, stop); });
+  py::dict totals;
+  for (const WheelsetQuantity& q : wheelset_quantities())
+    totals[q.name] = q.value(found);
+  return py::dict("wheelset"_a = totals, "right"_a = wheel_of(found, WheelSide::right),
+                  "left"_a = wheel_of(found, WheelSide::left), "certified"_a = found.state.certified(),
+                  "warnings"_a = found.warnings, "seconds"_a = found.seconds);
+}
+
+} // namespace
+
+void add_functions(py::module_& module) {
+  module.def(
+      "compare", compare, "scene"_a, "models"_a = py::none(), "changes"_a = py::none(), py::kw_only(),
+      "folder"_a = py::none(),
+      "One scene with several models, half-space and fem unless `models` names others. A dict: "
+      "\"at_equal_forces\" and \"at_equal_position\" are {model: Result}; \"creep_forces\" has "
+      "\"xi_from_free_rolling\", an array, and \"Fx\" and \"Fx_error\", {model: array} (N); "
+      "\"reference\" is the model that the others are compared with. A set that the scene does not have is "
+      "None. `scene`, `changes`: as solve() takes them. Look at equal forces first: at equal position a hundredth of a millimetre makes "
+      "most of the difference.");
+  module.def(
+      "conicity", conicity, "scene"_a = py::none(), "changes"_a = py::none(), py::kw_only(),
+      "left_wheel"_a = "", "left_rail"_a = "", "roll"_a = false, "to"_a = 10.0, "step"_a = 1.0,
+      "folder"_a = py::none(),
+      "Rolling radius difference and equivalent conicity (EN 15302) of a rigid wheelset. Profiles and "
+      "track come from a scene, from `changes`, as {\"wheel.profile\": \"S1002\", \"rail.profile\": "
+      "\"60E1\", \"position.cant\": 0.025}, or from both; paths start at the scene's folder, without a "
+      "scene at the working directory. A left side that differs has names of its own. `roll`: the "
+      "wheelset rolls until both wheels stand. Amplitudes: step, 2 step, .. `to`, mm. A dict: "
+      "\"function\" over the lateral displacement, \"conicity\" over the amplitude, mm and rad.");
+  module.def(
+      "creep_curves", curves, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),
+      "xi"_a = py::none(), "eta"_a = py::none(), "phi"_a = py::none(), "folder"_a = py::none(),
+      "Forces over creepages. `scene`, `changes`, `model`: as solve() takes them. `xi`, `eta`, `phi`: the "
+      "values of a curve over this creepage, the other two being the scene's; without any, three curves "
+      "from full slip to full slip. A dict: \"curves\" (a dict of arrays for each creepage), and matrices "
+      "[Fx, Fs, Mz][xi, eta, phi]: \"slopes\" without creepage, \"kalker\" (linear theory for the nearest "
+      "ellipse, or None), \"sensitivities\" at the scene's creepages, by differences, and \"linearised\", "
+      "by one linear system with the pressure held (or None); \"forces\" there. N, mm.");
+  module.def(
+      "wheelset", wheelset, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),
+      "folder"_a = py::none(),
+      "Both wheels of a wheelset under the forces on its axle. `scene` has a table [wheelset]; `scene`, "
+      "`changes`, `model`: as solve() takes them. A dict: \"wheelset\" (displacement, roll, sums), \"right\" "
+      "and \"left\", each with \"track\" (numbers in the track frame, y to the right) and \"result\" (a "
+      "Result, in the frame of its side), \"certified\", \"warnings\", \"seconds\". N, mm, rad.");
+}
+
+} // namespace bem_contact
