@@ -25,7 +25,7 @@ int lines_of(int ms) {
 
 template <class Real>
 std::shared_ptr<PlaneTransforms<Real>> pooled(const PlaneShape& shape, TransformPool* pool) {
-  return pool ? pool->get<Real>(shape) : TransformPool().get<Real>(shape);
+  return pool ? pool->get<PlaneTransforms<Real>>(shape) : TransformPool().get<PlaneTransforms<Real>>(shape);
 }
 
 /// out = a b or out += a b, element by element, without the tests for infinity that std::complex makes

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "bem_contact/contact/operator/fft.hpp"
+#include "bem_contact/contact/operator/strip_transforms.hpp"
 #include "bem_contact/contact/settings.hpp"
 
 #include <complex>
 #include <list>
 #include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -36,6 +38,7 @@ std::pair<int, int> good_lengths(int least_x, int least_s, int lines);
 template <class Real> class PlaneTransforms {
 public:
   using Complex = std::complex<Real>;
+  using Shape = PlaneShape;
   PlaneTransforms(const PlaneShape& shape, std::shared_ptr<Scratch> scratch);
 
   const PlaneShape shape;
@@ -100,31 +103,27 @@ public:
 
   int threads() const { return threads_; }
   const std::shared_ptr<Scratch>& scratch() const { return scratch_; }
-  template <class Real> std::shared_ptr<PlaneTransforms<Real>> get(const PlaneShape& shape) {
-    auto& list = lists<Real>();
+  /// `Transforms`: PlaneTransforms or StripTransforms, of either precision.
+  template <class Transforms> std::shared_ptr<Transforms> get(const typename Transforms::Shape& shape) {
+    auto& list = std::get<List<Transforms>>(lists_);
     for (auto it = list.begin(); it != list.end(); ++it)
       if ((*it)->shape == shape) {
         list.splice(list.begin(), list, it);
         return list.front();
       }
-    list.push_front(std::make_shared<PlaneTransforms<Real>>(shape, scratch_));
+    list.push_front(std::make_shared<Transforms>(shape, scratch_));
     if (list.size() > std::size_t(most_transforms))
       list.pop_back(); // those who use it keep it
     return list.front();
   }
 
 private:
-  template <class Real> using List = std::list<std::shared_ptr<PlaneTransforms<Real>>>;
-  template <class Real> List<Real>& lists() {
-    if constexpr (std::is_same_v<Real, float>)
-      return single_;
-    else
-      return double_;
-  }
+  template <class Transforms> using List = std::list<std::shared_ptr<Transforms>>;
   int threads_;
   std::shared_ptr<Scratch> scratch_ = std::make_shared<Scratch>();
-  List<float> single_;
-  List<double> double_;
+  std::tuple<List<PlaneTransforms<float>>, List<PlaneTransforms<double>>, List<StripTransforms<float>>,
+             List<StripTransforms<double>>>
+      lists_;
 };
 
 extern template class PlaneTransforms<double>;

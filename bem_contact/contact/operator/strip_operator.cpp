@@ -3,7 +3,6 @@
 #include "bem_contact/base/large_table.hpp"
 #include "bem_contact/base/parallel.hpp"
 #include "bem_contact/base/simd.hpp"
-#include "bem_contact/contact/operator/fft.hpp"
 #include "bem_contact/contact/operator/plane_operator.hpp"
 #include "bem_contact/contact/operator/plane_transforms.hpp"
 #include "bem_contact/contact/settings.hpp"
@@ -55,14 +54,11 @@ BEM_CONTACT_WIDE void multiply(const float* a, int rows, int columns, const floa
 } // namespace
 
 template <class Real> struct BasicStripOperator<Real>::Impl {
-  using Fft = Fftw<Real>;
-  using Complex = typename Fft::Complex;
   int mx = 0, ms = 0, length = 0, frequencies = 0, lines_in = 0, lines_out = 0;
   std::vector<int> outputs, inputs;
   LargeTable<Real> spectrum; ///< [frequency], column-major lines_out x lines_in
-  std::shared_ptr<Scratch> scratch;
+  std::shared_ptr<StripTransforms<Real>> transforms;
   int threads = 1;
-  FftPlan<Real> forward, backward;
   std::optional<BasicPlaneOperator<Real>> plane; ///< does all the work where the numbers are translational
 
   std::size_t spectrum_size() const { return static_cast<std::size_t>(frequencies) * lines_out * lines_in; }
@@ -72,15 +68,10 @@ template <class Real> struct BasicStripOperator<Real>::Impl {
   const Real* column(int frequency, int line_in) const {
     return &spectrum[(static_cast<std::size_t>(frequency) * lines_in + line_in) * lines_out];
   }
-  /// A block of scratch holds all lines, [line][place] or [line][frequency].
-  std::size_t block_size() const {
-    return fft_block(static_cast<std::size_t>(std::max(lines_in, lines_out)) * 2 * frequencies);
-  }
   std::size_t line_size() const { return fft_block(std::max(lines_in, lines_out)); }
   void transform_rows(const InfluenceNumbers& numbers, const std::vector<int>& rows, int first,
                       const Eigen::MatrixXd& cosines, const Eigen::MatrixXd& sines);
   void take(TransformPool* pool);
-  void make_plans();
   const Real* apply(std::span<const Real> p) const;
   void multiply_frequency(int k, const Real* in, Real* work, Real* out) const;
 };
@@ -153,7 +144,6 @@ void BasicStripOperator<Real>::transform(const InfluenceNumbers& numbers, int mx
     for (; block < end; ++block)
       o.transform_rows(numbers, rows, block * spectra_rows, cosines, sines);
   });
-  o.make_plans();
 }
 
 /// The spectra of displacements on the block of rows that begins with number `first`.
@@ -210,26 +200,15 @@ BasicStripOperator<Real>::BasicStripOperator(const BasicStripOperator<Other>& ot
   o.inputs = from.inputs;
   o.spectrum.assign(from.spectrum.begin(), from.spectrum.end());
   o.take(pool);
-  o.make_plans();
 }
 
-/// Scratch and threads.
+/// Transforms and threads.
 template <class Real> void BasicStripOperator<Real>::Impl::take(TransformPool* pool) {
-  scratch = pool ? pool->scratch() : std::make_shared<Scratch>();
+  const StripShape shape{length, lines_in, lines_out};
+  transforms = pool ? pool->get<StripTransforms<Real>>(shape)
+                    : std::make_shared<StripTransforms<Real>>(shape, std::make_shared<Scratch>());
   if (pool && ms * mx >= least_threaded)
     threads = pool->threads();
-}
-
-template <class Real> void BasicStripOperator<Real>::Impl::make_plans() {
-  Real* const first = scratch->reals<Real>(2 * block_size());
-  Real* const second = first + block_size();
-  const std::lock_guard lock(fft_planner());
-  // Line by line: FFTW remembers a length, whatever the number of lines, so that the next plan costs nothing.
-  forward.reset(Fft::plan_many_dft_r2c(1, &length, lines_in, first, nullptr, 1, length,
-                                       reinterpret_cast<Complex*>(second), nullptr, 1, frequencies,
-                                       FFTW_ESTIMATE));
-  backward.reset(Fft::plan_many_dft_c2r(1, &length, lines_out, reinterpret_cast<Complex*>(first), nullptr, 1,
-                                        frequencies, second, nullptr, 1, length, FFTW_ESTIMATE));
 }
 
 template <class Real> BasicStripOperator<Real>::~BasicStripOperator() = default;
@@ -271,20 +250,20 @@ void BasicStripOperator<Real>::Impl::multiply_frequency(int k, const Real* in, R
 /// u of columns up to mx + 1, times the transform's length: [line][length], until the next product.
 template <class Real> const Real* BasicStripOperator<Real>::Impl::apply(std::span<const Real> p) const {
   // Tractions, then the spectra of displacements; the spectra of tractions, then displacements.
-  Real* const first = scratch->reals<Real>(2 * block_size() + 4 * threads * line_size());
-  Real* const second = first + block_size();
-  Real* const work = second + block_size();
+  const std::size_t block = transforms->shape.block_size();
+  Real* const first = transforms->scratch->template reals<Real>(2 * block + 4 * threads * line_size());
+  Real *const second = first + block, *const work = second + block;
   for (int line = 0; line < lines_in; ++line) {
     Real* to = first + static_cast<std::size_t>(line) * length;
     std::copy_n(&p[static_cast<std::size_t>(line) * mx], mx, to);
     std::fill(to + mx, to + length, Real(0));
   }
-  Fft::execute_dft_r2c(forward.get(), first, reinterpret_cast<Complex*>(second));
+  transforms->forward(first, second);
   in_parts(threads, frequencies, [&](int k, int end, int part) {
     for (; k < end; ++k)
       multiply_frequency(k, second, work + 4 * part * line_size(), first);
   });
-  Fft::execute_dft_c2r(backward.get(), reinterpret_cast<Complex*>(first), second);
+  transforms->backward(first, second);
   return second;
 }
 
