@@ -109,8 +109,8 @@ private:
 
 } // namespace
 
-InfluenceNumbers resample(const InfluenceFunction& function, const ExpandOptions& options,
-                          std::span<const double> row_s, double ds) {
+void resample_lines(const InfluenceFunction& function, const ExpandOptions& options,
+                    std::span<const double> row_s, double ds, const TakeLines& take) {
   check_rows(function, row_s, ds);
   const double width = function.station_width, s0 = function.stations.front().s;
 
@@ -125,7 +125,7 @@ InfluenceNumbers resample(const InfluenceFunction& function, const ExpandOptions
   if (const auto range = rows_are_stations(weights, ds, width)) {
     needed.first_station = range->first;
     needed.stations = range->second;
-    return expand(function, needed);
+    return expand_lines(function, needed, take);
   }
 
   // Per unit of load width the difference to the near field does not depend on the width, and is smooth.
@@ -146,9 +146,16 @@ InfluenceNumbers resample(const InfluenceFunction& function, const ExpandOptions
           add_mix(mix, static_cast<std::size_t>(3 * i + j) * offsets, factor, lines.line(column, i, j).data(),
                   offsets);
     }
+    take(lines);
   };
-  InfluenceNumbers result = expand(with_rows(function, weights, options.dx == 0), needed, to_rows);
-  result.ds = ds;
+  expand_lines(with_rows(function, weights, options.dx == 0), needed, to_rows);
+}
+
+InfluenceNumbers resample(const InfluenceFunction& function, const ExpandOptions& options,
+                          std::span<const double> row_s, double ds) {
+  InfluenceNumbers result{options.offsets, static_cast<int>(row_s.size()), options.dx, ds, {}};
+  result.values.resize(result.expected_values());
+  resample_lines(function, options, row_s, ds, [&](NumberLines& lines) { lines.write_to(result); });
   return result;
 }
 

@@ -21,4 +21,8 @@ namespace bem_contact::halfspace {
 InfluenceNumbers resample(const InfluenceFunction& function, const ExpandOptions& options,
                           std::span<const double> row_s, double ds);
 
+/// The same handed to `take` row by row (expand_lines()), without a table of them.
+void resample_lines(const InfluenceFunction& function, const ExpandOptions& options,
+                    std::span<const double> row_s, double ds, const TakeLines& take);
+
 } // namespace bem_contact::halfspace

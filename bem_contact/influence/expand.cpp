@@ -90,10 +90,8 @@ KernelRow kernel_row(const InfluenceFunction& f, StationRange range, Eigen::Inde
 }
 
 /// The Fourier series of the kernel. Throws InputError where the structure cannot be removed.
-InfluenceNumbers expand_kernel(const InfluenceFunction& f, const ExpandOptions& o, StationRange range,
-                               const Scaling& scaling, const ChangeLines& change) {
-  InfluenceNumbers result{o.offsets, range.count, o.dx, f.station_width, {}};
-  result.values.resize(result.expected_values());
+void expand_kernel(const InfluenceFunction& f, const ExpandOptions& o, StationRange range,
+                   const Scaling& scaling, const TakeLines& take) {
   const Eigen::Index nk = o.dx == 0 ? 1 : static_cast<Eigen::Index>(f.wavenumber_count());
   const Removed removed(f, range, o.structural, nk);
   MatrixXd even = MatrixXd::Ones(1, 1), odd = MatrixXd::Zero(1, 1); // plane strain: odd ones vanish at k = 0
@@ -109,22 +107,19 @@ InfluenceNumbers expand_kernel(const InfluenceFunction& f, const ExpandOptions& 
   const int pairs = (range.count + 1) / 2;
   in_parts(o.threads, pairs, [&](int pair, int end, int) {
     NumberLines lines(range.count, o.offsets);
-    const auto write = [&](int row) {
+    const auto make = [&](int row) {
       const KernelRow kernel = kernel_row(f, range, row, removed, nk);
       lines.begin(row);
       dense_product(even, kernel.even, lines.even());
       dense_product(odd, kernel.odd, lines.odd());
-      if (change)
-        change(lines);
-      lines.write_to(result);
+      take(lines);
     };
     for (; pair < end; ++pair) {
-      write(pair);
+      make(pair);
       if (const int opposite = range.count - 1 - pair; opposite != pair)
-        write(opposite);
+        make(opposite);
     }
   });
-  return result;
 }
 
 /// How many elements of the table make one that is asked for: whole multiples alone are served.
@@ -223,20 +218,29 @@ Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
 
 } // namespace
 
-InfluenceNumbers expand(const InfluenceFunction& f, const ExpandOptions& o, const ChangeLines& change) {
+void expand_lines(const InfluenceFunction& f, const ExpandOptions& o, const TakeLines& take) {
   const StationRange range = checked_range(f, o);
   const Scaling scaling = checked_scaling(f, o);
   if (!f.is_table())
-    return expand_kernel(f, o, range, scaling, change);
-  InfluenceNumbers numbers = expand_table(f, o, range, scaling);
+    return expand_kernel(f, o, range, scaling, take);
+  const InfluenceNumbers numbers = expand_table(f, o, range, scaling);
   NumberLines lines(numbers.rows, numbers.offsets);
-  for (int row = 0; change && row < numbers.rows; ++row) {
+  for (int row = 0; row < numbers.rows; ++row) {
     lines.begin(row);
     lines.read_from(numbers);
-    change(lines);
-    lines.write_to(numbers);
+    take(lines);
   }
-  return numbers;
+}
+
+InfluenceNumbers expand(const InfluenceFunction& f, const ExpandOptions& o) {
+  const StationRange range = checked_range(f, o);
+  const Scaling scaling = checked_scaling(f, o);
+  if (f.is_table())
+    return expand_table(f, o, range, scaling);
+  InfluenceNumbers result{o.offsets, static_cast<int>(range.count), o.dx, f.station_width, {}};
+  result.values.resize(result.expected_values());
+  expand_kernel(f, o, range, scaling, [&](NumberLines& lines) { lines.write_to(result); });
+  return result;
 }
 
 } // namespace bem_contact

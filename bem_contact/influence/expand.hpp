@@ -16,9 +16,8 @@ struct ExpandOptions {
   int threads = 1;                      ///< share the rows of a kernel, with the same numbers to the last bit
 };
 
-/// Changes the numbers of a row before they are written: one pass over a large table is saved. Several
-/// threads may call it at once.
-using ChangeLines = std::function<void(NumberLines&)>;
+/// Takes the numbers of one row. Several threads may call it at once, each for another row.
+using TakeLines = std::function<void(NumberLines&)>;
 
 /// Influence numbers on the file's own stations: the Fourier series over the half period
 /// (series_weights.hpp), Maxwell-Betti exact. On a body of revolution the unit traction is 1 MPa per area of
@@ -26,7 +25,9 @@ using ChangeLines = std::function<void(NumberLines&)>;
 /// the patch is longer than the half period, or the stations asked for are not there.
 /// A table serves its own element length and whole multiples of it, as exact sums, `included` alone, and
 /// no plane strain; all else throws InputError.
-InfluenceNumbers expand(const InfluenceFunction& function, const ExpandOptions& options,
-                        const ChangeLines& change = {});
+InfluenceNumbers expand(const InfluenceFunction& function, const ExpandOptions& options);
+/// The same handed to `take` row by row, in any order, without a table of them. Of a table file's numbers
+/// those of the rows J <= I.
+void expand_lines(const InfluenceFunction& function, const ExpandOptions& options, const TakeLines& take);
 
 } // namespace bem_contact

@@ -40,23 +40,18 @@ template <class Kept, class NumbersOf> void discard_old(std::deque<Kept>& kept, 
 
 } // namespace
 
-std::shared_ptr<const InfluenceNumbers>
-RailNumbersStore::get(const BodyNumbersSource& source, const std::vector<double>& row_s, int offsets,
-                      const std::function<InfluenceNumbers()>& compute) {
+InfluenceNumbers RailNumbersStore::get(const BodyNumbersSource& source, const std::vector<double>& row_s,
+                                       int offsets, const std::function<InfluenceNumbers()>& compute) {
   for (const Kept& kept : kept_) {
     const auto found = std::ranges::search(kept.row_s, row_s);
-    if (kept.source != source || found.empty() || kept.numbers->offsets < offsets)
-      continue;
-    if (found.size() == kept.row_s.size() && kept.numbers->offsets == offsets)
-      return kept.numbers;
-    return std::make_shared<const InfluenceNumbers>(
-        part_of(*kept.numbers, static_cast<int>(found.begin() - kept.row_s.begin()),
-                static_cast<int>(row_s.size()), offsets));
+    if (kept.source == source && !found.empty() && kept.numbers.offsets >= offsets)
+      return part_of(kept.numbers, static_cast<int>(found.begin() - kept.row_s.begin()),
+                     static_cast<int>(row_s.size()), offsets);
   }
-  auto numbers = std::make_shared<const InfluenceNumbers>(compute());
-  if (megabytes_of(*numbers) <= largest_kept_numbers) {
+  InfluenceNumbers numbers = compute();
+  if (megabytes_of(numbers) <= largest_kept_numbers) {
     kept_.push_front({source, row_s, numbers});
-    discard_old(kept_, [](const Kept& kept) -> const InfluenceNumbers& { return *kept.numbers; });
+    discard_old(kept_, [](const Kept& kept) -> const InfluenceNumbers& { return kept.numbers; });
   }
   return numbers;
 }

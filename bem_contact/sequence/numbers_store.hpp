@@ -41,16 +41,15 @@ struct BodyNumbersSource {
 /// in each. So the rail's numbers serve every case whose rows are among those of an earlier one.
 class RailNumbersStore {
 public:
-  /// Those of rows at `row_s`, from `compute` unless they are part of what is kept.
-  std::shared_ptr<const InfluenceNumbers> get(const BodyNumbersSource& source,
-                                              const std::vector<double>& row_s, int offsets,
-                                              const std::function<InfluenceNumbers()>& compute);
+  /// Those of rows at `row_s`, from `compute` unless they are part of what is kept. They are the caller's.
+  InfluenceNumbers get(const BodyNumbersSource& source, const std::vector<double>& row_s, int offsets,
+                       const std::function<InfluenceNumbers()>& compute);
 
 private:
   struct Kept {
     BodyNumbersSource source;
     std::vector<double> row_s;
-    std::shared_ptr<const InfluenceNumbers> numbers;
+    InfluenceNumbers numbers;
   };
   std::deque<Kept> kept_; ///< made last: in front
 };

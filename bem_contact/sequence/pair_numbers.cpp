@@ -7,6 +7,7 @@
 #include "bem_contact/halfspace/tangent_plane.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/sequence/add_wheel.hpp"
 #include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
@@ -39,9 +40,8 @@ bool inside(const std::shared_ptr<const InfluenceFunction>& f, double s, double 
   return s - row_on_strip * ds >= from && s + row_on_strip * ds <= to;
 }
 
-/// One body's numbers at its rows.
-InfluenceNumbers expand_side(const InfluenceFunction& function, const Body& body,
-                             const ContactOnGrid& contact, const std::vector<double>& row_s, int threads) {
+ExpandOptions options_of(const InfluenceFunction& function, const Body& body, const ContactOnGrid& contact,
+                         int threads) {
   const ContactGrid& grid = contact.problem.grid;
   const bool plane_strain = contact.problem.plane_strain();
   ExpandOptions options;
@@ -50,16 +50,18 @@ InfluenceNumbers expand_side(const InfluenceFunction& function, const Body& body
   options.structural = body.structural;
   options.threads = threads;
   options.contact_radius = function.invariance == Invariance::revolution ? contact.contact_radius : 0.0;
-  return halfspace::resample(function, options, row_s, grid.ds);
+  return options;
 }
 
-std::shared_ptr<const InfluenceNumbers> rail_numbers(const std::shared_ptr<const InfluenceFunction>& function,
-                                                     const Body& body, const ContactOnGrid& contact,
-                                                     RailNumbersStore* store, int threads) {
-  const auto compute = [&] { return expand_side(*function, body, contact, contact.rail_s, threads); };
+InfluenceNumbers rail_numbers(const std::shared_ptr<const InfluenceFunction>& function, const Body& body,
+                              const ContactOnGrid& contact, RailNumbersStore* store, int threads) {
   const ContactGrid& grid = contact.problem.grid;
+  const auto compute = [&] {
+    return halfspace::resample(*function, options_of(*function, body, contact, threads), contact.rail_s,
+                               grid.ds);
+  };
   if (!store || contact.problem.plane_strain() || function->invariance == Invariance::revolution)
-    return std::make_shared<const InfluenceNumbers>(compute());
+    return compute();
   return store->get({function, body.structural, grid.dx, grid.ds}, contact.rail_s, grid.mx + 2, compute);
 }
 
@@ -154,10 +156,12 @@ InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, con
     require_turn(*files.rail, contact, contact.rail_s, rail_turn_tolerance);
     require_turn(*files.wheel, contact, contact.wheel_s, wheel_turn_tolerance);
   }
-  InfluenceNumbers wheel = expand_side(*files.wheel, setup.wheel, contact, contact.wheel_s, threads);
-  if (const auto inclination = radial_inclination(setup, contact.problem.rows); !inclination.empty())
-    add_radial_displacement(inclination, contact.contact_radius, wheel);
-  return halfspace::combine(*rail_numbers(files.rail, setup.rail, contact, store, threads), std::move(wheel));
+  InfluenceNumbers pair = rail_numbers(files.rail, setup.rail, contact, store, threads);
+  const std::vector<double> inclination = radial_inclination(setup, contact.problem.rows);
+  halfspace::resample_lines(
+      *files.wheel, options_of(*files.wheel, setup.wheel, contact, threads), contact.wheel_s, pair.ds,
+      [&](NumberLines& lines) { add_wheel(lines, inclination, contact.contact_radius, pair); });
+  return pair;
 }
 
 std::vector<double> radial_inclination(const ContactSetup& setup, const std::vector<ContactRow>& rows) {
@@ -201,26 +205,6 @@ std::pair<int, int> covered_rows(const PairFiles& files, double ds, const std::v
   while (last >= first && !good(last))
     --last;
   return {first, last};
-}
-
-void add_radial_displacement(std::span<const double> inclination, double radius, InfluenceNumbers& wheel) {
-  const double half_step = 0.5 * wheel.dx / radius;
-  const std::size_t rows = wheel.rows, size = 3 * rows;
-  std::vector<double> sum(rows * size, 0.0), last = sum; // [I][J][j]
-  for (int m = 0; m < wheel.offsets; ++m)                // in the order of memory
-    for (std::size_t row = 0; row < rows; ++row) {
-      // The wheel's own frame is the contact frame turned by pi about x (base/conventions.hpp).
-      const double along_s = -std::sin(inclination[row]), along_n = -std::cos(inclination[row]);
-      double* const block = &wheel.values[(m * rows + row) * 3 * size];
-      const double *of_s = block + component_s * size, *of_n = block + component_n * size;
-      double *to = block + component_x * size, *so_far = &sum[row * size], *before = &last[row * size];
-      for (std::size_t at = 0; at < size; ++at) {
-        const double here = along_s * of_s[at] + along_n * of_n[at];
-        so_far[at] += m > 0 ? half_step * (before[at] + here) : 0.0;
-        before[at] = here;
-        to[at] += so_far[at];
-      }
-    }
 }
 
 } // namespace bem_contact

@@ -53,18 +53,4 @@ void require_strips(const PairFiles& files, double ds, const std::vector<double>
 std::pair<int, int> covered_rows(const PairFiles& files, double ds, const std::vector<double>& rail_s,
                                  const std::vector<double>& wheel_s);
 
-/// Adds to a wheel's numbers what its radial displacement u_r does to steady rolling.
-///
-/// A point of the wheel's surface that has moved away from the axle by u_r is faster by the share u_r / R, so
-/// the slip over the rolling speed is
-///     S / dx = w - du_x/dx - u_r / R = w - d/dx (u_x + 1/R int u_r dx).
-/// The integral is linear in the tractions, and in x it is as regular as u_x: with it in A_x the solver and
-/// the certificate need not know of it. Kalker's half-space leaves u_r / R out. It is a uniform slip in the
-/// main, and so drops out from creep forces that are counted from free rolling.
-///
-/// `wheel`: its numbers in its own frame, rows in the contact's order. `inclination`: of each row against the
-/// wheel's axle, rad. `radius`: R, mm. The integral over x is by the trapezoidal rule, zero at the loaded
-/// element; parity in x stays. Only A_xj change, so that they are no longer reciprocal.
-void add_radial_displacement(std::span<const double> inclination, double radius, InfluenceNumbers& wheel);
-
 } // namespace bem_contact

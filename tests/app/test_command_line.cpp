@@ -51,6 +51,40 @@ TEST_F(CommandLine, SolvePrintsOneJsonObject) {
     EXPECT_GE(j["seconds"][key].get<double>(), 0) << key;
 }
 
+/// No shear is asked for: no tangential problem is solved, and nothing is prepared for one.
+TEST_F(CommandLine, FrictionlessScenesSolveNoTangentialProblem) {
+  const auto solved = [&](const std::string& motion) {
+    std::string scene = hertz;
+    const std::size_t from = scene.find("friction"), to = scene.find("[grid]");
+    const Outcome r = run("solve '" + write("s.toml", scene.replace(from, to - from, motion)).string() +
+                          "' --json --model halfspace");
+    EXPECT_EQ(r.code, 0) << r.err;
+    return json::parse(r.out)["solvers"];
+  };
+  const json with = solved("friction = 0.3\nxi = 1e-3\n");
+  EXPECT_GT(with["tangential_iterations"], 0);
+  for (const char* motion : {"frictionless = true\n", "friction = 0.0\nxi = 1e-3\n"}) {
+    const json without = solved(motion);
+    EXPECT_EQ(without["tangential"], "none") << motion;
+    EXPECT_EQ(without["tangential_iterations"], 0) << motion;
+    EXPECT_EQ(without["outer_iterations"], 1) << motion;
+    EXPECT_LT(without["work"], with["work"]) << motion;
+  }
+}
+
+/// Influence files that are not there are no obstacle where auto takes the half-space.
+TEST_F(CommandLine, InfluenceFilesAreOpenedOnlyIfTheyAreNeeded) {
+  const std::string scene = "kind = \"wheel_rail\"\nload.force = 1e4\nmotion.frictionless = true\n"
+                            "[rail]\nprofile = \"60E1\"\ninfluence = \"no_rail.h5\"\n"
+                            "[wheel]\nprofile = \"S1002\"\ninfluence = \"no_wheel.h5\"\n"
+                            "[grid]\ndx = 1.0\nds = 0.5\n";
+  const std::string file = write("s.toml", scene).string();
+  const Outcome chosen = run("solve '" + file + "' --json");
+  ASSERT_EQ(chosen.code, 0) << chosen.err;
+  EXPECT_NE(json::parse(chosen.out)["model"], "fem");
+  refused(run("solve '" + file + "' --model fem"), {"no_rail.h5", "there is no such file"});
+}
+
 /// In steady state friction dissipates what the creepages supply, xi Fx + eta Fy + phi Mz (V = 1).
 TEST_F(CommandLine, FrictionDissipatesWhatTheCreepagesSupply) {
   const Outcome r = run("solve '" CONFORMAL_SOURCE_DIR "/data/scenes/steady_rolling.toml' --json");

@@ -1,6 +1,10 @@
+#include "bem_contact/contact/coupled/contact_operators.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <gmock/gmock.h>
+
+#include <cmath>
+#include <utility>
 
 namespace bem_contact {
 namespace {
@@ -44,6 +48,57 @@ TEST(Coupling, EqualMaterialsNeedOneTurn) {
   problem.tangential = false;
   const ContactResult frictionless = solve(problem);
   EXPECT_NEAR(rolling.approach, frictionless.approach, 1e-9 * rolling.approach);
+}
+
+/// Shear moduli that differ by 1e-8 couple above rounding, and the bound of what shear does tells that a
+/// second outer iteration would change nothing that the tolerance sees. The certificate knows of the coupling.
+TEST(Coupling, BelowTheToleranceNeedsOneTurn) {
+  const auto rolling = [](double difference, double inclination) {
+    Material upper = scenes::steel;
+    upper.shear_modulus *= 1 + difference;
+    ContactProblem problem = roller(scenes::steel, upper, 24);
+    for (ContactRow& row : problem.rows)
+      row.delta = inclination;
+    scenes::set_creepage(problem, 0.3, 5e-4, 2e-4, 1e-4);
+    EXPECT_EQ(contact::numbers_couple(problem.numbers), difference > 0);
+    return solve(problem);
+  };
+  for (const auto& [difference, inclination] : {std::pair{1e-8, 0.0}, {0.0, 1e-8}, {1e-8, 1e-8}}) {
+    const ContactResult weak = rolling(difference, inclination);
+    EXPECT_EQ(weak.outer_iterations, 1) << difference << ' ' << inclination;
+    EXPECT_TRUE(weak.converged);
+    EXPECT_LT(weak.certificate.worst(), 1e-7);
+  }
+  for (const auto& [difference, inclination] : {std::pair{1e-4, 0.0}, {0.0, 1e-4}}) {
+    const ContactResult stronger = rolling(difference, inclination);
+    EXPECT_GT(stronger.outer_iterations, 1) << difference << ' ' << inclination;
+    EXPECT_TRUE(stronger.converged);
+  }
+}
+
+/// The bound against sums: whatever the shear tractions, they move the surfaces apart by no more than this
+/// share of what a pressure as large does, and in a corner of the grid they nearly do.
+TEST(Coupling, NoShearMovesTheSurfacesApartByMoreThanItsBound) {
+  const ContactGrid grid = roller(scenes::steel, scenes::steel, 12).grid;
+  const InfluenceNumbers a = scenes::pair({23000, 0.31}, {82000, 0.1}, grid);
+  double low = 0, high = 1;
+  for (int k = 0; k < 40; ++k) {
+    const double middle = 0.5 * (low + high);
+    (contact::shear_moves_normal(a, middle) ? low : high) = middle;
+  }
+  double largest = 0;
+  for (const double angle : {0.0, 0.8, 1.57, 2.4}) {
+    double by_shear = 0, by_pressure = 0;
+    for (int is = 0; is < grid.ms; ++is)
+      for (int ix = 0; ix < grid.mx; ++ix) { // on the element in the corner
+        by_shear += std::cos(angle) * a.at(ix, 0, component_n, is, component_x) +
+                    std::sin(angle) * a.at(ix, 0, component_n, is, component_s);
+        by_pressure += a.at(ix, 0, component_n, is, component_n);
+      }
+    largest = std::max(largest, std::abs(by_shear) / by_pressure);
+  }
+  EXPECT_LT(largest, high);
+  EXPECT_GT(largest, 0.5 * high);
 }
 
 /// Bentall and Johnson 1967: dissimilar rollers in free rolling creep by themselves; held at zero creepage

@@ -1,8 +1,13 @@
 #include "bem_contact/sequence/sequence.hpp"
 
+#include "bem_contact/halfspace/combine.hpp"
+#include "bem_contact/halfspace/resample.hpp"
+#include "bem_contact/sequence/add_wheel.hpp"
+#include "bem_contact/sequence/contact_case.hpp"
 #include "bem_contact/sequence/pair_numbers.hpp"
 #include "tests/base/message.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -68,29 +73,76 @@ TEST(FreeRolling, WhatContradictsItIsRefused) {
 
 /// A_nn and A_ns of the wheel all the same: u_r does not depend on x, and its integral is linear.
 TEST(RadialDisplacement, IsAUniformSlipUnderUniformNumbers) {
-  InfluenceNumbers wheel{4, 2, 0.5, 0.5, {}};
-  wheel.values.assign(wheel.expected_values(), 0.0);
-  for (int m = 0; m < wheel.offsets; ++m)
+  InfluenceNumbers pair{4, 2, 0.5, 0.5, {}};
+  pair.values.assign(pair.expected_values(), 0.0);
+  const double delta[] = {0.0, -0.5};
+  NumberLines wheel(2, 4);
+  for (int row = 0; row < 2; ++row) {
+    wheel.begin(row);
+    for (int column = 0; column <= row; ++column)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          std::ranges::fill(wheel.line(column, i, j), i != component_n && j != component_n   ? 0.0
+                                                      : i == component_n && j == component_n ? 2e-6
+                                                      : i == component_x || j == component_x ? 0.0
+                                                                                             : 1e-6);
+    add_wheel(wheel, delta, 400, pair);
+  }
+  for (int m = 0; m < pair.offsets; ++m)
     for (int row_i = 0; row_i < 2; ++row_i)
       for (int row_j = 0; row_j < 2; ++row_j) {
-        wheel.at(m, row_i, component_n, row_j, component_n) = 2e-6;
-        wheel.at(m, row_i, component_s, row_j, component_n) = 1e-6;
+        // Pressure moves the wheel's surface towards the axle: u falls with x by |u_r| / R per length. In the
+        // contact frame the pressure on the wheel has the other sign.
+        const double towards_axle = 2e-6 * std::cos(delta[row_i]) + 1e-6 * std::sin(delta[row_i]);
+        EXPECT_NEAR(pair.at(m, row_i, component_x, row_j, component_n), towards_axle * 0.5 * m / 400, 1e-20);
+        EXPECT_EQ(pair.at(m, row_i, component_n, row_j, component_n), 2e-6);
+        EXPECT_EQ(pair.at(m, row_i, component_n, row_j, component_x), 0);
       }
-  const double delta[] = {0.0, -0.5};
-  add_radial_displacement(delta, 400, wheel);
-  for (int m = 0; m < wheel.offsets; ++m)
-    for (int row_i = 0; row_i < 2; ++row_i) {
-      // Pressure moves the wheel's surface towards the axle: u falls with x by |u_r| / R per length.
-      const double towards_axle = 2e-6 * std::cos(delta[row_i]) + 1e-6 * std::sin(delta[row_i]);
-      EXPECT_NEAR(wheel.at(m, row_i, component_x, 0, component_n), -towards_axle * 0.5 * m / 400, 1e-20);
-      EXPECT_EQ(wheel.at(m, row_i, component_n, 0, component_n), 2e-6);
-    }
 }
 
 SceneFile conformal(bool radial) {
   SceneFile scene = read_scene_file(CONFORMAL_SOURCE_DIR "/data/scenes/conformal_small.toml");
   scene.motion.radial_displacement = radial;
   return with_model(scene, Model::fem);
+}
+
+/// A table of the wheel's own, its displacements integrated number by number, and then added to the rail's.
+TEST(RadialDisplacement, LinesAddedToTheRailAreBothTablesAdded) {
+  const SceneFile scene = conformal(true);
+  SequenceFiles files;
+  const ContactCase asked = prepare_case(scene, files);
+  const ContactOnGrid contact = asked.setup.on(first_plan(asked, scene.grid, true));
+  const ContactGrid& grid = contact.problem.grid;
+  const auto table = [&](const InfluenceFunction& f, const std::vector<double>& row_s, double radius) {
+    return halfspace::resample(f, {.dx = grid.dx, .offsets = grid.mx + 2, .contact_radius = radius}, row_s,
+                               grid.ds);
+  };
+  InfluenceNumbers wheel = table(*asked.files.wheel, contact.wheel_s, contact.contact_radius);
+  const auto inclination = radial_inclination(asked.setup, contact.problem.rows);
+  ASSERT_FALSE(inclination.empty());
+  for (const auto& [row_i, row_j] : wheel.stored_rows())
+    for (int j = 0; j < 3; ++j) {
+      double sum = 0;
+      const auto inwards = [&](int m) {
+        return -std::sin(inclination[row_i]) * wheel.at(m, row_i, component_s, row_j, j) -
+               std::cos(inclination[row_i]) * wheel.at(m, row_i, component_n, row_j, j);
+      };
+      for (int m = 1; m < wheel.offsets; ++m) {
+        sum += 0.5 * grid.dx / contact.contact_radius * (inwards(m - 1) + inwards(m));
+        wheel.at(m, row_i, component_x, row_j, j) += sum;
+      }
+    }
+  const InfluenceNumbers apart =
+      halfspace::combine(table(*asked.files.rail, contact.rail_s, 0), std::move(wheel));
+  for (const int threads : {1, 2}) {
+    const InfluenceNumbers pair = fem_pair(asked.setup, asked.files, contact, nullptr, threads);
+    ASSERT_EQ(pair.values.size(), apart.values.size());
+    const double scale = apart.at(0, 0, component_n, 0, component_n);
+    double largest = 0;
+    for (std::size_t k = 0; k < apart.values.size(); ++k)
+      largest = std::max(largest, std::abs(pair.values[k] - apart.values[k]));
+    EXPECT_LT(largest, 1e-15 * scale) << threads;
+  }
 }
 
 TEST(RadialDisplacement, MovesFreeRollingAndNothingElse) {

@@ -30,7 +30,7 @@ struct Rail {
   int computed = 0;
 
   InfluenceNumbers get(const std::vector<double>& row_s, int offsets) {
-    return *store.get(source, row_s, offsets, [&] {
+    return store.get(source, row_s, offsets, [&] {
       ++computed;
       return numbers_at(row_s, offsets);
     });

@@ -182,6 +182,22 @@ TEST(Scene, PredictedErrorAgreesWithPerssonAndTheSphericalSeat) {
   EXPECT_NEAR(predicted, seat, 0.02);
 }
 
+/// The work of a frictionless case is that of its normal problem alone, whatever the model, and its pressure is
+/// that of the case with friction, where equal half-spaces do not couple.
+TEST(Scene, WithoutFrictionNoTangentialProblemIsSolved) {
+  for (const Model model : {Model::halfspace, Model::tangent_plane}) {
+    const SceneResult pressure = Sequence().solve(with_model(wheel_on_rail(0, 1e5), model));
+    EXPECT_EQ(pressure.result.tangential_solver, "none");
+    EXPECT_EQ(pressure.result.tangential_iterations, 0);
+    EXPECT_EQ(pressure.result.outer_iterations, 1);
+    EXPECT_TRUE(pressure.result.converged);
+    const SceneResult rolling =
+        Sequence().solve(with_model(wheel_on_rail(0, 1e5, "friction = 0.3\nxi = 1e-3"), model));
+    EXPECT_GT(rolling.result.tangential_iterations, 0);
+    EXPECT_LT(pressure.result.work, 0.5 * rolling.result.work);
+  }
+}
+
 TEST(Scene, SteadyRollingWithGeometricSpinHolds) {
   const SceneResult r =
       Sequence().solve(with_model(wheel_on_rail(6.4, 5e4, "friction = 0.3"), Model::halfspace));

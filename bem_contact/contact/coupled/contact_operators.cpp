@@ -50,6 +50,16 @@ bool numbers_couple(const InfluenceNumbers& a) {
   return false;
 }
 
+bool shear_moves_normal(const InfluenceNumbers& a, double share) {
+  const auto rows = a.stored_rows();
+  for (int m = 0; m < a.offsets; ++m)
+    for (const auto& [i, j] : rows)
+      if (std::hypot(a.at(m, i, component_n, j, component_x), a.at(m, i, component_n, j, component_s)) >
+          share * a.at(m, i, component_n, j, component_n))
+        return true;
+  return false;
+}
+
 Coupling::Coupling(const ContactProblem& problem, TransformPool* pool)
     : normal_from_shear(problem.numbers, problem.grid.mx, {component_n}, {component_x, component_s}, {},
                         pool),

@@ -71,7 +71,8 @@ Shear::Shear(const ContactProblem& problem, ContactOperators& operators, WorkBud
   former = former_slip(problem, *this, work);
 }
 
-CoupledSystem::CoupledSystem(const ContactProblem& the_problem, ContactOperators& operators, WorkBudget& work)
+CoupledSystem::CoupledSystem(const ContactProblem& the_problem, ContactOperators& operators,
+                             double negligible, WorkBudget& work)
     : problem(the_problem), normal(the_problem, operators.normal),
       gap(Eigen::Map<const VectorXd>(the_problem.gap.data(), the_problem.grid.size())),
       sine(the_problem.grid.size()) {
@@ -80,9 +81,13 @@ CoupledSystem::CoupledSystem(const ContactProblem& the_problem, ContactOperators
   if (!problem.has_friction())
     return;
   shear.emplace(problem, operators, work);
-  coupled =
-      shear->coupling || (problem.load == LoadKind::force && sine.cwiseAbs().maxCoeff() > coupling_rounding);
-  by_force = coupled && problem.load == LoadKind::force && problem.force > 0;
+  const double friction = problem.largest_friction(), steepest = sine.cwiseAbs().maxCoeff(),
+               flattest = normal.cosine.minCoeff();
+  by_numbers = shear->coupling && shear_moves_normal(problem.numbers, negligible / friction);
+  if (problem.load != LoadKind::force)
+    return;
+  inclined = steepest > coupling_rounding && friction * steepest > negligible * flattest;
+  by_force = coupled() && problem.force > 0;
 }
 
 double CoupledSystem::shear_force(const VectorXd& shear_tractions) const {

@@ -23,10 +23,10 @@ struct Shear {
 /// One contact problem with its operators: what stays the same over the outer iterations. `problem` and
 /// `operators` outlive it.
 struct CoupledSystem {
-  CoupledSystem(const ContactProblem& problem, ContactOperators& operators, WorkBudget& work);
+  /// `negligible`: relative change of displacements and forces that needs no second outer iteration.
+  CoupledSystem(const ContactProblem& problem, ContactOperators& operators, double negligible,
+                WorkBudget& work);
 
-  /// Whether shear acts on the normal displacements by the influence numbers.
-  bool coupled_by_numbers() const { return shear && shear->coupling; }
   /// Vertical force of the shear tractions, N.
   double shear_force(const Eigen::VectorXd& shear_tractions) const;
 
@@ -35,8 +35,11 @@ struct CoupledSystem {
   Eigen::VectorXd gap;        ///< mm; field
   Eigen::VectorXd sine;       ///< of the inclination; field
   std::optional<Shear> shear; ///< nothing without friction
-  bool coupled = false;       ///< shear acts on the normal problem: by the numbers or by its vertical force
-  bool by_force = false;      ///< coupled, and a vertical force above 0 is prescribed
+  // Whether shear acts on the normal problem, by bounds of what friction can carry.
+  bool by_numbers = false; ///< by the normal displacements that it causes
+  bool inclined = false;   ///< by its share of the prescribed vertical force
+  bool by_force = false;   ///< by either, and a vertical force above 0 is prescribed
+  bool coupled() const { return by_numbers || inclined; }
 };
 
 /// What the tractions of former steps add to the slip: sum_k former[k] u_k(x + k columns dx), u = -A p. mm.

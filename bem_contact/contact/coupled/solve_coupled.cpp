@@ -48,7 +48,7 @@ private:
 OuterLoop::OuterLoop(const CoupledSystem& system, const SolverOptions& options, WorkBudget& work,
                      Solution& solution)
     : system_(system), options_(options), work_(work), solution_(solution), n_(system.gap.size()),
-      tolerance_(options.tolerance, system.coupled), balance_(system.problem.force),
+      tolerance_(options.tolerance, system.coupled()), balance_(system.problem.force),
       v_(VectorXd::Zero(n_ + 1)) {
   if (system.by_force &&
       solution.normal.p.size() == n_) { // guess the share that shear carries from the start
@@ -56,7 +56,7 @@ OuterLoop::OuterLoop(const CoupledSystem& system, const SolverOptions& options, 
     solution.pressed /= std::clamp(1 + system.shear_force(solution.shear.p) / pressure_force,
                                    2 / largest_force_ratio, largest_start_share);
   }
-  if (system.coupled_by_numbers() && solution.shear.p.any())
+  if (system.by_numbers && solution.shear.p.any())
     v_.head(n_) = normal_displacement(*system.shear, solution);
 }
 
@@ -85,7 +85,7 @@ double OuterLoop::relative_change(const VectorXd& residual) const {
 
 /// Sets what the next outer iteration solves for.
 void OuterLoop::advance(const VectorXd& residual) {
-  if (system_.by_force && !system_.coupled_by_numbers()) {
+  if (system_.by_force && !system_.by_numbers) {
     solution_.pressed = balance_.next(solution_.pressed, solution_.borne);
     return;
   }
@@ -106,14 +106,18 @@ bool OuterLoop::run() {
     options.tolerance = tolerance_.now();
     iterate_once(system_, options, v_.head(n_), {problem.load, problem.approach, solution_.pressed}, work_,
                  solution_);
-    if (!system_.coupled)
+    if (!system_.coupled()) {
+      if (system_.shear)
+        solution_.from_shear = normal_displacement(*system_.shear, solution_);
       return true;
+    }
     const VectorXd next = image(), residual = next - v_;
     if (outer == 0)
       first_residual = residual.norm();
     else if (first_residual > 0)
       solution_.rate = std::pow(residual.norm() / first_residual, 1.0 / outer);
     const double change = relative_change(residual);
+    if (std::getenv("DBG")) fprintf(stderr, "outer %d n %d change %.2e tol %.1e asked %.1e\n", outer, int(n_), change, tolerance_.now(), options_.tolerance);
     if (tolerance_.is_settled(change))
       return true;
     tolerance_.tighten(change, system_.by_force ? problem.force / solution_.pressed : 1.0);
@@ -124,7 +128,7 @@ bool OuterLoop::run() {
       return false;
     advance(residual);
   }
-  return !system_.coupled;
+  return !system_.coupled();
 }
 
 /// For one pressure force, iterates until the normal displacements no longer change.
@@ -202,9 +206,9 @@ void require_capacity(const ContactProblem& problem, const FoundCreepage& creepa
 Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options,
                        ContactOperators& operators, WorkBudget& work) {
   Solution solution = start(problem, options, operators, work);
-  const CoupledSystem system(problem, operators, work);
+  const CoupledSystem system(problem, operators, settling_factor * options.tolerance, work);
   bool settled = OuterLoop(system, options, work, solution).run();
-  if (!settled && system.by_force && system.coupled_by_numbers() && !solution.unbalanced)
+  if (!settled && system.by_force && system.by_numbers && !solution.unbalanced)
     settled = balance_apart(system, options, work, solution);
   require_capacity(problem, solution.creepage);
   solution.distance =
