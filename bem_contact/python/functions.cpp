@@ -194,7 +194,8 @@ void add_functions(py::module_& module) {
       "\"at_equal_forces\" and \"at_equal_position\" are {model: Result}; \"creep_forces\" has "
       "\"xi_from_free_rolling\", an array, and \"Fx\" and \"Fx_error\", {model: array} (N); "
       "\"reference\" is the model that the others are compared with. A set that the scene does not have is "
-      "None. `scene`, `changes`: as solve() takes them. Look at equal forces first: at equal position a hundredth of a millimetre makes "
+      "None. `scene`, `changes`: as solve() takes them. Look at equal forces first: at equal position a "
+      "hundredth of a millimetre makes "
       "most of the difference.");
   module.def(
       "conicity", conicity, "scene"_a = py::none(), "changes"_a = py::none(), py::kw_only(),
