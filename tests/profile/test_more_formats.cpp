@@ -8,8 +8,8 @@
 
 #include <gmock/gmock.h>
 
-#include <filesystem>
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 
 namespace bem_contact {
