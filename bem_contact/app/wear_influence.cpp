@@ -1,6 +1,7 @@
 #include "bem_contact/app/wear_influence.hpp"
 
 #include "bem_contact/app/wear_state.hpp"
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/influence_file.hpp"

@@ -20,7 +20,8 @@ ALWAYS = {"wheel_rail": {"position.gauge": 1435.0, "position.back_to_back": 1360
                          "position.lateral": 0.0, "position.cant": 0.0, "position.yaw": 0.0}, "patch": {}}
 NO_INPUTS = ("grid.", "solver.", "stresses.", "motion.steps", "strip.rail_s0", "strip.wheel_s0", "sweep.", "table.", "weight")
 # Bodies of the influence files that the scenes name, in demo/.
-BODIES = ("bore", "disc", "ring", "roller", "groove", "wheel_in_groove", "rail_60E1_gauge_corner", "wheel_S1002_flange_root")
+BODIES = ("bore", "disc", "ring", "roller", "groove", "wheel_in_groove")
+NAMED = {"rail_60E1": "rail_60E1_gauge_corner", "wheel_S1002": "wheel_S1002_flange_root"}  # as tools/demo names them
 
 
 @dataclass
