@@ -40,11 +40,11 @@ public:
                                [sign = parity(component_x, j)](double a) { return sign * a; });
         if (inclination.empty())
           continue;
-        Radial{inclination[wheel.row()], half_step}.add_to(
-            own(column, j), wheel.line(column, component_s, j), wheel.line(column, component_n, j), 1);
-        Radial{inclination[column], half_step}.add_to(
-            opposite(column, j), wheel.line(column, j, component_s), wheel.line(column, j, component_n),
-            parity(component_s, j));
+        Radial{inclination[wheel.row()], half_step}.add_to(own(column, j), wheel.line(column, component_s, j),
+                                                           wheel.line(column, component_n, j), 1);
+        Radial{inclination[column], half_step}.add_to(opposite(column, j), wheel.line(column, j, component_s),
+                                                      wheel.line(column, j, component_n),
+                                                      parity(component_s, j));
       }
   }
 

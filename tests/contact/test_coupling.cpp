@@ -51,7 +51,8 @@ TEST(Coupling, EqualMaterialsNeedOneTurn) {
 }
 
 /// Shear moduli that differ by 1e-8 couple above rounding, and the bound of what shear does tells that a
-/// second outer iteration would change nothing that the tolerance sees. The certificate knows of the coupling.
+/// second outer iteration would change nothing that the tolerance sees. The certificate knows of the
+/// coupling.
 TEST(Coupling, BelowTheToleranceNeedsOneTurn) {
   const auto rolling = [](double difference, double inclination) {
     Material upper = scenes::steel;

@@ -182,8 +182,8 @@ TEST(Scene, PredictedErrorAgreesWithPerssonAndTheSphericalSeat) {
   EXPECT_NEAR(predicted, seat, 0.02);
 }
 
-/// The work of a frictionless case is that of its normal problem alone, whatever the model, and its pressure is
-/// that of the case with friction, where equal half-spaces do not couple.
+/// The work of a frictionless case is that of its normal problem alone, whatever the model, and its pressure
+/// is that of the case with friction, where equal half-spaces do not couple.
 TEST(Scene, WithoutFrictionNoTangentialProblemIsSolved) {
   for (const Model model : {Model::halfspace, Model::tangent_plane}) {
     const SceneResult pressure = Sequence().solve(with_model(wheel_on_rail(0, 1e5), model));
