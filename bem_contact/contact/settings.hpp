@@ -251,10 +251,6 @@ BEM_CONTACT_TUNED(double, settling_factor, 10);
 BEM_CONTACT_TUNED(double, loose_tolerance, 1e-4);
 /// 1. The tolerance follows the change of the last outer iteration, times this. Chosen.
 BEM_CONTACT_TUNED(double, tolerance_of_change, 0.01);
-/// 1. Each outer iteration reduces the change by about the factor of the one before. If that makes it less
-/// than this times what is close, the next one is precise. Anderson's method often gains this factor (random
-/// cases).
-BEM_CONTACT_TUNED(double, foreseen_slack, 3);
 /// 1. If the pressure carries more than the prescribed force, the tolerance is multiplied by prescribed force
 /// over pressure force, but at least by this: about 1 / largest_force_ratio.
 BEM_CONTACT_TUNED(double, least_force_share, 0.03);

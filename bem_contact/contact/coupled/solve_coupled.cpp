@@ -117,9 +117,6 @@ bool OuterLoop::run() {
     else if (first_residual > 0)
       solution_.rate = std::pow(residual.norm() / first_residual, 1.0 / outer);
     const double change = relative_change(residual);
-    if (std::getenv("DBG"))
-      fprintf(stderr, "outer %d n %d change %.2e tol %.1e asked %.1e\n", outer, int(n_), change,
-              tolerance_.now(), options_.tolerance);
     if (tolerance_.is_settled(change))
       return true;
     tolerance_.tighten(change, system_.by_force ? problem.force / solution_.pressed : 1.0);

@@ -14,12 +14,8 @@ bool ToleranceSchedule::is_close(double change) const {
 }
 
 void ToleranceSchedule::tighten(double change, double share) {
-  const double precise = asked_ * std::clamp(share, least_force_share, 1.0),
-               rate = last_change_ > 0 ? std::min(1.0, change / last_change_) : tolerance_of_change;
-  last_change_ = change;
-  now_ = is_close(rate * change / foreseen_slack)
-             ? precise
-             : std::max(precise, std::min(loose_tolerance, tolerance_of_change * change));
+  now_ = std::max(asked_ * std::clamp(share, least_force_share, 1.0),
+                  std::min(loose_tolerance, tolerance_of_change * change));
 }
 
 } // namespace bem_contact::contact

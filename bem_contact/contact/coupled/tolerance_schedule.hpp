@@ -17,12 +17,11 @@ public:
   bool is_settled(double change) const { return is_close(change) && now_ <= asked_; }
   /// Sets the tolerance after an outer iteration with this change. `share` is prescribed force over force of
   /// the pressure: if it is small, the force is a small difference of large ones and needs a tighter
-  /// tolerance. If the change is likely to be close next time, the next iteration is precise: it may be the
-  /// last.
+  /// tolerance.
   void tighten(double change, double share);
 
 private:
-  double asked_, now_, last_change_ = 0;
+  double asked_, now_;
 };
 
 } // namespace bem_contact::contact
