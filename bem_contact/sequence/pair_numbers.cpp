@@ -41,7 +41,8 @@ bool inside(const std::shared_ptr<const InfluenceFunction>& f, double s, double 
 
 /// One body's numbers at its rows.
 InfluenceNumbers expand_side(const InfluenceFunction& function, const Body& body,
-                             const ContactOnGrid& contact, const std::vector<double>& row_s, int threads) {
+                             const ContactOnGrid& contact, const std::vector<double>& row_s,
+                             NumbersParts* known, int threads) {
   const ContactGrid& grid = contact.problem.grid;
   const bool plane_strain = contact.problem.plane_strain();
   ExpandOptions options;
@@ -50,17 +51,17 @@ InfluenceNumbers expand_side(const InfluenceFunction& function, const Body& body
   options.structural = body.structural;
   options.threads = threads;
   options.contact_radius = function.invariance == Invariance::revolution ? contact.contact_radius : 0.0;
-  return halfspace::resample(function, options, row_s, grid.ds);
+  return halfspace::resample(function, options, row_s, grid.ds, known ? &known->lines : nullptr);
 }
 
 std::shared_ptr<const InfluenceNumbers> rail_numbers(const std::shared_ptr<const InfluenceFunction>& function,
                                                      const Body& body, const ContactOnGrid& contact,
-                                                     RailNumbersStore* store, int threads) {
-  const auto compute = [&] { return expand_side(*function, body, contact, contact.rail_s, threads); };
+                                                     NumbersParts* known, int threads) {
+  const auto compute = [&] { return expand_side(*function, body, contact, contact.rail_s, known, threads); };
   const ContactGrid& grid = contact.problem.grid;
-  if (!store || contact.problem.plane_strain() || function->invariance == Invariance::revolution)
+  if (!known || contact.problem.plane_strain() || function->invariance == Invariance::revolution)
     return std::make_shared<const InfluenceNumbers>(compute());
-  return store->get({function, body.structural, grid.dx, grid.ds}, contact.rail_s, grid.mx + 2, compute);
+  return known->rail.get({function, body.structural, grid.dx, grid.ds}, contact.rail_s, grid.mx + 2, compute);
 }
 
 /// A patch is given without profiles: what can be compared is how far the normal turns along the strip.
@@ -110,14 +111,16 @@ PairFiles read_pair_files(const Body& rail, const Body& wheel) {
   return files;
 }
 
-InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& contact) {
+InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& contact,
+                                NumbersParts* known) {
   const ContactGrid& grid = contact.problem.grid;
   const auto one = [&](const Material& material) {
     // On a curved strip forces depend on the reference distance of plane strain, since the approach turns
     // with the normal; the strip's radius is what the disc in a hole has (Michell 1899).
     return contact.problem.plane_strain()
                ? halfspace::plane_strain_numbers(material, grid.ds, grid.ms, setup.reference_distance())
-               : halfspace::numbers(material, grid.dx, grid.ds, grid.mx + 2, grid.ms);
+               : halfspace::numbers(material, grid.dx, grid.ds, grid.mx + 2, grid.ms,
+                                    known ? &known->lines : nullptr);
   };
   // The wheel's own s runs against the rail's: with rows in the contact's order the couplings of equal bodies
   // cancel.
@@ -141,7 +144,7 @@ InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGr
 }
 
 InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact,
-                          RailNumbersStore* store, int threads) {
+                          NumbersParts* known, int threads) {
   if (!files.complete())
     throw InputError("The finite-element model needs influence functions of both bodies",
                      !files.rail && !files.wheel ? "the scene names none"
@@ -154,10 +157,10 @@ InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, con
     require_turn(*files.rail, contact, contact.rail_s, rail_turn_tolerance);
     require_turn(*files.wheel, contact, contact.wheel_s, wheel_turn_tolerance);
   }
-  InfluenceNumbers wheel = expand_side(*files.wheel, setup.wheel, contact, contact.wheel_s, threads);
+  InfluenceNumbers wheel = expand_side(*files.wheel, setup.wheel, contact, contact.wheel_s, known, threads);
   if (const auto inclination = radial_inclination(setup, contact.problem.rows); !inclination.empty())
     add_radial_displacement(inclination, contact.contact_radius, wheel);
-  return halfspace::combine(*rail_numbers(files.rail, setup.rail, contact, store, threads), std::move(wheel));
+  return halfspace::combine(*rail_numbers(files.rail, setup.rail, contact, known, threads), std::move(wheel));
 }
 
 std::vector<double> radial_inclination(const ContactSetup& setup, const std::vector<ContactRow>& rows) {
@@ -171,10 +174,10 @@ std::vector<double> radial_inclination(const ContactSetup& setup, const std::vec
 }
 
 InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const PairFiles& files,
-                              const ContactOnGrid& contact, RailNumbersStore* store, int threads) {
-  return model == Model::fem             ? fem_pair(setup, files, contact, store, threads)
+                              const ContactOnGrid& contact, NumbersParts* known, int threads) {
+  return model == Model::fem             ? fem_pair(setup, files, contact, known, threads)
          : model == Model::tangent_plane ? tangent_plane_pair(setup, contact)
-                                         : halfspace_pair(setup, contact);
+                                         : halfspace_pair(setup, contact, known);
 }
 
 void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,

@@ -21,8 +21,8 @@ struct StripShape {
   }
 };
 
-/// The transforms along x of all lines of a strip, from one block of scratch to another. Operators of the same
-/// shape share them.
+/// The transforms along x of all lines of a strip, from one block of scratch to another. Operators of the
+/// same shape share them.
 template <class Real> class StripTransforms {
 public:
   using Shape = StripShape;
