@@ -130,44 +130,36 @@ template <class Curve> std::optional<Crossing> cross(const Curve& curve, const R
   return Crossing{k, t, distance};
 }
 
-/// Finds the nodes of a locus that are nearest to points, which come one beside the other.
+/// Finds the nodes of a locus that are nearest to points.
 class NearestNode {
 public:
   explicit NearestNode(const ContactLocus& locus) : nodes_(locus.nodes()) {
     for (std::size_t k = 0; k < nodes_.size(); k += node_stride)
       some_.push_back(nodes_[k].position);
-    some_.push_back(nodes_.back().position);
-    for (std::size_t k = 1; k < some_.size(); ++k)
-      widest_ = std::max(widest_, distance(some_[k - 1], some_[k]));
   }
 
   /// -1 where it lies beyond `farthest`.
-  int operator()(Point2 p, double farthest = 1e9);
+  int operator()(Point2 p, double farthest = 1e9) const;
 
 private:
-  static double distance(Point2 a, Point2 b) { return std::sqrt(dot(b - a, b - a)); }
-
   std::span<const ContactLocus::Node> nodes_;
-  std::vector<Point2> some_;                         ///< every so many and the last, side by side in memory
-  double widest_ = node_stride * largest_table_step; ///< at most between two of these one after the other, mm
-  std::size_t former_ = 0;                           ///< the nearest of these to the former point
+  std::vector<Point2> some_; ///< every so many, side by side in memory
 };
 
-int NearestNode::operator()(Point2 p, double farthest) {
+int NearestNode::operator()(Point2 p, double farthest) const {
   const int last = static_cast<int>(nodes_.size()) - 1;
   const auto square = [&](int k) {
     const Point2 d = nodes_[k].position - p;
     return dot(d, d);
   };
-  double least = distance(p, some_[former_]);
-  for (std::size_t k = 0; k < some_.size();) {
-    const double here = distance(p, some_[k]);
-    if (here < least)
-      former_ = k, least = here;
-    k += 1 + static_cast<std::size_t>((here - least) / widest_); // none before can be nearer
+  int best = last;
+  double least = square(last);
+  for (std::size_t k = 0; k < some_.size(); ++k) {
+    const Point2 d = some_[k] - p;
+    if (dot(d, d) < least)
+      best = static_cast<int>(k) * node_stride, least = dot(d, d);
   }
-  int best = std::min(static_cast<int>(former_) * node_stride, last);
-  if (least > farthest + node_stride * largest_table_step)
+  if (std::sqrt(least) > farthest + node_stride * largest_table_step)
     return -1;
   while (best > 0 && square(best - 1) < square(best))
     --best;
@@ -180,7 +172,7 @@ int NearestNode::operator()(Point2 p, double farthest) {
 
 std::vector<RowOnLocus> rows_on_locus(const ContactLocus& locus, std::span<const ContactRow> rows,
                                       double farthest) {
-  NearestNode nearest_node(locus);
+  const NearestNode nearest_node(locus);
   std::vector<RowOnLocus> out(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const int near = nearest_node(rows[i].position, farthest);
@@ -231,7 +223,7 @@ std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const
 }
 
 std::vector<double> wheel_stations(const ContactLocus& locus, std::span<const ContactRow> rows) {
-  NearestNode nearest_node(locus);
+  const NearestNode nearest_node(locus);
   std::vector<double> out;
   const auto& nodes = locus.nodes();
   for (const ContactRow& row : rows) {

@@ -94,7 +94,7 @@ private:
   FftPlan<Real> kernel_x_, kernel_s_;
 };
 
-/// Keeps transforms, the last used first, and the memory in which they all work. All operators that share one
+/// Keeps transforms of planes and strips, the last used first, and the memory in which they all work. All operators that share one
 /// pool serve one thread at a time.
 class TransformPool {
 public:
