@@ -194,6 +194,23 @@ TEST(Combine, TurnsTheWheelIntoTheContactFrame) {
       }
 }
 
+TEST(LineStore, WhatIsKeptChangesNoNumber) {
+  const InfluenceFunction f = bent_body(16, 0.4);
+  halfspace::LineStore known;
+  for (const auto& [dx, offsets] :
+       {std::pair(0.5, 4), std::pair(0.4, 4), std::pair(0.5, 10), std::pair(0.5, 6)})
+    for (const double stretch : {1.0, 1.01}) {
+      std::vector<double> rows;
+      for (int i = 0; i < 9; ++i)
+        rows.push_back(f.stations.front().s + 0.7 + 0.3 * stretch * i);
+      const InfluenceNumbers kept = halfspace::resample(f, options_for(dx, offsets), rows, 0.3, &known),
+                             anew = halfspace::resample(f, options_for(dx, offsets), rows, 0.3);
+      EXPECT_TRUE(kept.values == anew.values) << dx << " " << offsets << " " << stretch;
+      EXPECT_TRUE(halfspace::numbers(steel, dx, 0.3, offsets, 5, &known).values ==
+                  halfspace::numbers(steel, dx, 0.3, offsets, 5).values);
+    }
+}
+
 TEST(Combine, RefusesDifferentGrids) {
   const InfluenceNumbers a = halfspace::numbers(steel, 0.5, 0.2, 2, 3),
                          b = halfspace::numbers(steel, 0.5, 0.21, 2, 3),
