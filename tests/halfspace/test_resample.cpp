@@ -225,8 +225,8 @@ TEST(NearField, FewLinesServeRowsThatAreNotEquallyFar) {
   for (int i = 0; i < 24; ++i)
     rows.push_back(0.3 * i * (1 + 0.0004 * i) + 0.002 * std::sin(0.8 * i));
   for (const auto& options : {options_for(0.5, 6), options_for(0, 1)}) {
-    halfspace::LineStore lines;
-    const halfspace::NearField near(steel, options, rows, 0.3, lines);
+    halfspace::LineStore known;
+    const halfspace::NearField near(steel, options, rows, 0.3, known);
     EXPECT_LT(near.lines(), rows.size() * (rows.size() + 1) / 2 / 2);
     for (int m = 0; m < options.offsets; ++m)
       for (int row_i = 0; row_i < 24; ++row_i)
