@@ -79,13 +79,13 @@ std::vector<double> mixed_table(const InfluenceFunction& f, RowMixer& mixer, std
 
 std::vector<double> mixed_kernel(const InfluenceFunction& f, RowMixer& mixer, std::size_t wavenumbers) {
   const std::size_t used = mixer.used(), first = mixer.first();
-  std::vector<double> kernel(wavenumbers * lower_size(mixer.size())), part(used * used);
-  double* to = kernel.data();
+  std::vector<double> kernel, part(used * used);
+  kernel.reserve(wavenumbers * lower_size(mixer.size()));
   for (std::size_t k = 0; k < wavenumbers; ++k) {
     for (std::size_t row = 0; row < used; ++row)
       std::copy_n(&f.kernel[f.kernel_index(k, first + row, first)], row + 1, &part[row * used]);
     mirror_lower(part, used);
-    mixer.mix(part.data(), used, [&](std::size_t, std::size_t, double value) { *to++ = value; });
+    mixer.mix(part.data(), used, [&](std::size_t, std::size_t, double value) { kernel.push_back(value); });
   }
   return kernel;
 }

@@ -1,6 +1,5 @@
 #include "bem_contact/influence/series_weights.hpp"
 
-#include "bem_contact/base/simd.hpp"
 #include "bem_contact/influence/series_tail.hpp"
 #include "bem_contact/influence/settings.hpp"
 
@@ -18,32 +17,6 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// Adds T_2j of all points to moments[j]; argument = 2 t^2 - 1 of each.
-BEM_CONTACT_WIDE void add_even_chebyshev(const double* argument, Index points, Index polynomials,
-                                         double* moments) {
-  constexpr Index together = 16;
-  std::vector<double> sums(static_cast<std::size_t>(polynomials * together), 0.0);
-  for (Index first = 0; first < points; first += together) {
-    double before[together], now[together], twice[together];
-    for (Index l = 0; l < together; ++l) {
-      const bool there = first + l < points;
-      twice[l] = there ? 2 * argument[first + l] : 0.0;
-      before[l] = there;
-      now[l] = 0.5 * twice[l];
-    }
-    for (Index j = 0; j < polynomials; ++j)
-      for (Index l = 0; l < together; ++l) {
-        sums[static_cast<std::size_t>(j * together + l)] += before[l];
-        const double next = twice[l] * now[l] - before[l];
-        before[l] = now[l];
-        now[l] = next;
-      }
-  }
-  for (Index j = 0; j < polynomials; ++j)
-    for (Index l = 0; l < together; ++l)
-      moments[j] += sums[static_cast<std::size_t>(j * together + l)];
-}
-
 /// Sum over `count` equally spaced points from -1 to 1 of each even Chebyshev polynomial T_0, T_2, ...; the
 /// odd ones have none.
 ArrayXd even_moments(Index count, Index polynomials) {
@@ -51,10 +24,12 @@ ArrayXd even_moments(Index count, Index polynomials) {
   const ArrayXd t = ArrayXd::LinSpaced(count, -1, 1).head(half);
   const ArrayXd argument = 2 * t.square() - 1;
   const double middle = count % 2; // where the argument is -1
-  ArrayXd moments = ArrayXd::Zero(polynomials);
-  add_even_chebyshev(argument.data(), half, polynomials, moments.data());
-  for (Index j = 0; j < polynomials; ++j)
-    moments[j] = 2 * moments[j] + (j % 2 == 0 ? middle : -middle);
+  ArrayXd moments(polynomials), before = ArrayXd::Ones(half), now = argument;
+  for (Index j = 0; j < polynomials; ++j) {
+    moments[j] = 2 * before.sum() + (j % 2 == 0 ? middle : -middle);
+    before = 2 * argument * now - before;
+    before.swap(now);
+  }
   return moments;
 }
 
