@@ -1,17 +1,16 @@
 #include "bem_contact/halfspace/flat_strip.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/halfspace/element_line.hpp"
 #include "bem_contact/halfspace/kernels.hpp"
 #include "bem_contact/halfspace/plane_strain.hpp"
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 namespace bem_contact::halfspace {
 
-InfluenceNumbers numbers(const Material& material, double dx, double ds, int offsets, int rows) {
+InfluenceNumbers numbers(const Material& material, double dx, double ds, int offsets, int rows,
+                         LineStore* known) {
   require_size(dx, "length dx");
   require_size(ds, "width ds");
   if (offsets < 1 || rows < 1)
@@ -20,13 +19,14 @@ InfluenceNumbers numbers(const Material& material, double dx, double ds, int off
                      "ask for at least one of each");
   InfluenceNumbers result{offsets, rows, dx, ds, {}, true};
   result.values.resize(result.expected_values());
-  std::vector<Matrix3> line(static_cast<std::size_t>(offsets));
+  LineStore only_now;
+  LineStore& lines = known ? *known : only_now;
   for (int d = 0; d < rows; ++d) {
-    averaged_line(material, d * ds, dx, ds, line);
+    const LineStore::Line line = lines.get(material, d * ds, dx, ds, static_cast<std::size_t>(offsets));
     for (int m = 0; m < offsets; ++m)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-          const double value = line[static_cast<std::size_t>(m)][i][j];
+          const double value = line.values[static_cast<std::size_t>(3 * i + j) * line.offsets + m];
           result.at(m, d, i, 0, j) = value;
           result.at(m, 0, j, d, i) = parity(i, j) * value;
         }

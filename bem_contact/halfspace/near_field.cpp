@@ -1,13 +1,13 @@
 #include "bem_contact/halfspace/near_field.hpp"
 
 #include "bem_contact/base/simd.hpp"
-#include "bem_contact/halfspace/element_line.hpp"
 #include "bem_contact/halfspace/plane_strain.hpp"
 #include "bem_contact/halfspace/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace bem_contact::halfspace {
 
@@ -41,10 +41,21 @@ int lines_for(double from, double to, double ds, int most) {
   return std::max(count, 2);
 }
 
+/// Ends of a range of distances that other strips have too.
+std::pair<double, double> rounded_outwards(double from, double to, double ds) {
+  const double width = to - from;
+  if (width <= same_distance * ds) {
+    const double whole = ds * std::round(from / ds); // of equal rows
+    return std::abs(from - whole) <= same_distance * ds ? std::pair(whole, whole) : std::pair(from, to);
+  }
+  const double step = std::exp2(std::floor(std::log2(width)) - 1);
+  return {step * std::floor(from / step), step * std::ceil(to / step)};
+}
+
 } // namespace
 
 NearField::NearField(const Material& material, const ExpandOptions& options, std::span<const double> row_s,
-                     double ds) {
+                     double ds, LineStore& known) {
   const std::size_t rows = row_s.size();
   std::vector<double> at; // distances of the lines
   mixes_.reserve(rows * (rows + 1) / 2);
@@ -55,18 +66,18 @@ NearField::NearField(const Material& material, const ExpandOptions& options, std
       distances.push_back(row_s[j + d] - row_s[j]);
     add_mixes(distances, ds, at);
   }
-  fill(material, options, at, ds);
+  fill(material, options, at, ds, known);
 }
 
 void NearField::add_mixes(std::span<const double> distances, double ds, std::vector<double>& at) {
   const auto [least, greatest] = std::minmax_element(distances.begin(), distances.end());
-  const double low = *least, high = *greatest;
+  const auto [low, high] = rounded_outwards(*least, *greatest, ds);
   const int count =
       lines_for(std::min(std::abs(low), std::abs(high)), std::max(std::abs(low), std::abs(high)), ds, most);
   if (count > most || count >= static_cast<int>(distances.size())) { // one line each, but for equal distances
     for (std::size_t j = 0; j < distances.size(); ++j) {
       if (j == 0 || std::abs(distances[j] - at.back()) > same_distance * ds)
-        at.push_back(distances[j]);
+        at.push_back(low == high ? low : distances[j]);
       mixes_.push_back({at.size() - 1, 1, {1}});
     }
     return;
@@ -89,20 +100,22 @@ void NearField::add_mixes(std::span<const double> distances, double ds, std::vec
 }
 
 void NearField::fill(const Material& material, const ExpandOptions& options, std::span<const double> at,
-                     double ds) {
+                     double ds, LineStore& known) {
   lines_ = at.size();
   offsets_ = static_cast<std::size_t>(options.dx == 0 ? 1 : options.offsets);
   values_.resize(lines_ * 9 * offsets_);
-  std::vector<Matrix3> line(offsets_);
   for (std::size_t l = 0; l < lines_; ++l) {
-    if (options.dx == 0)
+    double* const to = &values_[l * 9 * offsets_];
+    if (options.dx == 0) {
       // Any reference distance will do: resample() takes away what it adds.
-      line[0] = averaged_plane_strain(material, at[l], ds, plane_strain_reference);
-    else
-      averaged_line(material, at[l], options.dx, ds, line);
+      const Matrix3 number = averaged_plane_strain(material, at[l], ds, plane_strain_reference);
+      for (std::size_t e = 0; e < 9; ++e)
+        to[e] = number[e / 3][e % 3];
+      continue;
+    }
+    const LineStore::Line line = known.get(material, at[l], options.dx, ds, offsets_);
     for (std::size_t e = 0; e < 9; ++e)
-      for (std::size_t m = 0; m < offsets_; ++m)
-        values_[(l * 9 + e) * offsets_ + m] = line[m][e / 3][e % 3];
+      std::copy_n(line.values + e * line.offsets, offsets_, to + e * offsets_);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/halfspace/line_store.hpp"
 #include "bem_contact/influence/expand.hpp"
 
 #include <array>
@@ -35,13 +36,16 @@ void add_mix(const LineMix& mix, std::size_t shift, double factor, double* line,
 /// A line is the numbers of two rows at all offsets. Pairs at the same distance share a line. On a wheel,
 /// opposite equal rows of the rail, the distances of d-th neighbours scatter a little. Then lines at a few
 /// distances (Chebyshev's points) between the smallest and the largest serve all of them by interpolation.
-/// The numbers are analytic in the distance as long as elements do not touch, so the polynomial through p
-/// lines is off by at most 4 (h / 2 g)^p, where h is half of the range and g its distance from touching. p is
-/// chosen for near_field_accuracy (settings.hpp); if 4 lines are not enough, each pair has its own.
+/// Both ends are rounded outwards, so that other strips need the same lines. The numbers are analytic in the
+/// distance as long as elements do not touch, so the polynomial through p lines is off by at most 4 (h / 2
+/// g)^p, where h is half of the range and g its distance from touching. p is chosen for near_field_accuracy
+/// (settings.hpp); if 4 lines are not enough, each pair has its own.
 class NearField {
 public:
   /// `row_s` monotone, mm; offsets and dx of the options (0: plane strain) count. `ds`: width of the rows.
-  NearField(const Material& material, const ExpandOptions& options, std::span<const double> row_s, double ds);
+  /// `known`: lines of earlier ones.
+  NearField(const Material& material, const ExpandOptions& options, std::span<const double> row_s, double ds,
+            LineStore& known);
 
   /// Adds `factor` times the numbers of rows row_j <= row_i to a mix.
   void add_to(LineMix& to, int row_i, int row_j, double factor) const {
@@ -64,7 +68,8 @@ private:
   /// Adds the mixes of rows equally many rows apart, whose distances are given, and the lines they need.
   void add_mixes(std::span<const double> distances, double ds, std::vector<double>& at);
   /// Fills values_ with the lines at the distances `at`.
-  void fill(const Material& material, const ExpandOptions& options, std::span<const double> at, double ds);
+  void fill(const Material& material, const ExpandOptions& options, std::span<const double> at, double ds,
+            LineStore& known);
 
   std::size_t lines_ = 0, offsets_ = 0;
   std::vector<double> values_;        ///< [line][i][j][offset]

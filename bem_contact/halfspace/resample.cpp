@@ -55,12 +55,12 @@ class StationsNearField {
 public:
   /// `width`: of a station, mm.
   StationsNearField(const Material& material, const ExpandOptions& options, std::span<const RowWeights> rows,
-                    double width) {
+                    double width, LineStore& known) {
     most_ = std::abs(rows.back().first - rows.front().first) + 3;
     std::vector<double> station_s;
     for (int d = 0; d <= most_; ++d)
       station_s.push_back(d * width);
-    const NearField near(material, options, station_s, width);
+    const NearField near(material, options, station_s, width, known);
     const std::size_t offsets = offsets_ = static_cast<std::size_t>(options.offsets);
     blocks_.resize((2 * static_cast<std::size_t>(most_) + 1) * 9 * offsets);
     for (int d = 0; d <= most_; ++d) {
@@ -110,7 +110,7 @@ private:
 } // namespace
 
 void resample_lines(const InfluenceFunction& function, const ExpandOptions& options,
-                    std::span<const double> row_s, double ds, const TakeLines& take) {
+                    std::span<const double> row_s, double ds, const TakeLines& take, LineStore* known) {
   check_rows(function, row_s, ds);
   const double width = function.station_width, s0 = function.stations.front().s;
 
@@ -131,8 +131,10 @@ void resample_lines(const InfluenceFunction& function, const ExpandOptions& opti
   // Per unit of load width the difference to the near field does not depend on the width, and is smooth.
   needed.first_station = 0;
   needed.stations = -1;
-  const StationsNearField of_stations(function.material, options, weights, width);
-  const NearField of_rows(function.material, options, row_s, ds);
+  LineStore only_now;
+  LineStore& lines_known = known ? *known : only_now;
+  const StationsNearField of_stations(function.material, options, weights, width, lines_known);
+  const NearField of_rows(function.material, options, row_s, ds, lines_known);
   const double factor = ds / width;
   const auto to_rows = [&](NumberLines& lines) {
     const auto first_pair = static_cast<std::size_t>(lines.row() * lines.columns() / 2);
@@ -152,10 +154,11 @@ void resample_lines(const InfluenceFunction& function, const ExpandOptions& opti
 }
 
 InfluenceNumbers resample(const InfluenceFunction& function, const ExpandOptions& options,
-                          std::span<const double> row_s, double ds) {
+                          std::span<const double> row_s, double ds, LineStore* known) {
   InfluenceNumbers result{options.offsets, static_cast<int>(row_s.size()), options.dx, ds, {}};
   result.values.resize(result.expected_values());
-  resample_lines(function, options, row_s, ds, [&](NumberLines& lines) { lines.write_to(result); });
+  resample_lines(
+      function, options, row_s, ds, [&](NumberLines& lines) { lines.write_to(result); }, known);
   return result;
 }
 

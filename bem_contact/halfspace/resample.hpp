@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/halfspace/line_store.hpp"
 #include "bem_contact/influence/expand.hpp"
 
 #include <span>
@@ -17,12 +18,14 @@ namespace bem_contact::halfspace {
 ///
 /// row_s must be monotone: it descends on a wheel, whose rows run against its s. The stations used are those
 /// that the rows need; first_station and stations of the options are not read.
+/// `known`: half-space numbers of earlier calls; null: none.
 /// Throws InputError where a row leaves the strip by more than 1 % of its width.
 InfluenceNumbers resample(const InfluenceFunction& function, const ExpandOptions& options,
-                          std::span<const double> row_s, double ds);
+                          std::span<const double> row_s, double ds, LineStore* known = nullptr);
 
 /// The same handed to `take` row by row (expand_lines()), without a table of them.
 void resample_lines(const InfluenceFunction& function, const ExpandOptions& options,
-                    std::span<const double> row_s, double ds, const TakeLines& take);
+                    std::span<const double> row_s, double ds, const TakeLines& take,
+                    LineStore* known = nullptr);
 
 } // namespace bem_contact::halfspace

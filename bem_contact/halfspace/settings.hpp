@@ -38,6 +38,9 @@ BEM_CONTACT_TUNED(double, flat_turn, 1e-9);
 BEM_CONTACT_TUNED(double, near_field_accuracy, 1e-6);
 /// 1 (share of a row's width). Distances that differ by less share their numbers: rounding.
 BEM_CONTACT_TUNED(double, same_distance, 1e-12);
+/// 1. Numbers in the lines that are kept: 16 MB, or 5,000 lines of 40 offsets (a case by influence files has
+/// about a hundred). When there are more, all go. Chosen.
+BEM_CONTACT_TUNED(int, most_line_values, 2000000);
 /// 1 (station widths). A row this near to a station is that station: the rounding of s.
 BEM_CONTACT_TUNED(double, station_snap, 1e-9);
 /// 1 (row widths). How much of the outermost half row must lie on the strip. Less than a half, because rows

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/halfspace/line_store.hpp"
 #include "bem_contact/influence/influence_function.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
 #include "bem_contact/scene/contact_setup.hpp"
@@ -54,6 +55,12 @@ private:
   std::deque<Kept> kept_; ///< made last: in front
 };
 
+/// What influence numbers are made of, and other cases share.
+struct NumbersParts {
+  RailNumbersStore rail;
+  halfspace::LineStore lines;
+};
+
 /// The pair's influence numbers on the grids met last.
 class NumbersStore {
 public:
@@ -61,13 +68,13 @@ public:
   InfluenceNumbers take(const NumbersSource& source, const std::function<InfluenceNumbers()>& compute);
   void keep(const NumbersSource& source, InfluenceNumbers numbers);
 
-  RailNumbersStore& rail() { return rail_; }
+  NumbersParts& parts() { return parts_; }
   int found() const { return found_; } ///< how often they were kept
 
 private:
   int found_ = 0;
   std::deque<std::pair<NumbersSource, InfluenceNumbers>> kept_; ///< used last: in front
-  RailNumbersStore rail_;
+  NumbersParts parts_;
 };
 
 } // namespace bem_contact

@@ -54,15 +54,15 @@ ExpandOptions options_of(const InfluenceFunction& function, const Body& body, co
 }
 
 InfluenceNumbers rail_numbers(const std::shared_ptr<const InfluenceFunction>& function, const Body& body,
-                              const ContactOnGrid& contact, RailNumbersStore* store, int threads) {
+                              const ContactOnGrid& contact, NumbersParts* known, int threads) {
   const ContactGrid& grid = contact.problem.grid;
   const auto compute = [&] {
     return halfspace::resample(*function, options_of(*function, body, contact, threads), contact.rail_s,
-                               grid.ds);
+                               grid.ds, known ? &known->lines : nullptr);
   };
-  if (!store || contact.problem.plane_strain() || function->invariance == Invariance::revolution)
+  if (!known || contact.problem.plane_strain() || function->invariance == Invariance::revolution)
     return compute();
-  return store->get({function, body.structural, grid.dx, grid.ds}, contact.rail_s, grid.mx + 2, compute);
+  return known->rail.get({function, body.structural, grid.dx, grid.ds}, contact.rail_s, grid.mx + 2, compute);
 }
 
 /// A patch is given without profiles: what can be compared is how far the normal turns along the strip.
@@ -112,14 +112,16 @@ PairFiles read_pair_files(const Body& rail, const Body& wheel) {
   return files;
 }
 
-InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& contact) {
+InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& contact,
+                                NumbersParts* known) {
   const ContactGrid& grid = contact.problem.grid;
   const auto one = [&](const Material& material) {
     // On a curved strip forces depend on the reference distance of plane strain, since the approach turns
     // with the normal; the strip's radius is what the disc in a hole has (Michell 1899).
     return contact.problem.plane_strain()
                ? halfspace::plane_strain_numbers(material, grid.ds, grid.ms, setup.reference_distance())
-               : halfspace::numbers(material, grid.dx, grid.ds, grid.mx + 2, grid.ms);
+               : halfspace::numbers(material, grid.dx, grid.ds, grid.mx + 2, grid.ms,
+                                    known ? &known->lines : nullptr);
   };
   // The wheel's own s runs against the rail's: with rows in the contact's order the couplings of equal bodies
   // cancel.
@@ -143,7 +145,7 @@ InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGr
 }
 
 InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact,
-                          RailNumbersStore* store, int threads) {
+                          NumbersParts* known, int threads) {
   if (!files.complete())
     throw InputError("The finite-element model needs influence functions of both bodies",
                      !files.rail && !files.wheel ? "the scene names none"
@@ -156,11 +158,12 @@ InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, con
     require_turn(*files.rail, contact, contact.rail_s, rail_turn_tolerance);
     require_turn(*files.wheel, contact, contact.wheel_s, wheel_turn_tolerance);
   }
-  InfluenceNumbers pair = rail_numbers(files.rail, setup.rail, contact, store, threads);
+  InfluenceNumbers pair = rail_numbers(files.rail, setup.rail, contact, known, threads);
   const std::vector<double> inclination = radial_inclination(setup, contact.problem.rows);
   halfspace::resample_lines(
       *files.wheel, options_of(*files.wheel, setup.wheel, contact, threads), contact.wheel_s, pair.ds,
-      [&](NumberLines& lines) { add_wheel(lines, inclination, contact.contact_radius, pair); });
+      [&](NumberLines& lines) { add_wheel(lines, inclination, contact.contact_radius, pair); },
+      known ? &known->lines : nullptr);
   return pair;
 }
 
@@ -175,10 +178,10 @@ std::vector<double> radial_inclination(const ContactSetup& setup, const std::vec
 }
 
 InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const PairFiles& files,
-                              const ContactOnGrid& contact, RailNumbersStore* store, int threads) {
-  return model == Model::fem             ? fem_pair(setup, files, contact, store, threads)
+                              const ContactOnGrid& contact, NumbersParts* known, int threads) {
+  return model == Model::fem             ? fem_pair(setup, files, contact, known, threads)
          : model == Model::tangent_plane ? tangent_plane_pair(setup, contact)
-                                         : halfspace_pair(setup, contact);
+                                         : halfspace_pair(setup, contact, known);
 }
 
 void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,

@@ -22,15 +22,15 @@ struct PairFiles {
 /// Throws InputError for a file that cannot be used (influence_file.hpp).
 PairFiles read_pair_files(const Body& rail, const Body& wheel);
 
-/// The pair's influence numbers by a model other than Hertz's. `store`: what is kept of the rail's; null:
+/// The pair's influence numbers by a model other than Hertz's. `known`: of earlier cases; null:
 /// nothing. `threads` share those of files. Throws what the functions below throw.
 InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const PairFiles& files,
-                              const ContactOnGrid& contact, RailNumbersStore* store = nullptr,
-                              int threads = 1);
+                              const ContactOnGrid& contact, NumbersParts* known = nullptr, int threads = 1);
 
 /// Half-space numbers of the pair on the grid of `contact`; on a curved strip those of the strip unrolled
 /// (distances along the arc), so that both models share geometry, gap and frames.
-InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& contact);
+InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& contact,
+                                NumbersParts* known = nullptr);
 
 /// Tangent-plane numbers of the pair (halfspace/tangent_plane.hpp), both surfaces taken where the rows lie.
 InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGrid& contact);
@@ -44,7 +44,7 @@ std::vector<double> radial_inclination(const ContactSetup& setup, const std::vec
 /// radial displacement where radial_inclination() is not empty. Throws InputError
 /// where a file is missing or a row lies outside its strip.
 InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact,
-                          RailNumbersStore* store = nullptr, int threads = 1);
+                          NumbersParts* known = nullptr, int threads = 1);
 
 /// Throws InputError unless the strip of either file covers every row of width ds at these stations, mm.
 void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,

@@ -126,7 +126,7 @@ void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const Sol
   NumbersStore* store = store_for(task.model, resources.numbers);
   const NumbersSource source = source_of(task.model, asked.setup, out.contact);
   const auto compute = [&] {
-    return pair_numbers(task.model, asked.setup, asked.files, out.contact, store ? &store->rail() : nullptr,
+    return pair_numbers(task.model, asked.setup, asked.files, out.contact, store ? &store->parts() : nullptr,
                         resources.threads);
   };
   problem.numbers = store ? store->take(source, compute) : compute();

@@ -193,6 +193,23 @@ TEST(Combine, TurnsTheWheelIntoTheContactFrame) {
       }
 }
 
+TEST(LineStore, WhatIsKeptChangesNoNumber) {
+  const InfluenceFunction f = bent_body(16, 0.4);
+  halfspace::LineStore known;
+  for (const auto& [dx, offsets] :
+       {std::pair(0.5, 4), std::pair(0.4, 4), std::pair(0.5, 10), std::pair(0.5, 6)})
+    for (const double stretch : {1.0, 1.01}) {
+      std::vector<double> rows;
+      for (int i = 0; i < 9; ++i)
+        rows.push_back(f.stations.front().s + 0.7 + 0.3 * stretch * i);
+      const InfluenceNumbers kept = halfspace::resample(f, options_for(dx, offsets), rows, 0.3, &known),
+                             anew = halfspace::resample(f, options_for(dx, offsets), rows, 0.3);
+      EXPECT_TRUE(kept.values == anew.values) << dx << " " << offsets << " " << stretch;
+      EXPECT_TRUE(halfspace::numbers(steel, dx, 0.3, offsets, 5, &known).values ==
+                  halfspace::numbers(steel, dx, 0.3, offsets, 5).values);
+    }
+}
+
 TEST(Combine, RefusesDifferentGrids) {
   const InfluenceNumbers a = halfspace::numbers(steel, 0.5, 0.2, 2, 3),
                          b = halfspace::numbers(steel, 0.5, 0.21, 2, 3),
@@ -207,7 +224,8 @@ TEST(NearField, FewLinesServeRowsThatAreNotEquallyFar) {
   for (int i = 0; i < 24; ++i)
     rows.push_back(0.3 * i * (1 + 0.0004 * i) + 0.002 * std::sin(0.8 * i));
   for (const auto& options : {options_for(0.5, 6), options_for(0, 1)}) {
-    const halfspace::NearField near(steel, options, rows, 0.3);
+    halfspace::LineStore known;
+    const halfspace::NearField near(steel, options, rows, 0.3, known);
     EXPECT_LT(near.lines(), rows.size() * (rows.size() + 1) / 2 / 2);
     for (int m = 0; m < options.offsets; ++m)
       for (int row_i = 0; row_i < 24; ++row_i)

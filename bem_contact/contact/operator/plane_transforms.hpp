@@ -94,8 +94,8 @@ private:
   FftPlan<Real> kernel_x_, kernel_s_;
 };
 
-/// Keeps transforms, the last used first, and the memory in which they all work. All operators that share one
-/// pool serve one thread at a time.
+/// Keeps transforms of planes and strips, the last used first, and the memory in which they all work. All
+/// operators that share one pool serve one thread at a time.
 class TransformPool {
 public:
   /// `threads`: how many work on one product with numbers that depend on both rows (base/parallel.hpp).
