@@ -15,7 +15,7 @@ namespace bem_contact {
 namespace {
 
 /// Rolling with partial slip. 1,600 elements: summed directly; 10,000: by a transform.
-ContactProblem rolling(int across) {
+ContactProblem rolling_at(int across) {
   ContactProblem problem =
       scenes::flat(scenes::steel, scenes::steel, across, across, 8.0 / across, 8.0 / across, 1e-3, 1e-3);
   problem.force = 1e4;
@@ -36,7 +36,7 @@ class InjectedFaults : public testing::TestWithParam<int> {};
 
 TEST_P(InjectedFaults, AreFound) {
   const int across = GetParam();
-  const ContactProblem problem = rolling(across);
+  const ContactProblem problem = rolling_at(across);
   const ContactResult good = solve(problem);
   ASSERT_TRUE(good.converged) << good.remark;
   const double terms = 3.0 * good.pn.size() * 3 * count_elements(good).contact;
@@ -69,7 +69,7 @@ TEST_P(InjectedFaults, AreFound) {
 /// A solver whose spectra are off solves the problem of other influence numbers: here one wave in x, by a
 /// thousandth of the element's own number.
 TEST_P(InjectedFaults, OfASpectrumAreFound) {
-  const ContactProblem problem = rolling(GetParam());
+  const ContactProblem problem = rolling_at(GetParam());
   for (const int component : {component_x, component_n}) {
     ContactProblem wrong = problem;
     const double self = problem.numbers.at(0, 0, component, 0, component);
@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(Certificate, InjectedFaults, testing::Values(40, 100));
 
 /// Numbers of all pairs of rows written out are summed directly, translational ones by a transform.
 TEST(DirectSums, AreThoseOfTheTransform) {
-  ContactProblem problem = rolling(60);
+  ContactProblem problem = rolling_at(60);
   const ContactResult r = solve(problem);
   ASSERT_GT(9.0 * count_elements(r).contact * r.pn.size(), contact::many_plane_terms);
   const std::vector<char> all(60, 1);

@@ -9,25 +9,25 @@
 namespace bem_contact {
 namespace {
 
-constexpr double radius = 10, clearance = 0.002;
+constexpr double groove = 10, clearance = 0.002;
 
 /// Pin in a hole, plane strain, tangent-plane numbers; the force that gives `half_angle`.
 ContactProblem pin_in_hole(double half_angle, int count) {
   ContactProblem problem;
-  const double ds = 2.7 * half_angle * radius / count;
+  const double ds = 2.7 * half_angle * groove / count;
   problem.grid = {1, count, 0, ds, 0};
   std::vector<halfspace::StripRow> hole, pin;
   for (int i = 0; i < count; ++i) {
-    const double s = (i - 0.5 * (count - 1)) * ds, t = s / radius;
-    const Point2 position{radius * std::sin(t), -radius * (1 - std::cos(t))};
+    const double s = (i - 0.5 * (count - 1)) * ds, t = s / groove;
+    const Point2 position{groove * std::sin(t), -groove * (1 - std::cos(t))};
     problem.rows.push_back({s, position, -t});
     hole.push_back({position, -t});
     pin.push_back({-1.0 * position, -t});
-    const double r = radius - clearance;
-    problem.gap.push_back(radius - clearance * std::cos(t) -
+    const double r = groove - clearance;
+    problem.gap.push_back(groove - clearance * std::cos(t) -
                           std::sqrt(r * r - std::pow(clearance * std::sin(t), 2)));
   }
-  const halfspace::StripGrid grid{0, ds, 1, radius};
+  const halfspace::StripGrid grid{0, ds, 1, groove};
   problem.numbers = halfspace::combine(halfspace::tangent_plane_numbers(scenes::steel, grid, hole),
                                        halfspace::tangent_plane_numbers(scenes::steel, grid, pin));
   problem.force =
@@ -48,7 +48,7 @@ TEST_P(Persson, ByTangentPlaneNumbers) {
     double square = 0, norm = 0;
     for (int i = 0; i < count; ++i) {
       const double p =
-          reference::persson_pressure(half_angle, problem.rows[i].delta) * problem.force / radius;
+          reference::persson_pressure(half_angle, problem.rows[i].delta) * problem.force / groove;
       square += (result.pn[i] - p) * (result.pn[i] - p);
       norm += p * p;
     }
@@ -59,9 +59,9 @@ TEST_P(Persson, ByTangentPlaneNumbers) {
     previous = error;
     if (count < 216)
       continue;
-    const double pmax = reference::persson_pressure(half_angle, 0) * problem.force / radius;
+    const double pmax = reference::persson_pressure(half_angle, 0) * problem.force / groove;
     EXPECT_NEAR(result.patches[0].pmax, pmax, 0.002 * pmax);
-    EXPECT_NEAR(0.5 * result.patches[0].area / radius, half_angle, 0.01 * half_angle);
+    EXPECT_NEAR(0.5 * result.patches[0].area / groove, half_angle, 0.01 * half_angle);
   }
 }
 

@@ -28,7 +28,7 @@ BodyFile block(std::vector<BodyFile::Hole> holes) {
   return file;
 }
 
-std::string refusal(const BodyFile& body) {
+std::string own_refusal(const BodyFile& body) {
   return message_of([&] { mesh_section(body); });
 }
 
@@ -43,12 +43,13 @@ TEST(OwnBody, HolesAreLeftOut) {
 }
 
 TEST(OwnBody, HolesThatAreNotWithinTheBodyAreRefused) {
-  EXPECT_THAT(refusal(block({{{50, 10}, 3}})),
+  EXPECT_THAT(own_refusal(block({{{50, 10}, 3}})),
               AllOf(HasSubstr("a hole of plate lies outside the body"), HasSubstr("Move or remove it.")));
-  EXPECT_THAT(refusal(block({{{0, 10}, 5}, {{0, 10}, 2}})),
+  EXPECT_THAT(own_refusal(block({{{0, 10}, 5}, {{0, 10}, 2}})),
               HasSubstr("a hole of plate lies in another hole"));
-  EXPECT_THAT(refusal(block({{{0, 18}, 5}})), HasSubstr("the outline of plate crosses itself"));
-  EXPECT_THAT(refusal(block({{{0, 10}, 4}, {{3, 10}, 4}})), HasSubstr("the outline of plate crosses itself"));
+  EXPECT_THAT(own_refusal(block({{{0, 18}, 5}})), HasSubstr("the outline of plate crosses itself"));
+  EXPECT_THAT(own_refusal(block({{{0, 10}, 4}, {{3, 10}, 4}})),
+              HasSubstr("the outline of plate crosses itself"));
 }
 
 TEST(OwnBody, ASelfCrossingOutlineIsRefused) {
@@ -58,13 +59,14 @@ TEST(OwnBody, ASelfCrossingOutlineIsRefused) {
                        {{20, 20}},
                        {{-5, -5}},
                        {{-20, 30}, 0, PieceGroup::held}};
-  EXPECT_THAT(refusal(file), AllOf(HasSubstr("the outline of plate crosses itself"), HasSubstr("near y = ")));
+  EXPECT_THAT(own_refusal(file),
+              AllOf(HasSubstr("the outline of plate crosses itself"), HasSubstr("near y = ")));
 }
 
 TEST(OwnBody, AStripOffTheContactSurfaceIsRefused) {
   BodyFile file = block({});
   file.strip = {-25, 5, 0.5};
-  EXPECT_THAT(refusal(file),
+  EXPECT_THAT(own_refusal(file),
               AllOf(HasSubstr("is not on profile plate"), HasSubstr("from -20.000 to 20.000 mm")));
 }
 

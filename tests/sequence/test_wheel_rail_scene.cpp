@@ -1,4 +1,5 @@
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/settings.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "tests/base/message.hpp"
@@ -147,7 +148,7 @@ TEST(WheelRailScene, TheGridFollowsTheLocusOfAYawedWheel) {
   for (int is = 0; is < grid.ms; ++is)
     for (const int ix : {0, grid.mx - 1})
       EXPECT_GT(contact.problem.gap[is * grid.mx + ix],
-                asked.estimate->reach * asked.estimate->approach * std::cos(contact.problem.rows[is].delta));
+                potential_share * asked.estimate->approach * std::cos(contact.problem.rows[is].delta));
 }
 
 TEST(WheelRailScene, PlanarContactHasOneInclination) {

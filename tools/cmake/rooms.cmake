@@ -52,6 +52,11 @@ if(CONFORMAL_TESTS)
   if(CONFORMAL_SANITIZE)
     target_compile_options(conformal_test_options INTERFACE -fno-sanitize=undefined)
   endif()
+  if(CMAKE_UNITY_BUILD)
+    # Several sources at once take a third of the time. Helpers of one room's tests need different names, and a local
+    # name may hide one of another file. The preset contact-only compiles each source by itself, with that warning.
+    target_compile_options(conformal_test_options INTERFACE -Wno-shadow)
+  endif()
   add_library(conformal_test_headers OBJECT ${CMAKE_BINARY_DIR}/test_headers.cpp)
   target_link_libraries(conformal_test_headers PUBLIC conformal_options conformal_test_options fmt::fmt GTest::gmock)
   target_compile_options(conformal_test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
@@ -69,11 +74,6 @@ function(conformal_test name)
   if(ARG_SOLVERS)
     set_source_files_properties(${ARG_SOLVERS} PROPERTIES
       COMPILE_OPTIONS $<$<CONFIG:Release>:-O3> SKIP_PRECOMPILE_HEADERS ON)
-  endif()
-  if(CMAKE_UNITY_BUILD)
-    # Several sources at once, in a third of the time: helpers of one room's tests need different names, and a local
-    # name may hide one of another file. Each source by itself is compiled, with that warning, by contact-only.
-    target_compile_options(${name} PRIVATE -Wno-shadow)
   endif()
   target_precompile_headers(${name} REUSE_FROM conformal_test_headers)
   target_link_libraries(${name} PRIVATE conformal_options ${ARG_ROOMS} ${ARG_LIBRARIES}
