@@ -308,8 +308,8 @@ TEST(Nominal, AnotherShapeIsRefusedWithItsFigures) {
     roller.push_back({-30 * std::sin(angle), 30 * std::cos(angle)});
   const ProfileReading as_is{.nominal = "S1002", .profile_z = ProfileZ::down, .keep_origin = true};
   EXPECT_THAT(refusal(roller, ProfileKind::wheel, as_is),
-              AllOf(HasSubstr("not one of S1002 that is worn"), HasSubstr("displaced by"),
-                    HasSubstr("degrees"), HasSubstr("root mean square"), HasSubstr("at most 5 mm"),
+              AllOf(HasSubstr("not one of S1002 that is worn"), HasSubstr("moved by"), HasSubstr("degrees"),
+                    HasSubstr("root mean square"), HasSubstr("at most 5 mm"),
                     HasSubstr("leave out nominal")));
   // Worn by 6 mm.
   EXPECT_THAT(refusal(worn_points("60E1", {{6, -30, 10}}, {}, 0.25), ProfileKind::rail, {.nominal = "60E1"}),
