@@ -7,6 +7,7 @@
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <ostream>
@@ -40,9 +41,26 @@ H5Table table_of(const WearState& state, const std::string& digest) {
   return table;
 }
 
+/// A dataset of `count` numbers.
+const std::vector<double>& values_of(const H5Table& table, const std::string& name, std::size_t count) {
+  const auto found = table.datasets.find(name);
+  if (found == table.datasets.end() || found->second.values.size() != count)
+    throw InputError(fmt::format("The state {} of this wear is damaged", state_file),
+                     fmt::format("'{}' is not {} numbers", name, count),
+                     "Remove the folder and begin again.");
+  return found->second.values;
+}
+
+std::size_t size_of(const H5Table& table, const std::string& name) {
+  const auto found = table.datasets.find(name);
+  return found == table.datasets.end() ? 0 : found->second.values.size();
+}
+
 wear::WornBody body_of(const H5Table& table, const std::string& name, double area) {
-  wear::WornBody out{.points = {}, .depth = table.datasets.at(name + "/depth").values, .area = area};
-  const std::vector<double>& points = table.datasets.at(name + "/profile").values;
+  const std::size_t count =
+      std::max<std::size_t>(size_of(table, name + "/depth"), 3); // of a profile's points
+  wear::WornBody out{.points = {}, .depth = values_of(table, name + "/depth", count), .area = area};
+  const std::vector<double>& points = values_of(table, name + "/profile", 2 * count);
   for (std::size_t i = 0; i < points.size(); i += 2)
     out.points.push_back({points[i], points[i + 1]});
   return out;
@@ -88,10 +106,12 @@ std::optional<WearState> read_wear(const std::filesystem::path& folder, const st
   if (text_attribute(table, "format") != wear_format || text_attribute(table, "digest") != digest)
     refuse(digest_changed, "Give another folder, or remove it.");
   WearState state;
-  state.history.resize(table.datasets.at("step").values.size());
-  for (const wear::WearColumn& column : wear::wear_columns)
+  state.history.resize(std::max<std::size_t>(size_of(table, "step"), 1));
+  for (const wear::WearColumn& column : wear::wear_columns) {
+    const std::vector<double>& values = values_of(table, column.name, state.history.size());
     for (std::size_t i = 0; i < state.history.size(); ++i)
-      state.history[i].*column.member = table.datasets.at(column.name).values[i];
+      state.history[i].*column.member = values[i];
+  }
   const wear::WearRow& last = state.history.back();
   state.step = static_cast<int>(last.step);
   state.pair = {body_of(table, "rail", last.rail_area), body_of(table, "wheel", last.wheel_area),

@@ -66,6 +66,15 @@ TEST_F(WearCommand, RefusesAFolderOfAnotherWear) {
       run("wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.01 --cap 0.005");
   EXPECT_EQ(other.code, 2);
   EXPECT_THAT(other.err, HasSubstr("exists and is not of this wear"));
+  const H5Table state = read_h5(path("worn/wear.h5"));
+  for (const char* lost : {"rail/depth", "wheel/profile", "mileage", "step"}) {
+    H5Table less = state;
+    less.datasets.erase(lost);
+    write_h5(path("worn/wear.h5"), less);
+    const Outcome damaged = run("wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.01");
+    EXPECT_EQ(damaged.code, 2) << lost;
+    EXPECT_THAT(damaged.err, HasSubstr("The state wear.h5 of this wear is damaged"));
+  }
   write("worn/wear.h5", text("worn/wear.h5").substr(0, 2000));
   const Outcome damaged = run("wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.01");
   EXPECT_EQ(damaged.code, 2);

@@ -33,6 +33,7 @@ class Moved:
     worst: dict  # size: (amplification, input, total)
     grid: float = float("nan")   # largest change of a total by fractions of an element
     stated: float = float("nan")  # discretisation error that the result states
+    converges: bool = True  # False: the result says that the pressure does not, and states no error of pmax
     note: str = ""
 
 
@@ -111,7 +112,8 @@ def amplification(module, scene):
         model = "halfspace"  # its influence files are not here
     before = answers(module, scene, options, model)
     stated = [r.discretisation for r in before if r.discretisation is not None]
-    out = Moved(scene.stem, model, {size: (0.0, "", "") for size in SIZES}, stated=max(stated, default=float("nan")))
+    out = Moved(scene.stem, model, {size: (0.0, "", "") for size in SIZES}, stated=max(stated, default=float("nan")),
+                converges=not stated or all(r.pmax_error is not None for r in before))
     for key, (value, scale) in inputs_of(given).items():
         for size in SIZES:
             try:
