@@ -47,6 +47,17 @@ TEST(ResultWarnings, ElementsThatAreTooLargeAreSaidWithTheirSize) {
               Contains(HasSubstr("the elements are too large for this contact (patch 1")));
 }
 
+/// A rail that leans so far inwards touches the flange beside its head.
+TEST(ResultWarnings, ContactBeyondTheHeadIsSaidWithItsDepth) {
+  const auto at_cant = [](double cant) {
+    return on_standard_rail(fmt::format(
+        "load.force = 2e4\nmotion.frictionless = true\nposition.lateral = 6.0\nposition.cant = {}", cant));
+  };
+  EXPECT_THAT(at_cant(0.5).warnings, Contains(testing::ContainsRegex(
+                                         "beyond the rail's head .1[89].. mm below the top of the rail")));
+  EXPECT_THAT(at_cant(0.025).warnings, Not(Contains(HasSubstr("beyond the rail's head"))));
+}
+
 TEST(ResultWarnings, StrictnessThrowsAllOfThem) {
   EXPECT_NO_THROW(refuse_warnings({}));
   try {
