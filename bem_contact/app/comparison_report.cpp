@@ -114,8 +114,17 @@ std::string line(const std::string& name, const std::string& unit) {
 }
 
 std::string title_of(Model model) {
-  constexpr const char* titles[] = {"Hertz", "half-space", "tangent plane", "FEM"};
-  return titles[static_cast<std::size_t>(model)];
+  switch (model) {
+  case Model::hertz:
+    return "Hertz";
+  case Model::halfspace:
+    return "half-space";
+  case Model::tangent_plane:
+    return "tangent plane";
+  case Model::fem:
+    break;
+  }
+  return "FEM";
 }
 
 std::string discretisation_text(const SceneResult& r) {

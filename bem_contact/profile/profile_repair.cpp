@@ -35,8 +35,16 @@ std::optional<std::size_t> first_zig_zag(const std::vector<Point2>& p) {
 }
 
 double millimetres(ProfileUnit unit) {
-  constexpr double lengths[] = {1, 1, 10, 1000, 25.4};
-  return lengths[static_cast<std::size_t>(unit)];
+  switch (unit) {
+  case ProfileUnit::cm:
+    return 10;
+  case ProfileUnit::m:
+    return 1000;
+  case ProfileUnit::inch:
+    return 25.4;
+  default:
+    return 1;
+  }
 }
 
 /// What a width that no profile in mm has could be, and the keys that say so.
@@ -46,11 +54,12 @@ struct UnitGuess {
 UnitGuess guess_unit(double width) {
   struct Unit {
     const char *name, *key;
-    double millimetres;
+    ProfileUnit is;
   };
   UnitGuess out;
-  for (const Unit& unit : {Unit{"centimetres", "cm", 10.0}, Unit{"inches", "inch", 25.4}}) {
-    const double size = unit.millimetres * width;
+  for (const Unit& unit :
+       {Unit{"centimetres", "cm", ProfileUnit::cm}, Unit{"inches", "inch", ProfileUnit::inch}}) {
+    const double size = millimetres(unit.is) * width;
     if (size < narrowest_guess || size > widest_guess)
       continue;
     out.reason +=

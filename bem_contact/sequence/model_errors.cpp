@@ -4,7 +4,6 @@
 #include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace bem_contact {
@@ -86,7 +85,17 @@ void add_creepage(const ContactTraits& traits, double xi, ModelErrors& out) {
 } // namespace
 
 double ModelErrors::of(ModelErrorOf what) const {
-  return std::array{forces, pmax, creepages, friction_power}[static_cast<std::size_t>(what)];
+  switch (what) {
+  case ModelErrorOf::forces:
+    return forces;
+  case ModelErrorOf::pmax:
+    return pmax;
+  case ModelErrorOf::creepages:
+    return creepages;
+  case ModelErrorOf::friction_power:
+    break;
+  }
+  return friction_power;
 }
 
 ModelErrorOf ModelErrors::worst(std::span<const ModelErrorOf> named) const {

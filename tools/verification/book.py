@@ -164,8 +164,8 @@ def whole_contacts(page, program, files, say):
         this, which is no exact kinematics; its program was not at hand. Other causes were tried and are none: a rail of 600 mm with
         u_x = 0 at its ends changes Fy by less than 1e-5, pressure along the undeformed normal by 0.03 and 0.06 %, elements half as
         long by 0.002 %, rows half as wide by 0.04 and 0.07 %, rows shifted by half of one by 0.02 and 0.04 %, opposite rows paired
-        0.1 mm apart by 0.02 and 0.08 %. Two differences are not explained: the approach with structural motion removed (0.1 to 0.2 %; the analysis takes its remote section from three
-        dimensions), and the last 0.08 % of Fy in the second case, which is 0.0003 mm of lateral position.""",
+        0.1 mm apart by 0.02 and 0.08 %. Two differences are not explained: the approach with structural motion
+        removed (0.1 to 0.2 %; the analysis takes its remote section from three dimensions), and the last 0.08 % of Fy in the second case, which is 0.0003 mm of lateral position.""",
               """Recorded, not repeated by this command: the stretch of the surfaces under that pressure (mean of du_x/dx, weighted with
         pressure, structure removed) is -1008.5e-6 on the rail and -801.9e-6 on the wheel; ours -1009.5e-6 and -802.3e-6. With the rail
         held at its foot and the wheel at its bore the surfaces slide 0.7 mm past each other, and linear kinematics is 6 % off in
