@@ -4,6 +4,7 @@
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/report/report_page.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -14,6 +15,8 @@
 #include <memory>
 #include <numbers>
 #include <ostream>
+#include <utility>
+#include <vector>
 
 namespace bem_contact::app {
 
@@ -28,11 +31,12 @@ project:
 You should see 307 points, 0.5 mm apart. Their noise of 0.05 um needs no smoothing. Then comes the mean radius of every
 5 mm of the profile: -13.2 mm (concave) at the root of the flange, 20.0 mm (convex) on its face.
 
-To draw profile and curvature, with the standard beside it:
+    bem_contact profile data/bodies/hollow_wheel.txt --kind wheel --plot profile.html
+The page profile.html draws outline and curvature in a browser, with the standard wheel S1002 beside them. For a picture on paper:
     tools/plot data/bodies/hollow_wheel.txt S1002 --kind wheel -o profile.png)";
 
 struct ProfileArguments {
-  std::string name, kind, unit = "found", profile_z = "as stated", csv;
+  std::string name, kind, unit = "found", profile_z = "as stated", csv, plot;
   ProfileReading reading;
   double flange_back = 0, step = profile_csv_step;
 };
@@ -121,16 +125,51 @@ std::string describe_profile(const MeasuredProfile& p, ProfileKind kind) {
   return out;
 }
 
-/// One line for each of equal steps of arc length, at most `step` mm long.
-std::string profile_csv(const ProfileCurve& curve, double step) {
-  std::string out = "s_mm,y_mm,z_mm,inclination_rad,curvature_per_mm\n";
+/// Points at equal steps of arc length, at most `step` mm long.
+std::vector<CurvePoint> points_along(const ProfileCurve& curve, double step) {
   const double length = curve.s_end() - curve.s_begin();
   const int steps = std::max(1, static_cast<int>(std::ceil(length / step)));
-  for (int i = 0; i <= steps; ++i) {
-    const CurvePoint p = curve.at(curve.s_begin() + length * i / steps);
+  std::vector<CurvePoint> out;
+  for (int i = 0; i <= steps; ++i)
+    out.push_back(curve.at(curve.s_begin() + length * i / steps));
+  return out;
+}
+
+std::string profile_csv(const ProfileCurve& curve, double step) {
+  std::string out = "s_mm,y_mm,z_mm,inclination_rad,curvature_per_mm\n";
+  for (const CurvePoint& p : points_along(curve, step))
     out += fmt::format("{:.6f},{:.6f},{:.6f},{:.8f},{:.8g}\n", p.s, p.position.y, p.position.z, p.delta,
                        p.curvature);
+  return out;
+}
+
+report::DrawnProfile drawn(std::string name, const ProfileCurve& curve, double step) {
+  report::DrawnProfile out{.name = std::move(name), .y = {}, .z = {}, .curvature = {}};
+  for (const CurvePoint& p : points_along(curve, step)) {
+    out.y.push_back(p.position.y);
+    out.z.push_back(p.position.z);
+    out.curvature.push_back(p.curvature);
   }
+  return out;
+}
+
+/// The profile, then the same as measured if it is smoothed, then the standard that it resembles.
+std::vector<report::DrawnProfile> drawn_profiles(const ProfileArguments& arguments,
+                                                 const MeasuredProfile& profile, ProfileKind kind) {
+  const std::string name = std::filesystem::path(arguments.name).filename();
+  std::vector<report::DrawnProfile> out{drawn(name, profile.curve, arguments.step)};
+  if (profile.smoothing > 0 || profile.worn) {
+    ProfileArguments raw = arguments;
+    raw.reading.smoothing = 0;
+    raw.reading.nominal.clear();
+    out.push_back(drawn(name + ", as measured", read(raw, kind).curve, arguments.step));
+  }
+  const std::string usual = kind == ProfileKind::wheel ? "S1002" : "60E1";
+  const std::string standard = profile.worn   ? arguments.reading.nominal
+                               : profile.like ? profile.like->name
+                                              : usual;
+  if (standard != arguments.name)
+    out.push_back(drawn(standard, standard_profile(standard), arguments.step));
   return out;
 }
 
@@ -139,12 +178,16 @@ ExitCode run(ProfileArguments arguments, bool flange_back_given) {
   arguments.reading.profile_z = choice<ProfileZ>(arguments.profile_z);
   if (flange_back_given)
     arguments.reading.flange_back = arguments.flange_back;
-  require_outputs(paths_of(files_of_key("file.profile", arguments.name, {})), {{"--csv", arguments.csv}});
+  require_outputs(paths_of(files_of_key("file.profile", arguments.name, {})), 
+                  {{"--csv", arguments.csv}, {"--plot", arguments.plot}});
   const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
   const MeasuredProfile profile = read(arguments, kind);
   if (!arguments.csv.empty())
     write_whole(arguments.csv, [&](std::ostream& out) { out << profile_csv(profile.curve, arguments.step); });
-  fmt::print("{}", describe_profile(profile, kind));
+  const std::string words = describe_profile(profile, kind);
+  if (!arguments.plot.empty())
+    report::write_profile_page(arguments.name, words, drawn_profiles(arguments, profile, kind), arguments.plot);
+  fmt::print("{}", words);
   return success;
 }
 
@@ -180,7 +223,9 @@ Command add_profile(CLI::App& program) {
   line->add_flag("--keep-origin", arguments->reading.keep_origin,
                  "Keep y and z as the file has them (a scene: place = \"absolute\")");
   line->add_option("--csv", arguments->csv, "Write arc length, y, z, inclination and curvature to this file");
-  line->add_option("--step", arguments->step, "Longest step of that table, mm")
+  line->add_option("--plot", arguments->plot,
+                   "Write a page (HTML) that draws outline and curvature, with the standard beside them");
+  line->add_option("--step", arguments->step, "Longest step of table and page, mm")
       ->check(CLI::Range(1e-3, 100.0));
   line->footer(profile_help);
   return {line, [arguments, back] { return run(*arguments, back->count() > 0); }};

@@ -1,4 +1,4 @@
-// Figures over many contacts: sweeps, creep curves, conicity, wear.
+// Figures over many contacts: sweeps, creep curves, conicity, wear; and of profiles.
 const FORCES = {Fx: {colour: ALONG_X, dash: "solid", mark: "circle"}, Fs: {colour: ALONG_S, dash: "dash", mark: "square"},
                 Fy: {colour: ALONG_S, dash: "dash", mark: "square"}, Fz: {colour: INK, dash: "dot", mark: "diamond"},
                 Mz: {colour: INK, dash: "dashdot", mark: "diamond-open"}};
@@ -170,3 +170,15 @@ const wearFigure = (data, what, unit) => ({
       lineOver(data.mileage.values, data[`${body}_${what}`].values, body, {colour, dash, mark})),
   layout: {xaxis: {title: "mileage, km"}, yaxis: {title: `${what === "depth" ? "largest depth" : "area gone from the section"}, ${unit}`},
            legend: ABOVE}});
+
+/// Profiles over y, the first in front: their heights, or their curvatures.
+const profilesFigure = (profiles, what) => {
+  const first = profiles[0], heights = what === "z", sizes = first.curvature.map(Math.abs).sort((a, b) => a - b);
+  const most = 1.3 * sizes[Math.floor(0.99 * (sizes.length - 1))] + 1e-4; // a kink does not flatten all else
+  const looks = [{color: INK, width: 2.2}, {color: BOUND, width: 1.5, dash: "dash"}, {color: WHEEL, width: 1.5, dash: "dot"}];
+  const traces = profiles.map((p, k) => ({type: "scatter", mode: "lines", x: p.y, y: p[what], name: p.name, line: looks[k]})).reverse();
+  return {traces, height: heights ? 420 : 340,
+          layout: {xaxis: {title: "y, mm, to the field side"}, legend: {...ABOVE, traceorder: "reversed"},
+                   yaxis: heights ? {title: "z down, mm", autorange: "reversed", scaleanchor: "x"}
+                                  : {title: "curvature, 1/mm", range: [-most, most]}}};
+};

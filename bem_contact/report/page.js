@@ -160,6 +160,11 @@ const addWheelset = () => {
   }
 };
 
+const addProfile = () => {
+  addFigure("outline", "The profile; the others lie behind it.", profilesFigure(data.profiles, "z"));
+  addFigure("curvature", "Curvature: above 0 convex, below concave.", profilesFigure(data.profiles, "curvature"));
+};
+
 const addScene = () => {
   for (const [name, title] of [["scene_text", "The scene as it was given"], ["scene_with_defaults", "The scene with every key"]])
     if (data[name]) {
@@ -201,13 +206,12 @@ const draw = async ([frame, {traces, layout, height, frames}]) => {
 const start = async () => {
   document.title = `${report.file}: bem_contact report`;
   add("h1", `${{result: "Contact of wheel and rail", comparison: "Comparison of models", sweep: "Sweep", "creep curves":
-                "Creep curves", conicity: "Conicity", wheelset: "Wheelset", wear: "Wear"}[report.kind]}: ${report.file}`);
-  add("p", sceneInWords().join(" "), page, {id: "words"});
+                "Creep curves", conicity: "Conicity", wheelset: "Wheelset", wear: "Wear", profile: "Profile"}[report.kind]}: ${report.file}`);
+  add(report.kind === "profile" ? "pre" : "p", report.kind === "profile" ? data.words : sceneInWords().join(" "), page, {id: "words"});
   ({result: addResult, comparison: addComparison, sweep: addSweep, "creep curves": addCreepCurves, conicity: addConicity, wheelset: addWheelset,
-    wear: addWear})[report.kind]();
+    wear: addWear, profile: addProfile})[report.kind]();
   addScene();
-  const a = data.attributes;
-  add("p", `${a.program ?? "bem_contact"}. x is the direction of rolling, y points to the right (left wheel: to the left), z down; s runs along the rail's ` +
+  add("p", `${data.attributes?.program ?? "bem_contact"}. x is the direction of rolling, y points to the right (left wheel: to the left), z down; s runs along the rail's ` +
       "profile, n into the rail. Forces are those on the rail. Figures: plotly.js (MIT licence), © Plotly, Inc.",
       document.getElementById("notes"));
   await loadLibrary();

@@ -161,12 +161,24 @@ std::string report_page(const json& data) {
   return page;
 }
 
+void write_page(const json& data, const std::filesystem::path& output) {
+  const std::string page = report_page(data);
+  write_text(output, [&](std::ostream& out) { out << page; });
+}
+
 } // namespace
+
+void write_profile_page(const std::string& name, const std::string& words,
+                        const std::vector<DrawnProfile>& profiles, const std::filesystem::path& output) {
+  json drawn = json::array();
+  for (const DrawnProfile& p : profiles)
+    drawn.push_back({{"name", p.name}, {"y", p.y}, {"z", p.z}, {"curvature", p.curvature}});
+  write_page({{"kind", "profile"}, {"file", name}, {"data", {{"words", words}, {"profiles", drawn}}}}, output);
+}
 
 void write_report(const std::filesystem::path& file, const std::filesystem::path& output) {
   require_outputs({file}, {{.option = "--output", .file = output, .required = true}});
-  const std::string page = report_page(report_data(file));
-  write_text(output, [&](std::ostream& out) { out << page; });
+  write_page(report_data(file), output);
 }
 
 } // namespace bem_contact::report

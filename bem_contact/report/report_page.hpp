@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace bem_contact::report {
 
@@ -9,5 +11,17 @@ namespace bem_contact::report {
 /// network. Throws InputError for any other file, where `output` is `file` or cannot be written, and if this
 /// build has no plotting library.
 void write_report(const std::filesystem::path& file, const std::filesystem::path& output);
+
+/// Points along a profile, in the frame of its file's curve.
+struct DrawnProfile {
+  std::string name;
+  std::vector<double> y, z;      ///< mm, z down
+  std::vector<double> curvature; ///< 1/mm, > 0 convex
+};
+
+/// Writes a page of profiles: `words` as they stand, then outlines and curvature over y. The first profile is
+/// in front of the others. Throws InputError if this build has no plotting library.
+void write_profile_page(const std::string& name, const std::string& words,
+                        const std::vector<DrawnProfile>& profiles, const std::filesystem::path& output);
 
 } // namespace bem_contact::report

@@ -68,6 +68,10 @@ class Report(unittest.TestCase):
             cls.pages[kind] = cls.folder / f"{kind}.html"
             done = program("report", file, "-o", cls.pages[kind])
             assert done.returncode == 0, (kind, done.stderr)
+        cls.pages["profile"] = cls.folder / "profile.html"
+        cls.profile = program("profile", ROOT / "data" / "bodies" / "hollow_wheel.txt", "--kind", "wheel", "--smoothing", 8, "--plot",
+                              cls.pages["profile"])
+        assert cls.profile.returncode == 0, cls.profile.stderr
 
     @classmethod
     def tearDownClass(cls):
@@ -97,6 +101,21 @@ class Report(unittest.TestCase):
         self.assertIn("</script><!--", self.report_of("stresses")["data"]["scene_text"]["text"])
         worn = self.report_of("wear")["steps"]
         np.testing.assert_array_equal(worn[-1]["rail"], np.loadtxt(self.folder / "worn" / f"rail_{worn[-1]['step']:04}.txt"))
+
+    def test_a_page_of_a_profile_has_its_points_and_the_standard(self):
+        page = self.report_of("profile")["data"]
+        self.assertEqual(page["words"], self.profile.stdout)
+        self.assertEqual([p["name"] for p in page["profiles"]], ["hollow_wheel.txt", "hollow_wheel.txt, as measured", "S1002"])
+        table = self.folder / "profile.csv"
+        self.assertEqual(program("profile", "S1002", "--csv", table, "--plot", self.folder / "standard.html").returncode, 0)
+        _, y, z, _, curvature = np.loadtxt(table, delimiter=",", skiprows=1, unpack=True)
+        for name, column in (("y", y), ("z", z), ("curvature", curvature)):
+            np.testing.assert_allclose(page["profiles"][2][name], column, rtol=1e-7, atol=1e-6)
+        depth = np.subtract(page["profiles"][0]["z"], page["profiles"][1]["z"])
+        self.assertTrue(0 < np.abs(depth).max() < 0.05)  # mm that smoothing moved
+        refused = program("profile", "S1002", "--plot", self.folder / "none" / "page.html")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("--plot", refused.stderr)
 
     def test_python_writes_the_same_page(self):
         import bem_contact
@@ -166,7 +185,8 @@ class Report(unittest.TestCase):
                   "sweep": ["patches-over-y", "over-pmax", "over-Fx-Fy", "cases"],
                   "conicity": ["conicities", "tan-gamma", "radius-difference", "touch-wheel", "touch-rail"],
                   "wheelset": ["track", *(f"{c}-{side}" for c in (*contact, "solid", "quantities") for side in ("left", "right"))],
-                  "wear": ["film-rail", "film-wheel", "worn-rail", "worn-wheel", "wear-depth", "wear-area", "steps"]}
+                  "wear": ["film-rail", "film-wheel", "worn-rail", "worn-wheel", "wear-depth", "wear-area", "steps"],
+                  "profile": ["outline", "curvature"]}
         show = browser.Browser()
         try:
             for kind, page in self.pages.items():
