@@ -160,8 +160,8 @@ Command add_profile(CLI::App& program) {
       ->check(CLI::IsMember({"rail", "wheel"}));
   line->add_option(
           "--smoothing", arguments->reading.smoothing,
-          "Remove waves shorter than this, mm; 0, the default, removes nothing, or with --nominal what "
-          "the points tell")
+          "Remove waves shorter than this, mm; 0, the default: remove nothing, or with --nominal find the "
+          "length from the points")
       ->check(CLI::Range(0.0, 50.0));
   line->add_option(
       "--nominal", arguments->reading.nominal,
