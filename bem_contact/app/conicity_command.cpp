@@ -119,7 +119,8 @@ void add_keys(CLI::App& line, const std::shared_ptr<ConicityArguments>& argument
         what);
   };
   number("--gauge", "position.gauge", "Track gauge, mm");
-  number("--gauge-height", "position.gauge_height", "Depth below the top of the rail where the gauge is measured, mm");
+  number("--gauge-height", "position.gauge_height",
+         "Depth below the top of the rail where the gauge is measured, mm");
   number("--cant", "position.cant",
          "Inclination of the rails towards the track's centre, rad (1:40 is 0.025)");
   number("--back-to-back", "position.back_to_back", "Distance of the flange backs, mm");
