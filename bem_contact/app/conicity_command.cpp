@@ -119,7 +119,8 @@ void add_keys(CLI::App& line, const std::shared_ptr<ConicityArguments>& argument
         what);
   };
   number("--gauge", "position.gauge", "Track gauge, mm");
-  number("--gauge-height", "position.gauge_height", "Where it is measured: below the top of the rail, mm");
+  number("--gauge-height", "position.gauge_height",
+         "Depth below the top of the rail where the gauge is measured, mm");
   number("--cant", "position.cant",
          "Inclination of the rails towards the track's centre, rad (1:40 is 0.025)");
   number("--back-to-back", "position.back_to_back", "Distance of the flange backs, mm");
@@ -147,7 +148,7 @@ Command add_conicity(CLI::App& program) {
   add_json(*line, arguments->json);
   line->add_option("--csv", arguments->csv,
                    "Write radius difference and contact points over the displacement");
-  line->add_option("-o,--output", arguments->output, "All of it (HDF5)");
+  line->add_option("-o,--output", arguments->output, "Write all results (HDF5)");
   line->footer(conicity_help);
   return {line, [arguments] { return run(*arguments); }};
 }

@@ -97,7 +97,7 @@ Command add_creep_curves(CLI::App& program) {
   add_model(*line, arguments->model);
   add_json(*line, arguments->json);
   line->add_option("--csv", arguments->csv, "Write all curves, one line for each point");
-  line->add_option("-o,--output", arguments->output, "All of it (HDF5)");
+  line->add_option("-o,--output", arguments->output, "Write all results (HDF5)");
   line->footer(creep_curves_help);
   return {line, [arguments] { return run(*arguments); }};
 }

@@ -178,7 +178,7 @@ ExitCode run(ProfileArguments arguments, bool flange_back_given) {
   arguments.reading.profile_z = choice<ProfileZ>(arguments.profile_z);
   if (flange_back_given)
     arguments.reading.flange_back = arguments.flange_back;
-  require_outputs(paths_of(files_of_key("file.profile", arguments.name, {})), 
+  require_outputs(paths_of(files_of_key("file.profile", arguments.name, {})),
                   {{"--csv", arguments.csv}, {"--plot", arguments.plot}});
   const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
   const MeasuredProfile profile = read(arguments, kind);
@@ -186,7 +186,8 @@ ExitCode run(ProfileArguments arguments, bool flange_back_given) {
     write_whole(arguments.csv, [&](std::ostream& out) { out << profile_csv(profile.curve, arguments.step); });
   const std::string words = describe_profile(profile, kind);
   if (!arguments.plot.empty())
-    report::write_profile_page(arguments.name, words, drawn_profiles(arguments, profile, kind), arguments.plot);
+    report::write_profile_page(arguments.name, words, drawn_profiles(arguments, profile, kind),
+                               arguments.plot);
   fmt::print("{}", words);
   return success;
 }
@@ -203,8 +204,8 @@ Command add_profile(CLI::App& program) {
       ->check(CLI::IsMember({"rail", "wheel"}));
   line->add_option(
           "--smoothing", arguments->reading.smoothing,
-          "Remove waves shorter than this, mm; 0, the default, removes nothing, or with --nominal what "
-          "the points tell")
+          "Remove waves shorter than this, mm; 0, the default: remove nothing, or with --nominal find the "
+          "length from the points")
       ->check(CLI::Range(0.0, 50.0));
   line->add_option(
       "--nominal", arguments->reading.nominal,

@@ -29,8 +29,8 @@ constexpr const char* solve_help =
     bem_contact solve data/scenes/steady_rolling.toml
 You should see one patch of 13.8 mm2 with a largest pressure of 437.0 MPa, nearly all of it in slip, and the
 forces on the rail: Fx 671.5 N, Fy 919.8 N, Fz 4000.0 N. +- says how far the size of the elements may put a number off.
-The line `certificate` says `holds` if no contact condition is violated by more than solver.tolerance (1e-6, relative).
-Code that is not part of the solver checks that.
+The line `certificate` says `holds` if no contact condition is violated by more than 1e-6 (relative). Code that is not
+part of the solver checks that.
 
 --model says where the influence numbers come from:
   hertz          no elements: the closed form for a contact without friction and with constant curvatures

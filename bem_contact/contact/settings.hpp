@@ -54,7 +54,8 @@ BEM_CONTACT_TUNED(int, bytes_in_cache, 1 << 19);
 /// Frequencies along x that rows and columns exchange together, at least: 8 complex floats are a cache line.
 BEM_CONTACT_TUNED(int, least_together, 8);
 /// Elements. Products, spectra and sums over fewer stay on one thread. Threads are for contacts of some 5,000
-/// elements and more (tools/BENCHMARKS.md, section 10); smaller ones were not measured.
+/// elements and more (tools/BENCHMARKS.md, section 10). With 2,056 in contact a second thread gained nothing
+/// (section 2).
 BEM_CONTACT_TUNED(int, least_threaded, 5000);
 /// Transforms of different shapes that are kept. Chosen: a sequence meets fewer.
 BEM_CONTACT_TUNED(int, most_transforms, 32);

@@ -5,7 +5,7 @@
 
 namespace bem_contact {
 
-/// Somebody asked for the end of a solution (Ctrl-C): neither its input nor its convergence is to blame.
+/// Somebody asked for the end of a solution (Ctrl-C). This is no error of the input or of convergence.
 class Stopped : public std::runtime_error {
 public:
   Stopped() : std::runtime_error("the solution was stopped before its end") {}

@@ -66,7 +66,7 @@ struct CreepCurves {
   CreepDerivatives sensitivities;
   /// The same from one linear system, with the pressure held (linearised.hpp).
   std::optional<CreepMatrix> linearised;
-  /// At zero rigid slip: without creepage and spin, those of the geometry included.
+  /// At zero rigid slip: without any creepage and spin, not even those that the geometry makes.
   CreepDerivatives slopes;
   std::optional<LinearTheory> linear; ///< to compare the slopes with
   std::vector<CreepCurve> curves;     ///< one for each range

@@ -24,7 +24,7 @@ BEM_CONTACT_TUNED(double, sensitivity_step, 0.04);
 /// 1. Kalker's coefficients in place of unknown ones, for the steps and ranges of a contact that is no
 /// ellipse: 4 is that of a circle.
 BEM_CONTACT_TUNED(double, usual_coefficient, 4.0);
-/// 1. Semi-axes from one another, beyond which linear theory is not compared: where its table ends.
+/// 1. Longest ratio of the semi-axes at which linear theory is compared: its table ends there.
 BEM_CONTACT_TUNED(double, longest_ellipse, 10.0);
 
 } // namespace bem_contact

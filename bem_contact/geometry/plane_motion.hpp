@@ -26,13 +26,12 @@ struct PlaneMotion {
 /// them. The wheel's axle stays: its rim moves against it.
 struct StructuralPlacement {
   PlaneMotion rail, wheel;
-  /// Then the wheel is moved along y, mm: it is to slide along the rail as the surfaces in contact do, whose
-  /// approach has a part along them.
+  /// Then the wheel is moved along y, mm, so that it slides along the rail as the surfaces in contact do.
   double aside = 0;
   /// After that it is lowered by this much until it touches again, mm.
   double lowered = 0;
-  /// What influence numbers with structural compliance make of these motions, each in its body's section. The
-  /// displacements that they give already stand in the bodies' new places.
+  /// The motions that influence numbers with structural compliance contain, each in its body's section. The
+  /// bodies have already been placed by them, so they must not count again.
   PlaneMotion rail_in_numbers, wheel_in_numbers;
 
   /// Of the wheel, after its structure's motion.

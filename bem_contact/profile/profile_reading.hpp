@@ -32,7 +32,7 @@ struct ProfileReading {
   ProfileZ profile_z = ProfileZ::as_stated;
   /// y of the file points the other way. Of a Vampire file: its left profile, as seen from the other end.
   bool mirror = false;
-  /// Wheel: y of the back of its flange in the file, mm. Empty: the file has y = 0 at the tape circle, or its
+  /// Wheel: y of the back of its flange in the file, mm. Empty: y = 0 is at the tape circle, unless the
   /// flange lies so that y = 0 can only be its back.
   std::optional<double> flange_back = {};
   /// y and z keep the file's origin, whatever lies there: for bodies that are placed by their coordinates.

@@ -173,7 +173,8 @@ void write_profile_page(const std::string& name, const std::string& words,
   json drawn = json::array();
   for (const DrawnProfile& p : profiles)
     drawn.push_back({{"name", p.name}, {"y", p.y}, {"z", p.z}, {"curvature", p.curvature}});
-  write_page({{"kind", "profile"}, {"file", name}, {"data", {{"words", words}, {"profiles", drawn}}}}, output);
+  write_page({{"kind", "profile"}, {"file", name}, {"data", {{"words", words}, {"profiles", drawn}}}},
+             output);
 }
 
 void write_report(const std::filesystem::path& file, const std::filesystem::path& output) {

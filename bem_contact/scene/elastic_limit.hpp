@@ -4,8 +4,8 @@
 
 namespace bem_contact {
 
-/// Before anything is solved: throws InputError where the force prescribed exceeds the largest pressure of
-/// elasticity (largest_pressure_share) even if all of a patch's grid bore it.
+/// Before anything is solved: throws InputError if the pressure would be beyond elasticity
+/// (largest_pressure_share) even with the prescribed force spread over the whole grid of a patch.
 void require_bearable(const ContactSetup& patch);
 
 /// Before anything is solved: throws InputError where wheel and rail would approach by more than

@@ -52,7 +52,7 @@ void add_motion(Schema& s, SceneFile::Motion& m) {
   t.add("start_table", m.start_table,
         "CSV file with columns ix, is, px, ps, pn: tractions that transient or shift start from",
         {.kinds = patch_alone});
-  t.add("xi", m.xi, "Longitudinal creepage, wheel over rail; wheel_rail: where the bodies touch first");
+  t.add("xi", m.xi, "Longitudinal creepage, wheel over rail; wheel_rail: at the middle of the contact");
   t.add("eta", m.eta, "Lateral creepage");
   t.add("phi", m.phi, "Spin creepage; in wheel_rail that of the geometry is added", {.unit = "1/mm"});
   t.add("rolling_radius", m.rolling_radius,

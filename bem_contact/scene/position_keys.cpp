@@ -46,7 +46,7 @@ void add_position(Schema& s, SceneFile::Position& p) {
   t.add("wheel_radius", p.wheel_radius, "Nominal wheel radius, at the tape circle",
         {.unit = "mm", .above = 0});
   t.add("vertical", p.vertical,
-        "How far the wheelset's centre stands below wheel_radius above the rail, instead of a load",
+        "Instead of a load: how far the wheelset's centre is lower than wheel_radius above the rail",
         {.unit = "mm"});
   t.add("rail_lateral", p.rail_lateral, "Deviation of the rail from its place, to the right", {.unit = "mm"});
   t.add("rail_vertical", p.rail_vertical, "Deviation of the rail from its place, down", {.unit = "mm"});

@@ -38,7 +38,8 @@ struct SceneFile {
 
   /// [position], wheel_rail
   struct Position : WheelsetPosition {
-    /// Instead of a load: z of the wheelset's centre plus wheel_radius, mm, positive down.
+    /// Instead of a load: z of the wheelset's centre plus wheel_radius, mm: how far the centre is lower than
+    /// wheel_radius above the rail.
     std::optional<double> vertical;
 
     bool operator==(const Position&) const = default;

@@ -35,9 +35,9 @@ struct WheelRailGeometry {
   /// Arc length of rows on the rail and on the wheel, mm.
   std::vector<double> rail_stations(const std::vector<ContactRow>& rows) const;
   std::vector<double> wheel_stations(const std::vector<ContactRow>& rows) const;
-  /// Undeformed distance along n, mm; field of the plan's grid. Where structural motion has moved the bodies,
-  /// it is the distance that they would have without it: influence numbers with structural compliance and the
-  /// approach then mean what they mean on bodies that stand where the scene puts them.
+  /// Undeformed distance along n, mm; field of the plan's grid. If structural motion has moved the bodies,
+  /// that motion is subtracted, because influence numbers with structural compliance add it. Numbers and
+  /// approach then mean the same as on bodies that stand where the scene puts them.
   std::vector<double> gap(const GridPlan& plan, const std::vector<ContactRow>& rows) const;
 };
 

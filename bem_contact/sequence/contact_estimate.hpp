@@ -48,8 +48,8 @@ struct EstimatedContact {
   double delta = 0;             ///< inclination, rad
   Point2 position;              ///< on the rail
 };
-/// Under the vertical force of the estimate, where the wheel stands `aside` mm further along y: the
-/// undeformed distance changes by that along the normal.
+/// Under the vertical force of the estimate, with the wheel `aside` mm further along y. Its distance from the
+/// rail then changes by the part of that shift along the normal.
 EstimatedContact estimated_contact(const ContactEstimate& estimate, double compliance, double aside = 0);
 
 /// The same method on the rows of a problem, whose undeformed distance is known. Nothing in plane strain, and

@@ -36,16 +36,16 @@ private:
   int usual_ = 0, most_ = 0, wanted_ = 0;
 };
 
-/// Elements of a size that `elements` of them cover an area like the estimate's, `area_ratio` times as large,
-/// about as many along x as along s, but none more than `longest` times as long as wide: dx, not below
-/// `shortest`, and ds, not below a quarter of it, mm. Powers of 2^(1/4) else, so that numbers serve several
-/// cases.
+/// dx and ds, mm, of which `elements` elements cover `area_ratio` times the area that the estimate predicts.
+/// There are about as many along x as along s, but none is more than `longest` times as long as wide. dx is
+/// at least `shortest`, and ds at least a quarter of that. Otherwise both are powers of 2^(1/4), so that
+/// influence numbers serve several cases.
 std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio,
                                            double shortest, double longest);
 
-/// The largest relative error, estimated, of what the scene's grid.accuracy_of names; < 0: not estimated. An
-/// error of adhesion is one of its share. What does not converge has no error: then that of the forces
-/// counts.
+/// The largest relative error, estimated, of what the scene's grid.accuracy_of names; < 0: not estimated. The
+/// error of adhesion is that of its share. If the field does not converge with the elements, no error is
+/// stated, and that of the forces counts.
 double asked_error(const SceneFile::Grid& grid, const SceneResult& result);
 
 /// Chooses dx and ds for the cases of a sequence that ask for grid.elements or grid.accuracy. It learns from

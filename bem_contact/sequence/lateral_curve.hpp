@@ -10,7 +10,7 @@ namespace bem_contact {
 
 /// Lateral forces, N, that are known of one scene under one load, by the displacement, mm.
 struct KnownLateralForces {
-  /// Of the model, and the rough one there. Nothing where there is no rough solution.
+  /// The model's force, and the rough one at the same displacement (nothing: there is no rough solution).
   struct Exact {
     double force = 0;
     std::optional<double> rough;
@@ -19,11 +19,12 @@ struct KnownLateralForces {
   std::map<double, Exact> exact;
 };
 
-/// The lateral force over the lateral displacement: rough forces, and what they miss of the model's.
+/// The lateral force over the lateral displacement: rough forces, corrected where the model's are known.
 ///
-/// Rough forces show which branches there are. They miss some per cent of the model's, which on a tread can
-/// be more than the force changes over its whole width. So what they miss is measured wherever the model was
-/// solved, and added everywhere: linear between two such displacements, constant beyond them.
+/// Rough forces show which branches there are. They differ from the model's by some per cent, which on a
+/// tread can be more than the force changes over its whole width. So wherever the model was solved, the
+/// difference is measured. It is added everywhere: linear between two such displacements, constant beyond
+/// them.
 class LateralCurve {
 public:
   /// One displacement of the curve.

@@ -18,7 +18,7 @@ struct ModelErrors {
   ModelErrorOf worst(std::span<const ModelErrorOf> named) const;
 };
 
-/// What a scene prescribes, as far as models differ in it.
+/// What a scene prescribes, where that decides how far models differ.
 struct PrescribedMotion {
   bool place = false;      ///< the lateral displacement, and not the lateral force
   bool creepage = false;   ///< creepages that are not counted from free rolling
@@ -43,8 +43,8 @@ struct ContactTraits {
   double edge = 0; ///< from the middle of the contact to the nearest end of a profile, mm; 0: none is known
   double slip = 0; ///< rigid creepage in the middle, without spin
   double creep_stiffness = 0; ///< shear force over the friction limit, by creepage
-  bool bodies = false; ///< are known, by influence files: without them creepages count from half-spaces' free
-                       ///< rolling, and nothing else is known of it
+  bool bodies = false; ///< the scene names influence files of both. If not, nothing tells how the real bodies
+                       ///< roll freely, and the half-space's free rolling is taken for theirs
   bool on_rail = false;    ///< a wheel on a rail
   bool unlike = false;     ///< the bodies are of different materials
   bool line = false;       ///< plane strain
@@ -53,7 +53,7 @@ struct ContactTraits {
 
 /// By the estimate of where and how far the bodies touch.
 ContactTraits traits_of(const ContactCase& asked, const ContactEstimate& estimate);
-/// The same with what a solution says of the turn, the normal force and the size.
+/// The same, with the turn and the normal force of a solution.
 ContactTraits traits_of(const ContactCase& asked, ContactTraits estimated, const ContactProblem& problem,
                         const ContactResult& result);
 

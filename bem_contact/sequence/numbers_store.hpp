@@ -28,7 +28,7 @@ struct NumbersSource {
   bool operator==(const NumbersSource&) const = default;
 };
 
-/// What one body's numbers from its influence file depend on, but for rows and offsets.
+/// What one body's influence numbers depend on besides rows and offsets, if they come from its file.
 struct BodyNumbersSource {
   std::shared_ptr<const InfluenceFunction> function;
   StructuralCompliance structural = StructuralCompliance::removed;
@@ -55,7 +55,7 @@ private:
   std::deque<Kept> kept_; ///< made last: in front
 };
 
-/// What influence numbers are made of, and other cases share.
+/// Parts of influence numbers that several cases share.
 struct NumbersParts {
   RailNumbersStore rail;
   halfspace::LineStore lines;

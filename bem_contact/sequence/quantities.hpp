@@ -29,7 +29,7 @@ enum class QuantityKind {
   effort ///< how the solver went: may differ where the result is the same
 };
 
-/// Unit of a quantity. That of shifts differs where others are per unit of rolled distance.
+/// Unit of a quantity. What is per unit of rolled distance in rolling has another unit in a shift.
 struct QuantityUnit {
   const char* rolling;         ///< in steady rolling, and of a transient
   const char* shift = nullptr; ///< null: the same

@@ -21,7 +21,7 @@ void warn_of_accuracy(const SceneFile::Grid& asked, const std::string& why, Scen
 /// `at_start`: Fy at position.lateral, N, if it is known.
 void warn_of_lateral(const SceneFile& asked, std::optional<double> at_start, SceneResult& out);
 
-/// For those who take warnings as errors: throws InputError with all of them unless there are none.
+/// For --strict: throws InputError with all warnings, if there are any.
 void refuse_warnings(const std::vector<std::string>& warnings);
 
 } // namespace bem_contact

@@ -18,7 +18,8 @@ BEM_CONTACT_TUNED(int, most_threads, 64);
 BEM_CONTACT_TUNED(double, potential_share, 0.75);
 /// mm. Least approach for which a potential contact is planned: a grid is needed under no load too.
 BEM_CONTACT_TUNED(double, least_approach, 1e-4);
-/// 1. Creepage at which about half of a contact slips: so much of full friction bears load in the estimate.
+/// 1. Creepage at which about half of a contact slips. It says which part of full friction bears load in the
+/// estimate.
 BEM_CONTACT_TUNED(double, half_slip_creepage, 0.002);
 /// 1. Least value of the vertical force of pressure and shear over that of the pressure: where friction takes
 /// all of it away, the estimate would be without end.
@@ -42,7 +43,8 @@ BEM_CONTACT_TUNED(double, described_distance, 1.0);
 /// mm. The bodies stand still when a solution moves the contact by less: the lateral force on a gauge corner
 /// then is good to about 10 N of 6e4.
 BEM_CONTACT_TUNED(double, position_tolerance, 1e-4);
-/// mm. Distance from the reference point at which a turn counts for that: half the width of a contact.
+/// mm. A turn of a body counts as the motion that it makes at this distance from the reference point: half
+/// the width of a contact.
 BEM_CONTACT_TUNED(double, half_contact, 5.0);
 /// 1. Most solutions until the bodies stand still: a bound.
 BEM_CONTACT_TUNED(int, most_placements, 12);
@@ -226,7 +228,8 @@ BEM_CONTACT_TUNED(double, roller_creep_radius, 190.0);
 BEM_CONTACT_TUNED(double, creep_coefficient, 4.2);
 /// 1. Least slope of the shear force over that without slip: spin and yaw leave some of it. Chosen.
 BEM_CONTACT_TUNED(double, least_slope_share, 0.05);
-/// 1. Where the longitudinal force is given, the lateral creepage is not: it counts by this share.
+/// 1. If only the longitudinal force is given, the lateral creepage is prescribed: its error counts by this
+/// share.
 BEM_CONTACT_TUNED(double, side_creep_share, 0.45);
 BEM_CONTACT_TUNED(double, least_shear_error, 0.001); ///< 1. Of shear forces, of either model.
 BEM_CONTACT_TUNED(double, shear_turn_error, 0.02);   ///< 1/rad. Of them: this times the turn.
@@ -234,8 +237,8 @@ BEM_CONTACT_TUNED(double, least_power_error, 0.004); ///< 1. Of friction's power
 BEM_CONTACT_TUNED(double, power_turn_error, 0.01);   ///< 1/rad. Of it: this times the turn.
 /// 1. Of it where creepages are given: this times the error of creepage over the slip.
 BEM_CONTACT_TUNED(double, given_creep_power, 1.5);
-/// 1. Of it on a rail, where spin does most of the work, both of these count by this share: 0.15 at most was
-/// seen.
+/// 1. Power of friction on a rail: both of these terms count by this share, because spin does most of the
+/// work there. At most 0.15 was seen.
 BEM_CONTACT_TUNED(double, rail_power_share, 0.2);
 /// 1. Of it where creepages are found: this times their error over least_creepage.
 BEM_CONTACT_TUNED(double, found_creep_power, 0.5);

@@ -16,7 +16,7 @@ struct SolveResources {
   WorkBudget& work;                ///< of the case
   SequenceFiles* files = nullptr;  ///< where fem finds influence files that are not read; null: they are
   NumbersStore* numbers = nullptr; ///< null: influence numbers are computed anew
-  Workspace* operators = nullptr;  ///< null: what solving makes of them, too
+  Workspace* operators = nullptr;  ///< null: what solving prepares is made anew, too
   const FormerSolution* start = nullptr; ///< of an alike() case; null: none
   bool coarse_start = true;              ///< without a start a case starts from larger elements
   bool totals_only = false;              ///< no error of the elements, no displacements

@@ -20,7 +20,7 @@ struct PlacedSolution {
 /// 2. the bodies are moved by it and the wheel is lowered until it touches; contact points, gap and rigid
 ///    slip are found anew;
 /// 3. the contact is solved again there. Its influence numbers contain the structural motion too, so the
-///    former motion is taken out of the gap: what they add is only how the motion changes.
+///    former motion is subtracted from the gap: the numbers then add only the change of the motion.
 /// With solver.contact_motion = "placed" (any model but Hertz's) the wheel is moved along y, too, as the
 /// surfaces in contact slide past each other.
 /// This is repeated until the contact moves by less than position_tolerance. Placed are bodies of a wheel on
@@ -33,8 +33,7 @@ PlacedSolution solve_on_placed_bodies(const ContactCase& asked, const SceneFile:
 /// Whether the geometry follows the contact's own motion (solver.contact_motion), too.
 bool is_placed_by_contact(const SceneFile& scene);
 
-/// The approach that is left when what the structures give way at the contact is taken off; without
-/// structural motion the approach itself. Mm.
+/// The approach less the structural motion at the contact, mm; without structural motion the approach itself.
 double local_approach(const ContactCase& asked, const GridSolution& solved);
 
 /// The largest distance along s, mm, by which surfaces in contact move past each other beyond what the

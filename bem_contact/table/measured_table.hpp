@@ -13,8 +13,8 @@ struct WorstError {
   Point at{};
 };
 
-/// What both ways of refining share: a table whose points are solved, none of them twice, and its errors
-/// between them.
+/// What refine() and refine_nested() share: the points of a table, each solved once, and its errors between
+/// them.
 class MeasuredTable {
 public:
   MeasuredTable(ContactTable& table, const PointsSolver& solve, const Wanted& wanted)

@@ -30,7 +30,7 @@ struct Wanted {
   std::size_t most_points = 200000; ///< of the table; between them about as many more are solved
   /// Sets the scales of the columns from their values; empty: they stay.
   std::function<void(ContactTable&)> rescale{};
-  /// Hears how far it is; empty: nobody.
+  /// Is told how far the work is; may be empty.
   std::function<void(const std::string&)> progress{};
 };
 

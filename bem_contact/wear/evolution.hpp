@@ -56,9 +56,9 @@ WornPair unworn(const SceneFile& scene);
 /// not of the scene's profiles.
 KeptPair unworn_influence(const SceneFile& scene, const WornPair& unworn);
 
-/// Solves every case with the profiles of `now`, which are written into `folder` as rail.txt and wheel.txt,
-/// and moves the profiles of the bodies that wear: explicit Euler, first order in the length of the step. The
-/// step takes off as much as `cap`, or less, where `until` (mm, largest depth of all) ends it. Throws
+/// Solves every case with the profiles of `now`, which are written into `folder` as rail.txt and wheel.txt.
+/// Then moves the profiles of the bodies that wear (explicit Euler, first order in the length of the step).
+/// The step takes off `cap` at the deepest place, or less if the largest depth reaches `until`, mm. Throws
 /// InputError for wrong scenes, and for influence functions that the shape has outgrown; ConvergenceError
 /// where a case has no certified result. `influence`: taken instead of the files that the scenes name, by the
 /// cases whose model may need them.

@@ -27,8 +27,9 @@ struct KeptPair {
 /// Largest angle between an edge of one polygon and the same edge of the other, rad.
 double turn_between(std::span<const Point2> before, std::span<const Point2> after);
 
-/// Throws InputError: `body` ("rail" or "wheel") has turned by `turn`, rad, and keeps its influence functions
-/// up to `limit`. `since`: when they were computed, a clause.
+/// Throws InputError: the surface of `body` ("rail" or "wheel") has turned by `turn`, rad, more than the
+/// `limit` up to which it keeps its influence functions. `since`: a clause that says when these were
+/// computed.
 [[noreturn]] void refuse_outgrown(std::string_view body, double turn, double limit, std::string_view since,
                                   const std::string& advice);
 

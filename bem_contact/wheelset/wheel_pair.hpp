@@ -16,8 +16,8 @@ struct Wrench {
 /// Sum, about the same point.
 Wrench operator+(Wrench a, const Wrench& b);
 
-/// Of a force in the plane across the track, at a point: by its components along x, y, z; `arm` from the
-/// point that the moment is about.
+/// Of a force at a point, components along x, y, z. `arm`: from the point that the moment is about to the
+/// point of the force.
 Wrench wrench_at(const Vector3& force, const Vector3& arm);
 
 /// What the plane through the middle of the track mirrors: y of vectors changes sign, and x and z of moments.

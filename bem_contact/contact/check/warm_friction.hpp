@@ -6,9 +6,9 @@
 
 namespace bem_contact::contact {
 
-/// What the temperature of the surfaces leaves of mu, from the heat of friction (MPa mm/s; field); field.
-/// Where friction falls with heat (ContactProblem). For elements in contact: by the closed form of surfaces
-/// that have one temperature, or by the share of each (THEORY.md, section 16). Shares nothing with
+/// Factor by which the temperature of the surfaces reduces mu, from the heat of friction (MPa mm/s; field);
+/// field. Where friction falls with heat (ContactProblem). For elements in contact: by the closed form of
+/// surfaces that have one temperature, or by the share of each (THEORY.md, section 16). Shares nothing with
 /// flash_temperatures().
 std::vector<double> warm_factors(const ContactProblem& problem, const std::vector<double>& heat);
 

@@ -17,7 +17,7 @@
 namespace bem_contact::contact {
 
 /// A_nn on boxes around the active set and an approximate inverse of it. Conjugate gradients run in single
-/// precision, where they correct what is known in double precision.
+/// precision and correct a solution that is kept in double precision.
 struct NormalBox {
   NormalBox(const InfluenceNumbers& numbers, const Boxes& boxes, TransformPool* pool = nullptr);
 
