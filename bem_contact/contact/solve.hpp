@@ -31,7 +31,7 @@ class TransformPool;
 ///     coupling          how shear and pressure act on each other, if they do
 ///     start             numbers of larger elements to start from, and a set of their own
 ///     companion         a set for the larger elements of the estimate of the discretisation
-///     scratch           vectors of conjugate gradients and GMRES, allocated once
+///     scratch           vectors of conjugate gradients and GCR, allocated once
 ///   the transform pool  Fourier transforms and their scratch, shared by all sets (plane_transforms.hpp)
 /// Besides, FFTW remembers how it planned a length, for the whole program.
 class Workspace {

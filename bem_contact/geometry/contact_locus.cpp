@@ -50,6 +50,12 @@ ContactLocus::ContactLocus(const WheelOnRail& pair)
   }
 }
 
+void ContactLocus::lower(double by) {
+  frame_.centre[2] += by;
+  for (Node& node : nodes_)
+    node.position.z += by;
+}
+
 std::optional<ContactLocus::Point> ContactLocus::point(double s, Point2 position, Point2 tangent) const {
   const double r = radius_ + position.z;
   const auto m = meridian(frame_, tangent);

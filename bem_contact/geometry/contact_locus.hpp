@@ -44,6 +44,7 @@ public:
   std::optional<CurvePoint> at(double s) const;
 
   const WheelFrame& frame() const { return frame_; }
+  void lower(double by); ///< with the wheel, mm
 
 private:
   std::optional<Point> point(double s, Point2 position, Point2 tangent) const;

@@ -45,12 +45,12 @@ std::vector<int> separate_minima(const std::vector<double>& distance, int from, 
 /// The nodes of the locus with their distance from the rail, and what lies between them.
 struct Search {
   const WheelOnRail& pair;
-  ContactLocus locus{pair};
+  const ContactLocus& locus;
   RailHeight rail{pair};
   std::vector<double> distance{}; ///< of each node; NaN beside the rail
   int near = 0;
 
-  explicit Search(const WheelOnRail& bodies);
+  Search(const WheelOnRail& bodies, const ContactLocus& of_wheel);
 
   int nodes() const { return static_cast<int>(distance.size()); }
   bool above_rail(int k) const { return std::isfinite(distance[k]); }
@@ -70,7 +70,7 @@ struct Search {
   std::pair<double, double> flat_stretch(const TouchPoint& touch, double at, int from, int to);
 };
 
-Search::Search(const WheelOnRail& bodies) : pair(bodies) {
+Search::Search(const WheelOnRail& bodies, const ContactLocus& of_wheel) : pair(bodies), locus(of_wheel) {
   int above = 0;
   for (const ContactLocus::Node& node : locus.nodes()) {
     const auto height = rail.at(node.position.y, near);
@@ -150,10 +150,8 @@ std::pair<double, double> Search::flat_stretch(const TouchPoint& touch, double a
   return std::minmax(s[0], s[1]);
 }
 
-} // namespace
-
-std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair) {
-  Search search(pair);
+std::vector<TouchPoint> touch_points(const WheelOnRail& pair, const ContactLocus& locus) {
+  Search search(pair, locus);
   std::vector<TouchPoint> points;
   int lowest_end = -1;
   for (int from = 0, to = 0; from < search.nodes(); from = to + 1) {
@@ -176,13 +174,25 @@ std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair) {
   return points;
 }
 
+} // namespace
+
+std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair) {
+  return touch_points(pair, ContactLocus(pair));
+}
+
 std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair) {
-  std::vector<TouchPoint> points = find_touch_points(pair);
+  ContactLocus locus(pair);
+  return lower_to_touch(pair, locus);
+}
+
+std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair, ContactLocus& locus) {
+  std::vector<TouchPoint> points = touch_points(pair, locus);
   if (points.empty())
     throw InputError("The wheel has no touch point on the rail", "the vertical distance has no minimum",
                      "Check the profiles.");
   const double drop = points.front().distance;
   pair.wheel_pose.origin.z += drop;
+  locus.lower(drop);
   for (TouchPoint& p : points)
     p.distance -= drop;
   return points;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "bem_contact/geometry/contact_locus.hpp"
 #include "bem_contact/geometry/placement.hpp"
-#include "bem_contact/geometry/settings.hpp"
 
 #include <vector>
 
@@ -28,5 +28,7 @@ std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair);
 /// Moves the wheel along z until it just touches; returns the touch points then (the first has distance 0).
 /// Throws InputError as find_touch_points() does, and if there is no touch point.
 std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair);
+/// The same with the locus of the pair, which is lowered with the wheel.
+std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair, ContactLocus& locus);
 
 } // namespace bem_contact

@@ -46,6 +46,10 @@ BEM_CONTACT_TUNED(double, section_margin, 6.0);
 /// 1. The nearest node is looked for among every so many (1.2 mm), then downhill: no rail or wheel has two
 /// minima of the distance so near to each other.
 BEM_CONTACT_TUNED(int, node_stride, 12);
+/// 1. Rows for which that is begun together. Larger groups have more nodes within their reach. Measured.
+BEM_CONTACT_TUNED(int, rows_together, 16);
+/// 1. Room for rounding in the square of that reach.
+BEM_CONTACT_TUNED(double, rounding_of_reach, 1e-12);
 /// 1. Steps of the search for a crossing: a bound. One in eight halves the bracket, so that it always
 /// shrinks.
 BEM_CONTACT_TUNED(int, crossing_steps, 60);

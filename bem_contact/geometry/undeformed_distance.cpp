@@ -130,52 +130,87 @@ template <class Curve> std::optional<Crossing> cross(const Curve& curve, const R
   return Crossing{k, t, distance};
 }
 
-/// Finds the nodes of a locus that are nearest to points.
-class NearestNode {
+/// Finds the nodes of a locus that are nearest to rows. Rows that follow each other are looked at in groups:
+/// most groups lie far from the wheel, and to the others few nodes come near (triangle inequality).
+class NearestNodes {
 public:
-  explicit NearestNode(const ContactLocus& locus) : nodes_(locus.nodes()) {
+  explicit NearestNodes(const ContactLocus& locus) : nodes_(locus.nodes()) {
     for (std::size_t k = 0; k < nodes_.size(); k += node_stride)
       some_.push_back(nodes_[k].position);
   }
 
-  /// -1 where it lies beyond `farthest`.
-  int operator()(Point2 p, double farthest = 1e9) const;
+  /// One number a row; -1 where the node lies beyond `farthest`.
+  std::vector<int> of(std::span<const ContactRow> rows, double farthest = 1e9) {
+    std::vector<int> out;
+    for (std::size_t i = 0; i < rows.size(); i += rows_together) {
+      const auto group = rows.subspan(i, std::min<std::size_t>(rows_together, rows.size() - i));
+      const bool in_reach = choose_candidates(group, farthest);
+      for (const ContactRow& row : group)
+        out.push_back(in_reach ? nearest(row.position, farthest) : -1);
+    }
+    return out;
+  }
 
 private:
+  bool choose_candidates(std::span<const ContactRow> group, double farthest);
+  int nearest(Point2 p, double farthest) const;
+
   std::span<const ContactLocus::Node> nodes_;
-  std::vector<Point2> some_; ///< every so many, side by side in memory
+  std::vector<Point2> some_;    ///< every so many, side by side in memory
+  std::vector<double> squares_; ///< of their distances from the middle of the group
+  std::vector<int> candidates_; ///< which of them may be the nearest to one of the group
 };
 
-int NearestNode::operator()(Point2 p, double farthest) const {
+double square(Point2 d) {
+  return dot(d, d);
+}
+
+/// False where no node is near enough to any row of the group.
+bool NearestNodes::choose_candidates(std::span<const ContactRow> group, double farthest) {
+  const Point2 middle = group[group.size() / 2].position;
+  double radius = 0;
+  for (const ContactRow& row : group)
+    radius = std::max(radius, square(row.position - middle));
+  radius = std::sqrt(radius);
+  squares_.clear();
+  for (const Point2 p : some_)
+    squares_.push_back(square(p - middle));
+  const double least = std::sqrt(std::ranges::min(squares_));
+  if (least > farthest + node_stride * largest_table_step + radius)
+    return false;
+  const double reach = least + 2 * radius;
+  candidates_.clear();
+  for (std::size_t k = 0; k < squares_.size(); ++k)
+    if (squares_[k] <= reach * reach * (1 + rounding_of_reach))
+      candidates_.push_back(static_cast<int>(k));
+  return true;
+}
+
+int NearestNodes::nearest(Point2 p, double farthest) const {
   const int last = static_cast<int>(nodes_.size()) - 1;
-  const auto square = [&](int k) {
-    const Point2 d = nodes_[k].position - p;
-    return dot(d, d);
-  };
+  const auto from = [&](int k) { return square(nodes_[k].position - p); };
   int best = last;
-  double least = square(last);
-  for (std::size_t k = 0; k < some_.size(); ++k) {
-    const Point2 d = some_[k] - p;
-    if (dot(d, d) < least)
-      best = static_cast<int>(k) * node_stride, least = dot(d, d);
-  }
+  double least = from(last);
+  for (const int k : candidates_)
+    if (const double here = square(some_[k] - p); here < least)
+      best = k * node_stride, least = here;
   if (std::sqrt(least) > farthest + node_stride * largest_table_step)
     return -1;
-  while (best > 0 && square(best - 1) < square(best))
+  while (best > 0 && from(best - 1) < from(best))
     --best;
-  while (best < last && square(best + 1) < square(best))
+  while (best < last && from(best + 1) < from(best))
     ++best;
-  return square(best) <= farthest * farthest ? best : -1;
+  return from(best) <= farthest * farthest ? best : -1;
 }
 
 } // namespace
 
 std::vector<RowOnLocus> rows_on_locus(const ContactLocus& locus, std::span<const ContactRow> rows,
                                       double farthest) {
-  const NearestNode nearest_node(locus);
+  const std::vector<int> nearest = NearestNodes(locus).of(rows, farthest);
   std::vector<RowOnLocus> out(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const int near = nearest_node(rows[i].position, farthest);
+    const int near = nearest[i];
     if (near < 0)
       continue;
     const auto found = cross(locus, Ray(rows[i]), near);
@@ -223,25 +258,22 @@ std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const
 }
 
 std::vector<double> wheel_stations(const ContactLocus& locus, std::span<const ContactRow> rows) {
-  const NearestNode nearest_node(locus);
+  const std::vector<int> nearest = NearestNodes(locus).of(rows);
   std::vector<double> out;
   const auto& nodes = locus.nodes();
-  for (const ContactRow& row : rows) {
-    const int near = nearest_node(row.position);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const int near = nearest[i];
     // On the stretches beside the node.
     const auto on_locus = [&](double beside) {
       const int k = std::min(static_cast<int>(near + beside), static_cast<int>(nodes.size()) - 2);
       return locus.between(k, near + beside - k);
     };
-    const auto square = [&](double beside) {
-      const Point2 d = on_locus(beside).position - row.position;
-      return dot(d, d);
-    };
+    const auto from_row = [&](double beside) { return square(on_locus(beside).position - rows[i].position); };
     const bool left = near > 0 && nodes[near].joined;
     const bool right = near + 1 < static_cast<int>(nodes.size()) && nodes[near + 1].joined;
     constexpr int bits = std::numeric_limits<double>::digits / 2;
     const auto minimum =
-        boost::math::tools::brent_find_minima(square, left ? -1.0 : 0.0, right ? 1.0 : 0.0, bits);
+        boost::math::tools::brent_find_minima(from_row, left ? -1.0 : 0.0, right ? 1.0 : 0.0, bits);
     out.push_back(on_locus(minimum.first).s);
   }
   return out;

@@ -85,4 +85,12 @@ void dense_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* o
     dgemm_("N", "N", &m, &n, &k, &one, a.data(), &m, b.data(), &k, &zero, out, &m);
 }
 
+void dense_product_of_columns(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out) {
+  const int m = static_cast<int>(a.cols()), n = static_cast<int>(b.cols()), k = static_cast<int>(a.rows());
+  const double one = 1, zero = 0;
+  const OneThread one_thread;
+  if (m > 0 && n > 0)
+    dgemm_("T", "N", &m, &n, &k, &one, a.data(), &k, b.data(), &k, &zero, out, &m);
+}
+
 } // namespace bem_contact

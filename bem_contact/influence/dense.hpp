@@ -19,5 +19,7 @@ bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x);
 
 /// A B into `out`, column-major.
 void dense_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out);
+/// A^T B likewise.
+void dense_product_of_columns(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out);
 
 } // namespace bem_contact

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -96,7 +97,10 @@ void expand_kernel(const InfluenceFunction& f, const ExpandOptions& o, StationRa
   const Removed removed(f, range, o.structural, nk);
   MatrixXd even = MatrixXd::Ones(1, 1), odd = MatrixXd::Zero(1, 1); // plane strain: odd ones vanish at k = 0
   if (o.dx > 0) {
-    const SeriesWeights weights = series_weights(f.wavenumber, f.half_period, scaling.dx, o.offsets);
+    SeriesStore only_now;
+    const double angle = std::numbers::pi / f.half_period * scaling.dx * o.offsets;
+    const SeriesWeights weights = series_weights(
+        (o.series ? *o.series : only_now).get(f.wavenumber, f.half_period, angle), scaling.dx, o.offsets);
     even = Table(weights.even.data(), o.offsets, nk);
     odd = Table(weights.odd.data(), o.offsets, nk);
   }

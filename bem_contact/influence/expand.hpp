@@ -7,12 +7,15 @@
 
 namespace bem_contact {
 
+class SeriesStore;
+
 struct ExpandOptions {
   double dx = 0;   ///< element length along x, mm; 0: plane strain (k = 0 alone, offsets must be 1)
   int offsets = 1; ///< offsets 0 .. offsets-1
   StructuralCompliance structural = StructuralCompliance::removed;
   double contact_radius = 0; ///< revolution only: x = contact_radius * theta; 0: the reference radius
   int first_station = 0, stations = -1; ///< a run of stations; -1: all from first_station on
+  SeriesStore* series = nullptr;        ///< points of earlier calls; null: none are kept
   int threads = 1;                      ///< share the rows of a kernel, with the same numbers to the last bit
 };
 

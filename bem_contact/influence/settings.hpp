@@ -32,6 +32,11 @@ BEM_CONTACT_TUNED(double, point_reserve, 7.0);
 /// 1. And so many for the factor beside the wave: it is analytic down to k = 0, and a run is a third of its
 /// wavenumber long.
 BEM_CONTACT_TUNED(int, least_points, 18);
+/// 1. Points that are kept for later elements serve angles up to a step on this ladder: up to a fifth more
+/// points than the elements need, and few different sets.
+BEM_CONTACT_TUNED(double, angles_per_octave, 4);
+/// Sets of points that are kept: two files, on a few sizes of grids. A set has about 100 kB. Chosen.
+BEM_CONTACT_TUNED(std::size_t, series_points_kept, 16);
 /// 1. How far the phase of least_half_element_phase may fall short: rounding.
 BEM_CONTACT_TUNED(double, phase_slack, 1e-9);
 /// 1 (share of a wavenumber). A harmonic that is beyond the last sample by less is not beyond it: rounding.

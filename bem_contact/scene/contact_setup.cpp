@@ -29,9 +29,8 @@ double rolling_radius_of(const SceneFile::Motion& motion, double free) {
 }
 
 /// All that follows from where the bodies stand as they touch.
-ContactSetup set_up_touching(const SceneFile& scene, WheelOnRail pair, std::vector<TouchPoint> touch,
-                             double lowered, const ContactLoad& load) {
-  ContactLocus locus(pair);
+ContactSetup set_up_touching(const SceneFile& scene, WheelOnRail pair, ContactLocus locus,
+                             std::vector<TouchPoint> touch, double lowered, const ContactLoad& load) {
   std::vector<RailSlice> slices = slice_rail(pair, locus);
   const std::optional<ContactCentre> centre = contact_centre(
       slices, locus.frame(), contact_compliance(scene.rail.material, scene.wheel.material), load);
@@ -146,22 +145,25 @@ ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& pro
     require_small_approach(*scene.load.approach);
   WheelOnRail pair = place(scene.position, profiles.rail, profiles.wheel);
   const double before = pair.wheel_pose.origin.z;
-  std::vector<TouchPoint> touch = lower_to_touch(pair);
+  ContactLocus locus(pair);
+  std::vector<TouchPoint> touch = lower_to_touch(pair, locus);
   const double lowered = pair.wheel_pose.origin.z - before;
   const ContactLoad load = load_of(scene, scene.position.vertical ? *scene.position.vertical - lowered
                                                                   : scene.load.approach.value_or(0));
-  return set_up_touching(scene, std::move(pair), std::move(touch), lowered, load);
+  return set_up_touching(scene, std::move(pair), std::move(locus), std::move(touch), lowered, load);
 }
 
 ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, StructuralPlacement by) {
   const WheelRailGeometry& before = *setup.wheel_rail();
   WheelOnRail pair = moved(before.pair, by);
   const double height = pair.wheel_pose.origin.z;
-  std::vector<TouchPoint> touch = lower_to_touch(pair);
+  ContactLocus locus(pair);
+  std::vector<TouchPoint> touch = lower_to_touch(pair, locus);
   by.lowered = pair.wheel_pose.origin.z - height;
   ContactLoad load = setup.load;
   load.approach -= load.kind == LoadKind::approach ? by.lowered : 0.0;
-  ContactSetup out = set_up_touching(scene, std::move(pair), std::move(touch), before.lowered, load);
+  ContactSetup out =
+      set_up_touching(scene, std::move(pair), std::move(locus), std::move(touch), before.lowered, load);
   // What is prescribed need not be the scene's: free rolling is solved with force_x = 0.
   const double rolling_radius = out.motion.creepage.rolling_radius;
   out.motion = setup.motion;

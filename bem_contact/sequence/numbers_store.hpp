@@ -3,6 +3,7 @@
 #include "bem_contact/halfspace/line_store.hpp"
 #include "bem_contact/influence/influence_function.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
+#include "bem_contact/influence/series_points.hpp"
 #include "bem_contact/scene/contact_setup.hpp"
 
 #include <deque>
@@ -59,6 +60,7 @@ private:
 struct NumbersParts {
   RailNumbersStore rail;
   halfspace::LineStore lines;
+  SeriesStore series;
 };
 
 /// The pair's influence numbers on the grids met last.

@@ -41,13 +41,14 @@ bool inside(const std::shared_ptr<const InfluenceFunction>& f, double s, double 
 }
 
 ExpandOptions options_of(const InfluenceFunction& function, const Body& body, const ContactOnGrid& contact,
-                         int threads) {
+                         NumbersParts* known, int threads) {
   const ContactGrid& grid = contact.problem.grid;
   const bool plane_strain = contact.problem.plane_strain();
   ExpandOptions options;
   options.dx = plane_strain ? 0.0 : grid.dx;
   options.offsets = plane_strain ? 1 : grid.mx + 2;
   options.structural = body.structural;
+  options.series = known ? &known->series : nullptr;
   options.threads = threads;
   options.contact_radius = function.invariance == Invariance::revolution ? contact.contact_radius : 0.0;
   return options;
@@ -57,8 +58,8 @@ InfluenceNumbers rail_numbers(const std::shared_ptr<const InfluenceFunction>& fu
                               const ContactOnGrid& contact, NumbersParts* known, int threads) {
   const ContactGrid& grid = contact.problem.grid;
   const auto compute = [&] {
-    return halfspace::resample(*function, options_of(*function, body, contact, threads), contact.rail_s,
-                               grid.ds, known ? &known->lines : nullptr);
+    return halfspace::resample(*function, options_of(*function, body, contact, known, threads),
+                               contact.rail_s, grid.ds, known ? &known->lines : nullptr);
   };
   if (!known || contact.problem.plane_strain() || function->invariance == Invariance::revolution)
     return compute();
@@ -161,7 +162,7 @@ InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, con
   InfluenceNumbers pair = rail_numbers(files.rail, setup.rail, contact, known, threads);
   const std::vector<double> inclination = radial_inclination(setup, contact.problem.rows);
   halfspace::resample_lines(
-      *files.wheel, options_of(*files.wheel, setup.wheel, contact, threads), contact.wheel_s, pair.ds,
+      *files.wheel, options_of(*files.wheel, setup.wheel, contact, known, threads), contact.wheel_s, pair.ds,
       [&](NumberLines& lines) { add_wheel(lines, inclination, contact.contact_radius, pair); },
       known ? &known->lines : nullptr);
   return pair;

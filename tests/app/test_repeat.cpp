@@ -85,7 +85,7 @@ TEST_F(Repeat, AResultSaysWhatItIs) {
   EXPECT_EQ(table.datasets.at("materials/rail_shear_modulus").unit, "MPa");
   EXPECT_EQ(table.datasets.at("materials/rail_shear_modulus").values.front(), 82000);
   EXPECT_THAT(table.texts.at("fem/warnings").text, HasSubstr("yield strength"));
-  EXPECT_EQ(text("fem/tangential_solver"), "Newton, GMRES");
+  EXPECT_EQ(text("fem/tangential_solver"), "Newton, GCR");
   EXPECT_EQ(table.datasets.at("fem/patches/wheel_s").values.size(), 1u);
   // No path of the machine, and the same bytes but for the seconds.
   for (const auto& [name, value] : table.attributes)

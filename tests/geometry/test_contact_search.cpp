@@ -1,4 +1,5 @@
 #include "bem_contact/geometry/contact_search.hpp"
+#include "bem_contact/geometry/settings.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/read_profile.hpp"

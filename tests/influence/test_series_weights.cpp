@@ -101,17 +101,18 @@ TEST(SeriesWeights, FewPointsStandForManyHarmonics) {
           exact += std::polar(std::log(double(n)) / double(n), double(n) * turn);
           size += std::log(double(n)) / double(n);
         }
-        for (Eigen::Index p = 0; p < points.position.size(); ++p) {
+        for (std::size_t p = 0; p < points.position.size(); ++p) {
           const double n = points.position[p];
           sum += points.weight[p] * std::polar(std::log(n) / n, n * turn);
         }
         EXPECT_LT(std::abs(sum - exact), 1e-13 * size) << first << ' ' << last << ' ' << turn;
       }
-      EXPECT_LE(points.position.size(), last - first > 1000 ? 100 : last - first + 1);
+      EXPECT_LE(points.position.size(),
+                static_cast<std::size_t>(last - first > 1000 ? 100 : last - first + 1));
     }
 }
 
-TEST(SeriesWeights, TailSumIsTheSum) {
+TEST(SeriesWeights, TailSumsAreTheSums) {
   for (const int power : {3, 4})
     for (const long first : {3L, 800L})
       for (const double angle : {0.0, 1e-3, 0.01, 0.3, 1.7, std::numbers::pi}) {
@@ -122,7 +123,31 @@ TEST(SeriesWeights, TailSumIsTheSum) {
           sum += std::polar(std::pow(0.01 * static_cast<double>(n), -power), static_cast<double>(n) * angle);
           size += std::pow(0.01 * static_cast<double>(n), -power);
         }
-        EXPECT_LT(std::abs(tail_sum(power, first, last, 0.01, angle) - sum), 1e-13 * size)
+        const TailSums tail = tail_sums(first, last, 0.01, angle);
+        EXPECT_LT(std::abs((power == 3 ? tail.cubes : tail.fourths) - sum), 1e-13 * size)
             << power << ' ' << first << ' ' << angle;
       }
+}
+
+/// Points that are kept serve other elements of the same file, with the same weights but for rounding.
+TEST(SeriesWeights, KeptPointsServeOtherElements) {
+  const std::vector<double> k = samples(120, 25, 7), other = samples(120, 30, 7);
+  SeriesStore store;
+  const SeriesPoints* first = nullptr;
+  for (const double dx : {0.40, 0.41, 0.39}) {
+    const int offsets = 60;
+    const SeriesPoints& points = store.get(k, 120, std::numbers::pi / 120 * dx * offsets);
+    first = first ? first : &points;
+    EXPECT_EQ(first, &points) << dx;
+    const SeriesWeights kept = series_weights(points, dx, offsets), own = series_weights(k, 120, dx, offsets);
+    const double largest = *std::ranges::max_element(own.even);
+    for (std::size_t i = 0; i < own.even.size(); ++i) {
+      EXPECT_NEAR(kept.even[i], own.even[i], 1e-13 * largest);
+      EXPECT_NEAR(kept.odd[i], own.odd[i], 1e-13 * largest);
+    }
+  }
+  // Not those of another file, another period, or longer patches.
+  EXPECT_EQ(store.get(other, 120, 0.62).wavenumber().back(), other.back());
+  EXPECT_EQ(store.get(k, 130, 0.62).half_period(), 130);
+  EXPECT_GE(store.get(k, 120, 1.9).largest_angle(), 1.9);
 }

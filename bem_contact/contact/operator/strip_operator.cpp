@@ -204,7 +204,7 @@ BasicStripOperator<Real>::BasicStripOperator(const BasicStripOperator<Other>& ot
 
 /// Transforms and threads.
 template <class Real> void BasicStripOperator<Real>::Impl::take(TransformPool* pool) {
-  const StripShape shape{length, lines_in, lines_out};
+  const StripShape shape{length};
   transforms = pool ? pool->get<StripTransforms<Real>>(shape)
                     : std::make_shared<StripTransforms<Real>>(shape, std::make_shared<Scratch>());
   if (pool && ms * mx >= least_threaded)
@@ -228,7 +228,7 @@ void BasicStripOperator<Real>::Impl::multiply_frequency(int k, const Real* in, R
     Real* im = turn ? re_in : im_in;
     const Real sign = turn ? -1 : 1;
     for (int line = static_cast<int>(b) * ms; line < static_cast<int>(b + 1) * ms; ++line) {
-      const Real* from = &in[2 * (static_cast<std::size_t>(line) * frequencies + k)];
+      const Real* from = &in[line * transforms->shape.spectrum() + 2 * static_cast<std::size_t>(k)];
       re[line] = from[0];
       im[line] = sign * from[1];
     }
@@ -240,30 +240,32 @@ void BasicStripOperator<Real>::Impl::multiply_frequency(int k, const Real* in, R
     const Real* im = turn ? re_out : im_out;
     const Real sign = turn ? -1 : 1;
     for (int line = static_cast<int>(a) * ms; line < static_cast<int>(a + 1) * ms; ++line) {
-      Real* to = &out[2 * (static_cast<std::size_t>(line) * frequencies + k)];
+      Real* to = &out[line * transforms->shape.spectrum() + 2 * static_cast<std::size_t>(k)];
       to[0] = re[line];
       to[1] = sign * im[line];
     }
   }
 }
 
-/// u of columns up to mx + 1, times the transform's length: [line][length], until the next product.
+/// u of columns up to mx + 1, times the transform's length: [line][StripShape::line()], until the next
+/// product.
 template <class Real> const Real* BasicStripOperator<Real>::Impl::apply(std::span<const Real> p) const {
   // Tractions, then the spectra of displacements; the spectra of tractions, then displacements.
-  const std::size_t block = transforms->shape.block_size();
+  const StripShape& shape = transforms->shape;
+  const std::size_t block = std::max(lines_in, lines_out) * std::max(shape.line(), shape.spectrum());
   Real* const first = transforms->scratch->template reals<Real>(2 * block + 4 * threads * line_size());
   Real *const second = first + block, *const work = second + block;
   for (int line = 0; line < lines_in; ++line) {
-    Real* to = first + static_cast<std::size_t>(line) * length;
+    Real* to = first + line * shape.line();
     std::copy_n(&p[static_cast<std::size_t>(line) * mx], mx, to);
     std::fill(to + mx, to + length, Real(0));
   }
-  transforms->forward(first, second);
+  transforms->forward(lines_in, first, second);
   in_parts(threads, frequencies, [&](int k, int end, int part) {
     for (; k < end; ++k)
       multiply_frequency(k, second, work + 4 * part * line_size(), first);
   });
-  transforms->backward(first, second);
+  transforms->backward(lines_out, first, second);
   return second;
 }
 
@@ -274,7 +276,7 @@ void BasicStripOperator<Real>::apply(std::span<const Real> p, std::span<Real> u,
     return o.plane->apply(p, u, columns);
   const Real* v = o.apply(p) + columns;
   const Real scale = 1.0 / o.length;
-  for (int line = 0; line < o.lines_out; ++line, v += o.length)
+  for (int line = 0; line < o.lines_out; ++line, v += o.transforms->shape.line())
     for (int ix = 0; ix < o.mx; ++ix)
       u[static_cast<std::size_t>(line) * o.mx + ix] = scale * v[ix];
 }
@@ -286,7 +288,7 @@ void BasicStripOperator<Real>::apply_step(std::span<const Real> p, std::span<Rea
     return o.plane->apply_step(p, u);
   const Real* v = o.apply(p);
   const Real scale = 1.0 / o.length;
-  for (int line = 0; line < o.lines_out; ++line, v += o.length)
+  for (int line = 0; line < o.lines_out; ++line, v += o.transforms->shape.line())
     for (int ix = 0; ix < o.mx; ++ix)
       u[static_cast<std::size_t>(line) * o.mx + ix] =
           scale * (rolling_step[0] * v[ix] + rolling_step[1] * v[ix + 1] + rolling_step[2] * v[ix + 2]);

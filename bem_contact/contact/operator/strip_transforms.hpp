@@ -8,50 +8,49 @@
 
 namespace bem_contact::contact {
 
-/// Length of the transforms of a strip, and how many lines go through them at once.
+/// Length of the transforms of a strip. Lines and spectra lie one after the other, each aligned for FFTW.
 struct StripShape {
-  int length = 0, lines_in = 0, lines_out = 0;
+  int length = 0;
 
   bool operator==(const StripShape&) const = default;
   int frequencies() const { return length / 2 + 1; }
-  /// A block of scratch holds all lines, [line][place] or [line][frequency].
-  std::size_t block_size() const {
-    return fft_block(static_cast<std::size_t>(lines_in > lines_out ? lines_in : lines_out) * 2 *
-                     frequencies());
-  }
+  std::size_t line() const { return fft_block(length); }                             ///< reals
+  std::size_t spectrum() const { return fft_block(2 * std::size_t(frequencies())); } ///< reals
 };
 
-/// The transforms along x of all lines of a strip, from one block of scratch to another. Operators of the
-/// same shape share them.
+/// The transforms along x of the lines of a strip, from one block of scratch to another. They are planned for
+/// a single line: operators with any number of lines share them.
 template <class Real> class StripTransforms {
 public:
   using Shape = StripShape;
   StripTransforms(const StripShape& the_shape, std::shared_ptr<Scratch> the_scratch)
       : shape(the_shape), scratch(std::move(the_scratch)) {
-    Real* const first = scratch->template reals<Real>(2 * shape.block_size());
-    Real* const second = first + shape.block_size();
-    const int length = shape.length, frequencies = shape.frequencies();
+    Real* const line = scratch->template reals<Real>(shape.line() + shape.spectrum());
+    Complex* const spectrum = complex(line + shape.line());
+    const int length = shape.length;
     const std::lock_guard lock(fft_planner());
-    // Line by line: FFTW remembers a length, whatever the number of lines.
-    forward_.reset(Fft::plan_many_dft_r2c(1, &length, shape.lines_in, first, nullptr, 1, length,
-                                          complex(second), nullptr, 1, frequencies, FFTW_ESTIMATE));
-    backward_.reset(Fft::plan_many_dft_c2r(1, &length, shape.lines_out, complex(first), nullptr, 1,
-                                           frequencies, second, nullptr, 1, length, FFTW_ESTIMATE));
+    forward_.reset(
+        Fft::plan_many_dft_r2c(1, &length, 1, line, nullptr, 1, 0, spectrum, nullptr, 1, 0, FFTW_ESTIMATE));
+    backward_.reset(
+        Fft::plan_many_dft_c2r(1, &length, 1, spectrum, nullptr, 1, 0, line, nullptr, 1, 0, FFTW_ESTIMATE));
   }
 
   const StripShape shape;
   const std::shared_ptr<Scratch> scratch;
 
-  void forward(Real* lines, Real* spectra) const {
-    Fft::execute_dft_r2c(forward_.get(), lines, complex(spectra));
+  void forward(int lines, Real* from, Real* spectra) const {
+    for (int k = 0; k < lines; ++k, from += shape.line(), spectra += shape.spectrum())
+      Fft::execute_dft_r2c(forward_.get(), from, complex(spectra));
   }
-  void backward(Real* spectra, Real* lines) const { ///< times the length; the spectra are lost
-    Fft::execute_dft_c2r(backward_.get(), complex(spectra), lines);
+  void backward(int lines, Real* spectra, Real* to) const { ///< times the length; the spectra are lost
+    for (int k = 0; k < lines; ++k, to += shape.line(), spectra += shape.spectrum())
+      Fft::execute_dft_c2r(backward_.get(), complex(spectra), to);
   }
 
 private:
   using Fft = Fftw<Real>;
-  static typename Fft::Complex* complex(Real* p) { return reinterpret_cast<typename Fft::Complex*>(p); }
+  using Complex = typename Fft::Complex;
+  static Complex* complex(Real* p) { return reinterpret_cast<Complex*>(p); }
 
   FftPlan<Real> forward_, backward_;
 };

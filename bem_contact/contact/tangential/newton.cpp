@@ -143,12 +143,13 @@ void Newton::help_worst_rows() {
 }
 
 bool Newton::step(double enough, TangentialState& state) {
-  // Linear systems are solved only as precisely as the states are known: quadratic convergence shows that
-  // they are.
+  // Linear systems are solved only as precisely as the states are known.
   const double before = now_.residual;
   const double ratio = last_ == 0 ? 1 : before / last_;
-  const double forcing = std::clamp(newton_forcing * ratio * ratio, std::max(finest_newton_forcing, enough),
-                                    coarsest_newton_forcing);
+  const double known =
+      std::min(newton_forcing * ratio * ratio, known_forcing * before / elements_.bound.norm());
+  const double forcing =
+      std::clamp(known, std::max<double>(finest_newton_forcing, enough), coarsest_newton_forcing);
   last_ = before;
   const Step step = step_from_here(forcing, state);
   if (!step.p.allFinite() || !step.creepages.allFinite())

@@ -17,7 +17,7 @@ using Eigen::Vector2f;
 using Eigen::VectorXd;
 using Eigen::VectorXf;
 
-/// The Newton matrix of one linearisation and an approximate inverse of it, in single precision, for GMRES.
+/// The Newton matrix of one linearisation and an approximate inverse of it, in single precision, for GCR.
 /// The projection M of an element is the identity if it sticks, and m t t' if it slips, t along its bound. An
 /// element that nearly sticks (m above counts_as_sticking) counts as sticking along t.
 class FastJacobian {
@@ -52,22 +52,28 @@ public:
     scratch.damped.set(box, shift, stiffness / local.size());
   }
 
-  /// J v = v - M (v - r B v)
-  void apply(const VectorXf& v, VectorXf& result) const {
+  /// B v
+  void product(Eigen::Ref<const VectorXf> v, Eigen::Ref<VectorXf> result) const {
     clear();
     for (std::size_t a = 0; a < local_.size(); ++a)
       put(a, v.segment<2>(2 * a));
     box_.step(scratch_.fast_in, scratch_.fast_out);
+    for (std::size_t a = 0; a < local_.size(); ++a)
+      result.segment<2>(2 * a) = get(a);
+  }
+
+  /// J v = v - M (v - r B v)
+  void image(Eigen::Ref<const VectorXf> v, Eigen::Ref<const VectorXf> bv, VectorXf& result) const {
     for (std::size_t a = 0; a < local_.size(); ++a) {
       const Vector2f here = v.segment<2>(2 * a);
       const Element& e = scratch_.elements[a];
-      result.segment<2>(2 * a) = here - e.projection * (here - e.stiffness * get(a));
+      result.segment<2>(2 * a) = here - e.projection * (here - e.stiffness * bv.segment<2>(2 * a));
     }
   }
 
   /// About J^-1 v: r B inverted where it sticks, the damped matrix where it slips; across the bound J is the
   /// identity.
-  void precondition(const VectorXf& v, VectorXf& result) const {
+  void precondition(const VectorXf& v, Eigen::Ref<VectorXf> result) const {
     result = v;
     for (std::size_t a = 0; a < local_.size(); ++a)
       if (const Element& e = scratch_.elements[a]; e.m >= 2)
@@ -129,6 +135,7 @@ NewtonMatrix::NewtonMatrix(const TangentialSystem& system, const ContactElements
   scratch_ = &scratch;
   local_ = box.boxes().local(elements.contact, system.columns());
   std::fill(scratch.sticks.begin(), scratch.sticks.end(), 0);
+  scratch.gcr.use_elements(elements.contact);
 }
 
 void NewtonMatrix::step(const VectorXd& v, VectorXd& result) const {
@@ -165,15 +172,16 @@ MatrixXd NewtonMatrix::dense_jacobian(const Linearisation& at) const {
   return jacobian;
 }
 
-/// True if GMRES converged, or if there are so many elements that its result has to do.
-bool NewtonMatrix::solve_by_gmres(const Linearisation& at, double tolerance, TangentialState& state,
-                                  VectorXd& step) const {
+/// True if GCR converged, or if there are so many elements that its result has to do.
+bool NewtonMatrix::solve_by_gcr(const Linearisation& at, double tolerance, TangentialState& state,
+                                VectorXd& step) const {
   const FastJacobian jacobian(*box_, local_, elements_.stiffness, at, *scratch_);
-  const auto apply = [&](const VectorXf& v, VectorXf& result) { jacobian.apply(v, result); };
-  const auto inverse = [&](const VectorXf& v, VectorXf& result) { jacobian.precondition(v, result); };
+  const auto product = [&](const auto& v, auto&& result) { jacobian.product(v, result); };
+  const auto image = [&](const auto& v, const auto& bv, VectorXf& result) { jacobian.image(v, bv, result); };
+  const auto inverse = [&](const VectorXf& v, auto&& result) { jacobian.precondition(v, result); };
   const bool enough =
-      scratch_->gmres.solve(apply, inverse, -at.residual, tolerance, most_gmres_products, step);
-  state.products += scratch_->gmres.products();
+      scratch_->gcr.solve(product, image, inverse, -at.residual, tolerance, most_gcr_products, step);
+  state.products += scratch_->gcr.products();
   return enough || elements_.unknowns() / 2 > most_dense_elements;
 }
 
@@ -181,8 +189,8 @@ VectorXd NewtonMatrix::newton_step(const Linearisation& at, double tolerance, Wo
                                    TangentialState& state) const {
   const int before = state.products;
   VectorXd step;
-  if (box_ && solve_by_gmres(at, tolerance, state, step))
-    state.solver = "Newton, GMRES";
+  if (box_ && solve_by_gcr(at, tolerance, state, step))
+    state.solver = "Newton, GCR";
   else {
     state.solver = "Newton, LU";
     MatrixXd jacobian = dense_jacobian(at), right = -at.residual;
@@ -190,9 +198,9 @@ VectorXd NewtonMatrix::newton_step(const Linearisation& at, double tolerance, Wo
       right.setConstant(std::nan(""));
     step = right.col(0);
   }
-  // An iteration of GMRES is a product and the preconditioner, which is translational.
-  const double gmres_work = box_ ? product_work() + 2.0 * box_->size() : 0;
-  work.spend(2.0 * product_work() + (state.products - before) * gmres_work);
+  // An iteration of GCR is a product and the preconditioner, which is translational.
+  const double gcr_work = box_ ? product_work() + 2.0 * box_->size() : 0;
+  work.spend(2.0 * product_work() + (state.products - before) * gcr_work);
   return step;
 }
 

@@ -9,7 +9,7 @@
 namespace bem_contact::contact {
 
 /// B on the elements in contact and the linear systems of Newton's method with it. Few elements have a dense
-/// matrix and LU factors; many have a StepBox and GMRES, and LU factors if GMRES does not converge.
+/// matrix and LU factors; many have a StepBox and GCR, and LU factors if GCR does not converge.
 class NewtonMatrix {
 public:
   NewtonMatrix(const TangentialSystem& system, const ContactElements& elements, WorkBudget& work);
@@ -23,8 +23,8 @@ public:
 
 private:
   double product_work() const;
-  bool solve_by_gmres(const Linearisation& at, double tolerance, TangentialState& state,
-                      Eigen::VectorXd& step) const;
+  bool solve_by_gcr(const Linearisation& at, double tolerance, TangentialState& state,
+                    Eigen::VectorXd& step) const;
   Eigen::MatrixXd dense_jacobian(const Linearisation& at) const;
 
   const TangentialSystem& system_;

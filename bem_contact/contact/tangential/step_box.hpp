@@ -4,7 +4,7 @@
 #include "bem_contact/contact/operator/plane_operator.hpp"
 #include "bem_contact/contact/operator/strip_operator.hpp"
 #include "bem_contact/contact/slip_step.hpp"
-#include "bem_contact/contact/tangential/gmres.hpp"
+#include "bem_contact/contact/tangential/gcr.hpp"
 
 #include <Eigen/Core>
 
@@ -121,7 +121,7 @@ struct StepBoxScratch {
   std::vector<double> in, out;
   std::vector<float> fast_in, fast_out;
   StepBox::DampedInverse damped;
-  Gmres gmres;
+  Gcr gcr;
 };
 
 } // namespace bem_contact::contact

@@ -47,7 +47,7 @@ struct TangentialTask {
 struct TangentialState {
   Eigen::VectorXd p, slip; ///< p_t, MPa; S = drive - B p in contact, mm
   int iterations = 0;
-  int products = 0; ///< of GMRES
+  int products = 0; ///< of GCR
   bool converged = false;
   double violation = 0;
   std::string solver, remark;

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace bem_contact::contact {
+
+/// GCR (Eisenstat, Elman, Schultz 1983), preconditioned from the right, in single precision: what it solves
+/// for is a correction, whose first digits are enough. From the same start it finds what GMRES finds.
+///
+/// Newton's systems J x = r differ in J, but all J are made from one matrix B, and the product B z is the
+/// dear part of J z. So the last solutions and directions are kept with their products. In the next system
+/// they cost no product, and every further direction is orthogonal to them (recycling: de Sturler 1996; Parks
+/// et al. 2006). Keeps its memory too, so that a further solution of the same size allocates nothing.
+class Gcr {
+public:
+  using Vector = Eigen::VectorXf;
+
+  /// What follows is solved with the matrix B of these elements. What was kept with another one is forgotten.
+  void use_elements(const std::vector<int>& elements);
+
+  /// product(z, Bz), image(z, Bz, Jz) and precondition(v, out) write Vectors of rhs's size. True when the
+  /// residual fell to tolerance * |rhs|; x is the best there is in any case. At most `most` products.
+  template <class Product, class Image, class Precondition>
+  bool solve(const Product& product, const Image& image, const Precondition& precondition,
+             const Eigen::VectorXd& rhs, double tolerance, int most, Eigen::VectorXd& x) {
+    const double length = rhs.norm();
+    x.setZero(rhs.size());
+    products_ = 0;
+    if (length == 0)
+      return true;
+    begin(rhs, length);
+    while (next_kept())
+      try_direction(image, least_new_of_kept());
+    for (bool found = true; found && left_ > tolerance && products_ < most; ++products_) {
+      make_room();
+      precondition(residual_, z_.col(used_));
+      product(z_.col(used_), bz_.col(used_));
+      found = try_direction(image, least_new());
+    }
+    finish(length, x);
+    return left_ <= tolerance;
+  }
+
+  int products() const { return products_; } ///< of the last solution
+
+private:
+  static float least_new();
+  static float least_new_of_kept();
+
+  /// False where the image of direction number `used` has less than this share that is new.
+  template <class Image> bool try_direction(const Image& image, float least) {
+    image(z_.col(used_), bz_.col(used_), image_);
+    return take_image(least);
+  }
+  void begin(const Eigen::VectorXd& rhs, double length);
+  bool next_kept();
+  void make_room();
+  bool take_image(float least);
+  void finish(double length, Eigen::VectorXd& x);
+  void keep(int column, const Eigen::Ref<const Vector>& z, const Eigen::Ref<const Vector>& bz);
+
+  std::vector<int> elements_;
+  Eigen::MatrixXf kept_z_, kept_bz_; ///< solutions, the oldest of which is overwritten; then directions
+  std::vector<char> is_kept_;        ///< which of these columns there are
+  int oldest_ = 0;
+  Eigen::MatrixXf z_, bz_; ///< directions and their products,
+  Eigen::MatrixXf q_;      ///< and their images made orthonormal:
+  Eigen::MatrixXf h_;      ///< images = q h, with an upper triangle h
+  Eigen::VectorXd g_;      ///< the residual's share of each column of q
+  Vector residual_, image_, share_;
+  double left_ = 0; ///< of the residual
+  int used_ = 0, from_kept_ = 0, candidate_ = 0, products_ = 0;
+};
+
+} // namespace bem_contact::contact

@@ -1,0 +1,155 @@
+#include "bem_contact/influence/series_points.hpp"
+
+#include "bem_contact/influence/settings.hpp"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace bem_contact {
+
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+
+/// Sum over `count` equally spaced points from -1 to 1 of each even Chebyshev polynomial T_0, T_2, ...; the
+/// odd ones have none.
+ArrayXd even_moments(Index count, Index polynomials) {
+  const Index half = count / 2; // the other half is the same, for T_2j(t) = T_j(2 t^2 - 1)
+  const ArrayXd t = ArrayXd::LinSpaced(count, -1, 1).head(half);
+  const ArrayXd argument = 2 * t.square() - 1;
+  const double middle = count % 2; // where the argument is -1
+  ArrayXd moments(polynomials), before = ArrayXd::Ones(half), now = argument;
+  for (Index j = 0; j < polynomials; ++j) {
+    moments[j] = 2 * before.sum() + (j % 2 == 0 ? middle : -middle);
+    before = 2 * argument * now - before;
+    before.swap(now);
+  }
+  return moments;
+}
+
+std::vector<double> as_vector(const ArrayXd& a) {
+  return {a.begin(), a.end()};
+}
+
+} // namespace
+
+HarmonicPoints harmonic_points(long first, long last, double largest_angle) {
+  const Index count = last - first + 1;
+  const double waves = 0.5 * static_cast<double>(count - 1) * largest_angle;
+  const auto points = static_cast<Index>(std::ceil(waves + point_reserve * std::cbrt(waves)) + least_points);
+  if (points >= count)
+    return {as_vector(ArrayXd::LinSpaced(count, static_cast<double>(first), static_cast<double>(last))),
+            as_vector(ArrayXd::Ones(count))};
+  const ArrayXd angle = (ArrayXd::LinSpaced(points, 0, static_cast<double>(points - 1)) + 0.5) *
+                        (std::numbers::pi / static_cast<double>(points));
+  const ArrayXd moments = even_moments(count, (points + 1) / 2);
+  const ArrayXd node = angle.cos(), argument = 2 * node.square() - 1;
+  ArrayXd weight = ArrayXd::Constant(points, moments[0]), before = ArrayXd::Ones(points), now = argument;
+  for (Index j = 1; j < moments.size(); ++j) { // now: T_2j of the nodes
+    weight += 2 * moments[j] * now;
+    before = 2 * argument * now - before;
+    before.swap(now);
+  }
+  const double half = 0.5 * static_cast<double>(last - first), middle = static_cast<double>(first) + half;
+  return {as_vector(middle + half * node), as_vector(weight / static_cast<double>(points))};
+}
+
+namespace {
+
+constexpr std::size_t points = 6; ///< of the interpolation between samples
+
+struct Interpolation {
+  std::size_t first = 0, count = 0;
+  std::array<double, points> weight{};
+};
+
+/// g(k) from the samples: Lagrange on k g(k) in log k over the (up to) six samples around k, 0 left out.
+class Interpolator {
+public:
+  explicit Interpolator(std::span<const double> wavenumber) : wavenumber_(wavenumber) {
+    logarithm_.push_back(0); // of the sample k = 0: not used
+    for (const double k : wavenumber.subspan(1))
+      logarithm_.push_back(std::log(k));
+  }
+
+  /// `above`: index of the first sample beyond k.
+  Interpolation at(double k, std::size_t above) const {
+    const std::size_t positive = wavenumber_.size() - 1;
+    Interpolation result;
+    result.count = std::min(points, positive);
+    const std::size_t half = result.count / 2;
+    result.first = std::clamp<std::size_t>(above > half ? above - half : 1, 1, positive - result.count + 1);
+    const double log_k = std::log(k);
+    for (std::size_t a = 0; a < result.count; ++a) {
+      const double own = logarithm_[result.first + a];
+      double above_line = wavenumber_[result.first + a], below_line = k;
+      for (std::size_t b = 0; b < result.count; ++b)
+        if (b != a) {
+          above_line *= log_k - logarithm_[result.first + b];
+          below_line *= own - logarithm_[result.first + b];
+        }
+      result.weight[a] = above_line / below_line;
+    }
+    return result;
+  }
+
+private:
+  std::span<const double> wavenumber_;
+  std::vector<double> logarithm_;
+};
+
+} // namespace
+
+SeriesPoints::SeriesPoints(std::span<const double> wavenumber, double half_period, double largest_angle)
+    : wavenumber_(wavenumber.begin(), wavenumber.end()), half_period_(half_period),
+      largest_angle_(largest_angle) {
+  const Interpolator interpolator(wavenumber_);
+  const double step = std::numbers::pi / half_period;
+  const auto add_between = [&](long first, long last, std::size_t above) { // `above`: the upper sample
+    const HarmonicPoints harmonics = harmonic_points(first, last, largest_angle);
+    const std::size_t count = harmonics.position.size();
+    Run run;
+    for (std::size_t p = 0; p < count; ++p) {
+      run.k.push_back(step * harmonics.position[p]);
+      const Interpolation samples = interpolator.at(run.k[p], above);
+      run.first = samples.first; // the same for all: they lie between the same two samples
+      run.weight.resize(samples.count * count);
+      for (std::size_t b = 0; b < samples.count; ++b)
+        run.weight[b * count + p] = harmonics.weight[p] * samples.weight[b];
+    }
+    runs_.push_back(std::move(run));
+  };
+  long next = 1; // harmonic
+  for (std::size_t above = 1; above < wavenumber_.size(); ++above) {
+    const double sample = wavenumber_[above] / step;
+    const long nearest = std::lround(sample);
+    const bool is_sample = std::abs(static_cast<double>(nearest) - sample) <= sample_snap * sample;
+    const long last = is_sample ? nearest - 1 : static_cast<long>(std::floor(sample));
+    if (last >= next)
+      add_between(next, last, above);
+    if (is_sample)
+      runs_.push_back({above, {step * static_cast<double>(nearest)}, {1}});
+    next = std::max(next, (is_sample ? nearest : last) + 1);
+  }
+}
+
+const SeriesPoints& SeriesStore::get(std::span<const double> wavenumber, double half_period, double angle) {
+  const double bound = std::exp2(std::ceil(angles_per_octave * std::log2(angle)) / angles_per_octave);
+  const auto serves = [&](const SeriesPoints& points) {
+    return points.largest_angle() == bound && points.half_period() == half_period &&
+           std::ranges::equal(points.wavenumber(), wavenumber);
+  };
+  if (const auto found = std::ranges::find_if(kept_, serves); found != kept_.end())
+    return *found;
+  if (kept_.size() >= series_points_kept)
+    kept_.erase(kept_.begin());
+  return kept_.emplace_back(wavenumber, half_period, bound);
+}
+
+} // namespace bem_contact

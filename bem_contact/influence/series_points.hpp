@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace bem_contact {
+
+/// Points that stand for a run of harmonics: sum over n of f(n) = sum over the points of weight f(position).
+struct HarmonicPoints {
+  std::vector<double>
+      position; ///< in harmonics; not whole numbers where there are fewer points than harmonics
+  std::vector<double> weight;
+};
+
+/// For harmonics first .. last of functions that are smooth over the run, times cos(n angle) or sin(n angle)
+/// with an angle up to `largest_angle`, rad.
+///
+/// A run of hundreds of harmonics has few waves of such a function. A polynomial through Chebyshev's points
+/// is the function, and the weights are the sums of its Lagrange polynomials over the harmonics. The error
+/// falls faster than any power once there are more points than radians in half of the run: it is rounding.
+/// Where that would not save points, each harmonic is a point.
+HarmonicPoints harmonic_points(long first, long last, double largest_angle);
+
+/// The points of all harmonics of the period up to the last sample, for angles up to `largest_angle`, rad.
+/// Harmonics that are samples count for themselves; between samples k g(k) is 6-point Lagrange in log k. All
+/// that does not depend on the elements, so that it serves every size of them.
+class SeriesPoints {
+public:
+  /// `wavenumber`: ascending, the first is 0, at least 3; 1/mm. Period 2 half_period, mm.
+  SeriesPoints(std::span<const double> wavenumber, double half_period, double largest_angle);
+
+  /// Points between two samples: a function of k counts for the samples first, first + 1, ...
+  struct Run {
+    std::size_t first = 0;
+    std::vector<double> k;      ///< 1/mm
+    std::vector<double> weight; ///< [sample][point]
+  };
+  const std::vector<Run>& runs() const { return runs_; }
+  std::span<const double> wavenumber() const { return wavenumber_; }
+  double half_period() const { return half_period_; }
+  double largest_angle() const { return largest_angle_; }
+
+private:
+  std::vector<double> wavenumber_;
+  double half_period_, largest_angle_;
+  std::vector<Run> runs_;
+};
+
+/// The points met last. What is kept changes numbers by rounding alone. It serves one thread at a time.
+class SeriesStore {
+public:
+  /// For angles up to `angle` at least. Valid until the next call.
+  const SeriesPoints& get(std::span<const double> wavenumber, double half_period, double angle);
+
+private:
+  std::vector<SeriesPoints> kept_;
+};
+
+} // namespace bem_contact
