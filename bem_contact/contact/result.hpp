@@ -174,8 +174,11 @@ struct ContactResult {
   double Mz = 0;                         ///< about the z axis of that frame, not about the contact, N mm
   double Fs = 0;                         ///< sum p_s cos(delta - reference_delta) dS, N
   double creepage_x = 0, creepage_s = 0; ///< found for force_x, force_s (shift: mm); part of the slip above
-  std::vector<PatchSummary> patches;     ///< connected areas of contact, largest force first
-  Certificate certificate;               ///< look at it first
+  /// What a unit of force_x changes of creepage_x, and force_s of creepage_s, with the pressure held: 1/N
+  /// (shift: mm/N). nan where the force is not prescribed, or where no Newton step told it.
+  double compliance_x = unknown_error, compliance_s = unknown_error;
+  std::vector<PatchSummary> patches;            ///< connected areas of contact, largest force first
+  Certificate certificate;                      ///< look at it first
   std::optional<Discretisation> discretisation; ///< nothing: not estimated
 
   bool touches_border = false;   ///< contact at an edge of the grid: the potential contact is too small

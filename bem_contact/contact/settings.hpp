@@ -336,8 +336,9 @@ BEM_CONTACT_TUNED(int, least_companion_line, 7);
 // They are fitted to random cases of tools/benchmarks/estimates: those of shear to 870 (seeds 1, 2, 6 and 7),
 // those of power to 600 (1, 2 and 6), the others to 415 (1 and 2), so that about 96 in 100 true errors are
 // below the stated ones and the median of stated over true is least. Those of pmax and of shear were set anew
-// on 1200 (8 to 11), those of creepages on the 185 of these with a force prescribed, those of temperatures on
-// 720 (1, 2, 6 to 9 and 12 to 17). tools/BENCHMARKS.md, section 9, judges them on other cases.
+// on 1200 (8 to 11), those of temperatures on 720 (1, 2, 6 to 9 and 12 to 17). shear_local, shear_deviation,
+// both of adhesion, normal_share and those of creepages were set anew on 1357 by half-spaces (8, 9, 41 and
+// 51; 906 of them with free rolling). tools/BENCHMARKS.md, section 9, judges them on other cases.
 
 BEM_CONTACT_TUNED(double, pmax_change, 0.02);     ///< 1. Share of the change of pmax,
 BEM_CONTACT_TUNED(double, pmax_local, 0.092);     ///< 1. and of how far p_n falls beside its peak,
@@ -349,15 +350,18 @@ BEM_CONTACT_TUNED(double, adhesion_border, 1.05); ///< 1. and for the root of th
 /// 1. Fx, Fs, Fy, Mz and those of patches are sums over elements. Share of the change of the sum,
 BEM_CONTACT_TUNED(double, shear_change, 0.475);
 /// 1. of the mean of the elements' absolute values: the contact is off by parts of an element,
-BEM_CONTACT_TUNED(double, shear_local, 0.55);
+BEM_CONTACT_TUNED(double, shear_local, 0.85);
 /// 1. but no more than of so many times their mean deviation from parts in proportion to the pressure,
-BEM_CONTACT_TUNED(double, shear_deviation, 10.0);
+BEM_CONTACT_TUNED(double, shear_deviation, 6.0);
 /// 1. and of the root of the sum of squares over the elements in adhesion: each is off by chance.
-BEM_CONTACT_TUNED(double, shear_adhesion, 0.55);
+BEM_CONTACT_TUNED(double, shear_adhesion, 0.5);
+/// 1. The same for Fx. Spin adds to Fs what is a difference of tractions, and is off by as much as these; its
+/// part of p_x is opposite on both sides of the contact and cancels.
+BEM_CONTACT_TUNED(double, shear_adhesion_x, 0.3);
 /// 1. So much of that for Mz: it is off by less than forces.
 BEM_CONTACT_TUNED(double, moment_share, 0.87);
 /// 1. So much for the normal force of a patch, where the larger of two changes counts.
-BEM_CONTACT_TUNED(double, normal_share, 0.83);
+BEM_CONTACT_TUNED(double, normal_share, 0.75);
 BEM_CONTACT_TUNED(double, power_change, 1.15);       ///< 1. Share of the change of the frictional power,
 BEM_CONTACT_TUNED(double, power_local, 0.40);        ///< 1. and of that of one element (mean).
 BEM_CONTACT_TUNED(double, temperature_change, 0.17); ///< 1. Share of the change of the highest temperature,
@@ -370,11 +374,12 @@ BEM_CONTACT_TUNED(double, overlap_change, 0.11); ///< 1. Approach of a patch: th
 BEM_CONTACT_TUNED(double, overlap_local, 0.9);   ///< 1. As above.
 BEM_CONTACT_TUNED(double, overlap_peak, 0.034);  ///< 1. As above.
 /// 1. Share of the change of a creepage found,
-BEM_CONTACT_TUNED(double, creepage_change, 0.52);
-/// 1. of the strain of what no change shows of the force,
-BEM_CONTACT_TUNED(double, creepage_local, 0.84);
-/// 1. and of the creepage itself: what both grids miss alike.
-BEM_CONTACT_TUNED(double, creepage_alike, 0.0015);
+BEM_CONTACT_TUNED(double, creepage_change, 0.36);
+/// 1. and, both times the creepage under a unit of the force, of the force that larger elements carry
+/// elsewhere,
+BEM_CONTACT_TUNED(double, creepage_moved, 0.058);
+/// 1. and of the force of the elements in adhesion over the root of their number.
+BEM_CONTACT_TUNED(double, creepage_adhesion, 0.2);
 
 // Where no error is stated. On smooth profiles the first two stay below 0.15 and 0.2 and the third below 0.4;
 // with noise of 2 to 10 micrometres each case exceeds the second.

@@ -128,6 +128,8 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
   result.approach = solution.normal.approach;
   result.creepage_x = solution.creepage.x;
   result.creepage_s = solution.creepage.s;
+  result.compliance_x = solution.creepage.compliance_x;
+  result.compliance_s = solution.creepage.compliance_s;
   sum_forces(problem, result);
   result.patches = contact::find_patches(problem, result);
   if (problem.heating && problem.has_friction())

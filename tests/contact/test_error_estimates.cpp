@@ -14,11 +14,11 @@ namespace {
 constexpr double force = 1e4; // N
 
 /// Undeformed distance a x^2 + b s^2 under `force`; the grid is a quarter larger than Hertz's ellipse, which
-/// has so many elements across, and is shifted by parts of an element.
-ContactProblem ellipse(double a, double b, int across, double shift_x, double shift_s) {
+/// has so many elements across and `spare` elements beside it, and is shifted by parts of an element.
+ContactProblem ellipse(double a, double b, int across, double shift_x, double shift_s, int spare = 2) {
   const double modulus = 82000 / (1 - 0.28);
   const reference::HertzContact exact = reference::hertz_by_force(a, b, modulus, force);
-  const int count = across * 5 / 4 + 2;
+  const int count = across * 5 / 4 + spare;
   ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, count, count,
                                         2 * exact.semi_axis_x / across, 2 * exact.semi_axis_s / across, a, b);
   for (int i = 0; i < problem.grid.size(); ++i) {
@@ -162,6 +162,28 @@ TEST(ErrorEstimates, HoldForShearForces) {
     EXPECT_GE(tally->held + 1, tally->cases);
 }
 
+/// Where most elements stick, each is off by little of its traction along x: an error as large as that of Fs
+/// would be stated ten times too large.
+TEST(ErrorEstimates, OfFxAreNotTooLargeInAdhesion) {
+  Tally fx;
+  for (const double eta : {0.0, 1e-4})
+    for (int across = 16; across <= 24; across += 2)
+      for (const double shift : {0.1, 0.25, 0.4}) {
+        const auto driven = [&](int finer) {
+          ContactProblem problem = ellipse(1e-3, 2e-3, finer * across, 0.7 * shift * finer, shift * finer);
+          scenes::set_creepage(problem, 0.3, 1e-4 + eta, eta, 0);
+          return solve(problem, {.estimate_discretisation = finer == 1});
+        };
+        const ContactResult result = driven(1), fine = driven(3);
+        ASSERT_TRUE(result.converged && result.discretisation && fine.converged);
+        fx.add(result.discretisation->errors.Fx, result.Fx, fine.Fx);
+      }
+  fmt::print("Fx in adhesion: {:.0f} % held, median of stated over true {:.1f}\n", 100 * fx.share(),
+             fx.median());
+  EXPECT_GE(fx.share(), 0.95);
+  EXPECT_LE(fx.median(), 8);
+}
+
 /// On an inclined surface the pressure makes up for what the shear tractions bear of the vertical force, so
 /// their error is also one of the normal force and, by 1 / cos(delta), of Fy.
 TEST(ErrorEstimates, OfShearReachOtherForcesOnAnIncline) {
@@ -201,6 +223,35 @@ TEST(ErrorEstimates, HoldForCreepagesFound) {
       xi.add(result.discretisation->errors.creepage_x, result.creepage_x, fine.creepage_x);
     }
   EXPECT_GE(xi.held + 1, xi.cases);
+}
+
+/// Free rolling beside lateral creepage at which nearly all elements slip, on a contact that is wider on one
+/// side, at parts of an element. Spin gives each row another creepage: free rolling is where the centre of
+/// pressure has none. There Fx hardly changes with the creepage, so that a small error of it is a large one.
+TEST(ErrorEstimates, HoldForFreeRollingInFullSlip) {
+  const auto free = [](int across, double shift, int finer, double eta) {
+    ContactProblem problem = ellipse(1e-3, 2e-3, finer * across, 0.7 * shift * finer, shift * finer, 4);
+    const double side = 0.2 / reference::hertz_by_force(1e-3, 2e-3, 82000 / (1 - 0.28), force).semi_axis_s;
+    for (int i = 0; i < problem.grid.size(); ++i) {
+      const double s = problem.rows[i / problem.grid.mx].s + shift * finer * problem.grid.ds;
+      problem.gap[i] += 2e-3 * s * s * side * s;
+    }
+    scenes::set_creepage(problem, 0.3, 0, eta, 3e-4);
+    problem.force_x = 0;
+    return solve(problem, {.estimate_discretisation = finer == 1});
+  };
+  Tally xi;
+  for (const double eta : {4e-3, 2e-2})
+    for (int across = 16; across <= 24; across += 2)
+      for (const double shift : {0.1, 0.25, 0.4}) {
+        const ContactResult result = free(across, shift, 1, eta), fine = free(across, shift, 3, eta);
+        ASSERT_TRUE(result.converged && result.discretisation && fine.converged && !fine.touches_border);
+        xi.add(result.discretisation->errors.creepage_x, result.creepage_x, fine.creepage_x);
+      }
+  fmt::print("free rolling in full slip: {:.0f} % held, median of stated over true {:.1f}\n",
+             100 * xi.share(), xi.median());
+  EXPECT_GE(xi.share(), 0.95);
+  EXPECT_LE(xi.median(), 6);
 }
 
 /// With noise of some micrometres smaller elements show another pressure: no number may be stated.

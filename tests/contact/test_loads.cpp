@@ -122,6 +122,34 @@ TEST(Loads, CreepagesOfSteadyRolling) {
   }
 }
 
+/// Against the difference of two solutions; where both forces are prescribed, the other one is held. A force
+/// that is not prescribed has none.
+TEST(Loads, ComplianceIsTheChangeOfACreepageWithItsForce) {
+  ContactProblem problem = rolling(scenes::steel, scenes::steel, 24);
+  const double carried = 0.3 * problem.force;
+  scenes::set_creepage(problem, 0.3, 0, 0, 3e-4);
+  const auto at = [&](std::optional<double> fx, std::optional<double> fs) {
+    problem.force_x = fx ? std::optional(*fx * carried) : std::nullopt;
+    problem.force_s = fs ? std::optional(*fs * carried) : std::nullopt;
+    return solve(problem, {.estimate_discretisation = false});
+  };
+  constexpr double step = 2e-3;
+  for (const double share : {0.0, 0.5, 0.9}) {
+    const ContactResult x = at(share, {}), s = at({}, share), both = at(share, 0.3);
+    const auto slope = [&](double less, double more) { return (more - less) / (2 * step * carried); };
+    const double along_x = slope(at(share - step, {}).creepage_x, at(share + step, {}).creepage_x);
+    const double along_s = slope(at({}, share - step).creepage_s, at({}, share + step).creepage_s);
+    const double beside = slope(at(share - step, 0.3).creepage_x, at(share + step, 0.3).creepage_x);
+    EXPECT_NEAR(x.compliance_x, along_x, 0.1 * std::abs(along_x)) << share;
+    EXPECT_NEAR(s.compliance_s, along_s, 0.1 * std::abs(along_s)) << share;
+    EXPECT_NEAR(both.compliance_x, beside, 0.1 * std::abs(beside)) << share;
+    EXPECT_TRUE(std::isnan(x.compliance_s) && std::isnan(s.compliance_x)) << share;
+  }
+  const double eta = 0.05; // all slip along s: Fx is mu N xi / eta
+  scenes::set_creepage(problem, 0.3, 0, eta, 0);
+  EXPECT_NEAR(at(0, {}).compliance_x, eta / carried, 0.02 * eta / carried);
+}
+
 TEST(Loads, ForcesThatFrictionCannotCarryAreRefused) {
   for (const double share : {1.0, 1.5, 1e6}) {
     ContactProblem problem = rolling(scenes::steel, scenes::steel, 12);

@@ -1,6 +1,7 @@
 #include "bem_contact/contact/check/error_estimates.hpp"
 
 #include "bem_contact/contact/check/regions.hpp"
+#include "bem_contact/contact/grid/larger_elements.hpp"
 #include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
@@ -57,15 +58,16 @@ double area_error(const Region& r) {
   return area_border * r.area * r.border / r.contact;
 }
 
-/// What no change shows of the error of a sum of shear tractions.
-double local_error(const UncertainSum& sum, int contact) {
+/// What no change shows of the error of a sum of shear tractions. `adhesion`: the share of what its elements
+/// in adhesion are off by.
+double local_error(const UncertainSum& sum, int contact, double adhesion = shear_adhesion) {
   return shear_local * std::min(sum.size, shear_deviation * sum.deviation) / contact +
-         shear_adhesion * std::sqrt(sum.adhering);
+         adhesion * std::sqrt(sum.adhering);
 }
 
 /// Of such a sum that changed so much from the coarse result.
-double shear_error(double change, const UncertainSum& sum, int contact) {
-  return shear_change * std::abs(change) + local_error(sum, contact);
+double shear_error(double change, const UncertainSum& sum, int contact, double adhesion = shear_adhesion) {
+  return shear_change * std::abs(change) + local_error(sum, contact, adhesion);
 }
 
 /// What no change shows of the error of an approach, over that approach.
@@ -85,7 +87,7 @@ double power_error(double change, double power, int contact) {
 
 /// Of what friction does in a patch.
 void estimate_patch_shear(const Region& fine, const Region& coarse, PatchErrors& out) {
-  out.fx = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine.contact);
+  out.fx = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine.contact, shear_adhesion_x);
   out.fs = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine.contact);
   out.moment_n = shear_change * std::abs(fine.moment.total - coarse.moment.total) +
                  moment_share * local_error(fine.moment, fine.contact);
@@ -139,33 +141,55 @@ void estimate_track_forces(const ContactResult& result, Discretisation& out) {
   }
 }
 
+/// Larger elements carry the force elsewhere: the sum of the absolute changes of their forces, N. Where the
+/// sum of the forces is prescribed, its own change is 0, and that of a creepage may be so by chance.
+double moved_force(const LargerElements& larger, const std::vector<double>& fine,
+                   const std::vector<double>& coarse, const ContactGrid& grid) {
+  const std::vector<double> mean = larger.mean(fine);
+  double sum = 0;
+  for (std::size_t i = 0; i < mean.size(); ++i)
+    sum += std::abs(mean[i] - coarse[i]);
+  return sum * grid.dx * grid.ds;
+}
+
 /// Strain of the surface under a shear force, over that force, 1/N: from the displacement of one element that
-/// bears pmax.
+/// bears pmax. It stands for the compliance where that is not known.
 double strain_per_force(const ContactProblem& problem, const Region& r) {
   const double self = problem.numbers.at(0, 0, component_n, 0, component_n);
   return r.pmax * self / std::sqrt(problem.element_area()) / r.fn;
 }
 
-/// Sets what needs friction: shear forces, adhesion, creepages, power.
+/// Of creepages that are found for prescribed forces. A force that is uncertain by so much asks for another
+/// creepage by so much times the compliance, which grows without bound towards full slip.
+void estimate_creepages(const ContactProblem& problem, const ContactResult& result,
+                        const ContactGrid& coarse_grid, const ContactResult& coarse, const Region& fine,
+                        TotalErrors& e) {
+  const LargerElements larger(problem.grid, result.pn);
+  const auto error = [&](double change, double compliance, double moved, const UncertainSum& force) {
+    if (!std::isfinite(compliance))
+      compliance = strain_per_force(problem, fine);
+    return creepage_change * std::abs(change) +
+           std::abs(compliance) * (creepage_moved * moved + creepage_adhesion * force.adhering_alike);
+  };
+  if (problem.force_x)
+    e.creepage_x = error(result.creepage_x - coarse.creepage_x, result.compliance_x,
+                         moved_force(larger, result.px, coarse.px, coarse_grid), fine.fx);
+  if (problem.force_s)
+    e.creepage_s = error(result.creepage_s - coarse.creepage_s, result.compliance_s,
+                         moved_force(larger, result.ps, coarse.ps, coarse_grid), fine.fs);
+}
+
+/// Sets what needs friction, but for creepages: shear forces, adhesion, power.
 void estimate_shear(const ContactProblem& problem, const ContactResult& result, const ContactResult& coarse,
                     const std::pair<Region, Region>& regions, TotalErrors& e) {
   const auto& [fine, rough] = regions;
-  e.Fx = problem.force_x ? 0 : shear_error(result.Fx - coarse.Fx, fine.fx, fine.contact);
+  e.Fx = problem.force_x ? 0 : shear_error(result.Fx - coarse.Fx, fine.fx, fine.contact, shear_adhesion_x);
   e.Fs = problem.force_s ? 0 : shear_error(result.Fs - coarse.Fs, fine.fs, fine.contact);
   e.adhesion_share =
       adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
       (adhesion_local + adhesion_border * std::sqrt(double(fine.adhesion_border))) / fine.contact;
   e.friction_power =
       power_error(fine.friction_power - rough.friction_power, fine.friction_power, fine.contact);
-  const double strain = strain_per_force(problem, fine);
-  const auto creepage_error = [&](double found, double rough_one, const UncertainSum& force) {
-    return creepage_change * std::abs(found - rough_one) + creepage_alike * std::abs(found) +
-           creepage_local * strain * local_error(force, fine.contact);
-  };
-  if (problem.force_x)
-    e.creepage_x = creepage_error(result.creepage_x, coarse.creepage_x, fine.fx);
-  if (problem.force_s)
-    e.creepage_s = creepage_error(result.creepage_s, coarse.creepage_s, fine.fs);
 }
 
 /// Of the highest temperature of a surface, degrees C. `bulk`: what it has before the contact.
@@ -197,8 +221,10 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   e.area = area_error(fine);
   e.pmax = pmax_error(fine, rough, roughness);
   e.Fx = e.Fs = e.adhesion_share = e.friction_power = e.creepage_x = e.creepage_s = 0;
-  if (problem.has_friction())
+  if (problem.has_friction()) {
     estimate_shear(problem, result, coarse, regions, e);
+    estimate_creepages(problem, result, coarse_problem.grid, coarse, fine, e);
+  }
   if (result.temperatures && coarse.temperatures) {
     const auto error = [&](std::vector<double> SurfaceTemperatures::*surface, const ThermalBody& body) {
       return temperature_error(problem.grid, (*result.temperatures).*surface, (*coarse.temperatures).*surface,

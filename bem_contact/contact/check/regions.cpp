@@ -81,13 +81,20 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
 
 UncertainSum sum_of(std::span<const Part> parts) {
   UncertainSum out;
-  double fn = 0;
+  double fn = 0, adhering = 0;
+  int adhesion = 0;
   for (const Part& part : parts) {
     fn += part.fn;
     out.total += part.value;
     out.size += std::abs(part.value);
-    out.adhering += part.adheres ? part.value * part.value : 0.0;
+    if (!part.adheres)
+      continue;
+    ++adhesion;
+    adhering += part.value;
+    out.adhering += part.value * part.value;
   }
+  if (adhesion > 0)
+    out.adhering_alike = std::abs(adhering) / std::sqrt(adhesion);
   for (const Part& part : parts)
     out.deviation += std::abs(part.value - out.total * part.fn / fn);
   return out;

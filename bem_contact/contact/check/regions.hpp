@@ -24,6 +24,9 @@ struct UncertainSum {
   /// direction: then the normal force alone tells the sum.
   double deviation = 0;
   double adhering = 0; ///< sum of the squares of the elements in adhesion: each is off by chance
+  /// Of the elements in adhesion, the absolute sum over the root of their number: as the root of `adhering`
+  /// where they are all alike, and nothing where they cancel.
+  double adhering_alike = 0;
 };
 
 UncertainSum sum_of(std::span<const Part> parts);

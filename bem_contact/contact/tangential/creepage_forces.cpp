@@ -2,7 +2,6 @@
 
 #include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/tangential/kinetic_friction.hpp"
-#include "bem_contact/contact/tangential/newton.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,20 +33,18 @@ Vector2d CreepageForces::at(const Vector2d& creepage) {
   return last_;
 }
 
-bool CreepageForces::find(const std::vector<int>& components, const Vector2d& wanted, double tolerance,
-                          Vector2d& creepage) {
+std::optional<ForcedCreepage> CreepageForces::find(const std::vector<int>& components, const Vector2d& wanted,
+                                                   double tolerance, const Vector2d& creepage) {
   if (system_.problem->kinetic != 1 || given_.contact.empty())
-    return false;
+    return std::nullopt;
   const VectorXd start = state_.p;
-  Vector2d found = creepage;
+  ForcedCreepage found{creepage};
   ++solves_;
   if (newton_for_forces(system_, given_, {components, wanted, share_, tolerance}, options_, work_, task_,
-                        state_, found)) {
-    creepage = found;
-    return true;
-  }
+                        state_, found))
+    return found;
   state_.p = start;
-  return false;
+  return std::nullopt;
 }
 
 void CreepageForces::blend(const Solved& one, const Solved& other, double share) {

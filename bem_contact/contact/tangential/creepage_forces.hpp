@@ -1,10 +1,12 @@
 #pragma once
 
 #include "bem_contact/contact/solver_options.hpp"
+#include "bem_contact/contact/tangential/newton.hpp"
 #include "bem_contact/contact/tangential/tangential_system.hpp"
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace bem_contact::contact {
@@ -21,9 +23,9 @@ public:
   const Eigen::Vector2d& last() const { return last_; } ///< of the last at() or blend()
 
   /// Finds the creepages `components` with which these forces are `wanted`, by newton_for_forces() from
-  /// `creepage` and the state. False where it finds none: the state is as before.
-  bool find(const std::vector<int>& components, const Eigen::Vector2d& wanted, double tolerance,
-            Eigen::Vector2d& creepage);
+  /// `creepage` and the state. Nothing where it finds none: the state is as before.
+  std::optional<ForcedCreepage> find(const std::vector<int>& components, const Eigen::Vector2d& wanted,
+                                     double tolerance, const Eigen::Vector2d& creepage);
 
   /// The solution of the last at().
   struct Solved {

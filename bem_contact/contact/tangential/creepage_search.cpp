@@ -143,6 +143,12 @@ bool find_both(CreepageForces& forces, const Vector2d& wanted, double tolerance,
   return find_nested(forces, wanted, tolerance, w);
 }
 
+/// A start that is the solution already takes no step and tells no compliance.
+void keep_known(double value, double& kept) {
+  if (std::isfinite(value))
+    kept = value;
+}
+
 } // namespace
 
 void solve_friction(const TangentialSystem& system, const SolverOptions& options, WorkBudget& work,
@@ -172,10 +178,15 @@ void solve_friction(const TangentialSystem& system, const SolverOptions& options
     return;
   }
   const double tolerance = settling_factor * options.tolerance * forces.capacity();
-  creepage.reached = forces.find(unknown, wanted, tolerance, w) ||
-                     (unknown.size() == 1 ? find_one(forces, unknown[0], wanted[unknown[0]], tolerance,
-                                                     creepage.iterations > 0, w)
-                                          : find_both(forces, wanted, tolerance, w));
+  if (const auto found = forces.find(unknown, wanted, tolerance, w)) {
+    creepage.reached = true;
+    w = found->creepage;
+    keep_known(found->compliance[0], creepage.compliance_x);
+    keep_known(found->compliance[1], creepage.compliance_s);
+  } else
+    creepage.reached = unknown.size() == 1 ? find_one(forces, unknown[0], wanted[unknown[0]], tolerance,
+                                                      creepage.iterations > 0, w)
+                                           : find_both(forces, wanted, tolerance, w);
   if (creepage.reached) {
     creepage.x = w[0];
     creepage.s = w[1];

@@ -3,11 +3,16 @@
 #include "bem_contact/contact/solver_options.hpp"
 #include "bem_contact/contact/tangential/tangential_system.hpp"
 
+#include <limits>
+
 namespace bem_contact::contact {
 
 /// Creepages that prescribed shear forces ask for, per unit of rolled distance (shift: mm).
 struct FoundCreepage {
   double x = 0, s = 0;
+  /// ForcedCreepage::compliance of the last solution that Newton's method found.
+  double compliance_x = std::numeric_limits<double>::quiet_NaN();
+  double compliance_s = std::numeric_limits<double>::quiet_NaN();
   int iterations = 0;  ///< tangential problems solved for them
   bool reached = true; ///< the forces are the prescribed ones
   bool beyond = false; ///< they are at or above what friction can carry

@@ -36,6 +36,8 @@ public:
   /// value an unknown creepage.
   VectorXd missing() const { return missing(now_.p); }
   const VectorXd& creepages() const { return now_.creepages; }
+  /// Of each unknown creepage under a unit of its force, as the last step had it; empty before the first.
+  const VectorXd& compliances() const { return compliances_; }
 
 private:
   struct Point {
@@ -44,7 +46,7 @@ private:
     double residual; ///< MPa; what forces miss counts as a traction on all elements
   };
   struct Step {
-    VectorXd p, creepages;
+    VectorXd p, creepages, compliances;
   };
   MatrixXd unit_slips() const;
   VectorXd missing(const VectorXd& p) const;
@@ -73,6 +75,7 @@ private:
   MatrixXd slips_;                 ///< of a unit of each unknown creepage, mm
   VectorXd drive_;
   Point now_;
+  VectorXd compliances_;
   double last_ = 0; ///< residual before the former step; 0: there was none
   int failed_searches_ = 0;
 };
@@ -98,7 +101,7 @@ VectorXd Newton::missing(const VectorXd& p) const {
 Newton::Step Newton::step_from_here(double forcing, TangentialState& state) const {
   VectorXd p = matrix_.newton_step(now_.linearisation, forcing, work_, state);
   if (slips_.cols() == 0)
-    return {std::move(p), VectorXd(0)};
+    return {std::move(p), VectorXd(0), VectorXd(0)};
   // Tractions under a unit of each creepage; then so much of them that the forces are met.
   MatrixXd under_unit(p.size(), slips_.cols());
   Linearisation load = now_.linearisation;
@@ -109,11 +112,10 @@ Newton::Step Newton::step_from_here(double forcing, TangentialState& state) cons
     under_unit.col(k) = matrix_.newton_step(load, forcing, work_, state);
   }
   const double sum = system_.problem->element_area() / system_.rule.length;
-  const VectorXd creepages = MatrixXd(sum * slips_.transpose() * under_unit)
-                                 .fullPivLu()
-                                 .solve(missing(now_.p) - sum * slips_.transpose() * p);
+  const Eigen::FullPivLU<MatrixXd> forces(MatrixXd(sum * slips_.transpose() * under_unit));
+  const VectorXd creepages = forces.solve(missing(now_.p) - sum * slips_.transpose() * p);
   p += under_unit * creepages;
-  return {std::move(p), creepages};
+  return {std::move(p), creepages, forces.inverse().diagonal()};
 }
 
 /// Halves the step until the residual decreases. If it does not, takes the shortest step.
@@ -154,6 +156,7 @@ bool Newton::step(double enough, TangentialState& state) {
   const Step step = step_from_here(forcing, state);
   if (!step.p.allFinite() || !step.creepages.allFinite())
     return false;
+  compliances_ = step.compliances;
   failed_searches_ += !search(step, before);
   if (now_.residual > slow_newton_step * before)
     help_worst_rows();
@@ -199,15 +202,15 @@ void add_creepage(const TangentialSystem& system, const VectorXd& share, const E
 
 bool newton_for_forces(const TangentialSystem& system, const TangentialTask& given,
                        const PrescribedForces& forces, const SolverOptions& options, WorkBudget& work,
-                       TangentialTask& task, TangentialState& state, Eigen::Vector2d& creepage) {
+                       TangentialTask& task, TangentialState& state, ForcedCreepage& found) {
   const int n = system.size();
   if (state.p.size() != 2 * n)
     state.p = VectorXd::Zero(2 * n);
   state.remark.clear();
-  const Eigen::Vector2d start = creepage;
+  const Eigen::Vector2d start = found.creepage;
   const auto set_task = [&] {
     task = given;
-    add_creepage(system, forces.share, creepage, task);
+    add_creepage(system, forces.share, found.creepage, task);
   };
   set_task();
   Newton method(system, task, work, state.p, &forces);
@@ -223,9 +226,11 @@ bool newton_for_forces(const TangentialSystem& system, const TangentialTask& giv
     const double rest = std::max(state.violation / options.tolerance, missing);
     if (!method.step(std::min(coarsest_newton_forcing, newton_end_forcing / rest), state))
       return false;
-    creepage = start;
-    for (std::size_t k = 0; k < forces.components.size(); ++k)
-      creepage[forces.components[k]] += method.creepages()[k];
+    found.creepage = start;
+    for (std::size_t k = 0; k < forces.components.size(); ++k) {
+      found.creepage[forces.components[k]] += method.creepages()[k];
+      found.compliance[forces.components[k]] = method.compliances()[k];
+    }
     set_task();
   }
 }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <vector>
 
 namespace bem_contact::contact {
@@ -22,12 +23,19 @@ struct PrescribedForces {
   double tolerance = 0;        ///< of the forces, N
 };
 
+/// Creepages along x and s, and what a unit of the force along x or s changes of each: 1/N (shift: mm/N), by
+/// the matrix of the last Newton step. nan: the creepage is given, or no step was taken.
+struct ForcedCreepage {
+  Eigen::Vector2d creepage;
+  Eigen::Vector2d compliance = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+};
+
 /// The same with the creepages as further unknowns, whose equations are the forces: the system of a step has
 /// as many columns more. False where it did not converge; then task, state and creepage are of its last step.
 /// `given` is the task without these creepages; `task` leaves with them.
 bool newton_for_forces(const TangentialSystem& system, const TangentialTask& given,
                        const PrescribedForces& forces, const SolverOptions& options, WorkBudget& work,
-                       TangentialTask& task, TangentialState& state, Eigen::Vector2d& creepage);
+                       TangentialTask& task, TangentialState& state, ForcedCreepage& found);
 
 /// Adds the slip of creepages to the rigid slip and drive of a task.
 void add_creepage(const TangentialSystem& system, const Eigen::VectorXd& share,
