@@ -93,12 +93,6 @@ void fill(SectionOperator& op, const Section& section, double reference_radius,
   });
 }
 
-SectionOperator assemble(const Section& section, const Material& material, double reference_radius) {
-  SectionOperator op = lay_out(section, material, reference_radius);
-  fill(op, section, reference_radius);
-  return op;
-}
-
 std::vector<double> SectionOperator::apply(double k, std::span<const double> u) const {
   std::vector<double> f(u.size(), 0.0);
   std::size_t e = 0;

@@ -1,3 +1,4 @@
+#include "assemble.hpp"
 #include "bem_contact/base/error.hpp"
 #include "fem_influence/harmonic/section_operator.hpp"
 #include "section_meshes.hpp"
