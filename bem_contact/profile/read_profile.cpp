@@ -8,7 +8,6 @@
 #include "bem_contact/profile/profile_smoothing.hpp"
 #include "bem_contact/profile/settings.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
-#include "bem_contact/profile/vampire_format.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
