@@ -52,40 +52,22 @@ public:
   VectorXd none() const { return VectorXd::Zero(start_.rolling_radius ? 3 : 2); }
 
   VectorXd residual(const WheelsetState& s) const {
-    const Wrench sum = s.sum();
-    VectorXd f = none();
-    f[0] = sum.force[2] / force() - 1;
-    f[1] = (s.roll_moment(sum) - given_.roll_moment) / (force() * arm_);
+    VectorXd f = equations(s, s.sum());
+    f[0] -= 1;
+    f[1] -= given_.roll_moment / (force() * arm_);
     if (f.size() > 2)
-      f[2] = (s.torque(sum) - given_.torque) / (force() * s.wheel_radius);
+      f[2] -= given_.torque / (force() * s.wheel_radius);
     return f;
   }
 
   /// By the model of the stiffness.
   MatrixXd model(const WheelsetState& s) const {
     const WheelsetStiffness k = stiffness_of(s, wheels_.scene());
-    const auto column = [&](const Wrench& by) {
-      VectorXd f = none();
-      f[0] = by.force[2] / force();
-      f[1] = s.roll_moment(by) / (force() * arm_);
-      if (f.size() > 2)
-        f[2] = s.torque(by) / (force() * s.wheel_radius);
-      return f;
-    };
     MatrixXd out(none().size(), none().size());
-    out.col(0) = column(k.by_height);
-    Wrench by_roll = k.by_roll;
-    for (Vector3* v : {&by_roll.force, &by_roll.moment})
-      for (double& value : *v)
-        value /= arm_;
-    out.col(1) = column(by_roll);
-    if (out.cols() > 2) {
-      Wrench by_radius = k.by_rolling_radius;
-      for (Vector3* v : {&by_radius.force, &by_radius.moment})
-        for (double& value : *v)
-          value *= creepage_scale * *start_.rolling_radius;
-      out.col(2) = column(by_radius);
-    }
+    out.col(0) = equations(s, k.by_height);
+    out.col(1) = equations(s, 1 / arm_ * k.by_roll);
+    if (out.cols() > 2)
+      out.col(2) = equations(s, creepage_scale * *start_.rolling_radius * k.by_rolling_radius);
     return out;
   }
 
@@ -116,6 +98,15 @@ public:
 
 private:
   double force() const { return *given_.force; }
+  /// What forces on the rails contribute to each equation.
+  VectorXd equations(const WheelsetState& s, const Wrench& w) const {
+    VectorXd f = none();
+    f[0] = w.force[2] / force();
+    f[1] = s.roll_moment(w) / (force() * arm_);
+    if (f.size() > 2)
+      f[2] = s.torque(w) / (force() * s.wheel_radius);
+    return f;
+  }
 
   WheelPair& wheels_;
   const SceneFile::Wheelset& given_;

@@ -10,14 +10,6 @@ namespace bem_contact {
 
 namespace {
 
-Wrench times(double factor, Wrench w) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    w.force[i] *= factor;
-    w.moment[i] *= factor;
-  }
-  return w;
-}
-
 /// dFx over the longitudinal creepage, N.
 double creep_slope(const PatchSummary& p, const SceneResult& r, const SceneFile& scene) {
   const double shear_modulus =
@@ -38,8 +30,8 @@ WheelsetStiffness stiffness_of_wheel(const SceneResult& r, Point2 centre, const 
     const Wrench force = wrench_at({p.fx, p.fy, p.fz}, arm);
     const double by_height = hertz_exponent * std::cos(p.delta) / p.approach;
     const double lever = across.y + across.z * std::tan(p.delta); // of the normal, over its vertical part
-    out.by_height += times(by_height, force);
-    out.by_roll += times(by_height * lever, force);
+    out.by_height += by_height * force;
+    out.by_roll += by_height * lever * force;
     if (state.pose.rolling_radius) {
       const double creepage = across.z / std::pow(*state.pose.rolling_radius, 2); // xi = 1 - r / R
       out.by_rolling_radius += wrench_at({creep_slope(p, r, scene) * creepage, 0, 0}, arm);
@@ -55,7 +47,7 @@ WheelsetStiffness stiffness_of(const WheelsetState& state, const SceneFile& scen
   WheelsetStiffness out = stiffness_of_wheel(state.right, {y, z}, state, scene);
   const WheelsetStiffness left = stiffness_of_wheel(state.left, {-y, z}, state, scene);
   out.by_height += mirrored(left.by_height);
-  out.by_roll += times(-1, mirrored(left.by_roll)); // the mirror image rolls the other way
+  out.by_roll += -1 * mirrored(left.by_roll); // the mirror image rolls the other way
   out.by_rolling_radius += mirrored(left.by_rolling_radius);
   return out;
 }
