@@ -8,7 +8,6 @@
 #include "bem_contact/scene/scene_checks.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
-#include "bem_contact/scene/unused_keys.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
