@@ -3,7 +3,6 @@
 #include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/conicity/scene_wheelset.hpp"
 #include "bem_contact/conicity/wheelset_conicity.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 

@@ -1,7 +1,8 @@
 #include "bem_contact/app/conicity_output.hpp"
 
 #include "bem_contact/app/csv_name.hpp"
-#include "bem_contact/conicity/conicity_columns.hpp"
+#include "bem_contact/app/datasets.hpp"
+#include "bem_contact/app/file_kinds.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -55,21 +56,21 @@ json to_json(const WheelsetConicity& c, const WheelsetOnTrack& w) {
               {"wheel_radius", c.lengths.wheel_radius},
               {"contact_distance", c.lengths.contact_distance},
               {"rolls", w.rolls}};
-  for (const StandColumn& column : stand_columns())
-    out["function"][column.name] = column.values(c);
-  for (const ConicityColumn& column : conicity_columns())
-    out["conicity"][column.name] = column.values(c); // nlohmann writes nan as null
+  for (const auto& column : stand_columns())
+    out["function"][column.name] = column.values(c.stands);
+  for (const auto& column : conicity_columns())
+    out["conicity"][column.name] = column.values(c.values); // nlohmann writes nan as null
   return out;
 }
 
 std::string to_csv(const WheelsetConicity& c) {
   std::string out;
-  for (const StandColumn& column : stand_columns())
+  for (const auto& column : stand_columns())
     out += fmt::format("{}{}", out.empty() ? "" : ",", csv_name(column.name, column.unit));
   out += '\n';
   for (const WheelsetStand& s : c.stands) {
     std::string line;
-    for (const StandColumn& column : stand_columns())
+    for (const auto& column : stand_columns())
       line += fmt::format("{}{:.9g}", line.empty() ? "" : ",", column.value(s));
     out += line + '\n';
   }
@@ -78,15 +79,12 @@ std::string to_csv(const WheelsetConicity& c) {
 
 H5Table to_table(const WheelsetConicity& c, const WheelsetOnTrack& w) {
   H5Table table;
-  const auto add = [&](const std::string& group, const auto& columns) {
-    for (const auto& column : columns) {
-      std::vector<double> values = column.values(c);
-      table.datasets[group + column.name] = {
-          {values.size()}, std::move(values), column.unit, column.description};
-    }
+  const auto add = [&](const std::string& group, const auto& columns, const auto& rows) {
+    for (const auto& column : columns)
+      table.datasets[group + column.name] = line(column.values(rows), column.unit, column.description);
   };
-  add("function/", stand_columns());
-  add("conicity/", conicity_columns());
+  add("function/", stand_columns(), c.stands);
+  add("conicity/", conicity_columns(), c.values);
   auto& a = table.attributes;
   a["format"] = std::string(conicity_format);
   a["right_rail"] = w.right_rail.name();

@@ -8,9 +8,6 @@
 
 namespace bem_contact::app {
 
-/// The attribute "format" of the file of a conicity.
-inline constexpr const char* conicity_format = "bem_contact conicity 1";
-
 /// Tables for people: the contact at whole millimetres of displacement, and the conicity by amplitude.
 std::string to_text(const WheelsetConicity& conicity, const WheelsetOnTrack& wheelset);
 

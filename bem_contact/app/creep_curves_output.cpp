@@ -1,6 +1,8 @@
 #include "bem_contact/app/creep_curves_output.hpp"
 
 #include "bem_contact/app/csv_name.hpp"
+#include "bem_contact/app/datasets.hpp"
+#include "bem_contact/app/file_kinds.hpp"
 #include "bem_contact/curves/creep_columns.hpp"
 
 #include <cmath>
@@ -15,13 +17,6 @@ using nlohmann::json;
 
 /// The derivatives that linear theory does not set to zero: [force][creepage].
 constexpr std::pair<std::size_t, std::size_t> in_linear_theory[] = {{0, 0}, {1, 1}, {1, 2}, {2, 1}, {2, 2}};
-
-H5Dataset dataset(const CreepMatrix& m, const char* description) {
-  H5Dataset out{{3, 3}, {}, "N; Mz: N mm; by phi: times mm", description};
-  for (const auto& row : m)
-    out.values.insert(out.values.end(), row.begin(), row.end());
-  return out;
-}
 
 std::string slopes_text(const CreepCurves& c) {
   std::string out =
@@ -107,7 +102,7 @@ json to_json(const CreepCurves& c) {
     json& of = out["curves"][std::string(name_of(curve.which))];
     of["creepage"] = creepages_of(curve);
     for (const CreepColumn& column : creep_columns())
-      of[column.name] = column.values(curve);
+      of[column.name] = column.values(curve.points);
   }
   return out;
 }
@@ -133,15 +128,14 @@ H5Table to_table(const CreepCurves& c) {
   H5Table table;
   auto& d = table.datasets;
   for (const CreepMatrixEntry& entry : creep_matrices())
-    if (const CreepMatrix* matrix = entry.of(c))
-      d[entry.name] = dataset(*matrix, entry.description);
+    if (const CreepMatrix* values = entry.of(c))
+      d[entry.name] = matrix(*values, "N; Mz: N mm; by phi: times mm", entry.description);
   for (const CreepCurve& curve : c.curves) {
     const std::string group = fmt::format("{}/", name_of(curve.which));
-    const std::size_t n = curve.points.size();
-    d[group + "creepage"] = {
-        {n}, creepages_of(curve), unit_of(curve.which), "varied; the other two as the scene has them"};
+    d[group + "creepage"] =
+        line(creepages_of(curve), unit_of(curve.which), "varied; the other two as the scene has them");
     for (const CreepColumn& column : creep_columns())
-      d[group + column.name] = {{n}, column.values(curve), column.unit, column.description};
+      d[group + column.name] = line(column.values(curve.points), column.unit, column.description);
   }
   auto& a = table.attributes;
   a["format"] = std::string(creep_curves_format);

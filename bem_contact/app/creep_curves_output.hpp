@@ -8,9 +8,6 @@
 
 namespace bem_contact::app {
 
-/// The attribute "format" of the file of creep curves.
-inline constexpr const char* creep_curves_format = "bem_contact creep curves 1";
-
 /// Tables for people: slopes at zero beside Kalker's, sensitivities, and each curve.
 std::string to_text(const CreepCurves& curves);
 

@@ -1,4 +1,6 @@
 #include "bem_contact/app/result_file.hpp"
+#include "bem_contact/app/datasets.hpp"
+#include "bem_contact/app/file_kinds.hpp"
 #include "bem_contact/contact/history.hpp"
 
 #include "bem_contact/app/stresses_output.hpp"
@@ -19,23 +21,6 @@ H5Dataset field(const ContactGrid& grid, std::vector<double> values, std::string
           std::move(values),
           std::move(unit),
           std::move(description)};
-}
-
-H5Dataset line(std::vector<double> values, std::string unit, std::string description) {
-  const std::size_t n = values.size();
-  return {{n}, std::move(values), std::move(unit), std::move(description)};
-}
-
-H5Dataset points(const std::vector<Point2>& line, std::string description) {
-  H5Dataset out{{line.size(), 2}, {}, "mm", std::move(description)};
-  for (const Point2& p : line)
-    out.values.insert(out.values.end(), {p.y, p.z});
-  return out;
-}
-
-/// One number.
-H5Dataset single(double value, std::string unit, std::string description) {
-  return {{}, {value}, std::move(unit), std::move(description)};
 }
 
 /// [step][ms][mx] of every step, and the totals [step].

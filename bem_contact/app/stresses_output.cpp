@@ -1,5 +1,6 @@
 #include "bem_contact/app/stresses_output.hpp"
 
+#include "bem_contact/app/datasets.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -38,10 +39,9 @@ std::string stresses_text(const std::optional<StressesBelow>& stresses) {
 }
 
 void add_stresses(H5Table& table, const std::string& group, const StressesBelow& b) {
-  table.datasets[group + "x"] = {{b.x.size()}, b.x, "mm", "x of the points"};
-  table.datasets[group + "s"] = {{b.s.size()}, b.s, "mm", "arc length of the points along the rail"};
-  table.datasets[group + "depths"] = {
-      {b.depths.size()}, b.depths, "mm", "depth of the points below the surface, along n"};
+  table.datasets[group + "x"] = line(b.x, "mm", "x of the points");
+  table.datasets[group + "s"] = line(b.s, "mm", "arc length of the points along the rail");
+  table.datasets[group + "depths"] = line(b.depths, "mm", "depth of the points below the surface, along n");
   const std::vector<std::size_t> shape{b.x.size(), b.s.size(), b.depths.size()};
   table.datasets[group + "von_mises"] = {shape, b.von_mises, "MPa", "von Mises' stress [x][s][depth]"};
   table.datasets[group + "largest_shear"] = {shape, b.largest_shear, "MPa", "largest shear stress"};

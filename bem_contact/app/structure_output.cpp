@@ -1,5 +1,6 @@
 #include "bem_contact/app/structure_output.hpp"
 
+#include "bem_contact/app/datasets.hpp"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -30,28 +31,19 @@ std::string body_text(const char* name, const std::optional<BodyMotion>& body) {
       name, body->before.y, body->before.z, m[0], m[1], m[2], m[3], m[4], m[5]);
 }
 
-H5Dataset six_by_six(const SixBySix& matrix, const char* description) {
-  H5Dataset out{{6, 6}, {}, "mm, N, rad", description};
-  for (const SixNumbers& row : matrix)
-    out.values.insert(out.values.end(), row.begin(), row.end());
-  return out;
-}
-
 void add_body(H5Table& table, const std::string& group, const BodyMotion& body) {
-  const auto six = [&](const char* name, const SixNumbers& v, const char* unit, const char* description) {
-    table.datasets[group + name] = {{6}, {v.begin(), v.end()}, unit, description};
-  };
-  const auto place = [&](const char* name, Point2 p, const char* description) {
-    table.datasets[group + name] = {{2}, {p.y, p.z}, "mm", description};
-  };
-  place("before", body.before, "point of the body where the scene puts it: y, z");
-  place("after", body.after, "the same point where the contact was solved: y, z");
-  six("force", body.force, "N, N mm", "of the contact on the body, along and about x, y, z at `after`");
-  six("motion", body.motion, "mm, rad", "compliance times force: along and about x, y, z");
-  table.datasets[group + "compliance"] =
-      six_by_six(body.compliance, "motion under each unit force or moment");
+  auto& d = table.datasets;
+  d[group + "before"] =
+      line({body.before.y, body.before.z}, "mm", "point of the body where the scene puts it: y, z");
+  d[group + "after"] =
+      line({body.after.y, body.after.z}, "mm", "the same point where the contact was solved: y, z");
+  d[group + "force"] = line({body.force.begin(), body.force.end()}, "N, N mm",
+                            "of the contact on the body, along and about x, y, z at `after`");
+  d[group + "motion"] = line({body.motion.begin(), body.motion.end()}, "mm, rad",
+                             "compliance times force: along and about x, y, z");
+  d[group + "compliance"] = matrix(body.compliance, "mm, N, rad", "motion under each unit force or moment");
   if (body.stiffness)
-    table.datasets[group + "stiffness"] = six_by_six(*body.stiffness, "inverse of compliance");
+    d[group + "stiffness"] = matrix(*body.stiffness, "mm, N, rad", "inverse of compliance");
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 #include "bem_contact/app/wheelset_output.hpp"
 
+#include "bem_contact/app/datasets.hpp"
 #include "bem_contact/app/error_text.hpp"
+#include "bem_contact/app/file_kinds.hpp"
 #include "bem_contact/app/report.hpp"
 #include "bem_contact/app/result_file.hpp"
 #include "bem_contact/base/provenance.hpp"
@@ -53,10 +55,6 @@ json numbers_of(const WheelsetState& state, WheelSide side) {
   for (const WheelQuantity& q : wheel_quantities())
     out[q.name] = q.value(state, side);
   return out;
-}
-
-H5Dataset single(double value, const char* unit, const char* description) {
-  return {{}, {value}, unit, description};
 }
 
 } // namespace

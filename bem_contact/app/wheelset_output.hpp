@@ -9,9 +9,6 @@
 
 namespace bem_contact::app {
 
-/// The attribute "format" of a wheelset's file.
-inline constexpr const char* wheelset_format = "bem_contact wheelset 1";
-
 /// For people: both wheels side by side in the track frame, then what solve prints of each.
 std::string to_text(const WheelsetResult& result);
 
