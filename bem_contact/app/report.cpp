@@ -1,8 +1,7 @@
 #include "bem_contact/app/report.hpp"
 
+#include "bem_contact/app/asked_output.hpp"
 #include "bem_contact/app/error_text.hpp"
-#include "bem_contact/app/stresses_output.hpp"
-#include "bem_contact/app/structure_output.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 

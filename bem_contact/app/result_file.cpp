@@ -3,8 +3,7 @@
 #include "bem_contact/app/file_kinds.hpp"
 #include "bem_contact/contact/history.hpp"
 
-#include "bem_contact/app/stresses_output.hpp"
-#include "bem_contact/app/structure_output.hpp"
+#include "bem_contact/app/asked_output.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 
 #include <cmath>

@@ -2,7 +2,8 @@
 
 #include "bem_contact/scene/scene_file.hpp"
 
-/// Private to this room: every key of a scene, with its unit, range and a line of explanation.
+/// Private to this room: every key of a scene, with its unit, range and a line of explanation, and what they
+/// demand of each other.
 namespace bem_contact {
 
 // The kinds of scenes that a key is for.
@@ -20,6 +21,9 @@ Schema scene_schema(SceneFile& file, SceneKeysAsRead& read);
 
 /// After reading: sets shear moduli and rows. Throws InputError if a material has two moduli.
 void settle(SceneFile& file, const Schema& schema, const SceneKeysAsRead& read);
+
+/// Throws InputError, naming line and key, for keys that exclude each other and for one that is missing.
+void check_keys(const SceneFile& file, const Schema& schema);
 
 /// Keys that the file sets to another value than their default, and that have no effect in this combination:
 /// one sentence for each reason.
