@@ -1,4 +1,4 @@
-#include "fem_influence/solid_command.hpp"
+#include "fem_influence/commands.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"

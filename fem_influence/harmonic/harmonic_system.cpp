@@ -168,7 +168,7 @@ HarmonicSystem lay_out_system(const Section& section, const BodyFile& body, cons
   system.unknown = number_unknowns(section);
   append_unknowns(system.functionals, loads, system.unknown);
   append_unknowns(system.functionals, remote, system.unknown);
-  append_rigid_motions(system, rigid_motions(section.node_positions(), reference_radius, 0), loads);
+  append_rigid_motions(system, rigid_motions(section.node_positions(), reference_radius), loads);
   return system;
 }
 

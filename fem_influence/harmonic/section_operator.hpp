@@ -53,9 +53,8 @@ SectionOperator lay_out(const Section& section, const Material& material, double
 void fill(SectionOperator& op, const Section& section, double reference_radius,
           std::span<SectionOperator::Block> memory = {});
 
-/// Nodal values [3 node + component] of the body's rigid motions that belong to wavenumber k.
-/// A prism, k = 0: translations x, y, z and the rotation about x.
-/// Revolution: k = 0: along the axle and about it; k = 1/R_ref: across the axle (z) and tilting.
-std::vector<std::vector<double>> rigid_motions(std::span<const Point2> nodes, double reference_radius, int n);
+/// Nodal values [3 node + component] of the body's rigid motions that are the same all along it. A prism:
+/// translations x, y, z and the rotation about x. Revolution: along the axle and about it.
+std::vector<std::vector<double>> rigid_motions(std::span<const Point2> nodes, double reference_radius);
 
 } // namespace bem_contact::fem
