@@ -144,10 +144,11 @@ std::string conicity_csv(const WheelsetConicity& c) {
   return out;
 }
 
-/// The groups "function" and "conicity" with the same names as in JSON; nan where there is no motion. Without
-/// the record of the scene (add_scene()).
-H5Table conicity_table(const WheelsetConicity& c, const WheelsetOnTrack& w) {
-  H5Table table;
+/// The groups "function" and "conicity" with the same names as in JSON; nan where there is no motion. Scene
+/// and inputs as in result files.
+H5Table conicity_table(const WheelsetConicity& c, const WheelsetOnTrack& w, const GivenScene& given,
+                       const std::filesystem::path& output) {
+  H5Table table = file_of(conicity_format, given, output);
   const auto add = [&](const std::string& group, const auto& columns, const auto& rows) {
     for (const auto& column : columns)
       table.datasets[group + column.name] = line(column.values(rows), column.unit, column.description);
@@ -155,7 +156,6 @@ H5Table conicity_table(const WheelsetConicity& c, const WheelsetOnTrack& w) {
   add("function/", stand_columns(), c.stands);
   add("conicity/", conicity_columns(), c.values);
   auto& a = table.attributes;
-  a["format"] = std::string(conicity_format);
   a["right_rail"] = w.right_rail.name();
   a["right_wheel"] = w.right_wheel.name();
   a["left_rail"] = w.left_rail.name();
@@ -179,11 +179,8 @@ ExitCode run(const ConicityArguments& arguments) {
   WheelsetOnTrack wheelset = wheelset_of(given.scene, arguments.left);
   wheelset.rolls = arguments.rolls;
   const WheelsetConicity conicity = wheelset_conicity(wheelset, arguments.amplitudes);
-  if (!arguments.output.empty()) {
-    H5Table table = conicity_table(conicity, wheelset);
-    add_scene(table, given, arguments.output);
-    write_h5(arguments.output, table);
-  }
+  if (!arguments.output.empty())
+    write_h5(arguments.output, conicity_table(conicity, wheelset, given, arguments.output));
   if (!arguments.csv.empty())
     write_text(arguments.csv, [&](std::ostream& out) { out << conicity_csv(conicity); });
   fmt::print("{}", arguments.json ? conicity_json(conicity, wheelset).dump(2) + "\n"

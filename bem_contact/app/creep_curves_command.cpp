@@ -164,9 +164,9 @@ std::string curves_csv(const CreepCurves& c) {
 }
 
 /// Groups "xi", "eta", "phi" for the curves; the matrices at the top. Errors that are not known are nan.
-/// Without the record of the scene (add_scene()).
-H5Table curves_table(const CreepCurves& c) {
-  H5Table table;
+/// Scene and inputs as in result files.
+H5Table curves_table(const CreepCurves& c, const GivenScene& given, const std::filesystem::path& output) {
+  H5Table table = file_of(creep_curves_format, given, output);
   auto& d = table.datasets;
   for (const CreepMatrixEntry& entry : creep_matrices())
     if (const CreepMatrix* values = entry.of(c))
@@ -179,7 +179,6 @@ H5Table curves_table(const CreepCurves& c) {
       d[group + column.name] = line(column.values(curve.points), column.unit, column.description);
   }
   auto& a = table.attributes;
-  a["format"] = std::string(creep_curves_format);
   a["model"] = std::string(name_of(c.solution.model));
   a["Fz_N"] = c.solution.result.Fz;
   a["bound_N"] = c.bound;
@@ -193,11 +192,8 @@ ExitCode run(const CreepArguments& arguments) {
       read_given_scene_for({{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}},
                            arguments.scene, arguments.model);
   const CreepCurves curves = creep_curves(given.scene, ranges);
-  if (!arguments.output.empty()) {
-    H5Table table = curves_table(curves);
-    add_scene(table, given, arguments.output);
-    write_h5(arguments.output, table);
-  }
+  if (!arguments.output.empty())
+    write_h5(arguments.output, curves_table(curves, given, arguments.output));
   if (!arguments.csv.empty())
     write_text(arguments.csv, [&](std::ostream& out) { out << curves_csv(curves); });
   fmt::print("{}", arguments.json ? curves_json(curves).dump(2) + "\n" : curves_text(curves));

@@ -129,13 +129,6 @@ void add_coordinates(H5Table& table, const std::string& group, const SceneResult
   a[group + "friction"] = problem.tangential ? problem.largest_friction() : 0.0;
 }
 
-H5Table table_of(const char* format, const GivenScene& given, const std::filesystem::path& output) {
-  H5Table table;
-  table.attributes["format"] = std::string(format);
-  add_scene(table, given, output);
-  return table;
-}
-
 void add_geometry(H5Table& table, const SceneResult& r) {
   const auto add = [&](const char* key, std::uint64_t digest) {
     if (digest != 0)
@@ -148,7 +141,7 @@ void add_geometry(H5Table& table, const SceneResult& r) {
 } // namespace
 
 H5Table to_table(const SceneResult& result, const GivenScene& given, const std::filesystem::path& output) {
-  H5Table table = table_of(result_format, given, output);
+  H5Table table = file_of(result_format, given, output);
   add_geometry(table, result);
   add_coordinates(table, "", result);
   add_result(table, std::string(name_of(result.model)) + "/", result);
@@ -169,7 +162,7 @@ H5Table to_case_table(const SceneResult& result) {
 }
 
 H5Table to_table(const Comparison& comparison, const GivenScene& given, const std::filesystem::path& output) {
-  H5Table table = table_of(comparison_format, given, output);
+  H5Table table = file_of(comparison_format, given, output);
   add_geometry(table, comparison.leading().front());
   const auto add = [&](const std::string& set, const std::vector<SceneResult>& results) {
     for (const SceneResult& result : results)

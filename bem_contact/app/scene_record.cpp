@@ -106,6 +106,13 @@ void add_scene(H5Table& table, const GivenScene& given, const std::filesystem::p
   add_inputs(table, given.inputs);
 }
 
+H5Table file_of(const char* format, const GivenScene& given, const std::filesystem::path& output) {
+  H5Table table;
+  table.attributes["format"] = std::string(format);
+  add_scene(table, given, output);
+  return table;
+}
+
 void add_inputs(H5Table& table, const std::vector<InputRecord>& inputs) {
   for (const InputRecord& input : inputs) {
     const std::string group = "inputs/" + input.key + "/";

@@ -135,9 +135,7 @@ json wheelset_json(const WheelsetResult& r) {
 /// files.
 H5Table wheelset_table(const WheelsetResult& r, const GivenScene& given,
                        const std::filesystem::path& output) {
-  H5Table table;
-  table.attributes["format"] = std::string(wheelset_format);
-  add_scene(table, given, output);
+  H5Table table = file_of(wheelset_format, given, output);
   for (const WheelsetQuantity& q : wheelset_quantities())
     table.datasets[fmt::format("wheelset/{}", q.name)] = single(q.value(r), q.unit, q.description);
   for (const WheelSide side : both_sides) {
