@@ -103,7 +103,13 @@ void add_scene(H5Table& table, const GivenScene& given, const std::filesystem::p
   };
   material("rail", given.scene.rail.material);
   material("wheel", given.scene.wheel.material);
-  add_inputs(table, given.inputs);
+  for (const InputRecord& input : given.inputs) {
+    const std::string group = "inputs/" + input.key + "/";
+    table.attributes[group + "name"] = input.name;
+    table.attributes[group + "sha256"] = input.sha256;
+    if (input.content)
+      table.texts[group + "content"] = {*input.content, "the file " + input.name};
+  }
 }
 
 H5Table file_of(const char* format, const GivenScene& given, const std::filesystem::path& output) {
@@ -111,16 +117,6 @@ H5Table file_of(const char* format, const GivenScene& given, const std::filesyst
   table.attributes["format"] = std::string(format);
   add_scene(table, given, output);
   return table;
-}
-
-void add_inputs(H5Table& table, const std::vector<InputRecord>& inputs) {
-  for (const InputRecord& input : inputs) {
-    const std::string group = "inputs/" + input.key + "/";
-    table.attributes[group + "name"] = input.name;
-    table.attributes[group + "sha256"] = input.sha256;
-    if (input.content)
-      table.texts[group + "content"] = {*input.content, "the file " + input.name};
-  }
 }
 
 std::vector<InputRecord> stored_inputs(const H5Table& table) {
