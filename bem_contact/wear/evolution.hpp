@@ -86,8 +86,9 @@ struct WearRow {
 
 /// A column of wear.csv, a dataset of wear.h5, an array of Python's wear().
 struct WearColumn {
-  const char *name, *unit;
-  double WearRow::*member;
+  const char* name;        ///< as in all outputs
+  const char* unit;        ///< "1" where it has none
+  double WearRow::*member; ///< what it has of a step
 };
 inline constexpr std::array<WearColumn, 7> wear_columns{{{"step", "1", &WearRow::step},
                                                          {"revolutions", "1", &WearRow::revolutions},
