@@ -1,4 +1,4 @@
-#include "fem_influence/harmonic_command.hpp"
+#include "fem_influence/commands.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/interrupt_note.hpp"

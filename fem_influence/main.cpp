@@ -2,9 +2,8 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/program.hpp"
 #include "bem_contact/base/provenance.hpp"
-#include "fem_influence/harmonic_command.hpp"
+#include "fem_influence/commands.hpp"
 #include "fem_influence/shared/parallel.hpp"
-#include "fem_influence/solid_command.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "fem_influence/solid_command.hpp"
+#include "fem_influence/commands.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -9,8 +9,6 @@
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "fem_influence/progress_bar.hpp"
 #include "fem_influence/shared/body_description.hpp"
-#include "fem_influence/shared/file_checks.hpp"
-#include "fem_influence/shared/stations.hpp"
 #include "fem_influence/solid/solid_check.hpp"
 #include "fem_influence/solid/solid_numbers.hpp"
 
@@ -36,7 +34,7 @@ InfluenceFunction as_table(const BodyFile& body, const ProfileCurve& curve, cons
                      std::to_string(numbers.loads.size()) + " of " + std::to_string(stations) +
                          " stations were loaded",
                      "Load all of them.");
-  InfluenceFunction f = describe(body, curve, numbers.stations);
+  InfluenceFunction f = describe(body, curve);
   f.held = "all three displacements are zero on the mesh's group 'held' (physical surface 2)";
   f.method = "solid3d, degree " + std::to_string(body.solid.degree) + ", up to " +
              std::to_string(numbers.report.cells) + " hexahedra, " +

@@ -107,10 +107,6 @@ int run_program(int argc, char** argv) {
   app.add_flag("--print-default", print_default, "print all keys of a body file with defaults and units");
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return exit_code_of(app, error);
-  }
-  try {
     if (print_default) {
       fmt::print("{}", default_body_file());
       return 0;
@@ -118,6 +114,8 @@ int run_program(int argc, char** argv) {
     if (body_file.empty() || output.empty())
       throw InputError("nothing to mesh", "a body file and -o OUT.msh are needed", "See mesh_body --help.");
     return run(body_file, output, solid, report);
+  } catch (const CLI::ParseError& error) {
+    return exit_code_of(app, error);
   } catch (const InputError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return 2;

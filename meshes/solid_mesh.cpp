@@ -4,7 +4,6 @@
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "meshes/section_mesh.hpp"
 #include "meshes/settings.hpp"
-#include "meshes/wheel_section.hpp"
 
 #include <fmt/format.h>
 
@@ -17,12 +16,6 @@
 
 namespace bem_contact::meshes {
 namespace {
-
-double reference_radius(const BodyFile& body) {
-  if (body.body.kind == BodyKind::outline)
-    return body.body.reference_radius;
-  return body.body.kind == BodyKind::wheel ? WheelSection{}.tape_radius : 0.0;
-}
 
 /// The body with a strip of `bundle` stations an edge, an even number of edges, reaching over the one asked
 /// for by whole stations; nothing where the profile is too short for it.
@@ -80,8 +73,8 @@ QuadMesh coarse_section(BodyFile body) {
 }
 
 std::vector<double> layers_of(const BodyFile& body) {
-  const double radius = reference_radius(body);
-  const double length = radius > 0 ? std::numbers::pi * radius : body.harmonic.half_period;
+  const double radius = reference_radius_of(body);
+  const double length = half_period_of(body);
   const double longest = radius > 0 ? widest_sector * radius : length;
   double first = (body.solid.dx > 0 ? body.solid.dx : body.strip.station_width) / 2;
   if (4 * first > length)
@@ -107,7 +100,7 @@ SolidMesh mesh_solid(const BodyFile& body) {
   mesh.layers = layers_of(body);
   const QuadMesh& section = mesh.section;
   mesh.name = section.name;
-  const double radius = reference_radius(body);
+  const double radius = reference_radius_of(body);
   for (const double x : mesh.layers)
     for (const Point2 p : section.points) {
       const double angle = radius > 0 ? x / radius : 0, r = radius + p.z;

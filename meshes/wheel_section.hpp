@@ -9,7 +9,7 @@ namespace bem_contact::meshes {
 /// A REPRESENTATIVE wheel body under a profile: not the drawing of any wheel (none is public), but rim, web
 /// and hub of usual size. Radii in mm, y in the wheel's section frame.
 struct WheelSection {
-  double tape_radius = 460; ///< where z = 0
+  double tape_radius = wheel_reference_radius; ///< where z = 0
   double rim_inner_radius = 390;
   double rim_back = -70, rim_front = 65;    ///< y of the rim's faces
   double web_at_rim = -8, web_at_hub = -38; ///< y of the web's middle: an S between the two

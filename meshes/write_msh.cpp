@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -41,77 +42,67 @@ void add_nodes(const QuadMesh& mesh) {
   gmsh::model::mesh::addNodes(2, body_group, surface.tags, surface.coordinates);
 }
 
-void add_elements(const QuadMesh& mesh) {
-  std::vector<std::size_t> lines[3], quads;
-  for (const auto& edge : mesh.boundary)
-    for (const int vertex : edge.vertices)
-      lines[static_cast<int>(edge.group) - 1].push_back(tag(vertex));
-  for (const auto& quad : mesh.quads)
-    for (const int vertex : quad)
-      quads.push_back(tag(vertex));
-  for (int group = 1; group <= 3; ++group)
-    gmsh::model::mesh::addElementsByType(group, line_type, {}, lines[group - 1]);
-  gmsh::model::mesh::addElementsByType(body_group, quad_type, {}, quads);
+/// Nodes of the volume, all of them.
+void add_nodes(const SolidMesh& mesh) {
+  std::vector<std::size_t> tags;
+  std::vector<double> coordinates;
+  for (const Point3& p : mesh.points) {
+    tags.push_back(tags.size() + 1);
+    coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
+  }
+  gmsh::model::mesh::addNodes(3, body_group, tags, coordinates);
 }
 
-void write(const std::string& file) {
-  gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
-  gmsh::option::setNumber("Mesh.Binary", 0);
-  gmsh::write(file);
+/// Of the boundary, by their groups, and of the body.
+template <class Boundary, class Cells>
+void add_elements(const Boundary& boundary, int boundary_type, const Cells& cells, int cell_type) {
+  std::map<int, std::vector<std::size_t>> groups;
+  for (const auto& element : boundary)
+    for (const int vertex : element.vertices)
+      groups[static_cast<int>(element.group)].push_back(tag(vertex));
+  for (const auto& [group, vertices] : groups)
+    gmsh::model::mesh::addElementsByType(group, boundary_type, {}, vertices);
+  std::vector<std::size_t> of_body;
+  for (const auto& cell : cells)
+    for (const int vertex : cell)
+      of_body.push_back(tag(vertex));
+  gmsh::model::mesh::addElementsByType(body_group, cell_type, {}, of_body);
 }
 
-void write_with_gmsh(const QuadMesh& mesh, const std::string& file) {
+/// An entity of its own for each physical group: those of the boundary have the numbers 1, 2, ...
+void add_groups(int dimension, std::initializer_list<const char*> boundary) {
+  const auto add = [](int of_dimension, int group, const char* name, const std::vector<int>& around) {
+    gmsh::model::addDiscreteEntity(of_dimension, group, around);
+    gmsh::model::addPhysicalGroup(of_dimension, {group}, group);
+    gmsh::model::setPhysicalName(of_dimension, group, name);
+  };
+  std::vector<int> groups;
+  for (const char* name : boundary) {
+    groups.push_back(static_cast<int>(groups.size()) + 1);
+    add(dimension - 1, groups.back(), name, {});
+  }
+  add(dimension, body_group, "body", groups);
+}
+
+void add_all(const QuadMesh& mesh) {
+  add_groups(2, {"contact", "held", "free"});
+  add_nodes(mesh);
+  add_elements(mesh.boundary, line_type, mesh.quads, quad_type);
+}
+
+void add_all(const SolidMesh& mesh) {
+  add_groups(3, {"contact", "held", "free", "symmetry"});
+  add_nodes(mesh);
+  add_elements(mesh.faces, quad_type, mesh.hexahedra, hexahedron_type);
+}
+
+template <class Mesh> void write_with_gmsh(const Mesh& mesh, const std::string& file) {
   const GmshSession session(mesh.name);
   gmsh_call([&] {
-    for (int group = 1; group <= 3; ++group) {
-      gmsh::model::addDiscreteEntity(1, group);
-      gmsh::model::addPhysicalGroup(1, {group}, group);
-    }
-    gmsh::model::setPhysicalName(1, static_cast<int>(Group::contact), "contact");
-    gmsh::model::setPhysicalName(1, static_cast<int>(Group::held), "held");
-    gmsh::model::setPhysicalName(1, static_cast<int>(Group::free), "free");
-    gmsh::model::addDiscreteEntity(2, body_group, {1, 2, 3});
-    gmsh::model::addPhysicalGroup(2, {body_group}, body_group);
-    gmsh::model::setPhysicalName(2, body_group, "body");
-    add_nodes(mesh);
-    add_elements(mesh);
-    write(file);
-  });
-}
-
-void write_with_gmsh(const SolidMesh& mesh, const std::string& file) {
-  const GmshSession session(mesh.name);
-  gmsh_call([&] {
-    const std::pair<int, const char*> groups[] = {{static_cast<int>(Group::contact), "contact"},
-                                                  {static_cast<int>(Group::held), "held"},
-                                                  {static_cast<int>(Group::free), "free"},
-                                                  {symmetry_group, "symmetry"}};
-    for (const auto& [group, name] : groups) {
-      gmsh::model::addDiscreteEntity(2, group);
-      gmsh::model::addPhysicalGroup(2, {group}, group);
-      gmsh::model::setPhysicalName(2, group, name);
-    }
-    gmsh::model::addDiscreteEntity(3, body_group, {1, 2, 3, 4});
-    gmsh::model::addPhysicalGroup(3, {body_group}, body_group);
-    gmsh::model::setPhysicalName(3, body_group, "body");
-    std::vector<std::size_t> tags;
-    std::vector<double> coordinates;
-    for (const Point3& p : mesh.points) {
-      tags.push_back(tags.size() + 1);
-      coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
-    }
-    gmsh::model::mesh::addNodes(3, body_group, tags, coordinates);
-    std::vector<std::size_t> faces[4], hexahedra;
-    for (const auto& face : mesh.faces)
-      for (const int vertex : face.vertices)
-        faces[face.group - 1].push_back(tag(vertex));
-    for (const auto& hexahedron : mesh.hexahedra)
-      for (const int vertex : hexahedron)
-        hexahedra.push_back(tag(vertex));
-    for (const auto& [group, name] : groups)
-      gmsh::model::mesh::addElementsByType(group, quad_type, {}, faces[group - 1]);
-    gmsh::model::mesh::addElementsByType(body_group, hexahedron_type, {}, hexahedra);
-    write(file);
+    add_all(mesh);
+    gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
+    gmsh::option::setNumber("Mesh.Binary", 0);
+    gmsh::write(file);
   });
 }
 

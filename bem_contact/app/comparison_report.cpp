@@ -109,7 +109,7 @@ std::string cell(const std::string& text) {
   return fmt::format(" {:>{}}", text, column_width);
 }
 
-std::string line(const std::string& name, const std::string& unit) {
+std::string row_label(const std::string& name, const std::string& unit) {
   return fmt::format("{:<{}}", unit.empty() ? name : fmt::format("{:<15}{}", name, unit), label_width);
 }
 
@@ -134,7 +134,7 @@ std::string discretisation_text(const SceneResult& r) {
 
 /// Stated errors, one a model; "" where there is none.
 std::string errors_line(const std::vector<double>& errors) {
-  std::string out = line("", "+-");
+  std::string out = row_label("", "+-");
   for (const double error : errors)
     out += cell(two_digits(error));
   const bool any = std::ranges::any_of(errors, [](double e) { return e > 0; });
@@ -162,7 +162,7 @@ std::string table(const Comparison& c, const std::vector<SceneResult>& results) 
   for (const ComparedQuantity& q : compared) {
     if (std::ranges::none_of(results, [&](const SceneResult& r) { return q.of(r).has_value(); }))
       continue;
-    out += line(q.label, q.unit);
+    out += row_label(q.label, q.unit);
     for (const SceneResult& r : results)
       out += cell(text_of(q.of(r), q.scale == Scale::plain || q.scale == Scale::own
                                        ? 0
@@ -173,7 +173,7 @@ std::string table(const Comparison& c, const std::vector<SceneResult>& results) 
     out += '\n' + errors_line(q, results);
   }
   const auto add = [&](const char* name, const char* unit, const auto& of) {
-    out += line(name, unit);
+    out += row_label(name, unit);
     for (const SceneResult& r : results)
       out += cell(of(r));
     out += '\n';
@@ -210,7 +210,7 @@ std::string creep_text(const Comparison& c) {
   std::string out =
       "\nFx at equal creepage beyond free rolling, each model at its place of the table above:\n";
   for (const CreepForces& forces : c.creep_forces) {
-    out += line(fmt::format("{:+.1e}", forces.creepage), "N");
+    out += row_label(fmt::format("{:+.1e}", forces.creepage), "N");
     for (const double fx : forces.Fx)
       out += cell(text_of(fx, 0));
     const SceneResult& reference = c.at_forces[c.reference];

@@ -1,25 +1,30 @@
 #include "bem_contact/app/command.hpp"
-#include "bem_contact/app/conicity_output.hpp"
+#include "bem_contact/app/csv_name.hpp"
+#include "bem_contact/app/datasets.hpp"
+#include "bem_contact/app/file_kinds.hpp"
 #include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/conicity/scene_wheelset.hpp"
 #include "bem_contact/conicity/wheelset_conicity.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <string>
 #include <tuple>
 
 namespace bem_contact::app {
 
 namespace {
+
+using nlohmann::json;
 
 constexpr const char* conicity_help =
     R"(A rigid wheelset is moved sideways on its track: where do its wheels touch, and how much do their rolling radii
@@ -74,6 +79,93 @@ std::vector<NamedFile> left_files(const LeftProfiles& left) {
   return files;
 }
 
+bool is_whole(double millimetres) {
+  return std::abs(millimetres - std::round(millimetres)) < 1e-9;
+}
+
+std::string head(const WheelsetConicity& c, const WheelsetOnTrack& w) {
+  std::string out = fmt::format("Wheelset: right {} on {}, left {} on {}\n", w.right_wheel.name(),
+                                w.right_rail.name(), w.left_wheel.name(), w.left_rail.name());
+  out += fmt::format("  wheel radius {:g} mm, contact circles {:g} mm apart, cant {:g} rad{}; {}\n",
+                     c.lengths.wheel_radius, c.lengths.contact_distance, w.position.cant,
+                     w.position.rail_origin ? std::string()
+                                            : fmt::format(", gauge {:g} mm ({:g} mm below the top)",
+                                                          w.position.gauge, w.position.gauge_height),
+                     w.rolls ? "rolls until both wheels stand" : "upright");
+  return out;
+}
+
+/// Tables for people: the contact at whole millimetres of displacement, and the conicity by amplitude.
+std::string conicity_text(const WheelsetConicity& c, const WheelsetOnTrack& w) {
+  std::string out = head(c, w);
+  out += "Rolling radius difference and contact points, mm (y to the field side of each body)\n";
+  out += "    lateral  difference   radius right   wheel y    rail y    radius left   wheel y    rail y\n";
+  for (const WheelsetStand& s : c.stands)
+    if (is_whole(s.lateral))
+      out += fmt::format("  {:9.1f} {:11.4f} {:14.4f} {:9.2f} {:9.2f} {:14.4f} {:9.2f} {:9.2f}\n", s.lateral,
+                         s.difference(), s.right.radius, s.right.wheel.y, s.right.rail.y, s.left.radius,
+                         s.left.wheel.y, s.left.rail.y);
+  out += "Equivalent conicity (EN 15302)\n  amplitude mm  tan gamma  wavelength m   from mm     to mm\n";
+  for (const WheelsetConicity::Value& v : c.values)
+    out += v.motion
+               ? fmt::format("  {:12g} {:10.4f} {:13.3f} {:9.3f} {:9.3f}\n", v.amplitude, v.motion->tan_gamma,
+                             1e-3 * v.motion->wavelength, v.motion->from, v.motion->to)
+               : fmt::format("  {:12g} {:>10} {:>13}\n", v.amplitude, "none", "none");
+  return out;
+}
+
+/// "function": arrays over the lateral displacement; "conicity": arrays over the amplitude, null where there
+/// is no motion. mm and rad.
+json conicity_json(const WheelsetConicity& c, const WheelsetOnTrack& w) {
+  json out = {{"right", {{"rail", w.right_rail.name()}, {"wheel", w.right_wheel.name()}}},
+              {"left", {{"rail", w.left_rail.name()}, {"wheel", w.left_wheel.name()}}},
+              {"wheel_radius", c.lengths.wheel_radius},
+              {"contact_distance", c.lengths.contact_distance},
+              {"rolls", w.rolls}};
+  for (const auto& column : stand_columns())
+    out["function"][column.name] = column.values(c.stands);
+  for (const auto& column : conicity_columns())
+    out["conicity"][column.name] = column.values(c.values); // nlohmann writes nan as null
+  return out;
+}
+
+/// One line for each lateral displacement.
+std::string conicity_csv(const WheelsetConicity& c) {
+  std::string out;
+  for (const auto& column : stand_columns())
+    out += fmt::format("{}{}", out.empty() ? "" : ",", csv_name(column.name, column.unit));
+  out += '\n';
+  for (const WheelsetStand& s : c.stands) {
+    std::string line;
+    for (const auto& column : stand_columns())
+      line += fmt::format("{}{:.9g}", line.empty() ? "" : ",", column.value(s));
+    out += line + '\n';
+  }
+  return out;
+}
+
+/// The groups "function" and "conicity" with the same names as in JSON; nan where there is no motion. Scene
+/// and inputs as in result files.
+H5Table conicity_table(const WheelsetConicity& c, const WheelsetOnTrack& w, const GivenScene& given,
+                       const std::filesystem::path& output) {
+  H5Table table = file_of(conicity_format, given, output);
+  const auto add = [&](const std::string& group, const auto& columns, const auto& rows) {
+    for (const auto& column : columns)
+      table.datasets[group + column.name] = line(column.values(rows), column.unit, column.description);
+  };
+  add("function/", stand_columns(), c.stands);
+  add("conicity/", conicity_columns(), c.values);
+  auto& a = table.attributes;
+  a["right_rail"] = w.right_rail.name();
+  a["right_wheel"] = w.right_wheel.name();
+  a["left_rail"] = w.left_rail.name();
+  a["left_wheel"] = w.left_wheel.name();
+  a["wheel_radius_mm"] = c.lengths.wheel_radius;
+  a["contact_distance_mm"] = c.lengths.contact_distance;
+  a["rolls"] = w.rolls ? 1.0 : 0.0;
+  return table;
+}
+
 ExitCode run(const ConicityArguments& arguments) {
   GivenScene given = given_scene(arguments);
   const std::vector<NamedFile> left = left_files(arguments.left);
@@ -87,14 +179,12 @@ ExitCode run(const ConicityArguments& arguments) {
   WheelsetOnTrack wheelset = wheelset_of(given.scene, arguments.left);
   wheelset.rolls = arguments.rolls;
   const WheelsetConicity conicity = wheelset_conicity(wheelset, arguments.amplitudes);
-  if (!arguments.output.empty()) {
-    H5Table table = to_table(conicity, wheelset);
-    add_scene(table, given, arguments.output);
-    write_h5(arguments.output, table);
-  }
+  if (!arguments.output.empty())
+    write_h5(arguments.output, conicity_table(conicity, wheelset, given, arguments.output));
   if (!arguments.csv.empty())
-    write_text(arguments.csv, [&](std::ostream& out) { out << to_csv(conicity); });
-  fmt::print("{}", arguments.json ? to_json(conicity, wheelset).dump(2) + "\n" : to_text(conicity, wheelset));
+    write_text(arguments.csv, [&](std::ostream& out) { out << conicity_csv(conicity); });
+  fmt::print("{}", arguments.json ? conicity_json(conicity, wheelset).dump(2) + "\n"
+                                  : conicity_text(conicity, wheelset));
   return success;
 }
 

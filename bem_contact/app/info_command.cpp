@@ -1,15 +1,10 @@
 #include "bem_contact/app/command.hpp"
-#include "bem_contact/app/conicity_output.hpp"
-#include "bem_contact/app/creep_curves_output.hpp"
+#include "bem_contact/app/file_kinds.hpp"
 #include "bem_contact/app/repeat.hpp"
-#include "bem_contact/app/result_file.hpp"
-#include "bem_contact/app/sweep_output.hpp"
-#include "bem_contact/app/wheelset_output.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
-#include "bem_contact/table/table_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -86,24 +81,10 @@ std::string describe_file(const std::filesystem::path& file) {
   if (begins_with_seal(file))
     return describe_influence(read_influence_file(file), std::filesystem::file_size(file));
   const H5Table top = read_h5_top(file, "patches"); // a sweep's fields may be large
-  const auto is = [format = text_attribute(top, "format")](const char* name) { return format == name; };
-  if (is(result_format))
-    return describe_table(read_h5(file), "A result of bem_contact");
-  if (is(comparison_format))
-    return describe_table(read_h5(file), "A comparison of bem_contact");
-  if (is(sweep_format))
-    return describe_table(without_cases(top),
-                          "A sweep of bem_contact; cases/000012/ has the fields of a case");
-  if (is(wheelset_format))
-    return describe_table(read_h5(file), "Both wheels of a wheelset");
-  if (is(conicity_format))
-    return describe_table(read_h5(file), "The conicity of a wheelset");
-  if (is(creep_curves_format))
-    return describe_table(read_h5(file), "Creep curves");
-  if (is(table::table_format))
-    return describe_table(read_h5(file), "A table of contact forces");
-  if (is("conformal-contact influence numbers 1"))
-    return describe_table(read_h5(file), "Plain influence numbers");
+  const std::string format = text_attribute(top, "format");
+  for (const FileKind& kind : file_kinds)
+    if (format == kind.format)
+      return describe_table(format == sweep_format ? without_cases(top) : read_h5(file), kind.title);
   throw InputError(fmt::format("'{}' is not a file of this project", file.string()),
                    "it is HDF5 and neither influence functions, nor plain numbers, nor a result, nor a sweep",
                    "Name a file that fem_influence or bem_contact wrote.");

@@ -1,5 +1,6 @@
 #include "bem_contact/app/numbers_file.hpp"
 
+#include "bem_contact/app/file_kinds.hpp"
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -77,7 +78,7 @@ void write_numbers_h5(const std::filesystem::path& file, const PlainNumbers& pla
   table.datasets["offset"] = {{mx}, x, "mm", "x of the displaced element less x of the loaded one"};
   for (const auto& [name, values] : plain.rows)
     table.datasets[name] = {{my}, values, "mm", "arc length of the rows' centres on that body's profile"};
-  table.attributes["format"] = std::string("conformal-contact influence numbers 1");
+  table.attributes["format"] = std::string(numbers_format);
   table.attributes["dx"] = a.dx;
   table.attributes["ds"] = a.ds;
   for (const auto& [name, text] : plain.remarks)
@@ -88,7 +89,7 @@ void write_numbers_h5(const std::filesystem::path& file, const PlainNumbers& pla
 void write_numbers_csv(const std::filesystem::path& file, const PlainNumbers& plain) {
   const InfluenceNumbers& a = plain.numbers;
   write_text(file, [&](std::ostream& out) {
-    out << "# conformal-contact influence numbers 1\n";
+    out << "# " << numbers_format << '\n';
     out << fmt::format("# dx: {:.17g} mm\n# ds: {:.17g} mm\n", a.dx, a.ds);
     for (const auto& [name, text] : plain.remarks)
       out << "# " << name << ": " << text << '\n';

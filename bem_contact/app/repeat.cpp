@@ -1,10 +1,7 @@
 #include "bem_contact/app/repeat.hpp"
 
-#include "bem_contact/app/conicity_output.hpp"
-#include "bem_contact/app/creep_curves_output.hpp"
-#include "bem_contact/app/result_file.hpp"
-#include "bem_contact/app/sweep_output.hpp"
-#include "bem_contact/app/wheelset_output.hpp"
+#include "bem_contact/app/file_kinds.hpp"
+#include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
@@ -25,25 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file whose scene another command solves.
-struct OtherFile {
-  const char *format, *holds, *command;
-};
-constexpr OtherFile other_files[] = {
-    {sweep_format, "the cases of a sweep", "sweep"},
-    {comparison_format, "a comparison", "compare"},
-    {wheelset_format, "both wheels of a wheelset", "wheelset"},
-    {creep_curves_format, "creep curves", "creep-curves"},
-    {conicity_format, "the conicity of a wheelset", "conicity"},
-};
-
 void require_result(const H5Table& table, const fs::path& file) {
   const std::string format = text_attribute(table, "format");
   if (format == result_format && table.texts.contains("scene_with_defaults"))
     return;
   const std::string name = file.string();
-  for (const OtherFile& other : other_files)
-    if (format == other.format)
+  for (const FileKind& other : file_kinds)
+    if (format == other.format && *other.command)
       throw InputError(fmt::format("'{}' cannot be repeated by solve", name),
                        fmt::format("it holds {}", other.holds),
                        fmt::format("Write its scene with bem_contact info --scene '{}' and give it to "

@@ -1,8 +1,7 @@
 #include "bem_contact/app/report.hpp"
 
+#include "bem_contact/app/asked_output.hpp"
 #include "bem_contact/app/error_text.hpp"
-#include "bem_contact/app/stresses_output.hpp"
-#include "bem_contact/app/structure_output.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 
@@ -139,6 +138,32 @@ json patches_json(const SceneResult& r) {
       patch[count] = patch[count].get<int>();
   }
   return patches;
+}
+
+/// "pmax 437.0 +- 4.2 MPa, area ..." in one line, with what each stands for.
+std::string pressure_text(const SceneResult& r) {
+  const auto& estimate = r.result.discretisation;
+  std::string out = fmt::format("pmax {:.1f}{} MPa, area {:.4g}{} mm2", largest_pressure(r.result),
+                                plus_minus(r, "pmax"), contact_area(r.result), plus_minus(r, "area"));
+  if (r.problem.has_friction())
+    out += fmt::format(", {:.1f}{} % of it in adhesion", 100 * adhesion_share(r.result),
+                       estimate ? plus_minus(100 * estimate->errors.adhesion_share) : "");
+  if (estimate && !estimate->converges)
+    out +=
+        fmt::format("\nno errors: the pressure does not converge with the size of the elements (pmax {:.0f} "
+                    "MPa on elements twice as large)",
+                    estimate->coarse_pmax);
+  return out + "\n";
+}
+
+/// The line below a patch in the table of patches, of the same columns; "" where nothing is estimated.
+std::string patch_errors_text(const SceneResult& r, std::size_t patch) {
+  if (!r.result.discretisation || !r.result.discretisation->converges)
+    return "";
+  const PatchErrors e = r.result.discretisation->patches.at(patch);
+  return fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10} {:>9} {:>9}\n", "+-", two_digits(e.fn),
+                     two_digits(e.fx), two_digits(e.fs), two_digits(e.approach), two_digits(e.pmax),
+                     two_digits(e.area));
 }
 
 /// Each total with its error. `force`: the largest, whose digits all have.

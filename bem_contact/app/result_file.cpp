@@ -1,8 +1,9 @@
 #include "bem_contact/app/result_file.hpp"
+#include "bem_contact/app/datasets.hpp"
+#include "bem_contact/app/file_kinds.hpp"
 #include "bem_contact/contact/history.hpp"
 
-#include "bem_contact/app/stresses_output.hpp"
-#include "bem_contact/app/structure_output.hpp"
+#include "bem_contact/app/asked_output.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 
 #include <cmath>
@@ -19,23 +20,6 @@ H5Dataset field(const ContactGrid& grid, std::vector<double> values, std::string
           std::move(values),
           std::move(unit),
           std::move(description)};
-}
-
-H5Dataset line(std::vector<double> values, std::string unit, std::string description) {
-  const std::size_t n = values.size();
-  return {{n}, std::move(values), std::move(unit), std::move(description)};
-}
-
-H5Dataset points(const std::vector<Point2>& line, std::string description) {
-  H5Dataset out{{line.size(), 2}, {}, "mm", std::move(description)};
-  for (const Point2& p : line)
-    out.values.insert(out.values.end(), {p.y, p.z});
-  return out;
-}
-
-/// One number.
-H5Dataset single(double value, std::string unit, std::string description) {
-  return {{}, {value}, std::move(unit), std::move(description)};
 }
 
 /// [step][ms][mx] of every step, and the totals [step].
@@ -145,13 +129,6 @@ void add_coordinates(H5Table& table, const std::string& group, const SceneResult
   a[group + "friction"] = problem.tangential ? problem.largest_friction() : 0.0;
 }
 
-H5Table table_of(const char* format, const GivenScene& given, const std::filesystem::path& output) {
-  H5Table table;
-  table.attributes["format"] = std::string(format);
-  add_scene(table, given, output);
-  return table;
-}
-
 void add_geometry(H5Table& table, const SceneResult& r) {
   const auto add = [&](const char* key, std::uint64_t digest) {
     if (digest != 0)
@@ -164,7 +141,7 @@ void add_geometry(H5Table& table, const SceneResult& r) {
 } // namespace
 
 H5Table to_table(const SceneResult& result, const GivenScene& given, const std::filesystem::path& output) {
-  H5Table table = table_of(result_format, given, output);
+  H5Table table = file_of(result_format, given, output);
   add_geometry(table, result);
   add_coordinates(table, "", result);
   add_result(table, std::string(name_of(result.model)) + "/", result);
@@ -185,7 +162,7 @@ H5Table to_case_table(const SceneResult& result) {
 }
 
 H5Table to_table(const Comparison& comparison, const GivenScene& given, const std::filesystem::path& output) {
-  H5Table table = table_of(comparison_format, given, output);
+  H5Table table = file_of(comparison_format, given, output);
   add_geometry(table, comparison.leading().front());
   const auto add = [&](const std::string& set, const std::vector<SceneResult>& results) {
     for (const SceneResult& result : results)

@@ -9,12 +9,7 @@
 
 namespace bem_contact::app {
 
-/// The attribute "format" of a result file, of a comparison, and of a case of a sweep.
-inline constexpr const char* result_format = "bem_contact result 2";
-inline constexpr const char* comparison_format = "bem_contact comparison 2";
-inline constexpr const char* case_format = "bem_contact case 2";
-
-/// A result file. It says what was asked and with what (add_scene(), add_inputs()): enough to repeat it.
+/// A result file. It says what was asked and with what (add_scene()): enough to repeat it.
 /// At the top lie the coordinates of the grid (x[mx], s, y, z, delta [ms], gap [ms][mx]) and both profiles
 /// near the contact. A group with the model's name ("fem") holds the element_quantities() [ms][mx], and the
 /// groups quantities (one number each), patches [patch] and, where the scene asks for them, history [step],

@@ -1,5 +1,6 @@
 #include "bem_contact/app/scene_record.hpp"
 
+#include "bem_contact/app/datasets.hpp"
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
@@ -21,11 +22,6 @@ constexpr std::size_t any_size = std::numeric_limits<std::size_t>::max() / 4;
 std::string without_machine(const std::string& name) {
   const std::filesystem::path path(name);
   return path.is_absolute() ? path.filename().string() : name;
-}
-
-void add_number(H5Table& table, const std::string& name, double value, const char* unit,
-                const char* description) {
-  table.datasets[name] = {{}, {value}, unit, description};
 }
 
 } // namespace
@@ -102,22 +98,25 @@ void add_scene(H5Table& table, const GivenScene& given, const std::filesystem::p
   table.texts["scene_with_defaults"] = {scene_with_defaults(given.scene),
                                         "every key of the scene that was solved, with its value (TOML)"};
   const auto material = [&](const std::string& side, const Material& m) {
-    add_number(table, "materials/" + side + "_shear_modulus", m.shear_modulus, "MPa", "G");
-    add_number(table, "materials/" + side + "_poisson", m.poisson, "1", "Poisson's ratio");
+    table.datasets["materials/" + side + "_shear_modulus"] = single(m.shear_modulus, "MPa", "G");
+    table.datasets["materials/" + side + "_poisson"] = single(m.poisson, "1", "Poisson's ratio");
   };
   material("rail", given.scene.rail.material);
   material("wheel", given.scene.wheel.material);
-  add_inputs(table, given.inputs);
-}
-
-void add_inputs(H5Table& table, const std::vector<InputRecord>& inputs) {
-  for (const InputRecord& input : inputs) {
+  for (const InputRecord& input : given.inputs) {
     const std::string group = "inputs/" + input.key + "/";
     table.attributes[group + "name"] = input.name;
     table.attributes[group + "sha256"] = input.sha256;
     if (input.content)
       table.texts[group + "content"] = {*input.content, "the file " + input.name};
   }
+}
+
+H5Table file_of(const char* format, const GivenScene& given, const std::filesystem::path& output) {
+  H5Table table;
+  table.attributes["format"] = std::string(format);
+  add_scene(table, given, output);
+  return table;
 }
 
 std::vector<InputRecord> stored_inputs(const H5Table& table) {

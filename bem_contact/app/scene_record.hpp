@@ -56,12 +56,13 @@ std::vector<InputRecord> inputs_of(const SceneFile& scene);
 std::vector<std::filesystem::path> files_read(const std::filesystem::path& file, const SceneFile& scene);
 
 /// Texts "scene_text" and "scene_with_defaults", attributes program, commit, scene, scene_folder (relative to
-/// the folder of `output`), model_option, and the groups "materials" and "inputs".
+/// the folder of `output`), model_option, and the groups "materials" and "inputs": of each input "inputs/KEY"
+/// the attributes name, sha256 ("" of a standard profile), and the text "inputs/KEY/content".
 void add_scene(H5Table& table, const GivenScene& given, const std::filesystem::path& output);
+/// The beginning of a file: its format, and that.
+H5Table file_of(const char* format, const GivenScene& given, const std::filesystem::path& output);
 
-/// "inputs/KEY": attributes name, sha256 ("" of a standard profile), and the text "inputs/KEY/content".
-void add_inputs(H5Table& table, const std::vector<InputRecord>& inputs);
-/// The same, read from a result file.
+/// The inputs of a result file.
 std::vector<InputRecord> stored_inputs(const H5Table& table);
 
 } // namespace bem_contact::app

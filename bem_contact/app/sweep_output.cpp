@@ -1,5 +1,6 @@
 #include "bem_contact/app/sweep_output.hpp"
 
+#include "bem_contact/app/file_kinds.hpp"
 #include "bem_contact/base/output_file.hpp"
 
 #include <algorithm>

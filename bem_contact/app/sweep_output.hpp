@@ -9,9 +9,6 @@
 
 namespace bem_contact::app {
 
-/// The attribute "format" of the file of a sweep.
-inline constexpr const char* sweep_format = "bem_contact sweep 2";
-
 /// The file of a sweep.
 ///
 /// At its top: one dataset [case] for each key of the sweep (of a text: the index of its value), for status

@@ -23,4 +23,12 @@ bool belongs(std::size_t index, std::size_t cases, const Share& share);
 /// either.
 std::vector<Chunk> chunks_of(const SweepOutput& output, std::size_t cases, const Share& share);
 
+struct SweepSummary {
+  std::string text;       ///< what was solved, in how many seconds, what failed
+  bool certified = false; ///< every case that was asked for
+};
+
+/// Of the cases of a share. `top`: the top of the sweep's file; `head` comes first in the text.
+SweepSummary summary_of(const H5Table& top, const Share& share, const std::string& head);
+
 } // namespace bem_contact::app

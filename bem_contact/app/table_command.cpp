@@ -1,16 +1,18 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/number_list.hpp"
 #include "bem_contact/app/scene_record.hpp"
-#include "bem_contact/app/table_workers.hpp"
+#include "bem_contact/app/sweep_workers.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/table/creep_table.hpp"
 #include "bem_contact/table/scene_table.hpp"
 #include "bem_contact/table/table_file.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
@@ -164,6 +166,62 @@ Order scene_order(TableArguments& arguments) {
                            described.folder, scene,          inputs_of(scene)};
   order.make_solver = [described] { return table::scene_point_solver(described); };
   return order;
+}
+
+std::string to_bytes(const table::PointValues& point) {
+  std::string out(2 * sizeof(double) * point.values.size(), '\0');
+  std::memcpy(out.data(), point.values.data(), out.size() / 2);
+  std::memcpy(out.data() + out.size() / 2, point.element_errors.data(), out.size() / 2);
+  return out;
+}
+
+table::PointValues point_of(const std::string& bytes) {
+  table::PointValues out;
+  out.values.resize(bytes.size() / 2 / sizeof(double));
+  out.element_errors.resize(out.values.size());
+  std::memcpy(out.values.data(), bytes.data(), bytes.size() / 2);
+  std::memcpy(out.element_errors.data(), bytes.data() + bytes.size() / 2, bytes.size() / 2);
+  return out;
+}
+
+std::vector<Chunk> chunks_of(std::size_t points) {
+  const std::size_t length = chunk_size(points);
+  std::vector<Chunk> out;
+  for (std::size_t i = 0; i < points; ++i) {
+    if (i % length == 0)
+      out.emplace_back();
+    out.back().push_back(i);
+  }
+  return out;
+}
+
+/// Solves points in `jobs` processes side by side. `make` gives a solver with a Sequence of its own. Which
+/// points start from which others does not depend on `jobs`.
+table::PointsSolver side_by_side(std::function<table::PointSolver()> make, int jobs) {
+  return [make = std::move(make), jobs](std::span<const table::Point> points) {
+    std::vector<table::PointValues> out(points.size());
+    if (points.empty())
+      return out;
+    Progress progress("contacts", points.size());
+    WorkerCalls calls;
+    calls.make_solver = [&]() -> CaseSolver {
+      return [&, solve = make()](std::size_t index) {
+        try {
+          return to_bytes(solve(points[index]));
+        } catch (const std::exception&) {
+          return std::string(); // solved again below, where the error can be thrown
+        }
+      };
+    };
+    calls.done = [&](std::size_t index, std::string bytes) {
+      out[index] = bytes.empty() ? make()(points[index]) : point_of(bytes);
+      progress.step();
+    };
+    calls.died = [&](std::size_t index, const std::string&) { calls.done(index, ""); };
+    solve_in_processes(chunks_of(points.size()), jobs, calls);
+    progress.finish();
+    return out;
+  };
 }
 
 ExitCode run(TableArguments arguments) {

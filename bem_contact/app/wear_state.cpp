@@ -1,6 +1,7 @@
 #include "bem_contact/app/wear_state.hpp"
 
 #include "bem_contact/app/csv_name.hpp"
+#include "bem_contact/app/datasets.hpp"
 #include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
@@ -22,17 +23,14 @@ constexpr const char *state_file = "wear.h5", *wear_format = "bem_contact wear";
 H5Table table_of(const WearState& state, const std::string& digest) {
   H5Table table;
   for (const wear::WearColumn& column : wear::wear_columns) {
-    H5Dataset& data = table.datasets[column.name];
-    data = {{state.history.size()}, {}, column.unit, "by step"};
+    std::vector<double> values;
     for (const wear::WearRow& row : state.history)
-      data.values.push_back(row.*column.member);
+      values.push_back(row.*column.member);
+    table.datasets[column.name] = line(std::move(values), column.unit, "by step");
   }
   const auto body = [&](const std::string& name, const wear::WornBody& worn) {
-    H5Dataset &points = table.datasets[name + "/profile"], &depth = table.datasets[name + "/depth"];
-    points = {{worn.points.size(), 2}, {}, "mm", "worn profile (y, z), own frame, z down"};
-    depth = {{worn.depth.size()}, worn.depth, "mm", "taken off along the normals"};
-    for (const Point2& p : worn.points)
-      points.values.insert(points.values.end(), {p.y, p.z});
+    table.datasets[name + "/profile"] = points(worn.points, "worn profile (y, z), own frame, z down");
+    table.datasets[name + "/depth"] = line(worn.depth, "mm", "taken off along the normals");
   };
   body("rail", state.pair.rail);
   body("wheel", state.pair.wheel);

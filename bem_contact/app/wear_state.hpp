@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/wear/history.hpp"
+#include "bem_contact/wear/evolution.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,17 +1,30 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/datasets.hpp"
+#include "bem_contact/app/file_kinds.hpp"
+#include "bem_contact/app/report.hpp"
+#include "bem_contact/app/result_file.hpp"
+#include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/app/vtk_file.hpp"
-#include "bem_contact/app/wheelset_output.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/provenance.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/wheelset/quantities.hpp"
+#include "bem_contact/wheelset/settings.hpp"
+#include "bem_contact/wheelset/solve_wheelset.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace bem_contact::app {
 
 namespace {
+
+using nlohmann::json;
 
 constexpr const char* wheelset_help =
     R"(A scene of one wheel becomes one of both if its table [load] is replaced by
@@ -35,6 +48,106 @@ struct WheelsetArguments {
   bool json = false, strict = false;
 };
 
+/// Newtons to the last, all else with five digits.
+std::string number(double value) {
+  const double size = std::abs(value);
+  return size >= 1e4 && size < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.5g}", value);
+}
+
+/// "  Fz               N          109328         90672        200000": the sum only where there is one.
+std::string line_of(const WheelQuantity& q, const WheelsetResult& r) {
+  std::string out = fmt::format("  {:16} {:5}", q.name, q.unit);
+  for (const WheelSide side : both_sides)
+    out += fmt::format(" {:>13}", number(q.value(r.state, side)));
+  for (const WheelsetQuantity& sum : wheelset_quantities())
+    if (std::string_view(sum.name) == q.name)
+      out += fmt::format(" {:>13}", number(sum.value(r)));
+  return out + "\n";
+}
+
+std::string pose_text(const WheelsetResult& r) {
+  const WheelsetPose& pose = r.state.pose;
+  std::string out =
+      fmt::format("Wheelset: lateral {:.4f} mm{}, roll {:.4e} rad (right side down), yaw {:g} rad; its "
+                  "centre is {:.4f} mm "
+                  "above the rails\n",
+                  pose.lateral, std::isnan(r.lateral_residual) ? "" : " (found for the lateral force)",
+                  pose.roll, r.state.yaw, r.state.wheel_radius - pose.vertical);
+  if (pose.rolling_radius)
+    out +=
+        fmt::format("the axle rolls on a radius of {:.3f} mm (found for the torque)\n", *pose.rolling_radius);
+  return out;
+}
+
+json numbers_of(const WheelsetState& state, WheelSide side) {
+  json out = json::object();
+  for (const WheelQuantity& q : wheel_quantities())
+    out[q.name] = q.value(state, side);
+  return out;
+}
+
+/// For people: both wheels side by side in the track frame, then what solve prints of each.
+std::string wheelset_text(const WheelsetResult& r) {
+  std::string out = pose_text(r);
+  out += fmt::format("  {:22} {:>13} {:>13} {:>13}\n", "y to the right for both", "right", "left", "sum");
+  for (const WheelQuantity& q : wheel_quantities())
+    out += line_of(q, r);
+  const Wrench sum = r.state.sum();
+  out +=
+      fmt::format("on the axle: roll moment {:.5g} N mm and yaw moment {:.5g} N mm about its centre, torque "
+                  "{:.5g} N mm\n",
+                  r.state.roll_moment(sum), sum.moment[2], r.state.torque(sum));
+  out += fmt::format(
+      "equilibrium: largest residual {:.1e} of {:.0e} allowed; {} contact problems, {:.2f} s\n",
+      std::fmax(r.residual, r.lateral_residual), equilibrium_tolerance, r.contact_problems, r.seconds);
+  for (const WheelSide side : both_sides)
+    out += fmt::format("\n{} wheel\n{}", side == WheelSide::right ? "Right" : "Left",
+                       to_text(r.state.solved(side)));
+  return out;
+}
+
+/// "wheelset" (wheelset_quantities()), "right" and "left": each with "track" (wheel_quantities(), track
+/// frame) and "result", the object that solve prints of this wheel, in the frame of its side.
+json wheelset_json(const WheelsetResult& r) {
+  json totals = json::object(), units = json::object();
+  for (const WheelsetQuantity& q : wheelset_quantities()) {
+    totals[q.name] = q.value(r);
+    units[q.name] = q.unit;
+  }
+  for (const WheelQuantity& q : wheel_quantities())
+    units[q.name] = q.unit;
+  const auto wheel = [&](WheelSide side) {
+    return json{{"track", numbers_of(r.state, side)}, {"result", to_json(r.state.solved(side))}};
+  };
+  return {{"program", provenance("bem_contact")},
+          {"commit", commit()},
+          {"wheelset", totals},
+          {"right", wheel(WheelSide::right)},
+          {"left", wheel(WheelSide::left)},
+          {"units", units},
+          {"certified", r.state.certified()},
+          {"warnings", r.warnings},
+          {"seconds", r.seconds}};
+}
+
+/// Groups wheelset, right/track and left/track with one dataset for each number; in right and left the whole
+/// result of each wheel as comparisons have it, in the frame of its side. Scene and inputs as in result
+/// files.
+H5Table wheelset_table(const WheelsetResult& r, const GivenScene& given,
+                       const std::filesystem::path& output) {
+  H5Table table = file_of(wheelset_format, given, output);
+  for (const WheelsetQuantity& q : wheelset_quantities())
+    table.datasets[fmt::format("wheelset/{}", q.name)] = single(q.value(r), q.unit, q.description);
+  for (const WheelSide side : both_sides) {
+    const std::string group = fmt::format("{}/", name_of(side));
+    for (const WheelQuantity& q : wheel_quantities())
+      table.datasets[fmt::format("{}track/{}", group, q.name)] =
+          single(q.value(r.state, side), q.unit, q.description);
+    add_whole_result(table, group, r.state.solved(side));
+  }
+  return table;
+}
+
 std::string surface_of(const WheelsetArguments& arguments, WheelSide side) {
   return fmt::format("{}_{}.vts", arguments.vtk, name_of(side));
 }
@@ -53,11 +166,11 @@ ExitCode run(const WheelsetArguments& arguments) {
   if (arguments.strict)
     refuse_warnings(result.warnings);
   if (!arguments.output.empty())
-    write_h5(arguments.output, to_table(result, given, arguments.output));
+    write_h5(arguments.output, wheelset_table(result, given, arguments.output));
   for (const WheelSide side : both_sides)
     if (!arguments.vtk.empty())
       write_vts(surface_of(arguments, side), result.state.solved(side));
-  fmt::print("{}", arguments.json ? to_json(result).dump(2) + "\n" : to_text(result));
+  fmt::print("{}", arguments.json ? wheelset_json(result).dump(2) + "\n" : wheelset_text(result));
   warn(result.warnings);
   return result.state.certified() ? success : no_convergence;
 }

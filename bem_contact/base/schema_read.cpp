@@ -177,19 +177,17 @@ void Schema::set(const std::string& path, const SchemaValue& value, int line) {
   if (!key)
     refuse_unknown(path, false);
   const auto assign = [&](const toml::node& node) { SchemaReader(*this).assign(*key, node); };
-  if (const auto* list = std::get_if<std::vector<double>>(&value)) {
-    toml::array numbers;
-    for (const double number : *list)
-      numbers.push_back(number);
-    assign(numbers);
-  } else {
-    std::visit(
-        [&]<class T>(const T& single) {
-          if constexpr (!std::is_same_v<T, std::vector<double>>)
-            assign(toml::value(single));
-        },
-        value);
-  }
+  std::visit(
+      [&]<class T>(const T& given) {
+        if constexpr (std::is_same_v<T, std::vector<double>>) {
+          toml::array numbers;
+          for (const double number : given)
+            numbers.push_back(number);
+          assign(numbers);
+        } else
+          assign(toml::value(given));
+      },
+      value);
   require_kind(*key);
 }
 

@@ -12,12 +12,12 @@
 /// What every function of the C interface does around its work.
 namespace bem_contact {
 
-/// Calls `action`, which returns a code. Nothing is thrown beyond here: exceptions become codes, and their
-/// text the message.
+/// Calls `action`. Nothing is thrown beyond here: exceptions become codes, and their text the message.
 template <class Action> int guarded(std::string& message, const Action& action) noexcept {
   try {
     message.clear();
-    return action();
+    action();
+    return CONFORMAL_OK;
   } catch (const Stopped& error) {
     message = error.what();
     return CONFORMAL_STOPPED;

@@ -55,23 +55,20 @@ int open(conformal_contact** handle, char* message, int size, const Open& open_s
     require(handle, "the handle");
     *handle = nullptr;
     *handle = new conformal_contact(open_scene());
-    return CONFORMAL_OK;
   });
 }
 
 /// Like the program's: no certificate, no success.
-int solve(conformal_contact* handle) {
+void solve(conformal_contact* handle) {
   handle->stop = false;
   handle->result.reset();
   handle->result = handle->sequence.solve(handle->reader.scene(), &handle->stop);
   const ContactResult& last = handle->result->result;
-  if (last.certificate.holds() && std::ranges::all_of(handle->result->history, &ContactResult::converged))
-    return CONFORMAL_OK;
-  handle->message =
-      fmt::format("The result is not a solution (its worst violation is {:.1e}, {:.0e} is allowed; {}) "
-                  "Coarsen the grid, lower solver.tolerance, or raise solver.max_outer.",
-                  last.certificate.worst(), last.certificate.tolerance, last.remark);
-  return CONFORMAL_NOT_CONVERGED;
+  if (!last.certificate.holds() || !std::ranges::all_of(handle->result->history, &ContactResult::converged))
+    throw ConvergenceError("The result is not a solution",
+                           fmt::format("its worst violation is {:.1e}, {:.0e} is allowed; {}",
+                                       last.certificate.worst(), last.certificate.tolerance, last.remark),
+                           "Coarsen the grid, lower solver.tolerance, or raise solver.max_outer.");
 }
 
 } // namespace
@@ -115,15 +112,11 @@ int conformal_key(conformal_contact* handle, const char* name, int* key) {
     *key = static_cast<int>(known - handle->keys.begin());
     if (known == handle->keys.end())
       handle->keys.emplace_back(name);
-    return CONFORMAL_OK;
   });
 }
 
 int conformal_set_number(conformal_contact* handle, int key, double value) {
-  return with(handle, [&] {
-    handle->reader.set_number(key_of(handle, key), value);
-    return CONFORMAL_OK;
-  });
+  return with(handle, [&] { handle->reader.set_number(key_of(handle, key), value); });
 }
 
 int conformal_set_numbers(conformal_contact* handle, int key, const double* values, int count) {
@@ -132,7 +125,6 @@ int conformal_set_numbers(conformal_contact* handle, int key, const double* valu
     if (count < 0)
       throw InputError("There is no such list", fmt::format("it has {} numbers", count), "Give at least 0.");
     handle->reader.set({key_of(handle, key), std::vector<double>(values, values + count)});
-    return CONFORMAL_OK;
   });
 }
 
@@ -140,12 +132,11 @@ int conformal_set_text(conformal_contact* handle, int key, const char* value) {
   return with(handle, [&] {
     require(value, "the text");
     handle->reader.set({key_of(handle, key), std::string(value)});
-    return CONFORMAL_OK;
   });
 }
 
 int conformal_solve(conformal_contact* handle) {
-  return with(handle, [&] { return solve(handle); });
+  return with(handle, [&] { solve(handle); });
 }
 
 int conformal_stop(conformal_contact* handle) {
@@ -159,7 +150,6 @@ int conformal_totals(conformal_contact* handle, double* totals, int count) {
   return with(handle, [&] {
     require(totals, "the array");
     copy_first(totals_of(result_of(handle)), totals, count);
-    return CONFORMAL_OK;
   });
 }
 
@@ -167,7 +157,6 @@ int conformal_patch_count(conformal_contact* handle, int* count) {
   return with(handle, [&] {
     require(count, "the count");
     *count = static_cast<int>(result_of(handle).result.patches.size());
-    return CONFORMAL_OK;
   });
 }
 
@@ -181,7 +170,6 @@ int conformal_patch(conformal_contact* handle, int index, double* values, int co
                        fmt::format("there are {}", patches.size()),
                        "Count them with conformal_patch_count(); the first is 0.");
     copy_first(values_of(result, static_cast<std::size_t>(index)), values, count);
-    return CONFORMAL_OK;
   });
 }
 
@@ -191,7 +179,6 @@ int conformal_grid(conformal_contact* handle, int* mx, int* ms) {
     const ContactGrid& grid = result_of(handle).problem.grid;
     *mx = grid.mx;
     *ms = grid.ms;
-    return CONFORMAL_OK;
   });
 }
 
@@ -199,7 +186,6 @@ int conformal_array(conformal_contact* handle, int which, double* values, int co
   return with(handle, [&] {
     require(values, "the array");
     copy_array(result_of(handle), which, {values, static_cast<std::size_t>(std::max(count, 0))});
-    return CONFORMAL_OK;
   });
 }
 
@@ -207,7 +193,6 @@ int conformal_warning_count(conformal_contact* handle, int* count) {
   return with(handle, [&] {
     require(count, "the count");
     *count = static_cast<int>(result_of(handle).warnings.size());
-    return CONFORMAL_OK;
   });
 }
 
@@ -220,7 +205,6 @@ int conformal_warning(conformal_contact* handle, int index, const char** text) {
                        fmt::format("there are {}", warnings.size()),
                        "Count them with conformal_warning_count(); the first is 0.");
     *text = warnings[static_cast<std::size_t>(index)].c_str();
-    return CONFORMAL_OK;
   });
 }
 

@@ -33,7 +33,6 @@ int conformal_table_open(const char* file, conformal_table** handle, char* messa
     *handle = nullptr;
     require(file, "the name of the table");
     *handle = new conformal_table{table::read_table(file)};
-    return CONFORMAL_OK;
   });
 }
 
@@ -99,7 +98,6 @@ int conformal_table_look_up(const conformal_table* handle, const double* at, int
       if (errors)
         errors[c] = t.columns[c].interpolation_error;
     }
-    return CONFORMAL_OK;
   });
 }
 
@@ -115,7 +113,6 @@ int conformal_table_creep_forces(const conformal_table* handle, const double ell
     std::ranges::copy(std::initializer_list{f.Fx, f.Fy, f.Mz}, forces);
     if (errors)
       std::ranges::copy(std::initializer_list{f.Fx_error, f.Fy_error, f.Mz_error}, errors);
-    return CONFORMAL_OK;
   });
 }
 

@@ -17,24 +17,19 @@ constexpr const char* by_step = "by the step of the differences";
 } // namespace
 
 std::span<const CreepColumn> creep_columns() {
-  static constexpr CreepColumn columns[] = {{"Fx", "N", "on the rail", 9, force<CreepForce::Fx>},
-                                            {"Fx_error", "N", by_elements, 3, error<CreepForce::Fx>},
-                                            {"Fs", "N", "on the rail", 9, force<CreepForce::Fs>},
-                                            {"Fs_error", "N", by_elements, 3, error<CreepForce::Fs>},
-                                            {"Mz", "N mm", "on the rail", 9, force<CreepForce::Mz>},
-                                            {"Mz_error", "N mm", by_elements, 3, error<CreepForce::Mz>},
-                                            {"adhesion_share", "1", "of the area in contact that adheres", 6,
-                                             [](const CreepPoint& p) { return p.adhesion_share; }},
-                                            {"certified", "1", "1: the certificate holds", 1,
-                                             [](const CreepPoint& p) { return p.certified ? 1.0 : 0.0; }}};
+  static constexpr CreepColumn columns[] = {{{"Fx", "N", "on the rail", force<CreepForce::Fx>}, 9},
+                                            {{"Fx_error", "N", by_elements, error<CreepForce::Fx>}, 3},
+                                            {{"Fs", "N", "on the rail", force<CreepForce::Fs>}, 9},
+                                            {{"Fs_error", "N", by_elements, error<CreepForce::Fs>}, 3},
+                                            {{"Mz", "N mm", "on the rail", force<CreepForce::Mz>}, 9},
+                                            {{"Mz_error", "N mm", by_elements, error<CreepForce::Mz>}, 3},
+                                            {{"adhesion_share", "1", "of the area in contact that adheres",
+                                              [](const CreepPoint& p) { return p.adhesion_share; }},
+                                             6},
+                                            {{"certified", "1", "1: the certificate holds",
+                                              [](const CreepPoint& p) { return p.certified ? 1.0 : 0.0; }},
+                                             1}};
   return columns;
-}
-
-std::vector<double> CreepColumn::values(const CreepCurve& curve) const {
-  std::vector<double> out;
-  for (const CreepPoint& p : curve.points)
-    out.push_back(value(p));
-  return out;
 }
 
 std::vector<double> creepages_of(const CreepCurve& curve) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/base/column.hpp"
 #include "bem_contact/curves/creep_curves.hpp"
 
 #include <span>
@@ -10,13 +11,8 @@ namespace bem_contact {
 /// What creep curves are made of. The program's outputs and Python take names, units and values from here.
 
 /// A column of a curve, after the creepage that varies. A number that is not known is nan.
-struct CreepColumn {
-  const char *name, *unit, *description;
+struct CreepColumn : ColumnOf<CreepPoint> {
   int digits; ///< that are worth printing
-  double (*value)(const CreepPoint&);
-
-  /// One value a point.
-  std::vector<double> values(const CreepCurve& curve) const;
 };
 /// All of them, in the order of the outputs.
 std::span<const CreepColumn> creep_columns();

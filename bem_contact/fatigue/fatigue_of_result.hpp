@@ -20,20 +20,8 @@ struct ShakedownPoint {
 };
 
 /// FI_surf = mu used - k / p0 (Ekberg, Kabo and Andersson, Fatigue Fract. Eng. Mater. Struct. 25 (2002) 899):
-/// above 0 the surface flows cycle after cycle, and fatigues. Throws InputError unless p0/k >
-/// 0.
+/// above 0 the surface flows cycle after cycle, and fatigues. Throws InputError unless p0/k > 0.
 double surface_index(const ShakedownPoint& point);
-
-/// An elliptical contact after Hertz, its load and shear.
-struct HertzPatch {
-  double a = 0, b = 0;     ///< semi-axes, mm
-  double normal_force = 0; ///< N
-  double shear_force = 0;  ///< resultant, N
-};
-
-/// The point of a Hertz contact, p0 = 3 Fz / (2 pi a b): its index is mu used - 2 pi a b k / (3 Fz). Throws
-/// InputError for what is not positive (shear may be 0).
-ShakedownPoint shakedown_point(const HertzPatch& patch, double yield_shear);
 
 /// FI of an element that bears no pressure. The map of Ekberg et al. is not read below it.
 inline constexpr double least_element_index = -0.5;

@@ -274,6 +274,17 @@ std::vector<std::string> body_warnings(const BodyFile& file) {
                   rail ? "top of the rail to the field side" : "tape circle to the flange", -to, -from)};
 }
 
+double reference_radius_of(const BodyFile& body) {
+  if (body.body.kind == BodyKind::outline)
+    return body.body.reference_radius;
+  return body.body.kind == BodyKind::wheel ? wheel_reference_radius : 0.0;
+}
+
+double half_period_of(const BodyFile& body) {
+  const double radius = reference_radius_of(body);
+  return radius > 0 ? std::numbers::pi * radius : body.harmonic.half_period;
+}
+
 std::string mesh_digest(const BodyFile& file, std::uint64_t profile_digest) {
   const auto& [body, strip, mesh] = std::tie(file.body, file.strip, file.mesh);
   const Point2 graft_at = body.graft_at.value_or(Point2{});

@@ -108,6 +108,10 @@ BodyFile parse_body_file(std::string_view toml, std::string_view source_name = "
 /// What can be computed but is probably a mistake, in sentences: the strip of a rail or of a wheel that lies
 /// wholly on the field side.
 std::vector<std::string> body_warnings(const BodyFile& body);
+/// Radius at which a wheel's angle is measured as a length: x = R_ref theta, r = R_ref + z, mm.
+inline constexpr double wheel_reference_radius = 460.0;
+double reference_radius_of(const BodyFile& body); ///< R_ref, mm; 0 for prismatic bodies
+double half_period_of(const BodyFile& body);      ///< L, mm; pi R_ref for bodies of revolution
 /// Digest of all that a mesh depends on, [body], [strip], [mesh] and the digest of the profile curve: tells
 /// the mesh of one body file from that of another. 16 hexadecimal digits.
 std::string mesh_digest(const BodyFile& body, std::uint64_t profile_digest);

@@ -1,10 +1,7 @@
 #include "bem_contact/profile/profile_formats.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/miniprof_format.hpp"
-#include "bem_contact/profile/simpack_format.hpp"
 #include "bem_contact/profile/text_lines.hpp"
-#include "bem_contact/profile/vampire_format.hpp"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,6 @@
 #include "bem_contact/profile/profile_smoothing.hpp"
 #include "bem_contact/profile/settings.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
-#include "bem_contact/profile/vampire_format.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -165,20 +164,10 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
   return out;
 }
 
-ProfileCurve parse_profile(std::string_view text, std::string_view source_name, ProfileKind kind,
-                           const ProfileReading& reading) {
-  return parse_measured_profile(text, source_name, kind, reading).curve;
-}
-
 MeasuredProfile measured_profile(const std::filesystem::path& file, ProfileKind kind,
                                  const ProfileReading& reading, int part) {
   return parse_measured_profile(read_text_file(file.string(), "profile file"), file.string(), kind, reading,
                                 part);
-}
-
-ProfileCurve read_profile(const std::filesystem::path& file, ProfileKind kind,
-                          const ProfileReading& reading) {
-  return measured_profile(file, kind, reading).curve;
 }
 
 std::string wavelength_text(const MeasuredProfile& p) {

@@ -47,12 +47,8 @@ struct MeasuredProfile {
 /// zig-zag and loops beyond repair.
 MeasuredProfile measured_profile(const std::filesystem::path& file, ProfileKind kind,
                                  const ProfileReading& reading = {}, int part = 0);
-ProfileCurve read_profile(const std::filesystem::path& file, ProfileKind kind,
-                          const ProfileReading& reading = {});
 MeasuredProfile parse_measured_profile(std::string_view text, std::string_view source_name, ProfileKind kind,
                                        const ProfileReading& reading = {}, int part = 0);
-ProfileCurve parse_profile(std::string_view text, std::string_view source_name, ProfileKind kind,
-                           const ProfileReading& reading = {});
 
 /// A standard profile by its name; of a body file (*.toml) the contact curve of the body; else a profile
 /// file, where "FILE#2" is the second of several profiles in it. Relative paths start in `folder`; `reading`

@@ -1,4 +1,4 @@
-#include "bem_contact/profile/vampire_format.hpp"
+#include "bem_contact/profile/profile_formats.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/text_lines.hpp"

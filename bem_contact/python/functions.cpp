@@ -1,8 +1,7 @@
 #include "bem_contact/python/functions.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/conicity/conicity_columns.hpp"
-#include "bem_contact/conicity/scene_wheelset.hpp"
+#include "bem_contact/conicity/wheelset_conicity.hpp"
 #include "bem_contact/curves/creep_columns.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
@@ -85,10 +84,10 @@ py::dict compare(const py::object& scene, const py::object& models, const py::ob
                   "at_equal_position"_a = results_of(c.at_position));
 }
 
-template <class Column> py::dict dict_of(std::span<const Column> columns, const WheelsetConicity& c) {
+template <class Row> py::dict dict_of(std::span<const ColumnOf<Row>> columns, const std::vector<Row>& rows) {
   py::dict out;
-  for (const Column& column : columns)
-    out[column.name] = array_of(column.values(c));
+  for (const ColumnOf<Row>& column : columns)
+    out[column.name] = array_of(column.values(rows));
   return out;
 }
 
@@ -100,8 +99,8 @@ py::dict conicity(const py::object& scene, const py::object& changes, const std:
   wheelset.rolls = roll;
   const WheelsetConicity found = stoppable(
       [=](const std::atomic<bool>*) { return wheelset_conicity(wheelset, {.largest = to, .step = step}); });
-  return py::dict("function"_a = dict_of(stand_columns(), found),
-                  "conicity"_a = dict_of(conicity_columns(), found),
+  return py::dict("function"_a = dict_of(stand_columns(), found.stands),
+                  "conicity"_a = dict_of(conicity_columns(), found.values),
                   "wheel_radius"_a = found.lengths.wheel_radius,
                   "contact_distance"_a = found.lengths.contact_distance, "rolls"_a = roll);
 }
@@ -114,7 +113,7 @@ py::dict curve_of(const CreepCurve& curve) {
   py::dict out;
   out["creepage"] = array_of(creepages_of(curve));
   for (const CreepColumn& column : creep_columns())
-    out[column.name] = array_of(column.values(curve));
+    out[column.name] = array_of(column.values(curve.points));
   return out;
 }
 

@@ -6,7 +6,7 @@
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
-#include "bem_contact/wear/history.hpp"
+#include "bem_contact/wear/evolution.hpp"
 #include "bem_contact/wear/wear_of_result.hpp"
 
 #include <fmt/format.h>

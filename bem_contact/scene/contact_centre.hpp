@@ -1,13 +1,20 @@
 #pragma once
 
 #include "bem_contact/base/material.hpp"
+#include "bem_contact/contact/problem.hpp"
 #include "bem_contact/geometry/rail_slices.hpp"
-#include "bem_contact/scene/contact_load.hpp"
 
 #include <optional>
 #include <span>
 
 namespace bem_contact {
+
+/// What presses the bodies together.
+struct ContactLoad {
+  LoadKind kind = LoadKind::force;
+  double force = 0;    ///< Fz, N (a patch: along z of its frame); kind == force
+  double approach = 0; ///< mm; kind == approach
+};
 
 /// The middle of a contact: what creepages of a wheel on a rail refer to.
 struct ContactCentre {

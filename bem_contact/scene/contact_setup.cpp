@@ -1,6 +1,5 @@
 #include "bem_contact/scene/contact_setup.hpp"
 
-#include "bem_contact/scene/contact_centre.hpp"
 #include "bem_contact/scene/elastic_limit.hpp"
 #include "bem_contact/scene/settings.hpp"
 

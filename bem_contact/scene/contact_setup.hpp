@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem_contact/influence/influence_function.hpp"
-#include "bem_contact/scene/contact_load.hpp"
+#include "bem_contact/scene/contact_centre.hpp"
 #include "bem_contact/scene/motion.hpp"
 #include "bem_contact/scene/patch_geometry.hpp"
 #include "bem_contact/scene/wheel_rail_geometry.hpp"

@@ -2,87 +2,82 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/profile/text_lines.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fstream>
 #include <limits>
+#include <ranges>
 #include <sstream>
 
 namespace bem_contact {
 
 namespace {
 
-std::vector<std::string> split(std::string line) {
-  std::vector<std::string> parts;
-  std::istringstream in(line);
-  for (std::string part; std::getline(in, part, ',');) {
-    const auto from = part.find_first_not_of(" \t\r"), to = part.find_last_not_of(" \t\r");
-    parts.push_back(from == std::string::npos ? "" : part.substr(from, to - from + 1));
-  }
-  return parts;
-}
+/// A line with cells; text without its comment.
+struct Line {
+  int number;
+  std::string text;
+  std::vector<std::string> cells;
+};
 
-std::ifstream open_table(const std::filesystem::path& file) {
+std::vector<Line> lines_of(const std::filesystem::path& file) {
   require_readable(file.string(), "The table");
   std::ifstream in(file);
   if (!in)
     throw InputError(fmt::format("The table '{}' cannot be read", file.string()), "there is no such file",
                      "Check the path; it is relative to the scene file.");
-  return in;
+  std::vector<Line> lines;
+  int number = 0;
+  for (std::string text; std::getline(in, text);) {
+    Line line{++number, text.substr(0, text.find('#')), {}};
+    std::istringstream cells(line.text);
+    for (std::string cell; std::getline(cells, cell, ',');)
+      line.cells.emplace_back(trimmed(cell));
+    if (line.cells.size() > 1 || (line.cells.size() == 1 && !line.cells.front().empty()))
+      lines.push_back(std::move(line));
+  }
+  return lines;
 }
 
 } // namespace
 
 std::vector<std::string> csv_columns(const std::filesystem::path& file) {
-  std::ifstream in = open_table(file);
-  for (std::string line; std::getline(in, line);) {
-    const std::vector<std::string> parts = split(line.substr(0, line.find('#')));
-    if (!(parts.empty() || (parts.size() == 1 && parts[0].empty())))
-      return parts;
-  }
-  throw InputError(fmt::format("The table '{}' is empty", file.string()), "it has no line of names",
-                   "Begin it with the names of its columns.");
+  const std::vector<Line> lines = lines_of(file);
+  if (lines.empty())
+    throw InputError(fmt::format("The table '{}' is empty", file.string()), "it has no line of names",
+                     "Begin it with the names of its columns.");
+  return lines.front().cells;
 }
 
 std::vector<std::vector<double>> read_csv(const std::filesystem::path& file,
                                           const std::vector<std::string>& columns) {
-  std::ifstream in = open_table(file);
   const std::string header = fmt::format("{}", fmt::join(columns, ", "));
+  const std::vector<Line> lines = lines_of(file);
+  if (!lines.empty() && lines.front().cells != columns)
+    throw InputError(fmt::format("The table '{}' has other columns", file.string()),
+                     fmt::format("its first line is '{}'", lines.front().text),
+                     fmt::format("Begin it with '{}'.", header));
   std::vector<std::vector<double>> rows;
-  bool named = false;
-  int number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    line = line.substr(0, line.find('#'));
-    const std::vector<std::string> parts = split(line);
-    if (parts.empty() || (parts.size() == 1 && parts[0].empty()))
-      continue;
-    if (!named) {
-      if (parts != columns)
-        throw InputError(fmt::format("The table '{}' has other columns", file.string()),
-                         fmt::format("its first line is '{}'", line),
-                         fmt::format("Begin it with '{}'.", header));
-      named = true;
-      continue;
-    }
+  for (const Line& line : lines | std::views::drop(1)) {
     std::vector<double> row;
-    for (const std::string& part : parts) {
+    for (const std::string& cell : line.cells) {
       std::size_t used = 0;
       double value = std::nan("");
       try {
-        value = std::stod(part, &used);
+        value = std::stod(cell, &used);
       } catch (const std::exception&) {
       }
-      if (used != part.size() || !std::isfinite(value))
-        throw InputError(fmt::format("Line {} of the table '{}' is wrong", number, file.string()),
-                         fmt::format("'{}' is not a finite number", part),
+      if (used != cell.size() || !std::isfinite(value))
+        throw InputError(fmt::format("Line {} of the table '{}' is wrong", line.number, file.string()),
+                         fmt::format("'{}' is not a finite number", cell),
                          fmt::format("Give rows of {}.", header));
       row.push_back(value);
     }
     if (row.size() != columns.size())
-      throw InputError(fmt::format("Line {} of the table '{}' is wrong", number, file.string()),
+      throw InputError(fmt::format("Line {} of the table '{}' is wrong", line.number, file.string()),
                        fmt::format("it has {} values", row.size()), fmt::format("Give rows of {}.", header));
     rows.push_back(std::move(row));
   }

@@ -1,7 +1,5 @@
 #include "bem_contact/scene/scene_keys.hpp"
 
-#include "bem_contact/scene/key_kinds.hpp"
-
 #include <string>
 #include <utility>
 

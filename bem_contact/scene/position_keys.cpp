@@ -1,7 +1,6 @@
 #include "bem_contact/scene/scene_keys.hpp"
 
 #include "bem_contact/base/material_keys.hpp"
-#include "bem_contact/scene/key_kinds.hpp"
 
 namespace bem_contact {
 

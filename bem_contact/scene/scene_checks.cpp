@@ -1,6 +1,5 @@
-#include "bem_contact/scene/scene_checks.hpp"
-
 #include "bem_contact/scene/accuracy_of.hpp"
+#include "bem_contact/scene/scene_keys.hpp"
 
 #include <fmt/format.h>
 #include <tuple>

@@ -5,10 +5,8 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/scene/accuracy_of.hpp"
-#include "bem_contact/scene/scene_checks.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
-#include "bem_contact/scene/unused_keys.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -2,11 +2,13 @@
 
 #include "bem_contact/scene/scene_file.hpp"
 
-/// Private to this room: every key of a scene, with its unit, range and a line of explanation.
-/// Private to this room: the keys of the two bodies, where they stand and what they bear.
-/// Private to this room: the keys of motion, friction and heat.
-
+/// Private to this room: every key of a scene, with its unit, range and a line of explanation, and what they
+/// demand of each other.
 namespace bem_contact {
+
+// The kinds of scenes that a key is for.
+inline const std::vector<std::string> wheel_rail_alone{std::string(name_of(SceneKind::wheel_rail))};
+inline const std::vector<std::string> patch_alone{std::string(name_of(SceneKind::patch))};
 
 /// Values of keys that have no member of their own in SceneFile; settle() turns them into one.
 struct SceneKeysAsRead {
@@ -19,6 +21,13 @@ Schema scene_schema(SceneFile& file, SceneKeysAsRead& read);
 
 /// After reading: sets shear moduli and rows. Throws InputError if a material has two moduli.
 void settle(SceneFile& file, const Schema& schema, const SceneKeysAsRead& read);
+
+/// Throws InputError, naming line and key, for keys that exclude each other and for one that is missing.
+void check_keys(const SceneFile& file, const Schema& schema);
+
+/// Keys that the file sets to another value than their default, and that have no effect in this combination:
+/// one sentence for each reason.
+std::vector<std::string> unused_keys(const SceneFile& scene, const Schema& schema);
 
 /// [rail] or [wheel], the `name`. `role` and `standards`: for the explanation; `young`: read beside the shear
 /// modulus.

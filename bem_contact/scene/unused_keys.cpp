@@ -1,4 +1,4 @@
-#include "bem_contact/scene/unused_keys.hpp"
+#include "bem_contact/scene/scene_keys.hpp"
 
 #include "bem_contact/profile/standard_profiles.hpp"
 

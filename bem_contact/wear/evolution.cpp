@@ -10,12 +10,14 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <numbers>
 
 namespace bem_contact::wear {
 
 namespace {
 
 constexpr const char* as_given = "Correct it.";
+constexpr double mm_per_km = 1e6;
 
 void use_profile(SceneFile::Side& side, const std::filesystem::path& file,
                  const std::filesystem::path& influence) {
@@ -170,6 +172,16 @@ void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& 
       throw InputError("The cases of the load collective have different wear maps",
                        "one law holds for all of them", "Sweep over other keys.");
   }
+}
+
+WearRow history_row(int step, const WornPair& pair, double wheel_radius) {
+  return {.step = double(step),
+          .revolutions = pair.revolutions,
+          .mileage = pair.revolutions * 2 * std::numbers::pi * wheel_radius / mm_per_km,
+          .rail_depth = pair.rail.largest(),
+          .wheel_depth = pair.wheel.largest(),
+          .rail_area = pair.rail.area,
+          .wheel_area = pair.wheel.area};
 }
 
 } // namespace bem_contact::wear

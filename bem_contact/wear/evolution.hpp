@@ -5,6 +5,7 @@
 #include "bem_contact/wear/settings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -75,5 +76,29 @@ std::optional<WearMap> wear_map_of(const SceneFile& scene);
 /// Throws InputError for an empty collective, weights that are not positive, other bodies or another wear map
 /// from case to case, and options out of range.
 void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& options);
+
+/// What has become of both bodies after a step.
+struct WearRow {
+  double step = 0, revolutions = 0, mileage = 0; ///< 1, 1, km
+  double rail_depth = 0, wheel_depth = 0;        ///< largest depth of each body, mm
+  double rail_area = 0, wheel_area = 0;          ///< gone from each section, mm^2
+};
+
+/// A column of wear.csv, a dataset of wear.h5, an array of Python's wear().
+struct WearColumn {
+  const char* name;        ///< as in all outputs
+  const char* unit;        ///< "1" where it has none
+  double WearRow::*member; ///< what it has of a step
+};
+inline constexpr std::array<WearColumn, 7> wear_columns{{{"step", "1", &WearRow::step},
+                                                         {"revolutions", "1", &WearRow::revolutions},
+                                                         {"mileage", "km", &WearRow::mileage},
+                                                         {"rail_depth", "mm", &WearRow::rail_depth},
+                                                         {"wheel_depth", "mm", &WearRow::wheel_depth},
+                                                         {"rail_area", "mm^2", &WearRow::rail_area},
+                                                         {"wheel_area", "mm^2", &WearRow::wheel_area}}};
+
+/// The row of a state after so many steps; the mileage is that of a wheel of this radius, mm.
+WearRow history_row(int step, const WornPair& pair, double wheel_radius);
 
 } // namespace bem_contact::wear

@@ -62,16 +62,4 @@ Wear wear_of(const SceneResult& r, const Law& law) {
   return out;
 }
 
-EnergyBalance energy_balance(const SceneResult& r) {
-  require_steady_friction(r);
-  const ContactProblem& p = r.problem;
-  EnergyBalance out{.dissipated = friction_power(r.result, p.element_area())};
-  for (int i = 0; i < p.grid.size(); ++i) {
-    const double wx = p.slip_x[i] + r.result.creepage_x,
-                 ws = p.slip_s[i] + r.result.creepage_s * p.lateral_share(i / p.grid.mx);
-    out.supplied += p.element_area() * (r.result.px[i] * wx + r.result.ps[i] * ws);
-  }
-  return out;
-}
-
 } // namespace bem_contact::wear

@@ -37,14 +37,4 @@ struct Wear {
 /// no friction.
 Wear wear_of(const SceneResult& result, const Law& law);
 
-/// The two sides of the balance of energy in steady rolling, by rolled distance, N. If both bodies have the
-/// same elasticity on a plane they are equal: what friction dissipates is what the rigid motion puts in,
-///     integral p_t . s dA = Fx xi + Fy eta + Mz phi        (with the signs of base/conventions.hpp).
-/// Their difference is then an estimate of the error of discretisation.
-struct EnergyBalance {
-  double dissipated = 0; ///< sum p_t . s dA
-  double supplied = 0;   ///< sum p_t . w dA, w the rigid slip with the creepages that were found
-};
-EnergyBalance energy_balance(const SceneResult& result);
-
 } // namespace bem_contact::wear

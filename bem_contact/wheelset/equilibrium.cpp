@@ -2,13 +2,13 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/wheelset/settings.hpp"
-#include "bem_contact/wheelset/stiffness.hpp"
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace bem_contact {
 
@@ -16,6 +16,56 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+/// How forces and moments on both rails change, per mm and rad of the wheelset's motion: a model, good to
+/// some ten percent.
+struct WheelsetStiffness {
+  Wrench by_height, by_roll; ///< down; right side down
+  Wrench by_rolling_radius;  ///< at a constant forward speed
+};
+
+/// dFx over the longitudinal creepage, N.
+double creep_slope(const PatchSummary& p, const SceneResult& r, const SceneFile& scene) {
+  const double shear_modulus =
+      2 / (1 / scene.rail.material.shear_modulus + 1 / scene.wheel.material.shear_modulus);
+  const double bound = r.problem.largest_friction() * p.fn;
+  const double used = std::min(1.0, std::hypot(p.fx, p.fs) / bound);
+  return kalker_c11 * shear_modulus * p.area / std::numbers::pi *
+         std::max(least_creep_slope, std::pow(1 - used, 2.0 / 3));
+}
+
+/// Of one wheel, in the frame of its side.
+WheelsetStiffness stiffness_of_wheel(const SceneResult& r, Point2 centre, const WheelsetState& state,
+                                     const SceneFile& scene) {
+  WheelsetStiffness out;
+  for (const PatchSummary& p : r.result.patches) {
+    const Point2 across = p.position - centre;
+    const Vector3 arm{p.x, across.y, across.z};
+    const Wrench force = wrench_at({p.fx, p.fy, p.fz}, arm);
+    const double by_height = hertz_exponent * std::cos(p.delta) / p.approach;
+    const double lever = across.y + across.z * std::tan(p.delta); // of the normal, over its vertical part
+    out.by_height += by_height * force;
+    out.by_roll += by_height * lever * force;
+    if (state.pose.rolling_radius) {
+      const double creepage = across.z / std::pow(*state.pose.rolling_radius, 2); // xi = 1 - r / R
+      out.by_rolling_radius += wrench_at({creep_slope(p, r, scene) * creepage, 0, 0}, arm);
+    }
+  }
+  return out;
+}
+
+/// Each patch keeps the direction of its force, and its size grows with its approach as Hertz's law has it.
+/// The longitudinal force grows with creepage as Kalker's linear theory has it for a circle of the patch's
+/// size, and less near full slip (Vermeulen and Johnson 1964).
+WheelsetStiffness stiffness_of(const WheelsetState& state, const SceneFile& scene) {
+  const double y = state.pose.lateral, z = state.pose.vertical - state.wheel_radius;
+  WheelsetStiffness out = stiffness_of_wheel(state.right, {y, z}, state, scene);
+  const WheelsetStiffness left = stiffness_of_wheel(state.left, {-y, z}, state, scene);
+  out.by_height += mirrored(left.by_height);
+  out.by_roll += -1 * mirrored(left.by_roll); // the mirror image rolls the other way
+  out.by_rolling_radius += mirrored(left.by_rolling_radius);
+  return out;
+}
 
 [[noreturn]] void refuse_lift(WheelSide side, const WheelsetState& state) {
   throw InputError(
@@ -52,40 +102,22 @@ public:
   VectorXd none() const { return VectorXd::Zero(start_.rolling_radius ? 3 : 2); }
 
   VectorXd residual(const WheelsetState& s) const {
-    const Wrench sum = s.sum();
-    VectorXd f = none();
-    f[0] = sum.force[2] / force() - 1;
-    f[1] = (s.roll_moment(sum) - given_.roll_moment) / (force() * arm_);
+    VectorXd f = equations(s, s.sum());
+    f[0] -= 1;
+    f[1] -= given_.roll_moment / (force() * arm_);
     if (f.size() > 2)
-      f[2] = (s.torque(sum) - given_.torque) / (force() * s.wheel_radius);
+      f[2] -= given_.torque / (force() * s.wheel_radius);
     return f;
   }
 
   /// By the model of the stiffness.
   MatrixXd model(const WheelsetState& s) const {
     const WheelsetStiffness k = stiffness_of(s, wheels_.scene());
-    const auto column = [&](const Wrench& by) {
-      VectorXd f = none();
-      f[0] = by.force[2] / force();
-      f[1] = s.roll_moment(by) / (force() * arm_);
-      if (f.size() > 2)
-        f[2] = s.torque(by) / (force() * s.wheel_radius);
-      return f;
-    };
     MatrixXd out(none().size(), none().size());
-    out.col(0) = column(k.by_height);
-    Wrench by_roll = k.by_roll;
-    for (Vector3* v : {&by_roll.force, &by_roll.moment})
-      for (double& value : *v)
-        value /= arm_;
-    out.col(1) = column(by_roll);
-    if (out.cols() > 2) {
-      Wrench by_radius = k.by_rolling_radius;
-      for (Vector3* v : {&by_radius.force, &by_radius.moment})
-        for (double& value : *v)
-          value *= creepage_scale * *start_.rolling_radius;
-      out.col(2) = column(by_radius);
-    }
+    out.col(0) = equations(s, k.by_height);
+    out.col(1) = equations(s, 1 / arm_ * k.by_roll);
+    if (out.cols() > 2)
+      out.col(2) = equations(s, creepage_scale * *start_.rolling_radius * k.by_rolling_radius);
     return out;
   }
 
@@ -116,6 +148,15 @@ public:
 
 private:
   double force() const { return *given_.force; }
+  /// What forces on the rails contribute to each equation.
+  VectorXd equations(const WheelsetState& s, const Wrench& w) const {
+    VectorXd f = none();
+    f[0] = w.force[2] / force();
+    f[1] = s.roll_moment(w) / (force() * arm_);
+    if (f.size() > 2)
+      f[2] = s.torque(w) / (force() * s.wheel_radius);
+    return f;
+  }
 
   WheelPair& wheels_;
   const SceneFile::Wheelset& given_;

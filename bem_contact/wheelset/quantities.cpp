@@ -17,9 +17,10 @@ double sign(WheelSide side) {
   return side == WheelSide::left ? -1 : 1;
 }
 
-const PatchSummary* patch(const State& s, WheelSide side) {
+/// Of the first patch; `Of` gets what changes sign in the mirror.
+template <double (*Of)(const PatchSummary&, double sign)> double of_patch(const State& s, WheelSide side) {
   const auto& patches = s.solved(side).result.patches;
-  return patches.empty() ? nullptr : &patches.front();
+  return patches.empty() ? PatchPlace::none : Of(patches.front(), sign(side));
 }
 
 template <double PatchPlace::*Member> double place(const State& s, WheelSide side) {
@@ -91,20 +92,11 @@ constexpr WheelQuantity of_wheel[] = {
     {"My", "N mm", "on the rail, about the wheelset's centre", moment<1>},
     {"Mz", "N mm", "on the rail, about the wheelset's centre", moment<2>},
     {"y", "mm", "of the contact, from the track's centre line to the right",
-     [](const State& s, WheelSide side) {
-       const PatchSummary* p = patch(s, side);
-       return p ? sign(side) * p->position.y : PatchPlace::none;
-     }},
+     of_patch<[](const PatchSummary& p, double sign) { return sign * p.position.y; }>},
     {"z", "mm", "of the contact, below the top of the rail",
-     [](const State& s, WheelSide side) {
-       const PatchSummary* p = patch(s, side);
-       return p ? p->position.z : PatchPlace::none;
-     }},
+     of_patch<[](const PatchSummary& p, double) { return p.position.z; }>},
     {"delta", "rad", "inclination of the rail there, right side down",
-     [](const State& s, WheelSide side) {
-       const PatchSummary* p = patch(s, side);
-       return p ? sign(side) * p->delta : PatchPlace::none;
-     }},
+     of_patch<[](const PatchSummary& p, double sign) { return sign * p.delta; }>},
     {"rail_y", "mm", "of the contact on the rail's profile, to the field side", place<&PatchPlace::rail_y>},
     {"wheel_y", "mm", "of the contact on the wheel's profile, to the field side",
      place<&PatchPlace::wheel_y>},

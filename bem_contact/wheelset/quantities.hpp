@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/base/column.hpp"
 #include "bem_contact/wheelset/solve_wheelset.hpp"
 
 #include <span>
@@ -11,12 +12,7 @@ namespace bem_contact {
 /// turned back. nan: not known.
 
 /// One number of the wheelset.
-struct WheelsetQuantity {
-  const char* name;                       ///< as outputs have it
-  const char* unit;                       ///< mm, N, MPa, rad
-  const char* description;                ///< for readers of a file
-  double (*value)(const WheelsetResult&); ///< nan: not known
-};
+using WheelsetQuantity = ColumnOf<WheelsetResult>;
 /// All of them, in the order of the outputs.
 std::span<const WheelsetQuantity> wheelset_quantities();
 

@@ -18,6 +18,14 @@ Wrench operator+(Wrench a, const Wrench& b) {
   return a += b;
 }
 
+Wrench operator*(double factor, Wrench w) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    w.force[i] *= factor;
+    w.moment[i] *= factor;
+  }
+  return w;
+}
+
 Wrench wrench_at(const Vector3& f, const Vector3& r) {
   return {f, {r[1] * f[2] - r[2] * f[1], r[2] * f[0] - r[0] * f[2], r[0] * f[1] - r[1] * f[0]}};
 }

@@ -15,6 +15,8 @@ struct Wrench {
 };
 /// Sum, about the same point.
 Wrench operator+(Wrench a, const Wrench& b);
+/// Multiple.
+Wrench operator*(double factor, Wrench w);
 
 /// Of a force at a point, components along x, y, z. `arm`: from the point that the moment is about to the
 /// point of the force.

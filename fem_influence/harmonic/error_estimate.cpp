@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace bem_contact::fem {
@@ -72,13 +73,6 @@ InfluenceNumbers numbers_of(const InfluenceFunction& f, double dx, int offsets) 
   }
 }
 
-std::vector<std::size_t> all_of(std::size_t count) {
-  std::vector<std::size_t> index(count);
-  for (std::size_t i = 0; i < count; ++i)
-    index[i] = i;
-  return index;
-}
-
 } // namespace
 
 double error_ratio(int degree, int borders) {
@@ -100,8 +94,9 @@ ErrorEstimate estimate_error(const InfluenceFunction& function, const InfluenceF
   const auto half = companion_samples(function.wavenumber_count());
   const int offsets = 1 + static_cast<int>(std::min(settings::compared_distance, 0.5 * function.half_period) /
                                            shortest_dx * (1 + 1e-9));
-  const auto fine =
-      numbers_of(part_of(function, stations, all_of(function.wavenumber_count())), shortest_dx, offsets);
+  std::vector<std::size_t> all(function.wavenumber_count());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const auto fine = numbers_of(part_of(function, stations, all), shortest_dx, offsets);
   const auto fewer = numbers_of(part_of(function, stations, half), shortest_dx, offsets);
   const auto coarse = numbers_of(companion, shortest_dx, offsets);
 

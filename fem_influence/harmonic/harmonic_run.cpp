@@ -8,7 +8,7 @@
 #include "fem_influence/harmonic/run_files.hpp"
 #include "fem_influence/harmonic/run_plan.hpp"
 #include "fem_influence/harmonic/task_distribution.hpp"
-#include "fem_influence/shared/file_checks.hpp"
+#include "fem_influence/shared/body_description.hpp"
 #include "fem_influence/shared/memory.hpp"
 #include "fem_influence/shared/parallel.hpp"
 #include "fem_influence/shared/settings.hpp"

@@ -9,7 +9,6 @@
 #include "fem_influence/shared/body_description.hpp"
 #include "fem_influence/shared/settings.hpp"
 #include "fem_influence/shared/sparse_columns.hpp"
-#include "fem_influence/shared/stations.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -169,13 +168,7 @@ HarmonicSystem lay_out_system(const Section& section, const BodyFile& body, cons
   system.unknown = number_unknowns(section);
   append_unknowns(system.functionals, loads, system.unknown);
   append_unknowns(system.functionals, remote, system.unknown);
-  append_rigid_motions(system, rigid_motions(section.node_positions(), reference_radius, 0), loads);
-  return system;
-}
-
-HarmonicSystem assemble_system(const Section& section, const BodyFile& body, const ProfileCurve& curve) {
-  HarmonicSystem system = lay_out_system(section, body, curve);
-  fill(system.op, section, reference_radius_of(body));
+  append_rigid_motions(system, rigid_motions(section.node_positions(), reference_radius), loads);
   return system;
 }
 

@@ -34,10 +34,9 @@ struct HarmonicSystem {
   }
 };
 
-/// Throws InputError where the mesh does not fit the strip, or where no node can move.
-HarmonicSystem assemble_system(const Section& section, const BodyFile& body, const ProfileCurve& curve);
-/// The same without the blocks of its operator, which take most of the time: fill() gives them. `chosen`: of
-/// these stations alone, in this order; none: of all.
+/// All but the blocks of its operator, which take most of the time: fill() gives them. `chosen`: of these
+/// stations alone, in this order; none: of all. Throws InputError where the mesh does not fit the strip, or
+/// where no node can move.
 HarmonicSystem lay_out_system(const Section& section, const BodyFile& body, const ProfileCurve& curve,
                               std::span<const std::size_t> chosen = {});
 

@@ -10,7 +10,7 @@ MeshedSystem::MeshedSystem(const BodyFile& body, const ProfileCurve& curve, cons
     : reference_radius(reference_radius_of(body)) {
   const TimedScope timer(timing.assembly);
   section = std::make_unique<Section>(mesh, body.harmonic.degree, curve, body.strip,
-                                      Refinement{.everywhere = 0, .borders = body.harmonic.border_levels});
+                                      Refinement{.borders = body.harmonic.border_levels});
   system = lay_out_system(*section, body, curve, stations);
 }
 

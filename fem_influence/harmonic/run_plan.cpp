@@ -5,7 +5,6 @@
 #include "fem_influence/harmonic/error_estimate.hpp"
 #include "fem_influence/shared/body_description.hpp"
 #include "fem_influence/shared/settings.hpp"
-#include "fem_influence/shared/stations.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +58,7 @@ double RunPlan::wavenumber(const WavenumberTask& task) const {
 
 RunPlan plan_run(const BodyFile& body, const ProfileCurve& curve) {
   RunPlan plan;
-  plan.function = describe(body, curve, make_stations(body.strip, curve));
+  plan.function = describe(body, curve);
   plan.function.held = held_part(body.body) +
                        ": all three displacements are zero on the mesh's group 'held' (physical curve 2)";
   plan.function.wavenumber =

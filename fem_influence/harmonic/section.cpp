@@ -119,9 +119,6 @@ Section::Section(const std::filesystem::path& path, int degree, const ProfileCur
 
 Section::~Section() = default;
 
-int Section::degree() const {
-  return static_cast<int>(impl_->element.degree);
-}
 std::size_t Section::cell_count() const {
   return impl_->mesh.n_active_cells();
 }

@@ -49,7 +49,6 @@ public:
   Section(const Section&) = delete;
   Section& operator=(const Section&) = delete;
 
-  int degree() const;
   std::size_t cell_count() const;
   std::size_t node_count() const;
   const std::vector<Point2>& node_positions() const;

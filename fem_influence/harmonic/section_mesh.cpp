@@ -92,7 +92,6 @@ void curve_edges(dealii::Triangulation<2>& mesh, const std::filesystem::path& pa
 
 void refine(dealii::Triangulation<2>& mesh, const ProfileCurve& curve, const BodyFile::Strip& strip,
             Refinement refinement) {
-  mesh.refine_global(static_cast<unsigned>(refinement.everywhere));
   const auto at_border = [&](const dealii::Point<2>& vertex) {
     const double station = (curve.nearest(plain(vertex)).s - strip.from) / strip.station_width;
     return std::abs(station - std::round(station)) < settings::at_border;

@@ -11,12 +11,11 @@ template <int dim, int spacedim> class Triangulation;
 
 namespace bem_contact::fem {
 
-/// How often cells of the mesh that was read are halved: all of them, then those that touch the surface at
-/// the border of two stations. There a station's load jumps and the stress has a logarithm, which leaves an
+/// How often cells of the mesh that was read are halved: those that touch the surface at the border of two
+/// stations. There a station's load jumps and the stress has a logarithm, which leaves an
 /// error of (h / p^2)^2 in averaged displacements whatever the degree p: each level at the borders takes it
 /// down to a quarter (THEORY.md, 3).
 struct Refinement {
-  int everywhere = 0;
   int borders = 0;
 };
 

@@ -93,12 +93,6 @@ void fill(SectionOperator& op, const Section& section, double reference_radius,
   });
 }
 
-SectionOperator assemble(const Section& section, const Material& material, double reference_radius) {
-  SectionOperator op = lay_out(section, material, reference_radius);
-  fill(op, section, reference_radius);
-  return op;
-}
-
 std::vector<double> SectionOperator::apply(double k, std::span<const double> u) const {
   std::vector<double> f(u.size(), 0.0);
   std::size_t e = 0;
@@ -129,44 +123,22 @@ std::vector<double> SectionOperator::apply(double k, std::span<const double> u) 
   return f;
 }
 
-std::vector<std::vector<double>> rigid_motions(std::span<const Point2> nodes, double reference_radius,
-                                               int n) {
-  using Field = std::array<double, 3> (*)(Point2, double);
-  std::vector<Field> fields;
-  if (reference_radius > 0 && n == 0)
-    fields = {[](Point2, double) {
-                return std::array{0.0, 1.0, 0.0};
-              },
-              [](Point2, double r) {
-                return std::array{r, 0.0, 0.0};
-              }};
-  else if (reference_radius > 0 && n == 1)
-    fields = {[](Point2, double) {
-                return std::array{-1.0, 0.0, 1.0};
-              },
-              [](Point2 p, double r) {
-                return std::array{p.y, r, -p.y};
-              }};
-  else if (n == 0)
-    fields = {[](Point2, double) {
-                return std::array{1.0, 0.0, 0.0};
-              },
-              [](Point2, double) {
-                return std::array{0.0, 1.0, 0.0};
-              },
-              [](Point2, double) {
-                return std::array{0.0, 0.0, 1.0};
-              },
-              [](Point2 p, double) {
-                return std::array{0.0, -p.z, p.y};
-              }};
-  std::vector<std::vector<double>> motions;
-  for (const Field field : fields) {
-    auto& motion = motions.emplace_back();
-    for (const Point2 p : nodes)
-      for (const double u : field(p, reference_radius + p.z))
-        motion.push_back(u);
-  }
+std::vector<std::vector<double>> rigid_motions(std::span<const Point2> nodes, double reference_radius) {
+  const bool revolution = reference_radius > 0;
+  std::vector<std::vector<double>> motions(revolution ? 2 : 4);
+  const auto add = [&](std::size_t motion, double x, double y, double z) {
+    motions[motion].insert(motions[motion].end(), {x, y, z});
+  };
+  for (const Point2 p : nodes)
+    if (revolution) {
+      add(0, 0, 1, 0);
+      add(1, reference_radius + p.z, 0, 0);
+    } else {
+      add(0, 1, 0, 0);
+      add(1, 0, 1, 0);
+      add(2, 0, 0, 1);
+      add(3, 0, -p.z, p.y);
+    }
   return motions;
 }
 

@@ -46,18 +46,15 @@ struct SectionOperator {
 ///     e_xx = k U, g_xy = U_y - k V, g_xz = U_z - k W, e_yy = V_y, e_zz = W_z, g_yz = V_z + W_y.
 /// Of a body of revolution with r = R_ref + z, rho = r / R_ref, k = n / R_ref, weight rho dA:
 ///     e_xx = (k/rho) U + W/r, g_xy = U_y - (k/rho) V, g_xz = U_z - U/r - (k/rho) W, the rest as above.
-/// Throws InputError when a node of a body of revolution lies on or beyond the axle (r <= 0).
-SectionOperator assemble(const Section& section, const Material& material, double reference_radius);
-
-/// assemble() in two steps. lay_out() gives all but the blocks. fill() computes the blocks, in `memory` (for
-/// block_count() of them, which must live as long as the operator) or in the operator's own memory.
+/// lay_out() gives all but the blocks. fill() computes the blocks, in `memory` (for block_count() of them,
+/// which must live as long as the operator) or in the operator's own memory. Throws InputError when a node of
+/// a body of revolution lies on or beyond the axle (r <= 0).
 SectionOperator lay_out(const Section& section, const Material& material, double reference_radius);
 void fill(SectionOperator& op, const Section& section, double reference_radius,
           std::span<SectionOperator::Block> memory = {});
 
-/// Nodal values [3 node + component] of the body's rigid motions that belong to wavenumber k.
-/// A prism, k = 0: translations x, y, z and the rotation about x.
-/// Revolution: k = 0: along the axle and about it; k = 1/R_ref: across the axle (z) and tilting.
-std::vector<std::vector<double>> rigid_motions(std::span<const Point2> nodes, double reference_radius, int n);
+/// Nodal values [3 node + component] of the body's rigid motions that are the same all along it. A prism:
+/// translations x, y, z and the rotation about x. Revolution: along the axle and about it.
+std::vector<std::vector<double>> rigid_motions(std::span<const Point2> nodes, double reference_radius);
 
 } // namespace bem_contact::fem

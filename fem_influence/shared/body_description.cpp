@@ -1,23 +1,43 @@
 #include "fem_influence/shared/body_description.hpp"
 
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "fem_influence/shared/settings.hpp"
 
-#include <numbers>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 namespace bem_contact::fem {
 
-double reference_radius_of(const BodyFile& body) {
-  if (body.body.kind == BodyKind::outline)
-    return body.body.reference_radius;
-  return body.body.kind == BodyKind::wheel ? wheel_reference_radius : 0.0;
+std::vector<Station> make_stations(const BodyFile::Strip& strip, const ProfileCurve& curve) {
+  const auto range = [](double from, double to) {
+    return std::to_string(from) + " .. " + std::to_string(to) + " mm";
+  };
+  const double length = strip.to - strip.from;
+  const double count = length / strip.station_width;
+  if (!(length > 0) || !(strip.station_width > 0) ||
+      std::abs(count - std::round(count)) > settings::whole_stations * count)
+    throw InputError("The strip " + range(strip.from, strip.to) + " is not a whole number of stations",
+                     "station_width is " + std::to_string(strip.station_width) + " mm",
+                     "Change strip.from, strip.to or strip.station_width.");
+  if (strip.from < curve.s_begin() - settings::strip_end || strip.to > curve.s_end() + settings::strip_end)
+    throw InputError("The strip " + range(strip.from, strip.to) + " leaves the profile '" + curve.name() +
+                         "'",
+                     "its arc length runs over " + range(curve.s_begin(), curve.s_end()),
+                     "Change strip.from or strip.to.");
+  std::vector<Station> stations;
+  for (int i = 0; i < static_cast<int>(std::lround(count)); ++i) {
+    const CurvePoint point = curve.at(strip.from + (i + 0.5) * strip.station_width);
+    stations.push_back({point.s, point.position, point.delta});
+  }
+  return stations;
 }
 
-double half_period_of(const BodyFile& body) {
-  const double radius = reference_radius_of(body);
-  return radius > 0 ? std::numbers::pi * radius : body.harmonic.half_period;
-}
-
-InfluenceFunction describe(const BodyFile& body, const ProfileCurve& curve, std::vector<Station> stations) {
+InfluenceFunction describe(const BodyFile& body, const ProfileCurve& curve) {
   InfluenceFunction f;
   f.body = body_name(body);
   f.profile = curve.name();
@@ -27,8 +47,24 @@ InfluenceFunction describe(const BodyFile& body, const ProfileCurve& curve, std:
   f.invariance = f.reference_radius > 0 ? Invariance::revolution : Invariance::prismatic;
   f.half_period = half_period_of(body);
   f.station_width = body.strip.station_width;
-  f.stations = std::move(stations);
+  f.stations = make_stations(body.strip, curve);
   return f;
+}
+
+void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh) {
+  if (file_exists(mesh) && !is_regular(mesh))
+    throw InputError("The mesh file '" + mesh.string() + "' cannot be read",
+                     "it is no regular file, and it is read more than once", "Name a file.");
+  std::ifstream in(mesh, std::ios::binary | std::ios::ate);
+  const auto size = static_cast<std::streamoff>(in.tellg());
+  constexpr std::streamoff tail = 200; // bytes; mesh_body's mark is the last thing in the file
+  in.seekg(std::max<std::streamoff>(0, size - tail));
+  const std::string text{std::istreambuf_iterator<char>(in), {}}, mark = "$Comments\nbody file ";
+  const auto at = text.find(mark);
+  if (at != std::string::npos && text.substr(at + mark.size(), 16) != mesh_digest(body, curve.digest()))
+    throw InputError("The mesh '" + mesh.string() + "' was made from another body file",
+                     "its digest of [body], [strip] and [mesh] is another one",
+                     "Make it anew: mesh_body BODY.toml -o " + mesh.string());
 }
 
 } // namespace bem_contact::fem

@@ -4,18 +4,23 @@
 #include "bem_contact/profile/body_file.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
 
+#include <filesystem>
 #include <vector>
 
+/// What both methods take from a body file.
 namespace bem_contact::fem {
 
-/// Radius at which a wheel's angle is measured as a length: x = R_ref theta, r = R_ref + z, mm.
-inline constexpr double wheel_reference_radius = 460.0;
+/// The stations of the strip, ascending in s. Throws InputError where the strip is empty, leaves the curve or
+/// is not a whole number of stations.
+std::vector<Station> make_stations(const BodyFile::Strip& strip, const ProfileCurve& curve);
 
-double reference_radius_of(const BodyFile& body); ///< R_ref, mm; 0 for prismatic bodies
-double half_period_of(const BodyFile& body);      ///< L, mm; pi R_ref for bodies of revolution
+/// What an influence function says of the body: names, material, invariance, stations. It has no numbers yet,
+/// and the caller says how the body is held and by which method the numbers are made. Throws as
+/// make_stations() does.
+InfluenceFunction describe(const BodyFile& body, const ProfileCurve& curve);
 
-/// What the influence function of either method says of the body: names, material, invariance, stations. It
-/// has no numbers yet, and the caller says how the body is held and by which method the numbers are made.
-InfluenceFunction describe(const BodyFile& body, const ProfileCurve& curve, std::vector<Station> stations);
+/// A mesh of mesh_body says at its end which body file it was made from; other meshes say nothing. Throws
+/// InputError if it was made from another one.
+void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh);
 
 } // namespace bem_contact::fem

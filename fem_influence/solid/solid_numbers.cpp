@@ -6,7 +6,6 @@
 #include "fem_influence/shared/memory.hpp"
 #include "fem_influence/shared/settings.hpp"
 #include "fem_influence/shared/sparse_columns.hpp"
-#include "fem_influence/shared/stations.hpp"
 #include "fem_influence/solid/solid_body.hpp"
 #include "fem_influence/solid/solid_solver.hpp"
 #include "fem_influence/solid/solid_surface.hpp"

@@ -1,6 +1,6 @@
 #include "bem_contact/conicity/equivalent_conicity.hpp"
 #include "bem_contact/conicity/rolling_radius.hpp"
-#include "bem_contact/profile/read_profile.hpp"
+#include "tests/profile/curves.hpp"
 
 #include <gmock/gmock.h>
 

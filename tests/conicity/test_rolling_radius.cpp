@@ -1,8 +1,8 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/conicity/equivalent_conicity.hpp"
 #include "bem_contact/conicity/rolling_radius.hpp"
-#include "bem_contact/conicity/scene_wheelset.hpp"
-#include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/conicity/wheelset_conicity.hpp"
+#include "tests/profile/curves.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,7 @@
 #include "bem_contact/reference/creep_coefficients.hpp"
 #include "bem_contact/reference/hertz.hpp"
 #include "tests/contact/scenes.hpp"
+#include "tests/reference/line_and_quartic.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
 #include "bem_contact/halfspace/combine.hpp"
 #include "bem_contact/halfspace/tangent_plane.hpp"
-#include "bem_contact/reference/conformal.hpp"
-#include "bem_contact/reference/sphere.hpp"
 #include "tests/contact/scenes.hpp"
+#include "tests/reference/conformal.hpp"
+#include "tests/reference/sphere.hpp"
 
 #include <gmock/gmock.h>
 

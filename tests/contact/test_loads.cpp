@@ -1,6 +1,6 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/reference/rolling.hpp"
 #include "tests/contact/scenes.hpp"
+#include "tests/reference/rolling.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 #include "bem_contact/reference/creep_coefficients.hpp"
-#include "bem_contact/reference/rolling.hpp"
 #include "tests/contact/scenes.hpp"
+#include "tests/reference/rolling.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/grid/patches.hpp"
-#include "bem_contact/fatigue/fatigue_of_result.hpp"
 #include "bem_contact/halfspace/stress.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "tests/fatigue/hertz_patch.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

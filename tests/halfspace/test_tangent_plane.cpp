@@ -2,8 +2,8 @@
 
 #include "bem_contact/halfspace/combine.hpp"
 #include "bem_contact/halfspace/flat_strip.hpp"
-#include "bem_contact/reference/conformal.hpp"
 #include "steel.hpp"
+#include "tests/reference/conformal.hpp"
 
 #include <gtest/gtest.h>
 

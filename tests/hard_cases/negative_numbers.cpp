@@ -1,5 +1,5 @@
-#include "bem_contact/reference/conformal.hpp"
 #include "tests/hard_cases/hard_case.hpp"
+#include "tests/reference/conformal.hpp"
 
 #include "bem_contact/scene/patch_geometry.hpp"
 

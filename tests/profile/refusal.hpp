@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bem_contact/profile/read_profile.hpp"
 #include "tests/base/message.hpp"
+#include "tests/profile/curves.hpp"
 #include "tests/profile/warnings.hpp"
 
 #include <string>

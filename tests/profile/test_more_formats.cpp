@@ -1,9 +1,9 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/wheel_datum.hpp"
 #include "sampled.hpp"
 #include "tests/base/message.hpp"
 #include "tests/base/temporary_folder.hpp"
+#include "tests/profile/curves.hpp"
 #include "warnings.hpp"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #include "bem_contact/profile/profile_noise.hpp"
 #include "bem_contact/profile/profile_smoothing.hpp"
-#include "bem_contact/profile/read_profile.hpp"
 #include "sampled.hpp"
+#include "tests/profile/curves.hpp"
 #include "warnings.hpp"
 
 #include <gmock/gmock.h>

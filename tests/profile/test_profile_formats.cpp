@@ -1,6 +1,6 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/read_profile.hpp"
 #include "refusal.hpp"
+#include "tests/profile/curves.hpp"
 #include "warnings.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // The published files of the Manchester contact benchmark, where they are at hand.
-#include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "tests/profile/curves.hpp"
 #include "warnings.hpp"
 
 #include <gmock/gmock.h>

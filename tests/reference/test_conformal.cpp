@@ -1,6 +1,7 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/reference/conformal.hpp"
 #include "bem_contact/reference/hertz.hpp"
+#include "tests/reference/conformal.hpp"
+#include "tests/reference/line_and_quartic.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/reference/creep_coefficients.hpp"
 #include "bem_contact/reference/hertz.hpp"
-#include "bem_contact/reference/rolling.hpp"
+#include "tests/reference/rolling.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "bem_contact/reference/sphere.hpp"
+#include "tests/reference/sphere.hpp"
 
 #include "bem_contact/base/error.hpp"
 

@@ -174,8 +174,8 @@ TEST(Scene, AutoAsksForFemWhereTheNormalTurns) {
 }
 
 TEST(Scene, PredictedErrorAgreesWithPerssonAndTheSphericalSeat) {
-  // Persson 1964, and the sphere in its seat (reference/sphere.hpp): half-space pressure over the exact one,
-  // half angle 30 degrees.
+  // Persson 1964, and the sphere in its seat (tests/reference/sphere.hpp): half-space pressure over the exact
+  // one, half angle 30 degrees.
   const double persson = 1 - 644.83 / 722.77, seat = 1 - 1 / 1.202;
   const double predicted = predicted_halfspace_error(60 * pi / 180);
   EXPECT_GT(predicted, persson);

@@ -103,6 +103,25 @@ TEST(WearOfResult, MirrorsWithTheContact) {
     EXPECT_NEAR(w.rail.depth[i], m.rail.depth[w.rail.depth.size() - 1 - i], 1e-6 * w.rail.area());
 }
 
+/// The two sides of the balance of energy in steady rolling, by rolled distance, N. If both bodies have the
+/// same elasticity on a plane they are equal: what friction dissipates is what the rigid motion puts in,
+///     integral p_t . s dA = Fx xi + Fy eta + Mz phi        (with the signs of base/conventions.hpp).
+/// Their difference is then an estimate of the error of discretisation.
+struct EnergyBalance {
+  double dissipated = 0; ///< sum p_t . s dA
+  double supplied = 0;   ///< sum p_t . w dA, w the rigid slip with the creepages that were found
+};
+EnergyBalance energy_balance(const SceneResult& r) {
+  const ContactProblem& p = r.problem;
+  EnergyBalance out{.dissipated = friction_power(r.result, p.element_area())};
+  for (int i = 0; i < p.grid.size(); ++i) {
+    const double wx = p.slip_x[i] + r.result.creepage_x,
+                 ws = p.slip_s[i] + r.result.creepage_s * p.lateral_share(i / p.grid.mx);
+    out.supplied += p.element_area() * (r.result.px[i] * wx + r.result.ps[i] * ws);
+  }
+  return out;
+}
+
 /// What the rigid motion puts in is Fx xi + Fy eta + Mz phi.
 TEST(EnergyBalance, SuppliesForceTimesCreepage) {
   const SceneResult r = rolling(mixed);

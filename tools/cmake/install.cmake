@@ -7,7 +7,7 @@ set(CONFORMAL_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where the Pytho
 set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/conformal_contact)
 
 # The headers of a C++ caller: what Sequence takes and returns, what the rooms above it answer, and all that these include.
-set(answers conicity/wheelset_conicity conicity/scene_wheelset curves/creep_curves table/creep_table table/scene_table
+set(answers conicity/wheelset_conicity curves/creep_curves table/creep_table table/scene_table
             table/table_file wear/wear_of_result wear/evolution fatigue/fatigue_of_result wheelset/solve_wheelset
             wheelset/quantities)
 set(public_headers)

@@ -1,7 +1,6 @@
 // Asks every room above `sequence` one question about scenes of a folder, and prints a name and a number for
 // each.
 #include <bem_contact/base/error.hpp>
-#include <bem_contact/conicity/scene_wheelset.hpp>
 #include <bem_contact/conicity/wheelset_conicity.hpp>
 #include <bem_contact/curves/creep_curves.hpp>
 #include <bem_contact/fatigue/fatigue_of_result.hpp>

@@ -1,7 +1,8 @@
-#include "bem_contact/reference/rolling.hpp"
+#include "tests/reference/rolling.hpp"
 
 #include "bem_contact/reference/hertz.hpp"
 #include "bem_contact/reference/positive.hpp"
+#include "tests/reference/line_and_quartic.hpp"
 
 #include <numbers>
 

@@ -1,5 +1,7 @@
-#include "bem_contact/app/structure_output.hpp"
+#include "bem_contact/app/asked_output.hpp"
 
+#include "bem_contact/app/datasets.hpp"
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -30,31 +32,65 @@ std::string body_text(const char* name, const std::optional<BodyMotion>& body) {
       name, body->before.y, body->before.z, m[0], m[1], m[2], m[3], m[4], m[5]);
 }
 
-H5Dataset six_by_six(const SixBySix& matrix, const char* description) {
-  H5Dataset out{{6, 6}, {}, "mm, N, rad", description};
-  for (const SixNumbers& row : matrix)
-    out.values.insert(out.values.end(), row.begin(), row.end());
-  return out;
-}
-
 void add_body(H5Table& table, const std::string& group, const BodyMotion& body) {
-  const auto six = [&](const char* name, const SixNumbers& v, const char* unit, const char* description) {
-    table.datasets[group + name] = {{6}, {v.begin(), v.end()}, unit, description};
-  };
-  const auto place = [&](const char* name, Point2 p, const char* description) {
-    table.datasets[group + name] = {{2}, {p.y, p.z}, "mm", description};
-  };
-  place("before", body.before, "point of the body where the scene puts it: y, z");
-  place("after", body.after, "the same point where the contact was solved: y, z");
-  six("force", body.force, "N, N mm", "of the contact on the body, along and about x, y, z at `after`");
-  six("motion", body.motion, "mm, rad", "compliance times force: along and about x, y, z");
-  table.datasets[group + "compliance"] =
-      six_by_six(body.compliance, "motion under each unit force or moment");
+  auto& d = table.datasets;
+  d[group + "before"] =
+      line({body.before.y, body.before.z}, "mm", "point of the body where the scene puts it: y, z");
+  d[group + "after"] =
+      line({body.after.y, body.after.z}, "mm", "the same point where the contact was solved: y, z");
+  d[group + "force"] = line({body.force.begin(), body.force.end()}, "N, N mm",
+                            "of the contact on the body, along and about x, y, z at `after`");
+  d[group + "motion"] = line({body.motion.begin(), body.motion.end()}, "mm, rad",
+                             "compliance times force: along and about x, y, z");
+  d[group + "compliance"] = matrix(body.compliance, "mm, N, rad", "motion under each unit force or moment");
   if (body.stiffness)
-    table.datasets[group + "stiffness"] = six_by_six(*body.stiffness, "inverse of compliance");
+    d[group + "stiffness"] = matrix(*body.stiffness, "mm, N, rad", "inverse of compliance");
 }
 
 } // namespace
+
+json stresses_json(const std::optional<StressesBelow>& stresses) {
+  if (!stresses)
+    return nullptr;
+  json tensor = json::array();
+  for (const halfspace::Stress& t : stresses->stress)
+    tensor.push_back({t.xx, t.ss, t.nn, t.xs, t.xn, t.sn});
+  return {{"x", stresses->x},
+          {"s", stresses->s},
+          {"depths", stresses->depths},
+          {"components", {"xx", "ss", "nn", "xs", "xn", "sn"}},
+          {"stress", tensor},
+          {"von_mises", stresses->von_mises},
+          {"largest_shear", stresses->largest_shear}};
+}
+
+std::string stresses_text(const std::optional<StressesBelow>& stresses) {
+  if (!stresses || stresses->largest_shear.empty())
+    return "";
+  const StressesBelow& b = *stresses;
+  const auto at =
+      static_cast<std::size_t>(std::ranges::max_element(b.largest_shear) - b.largest_shear.begin());
+  const std::size_t nd = b.depths.size(), ns = b.s.size();
+  return fmt::format(
+      "below the surface: largest shear stress {:.1f} MPa (von Mises {:.1f}) at x = {:g}, s = {:g}, "
+      "depth {:g} mm, of {} points\n",
+      b.largest_shear[at], b.von_mises[at], b.x[at / nd / ns], b.s[at / nd % ns], b.depths[at % nd],
+      b.largest_shear.size());
+}
+
+void add_stresses(H5Table& table, const std::string& group, const StressesBelow& b) {
+  table.datasets[group + "x"] = line(b.x, "mm", "x of the points");
+  table.datasets[group + "s"] = line(b.s, "mm", "arc length of the points along the rail");
+  table.datasets[group + "depths"] = line(b.depths, "mm", "depth of the points below the surface, along n");
+  const std::vector<std::size_t> shape{b.x.size(), b.s.size(), b.depths.size()};
+  table.datasets[group + "von_mises"] = {shape, b.von_mises, "MPa", "von Mises' stress [x][s][depth]"};
+  table.datasets[group + "largest_shear"] = {shape, b.largest_shear, "MPa", "largest shear stress"};
+  H5Dataset tensor{shape, {}, "MPa", "xx, ss, nn, xs, xn, sn; tension positive; half-space closed forms"};
+  tensor.shape.push_back(6);
+  for (const halfspace::Stress& t : b.stress)
+    tensor.values.insert(tensor.values.end(), {t.xx, t.ss, t.nn, t.xs, t.xn, t.sn});
+  table.datasets[group + "stress"] = std::move(tensor);
+}
 
 json structure_json(const std::optional<StructuralResult>& structure) {
   if (!structure)

@@ -1,4 +1,4 @@
-#include "bem_contact/reference/conformal.hpp"
+#include "tests/reference/conformal.hpp"
 
 #include "bem_contact/reference/positive.hpp"
 
