@@ -222,6 +222,7 @@ class Report(unittest.TestCase):
                     certificate = show.value("document.querySelector('.certificate').innerText")
                     self.assertIn("The certificate holds", certificate)
             # What was found nowhere so far can be found: words on words, wide tables, script errors.
+            show.open(self.pages["wear"])
             show.value("(word => word.after(word.cloneNode(true)))(document.querySelector('#worn-rail svg .xtick text'))")
             show.value("document.getElementById('steps').style.width = '900px'")
             self.assertRegex(show.value(LOOK), "worn-rail: '.*' lies on '.*'")
