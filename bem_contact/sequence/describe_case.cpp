@@ -62,25 +62,26 @@ double room_on(const InfluenceFunction& f, const std::vector<double>& row_s, con
   return std::max(room, 0.0); // less is rounding: rows lie on the strip
 }
 
-/// What becomes of the frictionless contact on the strips of both influence files.
+/// What becomes of the frictionless contact on the strips of both influence files. `room`: from the contact
+/// to the nearer end of the strip, mm; nothing where it is not known.
 struct FitOnStrips {
-  std::string refusal;                  ///< why fem refuses it; empty: it does not
-  double rail_room = 0, wheel_room = 0; ///< mm, from the contact to the nearer end of the strip
+  std::string refusal; ///< why fem refuses it; empty: it does not
+  std::optional<double> rail_room, wheel_room;
 };
 
-/// Of a wheel on a rail whose influence files are both there. The frictionless problem is solved for this,
-/// because a conformal contact is wider than any estimate without elasticity.
-std::optional<FitOnStrips> fit_on_strips(const ContactCase& asked) {
+/// Of a wheel on a rail whose influence files are both there; nothing is known of others. The frictionless
+/// problem is solved for this, because a conformal contact is wider than any estimate without elasticity.
+FitOnStrips fit_on_strips(const ContactCase& asked) {
   if (!asked.setup.wheel_rail() || !asked.files.complete())
-    return std::nullopt;
+    return {};
   try {
     const GridSolution solved =
         grown_contact(asked, asked.setup.on(first_plan(asked, asked.scene.grid, true)), Model::fem);
-    return FitOnStrips{{},
-                       room_on(*asked.files.rail, solved.contact.rail_s, solved),
-                       room_on(*asked.files.wheel, solved.contact.wheel_s, solved)};
+    return {.refusal = {},
+            .rail_room = room_on(*asked.files.rail, solved.contact.rail_s, solved),
+            .wheel_room = room_on(*asked.files.wheel, solved.contact.wheel_s, solved)};
   } catch (const Error& error) {
-    return FitOnStrips{.refusal = error.what()};
+    return {.refusal = error.what(), .rail_room = {}, .wheel_room = {}};
   }
 }
 
@@ -192,19 +193,6 @@ std::string influence_text(const char* body, const std::shared_ptr<const Influen
       covered_text(leave ? off : 0, refusal, room, problem.has_friction()));
 }
 
-/// Both bodies' influence files.
-void add_influence(const ContactCase& asked, const ContactOnGrid& contact, std::vector<std::string>& lines) {
-  const std::optional<FitOnStrips> fit = fit_on_strips(asked);
-  const std::string refusal = fit ? fit->refusal : "";
-  const auto room = [&](double FitOnStrips::*of) {
-    return fit && refusal.empty() ? std::optional((*fit).*of) : std::nullopt;
-  };
-  lines.push_back(influence_text("rail", asked.files.rail, contact.rail_s, contact.problem, refusal,
-                                 room(&FitOnStrips::rail_room)));
-  lines.push_back(influence_text("wheel", asked.files.wheel, contact.wheel_s, contact.problem, refusal,
-                                 room(&FitOnStrips::wheel_room)));
-}
-
 } // namespace
 
 SceneDescription describe_case(const ContactCase& asked) {
@@ -219,7 +207,11 @@ SceneDescription describe_case(const ContactCase& asked) {
   lines.push_back(load_text(asked.setup.load));
   lines.push_back(grid_text(scene.grid, problem));
   lines.push_back(friction_text(asked.setup.motion, problem));
-  add_influence(asked, contact, lines);
+  const FitOnStrips fit = fit_on_strips(asked);
+  lines.push_back(
+      influence_text("rail", asked.files.rail, contact.rail_s, problem, fit.refusal, fit.rail_room));
+  lines.push_back(
+      influence_text("wheel", asked.files.wheel, contact.wheel_s, problem, fit.refusal, fit.wheel_room));
   std::ranges::move(describe_strips(asked, contact), std::back_inserter(lines));
   lines.push_back(fmt::format(
       "model: {}{}", name_of(scene.solver.model),
