@@ -28,7 +28,8 @@ H5Table to_case_table(const SceneResult& result);
 
 /// A file of a comparison: scene and inputs as above, and groups equal_forces/MODEL and equal_position/MODEL,
 /// each with all else. Each result has a grid of its own: at equal forces the wheels stand at different
-/// places.
+/// places. Where the comparison has them, the group creep_forces holds xi_from_free_rolling, Fx/MODEL and
+/// Fx_error/MODEL, [creepage] each.
 H5Table to_table(const Comparison& comparison, const GivenScene& given, const std::filesystem::path& output);
 
 } // namespace bem_contact::app

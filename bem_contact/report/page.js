@@ -48,6 +48,16 @@ const addResult = () => {
   addHistory(contact);
 };
 
+/// Fx of each model beyond its own free rolling, where the file has it.
+const addCreepForces = creep => {
+  if (!creep)
+    return;
+  const models = Object.keys(TITLES).filter(name => creep.Fx[name]);
+  addTable("Fx on the rail (N) at equal creepage beyond free rolling, each model at its place at equal forces",
+           ["creepage", ...models.map(name => SHORT[name])], creep.xi_from_free_rolling.values.map((xi, k) =>
+             [String(xi), ...models.map(name => number(creep.Fx[name].values[k], creep.Fx_error[name].values[k]))]), {id: "creep-forces"});
+};
+
 const addComparison = () => {
   const sets = Object.keys(SETS).filter(name => contactsOf(data[name]).length);
   const all = sets.flatMap(name => contactsOf(data[name]).map(contact => [`${SETS[name]}, ${SHORT[contact.name]}`, contact]));
@@ -64,6 +74,7 @@ const addComparison = () => {
   add("h2", "Numbers");
   for (const name of sets)
     addQuantities(contactsOf(data[name]), SETS[name], `quantities-${name}`);
+  addCreepForces(data.creep_forces);
   const contacts = contactsOf(data[sets[0]]);
   add("h2", SETS[sets[0]]);
   const dashes = ["solid", "dash", "dot", "dashdot"];

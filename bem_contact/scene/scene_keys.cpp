@@ -14,8 +14,10 @@ void add_grid(Schema& s, SceneFile::Grid& g, SceneKeysAsRead& read) {
         {.at_least = 0, .at_most = 4096, .zero_is_none = true});
   t.add("ms", g.ms, "Elements along s; 0 (wheel_rail only): from the undeformed distance",
         {.at_least = 0, .at_most = 4096, .zero_is_none = true});
-  t.add("elements", g.elements, "Elements in contact that dx and ds are chosen for; 0: dx and ds as given",
-        {.at_least = 0, .at_most = 4000, .kinds = wheel_rail_alone, .zero_is_none = true});
+  t.add("elements", g.elements,
+        "Elements in contact that dx and ds are chosen for, at most 4000 unless solver.model is halfspace or "
+        "hertz; 0: dx and ds as given",
+        {.at_least = 0, .at_most = 12000, .kinds = wheel_rail_alone, .zero_is_none = true});
   t.add("accuracy", g.accuracy,
         "Discretisation error that dx and ds are chosen for (0.02: 2 %); 0: dx and ds as given",
         {.at_least = 0, .at_most = 0.5, .kinds = wheel_rail_alone, .zero_is_none = true});

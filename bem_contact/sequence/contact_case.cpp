@@ -4,6 +4,7 @@
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/sequence/model_choice.hpp"
 #include "bem_contact/sequence/plan_grid.hpp"
+#include "bem_contact/sequence/settings.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -31,6 +32,19 @@ void require_bodies(const PairFiles& files, const WheelOnRail& pair, bool own_sh
     require_radius(*files.wheel, pair.wheel_radius);
 }
 
+/// Throws InputError where more elements are asked for than the model serves.
+void require_elements(const SceneFile& scene) {
+  const std::optional<Model> model = scene.solver.model;
+  const bool by_distance = model == Model::halfspace || model == Model::hertz;
+  if (!by_distance && scene.grid.elements.value_or(0) > most_elements_full)
+    throw InputError(
+        fmt::format("grid.elements = {} is too large for the model {}", *scene.grid.elements, name_of(model)),
+        fmt::format("at most {} elements in contact are allowed, since its influence numbers {} on "
+                    "both rows",
+                    int(most_elements_full), model ? "depend" : "may depend"),
+        "Give fewer elements, or solver.model = \"halfspace\".");
+}
+
 /// The size of elements that are chosen must be one that the influence files of the chosen model have
 /// numbers for.
 bool foresees_fem(const ContactCase& asked) {
@@ -45,6 +59,7 @@ ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, PrepareOp
   if (scene.wheelset.force)
     throw InputError("This scene is one of both wheels of a wheelset", "wheelset.force is given",
                      "Solve it with bem_contact wheelset (Python: wheelset), or give load.force instead.");
+  require_elements(scene);
   const bool patch = scene.kind == SceneKind::patch;
   ContactCase out{scene,
                   patch ? set_up_patch(scene) : set_up_contact(scene, files.profiles(scene)),

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,9 +38,9 @@ Range strip_for(const Range& rows, const TabulatedProfile& profile) {
 }
 
 /// The frictionless contact on the grid that it ends with.
-ContactOnGrid grown_contact(const ContactCase& asked, const ContactOnGrid& contact, Model model) {
+GridSolution grown_contact(const ContactCase& asked, const ContactOnGrid& contact, Model model) {
   WorkBudget work;
-  return solve_on_growing_grid(asked, contact, {model, true}, {.work = work}, model == Model::fem).contact;
+  return solve_on_growing_grid(asked, contact, {model, true}, {.work = work}, model == Model::fem);
 }
 
 void add_strip(const char* body, const Range& strip, std::vector<std::string>& lines) {
@@ -48,18 +49,40 @@ void add_strip(const char* body, const Range& strip, std::vector<std::string>& l
                               body, strip.from, strip.to, double(usual_station_width)));
 }
 
-/// Why fem would refuse a wheel on a rail whose influence files are both there: the contact does not fit on
-/// their strips. Empty where they hold the contact. The frictionless problem is solved for this, because a
-/// conformal contact is wider than any estimate without elasticity.
-std::string refusal_by_strips(const ContactCase& asked) {
+/// From the contact to the nearer end of a strip, mm. `row_s`: the rows of the solution on that body.
+double room_on(const InfluenceFunction& f, const std::vector<double>& row_s, const GridSolution& solved) {
+  const ContactGrid& grid = solved.contact.problem.grid;
+  const auto [from, to] = strip_of(f);
+  double room = to - from;
+  for (int i = 0; i < grid.size(); ++i)
+    if (solved.result.state[i] != ElementState::exterior) {
+      const double s = row_s[i / grid.mx];
+      room = std::min({room, s - 0.5 * grid.ds - from, to - s - 0.5 * grid.ds});
+    }
+  return std::max(room, 0.0); // less is rounding: rows lie on the strip
+}
+
+/// What becomes of the frictionless contact on the strips of both influence files. `room`: from the contact
+/// to the nearer end of the strip, mm; nothing where it is not known.
+struct FitOnStrips {
+  std::string refusal; ///< why fem refuses it; empty: it does not
+  std::optional<double> rail_room, wheel_room;
+};
+
+/// Of a wheel on a rail whose influence files are both there; nothing is known of others. The frictionless
+/// problem is solved for this, because a conformal contact is wider than any estimate without elasticity.
+FitOnStrips fit_on_strips(const ContactCase& asked) {
   if (!asked.setup.wheel_rail() || !asked.files.complete())
     return {};
   try {
-    grown_contact(asked, asked.setup.on(first_plan(asked, asked.scene.grid, true)), Model::fem);
+    const GridSolution solved =
+        grown_contact(asked, asked.setup.on(first_plan(asked, asked.scene.grid, true)), Model::fem);
+    return {.refusal = {},
+            .rail_room = room_on(*asked.files.rail, solved.contact.rail_s, solved),
+            .wheel_room = room_on(*asked.files.wheel, solved.contact.wheel_s, solved)};
   } catch (const Error& error) {
-    return error.what();
+    return {.refusal = error.what(), .rail_room = {}, .wheel_room = {}};
   }
-  return {};
 }
 
 /// Which strips of both bodies a wheel on a rail needs for fem, line by line, as the table [strip] of their
@@ -73,7 +96,7 @@ std::vector<std::string> describe_strips(const ContactCase& asked, const Contact
   const double ds = contact.problem.grid.ds;
   Range rail = range_of(contact.rail_s, ds), wheel = range_of(contact.wheel_s, ds);
   try {
-    const ContactOnGrid grown = grown_contact(asked, contact, Model::halfspace);
+    const ContactOnGrid grown = grown_contact(asked, contact, Model::halfspace).contact;
     rail = range_of(grown.rail_s, ds);
     wheel = range_of(grown.wheel_s, ds);
   } catch (const Error&) { // what is wrong with the scene is said where it is solved; the first grid serves
@@ -135,22 +158,39 @@ std::string friction_text(const Motion& motion, const ContactProblem& problem) {
                          : fmt::format("transient rolling, {} steps of dx", steps));
 }
 
-/// One body's influence file, and whether its strip covers the rows at the stations s. `refusal`: why fem
-/// refuses the contact all the same; empty: it does not.
+/// `off`: by how much the rows leave the strip, mm; 0: they do not. Friction moves a contact along s, by up
+/// to about strip_reserve, but is not solved for here: a contact with less room is covered closely.
+std::string covered_text(double off, const std::string& refusal, std::optional<double> room, bool friction) {
+  const std::string leave = fmt::format("they leave the strip by {:.2f} mm", off);
+  if (!refusal.empty())
+    return fmt::format("{} fem refuses the contact without friction: {}",
+                       off > 0 ? leave + ", and" : "the first rows are covered, but", refusal);
+  if (!room)
+    return off > 0 ? leave + ", where fem serves no contact" : "covered";
+  const std::string covered = off > 0 ? leave + ", but the contact itself is covered" : "covered";
+  return friction && *room < strip_reserve
+             ? fmt::format(
+                   "{}, but closely: without friction the contact ends {:.2f} mm before the end of the "
+                   "strip. If friction moves it beyond, fem refuses it.",
+                   covered, *room)
+             : covered;
+}
+
+/// One body's influence file, and whether its strip covers the rows at the stations s. `room`: from the
+/// contact to the end of the strip; nothing where it is not known.
 std::string influence_text(const char* body, const std::shared_ptr<const InfluenceFunction>& f,
-                           const std::vector<double>& s, double ds, const std::string& refusal) {
+                           const std::vector<double>& s, const ContactProblem& problem,
+                           const std::string& refusal, std::optional<double> room) {
   if (!f)
     return fmt::format("{}: no influence file", body);
-  const auto [lo, hi] = std::ranges::minmax(s);
-  const double from = f->stations.front().s - f->station_width / 2,
-               to = f->stations.back().s + f->station_width / 2;
-  const double off = std::max(from - (lo - ds / 2), hi + ds / 2 - to);
+  const Range rows = range_of(s, problem.grid.ds);
+  const auto [from, to] = strip_of(*f);
+  const double off = std::max(from - rows.from, rows.to - to);
+  const bool leave = off > (0.5 - row_on_strip) * problem.grid.ds;
   return fmt::format(
       "{}: influence file of '{}', strip s = {:.2f} .. {:.2f} mm; rows need {:.2f} .. {:.2f} mm: {}", body,
-      f->body, from, to, lo - ds / 2, hi + ds / 2,
-      off <= (0.5 - row_on_strip) * ds
-          ? (refusal.empty() ? "covered" : "the first rows are covered, but fem refuses: " + refusal)
-          : fmt::format("they leave the strip by {:.2f} mm, where fem serves no contact", off));
+      f->body, from, to, rows.from, rows.to,
+      covered_text(leave ? off : 0, refusal, room, problem.has_friction()));
 }
 
 } // namespace
@@ -167,9 +207,11 @@ SceneDescription describe_case(const ContactCase& asked) {
   lines.push_back(load_text(asked.setup.load));
   lines.push_back(grid_text(scene.grid, problem));
   lines.push_back(friction_text(asked.setup.motion, problem));
-  const std::string refusal = refusal_by_strips(asked);
-  lines.push_back(influence_text("rail", asked.files.rail, contact.rail_s, problem.grid.ds, refusal));
-  lines.push_back(influence_text("wheel", asked.files.wheel, contact.wheel_s, problem.grid.ds, refusal));
+  const FitOnStrips fit = fit_on_strips(asked);
+  lines.push_back(
+      influence_text("rail", asked.files.rail, contact.rail_s, problem, fit.refusal, fit.rail_room));
+  lines.push_back(
+      influence_text("wheel", asked.files.wheel, contact.wheel_s, problem, fit.refusal, fit.wheel_room));
   std::ranges::move(describe_strips(asked, contact), std::back_inserter(lines));
   lines.push_back(fmt::format(
       "model: {}{}", name_of(scene.solver.model),

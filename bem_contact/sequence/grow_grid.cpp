@@ -39,9 +39,26 @@ Touched touched_edges(const GridSolution& solved) {
   return out;
 }
 
+std::string strip_text(const InfluenceFunction& f) {
+  const auto [from, to] = strip_of(f);
+  return fmt::format("s = {:.2f} .. {:.2f} mm of '{}'", from, to, f.body);
+}
+
+/// `plan`: the rows that were solved, as far as the strips reach.
+[[noreturn]] void refuse_end_of_strip(const ContactCase& contact, const GridPlan& plan) {
+  throw InputError(
+      "The contact reaches the end of a strip of the influence files",
+      fmt::format("they cover {} and {}; the rows solved are s = {:.2f} .. {:.2f} mm of the rail",
+                  strip_text(*contact.files.rail), strip_text(*contact.files.wheel), plan.s_from(),
+                  plan.s_to()),
+      "Compute influence functions of longer strips (bem_contact check prints which), or choose "
+      "tangent_plane or halfspace.");
+}
+
 /// Larger on the sides that the contact touches; up to the ends of the strips, where rows must lie on them.
 /// Throws InputError where a strip ends at the contact already.
 GridPlan grown(const ContactCase& contact, GridPlan plan, const Touched& touched, bool on_strips) {
+  const GridPlan solved = plan;
   const int more_rows = std::max(int(fewest_more_rows), plan.rows / row_growth_share);
   if (touched.first_row)
     plan.first -= more_rows;
@@ -54,7 +71,7 @@ GridPlan grown(const ContactCase& contact, GridPlan plan, const Touched& touched
   const auto [first, last] = rows_on_strips(contact, plan);
   const int after = plan.rows - 1 - last;
   if ((touched.first_row && first >= more_rows) || (touched.last_row && after >= more_rows))
-    require_strips(contact, plan);
+    refuse_end_of_strip(contact, solved);
   plan.first += first;
   plan.rows = last - first + 1;
   return plan;

@@ -28,11 +28,6 @@ std::shared_ptr<const InfluenceFunction> read_side(const Body& body) {
   return function;
 }
 
-std::pair<double, double> strip_of(const InfluenceFunction& f) {
-  const double half = 0.5 * f.station_width;
-  return {f.stations.front().s - half, f.stations.back().s + half};
-}
-
 bool inside(const std::shared_ptr<const InfluenceFunction>& f, double s, double ds) {
   if (!f)
     return true;
@@ -183,6 +178,11 @@ InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const Pair
   return model == Model::fem             ? fem_pair(setup, files, contact, known, threads)
          : model == Model::tangent_plane ? tangent_plane_pair(setup, contact)
                                          : halfspace_pair(setup, contact, known);
+}
+
+std::pair<double, double> strip_of(const InfluenceFunction& function) {
+  const double half = 0.5 * function.station_width;
+  return {function.stations.front().s - half, function.stations.back().s + half};
 }
 
 void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,

@@ -210,8 +210,37 @@ TEST_F(ResultFiles, CompareRunsBothModelsAtEqualForce) {
     for (const char* model : {"fem/", "halfspace/"})
       for (const char* name : {"p_n", "x", "s", "gap"})
         EXPECT_TRUE(table.datasets.contains(std::string(set) + model + name)) << set << model << name;
+  for (const auto& [name, data] : table.datasets)
+    EXPECT_FALSE(data.unit.empty() || data.description.empty()) << name;
+  const auto column = [&](const std::string& name) {
+    return table.datasets.at("creep_forces/" + name).values;
+  };
+  ASSERT_EQ(all["creep_forces"].size(), column("xi_from_free_rolling").size());
+  ASSERT_FALSE(all["creep_forces"].empty());
+  for (std::size_t k = 0; k < all["creep_forces"].size(); ++k) {
+    const json& said = all["creep_forces"][k];
+    EXPECT_EQ(column("xi_from_free_rolling")[k], said["xi_from_free_rolling"].get<double>());
+    for (const std::string model : {"fem", "halfspace"})
+      for (const std::string name : {"Fx", "Fx_error"}) {
+        const double kept = column(name + "/" + model).at(k);
+        EXPECT_EQ(std::isnan(kept) ? json(nullptr) : json(kept), said[name][model]) << name << model;
+      }
+  }
+  EXPECT_FALSE(std::isnan(column("Fx/fem").front()));
+  EXPECT_EQ(table.datasets.at("creep_forces/Fx_error/fem").unit, "N");
   EXPECT_TRUE(std::filesystem::exists(prefix + "_fem.vts") &&
               std::filesystem::exists(prefix + "_halfspace.vts"));
+}
+
+TEST_F(ResultFiles, AComparisonAtOneForceHasNoCreepForces) {
+  const std::string file = (folder_ / "c.h5").string();
+  const std::string given = "load.force_x = 1000\n[rail]\nprofile = \"60E1\"\n[wheel]\nprofile = \"S1002\"\n";
+  const std::string text = "position.lateral = 6.5\nload.force = 2e4\ngrid.dx = 1.0\ngrid.ds = 0.5\n" + given;
+  const Outcome r = run("compare '" + write("s.toml", text).string() +
+                        "' --models halfspace tangent_plane -o '" + file + "'");
+  ASSERT_EQ(r.code, 0) << r.err;
+  for (const auto& [name, data] : read_h5(file).datasets)
+    EXPECT_FALSE(name.starts_with("creep_forces")) << name;
 }
 
 TEST_F(ResultFiles, AnotherProfilesInfluenceFileIsRefused) {

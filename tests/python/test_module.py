@@ -14,6 +14,7 @@ import threading
 import unittest
 from pathlib import Path
 
+import h5py
 import numpy as np
 
 import bem_contact
@@ -36,7 +37,17 @@ class Module(unittest.TestCase):
 
     def test_compare_is_what_the_program_compares(self):
         c = bem_contact.compare(CORNER)
-        out = subprocess.run([os.environ["BEM_CONTACT"], "compare", CORNER, "--json"], check=True, stdout=subprocess.PIPE).stdout
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "comparison.h5"
+            out = subprocess.run([os.environ["BEM_CONTACT"], "compare", CORNER, "--json", "-o", file], check=True,
+                                 stdout=subprocess.PIPE).stdout
+            with h5py.File(file) as h5:
+                stored = h5["creep_forces"]
+                np.testing.assert_array_equal(stored["xi_from_free_rolling"], c["creep_forces"]["xi_from_free_rolling"])
+                for kind in ("Fx", "Fx_error"):
+                    self.assertEqual(set(stored[kind]), set(c["creep_forces"][kind]))
+                    for model, values in c["creep_forces"][kind].items():
+                        np.testing.assert_array_equal(stored[kind][model], values)
         expected = json.loads(out)
         self.assertEqual(c["reference"], "fem")
         for kind in ("at_equal_forces", "at_equal_position"):

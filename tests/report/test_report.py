@@ -179,7 +179,7 @@ class Report(unittest.TestCase):
         contact = ["patch", "cut-x", "cut-s"]
         wanted = {"result": ["quantities", "patches-fem", "solid-fem", "section-fem", *(f"{c}-fem" for c in contact)],
                   "stresses": ["stresses-halfspace"], "cylinder": ["patch-halfspace", "cut-x-halfspace", "history"],
-                  "comparison": ["pressures", "quantities-equal_forces", *(f"{c}-{m}" for c in contact
+                  "comparison": ["pressures", "quantities-equal_forces", "creep-forces", *(f"{c}-{m}" for c in contact
                                                                           for m in ("halfspace", "tangent_plane", "fem"))],
                   "curves": ["slopes", "kalker", "sensitivities", "curve-xi", "curve-phi"],
                   "sweep": ["patches-over-y", "over-pmax", "over-Fx-Fy", "cases"],
@@ -206,12 +206,23 @@ class Report(unittest.TestCase):
                     last = "Math.max(...data.rail_depth.values)"
                     self.assertLess(show.value(moved), 5)  # mm, drawn; the last step is the deepest
                     self.assertGreater(show.value(last), 0.02)
+                if kind == "comparison":
+                    cells = show.value("[...document.querySelectorAll('#creep-forces tbody tr')].map(row => row.innerText.split('\\t'))")
+                    creep = self.report_of(kind)["data"]["creep_forces"]
+                    for k, (xi, *forces) in enumerate(cells):
+                        self.assertEqual(float(xi), creep["xi_from_free_rolling"]["values"][k])
+                        for text, model in zip(forces, ("fem", "tangent_plane", "halfspace"), strict=True):
+                            force, error = (float(part) for part in text.split("±"))
+                            self.assertAlmostEqual(force, creep["Fx"][model]["values"][k], delta=1)
+                            self.assertAlmostEqual(error, creep["Fx_error"][model]["values"][k], delta=1)
+                    self.assertEqual(len(cells), 3)
                 if kind == "result":
                     pixels = show.value("document.querySelector('#solid-fem .paper').src.length")
                     self.assertGreater(pixels, 20000)  # a picture of the bodies for paper, not an empty one
                     certificate = show.value("document.querySelector('.certificate').innerText")
                     self.assertIn("The certificate holds", certificate)
             # What was found nowhere so far can be found: words on words, wide tables, script errors.
+            show.open(self.pages["wear"])
             show.value("(word => word.after(word.cloneNode(true)))(document.querySelector('#worn-rail svg .xtick text'))")
             show.value("document.getElementById('steps').style.width = '900px'")
             self.assertRegex(show.value(LOOK), "worn-rail: '.*' lies on '.*'")

@@ -153,6 +153,7 @@ TEST(SceneFile, exactly_one_load) {
             "Give exactly one of load.force and load.approach.");
   EXPECT_THAT(refusal(rolling + "[load]\nforce = -5"),
               HasSubstr("load.force = -5.0 (out of range) Give a value > 0 N."));
+  EXPECT_THAT(refusal(rolling + "[grid]\nelements = 12001"), HasSubstr("(out of range)"));
 }
 
 TEST(SceneFile, zero_friction_is_told_about_frictionless) {

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/history.hpp"
+#include "tests/base/message.hpp"
 #include "tests/base/temporary_folder.hpp"
 
 #include <cmath>
@@ -13,6 +14,7 @@
 namespace {
 
 using namespace bem_contact;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 SceneFile rolling(double lateral, double force = 1e5, const std::string& grid = "dx = 1.0\nds = 0.6\n") {
@@ -60,6 +62,21 @@ TEST(Sequence, ComparesOnTheElementsThatTheSceneAsksFor) {
   EXPECT_EQ(both.at_forces[0].problem.grid.ds, alone.problem.grid.ds);
   EXPECT_NE(fem.problem.grid.dx, scene.grid.dx) << "that is what nobody asked for";
   EXPECT_EQ(in_contact(fem), in_contact(alone));
+}
+
+TEST(Sequence, AHalfSpaceMayHaveMoreElementsThanOtherModels) {
+  const auto asked = [](int elements, std::optional<Model> model) {
+    return with_model(
+        rolling(0, 1e5, fmt::format("elements = {}\n[motion]\nfrictionless = true\n", elements)), model);
+  };
+  const double count = in_contact(Sequence().solve(asked(10000, Model::halfspace)));
+  EXPECT_TRUE(count > 8000 && count < 13000) << count;
+  EXPECT_NO_THROW(Sequence().check(asked(12000, Model::hertz)));
+  for (const std::optional<Model> model : {std::optional(Model::tangent_plane), std::optional<Model>()}) {
+    EXPECT_NO_THROW(Sequence().check(asked(4000, model)));
+    EXPECT_THAT(message_of([&] { Sequence().check(asked(4001, model)); }),
+                AllOf(HasSubstr("grid.elements = 4001"), HasSubstr("at most 4000")));
+  }
 }
 
 TEST(Sequence, EachSwitchChangesTheWayAndNotTheResult) {
