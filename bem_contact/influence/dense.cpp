@@ -77,20 +77,27 @@ bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x) {
   return info == 0;
 }
 
-void dense_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out) {
-  const int m = static_cast<int>(a.rows()), n = static_cast<int>(b.cols()), k = static_cast<int>(a.cols());
+namespace {
+
+/// op(A) B into `out`, op(A) with `rows` rows: A itself or, where `transposed`, A^T.
+void multiply(bool transposed, Eigen::Index rows, const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
+              double* out) {
+  const int m = static_cast<int>(rows), n = static_cast<int>(b.cols()), k = static_cast<int>(b.rows()),
+            stride = static_cast<int>(a.rows());
   const double one = 1, zero = 0;
   const OneThread one_thread;
   if (m > 0 && n > 0)
-    dgemm_("N", "N", &m, &n, &k, &one, a.data(), &m, b.data(), &k, &zero, out, &m);
+    dgemm_(transposed ? "T" : "N", "N", &m, &n, &k, &one, a.data(), &stride, b.data(), &k, &zero, out, &m);
+}
+
+} // namespace
+
+void dense_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out) {
+  multiply(false, a.rows(), a, b, out);
 }
 
 void dense_product_of_columns(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out) {
-  const int m = static_cast<int>(a.cols()), n = static_cast<int>(b.cols()), k = static_cast<int>(a.rows());
-  const double one = 1, zero = 0;
-  const OneThread one_thread;
-  if (m > 0 && n > 0)
-    dgemm_("T", "N", &m, &n, &k, &one, a.data(), &k, b.data(), &k, &zero, out, &m);
+  multiply(true, a.cols(), a, b, out);
 }
 
 } // namespace bem_contact

@@ -50,14 +50,6 @@ BEM_CONTACT_WIDE void add_columns(const float* __restrict q, std::ptrdiff_t n, i
 
 } // namespace
 
-float Gcr::least_new() {
-  return least_new_share;
-}
-
-float Gcr::least_new_of_kept() {
-  return least_new_kept_share;
-}
-
 void Gcr::use_elements(const std::vector<int>& elements) {
   if (elements == elements_)
     return;
@@ -107,7 +99,7 @@ void Gcr::make_room() {
 }
 
 /// Makes the image the next column of q, orthogonal to those before, and takes its share off the residual.
-bool Gcr::take_image(float least) {
+bool Gcr::take_image(bool kept) {
   const Eigen::Index n = image_.size();
   const float before = image_.norm();
   float length = before;
@@ -121,7 +113,7 @@ bool Gcr::take_image(float least) {
     if (left > little_left * std::exchange(length, left))
       break;
   }
-  if (!(length > least * before))
+  if (!(length > (kept ? least_new_kept_share : least_new_share) * before))
     return false;
   h_(used_, used_) = length;
   q_.col(used_) = image_ / length;

@@ -32,12 +32,12 @@ public:
       return true;
     begin(rhs, length);
     while (next_kept())
-      try_direction(image, least_new_of_kept());
+      try_direction(image, true);
     for (bool found = true; found && left_ > tolerance && products_ < most; ++products_) {
       make_room();
       precondition(residual_, z_.col(used_));
       product(z_.col(used_), bz_.col(used_));
-      found = try_direction(image, least_new());
+      found = try_direction(image, false);
     }
     finish(length, x);
     return left_ <= tolerance;
@@ -46,18 +46,15 @@ public:
   int products() const { return products_; } ///< of the last solution
 
 private:
-  static float least_new();
-  static float least_new_of_kept();
-
-  /// False where the image of direction number `used` has less than this share that is new.
-  template <class Image> bool try_direction(const Image& image, float least) {
+  /// False where the image of direction number `used` has too little that is new.
+  template <class Image> bool try_direction(const Image& image, bool kept) {
     image(z_.col(used_), bz_.col(used_), image_);
-    return take_image(least);
+    return take_image(kept);
   }
   void begin(const Eigen::VectorXd& rhs, double length);
   bool next_kept();
   void make_room();
-  bool take_image(float least);
+  bool take_image(bool kept);
   void finish(double length, Eigen::VectorXd& x);
   void keep(int column, const Eigen::Ref<const Vector>& z, const Eigen::Ref<const Vector>& bz);
 
