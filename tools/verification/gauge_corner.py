@@ -1,6 +1,8 @@
 """S1002 on 60E1 at the gauge corner without friction: the contact of the 3-D analysis of tests/VERIFICATION.md, section 4, by
 bem_contact and with exact kinematics (deformed_contact.py)."""
 
+import re
+
 import h5py
 import numpy as np
 
@@ -20,6 +22,12 @@ CASES = {
     "rail held at its foot, wheel at its bore": ("foot", "bore", "included", 0.5, 0.25, 22, 22, -27.75, 2.59),
     "rail held at its web, wheel at its rim": ("web", "rim", "included", 0.75, 0.5, 24, 14, -31.5, 3.295),
     "structural motion removed": ("foot", "bore", "removed", 0.5, 0.325, 32, 20, -31.5, 3.306),
+}
+# Body files with other remote sections: these lie between one and two times D from the strip, D = 20 mm.
+OTHER_REMOTE_SECTIONS = {
+    "D = 21 mm": lambda body: body + "\n[harmonic]\nremote_distance = 21\n",
+    "strips shorter by 3 mm at each end": lambda body: re.sub(
+        r"^(from|to) = (-?\d+)", lambda m: f"{m[1]} = {int(m[2]) + (3 if m[1] == 'from' else -3)}", body, flags=re.M),
 }
 
 
@@ -50,13 +58,15 @@ def touching(program):
     return Bodies(rail, wheel, origin, (across, lowered), RADIUS)
 
 
-def influence_file(program, folder, kind, held):
-    """Of the harmonic method, made if it is not there."""
+def influence_file(program, folder, kind, held, other=""):
+    """Of the harmonic method, made if it is not there. `other`: a key of OTHER_REMOTE_SECTIONS."""
     name = {"rail": "rail_60E1_gauge_corner", "wheel": "wheel_S1002_flange_root"}[kind]
-    body, out = folder / f"{kind}_{held}.toml", folder / f"{kind}_{held}.h5"
+    stem = "_".join(filter(None, (kind, held, *other.split())))
+    body, out = folder / f"{stem}.toml", folder / f"{stem}.h5"
     if not out.exists():
         text = (ROOT / "data" / "bodies" / f"{name}.toml").read_text()
-        body.write_text(text.replace(f'kind = "{kind}"', f'kind = "{kind}"\nheld = "{held}"'))
+        text = text.replace(f'kind = "{kind}"', f'kind = "{kind}"\nheld = "{held}"')
+        body.write_text(OTHER_REMOTE_SECTIONS[other](text) if other else text)
         program.run(ROOT / "tools" / "influence", body, out)
     return out
 
