@@ -13,6 +13,7 @@ namespace {
 
 using Eigen::Matrix2d;
 using Eigen::MatrixXd;
+using Eigen::Vector2d;
 using Eigen::Vector2f;
 using Eigen::VectorXd;
 using Eigen::VectorXf;
@@ -161,15 +162,51 @@ double NewtonMatrix::product_work() const {
   return matrix_ ? elements_.contact.size() : system_.product_work(box_->boxes().rows()) * box_->size();
 }
 
-MatrixXd NewtonMatrix::dense_jacobian(const Linearisation& at) const {
-  MatrixXd jacobian =
-      matrix_ ? *matrix_ : step_matrix(*system_.problem, system_.rule.present, elements_.contact);
+VectorXd NewtonMatrix::solve_dense(const Linearisation& at) const {
+  struct Unknown {
+    Eigen::Index place; ///< of the element's x in a vector
+    Vector2d direction; ///< of its step
+    double m, stiffness;
+  };
+  std::vector<Unknown> unknowns;
+  VectorXd step = VectorXd::Zero(elements_.unknowns());
   for (int a = 0; a < elements_.unknowns() / 2; ++a) {
-    auto rows = jacobian.middleRows<2>(2 * a);
-    rows = (elements_.stiffness[a] * at.projection[a] * rows).eval();
-    jacobian.block<2, 2>(2 * a, 2 * a) += Matrix2d::Identity() - at.projection[a];
+    const Matrix2d& projection = at.projection[a];
+    const double m = projection.trace(); // 2 where the element sticks, else at most 1
+    if (m > 1.5) {
+      unknowns.push_back({2 * a, Vector2d::UnitX(), 1, elements_.stiffness[a]});
+      unknowns.push_back({2 * a, Vector2d::UnitY(), 1, elements_.stiffness[a]});
+      continue;
+    }
+    step.segment<2>(2 * a) = -at.residual.segment<2>(2 * a);
+    if (!(m > 0))
+      continue;
+    const Vector2d along = projection.col(projection(0, 0) > projection(1, 1) ? 0 : 1).normalized();
+    step.segment<2>(2 * a) -= along * along.dot(step.segment<2>(2 * a));
+    unknowns.push_back({2 * a, along, m, elements_.stiffness[a]});
   }
-  return jacobian;
+  const MatrixXd only_now =
+      matrix_ ? MatrixXd() : step_matrix(*system_.problem, system_.rule.present, elements_.contact);
+  const MatrixXd& b = matrix_ ? *matrix_ : only_now;
+  const auto count = static_cast<Eigen::Index>(unknowns.size());
+  MatrixXd jacobian(count, count), right(count, 1);
+  const VectorXd known = b * step;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Unknown& load = unknowns[k];
+    const VectorXd column = b.middleCols<2>(load.place) * load.direction;
+    for (Eigen::Index l = 0; l < count; ++l) {
+      const Unknown& u = unknowns[l];
+      jacobian(l, k) = u.m * u.stiffness * u.direction.dot(column.segment<2>(u.place));
+    }
+    jacobian(k, k) += 1 - load.m;
+    right(k, 0) = -load.direction.dot(at.residual.segment<2>(load.place) +
+                                      load.m * load.stiffness * known.segment<2>(load.place));
+  }
+  if (!solve_lu(jacobian, right))
+    right.setConstant(std::nan(""));
+  for (Eigen::Index k = 0; k < count; ++k)
+    step.segment<2>(unknowns[k].place) += right(k, 0) * unknowns[k].direction;
+  return step;
 }
 
 /// True if GCR converged, or if there are so many elements that its result has to do.
@@ -193,10 +230,7 @@ VectorXd NewtonMatrix::newton_step(const Linearisation& at, double tolerance, Wo
     state.solver = "Newton, GCR";
   else {
     state.solver = "Newton, LU";
-    MatrixXd jacobian = dense_jacobian(at), right = -at.residual;
-    if (!solve_lu(jacobian, right))
-      right.setConstant(std::nan(""));
-    step = right.col(0);
+    step = solve_dense(at);
   }
   // An iteration of GCR is a product and the preconditioner, which is translational.
   const double gcr_work = box_ ? product_work() + 2.0 * box_->size() : 0;

@@ -25,7 +25,8 @@ private:
   double product_work() const;
   bool solve_by_gcr(const Linearisation& at, double tolerance, TangentialState& state,
                     Eigen::VectorXd& step) const;
-  Eigen::MatrixXd dense_jacobian(const Linearisation& at) const;
+  /// By LU. An element that slips has one unknown, for J is the identity across its bound.
+  Eigen::VectorXd solve_dense(const Linearisation& at) const;
 
   const TangentialSystem& system_;
   const ContactElements& elements_;
