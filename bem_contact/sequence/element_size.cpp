@@ -2,6 +2,7 @@
 
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/scene/accuracy_of.hpp"
+#include "bem_contact/sequence/model_errors.hpp"
 #include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
@@ -16,6 +17,13 @@ namespace {
 double on_ladder(double length, bool down) {
   const double step = sizes_per_octave * std::log2(length);
   return std::exp2((down ? std::floor(step + 1e-9) : std::round(step)) / sizes_per_octave); // 1e-9: rounding
+}
+
+/// Fewest elements in contact for an accuracy, with influence numbers that depend on both rows. There a
+/// second solution costs so much that some elements in reserve are cheaper.
+int fewest_with_bodies(double accuracy) {
+  const double wanted = accuracy > 0 ? fewest_elements_bodies * std::sqrt(usual_accuracy / accuracy) : 0.0;
+  return static_cast<int>(std::clamp(wanted, double(fewest_elements), double(most_elements_full)));
 }
 
 } // namespace
@@ -130,10 +138,11 @@ void ElementSize::begin(const ContactCase& asked, bool alike) {
   const std::optional<Model> model = asked.scene.solver.model;
   // Which model is chosen automatically is not known yet: it may have numbers that depend on both rows.
   const bool full = model != Model::halfspace && model != Model::hertz;
+  const bool by_bodies = model ? model == Model::fem : names_bodies(asked);
   const Request request{asked.scene.grid.elements.value_or(0), asked.scene.grid.accuracy.value_or(0)};
   if (!count_ || request != request_)
     count_.emplace(request.elements, request.accuracy, full ? most_elements_full : most_elements,
-                   full ? fewest_elements_full : fewest_elements);
+                   by_bodies ? fewest_with_bodies(request.accuracy) : fewest_elements);
   request_ = request;
   // Half-space numbers serve any element.
   shortest_ = !model || model == Model::fem ? shortest_element(asked.files) : 0;
