@@ -89,8 +89,13 @@ struct SceneArguments {
 
 /// Success only if the certificate holds.
 ExitCode verdict(const SceneResult& r) {
-  if (r.result.certificate.holds())
-    return std::ranges::all_of(r.history, &ContactResult::converged) ? success : no_convergence;
+  if (certified(r))
+    return success;
+  if (r.result.certificate.holds()) {
+    spdlog::error("A step before the last is not a solution, so neither is the last one (it starts from its "
+                  "tractions) Lower solver.tolerance, or raise solver.max_outer.");
+    return no_convergence;
+  }
   spdlog::error(
       "The {} result is not a solution (its worst violation is {:.1e}, {:.0e} is allowed; {}) Coarsen the "
       "grid, lower solver.tolerance, or raise solver.max_outer.",

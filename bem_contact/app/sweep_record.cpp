@@ -126,8 +126,8 @@ CaseRecord case_record(std::size_t index, const SceneResult& result, bool fields
   CaseRecord record;
   record.index = index;
   const Certificate& certificate = result.result.certificate;
-  const bool all = std::ranges::all_of(result.history, &ContactResult::converged);
-  record.status = certificate.holds() && all ? CaseStatus::certified : CaseStatus::not_certified;
+  const bool all = certified(result);
+  record.status = all ? CaseStatus::certified : CaseStatus::not_certified;
   if (!certificate.holds())
     say(record, fmt::format("its worst violation is {:.1e}, {:.0e} is allowed", certificate.worst(),
                             certificate.tolerance));

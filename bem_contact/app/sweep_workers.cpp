@@ -74,9 +74,15 @@ struct Worker {
 
   void start(const WorkerCalls& calls) {
     int to[2] = {-1, -1}, from[2] = {-1, -1};
-    if (pipe(to) != 0 || pipe(from) != 0 || (process = fork()) < 0)
-      throw Error("No process to solve cases can be started", std::strerror(errno),
+    const pid_t started = pipe(to) == 0 && pipe(from) == 0 ? fork() : -1;
+    if (started < 0) { // never kept: kill(-1) would end every process of the user
+      const std::string why = std::strerror(errno);
+      for (const int end : {to[0], to[1], from[0], from[1]})
+        close(end);
+      throw Error("No process to solve cases can be started", why,
                   "Give a smaller --jobs, or end other programs.");
+    }
+    process = started;
     if (process == 0) {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
       const int read_end = dup(to[0]), write_end = dup(from[1]); // both above `answers`

@@ -70,7 +70,7 @@ ExitCode run(const WearArguments& arguments) {
   check_values(sweep);
   const std::vector<wear::CollectiveCase> cases = wear::collective_of(sweep, arguments.model);
   const wear::EvolutionOptions options = options_of(arguments, wear::wear_map_of(cases.front().scene));
-  wear::validate(cases, options);
+  wear::validate(cases, options, arguments.depth);
   const std::string digest = digest_of(sweep, arguments.digest_text());
   const std::filesystem::path folder = arguments.output;
   std::error_code failed;

@@ -52,6 +52,8 @@ std::string read_text_file(const std::string& file, std::string_view what, std::
     if (size > most)
       refuse(file, what, fmt::format("it has more than {} bytes", most), "Name a smaller file.");
   }
+  if (in.bad())
+    refuse(file, what, "reading it failed", "Check the disk, or copy the file.");
   return text;
 }
 

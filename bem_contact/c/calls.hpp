@@ -12,6 +12,15 @@
 /// What every function of the C interface does around its work.
 namespace bem_contact {
 
+/// The first 1000 characters of an error's text; none where there is no memory for them.
+inline void keep_text(const std::exception& error, std::string& message) noexcept {
+  try {
+    message.assign(error.what(), std::min<std::size_t>(std::strlen(error.what()), 1000));
+  } catch (const std::exception&) {
+    message.clear();
+  }
+}
+
 /// Calls `action`. Nothing is thrown beyond here: exceptions become codes, and their text the message.
 template <class Action> int guarded(std::string& message, const Action& action) noexcept {
   try {
@@ -19,16 +28,16 @@ template <class Action> int guarded(std::string& message, const Action& action) 
     action();
     return CONFORMAL_OK;
   } catch (const Stopped& error) {
-    message = error.what();
+    keep_text(error, message);
     return CONFORMAL_STOPPED;
   } catch (const ConvergenceError& error) {
-    message = error.what();
+    keep_text(error, message);
     return CONFORMAL_NOT_CONVERGED;
   } catch (const Error& error) {
-    message = error.what();
+    keep_text(error, message);
     return CONFORMAL_WRONG_INPUT;
   } catch (const std::exception& error) {
-    message.assign(error.what(), std::min<std::size_t>(std::strlen(error.what()), 200));
+    keep_text(error, message);
     return CONFORMAL_UNFORESEEN;
   } catch (...) {
     return CONFORMAL_UNFORESEEN;

@@ -64,7 +64,7 @@ void solve(conformal_contact* handle) {
   handle->result.reset();
   handle->result = handle->sequence.solve(handle->reader.scene(), &handle->stop);
   const ContactResult& last = handle->result->result;
-  if (!last.certificate.holds() || !std::ranges::all_of(handle->result->history, &ContactResult::converged))
+  if (!certified(*handle->result))
     throw ConvergenceError("The result is not a solution",
                            fmt::format("its worst violation is {:.1e}, {:.0e} is allowed; {}",
                                        last.certificate.worst(), last.certificate.tolerance, last.remark),

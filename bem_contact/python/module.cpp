@@ -31,7 +31,7 @@ namespace {
 std::unique_ptr<PythonSequence> sequence_of(const py::object& scene, const py::args& more,
                                             const py::object& folder, int threads,
                                             const py::kwargs& unknown) {
-  refuse_unknown("Sequence", more, unknown);
+  refuse_unknown("Sequence", {"scene", "folder", "threads"}, more, unknown);
   if (threads < 1 || threads > most_threads)
     throw InputError("a Sequence cannot have " + std::to_string(threads) + " threads",
                      "it takes 1 to " + std::to_string(most_threads),
@@ -49,14 +49,14 @@ PythonResult solved(const PythonSequence& sequence, const py::object& changes, c
 
 PythonResult solve_changed(const PythonSequence& sequence, const py::object& changes, const py::object& model,
                            const py::object& strict, const py::args& more, const py::kwargs& unknown) {
-  refuse_unknown("solve", more, unknown);
+  refuse_unknown("Sequence.solve", {"changes", "model", "strict"}, more, unknown);
   return solved(sequence, changes, model, strict);
 }
 
 PythonResult solve_one(const py::object& scene, const py::object& changes, const py::object& model,
                        const py::object& strict, const py::args& more, const py::object& folder,
                        const py::kwargs& unknown) {
-  refuse_unknown("solve", more, unknown);
+  refuse_unknown("solve", {"scene", "changes", "model", "strict", "folder"}, more, unknown);
   return solved(PythonSequence(scene_of(scene, folder)), changes, model, strict);
 }
 
@@ -234,9 +234,9 @@ void add_trust(ResultClass& c) {
   c.def_readonly("reason", &SceneResult::reason, "Why this model");
   c.def_readonly("warnings", &SceneResult::warnings,
                  "What to know before the numbers are used, each with its figure and what to do");
-  c.def_property_readonly(
-      "certified", [](const SceneResult& r) { return r.result.certificate.holds(); },
-      "Whether the certificate holds: look at it before you use any number");
+  c.def_property_readonly("certified", &certified,
+                          "Whether the certificate holds, and all steps before are solutions: look at it "
+                          "before you use any number");
   c.def_property_readonly(
       "converges_with_elements",
       [](const SceneResult& r) {

@@ -6,6 +6,7 @@
 #include "bem_contact/scene/sweep_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -190,16 +191,18 @@ py::array_t<double> array_of(const std::vector<double>& values) {
   return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-void refuse_unknown(const char* function, const py::args& more, const py::kwargs& unknown) {
+void refuse_unknown(const char* function, const std::vector<std::string>& known, const py::args& more,
+                    const py::kwargs& unknown) {
   if (!more.empty())
     refuse_type(fmt::format("{}() has too many arguments", function),
-                fmt::format("{} more than it takes", more.size()), "See help(bem_contact.solve).");
+                fmt::format("{} more than it takes", more.size()),
+                fmt::format("See help(bem_contact.{}).", function));
   for (const auto& item : unknown) {
     const auto name = py::cast<std::string>(item.first);
-    const std::vector<std::string> known{"scene", "changes", "model", "strict", "folder"};
     const auto like = nearest_names(name, known, 1);
     refuse_type(fmt::format("{}() has no argument '{}'", function, name),
-                "its arguments are scene, changes, model, strict and folder",
+                fmt::format("its arguments are {} and {}",
+                            fmt::join(known.begin(), std::prev(known.end()), ", "), known.back()),
                 like.empty() ? "Put keys of the scene into the dict `changes`."
                              : fmt::format("Did you mean {}?", like.front()));
   }

@@ -31,6 +31,7 @@ pybind11::array_t<double> array_of(const std::vector<double>& values);
 [[noreturn]] void refuse_type(const std::string& problem, const std::string& why,
                               const std::string& what_to_do);
 /// Throws TypeError if there are any, naming the nearest known argument.
-void refuse_unknown(const char* function, const pybind11::args& more, const pybind11::kwargs& unknown);
+void refuse_unknown(const char* function, const std::vector<std::string>& known, const pybind11::args& more,
+                    const pybind11::kwargs& unknown);
 
 } // namespace bem_contact

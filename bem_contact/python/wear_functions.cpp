@@ -97,7 +97,7 @@ py::dict wear_under(const py::object& scene, double depth, const std::string& la
       .smoothing = smoothing,
       .passages = passages,
       .kept_turn = kept_turn};
-  wear::validate(cases, options);
+  wear::validate(cases, options, depth);
   const States states =
       stoppable([=](const std::atomic<bool>* stop) { return worn_by(cases, options, depth, stop); });
   py::dict out("rail"_a = points_of(states, &wear::WornPair::rail),

@@ -4,6 +4,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/text_lines.hpp"
 
+#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -64,13 +65,10 @@ std::vector<std::vector<double>> read_csv(const std::filesystem::path& file,
   for (const Line& line : lines | std::views::drop(1)) {
     std::vector<double> row;
     for (const std::string& cell : line.cells) {
-      std::size_t used = 0;
       double value = std::nan("");
-      try {
-        value = std::stod(cell, &used);
-      } catch (const std::exception&) {
-      }
-      if (used != cell.size() || !std::isfinite(value))
+      const char* const end = cell.data() + cell.size();
+      const auto [last, error] = std::from_chars(cell.data(), end, value); // std::stod() follows the locale
+      if (error != std::errc() || last != end || !std::isfinite(value))
         throw InputError(fmt::format("Line {} of the table '{}' is wrong", line.number, file.string()),
                          fmt::format("'{}' is not a finite number", cell),
                          fmt::format("Give rows of {}.", header));

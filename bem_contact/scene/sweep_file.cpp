@@ -5,6 +5,7 @@
 #include "bem_contact/scene/case_table.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,7 +20,9 @@ constexpr std::size_t most_cases = 10'000'000;
 
 /// 6.3, not 6.300000000000001.
 double rounded(double value) {
-  return std::stod(fmt::format("{:.12g}", value));
+  const std::string text = fmt::format("{:.12g}", value);
+  std::from_chars(text.data(), text.data() + text.size(), value); // std::stod() follows the locale
+  return value;
 }
 
 struct Reader {

@@ -7,6 +7,7 @@
 #include "bem_contact/sequence/stresses.hpp"
 #include "bem_contact/sequence/structural_result.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -94,5 +95,10 @@ struct SceneResult {
   std::vector<std::string> warnings;         ///< what to know before the numbers are used
   PhaseSeconds seconds;                      ///< what the call took
 };
+
+/// Whether every step is a solution, the last one by its certificate.
+inline bool certified(const SceneResult& r) {
+  return r.result.certificate.holds() && std::ranges::all_of(r.history, &ContactResult::converged);
+}
 
 } // namespace bem_contact

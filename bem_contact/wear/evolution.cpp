@@ -147,9 +147,13 @@ std::optional<WearMap> wear_map_of(const SceneFile& scene) {
   return WearMap{w.speeds, w.pressures, w.coefficients};
 }
 
-void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& o) {
+void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& o, double depth) {
   validate(o.law);
   const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
+  if (!positive(depth))
+    throw InputError(fmt::format("Wear cannot end at a depth of {} mm", depth),
+                     "depths are positive and finite",
+                     "Give the depth at the deepest place at which to end.");
   if (!positive(o.cap) || !positive(o.passages) || !std::isfinite(o.smoothing) || o.smoothing < 0 ||
       !(o.rail || o.wheel))
     throw InputError(

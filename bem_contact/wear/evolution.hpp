@@ -74,8 +74,8 @@ bool needs_influence(const SceneFile& scene);
 std::optional<WearMap> wear_map_of(const SceneFile& scene);
 
 /// Throws InputError for an empty collective, weights that are not positive, other bodies or another wear map
-/// from case to case, and options out of range.
-void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& options);
+/// from case to case, options out of range, and a depth to end at (mm) that is not positive.
+void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& options, double depth);
 
 /// What has become of both bodies after a step.
 struct WearRow {

@@ -156,7 +156,8 @@ class Module(unittest.TestCase):
                 (lambda: bem_contact.solve(CORNER, {"stresses.depths": ["deep"]}), "of type str"),
                 (lambda: bem_contact.solve(CORNER, {"stresses.depths": np.ones((2, 2))}), "of type list"),
                 (lambda: bem_contact.Sequence(), "path of a scene file"),
-                (lambda: bem_contact.Sequence(CORNER, 1), "too many arguments")):
+                (lambda: bem_contact.Sequence(CORNER, 1), "help(bem_contact.Sequence)"),
+                (lambda: bem_contact.Sequence(CORNER, model="fem"), "scene, folder and threads")):
             with self.assertRaises(TypeError) as caught:
                 call()
             self.assertIn(words, str(caught.exception))

@@ -133,9 +133,10 @@ TEST(Evolution, WearsOneBodyAlone) {
   EXPECT_NEAR(after.wheel.largest(), 0.02, 1e-9);
 }
 
-std::string message_of(const std::vector<CollectiveCase>& cases, const EvolutionOptions& options = {}) {
+std::string message_of(const std::vector<CollectiveCase>& cases, const EvolutionOptions& options = {},
+                       double depth = 0.1) {
   try {
-    validate(cases, options);
+    validate(cases, options, depth);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -145,6 +146,8 @@ std::string message_of(const std::vector<CollectiveCase>& cases, const Evolution
 TEST(Evolution, RefusesWhatCannotWear) {
   EXPECT_EQ(message_of(collective()), "");
   EXPECT_THAT(message_of({}), HasSubstr("The load collective is empty"));
+  for (const double depth : {0.0, -0.1, std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_THAT(message_of(collective(), {}, depth), HasSubstr("depths are positive and finite"));
   auto cases = collective();
   cases[1].weight = -1;
   EXPECT_THAT(message_of(cases), HasSubstr("weights must be positive"));
