@@ -4,6 +4,7 @@
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/plan_grid.hpp"
 #include "bem_contact/sequence/structural_motion.hpp"
+#include "bem_contact/sequence/trim_plan.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -170,7 +171,10 @@ std::optional<GridPlan> plan_with_second_area(const ContactCase& contact, bool o
 GridSolution solve_on_growing_grid(const ContactCase& asked, ContactOnGrid first, const SolveTask& task,
                                    const SolveResources& resources, bool on_strips) {
   const SceneFile::Grid& grid = asked.scene.grid;
-  PhaseSeconds spent;
+  const TrimmedPlan needed = trimmed(asked, first.plan, task, resources, on_strips);
+  PhaseSeconds spent = needed.seconds;
+  if (needed.plan != first.plan)
+    first = asked.setup.on(needed.plan);
   for (int round = 0;; ++round) {
     GridSolution out = solve_on_grid(asked, std::move(first), task, resources);
     spent += out.seconds;
