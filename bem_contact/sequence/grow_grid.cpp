@@ -171,10 +171,12 @@ std::optional<GridPlan> plan_with_second_area(const ContactCase& contact, bool o
 GridSolution solve_on_growing_grid(const ContactCase& asked, ContactOnGrid first, const SolveTask& task,
                                    const SolveResources& resources, bool on_strips) {
   const SceneFile::Grid& grid = asked.scene.grid;
-  const TrimmedPlan needed = trimmed(asked, first.plan, task, resources, on_strips);
-  PhaseSeconds spent = needed.seconds;
-  if (needed.plan != first.plan)
+  PhaseSeconds spent;
+  if (has_large_numbers(asked, first.plan, task.model)) {
+    const TrimmedPlan needed = trimmed(asked, first.plan, task, resources, on_strips);
     first = asked.setup.on(needed.plan);
+    spent = needed.seconds;
+  }
   for (int round = 0;; ++round) {
     GridSolution out = solve_on_grid(asked, std::move(first), task, resources);
     spent += out.seconds;

@@ -11,23 +11,20 @@ namespace bem_contact {
 
 namespace {
 
-bool is_large(const ContactCase& asked, const GridPlan& plan, Model model) {
-  const SceneFile::Grid& grid = asked.scene.grid;
-  const bool free_extent = asked.setup.wheel_rail() && !grid.rows && !grid.ms && !grid.mx;
-  const bool by_both_rows = model == Model::fem || model == Model::tangent_plane;
-  const double megabytes = 9 * sizeof(double) * 1e-6 * plan.rows * plan.rows * (plan.columns + 2.0);
-  return free_extent && by_both_rows && megabytes >= large_numbers;
-}
-
-/// A solution of the same potential contact on the same elements has shown already what it needs.
-std::optional<GridPlan> plan_of_former(const ContactCase& asked, GridPlan plan, const FormerSolution* start) {
-  if (!start || start->grid.dx != plan.dx || start->grid.ds != plan.ds || !asked.estimate ||
-      start->areas != potential_areas(*asked.estimate))
+/// Where a solution by the same model of the same potential contact, on the same elements, ended within the
+/// plan.
+std::optional<GridPlan> plan_of_former(const ContactCase& asked, const GridPlan& plan, Model model,
+                                       const FormerSolution* former) {
+  if (!former || former->model != model || former->grid.dx != plan.dx || former->grid.ds != plan.ds ||
+      former->areas != potential_areas(*asked.estimate))
     return std::nullopt;
-  plan.first = static_cast<int>(std::lround((start->first_s - plan.origin) / plan.ds));
-  plan.rows = start->grid.ms;
-  plan.columns = start->grid.mx;
-  return plan;
+  GridPlan out = plan;
+  out.first = static_cast<int>(std::lround((former->first_s - plan.origin) / plan.ds));
+  out.rows = former->grid.ms;
+  out.columns = former->grid.mx;
+  const bool within = out.first >= plan.first && out.first + out.rows <= plan.first + plan.rows &&
+                      out.columns <= plan.columns;
+  return within ? std::optional(out) : std::nullopt;
 }
 
 /// The elements of a plan that are joined trim_factor by trim_factor; as far as the strips reach.
@@ -68,25 +65,38 @@ GridPlan without_far_elements(GridPlan plan, const GridSolution& solved) {
   };
   look(solved.result);
   std::ranges::for_each(solved.history, look);
-  // One joined element more: the half of one that touches, and half of one for what it is off by.
+  // One joined element more on each side, for what the rough solution is off by: one and a half from the
+  // middle of the last that touches.
+  constexpr int beyond = 3 * trim_factor / 2;
   const int end = plan.first + plan.rows;
-  const int from = (rough.first + first - 1) * trim_factor, to = (rough.first + last + 1) * trim_factor + 1;
   if (first > 0)
-    plan.first = std::clamp(from, plan.first, end);
-  plan.rows = (last < grid.ms - 1 ? std::clamp(to, plan.first, end) : end) - plan.first;
-  plan.columns = std::min(plan.columns, 2 * static_cast<int>(std::ceil((reach + rough.dx) / plan.dx)));
+    plan.first = std::clamp((rough.first + first) * trim_factor - beyond, plan.first, end);
+  if (last < grid.ms - 1)
+    plan.rows = std::clamp((rough.first + last) * trim_factor + beyond + 1, plan.first, end) - plan.first;
+  else
+    plan.rows = end - plan.first;
+  const double columns = 2 * std::ceil(reach / plan.dx + beyond);
+  plan.columns = std::min(plan.columns, static_cast<int>(columns));
   return plan;
 }
 
 } // namespace
 
+bool has_large_numbers(const ContactCase& asked, const GridPlan& plan, Model model) {
+  const SceneFile::Grid& grid = asked.scene.grid;
+  const bool open = asked.estimate && !grid.rows && !grid.ms && !grid.mx;
+  const bool by_both_rows = model == Model::fem || model == Model::tangent_plane;
+  const double megabytes = 9e-6 * sizeof(double) * plan.rows * plan.rows * (plan.columns + 2.0);
+  return open && by_both_rows && megabytes >= large_numbers;
+}
+
 TrimmedPlan trimmed(const ContactCase& asked, const GridPlan& plan, const SolveTask& task,
                     const SolveResources& resources, bool on_strips) {
-  if (!is_large(asked, plan, task.model))
-    return {plan, {}};
-  if (const auto known = plan_of_former(asked, plan, resources.start))
+  if (const auto known = plan_of_former(asked, plan, task.model, resources.start))
     return {*known, {}};
   const GridPlan rough = rough_plan(asked, plan, on_strips);
+  if (rough.rows < fewest_rows)
+    return {plan, {}};
   WorkBudget work = resources.work.another();
   try {
     const GridSolution solved = solve_on_grid(asked, asked.setup.on(rough), task,
