@@ -30,6 +30,8 @@ ContactEstimate estimate_contact(const ContactSetup& setup, bool foresee_shear);
 /// One area where the undeformed distance is below what the approach asks for.
 struct PotentialArea {
   double s_from = 0, s_to = 0, x_from = 0, x_to = 0; ///< mm
+
+  bool operator==(const PotentialArea&) const = default;
 };
 /// All of them, h < q cos(delta), along s.
 std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, double q);

@@ -53,7 +53,8 @@ SceneResult solve_from_free_rolling(const ContactCase& asked, const SceneFile::G
         "Count the creepage from motion.rolling_radius (motion.from_free_rolling = false).");
   counted = beyond_free_rolling(std::move(counted), *found, asked.setup.motion.creepage.xi);
   counted.scene.solver.model = free.model;
-  const std::optional<FormerSolution> start = former_of(free.problem, free.result, *asked.estimate);
+  const std::optional<FormerSolution> start =
+      former_of(free.model, free.problem, free.result, *asked.estimate);
   resources.start = start ? &*start : resources.start;
   SceneResult out = solve_case(counted, grid, resources);
   out.reason = free.reason;
@@ -88,7 +89,7 @@ SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::G
   }
   ContactCase free = asked;
   free.scene.solver.model = out.model;
-  const std::optional<FormerSolution> start = former_of(out.problem, out.result, *asked.estimate);
+  const std::optional<FormerSolution> start = former_of(out.model, out.problem, out.result, *asked.estimate);
   WorkBudget work = resources.work.another(); // it must not end the case that is asked for
   try {
     const auto found = find_free_rolling(free, grid,

@@ -4,6 +4,7 @@
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/plan_grid.hpp"
 #include "bem_contact/sequence/structural_motion.hpp"
+#include "bem_contact/sequence/trim_plan.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -171,6 +172,11 @@ GridSolution solve_on_growing_grid(const ContactCase& asked, ContactOnGrid first
                                    const SolveResources& resources, bool on_strips) {
   const SceneFile::Grid& grid = asked.scene.grid;
   PhaseSeconds spent;
+  if (has_large_numbers(asked, first.plan, task.model)) {
+    const TrimmedPlan needed = trimmed(asked, first.plan, task, resources, on_strips);
+    first = asked.setup.on(needed.plan);
+    spent = needed.seconds;
+  }
   for (int round = 0;; ++round) {
     GridSolution out = solve_on_grid(asked, std::move(first), task, resources);
     spent += out.seconds;

@@ -133,7 +133,8 @@ const FormerSolution* Sequence::start_for(const std::vector<PotentialArea>& area
 }
 
 void Sequence::remember(const SceneResult& result, const ContactEstimate& estimate) {
-  memory_.former = options_.keep_start ? former_of(result.problem, result.result, estimate) : std::nullopt;
+  memory_.former =
+      options_.keep_start ? former_of(result.model, result.problem, result.result, estimate) : std::nullopt;
 }
 
 std::optional<double> Sequence::rough_lateral_force(SceneFile scene, double lateral) {

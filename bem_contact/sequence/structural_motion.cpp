@@ -199,7 +199,7 @@ void solve_where_placed(ContactCase placed, const SceneFile::Grid& grid, const S
   PhaseSeconds spent = out.solved.seconds;
   spent.geometry += geometry.seconds();
   const std::optional<FormerSolution> former =
-      former_of(out.solved.contact.problem, out.solved.result, *out.asked.estimate);
+      former_of(out.solved.model, out.solved.contact.problem, out.solved.result, *out.asked.estimate);
   const bool start = former && alike(potential_areas(*placed.estimate), former->areas);
   WorkBudget work = resources.work.another();
   out.solved = solve_on_growing_grid(placed, std::move(contact), task,

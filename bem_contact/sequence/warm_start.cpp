@@ -58,8 +58,8 @@ private:
 
 } // namespace
 
-std::optional<FormerSolution> former_of(const ContactProblem& problem, const ContactResult& result,
-                                        const ContactEstimate& estimate) {
+std::optional<FormerSolution> former_of(Model model, const ContactProblem& problem,
+                                        const ContactResult& result, const ContactEstimate& estimate) {
   if (!result.converged || result.patches.empty() || !(estimate.approach > 0))
     return std::nullopt;
   return FormerSolution{problem.grid,
@@ -69,7 +69,8 @@ std::optional<FormerSolution> former_of(const ContactProblem& problem, const Con
                         potential_areas(estimate),
                         result.px,
                         result.ps,
-                        result.pn};
+                        result.pn,
+                        model};
 }
 
 bool alike(const std::vector<PotentialArea>& a, const std::vector<PotentialArea>& b) {

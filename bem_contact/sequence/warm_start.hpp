@@ -16,11 +16,12 @@ struct FormerSolution {
   double approach = 0;              ///< mm
   std::vector<PotentialArea> areas; ///< where the bodies might touch, along s
   std::vector<double> px, ps, pn;   ///< MPa; fields
+  Model model = Model::halfspace;
 };
 
 /// Nothing if no case can start from the result: it is not certified, or has no contact.
-std::optional<FormerSolution> former_of(const ContactProblem& problem, const ContactResult& result,
-                                        const ContactEstimate& estimate);
+std::optional<FormerSolution> former_of(Model model, const ContactProblem& problem,
+                                        const ContactResult& result, const ContactEstimate& estimate);
 
 /// Whether the two have as many areas, each of them over its counterpart. If not, neither is a start for the
 /// other.

@@ -1,0 +1,156 @@
+// Large grids that are cut down to what a rough solution says: the contact must be the one of the whole grid.
+#include "bem_contact/sequence/trim_plan.hpp"
+
+#include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/settings.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace bem_contact;
+
+const std::string files = CONFORMAL_SOURCE_DIR "/data/influence/";
+
+SceneFile s1002_on_60e1(Model model, const std::string& more) {
+  return with_model(
+      parse_scene_file(
+          fmt::format("rail.profile = '60E1'\nwheel.profile = 'S1002'\nrail.influence = '{0}small_rail.h5'\n"
+                      "wheel.influence = '{0}small_wheel.h5'\nmotion.free_rolling = false\n{1}",
+                      files, more)),
+      model);
+}
+
+struct TrimmedAndWhole {
+  ContactCase asked;
+  GridPlan plan;
+  TrimmedPlan needed;
+  SolveTask task;
+
+  GridSolution solved_on(const GridPlan& on) const {
+    WorkBudget work;
+    return solve_on_grid(asked, asked.setup.on(on), task, {.work = work});
+  }
+};
+
+/// `wider`: rows and columns that the plan has more on each side.
+TrimmedAndWhole trim(const SceneFile& scene, const FormerSolution* start = nullptr, int wider = 0) {
+  SequenceFiles of_scene;
+  const SolveTask task{*scene.solver.model};
+  const bool on_strips = task.model == Model::fem;
+  const ContactCase asked = prepare_case(scene, of_scene);
+  GridPlan plan = first_plan(asked, scene.grid, on_strips);
+  plan.first -= wider;
+  plan.rows += 2 * wider;
+  plan.columns += 2 * wider;
+  WorkBudget work;
+  return {asked, plan, trimmed(asked, plan, task, {.work = work, .start = start}, on_strips), task};
+}
+
+/// Of the result's elements that are elements of `whole` too, every one that is in contact in either.
+void expect_same_tractions(const GridSolution& part, const GridSolution& whole) {
+  ASSERT_TRUE(whole.result.certificate.holds());
+  ASSERT_TRUE(part.result.certificate.holds());
+  EXPECT_FALSE(part.result.touches_border);
+  const GridPlan &few = part.contact.plan, &all = whole.contact.plan;
+  const int row = few.first - all.first, column = (all.columns - few.columns) / 2;
+  ASSERT_GE(row, 0);
+  ASSERT_LE(row + few.rows, all.rows);
+  const double pmax = std::ranges::max(whole.result.pn);
+  double outside = 0;
+  for (int is = 0; is < all.rows; ++is)
+    for (int ix = 0; ix < all.columns; ++ix) {
+      const int i = is * all.columns + ix, is_part = is - row, ix_part = ix - column;
+      if (is_part < 0 || is_part >= few.rows || ix_part < 0 || ix_part >= few.columns) {
+        outside = std::max(outside, whole.result.pn[i]);
+        continue;
+      }
+      const int k = is_part * few.columns + ix_part;
+      ASSERT_NEAR(part.contact.problem.gap[k], whole.contact.problem.gap[i], 1e-12);
+      EXPECT_NEAR(part.result.pn[k], whole.result.pn[i], 2e-6 * pmax);
+      EXPECT_NEAR(part.result.px[k], whole.result.px[i], 2e-6 * pmax);
+      EXPECT_NEAR(part.result.ps[k], whole.result.ps[i], 2e-6 * pmax);
+    }
+  EXPECT_EQ(outside, 0);
+}
+
+const std::string gauge_corner = "position.lateral = 7.1\nload.force = 1e5\ngrid = { dx = 0.5, ds = 0.1 }\n";
+
+TEST(TrimPlan, TheContactIsThatOfTheWholeGrid) {
+  const TrimmedAndWhole t = trim(s1002_on_60e1(Model::fem, gauge_corner));
+  EXPECT_LT(t.needed.plan.rows, 0.75 * t.plan.rows);
+  expect_same_tractions(t.solved_on(t.needed.plan), t.solved_on(t.plan));
+}
+
+TEST(TrimPlan, ASecondAreaStays) {
+  const SceneFile scene = s1002_on_60e1(
+      Model::tangent_plane,
+      "position.lateral = 4.8\nposition.roll = 0.001\nload.force = 2.4e4\ngrid = { dx = 0.15, ds = 0.1 }\n");
+  const TrimmedAndWhole t = trim(scene, nullptr, 20);
+  const GridSolution whole = t.solved_on(t.plan);
+  EXPECT_EQ(whole.result.patches.size(), 2u);
+  EXPECT_LT(t.needed.plan.rows, t.plan.rows);
+  EXPECT_LT(t.needed.plan.columns, t.plan.columns);
+  expect_same_tractions(t.solved_on(t.needed.plan), whole);
+}
+
+TEST(TrimPlan, EveryStepOfAHistoryFits) {
+  const TrimmedAndWhole t = trim(s1002_on_60e1(
+      Model::fem,
+      gauge_corner + "motion.kind = 'shift'\nmotion.xi = 0.01\nmotion.eta = -0.02\nmotion.steps = 3\n"));
+  EXPECT_LT(t.needed.plan.rows, 0.75 * t.plan.rows);
+  const GridSolution part = t.solved_on(t.needed.plan), whole = t.solved_on(t.plan);
+  ASSERT_EQ(part.history.size(), 3u);
+  for (const ContactResult& step : part.history)
+    EXPECT_FALSE(step.touches_border);
+  expect_same_tractions(part, whole);
+}
+
+TEST(TrimPlan, AFormerSolutionOfTheSameContactSavesTheRoughOne) {
+  const SceneFile scene = s1002_on_60e1(Model::fem, gauge_corner);
+  const TrimmedAndWhole t = trim(scene);
+  const GridSolution solved = t.solved_on(t.needed.plan);
+  FormerSolution former =
+      former_of(Model::fem, solved.contact.problem, solved.result, *t.asked.estimate).value();
+  former.first_s += scene.grid.ds; // where no rough solution would put it
+  --former.grid.ms;
+  const GridPlan again = trim(scene, &former).needed.plan;
+  EXPECT_EQ(again.first, t.needed.plan.first + 1);
+  EXPECT_EQ(again.rows, t.needed.plan.rows - 1);
+  former.model = Model::tangent_plane; // its contact may be smaller
+  EXPECT_EQ(trim(scene, &former).needed.plan.rows, t.needed.plan.rows);
+}
+
+/// Numbers of at least large_numbers, and a second solution for free rolling that must find them kept.
+TEST(TrimPlan, LargeNumbersAreOfTheContactAlone) {
+  SceneFile scene =
+      s1002_on_60e1(Model::fem, "position.lateral = 7.1\nload.force = 1e5\ngrid = { dx = 0.5, ds = 0.03 }\n");
+  scene.motion.free_rolling = true;
+  SequenceFiles of_scene;
+  const ContactCase asked = prepare_case(scene, of_scene);
+  const GridPlan plan = first_plan(asked, scene.grid, true);
+  ASSERT_TRUE(has_large_numbers(asked, plan, Model::fem));
+  EXPECT_FALSE(has_large_numbers(asked, plan, Model::halfspace)) << "those are translational";
+  Sequence sequence;
+  const SceneResult r = sequence.solve(scene);
+  ASSERT_TRUE(r.result.certificate.holds());
+  EXPECT_TRUE(r.free_rolling);
+  EXPECT_EQ(sequence.counts().numbers_kept, 1);
+  const auto megabytes = [](int rows, int columns) { return 72e-6 * rows * rows * (columns + 2); };
+  EXPECT_LT(megabytes(r.problem.grid.ms, r.problem.grid.mx), 0.4 * megabytes(plan.rows, plan.columns));
+  EXPECT_FALSE(r.result.touches_border);
+
+  ContactCase by_rows = asked;
+  by_rows.scene.grid.rows = {plan.s_from(), plan.s_to()};
+  EXPECT_FALSE(has_large_numbers(by_rows, plan, Model::fem)) << "rows that are asked for are solved";
+}
+
+} // namespace
