@@ -334,10 +334,10 @@ BEM_CONTACT_TUNED(int, least_companion_line, 7);
 
 // Stated errors of printed numbers: a share of the change from elements twice as large, and a local part.
 // They are fitted to random cases of tools/benchmarks/estimates: those of shear to 870 (seeds 1, 2, 6 and 7),
-// those of power to 600 (1, 2 and 6), the others to 415 (1 and 2), so that about 96 in 100 true errors are
+// the others to 415 (1 and 2), so that about 96 in 100 true errors are
 // below the stated ones and the median of stated over true is least. Those of pmax and of shear were set anew
 // on 1200 (8 to 11), those of temperatures on 720 (1, 2, 6 to 9 and 12 to 17). shear_local, shear_deviation,
-// both of adhesion, normal_share and those of creepages were set anew on 1357 by half-spaces (8, 9, 41 and
+// both of adhesion and those of creepages were set anew on 1357 by half-spaces (8, 9, 41 and
 // 51; 906 of them with free rolling). tools/BENCHMARKS.md, section 9, judges them on other cases.
 
 BEM_CONTACT_TUNED(double, pmax_change, 0.02);     ///< 1. Share of the change of pmax,
@@ -360,10 +360,6 @@ BEM_CONTACT_TUNED(double, shear_adhesion, 0.5);
 BEM_CONTACT_TUNED(double, shear_adhesion_x, 0.3);
 /// 1. So much of that for Mz: it is off by less than forces.
 BEM_CONTACT_TUNED(double, moment_share, 0.87);
-/// 1. So much for the normal force of a patch, where the larger of two changes counts.
-BEM_CONTACT_TUNED(double, normal_share, 0.75);
-BEM_CONTACT_TUNED(double, power_change, 1.15);       ///< 1. Share of the change of the frictional power,
-BEM_CONTACT_TUNED(double, power_local, 0.40);        ///< 1. and of that of one element (mean).
 BEM_CONTACT_TUNED(double, temperature_change, 0.17); ///< 1. Share of the change of the highest temperature,
 BEM_CONTACT_TUNED(double, temperature_peak, 0.11);   ///< 1. of how far it falls beside its peak,
 BEM_CONTACT_TUNED(double, temperature_local, 0.17);  ///< 1. and of its rise over the elements in contact.

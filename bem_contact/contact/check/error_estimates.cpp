@@ -80,9 +80,12 @@ double local_normal_force(const Region& r) {
   return 1.5 * r.fn * local_approach(r);
 }
 
-/// Of the power of friction that changed so much.
-double power_error(double change, double power, int contact) {
-  return power_change * std::abs(change) + power_local * std::abs(power) / contact;
+/// Of the power of friction. Each wave of the tractions loses energy on elements (slip_step.hpp), and that is
+/// missing in what slip dissipates. The driving power has no such part.
+double power_error(const Region& fine, const Region& coarse) {
+  return std::abs(fine.driving_power.total - fine.friction_power) +
+         shear_error(fine.driving_power.total - coarse.driving_power.total, fine.driving_power, fine.contact,
+                     shear_adhesion_x);
 }
 
 /// Of what friction does in a patch.
@@ -91,8 +94,7 @@ void estimate_patch_shear(const Region& fine, const Region& coarse, PatchErrors&
   out.fs = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine.contact);
   out.moment_n = shear_change * std::abs(fine.moment.total - coarse.moment.total) +
                  moment_share * local_error(fine.moment, fine.contact);
-  out.friction_power =
-      power_error(fine.friction_power - coarse.friction_power, fine.friction_power, fine.contact);
+  out.friction_power = power_error(fine, coarse);
 }
 
 PatchErrors patch_errors(const Region& fine, const Region& coarse, double roughness) {
@@ -105,6 +107,14 @@ PatchErrors patch_errors(const Region& fine, const Region& coarse, double roughn
   return out;
 }
 
+/// Of the normal force of a patch. Where the vertical force is prescribed, so is sum p_n dS + slope Fs but
+/// for what turns within the contact. `fs`: error of Fs.
+double normal_error(const Region& fine, const Region& coarse, const ShearEffects& effects, double fs,
+                    int contact) {
+  const double change = fine.fn - coarse.fn + effects.slope * (fine.fs.total - coarse.fs.total);
+  return std::hypot(effects.slope * fs, shear_error(change, effects.fn, contact));
+}
+
 /// Of the patches; nan where the coarse result has other ones. `contact`: elements of all patches.
 void estimate_patches(const ContactProblem& problem, const std::vector<Region>& fine,
                       const std::vector<Region>& coarse, const ShearEffects& effects, int contact,
@@ -112,18 +122,20 @@ void estimate_patches(const ContactProblem& problem, const std::vector<Region>& 
   const std::vector<Region> opposite = matched(fine, coarse);
   // Several patches share the force by how stiff they are at their common approach.
   const bool shared = problem.load == LoadKind::approach || fine.size() > 1;
-  const double common_shear = local_error(effects.fn, contact), turned = effects.turned / contact;
   for (std::size_t i = 0; i < opposite.size(); ++i) {
     errors[i] = patch_errors(fine[i], opposite[i], roughness);
-    const double change = std::max(std::abs(fine[i].fn - opposite[i].fn),
-                                   effects.slope * std::abs(fine[i].fs.total - opposite[i].fs.total));
-    errors[i].fn = normal_share * (shear_change * change + common_shear) + turned +
+    const double fs = problem.force_s && fine.size() == 1 ? 0.0 : errors[i].fs;
+    errors[i].fn = normal_error(fine[i], opposite[i], effects, fs, contact) +
                    (shared ? local_normal_force(fine[i]) : 0.0);
     if (errors[i].fn < rounding * fine[i].fn)
       errors[i].fn = 0; // in the plane it is the prescribed vertical force
   }
-  if (problem.force_x && opposite.size() == 1)
-    errors[0].fx = 0; // prescribed
+  if (opposite.size() > 1)
+    return;
+  if (problem.force_x) // prescribed
+    errors[0].fx = 0;
+  if (problem.force_s)
+    errors[0].fs = 0;
 }
 
 /// Forces of the patches in the track frame. The one patch of a contact has its totals.
@@ -165,18 +177,18 @@ void estimate_creepages(const ContactProblem& problem, const ContactResult& resu
                         const ContactGrid& coarse_grid, const ContactResult& coarse, const Region& fine,
                         TotalErrors& e) {
   const LargerElements larger(problem.grid, result.pn);
-  const auto error = [&](double change, double compliance, double moved, const UncertainSum& force) {
+  const auto error = [&](double change, double compliance, double moved, double adhering) {
     if (!std::isfinite(compliance))
       compliance = strain_per_force(problem, fine);
     return creepage_change * std::abs(change) +
-           std::abs(compliance) * (creepage_moved * moved + creepage_adhesion * force.adhering_alike);
+           std::abs(compliance) * (creepage_moved * moved + creepage_adhesion * adhering);
   };
   if (problem.force_x)
     e.creepage_x = error(result.creepage_x - coarse.creepage_x, result.compliance_x,
-                         moved_force(larger, result.px, coarse.px, coarse_grid), fine.fx);
-  if (problem.force_s)
+                         moved_force(larger, result.px, coarse.px, coarse_grid), fine.fx.adhering_alike);
+  if (problem.force_s) // spin's tractions cancel in the sum, and not in what the elements are off by
     e.creepage_s = error(result.creepage_s - coarse.creepage_s, result.compliance_s,
-                         moved_force(larger, result.ps, coarse.ps, coarse_grid), fine.fs);
+                         moved_force(larger, result.ps, coarse.ps, coarse_grid), std::sqrt(fine.fs.adhering));
 }
 
 /// Sets what needs friction, but for creepages: shear forces, adhesion, power.
@@ -188,8 +200,7 @@ void estimate_shear(const ContactProblem& problem, const ContactResult& result, 
   e.adhesion_share =
       adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
       (adhesion_local + adhesion_border * std::sqrt(double(fine.adhesion_border))) / fine.contact;
-  e.friction_power =
-      power_error(fine.friction_power - rough.friction_power, fine.friction_power, fine.contact);
+  e.friction_power = power_error(fine, rough);
 }
 
 /// Of the highest temperature of a surface, degrees C. `bulk`: what it has before the contact.
@@ -237,7 +248,7 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   e.approach = force ? approach_change * std::abs(result.approach - coarse.approach) +
                            fine.approach * local_approach(fine)
                      : 0;
-  const ShearEffects effects = effects_of_shear(problem, result, fine);
+  const ShearEffects effects = effects_of_shear(problem, result);
   e.Fy = shear_error(result.Fy - coarse.Fy, effects.fy, fine.contact);
   e.Fz = force ? 0 : shear_error(result.Fz - coarse.Fz, effects.fz, fine.contact) + local_normal_force(fine);
   out.local_moment = moment_share * local_error(fine.moment, fine.contact);

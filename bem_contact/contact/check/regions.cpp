@@ -34,6 +34,21 @@ struct Field {
   }
 };
 
+/// What the rigid motion of the bodies does through shear on element i, per area: p_t w.
+double shear_drive(const ContactProblem& problem, const ContactResult& result, int i) {
+  const double along_x = problem.slip_x[i] + result.creepage_x;
+  const double along_s = problem.slip_s[i] + result.creepage_s * problem.lateral_share(i / problem.grid.mx);
+  return result.px[i] * along_x + result.ps[i] * along_s;
+}
+
+/// The same through the pressure: p_n dh/dx.
+double pressure_drive(const ContactProblem& problem, const ContactResult& result, int i) {
+  const int ix = i % problem.grid.mx;
+  if (ix == 0 || ix + 1 == problem.grid.mx)
+    return 0;
+  return result.pn[i] * (problem.gap[i + 1] - problem.gap[i - 1]) / (2 * problem.grid.dx);
+}
+
 Region region_of(const ContactProblem& problem, const ContactResult& result, std::span<const int> elements) {
   const Field field{problem, result};
   const double dS = problem.element_area();
@@ -65,14 +80,23 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
   out.x /= out.fn;
   out.s /= out.fn;
   const std::vector<double> rate = friction_power(result);
-  std::vector<Part> moment;
+  std::vector<Part> moment, driving;
+  const bool steady = problem.motion == MotionKind::steady;
+  double pressed = 0;
   for (std::size_t k = 0; k < elements.size(); ++k) {
     const int i = elements[k];
     const double lever_x = problem.grid.x(i % problem.grid.mx) - out.x;
     const double lever_s = problem.rows[i / problem.grid.mx].s - out.s;
     moment.push_back({lever_x * fs[k].value - lever_s * fx[k].value, fx[k].fn, fx[k].adheres});
-    out.friction_power += rate.empty() ? 0.0 : rate[i] * dS;
+    if (!problem.has_friction())
+      continue;
+    out.friction_power += rate[i] * dS;
+    const double sheared = steady ? shear_drive(problem, result, i) : rate[i];
+    driving.push_back({sheared * dS, fx[k].fn, fx[k].adheres});
+    pressed += steady ? pressure_drive(problem, result, i) * dS : 0.0;
   }
+  out.driving_power = sum_of(driving);
+  out.driving_power.total += pressed; // of large parts, which cancel: none of them counts for its error
   out.moment = sum_of(moment);
   return out;
 }
@@ -128,8 +152,7 @@ std::vector<Region> matched(const std::vector<Region>& fine, std::vector<Region>
   return out;
 }
 
-ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult& result,
-                              const Region& contact) {
+ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult& result) {
   const int mx = problem.grid.mx;
   const double dS = problem.element_area();
   double across = 0, down = 0; // of the pressure, N
@@ -140,10 +163,9 @@ ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult
   }
   ShearEffects out;
   const bool made_up = problem.load == LoadKind::force && down > 0;
-  if (made_up) {
-    out.slope = std::abs(across) / down;
-    out.turned = contact.fn - std::hypot(across, down);
-  }
+  const double mean = std::atan2(across, down);
+  if (made_up)
+    out.slope = across / down;
   std::vector<Part> fy, fz, fn;
   for (int i = 0; i < problem.grid.size(); ++i) {
     if (result.state[i] == ElementState::exterior)
@@ -154,9 +176,9 @@ ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult
     const auto part = [&](double value) {
       return Part{value, result.pn[i] * dS, result.state[i] == ElementState::adhesion};
     };
-    fy.push_back(part(fs * (cosine + out.slope * sine)));
+    fy.push_back(part(fs * (cosine + std::abs(out.slope) * sine)));
     fz.push_back(part(made_up ? 0.0 : fs * sine));
-    fn.push_back(part(made_up ? fs * sine * contact.fn / down : 0.0));
+    fn.push_back(part(made_up ? fs * std::sin(row.delta - mean) : 0.0));
   }
   out.fy = sum_of(fy);
   out.fz = sum_of(fz);

@@ -39,12 +39,16 @@ struct Region {
   UncertainSum fx, fs;                   ///< of p_x dS, p_s dS, N
   UncertainSum moment;                   ///< of both about the centre of pressure, N mm
   double friction_power = 0;             ///< N (shift: N mm)
-  double pmax = 0;                       ///< MPa
-  double curvature = 0;                  ///< at the peak: how far p_n falls to its neighbours, twice the mean
-                                         ///< along x and twice that along s, MPa
-  double approach = 0;                   ///< PatchSummary::approach, mm
-  double area = 0;                       ///< mm^2
-  double x = 0, s = 0;                   ///< centre of pressure, mm
+  /// Steady rolling: what the motion of the bodies does, sum (p_t w + p_n dh/dx) dS, w with creepages found.
+  /// By the law of energy it is the power of friction on vanishing elements (THEORY.md, section 13).
+  /// Otherwise that power itself.
+  UncertainSum driving_power;
+  double pmax = 0;      ///< MPa
+  double curvature = 0; ///< at the peak: how far p_n falls to its neighbours, twice the mean
+                        ///< along x and twice that along s, MPa
+  double approach = 0;  ///< PatchSummary::approach, mm
+  double area = 0;      ///< mm^2
+  double x = 0, s = 0;  ///< centre of pressure, mm
 
   /// How far the pressure falls from its peak to the next elements, over the peak.
   double relative_fall() const { return curvature / pmax; }
@@ -62,13 +66,10 @@ std::vector<Region> matched(const std::vector<Region>& fine, std::vector<Region>
 /// prescribed, the pressure makes up for what the shear tractions bear of it.
 struct ShearEffects {
   UncertainSum fy, fz; ///< N
-  UncertainSum fn;     ///< sum of p_n dS, N
-  double slope = 0;    ///< change of that sum with Fs: tan of the pressure's mean direction
-  double turned = 0;   ///< what that sum exceeds the resultant of the pressure by, because normals turn, N
+  double slope = 0;    ///< what sum p_n dS falls by with Fs: tan of the pressure's mean direction
+  UncertainSum fn;     ///< and what it falls by beside that, because normals turn within the contact, N
 };
 
-/// `contact`: contact_of() the result.
-ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult& result,
-                              const Region& contact);
+ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult& result);
 
 } // namespace bem_contact::contact
