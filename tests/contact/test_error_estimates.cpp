@@ -225,6 +225,26 @@ TEST(ErrorEstimates, HoldForCreepagesFound) {
   EXPECT_GE(xi.held + 1, xi.cases);
 }
 
+/// Two patches, between which larger elements close the gap: then nothing is known of each, and a prescribed
+/// force, which is that of both, is not the force of the first.
+TEST(ErrorEstimates, OfPatchesThatLargerElementsJoinAreUnknown) {
+  ContactProblem problem = rolling(40, 0, 0, 0);
+  const double half = 0.12 * problem.grid.ms * problem.grid.ds; // mm, from the middle to the lowest lines
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    const double s = problem.rows[i / problem.grid.mx].s, x = problem.grid.x(i % problem.grid.mx);
+    problem.gap[i] = 1e-3 * x * x + 2e-3 * std::pow(std::abs(s) - half, 2);
+  }
+  problem.force = 0.1 * force;
+  problem.force_x = 0.06 * problem.force;
+  const ContactResult result = solve(problem);
+  ASSERT_TRUE(result.converged && result.discretisation && result.discretisation->converges);
+  ASSERT_EQ(result.patches.size(), 2u);
+  for (const PatchErrors& patch : result.discretisation->patches) {
+    EXPECT_TRUE(std::isnan(patch.fn));
+    EXPECT_TRUE(std::isnan(patch.fx));
+  }
+}
+
 /// Free rolling beside lateral creepage at which nearly all elements slip, on a contact that is wider on one
 /// side, at parts of an element. Spin gives each row another creepage: free rolling is where the centre of
 /// pressure has none. There Fx hardly changes with the creepage, so that a small error of it is a large one.

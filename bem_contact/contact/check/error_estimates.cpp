@@ -130,7 +130,7 @@ void estimate_patches(const ContactProblem& problem, const std::vector<Region>& 
     if (errors[i].fn < rounding * fine[i].fn)
       errors[i].fn = 0; // in the plane it is the prescribed vertical force
   }
-  if (opposite.size() > 1)
+  if (opposite.size() != 1)
     return;
   if (problem.force_x) // prescribed
     errors[0].fx = 0;
