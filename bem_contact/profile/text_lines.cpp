@@ -37,6 +37,14 @@ std::string_view without_comment(std::string_view line) {
   return trimmed(line.substr(0, line.find_first_of("!%#\"")));
 }
 
+std::optional<double> parse_number(std::string_view word) {
+  if (word.starts_with('+') && !word.starts_with("+-"))
+    word.remove_prefix(1);
+  double value = 0;
+  const auto [stop, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return problem == std::errc{} && stop == word.data() + word.size() ? std::optional(value) : std::nullopt;
+}
+
 std::vector<double> numbers_of(std::string_view line) {
   constexpr std::string_view separators = " \t,;";
   std::vector<double> values;
@@ -48,12 +56,10 @@ std::vector<double> numbers_of(std::string_view line) {
     std::string token(line.substr(0, line.find_first_of(separators)));
     line.remove_prefix(token.size());
     std::replace(token.begin(), token.end(), 'D', 'E'); // Fortran's exponent
-    const char* first = token.c_str() + (token.front() == '+' ? 1 : 0);
-    double value = 0;
-    const auto [stop, problem] = std::from_chars(first, token.c_str() + token.size(), value);
-    if (problem != std::errc{} || stop != token.c_str() + token.size())
+    const std::optional<double> value = parse_number(token);
+    if (!value)
       return {};
-    values.push_back(value);
+    values.push_back(*value);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,9 @@ std::string_view trimmed(std::string_view text);
 /// The line without what follows !, %, # or a quotation mark, trimmed; a quotation mark that begins it is
 /// skipped.
 std::string_view without_comment(std::string_view line);
+
+/// The number that `word` is, whatever the locale, with an optional sign; nothing if it is none.
+std::optional<double> parse_number(std::string_view word);
 
 /// The numbers of a line, separated by blanks, commas or semicolons; empty if any word is not a number.
 /// "nan" and "inf" are numbers here, so that require_finite() can refuse them by name.

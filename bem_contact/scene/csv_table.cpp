@@ -4,11 +4,9 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/text_lines.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
 #include <limits>
 #include <ranges>
 #include <sstream>
@@ -25,11 +23,7 @@ struct Line {
 };
 
 std::vector<Line> lines_of(const std::filesystem::path& file) {
-  require_readable(file.string(), "The table");
-  std::ifstream in(file);
-  if (!in)
-    throw InputError(fmt::format("The table '{}' cannot be read", file.string()), "there is no such file",
-                     "Check the path; it is relative to the scene file.");
+  std::istringstream in(read_text_file(file.string(), "The table"));
   std::vector<Line> lines;
   int number = 0;
   for (std::string text; std::getline(in, text);) {
@@ -65,14 +59,12 @@ std::vector<std::vector<double>> read_csv(const std::filesystem::path& file,
   for (const Line& line : lines | std::views::drop(1)) {
     std::vector<double> row;
     for (const std::string& cell : line.cells) {
-      double value = std::nan("");
-      const char* const end = cell.data() + cell.size();
-      const auto [last, error] = std::from_chars(cell.data(), end, value); // std::stod() follows the locale
-      if (error != std::errc() || last != end || !std::isfinite(value))
+      const std::optional<double> value = parse_number(cell);
+      if (!value || !std::isfinite(*value))
         throw InputError(fmt::format("Line {} of the table '{}' is wrong", line.number, file.string()),
                          fmt::format("'{}' is not a finite number", cell),
                          fmt::format("Give rows of {}.", header));
-      row.push_back(value);
+      row.push_back(*value);
     }
     if (row.size() != columns.size())
       throw InputError(fmt::format("Line {} of the table '{}' is wrong", line.number, file.string()),

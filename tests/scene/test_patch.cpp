@@ -102,6 +102,8 @@ TEST_F(Tables, GiveTheGap) {
 TEST_F(Tables, AreRefusedWithTheirFault) {
   EXPECT_THAT(refusal(with_gap("x, y, h\n0, 0, 0\n")), HasSubstr("has other columns"));
   EXPECT_THAT(refusal(with_gap("ix, is, h\n0, 0, nan\n1, 0, 0\n")), HasSubstr("is not a finite number"));
+  EXPECT_THAT(refusal(with_gap("ix, is, h\n0, 0, +-1\n1, 0, 0\n")), HasSubstr("is not a finite number"));
+  EXPECT_EQ(refusal(with_gap("ix, is, h\n0, 0, +0.1\n+1, 0, 1e-3\n")), "no error");
   EXPECT_THAT(refusal(with_gap("ix, is, h\n0, 0, 1\n")), HasSubstr("element (1, 0) is missing"));
   EXPECT_THAT(refusal(with_gap("ix, is, h\n0, 0, 1\n0, 0, 1\n")), HasSubstr("given twice"));
   EXPECT_THAT(refusal(with_gap("ix, is, h\n5, 0, 1\n")), HasSubstr("is not one of it"));
