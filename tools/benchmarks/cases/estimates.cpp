@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <string>
 
 namespace cases {
@@ -63,18 +62,6 @@ void print_line(std::size_t index, const char* name, double value, double error,
   fmt::print("{},{},{:.9g},{:.5g},{:.9g}\n", index, name, value, error, exact);
 }
 
-void print_stated(std::size_t index, const SceneResult& base) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  for (const Quantity& number : quantities())
-    if (number.error)
-      print_line(index, number.name, number.value(base), number.error(base), unknown);
-  for (std::size_t i = 0; i < base.result.patches.size(); ++i)
-    for (const PatchQuantity& number : patch_quantities())
-      if (number.error)
-        print_line(index, fmt::format("patch {}", number.name).c_str(), number.value(base, i),
-                   number.error(base, i), unknown);
-}
-
 /// The patch of `fine` that is nearest to this one.
 std::size_t opposite(const PatchSummary& patch, const ContactResult& fine) {
   const auto nearest = std::ranges::min_element(
@@ -102,7 +89,7 @@ void print_case(std::size_t index, const SceneResult& base, const SceneResult& f
 
 } // namespace
 
-void estimates(const SweepFile& sweep, Exact exact) {
+void estimates(const SweepFile& sweep) {
   Sequence base_cases, fine_cases;
   fmt::print("case,quantity,value,error,exact\n");
   for (std::size_t i = 0; i < sweep.size(); ++i)
@@ -110,10 +97,6 @@ void estimates(const SweepFile& sweep, Exact exact) {
       SceneFile scene = sweep.scene(i);
       fit_grid(scene);
       const SceneResult base = base_cases.solve(scene);
-      if (exact == Exact::left_out) {
-        print_stated(i, base);
-        continue;
-      }
       const SceneResult fine = fine_cases.solve(on_finer_grid(scene, base.problem.grid));
       if (base.result.converged && fine.result.converged && !base.result.touches_border &&
           !fine.result.touches_border)

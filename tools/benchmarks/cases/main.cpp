@@ -5,8 +5,6 @@
 //     bench_cases areas SWEEP.toml                what contact in two areas costs beside each area alone
 //     bench_cases estimates SWEEP.toml            one CSV line a case and printed number: stated and true
 //     error
-//     bench_cases stated SWEEP.toml               the same without the true error: elements are not made
-//     smaller
 // tools/benchmarks/ablation and tools/benchmarks/accuracy run them on data/scenes/cases_*.toml. BY.toml has
 // the same cases with the influence files from which references are computed.
 #include "bem_contact/base/error.hpp"
@@ -25,11 +23,11 @@ int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
   const bool with_reference = what == "ablation" || what == "accuracy" || what == "files";
   if (argc < 3 || argc > (with_reference ? 4 : 3) ||
-      (!with_reference && what != "areas" && what != "estimates" && what != "stated")) {
-    fmt::print(stderr,
-               "usage: {0} ablation|accuracy|files SWEEP.toml [BY.toml]\n       {0} areas|estimates|stated "
-               "SWEEP.toml\n",
-               argv[0]);
+      (!with_reference && what != "areas" && what != "estimates")) {
+    fmt::print(
+        stderr,
+        "usage: {0} ablation|accuracy|files SWEEP.toml [BY.toml]\n       {0} areas|estimates SWEEP.toml\n",
+        argv[0]);
     return 2;
   }
   if (openblas_set_num_threads)
@@ -44,9 +42,7 @@ int main(int argc, char** argv) {
     if (what == "areas")
       cases::areas(sweep);
     else if (what == "estimates")
-      cases::estimates(sweep, cases::Exact::computed);
-    else if (what == "stated")
-      cases::estimates(sweep, cases::Exact::left_out);
+      cases::estimates(sweep);
     else if (what == "accuracy")
       cases::accuracy(sweep, by);
     else if (what == "files")

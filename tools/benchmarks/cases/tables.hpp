@@ -24,8 +24,6 @@ void areas(const bem_contact::SweepFile& sweep);
 /// A CSV line for each printed number of each case and of its patches: value, stated error (nan: none), and
 /// the value on elements a quarter as long and as wide. The line "stated" or "unconverged" of each case has
 /// whether an error is stated, and the true relative error of pmax.
-/// `left_out`: nan for the value on smaller elements, and no line of the case. Takes a twentieth of the time.
-enum class Exact { computed, left_out };
-void estimates(const bem_contact::SweepFile& sweep, Exact exact);
+void estimates(const bem_contact::SweepFile& sweep);
 
 } // namespace cases
