@@ -114,6 +114,8 @@ struct Discretisation {
   /// False: the field depends on the elements so much that no error can be told, and every one is nan. A
   /// profile with noise or a kink is not resolved, or a peak is narrower than three elements.
   bool converges = true;
+  /// Where it does not: the undeformed distance itself is rough, so that smaller elements hardly help.
+  bool rough = false;
   double local_moment = unknown_error; ///< the part of moment_error() that no change shows, N mm
 
   /// Absolute error of the moment about the vertical axis through x and y (mm, frame of the rows), N mm.

@@ -29,6 +29,11 @@ RigidSlip fields(std::span<const ContactRow> rows, std::span<const double> x, co
 
 } // namespace
 
+double radius_at(const WheelOnRail& pair, double x, Point2 point) {
+  const WheelFrame frame = pair.wheel_frame();
+  return cross(frame.axle, from(frame.centre, x, point))[0];
+}
+
 RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage,
                      std::span<const ContactRow> rows, std::span<const double> x) {
   const WheelFrame frame = pair.wheel_frame();
@@ -37,8 +42,8 @@ RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, c
   const Vector3 centre{0, pair.centre_y, frame.centre[2] + arm * frame.axle[2]};
   const Vector3 rotation{creepage.roll * frame.forward[0], creepage.roll * frame.forward[1], creepage.yaw};
   const auto around_axle = [&](double at, Point2 p) { return cross(frame.axle, from(frame.centre, at, p)); };
-  const double radius =
-      creepage.rolling_radius > 0 ? creepage.rolling_radius : around_axle(reference.x, reference.position)[0];
+  const double radius = creepage.rolling_radius > 0 ? creepage.rolling_radius
+                                                    : radius_at(pair, reference.x, reference.position);
   const double turning = (1 - creepage.xi) / radius; // 1 / R_roll
   const Point2 tangent = tangent_of(reference.delta);
   return fields(rows, x, [&](const ContactRow& row, double at) {

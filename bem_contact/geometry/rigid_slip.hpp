@@ -46,6 +46,10 @@ struct RigidSlip {
 RigidSlip rigid_slip(const WheelOnRail& pair, const ReferencePoint& reference, const Creepage& creepage,
                      std::span<const ContactRow> rows, std::span<const double> x);
 
+/// How far a point of the wheel lies from its axle across the rolling direction, mm: a wheel that rolls with
+/// this radius does not slide along x there. `x`, `point`: in the track frame, mm.
+double radius_at(const WheelOnRail& pair, double x, Point2 point);
+
 /// Of a wheel that is shifted and does not roll, mm: w_x = xi - phi s, w_s = (eta + phi x) cos(delta - delta
 /// of the reference point), xi, eta in mm and phi in rad, s along the tangent there, s and x from there.
 RigidSlip rigid_shift(const ReferencePoint& reference, const Creepage& creepage,

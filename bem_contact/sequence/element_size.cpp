@@ -126,11 +126,18 @@ double error_of(AccuracyOf what, const SceneResult& out) {
 
 double asked_error(const SceneFile::Grid& grid, const SceneResult& out) {
   const double forces = out.result.certificate.discretisation;
-  if (!out.result.discretisation || !out.result.discretisation->converges)
+  const std::optional<Discretisation>& estimate = out.result.discretisation;
+  if (!estimate || (estimate->rough && !estimate->converges))
     return forces;
+  const auto error = [&](AccuracyOf what) {
+    const double pmax = largest_pressure(out.result);
+    return what == AccuracyOf::forces || estimate->converges
+               ? error_of(what, out)
+               : std::max(forces, relative(pmax - estimate->coarse_pmax, pmax));
+  };
   double largest = 0;
   for (const AccuracyOf what : accuracy_of(grid.accuracy_of))
-    largest = std::max(largest, error_of(what, out));
+    largest = std::max(largest, error(what));
   return largest;
 }
 

@@ -44,8 +44,8 @@ std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int 
                                            double shortest, double longest);
 
 /// The largest relative error, estimated, of what the scene's grid.accuracy_of names; < 0: not estimated. The
-/// error of adhesion is that of its share. If the field does not converge with the elements, no error is
-/// stated, and that of the forces counts.
+/// error of adhesion is that of its share. If the pressure does not converge with the elements, no error is
+/// stated, and the change of pmax from larger elements counts; with rough surfaces that of the forces.
 double asked_error(const SceneFile::Grid& grid, const SceneResult& result);
 
 /// Chooses dx and ds for the cases of a sequence that ask for grid.elements or grid.accuracy. It learns from

@@ -16,7 +16,7 @@ bool has_free_rolling(const ContactCase& asked) {
 FreeRolling free_rolling_of(const SceneResult& solved) {
   const auto& estimate = solved.result.discretisation;
   return {solved.xi, solved.rolling_radius / (1 - solved.xi),
-          estimate ? estimate->errors.creepage_x : unknown_error};
+          estimate ? estimate->errors.creepage_x : unknown_error, solved.contact_radius};
 }
 
 /// The same with the creepage counted as that of `result` is: placed bodies may have another rolling radius.
@@ -67,9 +67,9 @@ SceneResult solve_from_free_rolling(const ContactCase& asked, const SceneFile::G
 ContactCase beyond_free_rolling(ContactCase asked, const FreeRolling& free, double creepage) {
   Creepage& motion = asked.setup.motion.creepage;
   motion.xi = 0;
-  motion.slip_x = free.xi + creepage;
   if (!asked.scene.motion.pitch_rate) // that of free.xi, wherever the bodies are placed
     asked.scene.motion.rolling_radius = motion.rolling_radius = free.rolling_radius * (1 - free.xi);
+  motion.slip_x = (free.xi + creepage) * free.contact_radius / motion.rolling_radius;
   asked.setup.motion.force_x.reset();
   return asked;
 }

@@ -128,9 +128,11 @@ void warn_of_convergence(const ContactResult& r, std::vector<std::string>& out) 
   if (r.discretisation && !r.discretisation->converges)
     out.push_back(
         fmt::format("the pressure does not converge with the size of the elements (pmax {:.0f} MPa, "
-                    "{:.0f} MPa on elements twice as large) Smooth a profile that is noisy; where a "
-                    "peak is narrow, give smaller grid.dx and grid.ds.",
-                    largest_pressure(r), r.discretisation->coarse_pmax));
+                    "{:.0f} MPa on elements twice as large) {}",
+                    largest_pressure(r), r.discretisation->coarse_pmax,
+                    r.discretisation->rough
+                        ? "Smooth the profiles (rail.smoothing, wheel.smoothing): their distance is rough."
+                        : "Give smaller grid.dx and grid.ds, or smooth a profile that is noisy."));
 }
 
 } // namespace

@@ -42,6 +42,7 @@ struct FreeRolling {
   double xi = 0;                   ///< its creepage, counted as SceneResult::xi is
   double rolling_radius = 0;       ///< forward over angular speed of the wheel, mm
   double xi_error = unknown_error; ///< of the creepage, by the size of the elements
+  double contact_radius = 0;       ///< SceneResult::contact_radius, mm
 
   double radius_error() const { return rolling_radius * xi_error / (1 - xi); } ///< mm
 };
@@ -81,6 +82,9 @@ struct SceneResult {
   /// wheel_rail: forward over angular speed of the wheel at xi = 0, mm: motion.rolling_radius, or that of the
   /// contact's centre on the bodies as they are placed. 0 of a patch.
   double rolling_radius = 0;
+  /// wheel_rail: radius_at() of the contact, mean weighted with the pressure, mm. 0 of a patch. A slip w_x of
+  /// the whole contact is that of the creepage xi = w_x rolling_radius / contact_radius.
+  double contact_radius = 0;
   std::optional<FreeRolling>
       free_rolling; ///< wheel_rail, steady with friction, unless the scene leaves it out
   /// ProfileCurve::digest() of both profiles, as influence files have it; 0 of a patch.

@@ -69,13 +69,27 @@ void add_stresses(const SceneFile& scene, SceneResult& out) {
         degrees(turn), 100 * error));
 }
 
+/// SceneResult::contact_radius.
+double contact_radius(const WheelOnRail& pair, const ContactProblem& problem, const ContactResult& result) {
+  double sum = 0, pressed = 0;
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    const double p = std::max(0.0, result.pn[i]);
+    if (p > 0)
+      sum += p * radius_at(pair, problem.grid.x(i % problem.grid.mx),
+                           problem.rows[i / problem.grid.mx].position);
+    pressed += p;
+  }
+  return pressed > 0 ? sum / pressed : 0;
+}
+
 /// The creepages that the last step had.
 void add_creepages(const ContactSetup& setup, SceneResult& out) {
   const Motion& motion = setup.motion;
   if (!motion.tangential || (setup.patch() && setup.patch()->slip))
     return;
   const Creepage last = motion.steps.empty() ? motion.creepage : motion.creepage_of(motion.steps.back());
-  out.xi = last.xi + last.slip_x + out.result.creepage_x;
+  const double per_slip = out.contact_radius > 0 ? out.rolling_radius / out.contact_radius : 1.0;
+  out.xi = last.xi + per_slip * (last.slip_x + out.result.creepage_x);
   out.eta = last.eta + out.result.creepage_s;
   out.phi = last.phi;
 }
@@ -104,6 +118,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail()) {
     out.lateral = asked.scene.position.lateral;
     out.rolling_radius = asked.setup.motion.creepage.rolling_radius;
+    out.contact_radius = contact_radius(placed->pair, out.problem, out.result);
     out.rail_geometry = placed->pair.rail.digest();
     out.wheel_geometry = placed->pair.wheel.digest();
   }

@@ -225,6 +225,44 @@ TEST(ErrorEstimates, HoldForCreepagesFound) {
   EXPECT_GE(xi.held + 1, xi.cases);
 }
 
+/// Under spin most of the error is that the contact's front meets another w_s. The mean of a few cases.
+TEST(ErrorEstimates, HoldForTheLateralCreepageFoundUnderSpin) {
+  Tally eta;
+  for (const double share : {-0.6, -0.2, 0.2, 0.4, 0.6})
+    for (const double phi : {-4e-4, 2e-4, 4e-4}) {
+      const auto pulled = [&](int across) {
+        ContactProblem problem = rolling(across, 0, phi, 0);
+        problem.force_s = share * 0.3 * force;
+        return problem;
+      };
+      const ContactResult result = solve(pulled(18));
+      const ContactResult fine = solve(pulled(72), {.estimate_discretisation = false});
+      ASSERT_TRUE(result.converged && result.discretisation && fine.converged);
+      eta.add(result.discretisation->errors.creepage_s, result.creepage_s, fine.creepage_s);
+    }
+  EXPECT_GE(eta.held + 1, eta.cases);
+  EXPECT_LE(eta.median(), 10);
+}
+
+/// Where Fz and Fs are prescribed, Fy is known but for the direction of the pressure.
+TEST(ErrorEstimates, OfFyUnderAPrescribedFsAreThoseOfTheDirection) {
+  const auto pulled = [](int across, double turn) {
+    ContactProblem problem = rolling(across, 1e-3, 2e-4, 0.6);
+    for (ContactRow& row : problem.rows)
+      row.delta += turn * row.s;
+    problem.force_s = 0.1 * force;
+    return problem;
+  };
+  const ContactResult flat = solve(pulled(20, 0));
+  ASSERT_TRUE(flat.converged && flat.discretisation);
+  EXPECT_LT(flat.discretisation->errors.Fy, 1e-7 * force);
+  const ContactResult turning = solve(pulled(20, 0.02));
+  const ContactResult fine = solve(pulled(80, 0.02), {.estimate_discretisation = false});
+  ASSERT_TRUE(turning.converged && turning.discretisation && fine.converged);
+  EXPECT_LE(std::abs(turning.Fy - fine.Fy), turning.discretisation->errors.Fy);
+  EXPECT_LT(turning.discretisation->errors.Fy, 2e-4 * force);
+}
+
 /// Two patches, between which larger elements close the gap: then nothing is known of each, and a prescribed
 /// force, which is that of both, is not the force of the first.
 TEST(ErrorEstimates, OfPatchesThatLargerElementsJoinAreUnknown) {

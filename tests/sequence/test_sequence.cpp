@@ -152,6 +152,21 @@ TEST(Sequence, OtherScenesAreSolvedByThemselves) {
   EXPECT_EQ(sequence.counts().starts, 0);
 }
 
+/// On the few elements that come first pmax changes by a quarter from larger ones: no error can be told.
+TEST(Sequence, AnAccuracyIsReachedWherePmaxDoesNotConvergeAtFirst) {
+  const std::string scene = "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nposition.cant = 0.025\n"
+                            "load.force = 8e4\nsolver.model = \"halfspace\"\n";
+  const double exact =
+      largest_pressure(Sequence().solve(parse_scene_file(scene + "grid.dx = 0.25\ngrid.ds = 0.1\n")).result);
+  for (const double accuracy : {0.05, 0.02}) {
+    const SceneResult r = Sequence().solve(parse_scene_file(scene + fmt::format("grid.accuracy = {}\n", accuracy)));
+    ASSERT_TRUE(r.result.converged && r.result.discretisation);
+    EXPECT_TRUE(r.result.discretisation->converges);
+    EXPECT_LE(r.result.discretisation->errors.pmax, accuracy * exact);
+    EXPECT_NEAR(largest_pressure(r.result), exact, accuracy * exact);
+  }
+}
+
 TEST(Sequence, TheShortestElementOfTheFilesIsKept) {
   ContactEstimate estimate;
   estimate.slices = {RailSlice{.s = 0, .half = 1e-3, .position = {}},

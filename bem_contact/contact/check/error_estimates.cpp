@@ -42,11 +42,16 @@ double roughness_of_gap(const ContactProblem& problem, const ContactResult& resu
   return count > 0 ? std::sqrt(sum / count) / self : 0;
 }
 
+/// `roughness`: as roughness_of_gap() returns it, MPa.
+bool rough(const Region& fine, double roughness) {
+  return roughness > largest_roughness * fine.pmax;
+}
+
 /// False where the peak of the pressure is narrower than the elements can show, where larger elements change
 /// it grossly, or where the undeformed distance is rough: then smaller elements show another field.
 bool converges(const Region& fine, const Region& coarse, double roughness) {
   return std::abs(fine.pmax - coarse.pmax) <= largest_pmax_change * fine.pmax &&
-         fine.curvature <= largest_curvature * fine.pmax && roughness <= largest_roughness * fine.pmax;
+         fine.curvature <= largest_curvature * fine.pmax && !rough(fine, roughness);
 }
 
 /// `roughness`: as converges() takes it, MPa.
@@ -112,7 +117,14 @@ PatchErrors patch_errors(const Region& fine, const Region& coarse, double roughn
 double normal_error(const Region& fine, const Region& coarse, const ShearEffects& effects, double fs,
                     int contact) {
   const double change = fine.fn - coarse.fn + effects.slope * (fine.fs.total - coarse.fs.total);
-  return std::hypot(effects.slope * fs, shear_error(change, effects.fn, contact));
+  return std::hypot(effects.slope * fs, shear_error(change, effects.fn, contact, normal_adhesion));
+}
+
+/// Of Fy. Where Fz and Fs are prescribed, only the direction of the pressure can change it.
+double lateral_error(const ContactProblem& problem, double change, const ShearEffects& effects, int contact) {
+  if (problem.load == LoadKind::force && problem.force_s)
+    return shear_change * std::abs(change) + direction_local * effects.turned / contact;
+  return shear_error(change, effects.fy, contact);
 }
 
 /// Of the patches; nan where the coarse result has other ones. `contact`: elements of all patches.
@@ -171,6 +183,18 @@ double strain_per_force(const ContactProblem& problem, const Region& r) {
   return r.pmax * self / std::sqrt(problem.element_area()) / r.fn;
 }
 
+/// Mean change of the rigid slip across the rolling direction from an element in contact to the next, 1.
+double turn_of_slip(const ContactProblem& problem, const ContactResult& result) {
+  double sum = 0;
+  int count = 0;
+  for (int i = 0; i < problem.grid.size(); ++i)
+    if (result.state[i] != ElementState::exterior && i % problem.grid.mx + 1 < problem.grid.mx) {
+      sum += std::abs(problem.slip_s[i + 1] - problem.slip_s[i]);
+      ++count;
+    }
+  return count > 0 ? sum / count : 0;
+}
+
 /// Of creepages that are found for prescribed forces. A force that is uncertain by so much asks for another
 /// creepage by so much times the compliance, which grows without bound towards full slip.
 void estimate_creepages(const ContactProblem& problem, const ContactResult& result,
@@ -187,8 +211,10 @@ void estimate_creepages(const ContactProblem& problem, const ContactResult& resu
     e.creepage_x = error(result.creepage_x - coarse.creepage_x, result.compliance_x,
                          moved_force(larger, result.px, coarse.px, coarse_grid), fine.fx.adhering_alike);
   if (problem.force_s) // spin's tractions cancel in the sum, and not in what the elements are off by
-    e.creepage_s = error(result.creepage_s - coarse.creepage_s, result.compliance_s,
-                         moved_force(larger, result.ps, coarse.ps, coarse_grid), std::sqrt(fine.fs.adhering));
+    e.creepage_s = creepage_s_share * error(result.creepage_s - coarse.creepage_s, result.compliance_s,
+                                            moved_force(larger, result.ps, coarse.ps, coarse_grid),
+                                            std::sqrt(fine.fs.adhering)) +
+                   creepage_turn * turn_of_slip(problem, result);
 }
 
 /// Sets what needs friction, but for creepages: shear forces, adhesion, power.
@@ -225,6 +251,7 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   out.coarse_pmax = rough.pmax;
   const double roughness = roughness_of_gap(problem, result);
   out.converges = converges(fine, rough, roughness);
+  out.rough = contact::rough(fine, roughness);
   out.patches.resize(patches.size());
   if (!out.converges)
     return;
@@ -249,7 +276,7 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
                            fine.approach * local_approach(fine)
                      : 0;
   const ShearEffects effects = effects_of_shear(problem, result);
-  e.Fy = shear_error(result.Fy - coarse.Fy, effects.fy, fine.contact);
+  e.Fy = lateral_error(problem, result.Fy - coarse.Fy, effects, fine.contact);
   e.Fz = force ? 0 : shear_error(result.Fz - coarse.Fz, effects.fz, fine.contact) + local_normal_force(fine);
   out.local_moment = moment_share * local_error(fine.moment, fine.contact);
   estimate_patches(problem, patches, patches_of(coarse_problem, coarse), effects, fine.contact, roughness,

@@ -173,12 +173,14 @@ ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult
     const ContactRow& row = problem.rows[i / mx];
     const double fs = result.ps[i] * dS;
     const double cosine = std::cos(row.delta), sine = std::abs(std::sin(row.delta));
+    const double aside = std::sin(row.delta - mean);
     const auto part = [&](double value) {
       return Part{value, result.pn[i] * dS, result.state[i] == ElementState::adhesion};
     };
     fy.push_back(part(fs * (cosine + std::abs(out.slope) * sine)));
     fz.push_back(part(made_up ? 0.0 : fs * sine));
-    fn.push_back(part(made_up ? fs * std::sin(row.delta - mean) : 0.0));
+    fn.push_back(part(made_up ? fs * aside : 0.0));
+    out.turned += result.pn[i] * dS * std::abs(aside) / std::cos(mean);
   }
   out.fy = sum_of(fy);
   out.fz = sum_of(fz);
