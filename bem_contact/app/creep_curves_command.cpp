@@ -16,7 +16,6 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <spdlog/spdlog.h>
-#include <string>
 
 namespace bem_contact::app {
 

@@ -2,7 +2,6 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/warnings.hpp"
-#include "bem_contact/sequence/contact_case.hpp"
 #include "bem_contact/sequence/grow_grid.hpp"
 #include "bem_contact/sequence/model_choice.hpp"
 #include "bem_contact/sequence/settings.hpp"
@@ -12,8 +11,6 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace bem_contact {
 

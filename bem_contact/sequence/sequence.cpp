@@ -3,7 +3,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/contact_estimate.hpp"
-#include "bem_contact/sequence/describe_case.hpp"
 #include "bem_contact/sequence/free_rolling.hpp"
 #include "bem_contact/sequence/lateral_search.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"

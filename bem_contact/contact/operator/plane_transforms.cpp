@@ -1,7 +1,6 @@
 #include "bem_contact/contact/operator/plane_transforms.hpp"
 
 #include "bem_contact/base/simd.hpp"
-#include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
 #include <limits>
