@@ -93,7 +93,7 @@ std::optional<ComponentFields> transformed_displacements(const ContactProblem& p
       shear ? std::vector<int>{component_x, component_s, component_n} : std::vector<int>{component_n};
   std::vector<double> out(wanted.size() * n);
   if (!loaded.empty())
-    PlaneOperator(problem.numbers, columns, ms, wanted, loaded).apply(tractions, out, 0);
+    PlaneOperator(problem.numbers, Boxes{{{0, 0, columns, ms}}}, wanted, loaded).apply(tractions, out, 0);
   ComponentFields u;
   u.fill(std::vector<double>(n, 0.0));
   std::array<double, 3> allowed{};
