@@ -38,7 +38,7 @@ struct Systems {
                      [&](const auto& z, const auto& bz, auto&& jz) {
                        jz = m.cwiseProduct(bz) + (1 - m.array()).matrix().cwiseProduct(z);
                      },
-                     [](const auto& v, auto&& out) { out = v; }, right, tolerance, most, x);
+                     [](const auto& v, auto&& out) { out = v; }, right, {tolerance, most}, x);
   }
   double relative_residual(const VectorXd& right, const VectorXd& x) const {
     return (right - jacobian() * x).norm() / right.norm();

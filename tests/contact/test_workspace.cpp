@@ -223,7 +223,7 @@ TEST(Workspace, MoreIterationsAllocateNoMore) {
   const auto iterate = [&](double tolerance) {
     ++elements[0]; // nothing that was kept serves
     gcr.use_elements(elements);
-    gcr.solve(product, image, identity, right, tolerance, most, x);
+    gcr.solve(product, image, identity, right, {tolerance, most}, x);
   };
   iterate(1e-5);
   const int longest = gcr.products();
