@@ -203,13 +203,7 @@ void solve_where_placed(ContactCase placed, const SceneFile::Grid& grid, const S
   const bool start = former && alike(potential_areas(*placed.estimate), former->areas);
   WorkBudget work = resources.work.another();
   out.solved = solve_on_growing_grid(placed, std::move(contact), task,
-                                     {.work = work,
-                                      .numbers = resources.numbers,
-                                      .operators = resources.operators,
-                                      .start = start ? &*former : nullptr,
-                                      .coarse_start = resources.coarse_start,
-                                      .totals_only = resources.totals_only},
-                                     on_strips);
+                                     resources.with(work, start ? &*former : nullptr), on_strips);
   out.solved.seconds += spent;
   out.asked = std::move(placed);
 }
