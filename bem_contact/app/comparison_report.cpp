@@ -73,7 +73,8 @@ bool same_datum(const SceneResult& a, const SceneResult& b) {
   return a.approach_datum == b.approach_datum;
 }
 
-/// What the reference is beyond the model; nothing where it would be of zero.
+/// By how much the reference's number is larger than the model's, over its scale. Nothing where one of them
+/// is missing or the scale is zero.
 Value difference(const ComparedQuantity& q, const SceneResult& model, const SceneResult& reference) {
   const Value a = q.of(model), b = q.of(reference);
   if (!a || !b || (q.name == approach_name && !same_datum(model, reference)))

@@ -168,7 +168,8 @@ H5Table curves_table(const CreepCurves& c, const GivenScene& given, const std::f
   auto& d = table.datasets;
   for (const CreepMatrixEntry& entry : creep_matrices())
     if (const CreepMatrix* values = entry.of(c))
-      d[entry.name] = matrix(*values, "N; Mz: N mm; by phi: times mm", entry.description);
+      d[entry.name] =
+          matrix(*values, "Fx, Fs: N (by phi: N mm); Mz: N mm (by phi: N mm2)", entry.description);
   for (const CreepCurve& curve : c.curves) {
     const std::string group = fmt::format("{}/", name_of(curve.which));
     d[group + "creepage"] =
