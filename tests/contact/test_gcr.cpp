@@ -1,5 +1,5 @@
-#include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/tangential/gcr.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

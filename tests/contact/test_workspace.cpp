@@ -1,6 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/normal/conjugate_gradients.hpp"
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/operator/settings.hpp"
 #include "bem_contact/contact/tangential/step_box.hpp"
 #include "tests/contact/scenes.hpp"
 

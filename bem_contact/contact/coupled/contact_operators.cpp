@@ -1,7 +1,7 @@
 #include "bem_contact/contact/coupled/contact_operators.hpp"
 
+#include "bem_contact/contact/coupled/settings.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
-#include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
 #include <array>

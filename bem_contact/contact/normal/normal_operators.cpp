@@ -1,6 +1,6 @@
 #include "bem_contact/contact/normal/normal_operators.hpp"
 
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/normal/settings.hpp"
 #include "bem_contact/influence/dense.hpp"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/operator/plane_operator.hpp"
 #include "bem_contact/contact/operator/plane_transforms.hpp"
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/operator/settings.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/influence/dense.hpp"
 

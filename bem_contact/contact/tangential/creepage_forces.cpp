@@ -1,7 +1,7 @@
 #include "bem_contact/contact/tangential/creepage_forces.hpp"
 
-#include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/tangential/kinetic_friction.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <algorithm>
 #include <cmath>

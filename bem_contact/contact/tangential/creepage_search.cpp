@@ -3,6 +3,7 @@
 #include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/tangential/creepage_forces.hpp"
 #include "bem_contact/contact/tangential/kinetic_friction.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "bem_contact/contact/tangential/newton.hpp"
 
-#include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/tangential/newton_matrix.hpp"
 #include "bem_contact/contact/tangential/row_sweeps.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <Eigen/LU>
 

@@ -1,6 +1,6 @@
 #include "bem_contact/contact/tangential/newton_matrix.hpp"
 
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 #include "bem_contact/influence/dense.hpp"
 
 #include <Eigen/Dense>
