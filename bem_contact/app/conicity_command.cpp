@@ -13,10 +13,12 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <ranges>
 #include <string>
 #include <tuple>
 
@@ -125,16 +127,11 @@ json conicity_json(const WheelsetConicity& c, const WheelsetOnTrack& w) {
 
 /// One line for each lateral displacement.
 std::string conicity_csv(const WheelsetConicity& c) {
-  std::string out;
-  for (const auto& column : stand_columns())
-    out += fmt::format("{}{}", out.empty() ? "" : ",", csv_name(column.name, column.unit));
-  out += '\n';
-  for (const WheelsetStand& s : c.stands) {
-    std::string line;
-    for (const auto& column : stand_columns())
-      line += fmt::format("{}{:.9g}", line.empty() ? "" : ",", column.value(s));
-    out += line + '\n';
-  }
+  const auto each = [](const auto& of) { return stand_columns() | std::views::transform(of); };
+  const auto name = [](const auto& column) { return csv_name(column.name, column.unit); };
+  std::string out = fmt::format("{}\n", fmt::join(each(name), ","));
+  for (const WheelsetStand& s : c.stands)
+    out += fmt::format("{:.9g}\n", fmt::join(each([&](const auto& column) { return column.value(s); }), ","));
   return out;
 }
 
