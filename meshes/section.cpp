@@ -6,7 +6,6 @@
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "meshes/graft.hpp"
 #include "meshes/graft_fit.hpp"
-#include "meshes/settings.hpp"
 #include "meshes/wheel_section.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "meshes/outline.hpp"
-#include "meshes/settings.hpp"
 
 #include <fmt/format.h>
 

@@ -73,7 +73,8 @@ bool same_datum(const SceneResult& a, const SceneResult& b) {
   return a.approach_datum == b.approach_datum;
 }
 
-/// What the reference is beyond the model; nothing where it would be of zero.
+/// By how much the reference's number is larger than the model's, over its scale. Nothing where one of them
+/// is missing or the scale is zero.
 Value difference(const ComparedQuantity& q, const SceneResult& model, const SceneResult& reference) {
   const Value a = q.of(model), b = q.of(reference);
   if (!a || !b || (q.name == approach_name && !same_datum(model, reference)))
@@ -208,17 +209,22 @@ std::string forces_title(const Comparison& c) {
 
 std::string creep_text(const Comparison& c) {
   std::string out =
-      "\nFx at equal creepage beyond free rolling, each model at its place of the table above:\n";
-  for (const CreepForces& forces : c.creep_forces) {
-    out += row_label(fmt::format("{:+.1e}", forces.creepage), "N");
-    for (const double fx : forces.Fx)
-      out += cell(text_of(fx, 0));
-    const SceneResult& reference = c.at_forces[c.reference];
-    const double scale = friction_bound(reference.problem, reference.result);
-    for (std::size_t i = 0; i < forces.Fx.size(); ++i)
+      "\nFx at equal creepage beyond free rolling, with each model at its position of the table above:\n";
+  const CreepForces& forces = c.creep_forces;
+  const SceneResult& reference = c.at_forces[c.reference];
+  const double scale = friction_bound(reference.problem, reference.result);
+  for (std::size_t k = 0; k < forces.creepage.size(); ++k) {
+    out += row_label(fmt::format("{:+.1e}", forces.creepage[k]), "N");
+    std::string differences;
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < c.models.size(); ++i) {
+      out += cell(text_of(forces.Fx[i][k], 0));
       if (i != c.reference)
-        out += cell(fmt::format("{:+.2f} %", 100 * (forces.Fx[c.reference] - forces.Fx[i]) / scale));
-    out += '\n' + errors_line(forces.Fx_error);
+        differences +=
+            cell(fmt::format("{:+.2f} %", 100 * (forces.Fx[c.reference][k] - forces.Fx[i][k]) / scale));
+      errors.push_back(forces.Fx_error[i][k]);
+    }
+    out += differences + '\n' + errors_line(errors);
   }
   return out;
 }
@@ -247,14 +253,13 @@ json to_json(const Comparison& c) {
   json models = json::array(), creep = json::array();
   for (const Model model : c.models)
     models.push_back(name_of(model));
-  for (const CreepForces& forces : c.creep_forces) {
-    json fx = json::object(), errors = json::object();
+  for (std::size_t k = 0; k < c.creep_forces.creepage.size(); ++k) {
+    json& at = creep.emplace_back(json{{"xi_from_free_rolling", c.creep_forces.creepage[k]}});
     for (std::size_t i = 0; i < c.models.size(); ++i) {
       const std::string name(name_of(c.models[i]));
-      fx[name] = forces.Fx[i];
-      errors[name] = forces.Fx_error[i];
+      at["Fx"][name] = c.creep_forces.Fx[i][k];
+      at["Fx_error"][name] = c.creep_forces.Fx_error[i][k];
     }
-    creep.push_back({{"xi_from_free_rolling", forces.creepage}, {"Fx", fx}, {"Fx_error", errors}});
   }
   return {{"models", models},
           {"reference", name_of(c.models[c.reference])},

@@ -13,10 +13,12 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <ranges>
 #include <string>
 #include <tuple>
 
@@ -27,20 +29,14 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* conicity_help =
-    R"(A rigid wheelset is moved sideways on its track: where do its wheels touch, and how much do their rolling radii
-differ? From that follow the wavelength of its free motion and the equivalent conicity of EN 15302, which is the slope
-of the cone with the same wavelength. Profiles and track come from a scene, from options, or from both; load, motion,
-and the displacement, roll and yaw of the scene's [position] do not count.
-
-Example:
+    R"(A rigid wheelset is moved sideways on its track: where do its wheels touch, how much do their rolling radii differ, and
+which cone would run with the same wavelength (EN 15302)? Profiles and track come from a scene, from options, or from
+both; load, motion, and the displacement, roll and yaw of the scene's [position] do not count. Example:
     bem_contact conicity --wheel S1002 --rail 60E1 --cant 0.025
 You should see the contact points for each millimetre from -12 to 12 mm and, for an amplitude of 3 mm, a conicity of
-0.1741 and a wavelength of 8.844 m. With --roll the wheelset rolls until both wheels stand on their rails; the reference
-results of EN 15302 leave that out. "none": no motion has this amplitude.
+0.1741 and a wavelength of 8.844 m. "none": no motion has this amplitude.
 
-To draw it, with a finer step:
-    bem_contact conicity --wheel S1002 --rail 60E1 --cant 0.025 --step 0.1 -o conicity.h5
-    tools/plot conicity.h5 -o conicity.png)";
+More, and how to draw it: data/tutorial/conicity.md.)";
 
 struct ConicityArguments {
   std::string scene, csv, output;
@@ -131,16 +127,11 @@ json conicity_json(const WheelsetConicity& c, const WheelsetOnTrack& w) {
 
 /// One line for each lateral displacement.
 std::string conicity_csv(const WheelsetConicity& c) {
-  std::string out;
-  for (const auto& column : stand_columns())
-    out += fmt::format("{}{}", out.empty() ? "" : ",", csv_name(column.name, column.unit));
-  out += '\n';
-  for (const WheelsetStand& s : c.stands) {
-    std::string line;
-    for (const auto& column : stand_columns())
-      line += fmt::format("{}{:.9g}", line.empty() ? "" : ",", column.value(s));
-    out += line + '\n';
-  }
+  const auto each = [](const auto& of) { return stand_columns() | std::views::transform(of); };
+  const auto name = [](const auto& column) { return csv_name(column.name, column.unit); };
+  std::string out = fmt::format("{}\n", fmt::join(each(name), ","));
+  for (const WheelsetStand& s : c.stands)
+    out += fmt::format("{:.9g}\n", fmt::join(each([&](const auto& column) { return column.value(s); }), ","));
   return out;
 }
 

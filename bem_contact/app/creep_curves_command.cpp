@@ -16,7 +16,6 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <spdlog/spdlog.h>
-#include <string>
 
 namespace bem_contact::app {
 
@@ -31,8 +30,7 @@ leading minus), or auto. Example:
     bem_contact creep-curves data/scenes/steady_rolling.toml -o creep.h5
 You should see the slopes at zero creepage and spin beside those of Kalker's linear theory for the same ellipse (dFx/dxi
 1.7149e+06 and 1.719e+06 N, a difference of -0.24 %), the sensitivities at the scene's creepages (dFx/dxi 6.092e+05 N),
-and three tables, with a line for each creepage. To draw them:
-    tools/plot creep.h5 -o creep.png
+and three tables, with a line for each creepage. More, and how to draw them: data/tutorial/creep-curves.md.
 
 Exit code 0: every certificate holds; 2: the input is wrong; 3: some point has no certified result.)";
 
@@ -170,7 +168,8 @@ H5Table curves_table(const CreepCurves& c, const GivenScene& given, const std::f
   auto& d = table.datasets;
   for (const CreepMatrixEntry& entry : creep_matrices())
     if (const CreepMatrix* values = entry.of(c))
-      d[entry.name] = matrix(*values, "N; Mz: N mm; by phi: times mm", entry.description);
+      d[entry.name] =
+          matrix(*values, "Fx, Fs: N (by phi: N mm); Mz: N mm (by phi: N mm2)", entry.description);
   for (const CreepCurve& curve : c.curves) {
     const std::string group = fmt::format("{}/", name_of(curve.which));
     d[group + "creepage"] =

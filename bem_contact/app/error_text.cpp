@@ -5,11 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace bem_contact::app {
-
-using nlohmann::json;
 
 std::string two_digits(double error) {
   if (!(error > 0))
@@ -26,12 +23,6 @@ std::string plus_minus(double error) {
 std::string plus_minus(const SceneResult& result, const char* name) {
   const Quantity& number = quantity(name);
   return number.error ? plus_minus(number.error(result)) : "";
-}
-
-void add_errors(const SceneResult& result, json& numbers) {
-  for (const Quantity& number : quantities())
-    if (number.error && numbers.contains(number.name))
-      numbers[error_name(number.name)] = number.error(result);
 }
 
 } // namespace bem_contact::app

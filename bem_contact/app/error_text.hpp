@@ -2,7 +2,6 @@
 
 #include "bem_contact/sequence/scene_result.hpp"
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace bem_contact::app {
@@ -16,9 +15,5 @@ std::string plus_minus(double error);
 
 /// The number of this name (quantities()), as plus_minus() has its error.
 std::string plus_minus(const SceneResult& result, const char* name);
-
-/// A member "<name>_error" beside each number of `numbers` that has an estimate (quantities()); nan, which
-/// JSON writes as null, where it has none.
-void add_errors(const SceneResult& result, nlohmann::json& numbers);
 
 } // namespace bem_contact::app

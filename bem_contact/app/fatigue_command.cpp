@@ -21,10 +21,9 @@ constexpr const char* fatigue_help =
 used), FI_surf of the patch and of its worst element, T-gamma, and the damage of one passage. Each case has the largest von
 Mises and Tresca stress below the surface with its depth. Example:
     bem_contact fatigue data/scenes/wear_collective.toml --csv fatigue.csv
-You should see how many patches lie beyond the limit of the surface. To draw them in the shakedown diagram:
-    tools/plot fatigue.csv -o fatigue.png
+You should see how many patches lie beyond the limit of the surface. Your own steel: --nodes 20 65 175 --damage 0 1e-5 0.
 
---nodes and --damage take those of your steel: --nodes 20 65 175 --damage 0 1e-5 0.)";
+More, and how to draw it: data/tutorial/fatigue.md.)";
 
 struct FatigueArguments {
   std::string scene, csv;

@@ -23,37 +23,19 @@ namespace {
 constexpr const char* influence_help =
     R"(An influence file holds a function. From it `expand` makes the influence numbers (Kalker's influence coefficients) of
 one grid: how far element (m, I) moves under 1 MPa on element (0, J). m counts elements along x; I and J count rows
-along the profile.
+along the profile. `bem_contact info rail.h5` says the shortest --dx, and where on the profile the rows must lie.
 
-1 Look at the file first. It says the shortest --dx, and the part of the profile on which the rows must lie:
-    bem_contact info rail.h5
-
-2 One body: 20 offsets of 0.5 mm and 30 rows of 0.4 mm around the arc length s = -32 mm:
+One body: 20 offsets of 0.5 mm and 30 rows of 0.4 mm around the arc length s = -32 mm (.csv instead of .h5: as text):
     bem_contact influence expand rail.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 --centre -32 -o numbers.h5
-    bem_contact influence expand rail.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 --centre -32 -o numbers.csv
-  You should see one line with the size of the table and how far the middle element moves under its own pressure.
-  The HDF5 file has one dataset [m][I][i][J][j], displacement i under traction j; 0 is x, 1 is s, 2 is n (into the
-  body); mm/MPa.
-  Numbers of negative m follow by symmetry: times -1 if exactly one of i and j is x. Without --centre the
-  rows lie around the middle of the strip.
 
-3 A pair, the rail first. --centre on the rail lies opposite --wheel-centre on the wheel. Where s of the rail grows,
-  s of the wheel falls. `bem_contact check SCENE.toml` prints both for each touch point.
+A pair, the rail first. --centre on the rail lies opposite --wheel-centre on the wheel (`bem_contact check` prints both):
     bem_contact influence expand rail.h5 wheel.h5 --dx 0.5 --ds 0.4 --mx 20 --my 30 \
         --centre -32 --wheel-centre 35 -o pair.h5
-  The traction acts on the rail, and the opposite one on the wheel; the displacement is that of the rail less that
-  of the wheel.
 
-4 For the program CONTACT (numerical influence coefficients, C3 = 9): one matrix for each loaded row, or one
-  matrix for all rows if the curvature is constant:
+For the program CONTACT (numerical influence coefficients, C3 = 9), one matrix for each loaded row, or one for all:
     bem_contact influence expand rail.h5 wheel.h5 ... --format contact --matrices each -o pair.txt
-  Give CONTACT's case the same dx and my, our --ds as dy, an mx that is not larger, and the G of both bodies, which
-  the file's first lines name. In this file the rail is CONTACT's upper body: z points into the rail. Our numbers
-  are means over the displaced element, while CONTACT's own are displacements of its centre.
 
---structural-compliance removed, the default, takes out how the body moves and turns as a whole; `included` lets it
-bend on its support. `solve` does what the scene says (rail.structural, wheel.structural).
-data/INFLUENCE_FORMAT.md has every layout, unit and sign.)";
+More: data/tutorial/influence.md. Every layout, unit and sign, and what CONTACT's case must have: data/INFLUENCE_FORMAT.md.)";
 
 /// What `bem_contact influence expand` was asked for.
 struct ExpandRequest {

@@ -31,9 +31,7 @@ project:
 You should see 307 points, 0.5 mm apart. Their noise of 0.05 um needs no smoothing. Then comes the mean radius of every
 5 mm of the profile: -13.2 mm (concave) at the root of the flange, 20.0 mm (convex) on its face.
 
-    bem_contact profile data/bodies/hollow_wheel.txt --kind wheel --plot profile.html
-The page profile.html draws outline and curvature in a browser, with the standard wheel S1002 beside them. For a picture on paper:
-    tools/plot data/bodies/hollow_wheel.txt S1002 --kind wheel -o profile.png)";
+More, and how to draw it: data/tutorial/profile.md.)";
 
 struct ProfileArguments {
   std::string name, kind, unit = "found", profile_z = "as stated", csv, plot;

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <string>
 #include <utility>
 
 namespace bem_contact::app {
@@ -122,6 +122,16 @@ json quantities_json(const Table& table, const SceneResult& r, Patch... patch) {
   return out;
 }
 
+/// Of these numbers some, each with its error.
+json some_of(const json& numbers, std::initializer_list<const char*> names) {
+  json out = json::object();
+  for (const char* name : names)
+    for (const std::string& key : {std::string(name), error_name(name)})
+      if (numbers.contains(key))
+        out[key] = numbers[key];
+  return out;
+}
+
 /// With decimals that leave five digits of `largest`, at least one; never "-0.0".
 std::string fixed(double value, double largest) {
   const int decimals =
@@ -222,35 +232,24 @@ std::string reference_text(const SceneResult& r) {
 }
 
 json to_json(const SceneResult& r) {
+  const json all = quantities_json(quantities(), r);
   json out = {{"program", provenance("bem_contact")},
               {"commit", commit()},
               {"model", name_of(r.model)},
               {"reason", r.reason},
               {"frame", {{"y", r.left ? "to the left" : "to the right"}, {"units", units_json(r)}}},
-              {"quantities", quantities_json(quantities(), r)},
+              {"quantities", all},
               {"converged", r.result.converged},
               {"patches", patches_json(r)},
-              {"totals",
-               {{"Fx", r.result.Fx},
-                {"Fy", r.result.Fy},
-                {"Fz", r.result.Fz},
-                {"Mz", r.moment},
-                {"Fs", r.result.Fs},
-                {"friction_power", friction_power(r.result, r.problem.element_area())}}},
+              {"totals", some_of(all, {"Fx", "Fy", "Fz", "Mz", "Fs", "friction_power"})},
               {"creepage_found", creepages_json(r.problem, r.result)},
-              {"lateral", r.lateral ? json(*r.lateral) : json(nullptr)},
               {"other_laterals", r.found_lateral ? json(r.found_lateral->others) : json(nullptr)},
               {"lateral_slope", r.found_lateral ? json(r.found_lateral->slope) : json(nullptr)},
-              {"xi", r.xi},
               {"free_rolling", free_rolling_json(r)},
               {"history", history_json(r)},
               {"extrapolated", extrapolated_json(r)},
-              {"approach", r.result.approach},
               {"approach_datum", r.approach_datum},
               {"structure", structure_json(r.structure)},
-              {"pmax", largest_pressure(r.result)},
-              {"area", contact_area(r.result)},
-              {"adhesion_share", adhesion_share(r.result)},
               {"converges_with_elements",
                r.result.discretisation ? json(r.result.discretisation->converges) : json(nullptr)},
               {"reference",
@@ -270,9 +269,9 @@ json to_json(const SceneResult& r) {
                 {"check", r.seconds.check},
                 {"estimate", r.seconds.estimate},
                 {"total", r.seconds.total}}}};
-  add_errors(r, out);
-  add_errors(r, out["totals"]);
-  add_errors(r, out["creepage_found"]);
+  out.update(some_of(all, {"lateral", "xi", "approach", "pmax", "area", "adhesion_share"}));
+  for (const char* error : {"xi_error", "eta_error"})
+    out["creepage_found"][error] = all[error];
   return out;
 }
 

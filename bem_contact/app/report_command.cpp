@@ -14,9 +14,7 @@ constexpr const char* report_help =
     bem_contact solve data/scenes/conformal_small.toml -o corner.h5
     bem_contact report corner.h5 -o corner.html
 Open corner.html in a browser. You should see the scene in words, whether the certificate holds, the numbers with their
-errors, wheel and rail with the patch between them, which you can turn, and the pressure with adhesion, slip and
-tractions. Two cuts show the shear traction within the bound of friction. The page needs no network and no other file, so it can be
-sent to others; printed, it fits on A4.)";
+errors, and figures of the bodies and the patch. The page needs no network and no other file.)";
 
 struct ReportArguments {
   std::string file, output;

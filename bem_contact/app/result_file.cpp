@@ -142,22 +142,15 @@ void add_geometry(H5Table& table, const SceneResult& r) {
 void add_creep_forces(H5Table& table, const Comparison& c) {
   if (c.creep_forces.empty())
     return;
-  const auto column = [&](const auto& value) {
-    std::vector<double> values;
-    for (const CreepForces& forces : c.creep_forces)
-      values.push_back(value(forces));
-    return values;
-  };
   auto& d = table.datasets;
   d["creep_forces/xi_from_free_rolling"] =
-      line(column([](const CreepForces& f) { return f.creepage; }), "1",
+      line(c.creep_forces.creepage, "1",
            "longitudinal creepage beyond free rolling; each model has its own creepage of free rolling");
   for (std::size_t m = 0; m < c.models.size(); ++m) {
     const std::string model(name_of(c.models[m]));
-    d["creep_forces/Fx/" + model] = line(column([m](const CreepForces& f) { return f.Fx[m]; }), "N",
-                                         "longitudinal force on the rail, at the place of equal_forces");
-    d["creep_forces/Fx_error/" + model] =
-        line(column([m](const CreepForces& f) { return f.Fx_error[m]; }), "N", error_description);
+    d["creep_forces/Fx/" + model] =
+        line(c.creep_forces.Fx[m], "N", "longitudinal force on the rail, at the place of equal_forces");
+    d["creep_forces/Fx_error/" + model] = line(c.creep_forces.Fx_error[m], "N", error_description);
   }
 }
 

@@ -27,10 +27,9 @@ using nlohmann::json;
 constexpr const char* solve_help =
     R"(Example: a wheel-like body rolls steadily with creepage and spin.
     bem_contact solve data/scenes/steady_rolling.toml
-You should see one patch of 13.8 mm2 with a largest pressure of 437.0 MPa, nearly all of it in slip, and the
-forces on the rail: Fx 671.5 N, Fy 919.8 N, Fz 4000.0 N. +- says how far the size of the elements may put a number off.
-The line `certificate` says `holds` if no contact condition is violated by more than 1e-6 (relative). Code that is not
-part of the solver checks that.
+You should see one patch of 13.8 mm2 with a largest pressure of 437.0 MPa, and the forces on the rail: Fx 671.5 N,
+Fy 919.8 N, Fz 4000.0 N. +- says how far the size of the elements may put a number off. `certificate` says `holds` if no
+contact condition is violated by more than 1e-6 (relative); code that is not part of the solver checks that.
 
 --model says where the influence numbers come from:
   hertz          no elements: the closed form for a contact without friction and with constant curvatures
@@ -39,16 +38,8 @@ part of the solver checks that.
   fem            influence files of both bodies, computed by finite elements
   auto           the cheapest of them whose predicted error is below solver.model_tolerance
 
-To draw the fields, write them to a file:
-    bem_contact solve data/scenes/steady_rolling.toml -o result.h5 --vtk surface.vts
-    tools/plot result.h5 -o result.png
-`bem_contact info result.h5` lists what is in it. ParaView opens surface.vts; turn its view by 180 degrees
-about x, because z points down.
-
-A result file can be repeated: it keeps its scene and all its inputs but influence files.
-    bem_contact solve result.h5
-You should see which version made it, and `the same`, or each total that differs, by how much and beyond what.
-bem_contact info --scene result.h5 prints the scene.
+A result file (-o) keeps its scene and its inputs, so that it can be solved again: `bem_contact solve result.h5`.
+More, and how to draw it: data/tutorial/solve.md.
 
 Exit code 0: the certificate holds, and a repeated result is the same. 2: the input is wrong. 3: the solver did not
 converge, and nothing is written; or the certificate does not hold; or a repeated result differs. 1: an unforeseen error.)";
@@ -57,16 +48,11 @@ constexpr const char* compare_help =
     R"(fem needs influence files of both bodies. Example, with the small files of this project:
     bem_contact compare data/scenes/conformal_small.toml --models halfspace,tangent_plane,fem
 You should see three tables with a column for each model:
-  1. Equal forces on the rail. Fz is that of the scene. Fx is load.force_x; without that key it is 0, and the wheel
-     rolls freely. Fy is load.force_y; without that key it is what the reference finds at the scene's position. The
-     reference is fem, or the last of the models if fem is not among them. Each other model finds the lateral
-     displacement at which it has the same Fy. In this scene that is some hundredths of a millimetre away.
-  2. Creep forces. Each model starts from its own free rolling, Fx = 0, and gets the same creepage beyond it: 0.0005,
-     0.001, 0.002.
-  3. Equal position and creepage, those of the scene. Near a flange most of the difference comes from the small shift
-     of table 1, because there a small shift changes the forces much.
-All models have elements of the same size. If the scene gives an approach and no force, Fz is what the reference finds
-for it. The result file has all tables but the second.
+  1. Equal forces on the rail. Fx is load.force_x, or 0: the wheel rolls freely. Fy is load.force_y, or what the
+     reference (fem, or else the last model) finds at the scene's position; the other models are moved until they have it.
+  2. Creep forces, each model from its own free rolling: at 0.0005, 0.001 and 0.002 beyond it.
+  3. Equal position and creepage, those of the scene. Near a flange a small shift changes the forces much.
+If the scene gives an approach and no force, Fz is what the reference finds for it. More: data/tutorial/compare.md.
 
 Exit code 0: all certificates hold. 2: the input is wrong. 3: a model did not converge, or a certificate does not hold.)";
 

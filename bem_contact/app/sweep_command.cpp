@@ -32,24 +32,17 @@ constexpr const char* sweep_help =
     [sweep]
     position.lateral = { from = 6.2, to = 7.1, step = 0.05 }   # both ends included; or count = 19 for step
     load.force = [ 5e4, 1e5 ]
-Two words below [sweep] are settings of the sweep, not keys of the scene:
-    mode = "product"        # the default: every value with every other; "zip": the first of each list, the second
-                            # of each ..., all lists equally long
+    mode = "product"        # the default: every value with every other; "zip": the lists side by side
     fields = true           # the default; false: keep only the totals of each case
 Example, 64 contacts from tread to flange:
     bem_contact sweep data/scenes/cases_halfspace.toml -o sweep.h5 --csv sweep.csv
-You should see the progress, then `64 certified, of 64 cases`. sweep.csv has a line for each case,
-sweep_patches.csv one for each patch, and sweep_units.csv the units of their columns. If the
-program is stopped, call it again: sweep.h5.part holds the finished cases, and only the others are solved.
+You should see the progress, then `64 certified, of 64 cases`. If the program is stopped, call it again: sweep.h5.part
+holds the finished cases, and only the others are solved.
 
-A scene of both wheels of a wheelset, with a table [wheelset], may have a table [sweep] too. The columns are then those of
-bem_contact wheelset: lateral, roll, ..., right_share, right_Fy, ..., left_share; there is no table of patches.
-    bem_contact sweep data/scenes/wheelset_sweep.toml -o wheelsets.h5 --csv wheelsets.csv
-
-On a cluster, share the cases among machines that see the same folder (tools/cluster/slurm_sweep does it). Each share
-writes a file of its own beside SWEEP.h5. When all are done, join them:
+Machines that see the same folder can share the cases (tools/cluster/slurm_sweep). Join the shares when all are done:
     bem_contact sweep SCENE.toml -o SWEEP.h5 --part 1/8        # ... --part 8/8
     bem_contact sweep SCENE.toml -o SWEEP.h5 --merge
+More, and wheelsets: data/tutorial/sweep.md, data/tutorial/wheelset.md.
 
 Exit code 0: every case is certified (of a share: every case of the share). 2: the input is wrong. 3: a case is missing
 or not certified.)";

@@ -97,7 +97,7 @@ struct Worker {
     answers = from[0];
   }
 
-  /// Where it is dead already, its answers end at once.
+  /// If the worker has died, reading its answers will meet the end of the file.
   void give(Chunk next) {
     chunk = std::move(next);
     solved = 0;

@@ -31,20 +31,19 @@ constexpr const char* table_help =
     R"(Creep forces of an elliptic contact between half-spaces, over a/b and the three creepages (Kalker's USETAB):
     bem_contact table --creep-forces --tolerance 0.1 --elements 10 --ratio 0.5:2 -o creep.h5
 You should see the points of the axes, how many contacts were solved, and for Fx, Fy and Mz the largest error of the
-interpolation (7.99 %, 9.83 % and 7.82 %). The defaults are 2 % for a/b from 0.5 to 2: 1760 points, 13 seconds of processor
-time. For 0.1:10 it takes 21 seconds (2682 points) within 3 %, and 4 minutes (26516 points) within 1 %.
+interpolation (7.99 %, 9.83 % and 7.82 %). The defaults, 2 % for a/b from 0.5 to 2, take 13 seconds of processor time.
 
-Forces of a pair of profiles: add a table [table] to a scene. Its lists and ranges begin the axes:
+Forces of a pair of profiles: add a table [table] to a scene. Points are added until the error in each cell is small enough.
     [table]
-    position.lateral = { from = -4, to = 2, count = 4 }
+    position.lateral = { from = -4, to = 2, count = 4 }     # the axes begin with these points
     load.force = [ 4e4, 8e4 ]
     hold = [ "Fx", "Fy" ]      # quantities whose error is kept within the tolerance; or leave it out
     bem_contact table SCENE.toml -o forces.h5
-Points are added where the error in the middle of a cell is larger than the tolerance. The file says what was found.
 
 Values of a table, as C, Fortran and Python look them up (tools/examples):
     bem_contact table creep.h5 --at 6,4,82000,30000,0.001,0,0    # a, b (mm), G (MPa), mu N (N), xi, eta, phi (1/mm)
     bem_contact table forces.h5 --at 0.5,6e4                     # one number for each axis
+More: data/tutorial/table.md.
 
 Exit code 0: the table is within the tolerance; 2: the input is wrong; 3: a point has no certified result, or the
 tolerance takes more than --most-points.)";

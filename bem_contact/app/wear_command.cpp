@@ -23,27 +23,10 @@ All cases are solved with the profiles as they are. Then wear moves the profiles
 repeated until --depth is reached. Example:
     bem_contact wear data/scenes/wear_collective.toml -o worn --depth 0.2
 You should see one line for each step. The folder has the profiles of each step (rail_0001.txt, wheel_0001.txt), wear.csv
-(mileage, depths, areas gone from the sections) and wear.h5. If the program is stopped, give the same command again: it
-goes on after the last finished step. To draw the steps:
-    tools/plot worn -o worn.png
+and wear.h5. If the program is stopped, give the same command again: it goes on after the last finished step.
 
-How many wheels pass a place of the rail while one wheel turns once? --passages; 1 is the case of two discs of one size.
-
-A collective may also be a CSV file with a line for each case: your own table, or one that bem_contact sweep --csv wrote.
-    [sweep]
-    table = "collective.csv"     # position.lateral,load.force,motion.friction,weight
-                                 # 0.0,8e4,0.3,6
-
-The law archard has a wear map: k over sliding speed and pressure. Without [wear] it is that of KTH Stockholm, here with
-H = 3000 MPa. The rows of coefficients go from low to high pressure:
-    [wear]
-    speeds       = [ 200, 700 ]  # mm/s
-    pressures    = [ 2400 ]      # MPa
-    coefficients = [ 5.5e-4, 35e-4, 5.5e-4,    350e-4, 350e-4, 350e-4 ]
-
-With solver.model = "fem" the influence functions of the unworn shape are kept until a surface has turned by --kept-turn.
-Then new ones are computed by --influence tools/influence. Without it the program stops and says how; the same command
-goes on with them.)";
+More: data/tutorial/wear.md. The collective as a CSV file (sweep.table), and a wear map of your own ([wear], for archard):
+data/scenes/README.md.)";
 
 struct WearArguments {
   std::string scene, output, model, law = "energy", body = "both", influence;

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <ostream>
+#include <ranges>
 
 namespace bem_contact::app {
 
@@ -74,16 +75,12 @@ void write_wear(const std::filesystem::path& folder, const std::string& digest, 
   wear::write_profile(folder / step_file("rail", state.step, "txt"), state.pair.rail.points);
   wear::write_profile(folder / step_file("wheel", state.step, "txt"), state.pair.wheel.points);
   write_whole(folder / "wear.csv", [&](std::ostream& out) {
-    std::vector<std::string> names;
-    for (const wear::WearColumn& column : wear::wear_columns)
-      names.push_back(csv_name(column.name, column.unit));
-    out << fmt::format("{}\n", fmt::join(names, ","));
-    for (const wear::WearRow& row : state.history) {
-      std::vector<double> values;
-      for (const wear::WearColumn& column : wear::wear_columns)
-        values.push_back(row.*column.member);
-      out << fmt::format("{:.9g}\n", fmt::join(values, ","));
-    }
+    const auto each = [](const auto& of) { return wear::wear_columns | std::views::transform(of); };
+    const auto name = [](const auto& column) { return csv_name(column.name, column.unit); };
+    out << fmt::format("{}\n", fmt::join(each(name), ","));
+    for (const wear::WearRow& row : state.history)
+      out << fmt::format("{:.9g}\n",
+                         fmt::join(each([&](const auto& column) { return row.*column.member; }), ","));
   });
   write_h5(folder / state_file, table_of(state, digest));
 }

@@ -33,12 +33,10 @@ constexpr const char* wheelset_help =
 Example:
     bem_contact wheelset data/scenes/wheelset.toml
 You should see that a lateral force of 20000 N moves the wheelset by 6.07 mm to the right, where the right wheel bears
-0.547 of the vertical force and the axle rolls on a radius of 461.93 mm. Then comes what solve prints of each wheel.
+0.547 of the vertical force and the axle rolls on a radius of 461.93 mm. The first table is in the track frame for both
+wheels. Then comes what solve prints of each wheel; the left one counts y, s, Fy, Mz, eta and phi to the left.
 
-Both forces act at the wheelset's centre, on the axle. Roll follows from the moments about the forward axis through
-that centre: vertical forces have the lever arm y of their contacts, lateral forces the height of the axle, and their
-sum is wheelset.roll_moment (0). The first table is in the track frame for both wheels; the left wheel's own result
-counts y, s, Fy, Mz, eta and phi to the left.
+More, and which moments give the roll: data/tutorial/wheelset.md.
 
 Exit code 0: both certificates hold. 2: the input is wrong, a wheel lifts, or no displacement gives the lateral force.
 3: no equilibrium was found, or a certificate does not hold.)";

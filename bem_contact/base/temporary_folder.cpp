@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <fstream>
-#include <string>
 #include <system_error>
 
 namespace bem_contact {

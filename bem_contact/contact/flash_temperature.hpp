@@ -4,7 +4,6 @@
 #include "bem_contact/contact/result.hpp"
 
 #include <span>
-#include <vector>
 
 namespace bem_contact {
 

@@ -2,8 +2,6 @@
 
 #include "bem_contact/base/error.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace bem_contact {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace bem_contact {
 
@@ -39,6 +38,25 @@ double friction_power(const ContactResult& result, double element_area) {
   double sum = 0;
   for (const double power : friction_power(result))
     sum += power * element_area;
+  return sum;
+}
+
+std::array<double, 6> force_and_moment(const ContactProblem& problem, const ContactResult& result,
+                                       const std::vector<ContactRow>& rows, Point2 about, double side_x,
+                                       double side) {
+  std::array<double, 6> sum{};
+  const double area = problem.element_area();
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    const ContactRow& row = rows[i / problem.grid.mx];
+    const Point2 arm = row.position - about;
+    const Point2 f =
+        side * area * (result.ps[i] * tangent_of(row.delta) + result.pn[i] * normal_of(row.delta));
+    const double x = problem.grid.x(i % problem.grid.mx), fx = side_x * area * result.px[i];
+    const double parts[6] = {
+        fx, f.y, f.z, arm.y * f.z - arm.z * f.y, arm.z * fx - x * f.z, x * f.y - arm.y * fx};
+    for (int k = 0; k < 6; ++k)
+      sum[k] += parts[k];
+  }
   return sum;
 }
 

@@ -2,6 +2,7 @@
 
 #include "bem_contact/contact/problem.hpp"
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -205,6 +206,12 @@ Tractions tractions_of(const ContactResult& result);
 std::vector<double> friction_power(const ContactResult& result);
 /// The same summed over all elements times their area (mm^2), N (shift: N mm).
 double friction_power(const ContactResult& result, double element_area);
+
+/// Force along x, y, z and moment about them, at a point of the plane x = 0, of the tractions on these rows;
+/// N, N mm. `side_x`, `side`: signs of those along x and of the others.
+std::array<double, 6> force_and_moment(const ContactProblem& problem, const ContactResult& result,
+                                       const std::vector<ContactRow>& rows, Point2 about, double side_x = 1,
+                                       double side = 1);
 
 /// Sum of mu p_n dS, N: no shear force is larger. 0 without friction.
 double friction_bound(const ContactProblem& problem, const ContactResult& result);

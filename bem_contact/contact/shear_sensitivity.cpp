@@ -1,8 +1,8 @@
 #include "bem_contact/contact/shear_sensitivity.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/tangential/newton_matrix.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,6 @@
 #include "bem_contact/geometry/contact_search.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/geometry/contact_locus.hpp"
 #include "bem_contact/geometry/rail_height.hpp"
 #include "bem_contact/geometry/settings.hpp"
 #include "bem_contact/geometry/undeformed_distance.hpp"

@@ -1,7 +1,5 @@
 #include "bem_contact/geometry/undeformed_distance.hpp"
 
-#include "bem_contact/geometry/settings.hpp"
-
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>

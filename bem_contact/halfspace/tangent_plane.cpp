@@ -3,7 +3,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/halfspace/element_line.hpp"
 #include "bem_contact/halfspace/plane_strain.hpp"
-#include "bem_contact/halfspace/settings.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -94,19 +94,6 @@ void seal(std::span<std::byte> whole_file, int format_major, int format_minor) {
   std::memcpy(whole_file.data(), text.data(), text.size());
 }
 
-void seal_file(const std::filesystem::path& file, int format_major, int format_minor) {
-  std::ifstream in = open_file(file);
-  in.seekg(seal_size);
-  const auto text =
-      make_seal(format_major, format_minor, std::filesystem::file_size(file), sha256_of_rest(in));
-  std::fstream out(file, std::ios::binary | std::ios::in | std::ios::out);
-  out.write(text.data(), text.size());
-  out.close();
-  if (!out)
-    throw InputError("the influence file '" + file.string() + "' cannot be written", "the disk may be full",
-                     "Make room and run again.");
-}
-
 bool begins_with_seal(const std::filesystem::path& file) {
   if (!is_regular(file))
     return false;

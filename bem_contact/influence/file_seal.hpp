@@ -23,9 +23,8 @@ std::string sha256(std::string_view text);
 /// The HDF5 library is given only files whose seal holds, so that no damaged file reaches it.
 inline constexpr std::size_t seal_size = 512;
 
-/// Writes the seal over the first 512 bytes of a complete file, in memory or on disk.
+/// Writes the seal over the first 512 bytes of a complete file in memory.
 void seal(std::span<std::byte> whole_file, int format_major, int format_minor);
-void seal_file(const std::filesystem::path& file, int format_major, int format_minor);
 
 /// Whether a file begins as a seal does, damaged or not; false where it cannot be read.
 bool begins_with_seal(const std::filesystem::path& file);

@@ -5,7 +5,6 @@
 #include "bem_contact/influence/settings.hpp"
 
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <ostream>
 

@@ -3,7 +3,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/settings.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>

@@ -62,11 +62,11 @@ HarmonicPoints harmonic_points(long first, long last, double largest_angle) {
 
 namespace {
 
-constexpr std::size_t points = 6; ///< of the interpolation between samples
+constexpr std::size_t neighbours = 6; ///< of the interpolation between samples
 
 struct Interpolation {
   std::size_t first = 0, count = 0;
-  std::array<double, points> weight{};
+  std::array<double, neighbours> weight{};
 };
 
 /// g(k) from the samples: Lagrange on k g(k) in log k over the (up to) six samples around k, 0 left out.
@@ -82,7 +82,7 @@ public:
   Interpolation at(double k, std::size_t above) const {
     const std::size_t positive = wavenumber_.size() - 1;
     Interpolation result;
-    result.count = std::min(points, positive);
+    result.count = std::min(neighbours, positive);
     const std::size_t half = result.count / 2;
     result.first = std::clamp<std::size_t>(above > half ? above - half : 1, 1, positive - result.count + 1);
     const double log_k = std::log(k);

@@ -13,7 +13,6 @@
 #include <complex>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 namespace bem_contact {
 

@@ -11,7 +11,6 @@
 #include <iterator>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace bem_contact {
 

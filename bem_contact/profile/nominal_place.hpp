@@ -3,7 +3,6 @@
 #include "bem_contact/profile/profile_curve.hpp"
 
 #include <span>
-#include <vector>
 
 namespace bem_contact {
 

@@ -2,7 +2,6 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/fnv1a.hpp"
-#include "bem_contact/profile/settings.hpp"
 #include "bem_contact/profile/spline.hpp"
 #include "bem_contact/profile/turn_at.hpp"
 

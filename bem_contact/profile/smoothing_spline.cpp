@@ -5,7 +5,6 @@
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>

@@ -2,7 +2,6 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/own_outline.hpp"
-#include "bem_contact/profile/profile_curve.hpp"
 #include "bem_contact/profile/rail_section.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/settings.hpp"

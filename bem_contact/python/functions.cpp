@@ -55,22 +55,14 @@ py::object results_of(const std::vector<SceneResult>& results) {
 py::object creep_forces_of(const Comparison& c) {
   if (c.creep_forces.empty())
     return py::none();
-  py::dict out, fx, errors;
-  const auto column = [&](const auto& value) {
-    std::vector<double> values;
-    for (const CreepForces& forces : c.creep_forces)
-      values.push_back(value(forces));
-    return array_of(values);
-  };
-  out["xi_from_free_rolling"] = column([](const CreepForces& f) { return f.creepage; });
+  py::dict fx, errors;
   for (std::size_t m = 0; m < c.models.size(); ++m) {
     const py::str name(std::string(name_of(c.models[m])));
-    fx[name] = column([m](const CreepForces& f) { return f.Fx[m]; });
-    errors[name] = column([m](const CreepForces& f) { return f.Fx_error[m]; });
+    fx[name] = array_of(c.creep_forces.Fx[m]);
+    errors[name] = array_of(c.creep_forces.Fx_error[m]);
   }
-  out["Fx"] = fx;
-  out["Fx_error"] = errors;
-  return out;
+  return py::dict("xi_from_free_rolling"_a = array_of(c.creep_forces.creepage), "Fx"_a = fx,
+                  "Fx_error"_a = errors);
 }
 
 py::dict compare(const py::object& scene, const py::object& models, const py::object& changes,

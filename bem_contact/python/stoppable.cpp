@@ -6,7 +6,6 @@
 #include <future>
 #include <mutex>
 #include <thread>
-#include <utility>
 #include <vector>
 
 namespace py = pybind11;

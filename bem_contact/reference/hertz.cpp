@@ -8,7 +8,6 @@
 #include <boost/math/tools/roots.hpp>
 
 #include <algorithm>
-#include <cstdint>
 #include <numbers>
 
 namespace bem_contact::reference {

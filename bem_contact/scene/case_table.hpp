@@ -18,7 +18,7 @@ struct CaseTable {
   std::vector<double> weights; ///< positive; empty: no column `weight`, all cases occur alike
 };
 
-/// Reads a CSV file (RFC 4180; '#' starts a line of comment). Its first line names keys of a scene, and
+/// Reads a CSV file (csv_lines()). Its first line names keys of a scene, and
 /// `weight` if there are weights. Cells are numbers, true or false; texts in quotes.
 ///
 /// Columns of results are not cases: of a table that `bem_contact sweep --csv` wrote (its first column is

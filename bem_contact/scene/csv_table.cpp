@@ -15,65 +15,99 @@ namespace bem_contact {
 
 namespace {
 
-/// A line with cells; text without its comment.
-struct Line {
-  int number;
-  std::string text;
-  std::vector<std::string> cells;
-};
+/// Cells of a line; a doubled quote within quotes is one. A comment ends the line.
+std::vector<CsvCell> cells_of(std::string_view line) {
+  std::vector<CsvCell> cells(1);
+  bool inside = false;
+  for (std::size_t i = 0; i < line.size() && (inside || line[i] != '#'); ++i) {
+    const char c = line[i];
+    CsvCell& cell = cells.back();
+    if (c == '"' && inside && i + 1 < line.size() && line[i + 1] == '"')
+      cell.text += line[++i];
+    else if (c == '"') {
+      if (!inside)
+        cell.text = trimmed(cell.text); // no blanks before the quotes
+      inside = !inside;
+      cell.quoted = true;
+    } else if (c == ',' && !inside)
+      cells.emplace_back();
+    else if (inside || !cell.quoted || !trimmed({&c, 1}).empty()) // nor those behind them
+      cell.text += c;
+  }
+  for (CsvCell& cell : cells)
+    if (!cell.quoted)
+      cell.text = trimmed(cell.text);
+  return cells;
+}
 
-std::vector<Line> lines_of(const std::filesystem::path& file) {
+/// Of a table of numbers: a comma may end a line.
+std::vector<CsvLine> lines_of_numbers(const std::filesystem::path& file) {
+  std::vector<CsvLine> lines = csv_lines(file);
+  for (CsvLine& line : lines)
+    if (line.cells.size() > 1 && line.cells.back().text.empty())
+      line.cells.pop_back();
+  return lines;
+}
+
+std::vector<std::string> texts_of(const CsvLine& line) {
+  std::vector<std::string> texts;
+  for (const CsvCell& cell : line.cells)
+    texts.push_back(cell.text);
+  return texts;
+}
+
+} // namespace
+
+std::vector<CsvLine> csv_lines(const std::filesystem::path& file) {
   std::istringstream in(read_text_file(file.string(), "The table"));
-  std::vector<Line> lines;
+  std::vector<CsvLine> lines;
   int number = 0;
   for (std::string text; std::getline(in, text);) {
-    Line line{++number, text.substr(0, text.find('#')), {}};
-    std::istringstream cells(line.text);
-    for (std::string cell; std::getline(cells, cell, ',');)
-      line.cells.emplace_back(trimmed(cell));
-    if (line.cells.size() > 1 || (line.cells.size() == 1 && !line.cells.front().empty()))
+    CsvLine line{++number, cells_of(text)};
+    if (line.cells.size() > 1 || !line.cells.front().text.empty())
       lines.push_back(std::move(line));
   }
   return lines;
 }
 
-} // namespace
+void refuse_line(const std::filesystem::path& file, const CsvLine& line, const std::string& why,
+                 const std::string& what_to_do) {
+  throw InputError(fmt::format("Line {} of the table '{}' is wrong", line.number, file.string()), why,
+                   what_to_do);
+}
 
 std::vector<std::string> csv_columns(const std::filesystem::path& file) {
-  const std::vector<Line> lines = lines_of(file);
+  const std::vector<CsvLine> lines = lines_of_numbers(file);
   if (lines.empty())
     throw InputError(fmt::format("The table '{}' is empty", file.string()), "it has no line of names",
                      "Begin it with the names of its columns.");
-  return lines.front().cells;
+  return texts_of(lines.front());
 }
 
 std::vector<std::vector<double>> read_csv(const std::filesystem::path& file,
                                           const std::vector<std::string>& columns) {
   const std::string header = fmt::format("{}", fmt::join(columns, ", "));
-  const std::vector<Line> lines = lines_of(file);
-  if (!lines.empty() && lines.front().cells != columns)
+  const std::string give = fmt::format("Give rows of {}.", header);
+  const std::vector<CsvLine> lines = lines_of_numbers(file);
+  if (!lines.empty() && texts_of(lines.front()) != columns)
     throw InputError(fmt::format("The table '{}' has other columns", file.string()),
-                     fmt::format("its first line is '{}'", lines.front().text),
+                     fmt::format("its first line is '{}'", fmt::join(texts_of(lines.front()), ", ")),
                      fmt::format("Begin it with '{}'.", header));
   std::vector<std::vector<double>> rows;
-  for (const Line& line : lines | std::views::drop(1)) {
+  for (const CsvLine& line : lines | std::views::drop(1)) {
     std::vector<double> row;
-    for (const std::string& cell : line.cells) {
-      const std::optional<double> value = parse_number(cell);
+    for (const CsvCell& cell : line.cells) {
+      const std::optional<double> value = parse_number(cell.text);
       if (!value || !std::isfinite(*value))
-        throw InputError(fmt::format("Line {} of the table '{}' is wrong", line.number, file.string()),
-                         fmt::format("'{}' is not a finite number", cell),
-                         fmt::format("Give rows of {}.", header));
+        refuse_line(file, line, fmt::format("'{}' is not a finite number", cell.text), give);
       row.push_back(*value);
     }
     if (row.size() != columns.size())
-      throw InputError(fmt::format("Line {} of the table '{}' is wrong", line.number, file.string()),
-                       fmt::format("it has {} values", row.size()), fmt::format("Give rows of {}.", header));
+      refuse_line(file, line, fmt::format("it has {} values", row.size()), give);
     rows.push_back(std::move(row));
   }
   if (rows.empty())
-    throw InputError(fmt::format("The table '{}' is empty", file.string()), "it has no row of numbers",
-                     fmt::format("Give rows of {}.", header));
+    throw InputError(fmt::format("The table '{}' is empty", file.string()), "it has no row of numbers", give);
   return rows;
 }
 

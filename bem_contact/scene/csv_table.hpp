@@ -8,10 +8,28 @@
 
 namespace bem_contact {
 
-/// The names in the first line of a CSV file. Throws InputError for a file that cannot be read or is empty.
+struct CsvCell {
+  std::string text; ///< trimmed if it has no quotes
+  bool quoted = false;
+};
+struct CsvLine {
+  int number = 0; ///< in the file, from 1
+  std::vector<CsvCell> cells;
+};
+
+/// The lines of a CSV file (RFC 4180, but no line break within quotes) that are not empty. '#' outside quotes
+/// starts a comment. Throws InputError for a file that cannot be read.
+std::vector<CsvLine> csv_lines(const std::filesystem::path& file);
+
+/// Throws InputError that names file and line.
+[[noreturn]] void refuse_line(const std::filesystem::path& file, const CsvLine& line, const std::string& why,
+                              const std::string& what_to_do);
+
+/// The names in the first line of a table of numbers. Throws InputError for a file that cannot be read or is
+/// empty.
 std::vector<std::string> csv_columns(const std::filesystem::path& file);
 
-/// Reads a CSV file whose first line names exactly `columns`; '#' starts a comment. Rows of finite numbers.
+/// Reads a CSV file whose first line names exactly `columns`. Rows of finite numbers.
 /// Throws InputError for a missing file, another header, or a line that does not fit.
 std::vector<std::vector<double>> read_csv(const std::filesystem::path& file,
                                           const std::vector<std::string>& columns);

@@ -18,12 +18,12 @@ std::vector<Motion::Friction> read_friction(const std::filesystem::path& file) {
     columns.insert(columns.end(), {"falling_friction", "half_slip_velocity"});
   for (const std::vector<double>& row : read_csv(file, columns)) {
     if (row[1] < 0 || (!table.empty() && row[0] <= table.back().s))
-      throw InputError(fmt::format("The table '{}' is no friction coefficient", file.string()),
+      throw InputError(fmt::format("The friction table '{}' cannot be used", file.string()),
                        fmt::format("its row {} has s = {:g}, mu = {:g}", table.size() + 1, row[0], row[1]),
                        "Give rows of ascending s and mu >= 0.");
     if (falls && !(row[2] > 0 && row[2] <= row[1] && row[3] > 0))
       throw InputError(
-          fmt::format("The table '{}' is no falling friction", file.string()),
+          fmt::format("The friction table '{}' cannot be used", file.string()),
           fmt::format("its row {} has mu = {:g}, falling_friction = {:g}, half_slip_velocity = {:g}",
                       table.size() + 1, row[1], row[2], row[3]),
           "Give 0 < falling_friction <= mu, and a velocity above 0 in mm/s.");

@@ -63,20 +63,19 @@ SceneResult solve_at_force(SceneFile equal, std::optional<double> given, const S
 }
 
 /// `equal`: without load.force_y.
-std::vector<CreepForces> creep_forces(const SceneFile& equal, const std::vector<SceneResult>& at_forces,
-                                      const BeyondSolver& solve_beyond) {
-  std::vector<CreepForces> out;
-  for (const double creepage : compared_creepages) {
-    CreepForces forces{creepage, {}, {}};
-    for (const SceneResult& free : at_forces) {
+CreepForces creep_forces(const SceneFile& equal, const std::vector<SceneResult>& at_forces,
+                         const BeyondSolver& solve_beyond) {
+  const std::vector<std::vector<double>> each(at_forces.size());
+  CreepForces out{{compared_creepages.begin(), compared_creepages.end()}, each, each};
+  for (const double creepage : compared_creepages)
+    for (std::size_t m = 0; m < at_forces.size(); ++m) {
+      const SceneResult& free = at_forces[m];
       const SceneResult beyond = solve_beyond(with_model(with_lateral(equal, *free.lateral), free.model),
                                               *free.free_rolling, creepage);
-      forces.Fx.push_back(beyond.result.Fx);
-      forces.Fx_error.push_back(beyond.result.discretisation ? beyond.result.discretisation->errors.Fx
+      out.Fx[m].push_back(beyond.result.Fx);
+      out.Fx_error[m].push_back(beyond.result.discretisation ? beyond.result.discretisation->errors.Fx
                                                              : unknown_error);
     }
-    out.push_back(std::move(forces));
-  }
   return out;
 }
 

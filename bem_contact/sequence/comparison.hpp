@@ -7,11 +7,13 @@
 
 namespace bem_contact {
 
-/// Longitudinal forces at one distance from free rolling.
+/// Longitudinal forces at some distances from free rolling.
 struct CreepForces {
-  double creepage = 0;          ///< beyond free rolling; each model has its own creepage of free rolling
-  std::vector<double> Fx;       ///< on the rail, N; one a model
-  std::vector<double> Fx_error; ///< by the size of the elements, N; nan: not known
+  std::vector<double> creepage; ///< beyond free rolling; each model has its own creepage of free rolling
+  /// On the rail, N, and their errors by the size of the elements (nan: not known): [model][creepage].
+  std::vector<std::vector<double>> Fx, Fx_error;
+
+  bool empty() const { return creepage.empty(); } ///< whether the comparison has none
 };
 
 /// One scene solved with several models, all with elements of the same size.
@@ -28,7 +30,7 @@ struct Comparison {
   /// load.force_y, or the reference's Fy at position.lateral. A model whose Fy there agrees within
   /// same_lateral_force stays there. A patch: the same normal force. Empty for transient rolling and shifts.
   std::vector<SceneResult> at_forces;
-  std::vector<CreepForces> creep_forces; ///< where at_forces have friction and load.force_x is not given
+  CreepForces creep_forces; ///< where at_forces have friction and load.force_x is not given
   /// One for each model, with the same Fz, position and creepages. Empty for a patch.
   std::vector<SceneResult> at_position;
 

@@ -2,18 +2,16 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/warnings.hpp"
-#include "bem_contact/sequence/contact_case.hpp"
 #include "bem_contact/sequence/grow_grid.hpp"
 #include "bem_contact/sequence/model_choice.hpp"
 #include "bem_contact/sequence/settings.hpp"
+#include "bem_contact/sequence/trim_plan.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace bem_contact {
 
@@ -132,16 +130,18 @@ std::string load_text(const ContactLoad& load) {
                                       : fmt::format("load: approach {:g} mm", load.approach);
 }
 
-std::string grid_text(const SceneFile::Grid& asked, const ContactProblem& problem) {
+/// `trimmed`: solve does not keep all of it (trim_plan.hpp).
+std::string grid_text(const SceneFile::Grid& asked, const ContactProblem& problem, bool trimmed) {
   if (asked.accuracy)
     return fmt::format("grid: dx and ds are chosen for an error of {:g} %", 100 * *asked.accuracy);
   if (asked.elements)
     return fmt::format("grid: dx and ds are chosen for {} elements in contact", *asked.elements);
-  return fmt::format("grid: {} x {} elements of {:g} x {:g} mm, s = {:.3f} .. {:.3f} mm, inclination "
-                     "{:.2f} .. {:.2f} degrees",
-                     problem.grid.mx, problem.grid.ms, problem.grid.dx, problem.grid.ds,
-                     problem.rows.front().s, problem.rows.back().s, degrees(problem.rows.front().delta),
-                     degrees(problem.rows.back().delta));
+  return fmt::format(
+      "grid: {} x {} elements of {:g} x {:g} mm, s = {:.3f} .. {:.3f} mm, inclination "
+      "{:.2f} .. {:.2f} degrees{}",
+      problem.grid.mx, problem.grid.ms, problem.grid.dx, problem.grid.ds, problem.rows.front().s,
+      problem.rows.back().s, degrees(problem.rows.front().delta), degrees(problem.rows.back().delta),
+      trimmed ? "; solve leaves out the rows and columns that the contact does not come near to" : "");
 }
 
 std::string friction_text(const Motion& motion, const ContactProblem& problem) {
@@ -205,7 +205,11 @@ SceneDescription describe_case(const ContactCase& asked) {
   if (asked.estimate)
     add_touch_points(asked.setup, *asked.estimate, lines);
   lines.push_back(load_text(asked.setup.load));
-  lines.push_back(grid_text(scene.grid, problem));
+  std::optional<ModelChoice> choice;
+  if (asked.estimate)
+    choice = choose_model(traits_of(asked, *asked.estimate), request_of(asked));
+  const Model model = scene.solver.model.value_or(choice ? choice->model : Model::halfspace);
+  lines.push_back(grid_text(scene.grid, problem, has_large_numbers(asked, contact.plan, model)));
   lines.push_back(friction_text(asked.setup.motion, problem));
   const FitOnStrips fit = fit_on_strips(asked);
   lines.push_back(
@@ -213,11 +217,8 @@ SceneDescription describe_case(const ContactCase& asked) {
   lines.push_back(
       influence_text("wheel", asked.files.wheel, contact.wheel_s, problem, fit.refusal, fit.wheel_room));
   std::ranges::move(describe_strips(asked, contact), std::back_inserter(lines));
-  lines.push_back(fmt::format(
-      "model: {}{}", name_of(scene.solver.model),
-      asked.estimate
-          ? "; by the estimate " + choose_model(traits_of(asked, *asked.estimate), request_of(asked)).reason
-          : ""));
+  lines.push_back(fmt::format("model: {}{}", name_of(scene.solver.model),
+                              choice ? "; by the estimate " + choice->reason : ""));
   return {std::move(lines), input_warnings(scene, asked.setup)};
 }
 

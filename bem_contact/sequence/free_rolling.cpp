@@ -92,15 +92,7 @@ SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::G
   const std::optional<FormerSolution> start = former_of(out.model, out.problem, out.result, *asked.estimate);
   WorkBudget work = resources.work.another(); // it must not end the case that is asked for
   try {
-    const auto found = find_free_rolling(free, grid,
-                                         {.work = work,
-                                          .files = resources.files,
-                                          .numbers = resources.numbers,
-                                          .operators = resources.operators,
-                                          .start = start ? &*start : nullptr,
-                                          .coarse_start = resources.coarse_start,
-                                          .totals_only = resources.totals_only});
-    if (found)
+    if (const auto found = find_free_rolling(free, grid, resources.with(work, start ? &*start : nullptr)))
       out.free_rolling = counted_as(out, *found);
   } catch (const ConvergenceError&) { // free rolling is not what was asked for
   }

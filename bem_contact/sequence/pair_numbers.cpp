@@ -13,8 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <utility>
-#include <vector>
 
 namespace bem_contact {
 

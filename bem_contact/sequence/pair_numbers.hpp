@@ -5,7 +5,6 @@
 #include "bem_contact/sequence/numbers_store.hpp"
 
 #include <memory>
-#include <span>
 #include <utility>
 #include <vector>
 

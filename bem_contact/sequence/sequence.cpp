@@ -3,7 +3,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/contact_estimate.hpp"
-#include "bem_contact/sequence/describe_case.hpp"
 #include "bem_contact/sequence/free_rolling.hpp"
 #include "bem_contact/sequence/lateral_search.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
@@ -46,14 +45,14 @@ Sequence::Sequence(SequenceOptions options, std::shared_ptr<SequenceFiles> files
                                  .operators = Workspace(operators_kept, options.threads),
                                  .former = {},
                                  .areas = {},
-                                 .element_size = ElementSize(options.learn),
+                                 .element_size = ElementSize(options.ablation.learn),
                                  .lateral = {}} {}
 
 ContactCase Sequence::prepare(const SceneFile& scene, const SceneTask& task) {
-  if (!options_.keep_files)
+  if (!options_.ablation.keep_files)
     memory_.files = std::make_shared<SequenceFiles>();
   return prepare_case(scene, *memory_.files,
-                      {.foresee_shear = options_.foresee_shear,
+                      {.foresee_shear = options_.ablation.foresee_shear,
                        .own_shape = options_.own_shape,
                        .read_influence = task.read_influence,
                        .lateral_force = task.lateral_force});
@@ -62,9 +61,9 @@ ContactCase Sequence::prepare(const SceneFile& scene, const SceneTask& task) {
 SolveResources Sequence::resources(WorkBudget& work) {
   return {.work = work,
           .files = memory_.files.get(),
-          .numbers = options_.keep_numbers ? &memory_.numbers : nullptr,
-          .operators = options_.keep_numbers ? &memory_.operators : nullptr,
-          .coarse_start = options_.coarse_start,
+          .numbers = options_.ablation.keep_numbers ? &memory_.numbers : nullptr,
+          .operators = options_.ablation.keep_numbers ? &memory_.operators : nullptr,
+          .coarse_start = options_.ablation.coarse_start,
           .displacements = options_.displacements,
           .threads = options_.threads};
 }
@@ -133,8 +132,9 @@ const FormerSolution* Sequence::start_for(const std::vector<PotentialArea>& area
 }
 
 void Sequence::remember(const SceneResult& result, const ContactEstimate& estimate) {
-  memory_.former =
-      options_.keep_start ? former_of(result.model, result.problem, result.result, estimate) : std::nullopt;
+  memory_.former = options_.ablation.keep_start
+                       ? former_of(result.model, result.problem, result.result, estimate)
+                       : std::nullopt;
 }
 
 std::optional<double> Sequence::rough_lateral_force(SceneFile scene, double lateral) {

@@ -15,9 +15,8 @@
 
 namespace bem_contact {
 
-/// What a sequence keeps of earlier cases. Each can be switched off; tools/benchmarks/ablation shows what
-/// each saves.
-struct SequenceOptions {
+/// For benchmarks alone: switches off what saves time (tools/benchmarks/ablation shows what each saves).
+struct SequenceAblation {
   bool keep_files = true; ///< profiles and influence files are read once
   /// Influence numbers of a known grid are not computed again, nor what the solver prepares from them.
   bool keep_numbers = true;
@@ -26,14 +25,18 @@ struct SequenceOptions {
   bool keep_start = true;
   bool learn = true;        ///< learn the ratio of the area in contact to the predicted one (ContactEstimate)
   bool coarse_start = true; ///< a case without one before it starts from larger elements
-  bool displacements = true; ///< results hold them; not needed where no fields are written
   bool foresee_shear = true; ///< the estimate counts the part of the load that shear bears
+};
+
+struct SequenceOptions {
+  bool displacements = true; ///< results hold them; not needed where no fields are written
   /// Influence files must be of the scenes' own profiles. False: profiles that wear keep the files of a shape
   /// from which they hardly differ.
   bool own_shape = true;
-  /// Work on one case, where it is large (contact/settings.hpp: least_threaded). Results are the same to the
-  /// last bit. Two sequences on a thread each serve many small cases better.
+  /// Work on one case, where it is large (contact/operator/settings.hpp: least_threaded). Results are the
+  /// same to the last bit. Two sequences on a thread each serve many small cases better.
   int threads = 1;
+  SequenceAblation ablation = {}; ///< leave it as it is
 };
 
 /// How a scene is solved on the way to an answer.

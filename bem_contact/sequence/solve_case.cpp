@@ -10,7 +10,6 @@
 #include "bem_contact/sequence/model_choice.hpp"
 #include "bem_contact/sequence/patch_places.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
-#include "bem_contact/sequence/solve_on_grid.hpp"
 #include "bem_contact/sequence/structural_motion.hpp"
 
 #include <algorithm>

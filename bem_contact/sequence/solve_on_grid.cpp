@@ -10,9 +10,7 @@
 #include "bem_contact/sequence/structural_motion.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
-#include <string>
 
 namespace bem_contact {
 

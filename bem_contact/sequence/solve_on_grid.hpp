@@ -22,6 +22,11 @@ struct SolveResources {
   bool totals_only = false;              ///< no error of the elements, no displacements
   bool displacements = true;             ///< the result holds them
   int threads = 1; ///< share the influence numbers; `operators` have a number of their own
+
+  /// For another solution on the way, with a budget and a start of its own.
+  SolveResources with(WorkBudget& budget, const FormerSolution* from) const {
+    return {budget, files, numbers, operators, from, coarse_start, totals_only, displacements, threads};
+  }
 };
 
 /// With which numbers, and how much of the problem is solved.

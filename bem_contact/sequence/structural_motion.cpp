@@ -56,29 +56,6 @@ std::optional<StructuralResult> structures_of(const ContactCase& asked, Model mo
   return out.rail || out.wheel ? std::optional(out) : std::nullopt;
 }
 
-/// Of tractions on rows, about a point at x = 0; N, N mm. `side_x`, `side`: signs of those along x and of the
-/// others.
-SixNumbers force_of(const GridSolution& solved, const std::vector<ContactRow>& rows, double side_x,
-                    double side, Point2 about) {
-  SixNumbers sum{};
-  const ContactProblem& problem = solved.contact.problem;
-  const ContactResult& result = solved.result;
-  for (int is = 0; is < problem.grid.ms; ++is) {
-    const ContactRow& row = rows[is];
-    const Point2 arm = row.position - about, s = tangent_of(row.delta), n = normal_of(row.delta);
-    for (int ix = 0; ix < problem.grid.mx; ++ix) {
-      const int i = is * problem.grid.mx + ix;
-      const double area = problem.element_area(), x = problem.grid.x(ix), fx = side_x * area * result.px[i];
-      const Point2 f = side * area * (result.ps[i] * s + result.pn[i] * n);
-      const double parts[6] = {
-          fx, f.y, f.z, arm.y * f.z - arm.z * f.y, arm.z * fx - x * f.z, x * f.y - arm.y * fx};
-      for (int k = 0; k < 6; ++k)
-        sum[k] += parts[k];
-    }
-  }
-  return sum;
-}
-
 PlaneMotion plane_motion(const std::optional<BodyMotion>& body) {
   return body ? PlaneMotion{body->before, {body->motion[1], body->motion[2]}, body->motion[3]}
               : PlaneMotion{};
@@ -114,14 +91,16 @@ std::vector<ContactRow> rows_of(const TabulatedProfile& profile, const std::vect
 /// The motion under the force of a solution. `asked`: the case as the scene gives it.
 void take_motion(const ContactCase& asked, const GridSolution& solved, StructuralResult& structure) {
   const WheelOnRail& pair = asked.setup.wheel_rail()->pair;
+  const ContactProblem& problem = solved.contact.problem;
   const auto take = [&](std::optional<BodyMotion>& body, double side, const Pose& pose,
                         const std::vector<ContactRow>& own) {
     if (!body)
       return;
-    body->force = force_of(solved, solved.contact.problem.rows, side, side, body->after);
+    body->force = force_and_moment(problem, solved.result, problem.rows, body->after, side, side);
     body->motion = product(body->compliance, body->force);
     // The wheel's own s and n are opposite to the rail's, as the traction on it is; x is not.
-    const SixNumbers force = force_of(solved, own, side, 1, pose.to_section(body->before));
+    const SixNumbers force =
+        force_and_moment(problem, solved.result, own, pose.to_section(body->before), side);
     body->motion_in_numbers = product(turned(body->compliance, -pose.angle), force);
   };
   take(structure.rail, 1, pair.rail_pose, rows_of(pair.rail, solved.contact.rail_s));
@@ -203,13 +182,7 @@ void solve_where_placed(ContactCase placed, const SceneFile::Grid& grid, const S
   const bool start = former && alike(potential_areas(*placed.estimate), former->areas);
   WorkBudget work = resources.work.another();
   out.solved = solve_on_growing_grid(placed, std::move(contact), task,
-                                     {.work = work,
-                                      .numbers = resources.numbers,
-                                      .operators = resources.operators,
-                                      .start = start ? &*former : nullptr,
-                                      .coarse_start = resources.coarse_start,
-                                      .totals_only = resources.totals_only},
-                                     on_strips);
+                                     resources.with(work, start ? &*former : nullptr), on_strips);
   out.solved.seconds += spent;
   out.asked = std::move(placed);
 }

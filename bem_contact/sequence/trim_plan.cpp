@@ -98,15 +98,10 @@ TrimmedPlan trimmed(const ContactCase& asked, const GridPlan& plan, const SolveT
   if (rough.rows < fewest_rows)
     return {plan, {}};
   WorkBudget work = resources.work.another();
+  SolveResources tools = resources.with(work, resources.start);
+  tools.totals_only = true;
   try {
-    const GridSolution solved = solve_on_grid(asked, asked.setup.on(rough), task,
-                                              {.work = work,
-                                               .numbers = resources.numbers,
-                                               .operators = resources.operators,
-                                               .start = resources.start,
-                                               .coarse_start = resources.coarse_start,
-                                               .totals_only = true,
-                                               .threads = resources.threads});
+    const GridSolution solved = solve_on_grid(asked, asked.setup.on(rough), task, tools);
     const bool serves = solved.result.converged && !solved.result.patches.empty();
     return {serves ? without_far_elements(plan, solved) : plan, solved.seconds};
   } catch (const Error&) { // the plan itself says what is wrong

@@ -4,8 +4,6 @@
 #include "bem_contact/table/settings.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
 #include <set>
 #include <utility>
 

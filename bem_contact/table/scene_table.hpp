@@ -4,7 +4,6 @@
 #include "bem_contact/table/refine.hpp"
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>

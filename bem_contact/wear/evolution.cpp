@@ -6,7 +6,6 @@
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>

@@ -38,20 +38,9 @@ Wrench mirrored(Wrench w) {
 }
 
 Wrench wrench_of(const SceneResult& result, Point2 centre) {
-  const ContactProblem& problem = result.problem;
-  const ContactResult& c = result.result;
-  const std::vector<double> x = problem.grid.columns();
-  const double area = problem.element_area();
-  Wrench sum;
-  for (std::size_t i = 0; i < c.pn.size(); ++i) {
-    if (c.pn[i] == 0)
-      continue;
-    const ContactRow& row = problem.rows[i / x.size()];
-    const Point2 across = c.ps[i] * tangent_of(row.delta) + c.pn[i] * normal_of(row.delta);
-    const Point2 arm = row.position - centre;
-    sum += wrench_at({area * c.px[i], area * across.y, area * across.z}, {x[i % x.size()], arm.y, arm.z});
-  }
-  return sum;
+  const auto [fx, fy, fz, mx, my, mz] =
+      force_and_moment(result.problem, result.result, result.problem.rows, centre);
+  return {{fx, fy, fz}, {mx, my, mz}};
 }
 
 namespace {

@@ -2,17 +2,12 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/influence_function.hpp"
-#include "bem_contact/profile/body_file.hpp"
-#include "bem_contact/profile/profile_curve.hpp"
 #include "fem_influence/harmonic/remote_section.hpp"
-#include "fem_influence/harmonic/section.hpp"
 #include "fem_influence/shared/body_description.hpp"
 #include "fem_influence/shared/settings.hpp"
-#include "fem_influence/shared/sparse_columns.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <string>
 
 namespace bem_contact::fem {

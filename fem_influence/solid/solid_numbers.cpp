@@ -16,7 +16,6 @@
 #include <map>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace bem_contact::fem {
 

@@ -1,7 +1,7 @@
 #include "bem_contact/contact/coupled/force_balance.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/coupled/settings.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <cmath>

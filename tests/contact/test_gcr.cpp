@@ -1,5 +1,5 @@
-#include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/tangential/gcr.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ struct Systems {
                      [&](const auto& z, const auto& bz, auto&& jz) {
                        jz = m.cwiseProduct(bz) + (1 - m.array()).matrix().cwiseProduct(z);
                      },
-                     [](const auto& v, auto&& out) { out = v; }, right, tolerance, most, x);
+                     [](const auto& v, auto&& out) { out = v; }, right, {tolerance, most}, x);
   }
   double relative_residual(const VectorXd& right, const VectorXd& x) const {
     return (right - jacobian() * x).norm() / right.norm();

@@ -205,8 +205,8 @@ TEST(Oracle, TranslationalNumbersGiveTheSameDisplacements) {
       continue;
     const std::span<const double> part(p.data(), 3 * mx);
     std::vector<double> three(3 * mx), of_table(3 * mx);
-    contact::StripOperator(problem.numbers, mx, {2}, {1}, {2, 3}).apply(part, three);
-    contact::StripOperator(table, mx, {2}, {1}, {2, 3}).apply(part, of_table);
+    contact::StripOperator(problem.numbers, contact::Boxes{{{0, 2, mx, 3}}}, {2}, {1}).apply(part, three);
+    contact::StripOperator(table, contact::Boxes{{{0, 2, mx, 3}}}, {2}, {1}).apply(part, of_table);
     for (int i = 0; i < 3 * mx; ++i)
       EXPECT_NEAR(three[i], of_table[i], 1e-13 * scale);
   }
@@ -293,7 +293,8 @@ TEST(Oracle, FactorsOfTheOperatorInvertIt) {
   for (const int half : {5, 10, 20, 40}) {
     const int m = 2 * half + 1, n = m * m, at = half * m + half;
     const ContactProblem problem = scenes::flat({23000, 0.31}, {23000, 0.31}, m, m, 0.5, 0.5, 1e-3, 1e-3);
-    contact::PlaneOperator behind(problem.numbers, m, m, {0}, {0}), ahead(problem.numbers, m, m, {0}, {0});
+    const contact::Boxes grid{{{0, 0, m, m}}};
+    contact::PlaneOperator behind(problem.numbers, grid, {0}, {0}), ahead(problem.numbers, grid, {0}, {0});
     behind.invert_factor(contact::PlaneOperator::Factor::behind);
     ahead.invert_factor(contact::PlaneOperator::Factor::ahead);
     std::vector<double> p(n, 0.0), u(n), part(n), back(n);

@@ -1,10 +1,10 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/coupled/anderson.hpp"
+#include "bem_contact/contact/coupled/settings.hpp"
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
 #include "bem_contact/contact/coupled/start.hpp"
 #include "bem_contact/contact/coupled/tolerance_schedule.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
-#include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/solve.hpp"
 #include "tests/contact/scenes.hpp"
 

@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/coupled/settings.hpp"
 #include "bem_contact/halfspace/combine.hpp"
 #include "bem_contact/halfspace/resample.hpp"
 #include "bem_contact/halfspace/tangent_plane.hpp"

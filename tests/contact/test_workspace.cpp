@@ -1,6 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/normal/conjugate_gradients.hpp"
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/operator/settings.hpp"
 #include "bem_contact/contact/tangential/step_box.hpp"
 #include "tests/contact/scenes.hpp"
 
@@ -223,7 +223,7 @@ TEST(Workspace, MoreIterationsAllocateNoMore) {
   const auto iterate = [&](double tolerance) {
     ++elements[0]; // nothing that was kept serves
     gcr.use_elements(elements);
-    gcr.solve(product, image, identity, right, tolerance, most, x);
+    gcr.solve(product, image, identity, right, {tolerance, most}, x);
   };
   iterate(1e-5);
   const int longest = gcr.products();

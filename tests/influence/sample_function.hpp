@@ -1,13 +1,25 @@
 #pragma once
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/file_seal.hpp"
+#include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/influence_function.hpp"
 #include "tests/base/message.hpp"
 #include "tests/base/temporary_folder.hpp"
 
 #include <cmath>
+#include <fstream>
 #include <numbers>
+#include <span>
 #include <string>
+
+/// Gives a file that was changed a seal that holds.
+inline void seal_again(const std::filesystem::path& file) {
+  std::string bytes = text_of(file);
+  bem_contact::seal(std::as_writable_bytes(std::span(bytes)), bem_contact::influence_format_major,
+                    bem_contact::influence_format_minor);
+  std::ofstream(file, std::ios::binary) << bytes;
+}
 
 /// A small body with every table filled: three stations, eleven wavenumbers, positive definite and symmetric.
 inline bem_contact::InfluenceFunction sample_function() {

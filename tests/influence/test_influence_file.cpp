@@ -155,7 +155,7 @@ TEST(InfluenceFile, RefusesSealedFilesWithOtherContents) {
     const hid_t file = H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
     change(file);
     H5Fclose(file);
-    seal_file(folder / "a.h5", influence_format_major, influence_format_minor);
+    seal_again(folder / "a.h5");
     return reading(folder / "a.h5");
   };
   const auto set_text = [](const char* name, const char* text) {

@@ -64,6 +64,15 @@ TEST(CaseTable, TakesTheKeysOfASweepsTable) {
   EXPECT_TRUE(sweep.scene(1).motion.frictionless);
 }
 
+/// Its lines are read as those of tables of numbers are (csv_table.hpp).
+TEST(CaseTable, HasCommentsBehindItsCells) {
+  const SweepFile sweep = sweep_of("position.lateral, rail.profile # mm\n+0.5, \"60E1\" # the first\n");
+  EXPECT_EQ(sweep.scene(0).position.lateral, 0.5);
+  EXPECT_EQ(sweep.scene(0).rail.profile, "60E1");
+  EXPECT_THAT(message_of([] { read_case_table(csv("rail.profile\n\"a # b\",1\n")); }),
+              HasSubstr("it has 2 cells"));
+}
+
 TEST(CaseTable, WhatIsWrongIsSaidWithItsLine) {
   const auto message = [](const std::string& text) {
     return message_of([&] { read_case_table(csv(text)); });

@@ -95,8 +95,10 @@ TEST(Patch, RefusesAStripBeyondAQuarterTurn) {
 }
 
 TEST_F(Tables, GiveTheGap) {
-  EXPECT_THAT(patch_on_grid(with_gap("# mm\nix, is, h\n1, 0, 0.25\n0, 0, 0.5\n")).problem.gap,
-              ::testing::ElementsAre(0.5, 0.25));
+  for (const char* table :
+       {"# mm\nix, is, h\n1, 0, 0.25\n0, 0, 0.5\n",
+        "\"ix\",\"is\",\"h\" # quotes, and a comma at the end\n1, 0, 0.25,\n0, 0, \"0.5\"\n"})
+    EXPECT_THAT(patch_on_grid(with_gap(table)).problem.gap, ::testing::ElementsAre(0.5, 0.25));
 }
 
 TEST_F(Tables, AreRefusedWithTheirFault) {

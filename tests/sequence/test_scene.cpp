@@ -279,4 +279,13 @@ TEST(Scene, CheckSaysWhatWouldBeSolved) {
   EXPECT_THAT(lines, ::testing::Contains(HasSubstr("rail: no influence file")));
 }
 
+/// Where influence numbers are large, solve trims the grid that check shows (trim_plan.hpp).
+TEST(Scene, CheckSaysThatTheGridIsTrimmed) {
+  SceneFile scene = with_elements(wheel_on_rail(6.4, 1e5), 0.08, 0.08);
+  const auto lines = [&](Model model) { return Sequence().check(with_model(scene, model)).lines; };
+  const auto trimmed = ::testing::Contains(HasSubstr("solve leaves out the rows and columns"));
+  EXPECT_THAT(lines(Model::tangent_plane), trimmed);
+  EXPECT_THAT(lines(Model::halfspace), ::testing::Not(trimmed));
+}
+
 } // namespace

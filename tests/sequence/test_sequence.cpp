@@ -80,10 +80,10 @@ TEST(Sequence, AHalfSpaceMayHaveMoreElementsThanOtherModels) {
 }
 
 TEST(Sequence, EachSwitchChangesTheWayAndNotTheResult) {
-  for (const SequenceOptions off :
-       {SequenceOptions{.keep_files = false}, SequenceOptions{.keep_numbers = false},
-        SequenceOptions{.keep_start = false}, SequenceOptions{.learn = false}}) {
-    Sequence sequence(off);
+  for (const SequenceAblation off :
+       {SequenceAblation{.keep_files = false}, SequenceAblation{.keep_numbers = false},
+        SequenceAblation{.keep_start = false}, SequenceAblation{.learn = false}}) {
+    Sequence sequence({.ablation = off});
     sequence.solve(rolling(1.0));
     expect_same(Sequence().solve(rolling(1.1)), sequence.solve(rolling(1.1)));
     EXPECT_EQ(sequence.counts().starts, off.keep_start ? 1 : 0);
@@ -91,7 +91,7 @@ TEST(Sequence, EachSwitchChangesTheWayAndNotTheResult) {
 }
 
 TEST(Sequence, ComputesTheNumbersOfAGridOnce) {
-  Sequence sequence({.learn = false});
+  Sequence sequence({.ablation = {.learn = false}});
   SceneFile scene = rolling(1.0);
   scene.motion.free_rolling = false; // one solution a case
   for (const double friction : {0.1, 0.2, 0.3}) {
@@ -107,7 +107,7 @@ TEST(Sequence, ReadsAProfileOnce) {
   std::filesystem::copy_file(std::filesystem::path(CONFORMAL_SOURCE_DIR) / "data/bodies/worn_rail.txt", file);
   SceneFile scene = rolling(0.0);
   scene.rail.profile = file.string();
-  Sequence keeps, reads({.keep_files = false});
+  Sequence keeps, reads({.ablation = {.keep_files = false}});
   EXPECT_NO_THROW(keeps.solve(scene));
   EXPECT_NO_THROW(reads.solve(scene));
   std::filesystem::remove(file);

@@ -75,7 +75,7 @@ private:
   }
   static bem_contact::SequenceOptions options(bool warm) {
     bem_contact::SequenceOptions out;
-    out.keep_start = out.keep_numbers = out.learn = warm;
+    out.ablation.keep_start = out.ablation.keep_numbers = out.ablation.learn = warm;
     out.displacements = false;
     return out;
   }

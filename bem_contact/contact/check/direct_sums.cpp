@@ -3,6 +3,7 @@
 #include "bem_contact/base/parallel.hpp"
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/operator/plane_operator.hpp"
+#include "bem_contact/contact/operator/settings.hpp"
 #include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 
@@ -93,7 +94,7 @@ std::optional<ComponentFields> transformed_displacements(const ContactProblem& p
       shear ? std::vector<int>{component_x, component_s, component_n} : std::vector<int>{component_n};
   std::vector<double> out(wanted.size() * n);
   if (!loaded.empty())
-    PlaneOperator(problem.numbers, columns, ms, wanted, loaded).apply(tractions, out, 0);
+    PlaneOperator(problem.numbers, Boxes{{{0, 0, columns, ms}}}, wanted, loaded).apply(tractions, out, 0);
   ComponentFields u;
   u.fill(std::vector<double>(n, 0.0));
   std::array<double, 3> allowed{};

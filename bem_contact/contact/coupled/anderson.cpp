@@ -1,6 +1,6 @@
 #include "bem_contact/contact/coupled/anderson.hpp"
 
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/coupled/settings.hpp"
 
 #include <Eigen/QR>
 

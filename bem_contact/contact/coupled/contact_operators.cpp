@@ -1,7 +1,7 @@
 #include "bem_contact/contact/coupled/contact_operators.hpp"
 
+#include "bem_contact/contact/coupled/settings.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
-#include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -61,10 +61,8 @@ bool shear_moves_normal(const InfluenceNumbers& a, double share) {
 }
 
 Coupling::Coupling(const ContactProblem& problem, TransformPool* pool)
-    : normal_from_shear(problem.numbers, problem.grid.mx, {component_n}, {component_x, component_s}, {},
-                        pool),
-      shear_from_normal(problem.numbers, problem.grid.mx, {component_x, component_s}, {component_n}, {},
-                        pool) {}
+    : normal_from_shear(problem.numbers, problem.grid.mx, {component_n}, {component_x, component_s}, pool),
+      shear_from_normal(problem.numbers, problem.grid.mx, {component_x, component_s}, {component_n}, pool) {}
 
 ContactOperators::ContactOperators(std::shared_ptr<TransformPool> pool, const NumbersKey& key)
     : pool_(std::move(pool)), key_(key), normal(pool_), tangential(pool_) {}

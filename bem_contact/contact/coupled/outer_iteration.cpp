@@ -1,8 +1,8 @@
 #include "bem_contact/contact/coupled/outer_iteration.hpp"
 
+#include "bem_contact/contact/coupled/settings.hpp"
 #include "bem_contact/contact/coupled/varying_friction.hpp"
 #include "bem_contact/contact/normal/solve_normal.hpp"
-#include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "bem_contact/contact/coupled/anderson.hpp"
 #include "bem_contact/contact/coupled/force_balance.hpp"
 #include "bem_contact/contact/coupled/outer_iteration.hpp"
+#include "bem_contact/contact/coupled/settings.hpp"
 #include "bem_contact/contact/coupled/start.hpp"
 #include "bem_contact/contact/coupled/tolerance_schedule.hpp"
 #include "bem_contact/contact/settings.hpp"

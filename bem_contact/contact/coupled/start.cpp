@@ -1,8 +1,8 @@
 #include "bem_contact/contact/coupled/start.hpp"
 
+#include "bem_contact/contact/coupled/settings.hpp"
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
-#include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
 

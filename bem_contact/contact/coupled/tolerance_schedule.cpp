@@ -1,5 +1,6 @@
 #include "bem_contact/contact/coupled/tolerance_schedule.hpp"
 
+#include "bem_contact/contact/coupled/settings.hpp"
 #include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>

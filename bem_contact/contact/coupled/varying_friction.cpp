@@ -1,8 +1,9 @@
 #include "bem_contact/contact/coupled/varying_friction.hpp"
 
 #include "bem_contact/contact/coupled/anderson.hpp"
+#include "bem_contact/contact/coupled/settings.hpp"
 #include "bem_contact/contact/flash_temperature.hpp"
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <fmt/format.h>
 

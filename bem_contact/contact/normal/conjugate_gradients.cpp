@@ -1,6 +1,6 @@
 #include "bem_contact/contact/normal/conjugate_gradients.hpp"
 
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/normal/settings.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,8 @@
 #include "bem_contact/contact/normal/mprgp.hpp"
 
+#include "bem_contact/contact/normal/settings.hpp"
 #include "bem_contact/contact/operator/norm_bound.hpp"
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/operator/settings.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "bem_contact/contact/normal/normal_operators.hpp"
 
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/normal/settings.hpp"
 #include "bem_contact/influence/dense.hpp"
 
 #include <algorithm>
@@ -10,8 +10,8 @@ namespace bem_contact::contact {
 
 NormalBox::NormalBox(const InfluenceNumbers& numbers, const Boxes& the_boxes, TransformPool* pool)
     : boxes(the_boxes), nn(numbers, boxes, {component_n}, {component_n}, pool), fast(nn, pool),
-      inverse(numbers, boxes.mx(), boxes.ms(), {component_n}, {component_n},
-              BasicPlaneOperator<float>::Form::periodic, boxes.boxes.front().first_s + boxes.ms() / 2, pool) {
+      inverse(numbers, Boxes{{boxes.boxes.front()}}, {component_n}, {component_n},
+              BasicPlaneOperator<float>::Form::periodic, pool) {
   inverse.invert();
 }
 
@@ -40,8 +40,7 @@ NormalOperators::NormalOperators(std::shared_ptr<TransformPool> pool) : pool_(st
 const StripOperator& NormalOperators::whole(const InfluenceNumbers& numbers, int mx, WorkBudget& work) {
   if (!whole_) {
     work.spend(spectra_work(numbers.translational, 1, numbers.rows, mx));
-    whole_.emplace(numbers, mx, std::vector<int>{component_n}, std::vector<int>{component_n}, RowRange{},
-                   pool_.get());
+    whole_.emplace(numbers, mx, std::vector<int>{component_n}, std::vector<int>{component_n}, pool_.get());
   }
   return *whole_;
 }

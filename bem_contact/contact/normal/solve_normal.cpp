@@ -2,7 +2,7 @@
 
 #include "bem_contact/contact/normal/active_set.hpp"
 #include "bem_contact/contact/normal/mprgp.hpp"
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/normal/settings.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>

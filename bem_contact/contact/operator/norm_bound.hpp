@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/operator/settings.hpp"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/operator/plane_transforms.hpp"
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/operator/settings.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 
 #include <algorithm>
@@ -56,8 +56,11 @@ template <class Real> Real* parts(Complex<Real>* p) {
 
 } // namespace
 
-template <class Real> struct BasicPlaneOperator<Real>::Impl {
+struct PlaneSizes {
   int mx = 0, ms = 0, length_x = 0, length_s = 0, frequencies = 0, inputs = 0, outputs = 0;
+};
+
+template <class Real> struct BasicPlaneOperator<Real>::Impl : PlaneSizes {
   FftBuffer<Real> symbol; ///< complex [frequency][output][input][length_s]
   std::vector<char> zero; ///< [output][input]: all numbers are, and the symbol is not there
   std::shared_ptr<PlaneTransforms<Real>> transforms;
@@ -70,13 +73,7 @@ template <class Real> struct BasicPlaneOperator<Real>::Impl {
   }
   PlaneShape shape() const { return {length_x, length_s, lines_of(ms), inputs, outputs}; }
   template <class Other> void copy(const Other& from) {
-    mx = from.mx;
-    ms = from.ms;
-    length_x = from.length_x;
-    length_s = from.length_s;
-    frequencies = from.frequencies;
-    inputs = from.inputs;
-    outputs = from.outputs;
+    static_cast<PlaneSizes&>(*this) = from;
     zero = from.zero;
     symbol = make_fft_buffer<Real>(symbol_size());
     const std::size_t pairs = zero.size(), each = 2 * static_cast<std::size_t>(length_s);
@@ -93,6 +90,8 @@ template <class Real> struct BasicPlaneOperator<Real>::Impl {
   void transform_numbers(const InfluenceNumbers& numbers, const Entry& entry, int middle, int a, int b);
   void multiply_line(int frequency, int a, Complex<Real>* in, Real* out) const;
   void apply(std::span<const Real> p) const;
+  template <class At> void write(const At& at, std::span<Real> u) const;
+  Real largest() const;
 };
 
 template <class Real>
@@ -124,51 +123,33 @@ void BasicPlaneOperator<Real>::Impl::transform_numbers(const InfluenceNumbers& n
 }
 
 template <class Real>
-void BasicPlaneOperator<Real>::prepare(int mx, int ms, int outputs, int inputs, Form form,
-                                       TransformPool* pool) {
+BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, const Boxes& boxes,
+                                             const std::vector<int>& outputs, const std::vector<int>& inputs,
+                                             Form form, TransformPool* pool)
+    : impl_(std::make_unique<Impl>()) {
   Impl& o = *impl_;
-  o.mx = mx;
-  o.ms = ms;
+  const int mx = o.mx = boxes.mx(), ms = o.ms = boxes.ms();
   const bool exact = form == Form::exact;
   std::tie(o.length_x, o.length_s) =
       good_lengths(exact ? 2 * mx + rolling_columns - 1 : mx + periodic_elements + mx / periodic_margin,
                    std::max(lines_of(ms), exact ? 2 * ms - 1 : ms + periodic_elements + ms / periodic_margin),
                    lines_of(ms));
   o.frequencies = o.length_x / 2 + 1;
-  o.inputs = inputs;
-  o.outputs = outputs;
-  o.transforms = pooled<Real>(o.shape(), pool);
-  o.symbol = make_fft_buffer<Real>(o.symbol_size());
-  o.zero.assign(static_cast<std::size_t>(outputs) * inputs, 0);
-}
-
-template <class Real>
-BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, int mx, int ms,
-                                             std::vector<int> outputs, std::vector<int> inputs, Form form,
-                                             int middle, TransformPool* pool)
-    : impl_(std::make_unique<Impl>()) {
-  prepare(mx, ms, static_cast<int>(outputs.size()), static_cast<int>(inputs.size()), form, pool);
-  for (int a = 0; a < impl_->outputs; ++a)
-    for (int b = 0; b < impl_->inputs; ++b)
-      impl_->transform_numbers(numbers, {outputs[a], inputs[b]}, middle, a, b);
-}
-
-template <class Real>
-BasicPlaneOperator<Real>::BasicPlaneOperator(const InfluenceNumbers& numbers, const Boxes& boxes,
-                                             const std::vector<int>& outputs, const std::vector<int>& inputs,
-                                             TransformPool* pool)
-    : impl_(std::make_unique<Impl>()) {
   // each box of a component is a component of its own
   const int count = boxes.count();
-  prepare(boxes.mx(), boxes.ms(), count * static_cast<int>(outputs.size()),
-          count * static_cast<int>(inputs.size()), Form::exact, pool);
-  for (int a = 0; a < impl_->outputs; ++a)
-    for (int b = 0; b < impl_->inputs; ++b) {
+  o.inputs = count * static_cast<int>(inputs.size());
+  o.outputs = count * static_cast<int>(outputs.size());
+  o.transforms = pooled<Real>(o.shape(), pool);
+  o.symbol = make_fft_buffer<Real>(o.symbol_size());
+  o.zero.assign(static_cast<std::size_t>(o.outputs) * o.inputs, 0);
+  const int middle = boxes.boxes.front().first_s + ms / 2;
+  for (int a = 0; a < o.outputs; ++a)
+    for (int b = 0; b < o.inputs; ++b) {
       const Box &to = boxes.boxes[a % count], &from = boxes.boxes[b % count];
-      impl_->transform_numbers(
+      o.transform_numbers(
           numbers,
-          {outputs[a / count], inputs[b / count], to.first_x - from.first_x, to.first_s - from.first_s}, 0, a,
-          b);
+          {outputs[a / count], inputs[b / count], to.first_x - from.first_x, to.first_s - from.first_s},
+          middle, a, b);
     }
 }
 
@@ -235,58 +216,62 @@ void BasicPlaneOperator<Real>::Impl::multiply_line(int frequency, int a, Complex
     std::fill_n(out, 2 * length_s, Real(0));
 }
 
+/// u at each element, of what `at` makes of the values from there on, every second of which is of this row.
 template <class Real>
-void BasicPlaneOperator<Real>::apply(std::span<const Real> p, std::span<Real> u, int columns) const {
-  const Impl& o = *impl_;
-  o.apply(p);
-  const Real scale = 1.0 / o.length_x / o.length_s;
-  for (int a = 0; a < o.outputs; ++a)
-    for (int is = 0; is < o.ms; ++is) {
-      const Real* v = o.transforms->rows_out(a, is / 2) + is % 2 + 2 * columns;
-      for (int ix = 0; ix < o.mx; ++ix)
-        u[static_cast<std::size_t>(a * o.ms + is) * o.mx + ix] = scale * v[2 * ix];
+template <class At>
+void BasicPlaneOperator<Real>::Impl::write(const At& at, std::span<Real> u) const {
+  const Real scale = 1.0 / length_x / length_s;
+  for (int a = 0; a < outputs; ++a)
+    for (int is = 0; is < ms; ++is) {
+      const Real* v = transforms->rows_out(a, is / 2) + is % 2;
+      for (int ix = 0; ix < mx; ++ix)
+        u[static_cast<std::size_t>(a * ms + is) * mx + ix] = scale * at(v + 2 * ix);
     }
 }
 
 template <class Real>
+void BasicPlaneOperator<Real>::apply(std::span<const Real> p, std::span<Real> u, int columns) const {
+  impl_->apply(p);
+  impl_->write([columns](const Real* v) { return v[2 * columns]; }, u);
+}
+
+template <class Real>
 void BasicPlaneOperator<Real>::apply_step(std::span<const Real> p, std::span<Real> u) const {
-  const Impl& o = *impl_;
-  o.apply(p);
-  const Real scale = 1.0 / o.length_x / o.length_s;
-  for (int a = 0; a < o.outputs; ++a)
-    for (int is = 0; is < o.ms; ++is) {
-      const Real* v = o.transforms->rows_out(a, is / 2) + is % 2;
-      for (int ix = 0; ix < o.mx; ++ix)
-        u[static_cast<std::size_t>(a * o.ms + is) * o.mx + ix] =
-            scale *
-            (rolling_step[0] * v[2 * ix] + rolling_step[1] * v[2 * ix + 2] + rolling_step[2] * v[2 * ix + 4]);
-    }
+  impl_->apply(p);
+  const auto step = [](const Real* v) {
+    return rolling_step[0] * v[0] + rolling_step[1] * v[2] + rolling_step[2] * v[4];
+  };
+  impl_->write(step, u);
+}
+
+/// The largest real part of the symbol.
+template <class Real> Real BasicPlaneOperator<Real>::Impl::largest() const {
+  Real largest = 0;
+  const std::size_t count = static_cast<std::size_t>(frequencies) * length_s;
+  for (std::size_t k = 0; k < count; ++k)
+    largest = std::max(largest, complex(symbol)[k].real());
+  return largest;
 }
 
 template <class Real> void BasicPlaneOperator<Real>::invert() {
   const Impl& o = *impl_;
   // the truncated kernel's ripples must not turn an eigenvalue's sign: positive and real
-  Real largest = 0;
+  const Real least = Real(least_eigenvalue) * o.largest();
   const std::size_t count = static_cast<std::size_t>(o.frequencies) * o.length_s;
-  for (std::size_t k = 0; k < count; ++k)
-    largest = std::max(largest, complex(o.symbol)[k].real());
   for (std::size_t k = 0; k < count; ++k) {
     Complex<Real>& z = complex(o.symbol)[k];
-    z = 1 / std::max(std::abs(z.real()), Real(least_eigenvalue) * largest);
+    z = 1 / std::max(std::abs(z.real()), least);
   }
 }
 
 template <class Real> void BasicPlaneOperator<Real>::invert_factor(Factor factor) {
   const Impl& o = *impl_;
-  Real largest = 0;
+  const Real least = Real(least_eigenvalue) * o.largest();
   const std::size_t count = static_cast<std::size_t>(o.frequencies) * o.length_s;
-  for (std::size_t k = 0; k < count; ++k)
-    largest = std::max(largest, complex(o.symbol)[k].real());
   // the part of the logarithm whose kernel lies behind (or ahead) only, one frequency of s at a time
   std::vector<Real> logarithm(count);
   for (std::size_t k = 0; k < count; ++k)
-    logarithm[k] =
-        std::log(std::max(std::abs(complex(o.symbol)[k].real()), Real(least_eigenvalue) * largest));
+    logarithm[k] = std::log(std::max(std::abs(complex(o.symbol)[k].real()), least));
   const Complex<Real>* half = o.transforms->half_behind(logarithm);
   for (std::size_t k = 0; k < count; ++k) {
     const Complex<Real> behind = std::exp(-half[k]);

@@ -19,17 +19,13 @@ class TransformPool;
 /// enough.
 template <class Real> class BasicPlaneOperator {
 public:
-  /// If the numbers are not translational, the pairs of rows about row `middle` stand for all pairs at the
-  /// same distance.
   /// `periodic`: the transforms are hardly longer than the grid, so that its ends act on each other. That is
   /// a quarter of the work and good enough for a preconditioner.
   enum class Form { exact, periodic };
-  BasicPlaneOperator(const InfluenceNumbers& numbers, int mx, int ms, std::vector<int> outputs,
-                     std::vector<int> inputs, Form form = Form::exact, int middle = 0,
-                     TransformPool* pool = nullptr);
-  /// On several boxes at once, which act on each other (exact); fields [component][box][ms][mx].
+  /// On boxes that act on each other; fields [component][box][ms][mx]. If the numbers are not translational,
+  /// the pairs of rows about the middle of the first box stand for all pairs at the same distance.
   BasicPlaneOperator(const InfluenceNumbers& numbers, const Boxes& boxes, const std::vector<int>& outputs,
-                     const std::vector<int>& inputs, TransformPool* pool = nullptr);
+                     const std::vector<int>& inputs, Form form = Form::exact, TransformPool* pool = nullptr);
   /// The same in another precision.
   template <class Other>
   explicit BasicPlaneOperator(const BasicPlaneOperator<Other>& other, TransformPool* pool = nullptr);
@@ -59,7 +55,6 @@ public:
 private:
   template <class Other> friend class BasicPlaneOperator;
   struct Impl;
-  void prepare(int mx, int ms, int outputs, int inputs, Form form, TransformPool* pool);
   std::unique_ptr<Impl> impl_;
 };
 

@@ -1,7 +1,6 @@
 #include "bem_contact/contact/operator/plane_transforms.hpp"
 
 #include "bem_contact/base/simd.hpp"
-#include "bem_contact/contact/settings.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -16,12 +15,17 @@ template <class Real> std::complex<Real>* complex(Real* p) {
   return reinterpret_cast<std::complex<Real>*>(p);
 }
 
-/// The spectra of two real rows from that of the first plus i times the second, for `pairs` pairs of rows:
-/// z [pairs][n] to out [k - from][row], frequencies from .. to - 1, each `stride` after the one before.
-/// Complex numbers are two reals here.
+/// Rows of n elements in pairs, their frequencies from .. to - 1, and how far apart two of these lie.
+struct RowPairs {
+  int n, pairs, from, to, stride;
+};
+
+/// The spectra of two real rows from that of the first plus i times the second: z [pairs][n] to
+/// out [k - from][row]. Complex numbers are two reals here.
 template <class Real>
-inline __attribute__((always_inline)) void separate_rows(const Real* __restrict z, int n, int pairs, int from,
-                                                         int to, Real* __restrict out, int stride) {
+inline __attribute__((always_inline)) void separate_rows(const RowPairs& rows, const Real* __restrict z,
+                                                         Real* __restrict out) {
+  const auto [n, pairs, from, to, stride] = rows;
   for (int first = from; first < to; first += least_together)
     for (int pair = 0; pair < pairs; ++pair) {
       const Real* row = z + 2 * static_cast<std::ptrdiff_t>(pair) * n;
@@ -35,17 +39,18 @@ inline __attribute__((always_inline)) void separate_rows(const Real* __restrict 
       }
     }
 }
-BEM_CONTACT_WIDE void separate(const double* z, int n, int pairs, int from, int to, double* out, int stride) {
-  separate_rows(z, n, pairs, from, to, out, stride);
+BEM_CONTACT_WIDE void separate(const RowPairs& rows, const double* z, double* out) {
+  separate_rows(rows, z, out);
 }
-BEM_CONTACT_WIDE void separate(const float* z, int n, int pairs, int from, int to, float* out, int stride) {
-  separate_rows(z, n, pairs, from, to, out, stride);
+BEM_CONTACT_WIDE void separate(const RowPairs& rows, const float* z, float* out) {
+  separate_rows(rows, z, out);
 }
 
 /// The way back; n is even.
 template <class Real>
-inline __attribute__((always_inline)) void join_rows(const Real* __restrict in, int stride, int n, int pairs,
-                                                     int from, int to, Real* __restrict z) {
+inline __attribute__((always_inline)) void join_rows(const RowPairs& rows, const Real* __restrict in,
+                                                     Real* __restrict z) {
+  const auto [n, pairs, from, to, stride] = rows;
   for (int first = from; first < to; first += least_together)
     for (int pair = 0; pair < pairs; ++pair) {
       Real* row = z + 2 * static_cast<std::ptrdiff_t>(pair) * n;
@@ -64,11 +69,11 @@ inline __attribute__((always_inline)) void join_rows(const Real* __restrict in, 
       }
     }
 }
-BEM_CONTACT_WIDE void join(const double* in, int stride, int n, int pairs, int from, int to, double* z) {
-  join_rows(in, stride, n, pairs, from, to, z);
+BEM_CONTACT_WIDE void join(const RowPairs& rows, const double* in, double* z) {
+  join_rows(rows, in, z);
 }
-BEM_CONTACT_WIDE void join(const float* in, int stride, int n, int pairs, int from, int to, float* z) {
-  join_rows(in, stride, n, pairs, from, to, z);
+BEM_CONTACT_WIDE void join(const RowPairs& rows, const float* in, float* z) {
+  join_rows(rows, in, z);
 }
 
 /// About the time of one complex transform without FFTW's search for the fastest way, which would take longer
@@ -155,7 +160,7 @@ typename PlaneTransforms<Real>::Group PlaneTransforms<Real>::forward_s(int group
   const int stride = shape.inputs * shape.length_s;
   for (int field = 0; field < shape.inputs; ++field) {
     Real* to = before + 2 * static_cast<std::ptrdiff_t>(field) * shape.length_s;
-    separate(rows(second_, field, 0), shape.length_x, shape.lines / 2, first, first + count, to, stride);
+    separate({shape.length_x, shape.lines / 2, first, first + count, stride}, rows(second_, field, 0), to);
     for (int line = 0; line < count; ++line, to += 2 * stride)
       std::fill(to + 2 * shape.lines, to + 2 * shape.length_s, Real(0));
   }
@@ -167,8 +172,9 @@ template <class Real> void PlaneTransforms<Real>::backward_s(const Group& group)
   Real *const before = columns_, *const after = columns_ + column_size_;
   run(column_plans(group.count).backward, before, after);
   for (int field = 0; field < shape.outputs; ++field)
-    join(after + 2 * static_cast<std::ptrdiff_t>(field) * shape.length_s, shape.outputs * shape.length_s,
-         shape.length_x, shape.lines / 2, group.first, group.first + group.count, rows(first_, field, 0));
+    join({shape.length_x, shape.lines / 2, group.first, group.first + group.count,
+          shape.outputs * shape.length_s},
+         after + 2 * static_cast<std::ptrdiff_t>(field) * shape.length_s, rows(first_, field, 0));
 }
 
 template <class Real> void PlaneTransforms<Real>::backward() {
@@ -196,7 +202,7 @@ template <class Real> void PlaneTransforms<Real>::transform_kernel(Complex* symb
     }
   }
   run(kernel_x_, second_, first_);
-  separate(first_, n, length_s / 2, 0, frequencies, second_, length_s);
+  separate({n, length_s / 2, 0, frequencies, length_s}, first_, second_);
   run(kernel_s_, second_, first_);
   for (int k = 0; k < frequencies; ++k)
     std::copy_n(complex(first_) + static_cast<std::size_t>(k) * length_s, length_s, symbol + k * stride);
@@ -221,7 +227,7 @@ const std::complex<Real>* PlaneTransforms<Real>::half_behind(const std::vector<R
             second_[2 * (static_cast<std::size_t>(pair) * n + m) + part] *
             (m == 0 || m == half ? Real(0.5) : Real(m < half)) / static_cast<Real>(n);
   run(kernel_x_, pairs, second_);
-  separate(second_, n, length_s / 2, 0, shape.frequencies(), pairs, length_s);
+  separate({n, length_s / 2, 0, shape.frequencies(), length_s}, second_, pairs);
   return complex(pairs);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bem_contact/contact/operator/fft.hpp"
+#include "bem_contact/contact/operator/settings.hpp"
 #include "bem_contact/contact/operator/strip_transforms.hpp"
-#include "bem_contact/contact/settings.hpp"
 
 #include <complex>
 #include <list>

@@ -5,7 +5,7 @@
 #include "bem_contact/base/simd.hpp"
 #include "bem_contact/contact/operator/plane_operator.hpp"
 #include "bem_contact/contact/operator/plane_transforms.hpp"
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/operator/settings.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/influence/dense.hpp"
 
@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <numeric>
 #include <optional>
 
 namespace bem_contact::contact {
@@ -73,52 +72,35 @@ template <class Real> struct BasicStripOperator<Real>::Impl {
                       const Eigen::MatrixXd& cosines, const Eigen::MatrixXd& sines);
   void take(TransformPool* pool);
   const Real* apply(std::span<const Real> p) const;
+  template <class At> void write(const Real* v, const At& at, std::span<Real> u) const;
   void multiply_frequency(int k, const Real* in, Real* work, Real* out) const;
 };
 
 template <class Real>
 BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, int mx,
                                              std::vector<int> outputs, std::vector<int> inputs,
-                                             RowRange range, TransformPool* pool)
-    : impl_(std::make_unique<Impl>()) {
-  Impl& o = *impl_;
-  o.mx = mx;
-  o.ms = range.count < 0 ? numbers.rows - range.first : range.count;
-  if (numbers.translational) {
-    o.plane.emplace(numbers, mx, o.ms, std::move(outputs), std::move(inputs),
-                    BasicPlaneOperator<Real>::Form::exact, 0, pool);
-    return;
-  }
-  std::vector<int> rows(o.ms);
-  std::iota(rows.begin(), rows.end(), range.first);
-  transform(numbers, mx, rows, std::move(outputs), std::move(inputs), pool);
-}
+                                             TransformPool* pool)
+    : BasicStripOperator(numbers, Boxes{{{0, 0, mx, numbers.rows}}}, std::move(outputs), std::move(inputs),
+                         pool) {}
 
 template <class Real>
 BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, const Boxes& boxes,
                                              std::vector<int> outputs, std::vector<int> inputs,
                                              TransformPool* pool)
     : impl_(std::make_unique<Impl>()) {
+  using Plane = BasicPlaneOperator<Real>;
   Impl& o = *impl_;
   o.mx = boxes.mx();
   o.ms = boxes.rows();
   if (numbers.translational) {
-    o.plane.emplace(numbers, boxes, outputs, inputs, pool);
+    o.plane.emplace(numbers, boxes, outputs, inputs, Plane::Form::exact, pool);
     return;
   }
   std::vector<int> rows;
   for (const Box& box : boxes.boxes)
     for (int is = 0; is < box.ms; ++is)
       rows.push_back(box.first_s + is);
-  transform(numbers, o.mx, rows, std::move(outputs), std::move(inputs), pool);
-}
-
-template <class Real>
-void BasicStripOperator<Real>::transform(const InfluenceNumbers& numbers, int mx,
-                                         const std::vector<int>& rows, std::vector<int> outputs,
-                                         std::vector<int> inputs, TransformPool* pool) {
-  Impl& o = *impl_;
-  o.length = good_fft_length(2 * (mx + rolling_columns) + 1);
+  o.length = good_fft_length(2 * (o.mx + rolling_columns) + 1);
   o.frequencies = o.length / 2 + 1;
   o.outputs = std::move(outputs);
   o.inputs = std::move(inputs);
@@ -126,7 +108,7 @@ void BasicStripOperator<Real>::transform(const InfluenceNumbers& numbers, int mx
   o.lines_out = o.ms * static_cast<int>(o.outputs.size());
 
   // The spectra of many pairs of rows at once: one product with the cosines (or sines) of the offsets.
-  const int used = std::min(numbers.offsets, mx + rolling_columns + 1);
+  const int used = std::min(numbers.offsets, o.mx + rolling_columns + 1);
   // columns: frequencies
   Eigen::MatrixXd cosines(used, o.frequencies), sines(used, o.frequencies);
   Eigen::ArrayXd angle = Eigen::ArrayXd::LinSpaced(o.length, 0, o.length - 1);
@@ -269,16 +251,23 @@ template <class Real> const Real* BasicStripOperator<Real>::Impl::apply(std::spa
   return second;
 }
 
+/// u at each element, of what `at` makes of the values from there on.
+template <class Real>
+template <class At>
+void BasicStripOperator<Real>::Impl::write(const Real* v, const At& at, std::span<Real> u) const {
+  const Real scale = 1.0 / length;
+  for (int line = 0; line < lines_out; ++line, v += transforms->shape.line())
+    for (int ix = 0; ix < mx; ++ix)
+      u[static_cast<std::size_t>(line) * mx + ix] = scale * at(v + ix);
+}
+
 template <class Real>
 void BasicStripOperator<Real>::apply(std::span<const Real> p, std::span<Real> u, int columns) const {
   const Impl& o = *impl_;
   if (o.plane)
     return o.plane->apply(p, u, columns);
-  const Real* v = o.apply(p) + columns;
-  const Real scale = 1.0 / o.length;
-  for (int line = 0; line < o.lines_out; ++line, v += o.transforms->shape.line())
-    for (int ix = 0; ix < o.mx; ++ix)
-      u[static_cast<std::size_t>(line) * o.mx + ix] = scale * v[ix];
+  o.write(
+      o.apply(p), [columns](const Real* v) { return v[columns]; }, u);
 }
 
 template <class Real>
@@ -286,12 +275,10 @@ void BasicStripOperator<Real>::apply_step(std::span<const Real> p, std::span<Rea
   const Impl& o = *impl_;
   if (o.plane)
     return o.plane->apply_step(p, u);
-  const Real* v = o.apply(p);
-  const Real scale = 1.0 / o.length;
-  for (int line = 0; line < o.lines_out; ++line, v += o.transforms->shape.line())
-    for (int ix = 0; ix < o.mx; ++ix)
-      u[static_cast<std::size_t>(line) * o.mx + ix] =
-          scale * (rolling_step[0] * v[ix] + rolling_step[1] * v[ix + 1] + rolling_step[2] * v[ix + 2]);
+  const auto step = [](const Real* v) {
+    return rolling_step[0] * v[0] + rolling_step[1] * v[1] + rolling_step[2] * v[2];
+  };
+  o.write(o.apply(p), step, u);
 }
 
 template class BasicStripOperator<double>;

@@ -11,11 +11,6 @@ namespace bem_contact::contact {
 
 class TransformPool;
 
-/// A run of the numbers' rows; count < 0: all from `first` on.
-struct RowRange {
-  int first = 0, count = -1;
-};
-
 /// u = A p on the grid [ms][mx], for some components. The influence numbers depend on x_I - x_J and on both
 /// rows: FFT in x, and one real (outputs * ms) x (inputs * ms) matrix for each frequency. The matrix is real
 /// because longitudinal tractions and displacements are multiplied by i, where the numbers are odd in x.
@@ -26,8 +21,9 @@ struct RowRange {
 /// `Real`: double, or float where a few digits are enough.
 template <class Real> class BasicStripOperator {
 public:
+  /// On all rows of the numbers.
   BasicStripOperator(const InfluenceNumbers& numbers, int mx, std::vector<int> outputs,
-                     std::vector<int> inputs, RowRange rows = {}, TransformPool* pool = nullptr);
+                     std::vector<int> inputs, TransformPool* pool = nullptr);
   /// On boxes of the grid; fields [component][box][ms][mx]. Where the numbers are not translational the boxes
   /// have the same columns.
   BasicStripOperator(const InfluenceNumbers& numbers, const Boxes& boxes, std::vector<int> outputs,
@@ -49,8 +45,6 @@ public:
 private:
   template <class Other> friend class BasicStripOperator;
   struct Impl;
-  void transform(const InfluenceNumbers& numbers, int mx, const std::vector<int>& rows,
-                 std::vector<int> outputs, std::vector<int> inputs, TransformPool* pool);
   std::unique_ptr<Impl> impl_;
 };
 

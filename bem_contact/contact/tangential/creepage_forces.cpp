@@ -1,7 +1,7 @@
 #include "bem_contact/contact/tangential/creepage_forces.hpp"
 
-#include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/tangential/kinetic_friction.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,13 +38,13 @@ std::optional<ForcedCreepage> CreepageForces::find(const std::vector<int>& compo
   if (system_.problem->kinetic != 1 || given_.contact.empty())
     return std::nullopt;
   const VectorXd start = state_.p;
-  ForcedCreepage found{creepage};
   ++solves_;
-  if (newton_for_forces(system_, given_, {components, wanted, share_, tolerance}, options_, work_, task_,
-                        state_, found))
-    return found;
-  state_.p = start;
-  return std::nullopt;
+  task_ = given_;
+  const PrescribedForces forces{components, wanted, share_, tolerance, creepage};
+  const auto found = newton_for_forces(system_, forces, options_, work_, task_, state_);
+  if (!found)
+    state_.p = start;
+  return found;
 }
 
 void CreepageForces::blend(const Solved& one, const Solved& other, double share) {

@@ -3,13 +3,13 @@
 #include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/tangential/creepage_forces.hpp"
 #include "bem_contact/contact/tangential/kinetic_friction.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace bem_contact::contact {

@@ -1,6 +1,6 @@
 #include "bem_contact/contact/tangential/element_sweeps.hpp"
 
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <Eigen/LU>
 

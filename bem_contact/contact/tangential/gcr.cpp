@@ -1,7 +1,7 @@
 #include "bem_contact/contact/tangential/gcr.hpp"
 
 #include "bem_contact/base/simd.hpp"
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <algorithm>
 #include <cstddef>

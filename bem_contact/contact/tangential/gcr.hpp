@@ -20,11 +20,17 @@ public:
   /// What follows is solved with the matrix B of these elements. What was kept with another one is forgotten.
   void use_elements(const std::vector<int>& elements);
 
+  /// When solve() ends.
+  struct Until {
+    double tolerance; ///< of the residual, over |rhs|
+    int products;     ///< at most so many
+  };
+
   /// product(z, Bz), image(z, Bz, Jz) and precondition(v, out) write Vectors of rhs's size. True when the
-  /// residual fell to tolerance * |rhs|; x is the best there is in any case. At most `most` products.
+  /// residual fell to the tolerance; x is the best there is in any case.
   template <class Product, class Image, class Precondition>
   bool solve(const Product& product, const Image& image, const Precondition& precondition,
-             const Eigen::VectorXd& rhs, double tolerance, int most, Eigen::VectorXd& x) {
+             const Eigen::VectorXd& rhs, const Until& until, Eigen::VectorXd& x) {
     const double length = rhs.norm();
     x.setZero(rhs.size());
     products_ = 0;
@@ -33,14 +39,14 @@ public:
     begin(rhs, length);
     while (next_kept())
       try_direction(image, true);
-    for (bool found = true; found && left_ > tolerance && products_ < most; ++products_) {
+    for (bool found = true; found && left_ > until.tolerance && products_ < until.products; ++products_) {
       make_room();
       precondition(residual_, z_.col(used_));
       product(z_.col(used_), bz_.col(used_));
       found = try_direction(image, false);
     }
     finish(length, x);
-    return left_ <= tolerance;
+    return left_ <= until.tolerance;
   }
 
   int products() const { return products_; } ///< of the last solution

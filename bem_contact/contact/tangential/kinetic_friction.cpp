@@ -1,6 +1,6 @@
 #include "bem_contact/contact/tangential/kinetic_friction.hpp"
 
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 #include "bem_contact/contact/tangential/solve_tangential.hpp"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "bem_contact/contact/tangential/newton.hpp"
 
-#include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/tangential/newton_matrix.hpp"
 #include "bem_contact/contact/tangential/row_sweeps.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <Eigen/LU>
 
@@ -200,14 +200,16 @@ void add_creepage(const TangentialSystem& system, const VectorXd& share, const E
   }
 }
 
-bool newton_for_forces(const TangentialSystem& system, const TangentialTask& given,
-                       const PrescribedForces& forces, const SolverOptions& options, WorkBudget& work,
-                       TangentialTask& task, TangentialState& state, ForcedCreepage& found) {
+std::optional<ForcedCreepage> newton_for_forces(const TangentialSystem& system,
+                                                const PrescribedForces& forces, const SolverOptions& options,
+                                                WorkBudget& work, TangentialTask& task,
+                                                TangentialState& state) {
   const int n = system.size();
   if (state.p.size() != 2 * n)
     state.p = VectorXd::Zero(2 * n);
   state.remark.clear();
-  const Eigen::Vector2d start = found.creepage;
+  const TangentialTask given = task;
+  ForcedCreepage found{forces.start};
   const auto set_task = [&] {
     task = given;
     add_creepage(system, forces.share, found.creepage, task);
@@ -219,14 +221,14 @@ bool newton_for_forces(const TangentialSystem& system, const TangentialTask& giv
     const double missing = method.missing().norm() / forces.tolerance;
     state.converged = state.violation <= options.tolerance && missing <= 1;
     if (state.converged)
-      return true;
+      return found;
     if (steps == most_forced_steps || method.stalls())
-      return false;
+      return std::nullopt;
     ++state.iterations;
     const double rest = std::max(state.violation / options.tolerance, missing);
     if (!method.step(std::min(coarsest_newton_forcing, newton_end_forcing / rest), state))
-      return false;
-    found.creepage = start;
+      return std::nullopt;
+    found.creepage = forces.start;
     for (std::size_t k = 0; k < forces.components.size(); ++k) {
       found.creepage[forces.components[k]] += method.creepages()[k];
       found.compliance[forces.components[k]] = method.compliances()[k];

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace bem_contact::contact {
@@ -21,6 +22,7 @@ struct PrescribedForces {
   Eigen::Vector2d force;       ///< sum p_x dS and sum p_s share dS, N
   Eigen::VectorXd share;       ///< slip along s under a unit creepage along s; field
   double tolerance = 0;        ///< of the forces, N
+  Eigen::Vector2d start;       ///< creepages along x and s to begin with
 };
 
 /// Creepages along x and s, and what a unit of the force along x or s changes of each: 1/N (shift: mm/N), by
@@ -31,11 +33,12 @@ struct ForcedCreepage {
 };
 
 /// The same with the creepages as further unknowns, whose equations are the forces: the system of a step has
-/// as many columns more. False where it did not converge; then task, state and creepage are of its last step.
-/// `given` is the task without these creepages; `task` leaves with them.
-bool newton_for_forces(const TangentialSystem& system, const TangentialTask& given,
-                       const PrescribedForces& forces, const SolverOptions& options, WorkBudget& work,
-                       TangentialTask& task, TangentialState& state, ForcedCreepage& found);
+/// as many columns more. Nothing where it did not converge; then task and state are of its last step.
+/// `task` comes without these creepages and leaves with them.
+std::optional<ForcedCreepage> newton_for_forces(const TangentialSystem& system,
+                                                const PrescribedForces& forces, const SolverOptions& options,
+                                                WorkBudget& work, TangentialTask& task,
+                                                TangentialState& state);
 
 /// Adds the slip of creepages to the rigid slip and drive of a task.
 void add_creepage(const TangentialSystem& system, const Eigen::VectorXd& share,

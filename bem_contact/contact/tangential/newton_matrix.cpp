@@ -1,6 +1,6 @@
 #include "bem_contact/contact/tangential/newton_matrix.hpp"
 
-#include "bem_contact/contact/settings.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 #include "bem_contact/influence/dense.hpp"
 
 #include <Eigen/Dense>
@@ -217,7 +217,7 @@ bool NewtonMatrix::solve_by_gcr(const Linearisation& at, double tolerance, Tange
   const auto image = [&](const auto& v, const auto& bv, VectorXf& result) { jacobian.image(v, bv, result); };
   const auto inverse = [&](const VectorXf& v, auto&& result) { jacobian.precondition(v, result); };
   const bool enough =
-      scratch_->gcr.solve(product, image, inverse, -at.residual, tolerance, most_gcr_products, step);
+      scratch_->gcr.solve(product, image, inverse, -at.residual, {tolerance, most_gcr_products}, step);
   state.products += scratch_->gcr.products();
   return enough || elements_.unknowns() / 2 > most_dense_elements;
 }

@@ -1,8 +1,8 @@
 #include "bem_contact/contact/tangential/row_sweeps.hpp"
 
 #include "bem_contact/base/simd.hpp"
-#include "bem_contact/contact/settings.hpp"
 #include "bem_contact/contact/tangential/element_sweeps.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 #include "bem_contact/contact/tangential/step_box.hpp"
 
 #include <algorithm>

@@ -1,11 +1,9 @@
 #include "bem_contact/contact/tangential/solve_tangential.hpp"
 
 #include "bem_contact/contact/operator/norm_bound.hpp"
-#include "bem_contact/contact/settings.hpp"
-#include "bem_contact/contact/solver_options.hpp"
 #include "bem_contact/contact/tangential/element_sweeps.hpp"
 #include "bem_contact/contact/tangential/newton.hpp"
-#include "bem_contact/contact/tangential/tangential_system.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

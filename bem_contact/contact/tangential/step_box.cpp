@@ -64,8 +64,7 @@ StepBox::StepBox(const InfluenceNumbers& numbers, const Boxes& boxes, const std:
       tt_(numbers, boxes, {component_x, component_s}, {component_x, component_s}, pool), fast_(tt_, pool) {
   using Inverse = BasicPlaneOperator<float>;
   for (const int c : {component_x, component_s}) {
-    const Inverse a(numbers, boxes.mx(), boxes.ms(), {c}, {c}, Inverse::Form::periodic,
-                    boxes.boxes.front().first_s + boxes.ms() / 2, pool);
+    const Inverse a(numbers, Boxes{{boxes.boxes.front()}}, {c}, {c}, Inverse::Form::periodic, pool);
     for (auto* list : {&behind_, &ahead_, &periodic_})
       list->emplace_back(a);
     behind_.back().invert_factor(Inverse::Factor::behind);

@@ -11,7 +11,7 @@ const StripOperator& TangentialOperators::whole(const ContactProblem& problem, W
   if (!whole_) {
     const std::vector<int> tangential{component_x, component_s};
     work.spend(spectra_work(problem.numbers.translational, 4, problem.grid.ms, problem.grid.mx));
-    whole_.emplace(problem.numbers, problem.grid.mx, tangential, tangential, RowRange{}, pool_.get());
+    whole_.emplace(problem.numbers, problem.grid.mx, tangential, tangential, pool_.get());
   }
   return *whole_;
 }

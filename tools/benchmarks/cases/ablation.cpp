@@ -33,10 +33,10 @@ double quantile(std::vector<double> v, double share) {
 
 using Change = std::function<void(SceneFile&)>;
 
-Tally run(const SweepFile& sweep, const SequenceOptions& options, const std::vector<Reference>& exact,
+Tally run(const SweepFile& sweep, const SequenceAblation& options, const std::vector<Reference>& exact,
           const Change& change) {
   Tally tally;
-  Sequence sequence(options);
+  Sequence sequence({.ablation = options});
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     SceneFile scene = sweep.scene(i);
     change(scene);
@@ -84,7 +84,7 @@ void ablation(const SweepFile& sweep, const SweepFile& by) {
   const auto usual = [](SceneFile& s) { s.grid.accuracy = 0.02; };
   const auto elements = [](SceneFile& s) { s.grid.elements = 200; };
   print_head();
-  const auto row = [&](const std::string& name, const SequenceOptions& options, const Change& change) {
+  const auto row = [&](const std::string& name, const SequenceAblation& options, const Change& change) {
     print_row(name, run(sweep, options, exact, change));
   };
   row("everything, accuracy 2 %", {}, usual);
