@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopped.hpp"
 #include "bem_contact/c/conformal_contact.h"
-#include "bem_contact/contact/work.hpp"
 
 #include <algorithm>
 #include <cstring>

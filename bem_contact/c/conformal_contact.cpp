@@ -58,11 +58,21 @@ int open(conformal_contact** handle, char* message, int size, const Open& open_s
   });
 }
 
+/// A stop holds until it has ended a solution: one that came before the solution began is not lost.
+SceneResult solved_or_stopped(conformal_contact* handle) {
+  try {
+    end_if_stopped(&handle->stop);
+    return handle->sequence.solve(handle->reader.scene(), &handle->stop);
+  } catch (const Stopped&) {
+    handle->stop = false;
+    throw;
+  }
+}
+
 /// Like the program's: no certificate, no success.
 void solve(conformal_contact* handle) {
-  handle->stop = false;
   handle->result.reset();
-  handle->result = handle->sequence.solve(handle->reader.scene(), &handle->stop);
+  handle->result = solved_or_stopped(handle);
   const ContactResult& last = handle->result->result;
   if (!certified(*handle->result))
     throw ConvergenceError("The result is not a solution",

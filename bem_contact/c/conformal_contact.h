@@ -67,7 +67,9 @@ int conformal_set_text(conformal_contact* handle, int key, const char* value);
 /* Solves the scene as it is now. With CONFORMAL_NOT_CONVERGED there may be a result, which is not certified.
  */
 int conformal_solve(conformal_contact* handle);
-/* From another thread: conformal_solve() ends soon with CONFORMAL_STOPPED. */
+/* From any thread: conformal_solve() ends soon with CONFORMAL_STOPPED. If none runs, or the one that runs has
+ * its result already, the next one ends so, before it computes anything. CONFORMAL_STOPPED ends the stop: the
+ * call after it solves again. Several stops before it are one. */
 int conformal_stop(conformal_contact* handle);
 
 /* Totals of the last result, on the rail. */

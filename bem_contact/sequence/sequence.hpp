@@ -64,7 +64,7 @@ public:
   /// most_solves times, until its estimated error is within the accuracy. The grid of a wheel on a rail grows
   /// until the contact lies inside. Throws InputError for wrong input, ConvergenceError if the work budget is
   /// used up; any other lack of convergence is in the result. If another thread sets `stop`, the solution
-  /// ends with Stopped (contact/work.hpp) at the next product with influence numbers.
+  /// ends with Stopped (base/stopped.hpp) at the next product with influence numbers.
   SceneResult solve(const SceneFile& scene, const std::atomic<bool>* stop = nullptr);
 
   /// Solves a scene with each model, at equal forces and at equal position. All models have elements of the
