@@ -6,6 +6,7 @@
 #include "bem_contact/c/result_values.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -73,12 +74,8 @@ SceneResult solved_or_stopped(conformal_contact* handle) {
 void solve(conformal_contact* handle) {
   handle->result.reset();
   handle->result = solved_or_stopped(handle);
-  const ContactResult& last = handle->result->result;
   if (!certified(*handle->result))
-    throw ConvergenceError("The result is not a solution",
-                           fmt::format("its worst violation is {:.1e}, {:.0e} is allowed; {}",
-                                       last.certificate.worst(), last.certificate.tolerance, last.remark),
-                           "Coarsen the grid, lower solver.tolerance, or raise solver.max_outer.");
+    throw uncertified_error(*handle->result);
 }
 
 } // namespace

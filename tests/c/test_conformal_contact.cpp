@@ -1,3 +1,4 @@
+#include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/c/conformal_contact.h"
 #include "bem_contact/sequence/sequence.hpp"
 
@@ -213,6 +214,22 @@ TEST(C, ARefusedSolutionLeavesNoResult) {
   EXPECT_THAT(conformal_message(contact.get()), HasSubstr("load.force is given too"));
   double fx = 0;
   EXPECT_EQ(conformal_totals(contact.get(), &fx, 1), CONFORMAL_WRONG_INPUT);
+}
+
+/// Unlike bodies that may take one outer iteration only are no solution; bodies apart always are one.
+TEST(C, NamesTheStepThatFailed) {
+  const TemporaryFolder folder;
+  folder.write("steps.csv", "load\n0.01\n-0.01\n");
+  const Handle contact = open_file(folder.write(
+      "s.toml", "kind = 'patch'\nload.approach = 0.01\n[motion]\nkind = 'shift'\nfriction = 0.3\n"
+                "xi = 1e-3\nstep_table = 'steps.csv'\n[grid]\ndx = 0.5\nds = 0.5\nmx = 16\nms = 16\n"
+                "[gap]\na = 1e-3\nb = 1e-3\n[wheel.material]\nshear_modulus = 800\npoisson = 0\n"
+                "[solver]\nmax_outer = 1\n"));
+  EXPECT_EQ(conformal_solve(contact.get()), CONFORMAL_NOT_CONVERGED);
+  EXPECT_THAT(conformal_message(contact.get()), HasSubstr("step 1 of 2 is not a solution"));
+  double totals[CONFORMAL_TOTALS];
+  ASSERT_EQ(conformal_totals(contact.get(), totals, CONFORMAL_TOTALS), CONFORMAL_OK);
+  EXPECT_LE(totals[CONFORMAL_CERTIFICATE], 1e-6) << "that of the last step";
 }
 
 /// Whoever asks for a stop cannot know whether the solution has begun.
