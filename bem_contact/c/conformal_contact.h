@@ -3,7 +3,7 @@
  *
  *     conformal_contact *contact;
  *     char message[1000];
- *     double totals[CONFORMAL_TOTALS];
+ *     double totals[CONFORMAL_TOTALS], errors[CONFORMAL_TOTALS];
  *     int lateral;
  *     if (conformal_open_file("scene.toml", &contact, message, sizeof message) != CONFORMAL_OK) ...
  *     conformal_key(contact, "position.lateral", &lateral);       once
@@ -11,6 +11,8 @@
  *       conformal_set_number(contact, lateral, 6.6);
  *       if (conformal_solve(contact) != CONFORMAL_OK) puts(conformal_message(contact));
  *       conformal_totals(contact, totals, CONFORMAL_TOTALS);      totals[CONFORMAL_FX] is in N
+ *       conformal_total_errors(contact, errors, CONFORMAL_TOTALS);
+ *       printf("%g +- %g N", totals[CONFORMAL_FX], errors[CONFORMAL_FX]);
  *     }
  *     conformal_close(contact);
  *
@@ -89,6 +91,14 @@ int conformal_stop(conformal_contact* handle);
 #define CONFORMAL_TOTALS 13         /* how many there are; later versions append */
 /* Copies the first `count` of them. */
 int conformal_totals(conformal_contact* handle, double* totals, int count);
+/* Their stated errors in the same order, each in the unit of its number: what the size of the elements is
+ * estimated to cause. 0: the number is prescribed. Not a number (not equal to itself): it has none,
+ * as by the model "hertz". */
+int conformal_total_errors(conformal_contact* handle, double* errors, int count);
+
+/* The model that the last result was solved with ("hertz", "halfspace", "tangent_plane" or "fem"), and why it
+ * was this one. *reason is valid until the next conformal_solve(). */
+int conformal_model(conformal_contact* handle, const char** name, const char** reason);
 
 /* Patches, the one with the largest force first: values of one patch. A value that a patch does not have is
  * not a number (not equal to itself): a scene of kind "patch" has no profiles, a frictionless one no
@@ -129,6 +139,8 @@ int conformal_totals(conformal_contact* handle, double* totals, int count);
 #define CONFORMAL_PATCH_VALUES 32         /* how many there are; later versions append */
 int conformal_patch_count(conformal_contact* handle, int* count);
 int conformal_patch(conformal_contact* handle, int index, double* values, int count);
+/* The stated errors of the values of one patch, as conformal_total_errors() has those of the totals. */
+int conformal_patch_errors(conformal_contact* handle, int index, double* errors, int count);
 
 /* Arrays. Fields have ms rows of mx elements: element (ix, is) is values[is * mx + ix] (in Fortran:
  * values(mx, ms)). `count` must be exactly mx, ms or mx * ms. */
