@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -39,6 +40,11 @@ void add_group(H5Table& table, const std::string& group, const H5Table& members)
 
 /// The attribute of that name; "" where there is none, or a number.
 std::string text_attribute(const H5Table& table, const std::string& name);
+
+/// The dataset of that name in a table that was read from `file`. Throws InputError, naming both, where the
+/// table lacks it, or where it has not `count` numbers (no count: at least one).
+const H5Dataset& dataset_of(const H5Table& table, const std::string& name, const std::filesystem::path& file,
+                            std::optional<std::size_t> count = {});
 
 /// Writes the whole file at once. Throws InputError where it cannot be written.
 void write_h5(const std::filesystem::path& file, const H5Table& table);
