@@ -114,7 +114,7 @@ CaseRecord solve_case(Solver& solver, const SweepFile& sweep, std::size_t index,
                                   : kept(solver.sequence.solve(scene));
   } catch (const ConvergenceError& error) {
     failed(CaseStatus::not_certified, error.what());
-  } catch (const Error& error) {
+  } catch (const InputError& error) {
     failed(CaseStatus::refused, error.what());
   } catch (const std::exception& error) {
     failed(CaseStatus::not_certified, error.what());

@@ -63,7 +63,7 @@ CsvFiles csv_files(const std::filesystem::path& csv);
 ///   patches  a line a patch: case, patch, the keys swept over, status of the case, SweepColumns::patches;
 ///            not of wheelsets
 ///   units    a line a column of either: table, name, unit, description
-/// `top`: of read_sweep_top(). Throws InputError if a file cannot be written.
+/// `top`: of read_sweep_top(). Throws what write_text() does (base/output_file.hpp).
 void write_csv(const CsvFiles& files, const SweepFile& sweep, const H5Table& top,
                const std::vector<std::string>& reasons);
 

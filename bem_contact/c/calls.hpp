@@ -33,7 +33,7 @@ template <class Action> int guarded(std::string& message, const Action& action) 
   } catch (const ConvergenceError& error) {
     keep_text(error, message);
     return CONFORMAL_NOT_CONVERGED;
-  } catch (const Error& error) {
+  } catch (const InputError& error) {
     keep_text(error, message);
     return CONFORMAL_WRONG_INPUT;
   } catch (const std::exception& error) {

@@ -37,7 +37,7 @@ typedef struct conformal_contact conformal_contact;
 
 /* What functions return. */
 #define CONFORMAL_OK 0            /* solved, and the certificate holds */
-#define CONFORMAL_UNFORESEEN 1    /* an error of this library, or no memory */
+#define CONFORMAL_UNFORESEEN 1    /* an error of this library or of the machine */
 #define CONFORMAL_WRONG_INPUT 2   /* the scene, a value, an index or a size is wrong */
 #define CONFORMAL_NOT_CONVERGED 3 /* there is no certified result */
 #define CONFORMAL_STOPPED 4       /* conformal_stop() was called */

@@ -103,8 +103,8 @@ void seal_file(const std::filesystem::path& file, int format_major, int format_m
   out.write(text.data(), text.size());
   out.close();
   if (!out)
-    throw InputError("the influence file '" + file.string() + "' cannot be written", "the disk may be full",
-                     "Make room and run again.");
+    throw Error("the influence file '" + file.string() + "' cannot be written", "the disk may be full",
+                "Make room and run again.");
 }
 
 bool begins_with_seal(const std::filesystem::path& file) {

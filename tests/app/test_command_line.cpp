@@ -260,6 +260,17 @@ TEST_F(CommandLine, AnUnwritableResultIsRefused) {
   refused(r, {"r.h5", "cannot be written"});
 }
 
+/// The name can be written to, and the disk is full: the machine is to blame, not the input.
+TEST_F(CommandLine, AFullDiskIsOne) {
+  const std::string scene = write("s.toml", hertz).string();
+  for (const std::string& command : {std::string("conicity --wheel S1002 --rail 60E1 --csv /dev/full"),
+                                     "solve '" + scene + "' --vtk /dev/full"}) {
+    const Outcome r = run(command);
+    EXPECT_EQ(r.code, 1) << command;
+    EXPECT_THAT(r.err, HasSubstr("The file '/dev/full' cannot be written (No space left"));
+  }
+}
+
 TEST_F(CommandLine, AFolderIsNoOutputAndNothingIsLeftBesideIt) {
   const std::string scene = write("s.toml", hertz).string();
   std::filesystem::create_directory(folder_ / "taken");
