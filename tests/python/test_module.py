@@ -12,6 +12,7 @@ import sys
 import tempfile
 import threading
 import unittest
+import unittest.mock
 from pathlib import Path
 
 import h5py
@@ -120,6 +121,19 @@ class Module(unittest.TestCase):
             self.assertTrue(r.certified)
             self.assertAlmostEqual(r.Fy, alone.Fy, delta=1e-5 * alone.Fz)
             self.assertAlmostEqual(r.Fx, alone.Fx, delta=1e-4 * alone.Fz)
+
+    def test_every_error_has_one_base(self):
+        """Also an error of the machine, which was a RuntimeError like any other."""
+        self.assertFalse(issubclass(bem_contact.Error, (ValueError, RuntimeError)))
+        for kind, usual in ((bem_contact.InputError, ValueError), (bem_contact.ConvergenceError, RuntimeError)):
+            self.assertTrue(issubclass(kind, bem_contact.Error) and issubclass(kind, usual))
+        with self.assertRaisesRegex(bem_contact.Error, "no such file") as caught:
+            bem_contact.solve("no/such.toml")
+        self.assertIs(type(caught.exception), bem_contact.InputError)
+        with unittest.mock.patch.dict(os.environ, TMPDIR="/no/such/folder"), \
+                self.assertRaisesRegex(bem_contact.Error, "No temporary folder") as caught:
+            bem_contact.wear(SCENES / "wear_collective.toml")
+        self.assertIs(type(caught.exception), bem_contact.Error)
 
     def test_a_history(self):
         r = bem_contact.solve(SCENES / "cattaneo.toml")
