@@ -18,7 +18,7 @@ namespace bem_contact {
 /// What a sequence keeps of earlier cases. Each can be switched off; tools/benchmarks/ablation shows what
 /// each saves.
 struct SequenceOptions {
-  bool keep_files = true; ///< profiles and influence files are read once
+  bool keep_files = true; ///< profiles and influence files are kept (SequenceFiles)
   /// Influence numbers of a known grid are not computed again, nor what the solver prepares from them.
   bool keep_numbers = true;
   /// A case starts from the tractions of the case before, moved and scaled. If the bodies may now touch in
