@@ -145,9 +145,9 @@ bool add_comment(const std::string& body_digest, const std::filesystem::path& fi
   return out.good();
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
-  throw InputError(fmt::format("the mesh cannot be written to '{}'", file.string()), why,
-                   "Give another file with -o.");
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& why) {
+  throw Error(fmt::format("the mesh cannot be written to '{}'", file.string()), why,
+              "Make room, or give another file with -o.");
 }
 
 /// Removes itself.
@@ -170,7 +170,7 @@ template <class Mesh> void write_checked(const Mesh& mesh, const std::filesystem
   write_with_gmsh(mesh, temporary.file.string());
   if (!is_whole(temporary.file) || !add_curved_edges(mesh, temporary.file) ||
       !add_comment(mesh.body_digest, temporary.file))
-    refuse(output, "writing stopped early, the disk may be full");
+    fail(output, "writing stopped early, the disk may be full");
   if (target.stream) {
     const std::ifstream in(temporary.file, std::ios::binary);
     write_text(target.file, [&](std::ostream& out) { out << in.rdbuf(); });
@@ -181,7 +181,7 @@ template <class Mesh> void write_checked(const Mesh& mesh, const std::filesystem
     std::filesystem::permissions(temporary.file, std::filesystem::status(target.file).permissions(), error);
   std::filesystem::rename(temporary.file, target.file, error);
   if (error)
-    refuse(output, error.message());
+    fail(output, error.message());
 }
 
 } // namespace

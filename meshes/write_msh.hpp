@@ -15,7 +15,7 @@ void write_msh(const QuadMesh& mesh, const std::filesystem::path& file);
 
 /// Writes the mesh as MSH 4.1 (ASCII), first order, with the physical surfaces contact 1, held 2, free 3,
 /// symmetry 4 and the physical volume body 10; in its comments the section's curved edges. Written under a
-/// temporary name and renamed. Throws InputError when the file cannot be written.
+/// temporary name and renamed. Throws what write_text() does (base/output_file.hpp).
 void write_msh(const SolidMesh& mesh, const std::filesystem::path& file);
 
 } // namespace bem_contact::meshes

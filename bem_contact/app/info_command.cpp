@@ -22,7 +22,8 @@ H5Table without_cases(H5Table table) {
   return table;
 }
 
-std::string describe_table(const H5Table& table, const std::string& title) {
+std::string describe_table(const H5Table& table, const std::string& title,
+                           const std::filesystem::path& file) {
   std::string out = title + "\n";
   for (const auto& [name, value] : table.attributes)
     out += std::holds_alternative<std::string>(value)
@@ -33,7 +34,8 @@ std::string describe_table(const H5Table& table, const std::string& title) {
   out += "Datasets\n";
   for (const auto& [name, data] : table.datasets)
     out += data.shape.empty()
-               ? fmt::format("  {} = {:.6g} {}: {}\n", name, data.values.front(), data.unit, data.description)
+               ? fmt::format("  {} = {:.6g} {}: {}\n", name, dataset_of(table, name, file, 1).values.front(),
+                             data.unit, data.description)
                : fmt::format("  {} [{}] {}: {}\n", name, fmt::join(data.shape, "]["), data.unit,
                              data.description);
   return out;
@@ -84,7 +86,7 @@ std::string describe_file(const std::filesystem::path& file) {
   const std::string format = text_attribute(top, "format");
   for (const FileKind& kind : file_kinds)
     if (format == kind.format)
-      return describe_table(format == sweep_format ? without_cases(top) : read_h5(file), kind.title);
+      return describe_table(format == sweep_format ? without_cases(top) : read_h5(file), kind.title, file);
   throw InputError(fmt::format("'{}' is not a file of this project", file.string()),
                    "it is HDF5 and neither influence functions, nor plain numbers, nor a result, nor a sweep",
                    "Name a file that fem_influence or bem_contact wrote.");

@@ -88,9 +88,12 @@ int run_program(int argc, char** argv) {
   } catch (const ConvergenceError& error) {
     spdlog::error("{}", error.what());
     return no_convergence;
-  } catch (const Error& error) {
+  } catch (const InputError& error) {
     spdlog::error("{}", error.what());
     return wrong_input;
+  } catch (const Error& error) {
+    spdlog::error("{}", error.what());
+    return unforeseen;
   } catch (const std::exception& error) {
     if (std::ferror(stdout) == 0) // checked_exit_code() says it
       spdlog::error("Something this program did not foresee: {}", error.what());

@@ -10,6 +10,7 @@
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/settings.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -73,19 +74,11 @@ struct SceneArguments {
   int threads = 1;
 };
 
-/// Success only if the certificate holds.
+/// Success only if the result is certified().
 ExitCode verdict(const SceneResult& r) {
   if (certified(r))
     return success;
-  if (r.result.certificate.holds()) {
-    spdlog::error("A step before the last is not a solution, so neither is the last one (it starts from its "
-                  "tractions) Lower solver.tolerance, or raise solver.max_outer.");
-    return no_convergence;
-  }
-  spdlog::error(
-      "The {} result is not a solution (its worst violation is {:.1e}, {:.0e} is allowed; {}) Coarsen the "
-      "grid, lower solver.tolerance, or raise solver.max_outer.",
-      name_of(r.model), r.result.certificate.worst(), r.result.certificate.tolerance, r.result.remark);
+  spdlog::error("{}", uncertified_error(r).what());
   return no_convergence;
 }
 

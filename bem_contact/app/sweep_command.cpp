@@ -107,7 +107,7 @@ CaseRecord solve_case(Solver& solver, const SweepFile& sweep, std::size_t index,
                                   : kept(solver.sequence.solve(scene));
   } catch (const ConvergenceError& error) {
     failed(CaseStatus::not_certified, error.what());
-  } catch (const Error& error) {
+  } catch (const InputError& error) {
     failed(CaseStatus::refused, error.what());
   } catch (const std::exception& error) {
     failed(CaseStatus::not_certified, error.what());
@@ -172,13 +172,11 @@ void write_file(const std::filesystem::path& file, const std::vector<std::filesy
   writer.finish();
 }
 
-void write_csv_of(const std::filesystem::path& csv, const std::filesystem::path& file,
-                  const SweepFile& sweep) {
-  const H5Table table = read_h5_top(file, "patches");
+void write_csv_of(const std::filesystem::path& csv, const H5Table& top, const SweepFile& sweep) {
   std::vector<std::string> reasons(sweep.size());
   for (std::size_t i = 0; i < sweep.size(); ++i)
-    reasons[i] = text_attribute(table, fmt::format("cases/{:06}/reason", i));
-  write_csv(csv_files(csv), sweep, table, reasons);
+    reasons[i] = text_attribute(top, fmt::format("cases/{:06}/reason", i));
+  write_csv(csv_files(csv), sweep, top, reasons);
 }
 
 void check_outputs(const SweepFile& sweep, const SweepRequest& request,
@@ -241,9 +239,10 @@ SweepSummary run_sweep(const SweepRequest& request) {
     if (results.count(CaseStatus::missing) == 0)
       remove_journals(output);
   }
+  const H5Table top = read_sweep_top(output, sweep);
   if (!request.csv.empty())
-    write_csv_of(request.csv, output, sweep);
-  return summary_of(read_h5_top(output), share, head);
+    write_csv_of(request.csv, top, sweep);
+  return summary_of(top, share, head);
 }
 
 } // namespace

@@ -32,8 +32,8 @@ void write_all(int handle, const std::string& bytes, const std::filesystem::path
     if (n < 0 && errno == EINTR)
       continue;
     if (n <= 0)
-      throw InputError(fmt::format("The file '{}' cannot be written", file.string()), std::strerror(errno),
-                       "Check that the disk is not full; the cases finished before are kept.");
+      throw Error(fmt::format("The file '{}' cannot be written", file.string()), std::strerror(errno),
+                  "Check that the disk is not full; the cases finished before are kept.");
     done += static_cast<std::size_t>(n);
   }
 }
@@ -87,8 +87,8 @@ SweepJournal::SweepJournal(std::filesystem::path file, const std::string& digest
   try {
     const std::size_t good = read_journal(file_, digest, seen);
     if (ftruncate(handle_, static_cast<off_t>(good)) != 0 || lseek(handle_, 0, SEEK_END) < 0)
-      throw InputError(fmt::format("The file '{}' cannot be written", file_.string()), std::strerror(errno),
-                       "Check that you may write there.");
+      throw Error(fmt::format("The file '{}' cannot be written", file_.string()), std::strerror(errno),
+                  "Check that you may write there.");
     if (good == 0)
       write_all(handle_, header_of(digest), file_);
   } catch (...) {

@@ -18,7 +18,8 @@ namespace bem_contact::app {
 class SweepJournal {
 public:
   /// Makes the file, or continues it and calls `seen` with each complete record.
-  /// Throws InputError if it belongs to a sweep of another digest, is in use, or cannot be written.
+  /// Throws InputError if it belongs to a sweep of another digest, is in use, or cannot be opened; Error
+  /// where writing fails.
   SweepJournal(std::filesystem::path file, const std::string& digest,
                const std::function<void(const CaseRecord&)>& seen);
   ~SweepJournal();

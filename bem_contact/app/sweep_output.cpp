@@ -1,6 +1,7 @@
 #include "bem_contact/app/sweep_output.hpp"
 
 #include "bem_contact/app/file_kinds.hpp"
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 
 #include <algorithm>
@@ -136,6 +137,43 @@ H5Table SweepOutput::top() const {
     a[name] = static_cast<double>(count(static_cast<CaseStatus>(s)));
   }
   return table;
+}
+
+namespace {
+
+/// Throws InputError where a number is not one of 0, 1, ... below `count`, which it stands for.
+void require_below(std::size_t count, const H5Table& table, const std::string& name,
+                   const std::filesystem::path& file, bool may_be_nan = false) {
+  for (const double value : table.datasets.at(name).values)
+    if (!(value >= 0 && value < static_cast<double>(count)) && !(may_be_nan && std::isnan(value)))
+      throw InputError(fmt::format("The file '{}' is damaged", file.string()),
+                       fmt::format("its dataset '{}' has a number {}, not 0 to {}", name, value, count - 1),
+                       "Copy it again from where it was whole, or make it again.");
+}
+
+} // namespace
+
+H5Table read_sweep_top(const std::filesystem::path& file, const SweepFile& sweep) {
+  H5Table top = read_h5_top(file, "patches");
+  const SweepColumns& columns = columns_of(sweep);
+  for (const char* name : {"status", "seconds", "cpu_seconds"})
+    dataset_of(top, name, file, sweep.size());
+  require_below(EnumNames<CaseStatus>::names.size(), top, "status", file);
+  for (const Column& column : columns.cases) {
+    dataset_of(top, column.name, file, sweep.size());
+    if (is_model(column))
+      require_below(EnumNames<Model>::names.size(), top, column.name, file, true);
+  }
+  if (columns.patches.empty())
+    return top;
+  const auto cases = top.datasets.find("patches/case");
+  const std::size_t rows = cases == top.datasets.end() ? 0 : cases->second.values.size();
+  for (const char* name : {"patches/case", "patches/patch"})
+    dataset_of(top, name, file, rows);
+  require_below(sweep.size(), top, "patches/case", file);
+  for (const Column& column : columns.patches)
+    dataset_of(top, "patches/" + column.name, file, rows);
+  return top;
 }
 
 H5Table group_of(const CaseRecord& record) {

@@ -41,6 +41,10 @@ private:
   std::vector<CaseRecord> cases_; ///< without their fields
 };
 
+/// The top of a sweep's file with its patches. Throws InputError unless it has every dataset of this sweep,
+/// each as long as the sweep has cases or the file has patches.
+H5Table read_sweep_top(const std::filesystem::path& file, const SweepFile& sweep);
+
 /// Whether the cases are solved by solve_wheelset().
 bool is_of_wheelsets(const SweepFile& sweep);
 
@@ -59,7 +63,7 @@ CsvFiles csv_files(const std::filesystem::path& csv);
 ///   patches  a line a patch: case, patch, the keys swept over, status of the case, SweepColumns::patches;
 ///            not of wheelsets
 ///   units    a line a column of either: table, name, unit, description
-/// `top` has the group "patches". Throws InputError if a file cannot be written.
+/// `top`: of read_sweep_top(). Throws what write_text() does (base/output_file.hpp).
 void write_csv(const CsvFiles& files, const SweepFile& sweep, const H5Table& top,
                const std::vector<std::string>& reasons);
 

@@ -3,6 +3,7 @@
 #include "bem_contact/app/result_file.hpp"
 #include "bem_contact/contact/history.hpp"
 #include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
 #include "bem_contact/wheelset/quantities.hpp"
 
 #include <algorithm>
@@ -125,15 +126,9 @@ bool is_model(const Column& column) {
 CaseRecord case_record(std::size_t index, const SceneResult& result, bool fields) {
   CaseRecord record;
   record.index = index;
-  const Certificate& certificate = result.result.certificate;
   const bool all = certified(result);
   record.status = all ? CaseStatus::certified : CaseStatus::not_certified;
-  if (!certificate.holds())
-    say(record, fmt::format("its worst violation is {:.1e}, {:.0e} is allowed", certificate.worst(),
-                            certificate.tolerance));
-  else if (!all)
-    say(record, "a step before the last is not a solution");
-  say(record, result.result.remark);
+  say(record, all ? result.result.remark : why_uncertified(result));
   for (const std::string& warning : result.warnings)
     say(record, warning);
   record.summary = values_of(quantities(), result);
@@ -153,9 +148,8 @@ CaseRecord case_record(std::size_t index, const WheelsetResult& result, bool fie
   for (const WheelSide side : both_sides) {
     const SceneResult& wheel = result.state.solved(side);
     const std::string name(name_of(side));
-    if (const Certificate& c = wheel.result.certificate; !c.holds())
-      say(record, fmt::format("{} wheel: its worst violation is {:.1e}, {:.0e} is allowed", name, c.worst(),
-                              c.tolerance));
+    if (!certified(wheel))
+      say(record, fmt::format("{} wheel: {}", name, why_uncertified(wheel)));
     if (fields)
       add_group(record.fields, name + "/", to_case_table(wheel));
   }

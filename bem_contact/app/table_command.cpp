@@ -15,6 +15,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -216,7 +217,11 @@ table::PointsSolver side_by_side(std::function<table::PointSolver()> make, int j
       out[index] = bytes.empty() ? make()(points[index]) : point_of(bytes);
       progress.step();
     };
-    calls.died = [&](std::size_t index, const std::string&) { calls.done(index, ""); };
+    calls.died = [&](std::size_t index, const std::string& reason) { // here it would end this process too
+      throw ConvergenceError(
+          fmt::format("The point ({:.6g}) of the table has no result", fmt::join(points[index], ", ")),
+          reason, "If memory ran out, give a smaller --jobs; else solve this point alone to see why.");
+    };
     solve_in_processes(chunks_of(points.size()), jobs, calls);
     progress.finish();
     return out;

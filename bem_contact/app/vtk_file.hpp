@@ -8,7 +8,7 @@ namespace bem_contact::app {
 
 /// Writes the rail's surface in space with pressure, traction (vector), state, slip and undeformed distance
 /// on its elements: a VTK XML StructuredGrid in ASCII, which ParaView opens. The frame is the project's: z is
-/// down, so turn the view by 180 degrees about x. Throws InputError where it cannot be written.
+/// down, so turn the view by 180 degrees about x. Throws what write_whole() does (base/output_file.hpp).
 void write_vts(const std::filesystem::path& file, const SceneResult& result);
 
 } // namespace bem_contact::app

@@ -40,26 +40,10 @@ H5Table table_of(const WearState& state, const std::string& digest) {
   return table;
 }
 
-/// A dataset of `count` numbers.
-const std::vector<double>& values_of(const H5Table& table, const std::string& name, std::size_t count) {
-  const auto found = table.datasets.find(name);
-  if (found == table.datasets.end() || found->second.values.size() != count)
-    throw InputError(fmt::format("The state {} of this wear is damaged", state_file),
-                     fmt::format("'{}' is not {} numbers", name, count),
-                     "Remove the folder and begin again.");
-  return found->second.values;
-}
-
-std::size_t size_of(const H5Table& table, const std::string& name) {
-  const auto found = table.datasets.find(name);
-  return found == table.datasets.end() ? 0 : found->second.values.size();
-}
-
-wear::WornBody body_of(const H5Table& table, const std::string& name, double area) {
-  const std::size_t count =
-      std::max<std::size_t>(size_of(table, name + "/depth"), 3); // of a profile's points
-  wear::WornBody out{.points = {}, .depth = values_of(table, name + "/depth", count), .area = area};
-  const std::vector<double>& points = values_of(table, name + "/profile", 2 * count);
+wear::WornBody body_of(const H5Table& table, const std::string& name, const std::filesystem::path& file,
+                       double area) {
+  wear::WornBody out{.points = {}, .depth = dataset_of(table, name + "/depth", file).values, .area = area};
+  const std::vector<double>& points = dataset_of(table, name + "/profile", file, 2 * out.depth.size()).values;
   for (std::size_t i = 0; i < points.size(); i += 2)
     out.points.push_back({points[i], points[i + 1]});
   return out;
@@ -97,19 +81,20 @@ std::optional<WearState> read_wear(const std::filesystem::path& folder, const st
              "Give a new folder, or an empty one.");
     return std::nullopt;
   }
-  const H5Table table = read_h5(folder / state_file);
+  const std::filesystem::path file = folder / state_file;
+  const H5Table table = read_h5(file);
   if (text_attribute(table, "format") != wear_format || text_attribute(table, "digest") != digest)
     refuse(digest_changed, "Give another folder, or remove it.");
   WearState state;
-  state.history.resize(std::max<std::size_t>(size_of(table, "step"), 1));
+  state.history.resize(dataset_of(table, "step", file).values.size());
   for (const wear::WearColumn& column : wear::wear_columns) {
-    const std::vector<double>& values = values_of(table, column.name, state.history.size());
+    const std::vector<double>& values = dataset_of(table, column.name, file, state.history.size()).values;
     for (std::size_t i = 0; i < state.history.size(); ++i)
       state.history[i].*column.member = values[i];
   }
   const wear::WearRow& last = state.history.back();
-  state.step = static_cast<int>(last.step);
-  state.pair = {body_of(table, "rail", last.rail_area), body_of(table, "wheel", last.wheel_area),
+  state.step = static_cast<int>(state.history.size()) - 1;
+  state.pair = {body_of(table, "rail", file, last.rail_area), body_of(table, "wheel", file, last.wheel_area),
                 last.revolutions};
   return state;
 }

@@ -8,7 +8,9 @@
 
 namespace bem_contact {
 
-/// An error a user can act on. what() reads "<problem> (<why it is one>) <what to do>".
+/// An error a user can act on. what() reads "<problem> (<why it is one>) <what to do>". If it is neither of
+/// the classes below, the machine is to blame and not the input: a disk that gets full while a file is
+/// written, a process that cannot be started. Programs exit with 1.
 class Error : public std::runtime_error {
 public:
   /// The three parts of what(): "<problem> (<why>) <what to do>".

@@ -27,6 +27,12 @@ constexpr int most_links = 40; // as many as Linux follows
   throw InputError("The file '" + file.string() + "' cannot be written", why, what_to_do);
 }
 
+/// Of a name that could be written to.
+[[noreturn]] void fail(const fs::path& file, const std::string& why) {
+  throw Error("The file '" + file.string() + "' cannot be written", why,
+              "Check that the disk is not full and that you may write there.");
+}
+
 fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
@@ -93,8 +99,6 @@ std::string last_error(const char* otherwise) {
   return errno != 0 ? std::generic_category().message(errno) : otherwise;
 }
 
-constexpr const char* check_disk = "Check that the disk is not full and that you may write there.";
-
 void write_through(const fs::path& file, const std::function<void(std::ostream&)>& write) {
   struct stat found {};
   const bool known = stat(file.c_str(), &found) == 0;
@@ -109,31 +113,35 @@ void write_through(const fs::path& file, const std::function<void(std::ostream&)
     write(out);
   out.flush();
   if (!out)
-    refuse(file, last_error("writing stopped early"), check_disk);
+    fail(file, last_error("writing stopped early"));
 }
+
+/// Removes itself; nothing is left to remove once it has its final name.
+struct TemporaryFile {
+  fs::path name;
+  ~TemporaryFile() {
+    std::error_code ignored;
+    fs::remove(name, ignored);
+  }
+};
 
 void replace(const fs::path& file, const std::function<void(std::ostream&)>& write) {
   struct stat before {};
   const bool existed = stat(file.c_str(), &before) == 0;
-  fs::path temporary = file;
-  temporary += ".tmp" + std::to_string(getpid());
-  std::error_code failed;
+  const TemporaryFile temporary{file.string() + ".tmp" + std::to_string(getpid())};
   errno = 0;
-  std::ofstream out(temporary, std::ios::binary);
+  std::ofstream out(temporary.name, std::ios::binary);
   if (out)
     write(out);
   out.close();
-  const bool written = static_cast<bool>(out);
-  const std::string why = written ? "" : last_error("writing stopped early");
-  if (written && existed)
-    chmod(temporary.c_str(), before.st_mode & 07777);
-  if (written)
-    fs::rename(temporary, file, failed);
-  if (written && !failed)
-    return;
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
-  refuse(file, failed ? failed.message() : why, check_disk);
+  if (!out)
+    fail(file, last_error("writing stopped early"));
+  if (existed)
+    chmod(temporary.name.c_str(), before.st_mode & 07777);
+  std::error_code failed;
+  fs::rename(temporary.name, file, failed);
+  if (failed)
+    fail(file, failed.message());
 }
 
 } // namespace

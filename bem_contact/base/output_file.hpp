@@ -42,7 +42,7 @@ OutputTarget output_target(const std::filesystem::path& output, OutputForm form)
 
 /// Writes a file that is whole or absent: under a temporary name beside it, and renamed when complete. A link
 /// is followed, and what it leads to is replaced. An existing file keeps its permissions. Throws InputError
-/// where it cannot be written.
+/// for a name that cannot be written to (output_target()), Error where writing fails, as on a full disk.
 void write_whole(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 /// The same for text, which a stream takes too.
 void write_text(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);

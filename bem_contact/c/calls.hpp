@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopped.hpp"
 #include "bem_contact/c/conformal_contact.h"
-#include "bem_contact/contact/work.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -33,7 +33,7 @@ template <class Action> int guarded(std::string& message, const Action& action) 
   } catch (const ConvergenceError& error) {
     keep_text(error, message);
     return CONFORMAL_NOT_CONVERGED;
-  } catch (const Error& error) {
+  } catch (const InputError& error) {
     keep_text(error, message);
     return CONFORMAL_WRONG_INPUT;
   } catch (const std::exception& error) {

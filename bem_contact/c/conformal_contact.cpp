@@ -6,6 +6,7 @@
 #include "bem_contact/c/result_values.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -49,6 +50,15 @@ const SceneResult& result_of(const conformal_contact* handle) {
   return *handle->result;
 }
 
+/// Throws InputError if there is no such patch.
+std::size_t patch_at(const SceneResult& result, int index) {
+  const std::size_t count = result.result.patches.size();
+  if (index < 0 || index >= static_cast<int>(count))
+    throw InputError(fmt::format("There is no patch {}", index), fmt::format("there are {}", count),
+                     "Count them with conformal_patch_count(); the first is 0.");
+  return static_cast<std::size_t>(index);
+}
+
 template <class Open>
 int open(conformal_contact** handle, char* message, int size, const Open& open_scene) noexcept {
   return told(message, size, [&] {
@@ -58,17 +68,23 @@ int open(conformal_contact** handle, char* message, int size, const Open& open_s
   });
 }
 
+/// A stop holds until it has ended a solution: one that came before the solution began is not lost.
+SceneResult solved_or_stopped(conformal_contact* handle) {
+  try {
+    end_if_stopped(&handle->stop);
+    return handle->sequence.solve(handle->reader.scene(), &handle->stop);
+  } catch (const Stopped&) {
+    handle->stop = false;
+    throw;
+  }
+}
+
 /// Like the program's: no certificate, no success.
 void solve(conformal_contact* handle) {
-  handle->stop = false;
   handle->result.reset();
-  handle->result = handle->sequence.solve(handle->reader.scene(), &handle->stop);
-  const ContactResult& last = handle->result->result;
+  handle->result = solved_or_stopped(handle);
   if (!certified(*handle->result))
-    throw ConvergenceError("The result is not a solution",
-                           fmt::format("its worst violation is {:.1e}, {:.0e} is allowed; {}",
-                                       last.certificate.worst(), last.certificate.tolerance, last.remark),
-                           "Coarsen the grid, lower solver.tolerance, or raise solver.max_outer.");
+    throw uncertified_error(*handle->result);
 }
 
 } // namespace
@@ -153,6 +169,22 @@ int conformal_totals(conformal_contact* handle, double* totals, int count) {
   });
 }
 
+int conformal_total_errors(conformal_contact* handle, double* errors, int count) {
+  return with(handle, [&] {
+    require(errors, "the array");
+    copy_first(total_errors_of(result_of(handle)), errors, count);
+  });
+}
+
+int conformal_model(conformal_contact* handle, const char** name, const char** reason) {
+  return with(handle, [&] {
+    require(name && reason, "the name or the reason");
+    const SceneResult& result = result_of(handle);
+    *name = name_of(result.model).data(); // a literal
+    *reason = result.reason.c_str();
+  });
+}
+
 int conformal_patch_count(conformal_contact* handle, int* count) {
   return with(handle, [&] {
     require(count, "the count");
@@ -164,12 +196,15 @@ int conformal_patch(conformal_contact* handle, int index, double* values, int co
   return with(handle, [&] {
     require(values, "the array");
     const SceneResult& result = result_of(handle);
-    const std::vector<PatchSummary>& patches = result.result.patches;
-    if (index < 0 || index >= static_cast<int>(patches.size()))
-      throw InputError(fmt::format("There is no patch {}", index),
-                       fmt::format("there are {}", patches.size()),
-                       "Count them with conformal_patch_count(); the first is 0.");
-    copy_first(values_of(result, static_cast<std::size_t>(index)), values, count);
+    copy_first(values_of(result, patch_at(result, index)), values, count);
+  });
+}
+
+int conformal_patch_errors(conformal_contact* handle, int index, double* errors, int count) {
+  return with(handle, [&] {
+    require(errors, "the array");
+    const SceneResult& result = result_of(handle);
+    copy_first(errors_of(result, patch_at(result, index)), errors, count);
   });
 }
 

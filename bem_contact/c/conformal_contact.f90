@@ -77,6 +77,17 @@ module conformal_contact
       real(c_double), intent(out) :: totals(*)
       integer(c_int), value :: count
     end function
+    integer(c_int) function conformal_total_errors(handle, errors, count) bind(c)
+      import
+      type(c_ptr), value :: handle
+      real(c_double), intent(out) :: errors(*)
+      integer(c_int), value :: count
+    end function
+    integer(c_int) function conformal_model(handle, name, reason) bind(c)
+      import
+      type(c_ptr), value :: handle
+      type(c_ptr), intent(out) :: name, reason
+    end function
     integer(c_int) function conformal_patch_count(handle, count) bind(c)
       import
       type(c_ptr), value :: handle
@@ -87,6 +98,12 @@ module conformal_contact
       type(c_ptr), value :: handle
       integer(c_int), value :: index, count
       real(c_double), intent(out) :: values(*)
+    end function
+    integer(c_int) function conformal_patch_errors(handle, index, errors, count) bind(c)
+      import
+      type(c_ptr), value :: handle
+      integer(c_int), value :: index, count
+      real(c_double), intent(out) :: errors(*)
     end function
     integer(c_int) function conformal_grid(handle, mx, ms) bind(c)
       import

@@ -3,7 +3,7 @@
  *
  *     conformal_contact *contact;
  *     char message[1000];
- *     double totals[CONFORMAL_TOTALS];
+ *     double totals[CONFORMAL_TOTALS], errors[CONFORMAL_TOTALS];
  *     int lateral;
  *     if (conformal_open_file("scene.toml", &contact, message, sizeof message) != CONFORMAL_OK) ...
  *     conformal_key(contact, "position.lateral", &lateral);       once
@@ -11,6 +11,8 @@
  *       conformal_set_number(contact, lateral, 6.6);
  *       if (conformal_solve(contact) != CONFORMAL_OK) puts(conformal_message(contact));
  *       conformal_totals(contact, totals, CONFORMAL_TOTALS);      totals[CONFORMAL_FX] is in N
+ *       conformal_total_errors(contact, errors, CONFORMAL_TOTALS);
+ *       printf("%g +- %g N", totals[CONFORMAL_FX], errors[CONFORMAL_FX]);
  *     }
  *     conformal_close(contact);
  *
@@ -35,7 +37,7 @@ typedef struct conformal_contact conformal_contact;
 
 /* What functions return. */
 #define CONFORMAL_OK 0            /* solved, and the certificate holds */
-#define CONFORMAL_UNFORESEEN 1    /* an error of this library, or no memory */
+#define CONFORMAL_UNFORESEEN 1    /* an error of this library or of the machine */
 #define CONFORMAL_WRONG_INPUT 2   /* the scene, a value, an index or a size is wrong */
 #define CONFORMAL_NOT_CONVERGED 3 /* there is no certified result */
 #define CONFORMAL_STOPPED 4       /* conformal_stop() was called */
@@ -67,7 +69,9 @@ int conformal_set_text(conformal_contact* handle, int key, const char* value);
 /* Solves the scene as it is now. With CONFORMAL_NOT_CONVERGED there may be a result, which is not certified.
  */
 int conformal_solve(conformal_contact* handle);
-/* From another thread: conformal_solve() ends soon with CONFORMAL_STOPPED. */
+/* From any thread: conformal_solve() ends soon with CONFORMAL_STOPPED. If none runs, or the one that runs has
+ * its result already, the next one ends so, before it computes anything. CONFORMAL_STOPPED ends the stop: the
+ * call after it solves again. Several stops before it are one. */
 int conformal_stop(conformal_contact* handle);
 
 /* Totals of the last result, on the rail. */
@@ -87,6 +91,14 @@ int conformal_stop(conformal_contact* handle);
 #define CONFORMAL_TOTALS 13         /* how many there are; later versions append */
 /* Copies the first `count` of them. */
 int conformal_totals(conformal_contact* handle, double* totals, int count);
+/* Their stated errors in the same order, each in the unit of its number: what the size of the elements is
+ * estimated to cause. 0: the number is prescribed. Not a number (not equal to itself): it has none,
+ * as by the model "hertz". */
+int conformal_total_errors(conformal_contact* handle, double* errors, int count);
+
+/* The model that the last result was solved with ("hertz", "halfspace", "tangent_plane" or "fem"), and why it
+ * was this one. *reason is valid until the next conformal_solve(). */
+int conformal_model(conformal_contact* handle, const char** name, const char** reason);
 
 /* Patches, the one with the largest force first: values of one patch. A value that a patch does not have is
  * not a number (not equal to itself): a scene of kind "patch" has no profiles, a frictionless one no
@@ -127,6 +139,8 @@ int conformal_totals(conformal_contact* handle, double* totals, int count);
 #define CONFORMAL_PATCH_VALUES 32         /* how many there are; later versions append */
 int conformal_patch_count(conformal_contact* handle, int* count);
 int conformal_patch(conformal_contact* handle, int index, double* values, int count);
+/* The stated errors of the values of one patch, as conformal_total_errors() has those of the totals. */
+int conformal_patch_errors(conformal_contact* handle, int index, double* errors, int count);
 
 /* Arrays. Fields have ms rows of mx elements: element (ix, is) is values[is * mx + ix] (in Fortran:
  * values(mx, ms)). `count` must be exactly mx, ms or mx * ms. */

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <string_view>
+#include <tuple>
 
 namespace bem_contact {
 
@@ -42,7 +43,7 @@ template <class Table> const auto& named(const Table& table, std::string_view na
   return *std::ranges::find_if(table, [&](const auto& entry) { return name == entry.name; });
 }
 
-/// The entries of those names: looked up once, because callers ask at each time step.
+/// The entries of those names.
 template <class Table, std::size_t n>
 auto entries(const Table& table, const std::array<const char*, n>& names) {
   std::array<const typename Table::value_type*, n> out{};
@@ -51,24 +52,49 @@ auto entries(const Table& table, const std::array<const char*, n>& names) {
   return out;
 }
 
+// Looked up once, because callers ask at each time step.
+const auto& totals() {
+  static const auto all = entries(quantities(), total_names);
+  return all;
+}
+const auto& patch_numbers() {
+  static const auto all = entries(patch_quantities(), patch_names);
+  return all;
+}
+
+/// `of`: the result, and which patch.
+template <class Entries, class... Of> auto values_of_entries(const Entries& all, const Of&... of) {
+  std::array<double, std::tuple_size_v<Entries>> out{};
+  std::ranges::transform(all, out.begin(), [&](const auto* entry) { return entry->value(of...); });
+  return out;
+}
+template <class Entries, class... Of> auto errors_of_entries(const Entries& all, const Of&... of) {
+  std::array<double, std::tuple_size_v<Entries>> out{};
+  std::ranges::transform(all, out.begin(), [&](const auto* entry) {
+    return entry->error ? entry->error(of...) : unknown_error;
+  });
+  return out;
+}
+
 } // namespace
 
 std::array<double, CONFORMAL_TOTALS> totals_of(const SceneResult& result) {
-  static const auto totals = entries(quantities(), total_names);
-  std::array<double, CONFORMAL_TOTALS> out{};
-  for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = totals[i]->value(result);
+  auto out = values_of_entries(totals(), result);
   if (std::isnan(out[CONFORMAL_DISCRETISATION]))
     out[CONFORMAL_DISCRETISATION] = -1;
   return out;
 }
 
 std::array<double, CONFORMAL_PATCH_VALUES> values_of(const SceneResult& result, std::size_t patch) {
-  static const auto numbers = entries(patch_quantities(), patch_names);
-  std::array<double, CONFORMAL_PATCH_VALUES> out{};
-  for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = numbers[i]->value(result, patch);
-  return out;
+  return values_of_entries(patch_numbers(), result, patch);
+}
+
+std::array<double, CONFORMAL_TOTALS> total_errors_of(const SceneResult& result) {
+  return errors_of_entries(totals(), result);
+}
+
+std::array<double, CONFORMAL_PATCH_VALUES> errors_of(const SceneResult& result, std::size_t patch) {
+  return errors_of_entries(patch_numbers(), result, patch);
 }
 
 void copy_first(std::span<const double> values, double* to, int count) {

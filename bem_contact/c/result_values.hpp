@@ -11,6 +11,9 @@ namespace bem_contact {
 
 std::array<double, CONFORMAL_TOTALS> totals_of(const SceneResult& result);
 std::array<double, CONFORMAL_PATCH_VALUES> values_of(const SceneResult& result, std::size_t patch);
+/// Their stated errors; nan where there is none.
+std::array<double, CONFORMAL_TOTALS> total_errors_of(const SceneResult& result);
+std::array<double, CONFORMAL_PATCH_VALUES> errors_of(const SceneResult& result, std::size_t patch);
 
 /// The first `count` values. Throws InputError if there are fewer.
 void copy_first(std::span<const double> values, double* to, int count);

@@ -1,6 +1,7 @@
 #include "bem_contact/conicity/rolling_radius.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopped.hpp"
 #include "bem_contact/conicity/settings.hpp"
 #include "bem_contact/geometry/contact_search.hpp"
 #include "bem_contact/profile/wheel_datum.hpp"
@@ -79,27 +80,28 @@ double move(const WheelTouch& a, const WheelTouch& b) {
 
 /// Puts all stands after `from` up to and with `to` at the end of `out`.
 void refine(const WheelsetOnTrack& wheelset, const WheelsetStand& from, const WheelsetStand& to,
-            std::vector<WheelsetStand>& out) {
+            std::vector<WheelsetStand>& out, const std::atomic<bool>* stop) {
+  end_if_stopped(stop);
   const bool fast = std::max(move(from.right, to.right), move(from.left, to.left)) > largest_move;
   if (fast && std::abs(to.lateral - from.lateral) > 2 * smallest_lateral_step) {
     const WheelsetStand middle = stand(wheelset, 0.5 * (from.lateral + to.lateral));
-    refine(wheelset, from, middle, out);
-    refine(wheelset, middle, to, out);
+    refine(wheelset, from, middle, out, stop);
+    refine(wheelset, middle, to, out, stop);
   } else {
     out.push_back(to);
   }
 }
 
 /// From `middle` to `end`, the middle left out.
-std::vector<WheelsetStand> one_side(const WheelsetOnTrack& wheelset, const WheelsetStand& middle,
-                                    double end) {
+std::vector<WheelsetStand> one_side(const WheelsetOnTrack& wheelset, const WheelsetStand& middle, double end,
+                                    const std::atomic<bool>* stop) {
   std::vector<WheelsetStand> stands;
   const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(end) / lateral_step - 1e-9)));
   try {
     WheelsetStand last = middle;
     for (int i = 1; i <= steps; ++i) {
       const WheelsetStand next = stand(wheelset, end * i / steps);
-      refine(wheelset, last, next, stands);
+      refine(wheelset, last, next, stands, stop);
       last = next;
     }
   } catch (const InputError&) {
@@ -122,15 +124,16 @@ WheelsetStand stand(const WheelsetOnTrack& wheelset, double lateral) {
           lowered(wheelset, WheelSide::left, lateral, 0).touch};
 }
 
-std::vector<WheelsetStand> rolling_radius_difference(const WheelsetOnTrack& wheelset, double reach) {
+std::vector<WheelsetStand> rolling_radius_difference(const WheelsetOnTrack& wheelset, double reach,
+                                                     const std::atomic<bool>* stop) {
   if (!(reach > 0 && reach <= 50))
     throw InputError(fmt::format("The wheelset cannot be moved by {:g} mm to either side", reach),
                      "this is not above 0 and at most 50 mm", "Give the largest displacement in mm.");
   const WheelsetStand middle = stand(wheelset, 0);
-  std::vector<WheelsetStand> stands = one_side(wheelset, middle, -reach);
+  std::vector<WheelsetStand> stands = one_side(wheelset, middle, -reach, stop);
   std::ranges::reverse(stands);
   stands.push_back(middle);
-  const std::vector<WheelsetStand> right = one_side(wheelset, middle, reach);
+  const std::vector<WheelsetStand> right = one_side(wheelset, middle, reach, stop);
   stands.insert(stands.end(), right.begin(), right.end());
   return stands;
 }

@@ -2,6 +2,7 @@
 
 #include "bem_contact/geometry/placement.hpp"
 
+#include <atomic>
 #include <vector>
 
 namespace bem_contact {
@@ -45,7 +46,8 @@ WheelsetStand stand(const WheelsetOnTrack& wheelset, double lateral);
 
 /// The wheelset from -reach to reach, in steps of at most lateral_step, and finer where a contact point moves
 /// fast or jumps (settings.hpp). Ends earlier on a side where a wheel finds no touch point. Throws InputError
-/// where it finds none at 0, and unless 0 < reach <= 50 mm.
-std::vector<WheelsetStand> rolling_radius_difference(const WheelsetOnTrack& wheelset, double reach);
+/// where it finds none at 0, and unless 0 < reach <= 50 mm; Stopped soon after another thread sets `stop`.
+std::vector<WheelsetStand> rolling_radius_difference(const WheelsetOnTrack& wheelset, double reach,
+                                                     const std::atomic<bool>* stop = nullptr);
 
 } // namespace bem_contact

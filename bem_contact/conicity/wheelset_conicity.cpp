@@ -1,6 +1,7 @@
 #include "bem_contact/conicity/wheelset_conicity.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopped.hpp"
 #include "bem_contact/conicity/settings.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/scene/wheel_rail_geometry.hpp"
@@ -38,7 +39,8 @@ SceneFile scene_without_file(std::span<const SceneChange> changes) {
   return parse_scene_file("load.force = 1.0\n", "options", changes);
 }
 
-WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplitudes& amplitudes) {
+WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplitudes& amplitudes,
+                                   const std::atomic<bool>* stop) {
   const double largest = amplitudes.largest, step = amplitudes.step;
   if (!(step > 0 && largest >= step && largest <= 45 && largest / step <= 10000))
     throw InputError(
@@ -48,14 +50,16 @@ WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplit
         "are allowed",
         "Give both in mm, as 10 and 1.");
   WheelsetConicity out{.lengths = {wheelset.contact_distance(), wheelset.position.wheel_radius},
-                       .stands = rolling_radius_difference(wheelset, largest + beyond_amplitude),
+                       .stands = rolling_radius_difference(wheelset, largest + beyond_amplitude, stop),
                        .values = {}};
   std::vector<RadiusDifference> function;
   for (const WheelsetStand& s : out.stands)
     function.push_back({s.lateral, s.difference()});
   const int count = static_cast<int>(largest / step + 1e-9);
-  for (int k = 1; k <= count; ++k)
+  for (int k = 1; k <= count; ++k) {
+    end_if_stopped(stop);
     out.values.push_back({k * step, equivalent_conicity(function, k * step, out.lengths)});
+  }
   return out;
 }
 

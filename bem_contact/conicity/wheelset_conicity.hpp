@@ -5,6 +5,7 @@
 #include "bem_contact/conicity/rolling_radius.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
+#include <atomic>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,8 +45,9 @@ struct WheelsetConicity {
 };
 
 /// Throws InputError where a wheel finds no touch point at displacement 0, for amplitudes beyond 45 mm, and
-/// for more than 10000 of them.
-WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplitudes& amplitudes = {});
+/// for more than 10000 of them; Stopped soon after another thread sets `stop`.
+WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplitudes& amplitudes = {},
+                                   const std::atomic<bool>* stop = nullptr);
 
 /// Columns over the lateral displacement, in the order of the outputs.
 std::span<const ColumnOf<WheelsetStand>> stand_columns();

@@ -12,8 +12,7 @@ WorkBudget::WorkBudget() : WorkBudget(contact::most_work) {}
 WorkBudget::WorkBudget(const std::atomic<bool>* stop) : most_(contact::most_work), stop_(stop) {}
 
 void WorkBudget::spend(double units) {
-  if (stop_ && *stop_)
-    throw Stopped();
+  end_if_stopped(stop_);
   used_ += units;
   if (used_ > most_)
     throw ConvergenceError(

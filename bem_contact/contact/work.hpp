@@ -1,15 +1,10 @@
 #pragma once
 
+#include "bem_contact/base/stopped.hpp"
+
 #include <atomic>
-#include <stdexcept>
 
 namespace bem_contact {
-
-/// Somebody asked for the end of a solution (Ctrl-C). This is no error of the input or of convergence.
-class Stopped : public std::runtime_error {
-public:
-  Stopped() : std::runtime_error("the solution was stopped before its end") {}
-};
 
 /// The work that one case may cost in all its loops together. One unit is one element in one product with
 /// translational influence numbers, about 30 ns (50 ns with everything around it); every other operation

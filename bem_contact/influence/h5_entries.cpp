@@ -85,9 +85,8 @@ bool read_dataset(hid_t set, const std::string& path, H5Table& table) {
 
 void check_writing(bool good, const std::filesystem::path& file, const std::string& what) {
   if (!good)
-    throw InputError(
-        "The file '" + file.string() + "' cannot be written", what,
-        "Check that its folder exists, that you may write there, and that the disk is not full.");
+    throw Error("The file '" + file.string() + "' cannot be written", what,
+                "Check that its folder exists, that you may write there, and that the disk is not full.");
 }
 
 namespace {

@@ -10,7 +10,7 @@
 /// Private to this room: the entries of an open file of result tables.
 namespace bem_contact {
 
-/// Throws InputError: `file` cannot be written.
+/// Throws Error if not `success`: `file` cannot be written.
 void check_writing(bool success, const std::filesystem::path& file, const std::string& what);
 
 /// Writes all datasets, texts and attributes; groups come into being with them. `file` is for messages.

@@ -8,6 +8,7 @@
 #include "bem_contact/influence/h5_image.hpp"
 #include "bem_contact/influence/settings.hpp"
 
+#include <algorithm>
 #include <fcntl.h>
 #include <functional>
 #include <ostream>
@@ -57,6 +58,22 @@ std::string text_attribute(const H5Table& table, const std::string& name) {
   const auto at = table.attributes.find(name);
   const auto* text = at == table.attributes.end() ? nullptr : std::get_if<std::string>(&at->second);
   return text ? *text : std::string();
+}
+
+const H5Dataset& dataset_of(const H5Table& table, const std::string& name, const std::filesystem::path& file,
+                            std::optional<std::size_t> count) {
+  const auto found = table.datasets.find(name);
+  const auto refuse = [&](const std::string& why) {
+    throw InputError("The file '" + file.string() + "' is damaged", why,
+                     "Copy it again from where it was whole, or make it again.");
+  };
+  if (found == table.datasets.end())
+    refuse("it has no dataset '" + name + "'");
+  const std::size_t size = found->second.values.size();
+  if (size != count.value_or(std::max<std::size_t>(size, 1)))
+    refuse("its dataset '" + name + "' has " + std::to_string(size) + " numbers, not " +
+           (count ? std::to_string(*count) : "one or more"));
+  return found->second;
 }
 
 void write_h5(const std::filesystem::path& file, const H5Table& table) {

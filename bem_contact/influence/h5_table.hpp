@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -40,7 +41,12 @@ void add_group(H5Table& table, const std::string& group, const H5Table& members)
 /// The attribute of that name; "" where there is none, or a number.
 std::string text_attribute(const H5Table& table, const std::string& name);
 
-/// Writes the whole file at once. Throws InputError where it cannot be written.
+/// The dataset of that name in a table that was read from `file`. Throws InputError, naming both, where the
+/// table lacks it, or where it has not `count` numbers (no count: at least one).
+const H5Dataset& dataset_of(const H5Table& table, const std::string& name, const std::filesystem::path& file,
+                            std::optional<std::size_t> count = {});
+
+/// Writes the whole file at once. Throws what write_whole() does (base/output_file.hpp).
 void write_h5(const std::filesystem::path& file, const H5Table& table);
 
 /// Reads every dataset of numbers or of one text, and every attribute (of the file and its groups) that is
@@ -50,8 +56,7 @@ H5Table read_h5(const std::filesystem::path& file);
 H5Table read_h5_top(const std::filesystem::path& file, const std::string& but = "");
 
 /// Writes a file table by table, for more than memory holds. It has a temporary name beside `file` until
-/// finish() renames it: `file` is whole or absent. Throws InputError where it cannot be written. What `file`
-/// may be: base/output_file.hpp, OutputForm::whole_file.
+/// finish() renames it: `file` is whole or absent. Throws what write_whole() does (base/output_file.hpp).
 class H5Writer {
 public:
   explicit H5Writer(const std::filesystem::path& file);

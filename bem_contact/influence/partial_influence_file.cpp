@@ -102,8 +102,8 @@ struct PartialInfluenceFile::Impl {
     return good;
   }
   [[noreturn]] void fail(const char* why) const {
-    throw InputError("the file of finished wavenumbers '" + path.string() + "' cannot be written", why,
-                     "Check that its folder exists and has room.");
+    throw Error("the file of finished wavenumbers '" + path.string() + "' cannot be written", why,
+                "Check that its folder exists and has room.");
   }
 };
 

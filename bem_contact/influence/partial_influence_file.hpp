@@ -15,8 +15,8 @@ namespace bem_contact {
 /// it.
 class PartialInfluenceFile {
 public:
-  /// Opens or creates. Throws InputError if the file cannot be written, or if it holds finished wavenumbers
-  /// of another `fingerprint` (another body): they are never thrown away.
+  /// Opens or creates. Throws what write_whole() does (base/output_file.hpp), and InputError if the file
+  /// holds finished wavenumbers of another `fingerprint` (another body): they are never thrown away.
   PartialInfluenceFile(std::filesystem::path file, std::string fingerprint, std::size_t stations,
                        std::span<const double> wavenumber);
   ~PartialInfluenceFile();

@@ -89,8 +89,9 @@ py::dict conicity(const py::object& scene, const py::object& changes, const std:
   const SceneFile file = scene.is_none() ? scene_without_file(list) : scene_file_of(scene, folder, list);
   WheelsetOnTrack wheelset = wheelset_of(file, {.rail = left_rail, .wheel = left_wheel});
   wheelset.rolls = roll;
-  const WheelsetConicity found = stoppable(
-      [=](const std::atomic<bool>*) { return wheelset_conicity(wheelset, {.largest = to, .step = step}); });
+  const WheelsetConicity found = stoppable([=](const std::atomic<bool>* stop) {
+    return wheelset_conicity(wheelset, {.largest = to, .step = step}, stop);
+  });
   return py::dict("function"_a = dict_of(stand_columns(), found.stands),
                   "conicity"_a = dict_of(conicity_columns(), found.values),
                   "wheel_radius"_a = found.lengths.wheel_radius,

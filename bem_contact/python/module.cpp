@@ -251,14 +251,21 @@ void add_trust(ResultClass& c) {
   });
 }
 
+/// The last one that fits is raised, so that the base comes first.
+void add_exceptions(py::module_& m) {
+  const py::object error = py::register_exception<Error>(m, "Error");
+  const auto both = [&](PyObject* usual) { return py::make_tuple(error, py::handle(usual)); };
+  py::register_exception<InputError>(m, "InputError", both(PyExc_ValueError));
+  py::register_exception<ConvergenceError>(m, "ConvergenceError", both(PyExc_RuntimeError));
+}
+
 } // namespace
 
 PYBIND11_MODULE(_core, m) {
   m.doc() = "The compiled part of the package bem_contact.";
   m.attr("__version__") = std::string(version());
   m.attr("__commit__") = std::string(commit());
-  py::register_exception<InputError>(m, "InputError", PyExc_ValueError);
-  py::register_exception<ConvergenceError>(m, "ConvergenceError", PyExc_RuntimeError);
+  add_exceptions(m);
   ResultClass result(m, "One scene solved with one model. Arrays are copies. Can be copied and pickled.");
   add_quantities(result);
   add_parts(result);

@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/contact/work.hpp"
+#include "bem_contact/base/stopped.hpp"
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
@@ -72,8 +72,7 @@ void solve(table::ContactTable& t, const table::PointSolver& solver, const table
   t = stoppable([t, solver, wanted](const std::atomic<bool>* stop) {
     table::ContactTable refined = t;
     const table::PointSolver until_stopped = [&solver, stop](const table::Point& point) {
-      if (*stop)
-        throw Stopped();
+      end_if_stopped(stop);
       return solver(point);
     };
     table::refine(refined, table::one_by_one(until_stopped), wanted);

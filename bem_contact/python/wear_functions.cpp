@@ -1,6 +1,5 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
-#include "bem_contact/contact/work.hpp"
 #include "bem_contact/fatigue/fatigue_of_result.hpp"
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/result_object.hpp"
@@ -57,17 +56,14 @@ py::dict wear_of(const PythonResult& result, const std::string& law, double hard
 using States = std::vector<wear::WornPair>; ///< by step, the unworn one first
 
 States worn_by(const std::vector<wear::CollectiveCase>& cases, const wear::EvolutionOptions& options,
-               double depth, const std::atomic<bool>* stop) {
+               double depth) {
   const TemporaryFolder folder; // of the profiles of the present step
   States states{wear::unworn(cases.front().scene)};
   wear::KeptPair influence;
   if (wear::needs_influence(cases.front().scene))
     influence = wear::unworn_influence(cases.front().scene, states.front());
-  while (states.back().largest() < depth * (1 - 1e-9)) {
-    if (*stop)
-      throw Stopped();
+  while (states.back().largest() < depth * (1 - 1e-9))
     states.push_back(wear::wear_step(states.back(), cases, options, depth, folder.path(), influence));
-  }
   return states;
 }
 
@@ -98,8 +94,11 @@ py::dict wear_under(const py::object& scene, double depth, const std::string& la
       .passages = passages,
       .kept_turn = kept_turn};
   wear::validate(cases, options, depth);
-  const States states =
-      stoppable([=](const std::atomic<bool>* stop) { return worn_by(cases, options, depth, stop); });
+  const States states = stoppable([=](const std::atomic<bool>* stop) {
+    wear::EvolutionOptions until_stopped = options;
+    until_stopped.stop = stop;
+    return worn_by(cases, until_stopped, depth);
+  });
   py::dict out("rail"_a = points_of(states, &wear::WornPair::rail),
                "wheel"_a = points_of(states, &wear::WornPair::wheel));
   for (const wear::WearColumn& column : wear::wear_columns) {

@@ -131,7 +131,7 @@ json report_data(const std::filesystem::path& file) {
     table = read_h5(file);
   json out = {{"kind", kind}, {"file", file.filename().string()}, {"data", tree_of(table)}};
   if (kind == "wear")
-    out["steps"] = worn_profiles(file, static_cast<int>(table.datasets.at("step").values.back()));
+    out["steps"] = worn_profiles(file, static_cast<int>(dataset_of(table, "step", file).values.size()) - 1);
   return out;
 }
 

@@ -151,9 +151,11 @@ std::vector<double> read_row_values(const std::filesystem::path& file, const Con
   const std::string give = fmt::format("Give each of is = 0 .. {} once.", grid.ms - 1);
   std::vector<double> values(grid.ms, nan);
   for (const std::vector<double>& row : read_csv(file, {"is", name})) {
-    if (row[0] != std::floor(row[0]) || row[0] < 0 || row[0] >= grid.ms)
-      refuse(file, fmt::format("row {} is not one of it", row[0]), give);
-    values[static_cast<std::size_t>(row[0])] = row[1];
+    const bool known = row[0] == std::floor(row[0]) && row[0] >= 0 && row[0] < grid.ms;
+    const std::size_t at = known ? static_cast<std::size_t>(row[0]) : 0;
+    if (!known || !std::isnan(values[at]))
+      refuse(file, fmt::format("row {} is {}", row[0], known ? "given twice" : "not one of it"), give);
+    values[at] = row[1];
   }
   for (int i = 0; i < grid.ms; ++i)
     if (std::isnan(values[i]))

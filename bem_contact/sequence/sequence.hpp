@@ -17,7 +17,7 @@ namespace bem_contact {
 
 /// For benchmarks alone: switches off what saves time (tools/benchmarks/ablation shows what each saves).
 struct SequenceAblation {
-  bool keep_files = true; ///< profiles and influence files are read once
+  bool keep_files = true; ///< profiles and influence files are kept (SequenceFiles)
   /// Influence numbers of a known grid are not computed again, nor what the solver prepares from them.
   bool keep_numbers = true;
   /// A case starts from the tractions of the case before, moved and scaled. If the bodies may now touch in
@@ -67,7 +67,7 @@ public:
   /// most_solves times, until its estimated error is within the accuracy. The grid of a wheel on a rail grows
   /// until the contact lies inside. Throws InputError for wrong input, ConvergenceError if the work budget is
   /// used up; any other lack of convergence is in the result. If another thread sets `stop`, the solution
-  /// ends with Stopped (contact/work.hpp) at the next product with influence numbers.
+  /// ends with Stopped (base/stopped.hpp) at the next product with influence numbers.
   SceneResult solve(const SceneFile& scene, const std::atomic<bool>* stop = nullptr);
 
   /// Solves a scene with each model, at equal forces and at equal position. All models have elements of the

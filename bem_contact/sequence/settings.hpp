@@ -200,7 +200,11 @@ BEM_CONTACT_TUNED(int, numbers_kept, 6);
 /// MB. But no more than this, the last grid's not counted; and the same for the rail's own numbers. A case of
 /// 2 % accuracy has 2 to 20 MB.
 BEM_CONTACT_TUNED(double, largest_kept_numbers, 200.0);
-BEM_CONTACT_TUNED(int, operators_kept, 3); ///< 1. Grids whose operators are kept: they take more.
+/// MB. No more influence functions than this are kept beside the pair used last and the rails of the kept
+/// numbers. Chosen: five pairs of whole running surfaces, 400 stations each, which have 384 MB a pair.
+BEM_CONTACT_TUNED(double, largest_kept_files, 2000.0);
+BEM_CONTACT_TUNED(int, profiles_kept, 100); ///< 1. Pairs of profiles that are kept: 0.5 MB each. Chosen.
+BEM_CONTACT_TUNED(int, operators_kept, 3);  ///< 1. Grids whose operators are kept: they take more.
 
 // Choice of the model: what is predicted that a model misses.
 

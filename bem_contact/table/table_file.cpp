@@ -49,8 +49,10 @@ void require_lines(const ContactTable& table) {
     throw std::out_of_range(axis.name);
 }
 
-ContactTable table_of(const H5Table& file) {
-  const auto data = [&](const std::string& name) -> const H5Dataset& { return file.datasets.at(name); };
+ContactTable table_of(const H5Table& file, const std::filesystem::path& path) {
+  const auto data = [&](const std::string& name, std::optional<std::size_t> count = {}) -> const H5Dataset& {
+    return dataset_of(file, name, path, count);
+  };
   const auto number = [&](const char* name) { return std::get<double>(file.attributes.at(name)); };
   ContactTable table;
   for (const std::string& name : words(file, "axes")) {
@@ -62,20 +64,20 @@ ContactTable table_of(const H5Table& file) {
   }
   const std::vector<std::string> held = words(file, "held");
   for (const std::string& name : words(file, "columns")) {
-    const H5Dataset& values = data("values/" + name);
-    table.columns.push_back({name, values.unit, values.description,
-                             std::ranges::find(held, name) != held.end(), data("scale/" + name).values.at(0),
-                             data("interpolation_error/" + name).values.at(0),
-                             data("element_error/" + name).values.at(0), values.values});
-    if (values.values.size() != table.size())
-      throw std::out_of_range(name);
+    const H5Dataset& values = data("values/" + name, table.size());
+    table.columns.push_back(
+        {name, values.unit, values.description, std::ranges::find(held, name) != held.end(),
+         data("scale/" + name, 1).values.front(), data("interpolation_error/" + name, 1).values.front(),
+         data("element_error/" + name, 1).values.front(), values.values});
   }
   table.tolerance = number("tolerance");
   table.solved = static_cast<std::size_t>(number("solved"));
   table.checked = static_cast<std::size_t>(number("checked"));
-  if (file.datasets.contains("creep_scale/C11"))
-    table.scale = {data("creep_scale/log10_a_over_b").values, data("creep_scale/C11").values,
-                   data("creep_scale/C22").values, number("poisson")};
+  if (file.datasets.contains("creep_scale/C11")) {
+    const std::vector<double>& c11 = data("creep_scale/C11").values;
+    table.scale = {data("creep_scale/log10_a_over_b", c11.size()).values, c11,
+                   data("creep_scale/C22", c11.size()).values, number("poisson")};
+  }
   return table;
 }
 
@@ -152,8 +154,8 @@ ContactTable read_table(const std::filesystem::path& file) {
   const auto format = stored.attributes.find("format");
   try {
     if (format != stored.attributes.end() && format->second == H5Attribute(std::string(table_format)))
-      return table_of(stored);
-  } catch (const std::out_of_range&) {       // a dataset or an attribute is missing
+      return table_of(stored, file);
+  } catch (const std::out_of_range&) {       // an attribute is missing
   } catch (const std::bad_variant_access&) { // or is of another kind
   }
   throw InputError(fmt::format("'{}' is no table", file.string()),

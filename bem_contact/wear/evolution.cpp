@@ -103,7 +103,7 @@ WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases
     const bool files = needs_influence(scene);
     use_profile(scene.rail, folder / "rail.txt", files ? influence.rail.file : "");
     use_profile(scene.wheel, folder / "wheel.txt", files ? influence.wheel.file : "");
-    const SceneResult result = sequence.solve(scene);
+    const SceneResult result = sequence.solve(scene, options.stop);
     if (!result.result.converged)
       throw ConvergenceError("A case of the load collective has no certified result",
                              fmt::format("lateral displacement {:g} mm, {:g} revolutions so far",

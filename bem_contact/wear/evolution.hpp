@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -28,6 +29,8 @@ struct EvolutionOptions {
   /// How many wheels pass a place of the rail while one wheel turns once. 1: roller and disc of equal size.
   double passages = 1;
   double kept_turn = usual_kept_turn; ///< influence functions are kept up to this turn_between(), rad
+  /// A step ends with Stopped soon after another thread sets it. Null: nobody does.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// What has become of one body.

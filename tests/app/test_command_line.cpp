@@ -179,6 +179,23 @@ TEST_F(CommandLine, LackOfConvergenceIsThree) {
   EXPECT_THAT(r.err, HasSubstr("is not a solution"));
 }
 
+/// Each case of a sweep says why as solve does; its reason may be that of a step before the last.
+TEST_F(CommandLine, ASweepAndSolveNameTheStepThatFailed) {
+  std::string scene = hertz + "[wheel.material]\nshear_modulus = 800\npoisson = 0\n[solver]\nmax_outer = 1\n";
+  scene.replace(scene.find("force = 1e4"), 11, "approach = 0.01");
+  scene.replace(scene.find("friction"), 0, "kind = \"shift\"\nstep_table = \"steps.csv\"\n");
+  write("steps.csv", "load\n0.01\n-0.01\n");
+  const Outcome r = run("solve '" + write("s.toml", scene).string() + "'");
+  EXPECT_EQ(r.code, 3) << r.err;
+  EXPECT_THAT(r.err, HasSubstr("step 1 of 2 is not a solution: its worst violation is"));
+  const auto csv = folder_ / "s.csv";
+  EXPECT_EQ(run("sweep '" + write("sweep.toml", scene + "[sweep]\nmotion.xi = [1e-3]\n").string() + "' -o '" +
+                (folder_ / "s.h5").string() + "' --csv '" + csv.string() + "'")
+                .code,
+            3);
+  EXPECT_THAT(text_of(csv), HasSubstr("step 1 of 2 is not a solution: its worst violation is"));
+}
+
 TEST_F(CommandLine, WrongArgumentsAreTwo) {
   EXPECT_EQ(run("").code, 2);
   refused(run("solve"),
@@ -241,6 +258,17 @@ TEST_F(CommandLine, AnUnwritableResultIsRefused) {
   const Outcome r =
       run("solve '" + write("s.toml", hertz).string() + "' -o '" + (folder_ / "no/such/r.h5").string() + "'");
   refused(r, {"r.h5", "cannot be written"});
+}
+
+/// The name can be written to, and the disk is full: the machine is to blame, not the input.
+TEST_F(CommandLine, AFullDiskIsOne) {
+  const std::string scene = write("s.toml", hertz).string();
+  for (const std::string& command : {std::string("conicity --wheel S1002 --rail 60E1 --csv /dev/full"),
+                                     "solve '" + scene + "' --vtk /dev/full"}) {
+    const Outcome r = run(command);
+    EXPECT_EQ(r.code, 1) << command;
+    EXPECT_THAT(r.err, HasSubstr("The file '/dev/full' cannot be written (No space left"));
+  }
 }
 
 TEST_F(CommandLine, AFolderIsNoOutputAndNothingIsLeftBesideIt) {

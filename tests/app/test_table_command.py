@@ -2,8 +2,10 @@
 
 import json
 import os
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -39,6 +41,19 @@ class TableCommand(unittest.TestCase):
     def run_table(self, *arguments):
         return subprocess.run([os.environ["BEM_CONTACT"], *map(str, arguments)], stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, text=True)
+
+    def test_a_process_that_dies_ends_the_command_in_words(self):
+        """It is not tried again in the command's own process, which it might take with it."""
+        command = [os.environ["BEM_CONTACT"], "table", "--creep-forces", "-o", self.folder / "t.h5", "--jobs", "1"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
+            children = Path(f"/proc/{running.pid}/task/{running.pid}/children")
+            while running.poll() is None and not children.read_text():
+                time.sleep(0.01)
+            os.kill(int(children.read_text().split()[0]), signal.SIGKILL)
+            _, said = running.communicate()
+        self.assertEqual(running.returncode, 3, said)
+        self.assertIn("has no result (the process that solved it was ended by signal 9", said)
+        self.assertFalse((self.folder / "t.h5").exists())
 
     def test_json_file_and_values_agree(self):
         file = self.folder / "t.h5"

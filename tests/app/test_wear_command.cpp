@@ -73,7 +73,8 @@ TEST_F(WearCommand, RefusesAFolderOfAnotherWear) {
     write_h5(path("worn/wear.h5"), less);
     const Outcome damaged = run("wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.01");
     EXPECT_EQ(damaged.code, 2) << lost;
-    EXPECT_THAT(damaged.err, HasSubstr("The state wear.h5 of this wear is damaged"));
+    EXPECT_THAT(damaged.err,
+                HasSubstr("worn/wear.h5' is damaged (it has no dataset '" + std::string(lost) + "')"));
   }
   write("worn/wear.h5", text("worn/wear.h5").substr(0, 2000));
   const Outcome damaged = run("wear " + path("scene.toml") + " -o " + path("worn") + " --depth 0.01");

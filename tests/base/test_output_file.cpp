@@ -10,6 +10,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <stdexcept>
 #include <thread>
 
 namespace bem_contact {
@@ -18,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 void write_word(std::ostream& out) {
   out << "word";
@@ -43,9 +45,21 @@ TEST(OutputFile, ReplacesARegularFileWholeAndKeepsItsPermissions) {
 TEST(OutputFile, KeepsTheOldFileWhereWritingFails) {
   const TemporaryFolder folder;
   const fs::path file = folder.write("a", "old");
-  EXPECT_THAT(
-      message_of([&] { write_text(file, [](std::ostream& out) { out.setstate(std::ios::badbit); }); }),
-      HasSubstr("cannot be written"));
+  EXPECT_THAT(fault_of([&] { write_text(file, [](std::ostream& out) { out.setstate(std::ios::badbit); }); }),
+              StartsWith("The file '" + file.string() + "' cannot be written"));
+  EXPECT_EQ(text_of(file), "old");
+  EXPECT_EQ(files_in(folder / ""), 1);
+}
+
+TEST(OutputFile, LeavesNothingBehindWhereTheWriterThrows) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("a", "old");
+  const auto give_up = [](std::ostream& out) {
+    out << "half";
+    throw std::out_of_range("no more");
+  };
+  EXPECT_THROW(write_whole(file, give_up), std::out_of_range);
+  EXPECT_THROW(write_text(folder / "new", give_up), std::out_of_range);
   EXPECT_EQ(text_of(file), "old");
   EXPECT_EQ(files_in(folder / ""), 1);
 }
@@ -95,7 +109,8 @@ TEST(OutputFile, WritesTextThroughADevice) {
     GTEST_SKIP() << "only root can make a device";
   write_text(null, write_word);
   EXPECT_TRUE(fs::is_character_file(null));
-  EXPECT_THAT(message_of([&] { write_text(full, write_word); }), HasSubstr("No space left"));
+  EXPECT_THAT(fault_of([&] { write_text(full, write_word); }),
+              AllOf(StartsWith("The file"), HasSubstr("No space left")));
   EXPECT_TRUE(fs::is_character_file(full));
   EXPECT_THAT(message_of([&] { write_whole(null, write_word); }), HasSubstr("a device or a pipe"));
   EXPECT_TRUE(fs::is_character_file(null));

@@ -1,3 +1,4 @@
+#include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/c/conformal_contact.h"
 #include "bem_contact/sequence/sequence.hpp"
 
@@ -137,6 +138,32 @@ TEST(C, PatchValuesAreThoseOfTheirNames) {
     EXPECT_EQ(patch[index], value) << index;
 }
 
+/// What is prescribed has the error 0, and what has no error is not a number.
+TEST(C, StatedErrorsAndTheModelAreThoseOfTheResult) {
+  const Handle contact = open_file(corner);
+  ASSERT_EQ(conformal_set_text(contact.get(), key_of(contact, "solver.model"), "halfspace"), CONFORMAL_OK);
+  ASSERT_EQ(conformal_solve(contact.get()), CONFORMAL_OK);
+  const SceneResult expected = Sequence().solve(with_model(read_scene_file(corner), Model::halfspace));
+  const Discretisation& d = *expected.result.discretisation;
+  double totals[CONFORMAL_TOTALS], patch[CONFORMAL_PATCH_VALUES];
+  ASSERT_EQ(conformal_total_errors(contact.get(), totals, CONFORMAL_TOTALS), CONFORMAL_OK);
+  EXPECT_GT(d.errors.Fx, 0);
+  EXPECT_EQ(totals[CONFORMAL_FX], d.errors.Fx);
+  EXPECT_EQ(totals[CONFORMAL_PMAX], d.errors.pmax);
+  EXPECT_EQ(totals[CONFORMAL_FRICTION_POWER], d.errors.friction_power);
+  EXPECT_EQ(totals[CONFORMAL_FZ], 0);
+  EXPECT_TRUE(std::isnan(totals[CONFORMAL_CERTIFICATE]));
+  ASSERT_EQ(conformal_patch_errors(contact.get(), 0, patch, CONFORMAL_PATCH_VALUES), CONFORMAL_OK);
+  EXPECT_EQ(patch[CONFORMAL_PATCH_FS], d.patches.front().fs);
+  EXPECT_EQ(patch[CONFORMAL_PATCH_AREA], d.patches.front().area);
+  EXPECT_EQ(patch[CONFORMAL_PATCH_MN], d.patches.front().moment_n);
+  EXPECT_TRUE(std::isnan(patch[CONFORMAL_PATCH_CONTACT]));
+  const char *name = nullptr, *reason = nullptr;
+  ASSERT_EQ(conformal_model(contact.get(), &name, &reason), CONFORMAL_OK);
+  EXPECT_STREQ(name, "halfspace");
+  EXPECT_EQ(reason, expected.reason);
+}
+
 TEST(C, SaysWhatIsWrong) {
   EXPECT_THAT(message_of_text("kind = \"wheel_rai\""), HasSubstr("wheel_rail"));
   EXPECT_THAT(message_of_text("load.forze = 1"), HasSubstr("load.force"));
@@ -158,6 +185,7 @@ TEST(C, SaysWhatIsWrong) {
   EXPECT_THAT(refused(conformal_set_number(contact.get(), 5, 1.0)), HasSubstr("no key with the index 5"));
   EXPECT_THAT(refused(conformal_totals(contact.get(), value, 2)), HasSubstr("There is no result"));
   EXPECT_THAT(refused(conformal_grid(contact.get(), &number, &number)), HasSubstr("There is no result"));
+  EXPECT_THAT(refused(conformal_total_errors(contact.get(), value, 2)), HasSubstr("There is no result"));
   const int force = key_of(contact, "load.force");
   EXPECT_THAT(refused(conformal_set_number(contact.get(), force, std::nan(""))), HasSubstr("must be finite"));
   EXPECT_THAT(refused(conformal_set_text(contact.get(), force, "much")), HasSubstr("load.force is text"));
@@ -174,6 +202,8 @@ TEST(C, SaysWhatIsWrong) {
   EXPECT_THAT(refused(conformal_array(contact.get(), CONFORMAL_P_N, value, -2)), HasSubstr("0 values"));
   EXPECT_THAT(refused(conformal_array(contact.get(), 99, value, 2)), HasSubstr("no array 99"));
   EXPECT_THAT(refused(conformal_patch(contact.get(), 1, value, 2)), HasSubstr("no patch 1"));
+  EXPECT_THAT(refused(conformal_patch_errors(contact.get(), 1, value, 2)), HasSubstr("no patch 1"));
+  EXPECT_THAT(refused(conformal_model(contact.get(), nullptr, nullptr)), HasSubstr("null pointer"));
   EXPECT_THAT(refused(conformal_warning(contact.get(), 7, nullptr)), HasSubstr("null pointer"));
 }
 
@@ -215,21 +245,44 @@ TEST(C, ARefusedSolutionLeavesNoResult) {
   EXPECT_EQ(conformal_totals(contact.get(), &fx, 1), CONFORMAL_WRONG_INPUT);
 }
 
-/// Whoever asks for a stop before the solution begins is overtaken by it; so the stop is repeated.
+/// Unlike bodies that may take one outer iteration only are no solution; bodies apart always are one.
+TEST(C, NamesTheStepThatFailed) {
+  const TemporaryFolder folder;
+  folder.write("steps.csv", "load\n0.01\n-0.01\n");
+  const Handle contact = open_file(folder.write(
+      "s.toml", "kind = 'patch'\nload.approach = 0.01\n[motion]\nkind = 'shift'\nfriction = 0.3\n"
+                "xi = 1e-3\nstep_table = 'steps.csv'\n[grid]\ndx = 0.5\nds = 0.5\nmx = 16\nms = 16\n"
+                "[gap]\na = 1e-3\nb = 1e-3\n[wheel.material]\nshear_modulus = 800\npoisson = 0\n"
+                "[solver]\nmax_outer = 1\n"));
+  EXPECT_EQ(conformal_solve(contact.get()), CONFORMAL_NOT_CONVERGED);
+  EXPECT_THAT(conformal_message(contact.get()), HasSubstr("step 1 of 2 is not a solution"));
+  double totals[CONFORMAL_TOTALS];
+  ASSERT_EQ(conformal_totals(contact.get(), totals, CONFORMAL_TOTALS), CONFORMAL_OK);
+  EXPECT_LE(totals[CONFORMAL_CERTIFICATE], 1e-6) << "that of the last step";
+}
+
+/// Whoever asks for a stop cannot know whether the solution has begun.
+TEST(C, AStopBeforeTheSolutionIsNotLost) {
+  const Handle contact = open_file(hertz);
+  double totals[CONFORMAL_TOTALS];
+  ASSERT_EQ(conformal_stop(contact.get()), CONFORMAL_OK);
+  ASSERT_EQ(conformal_stop(contact.get()), CONFORMAL_OK);
+  EXPECT_EQ(conformal_solve(contact.get()), CONFORMAL_STOPPED);
+  EXPECT_THAT(conformal_message(contact.get()), HasSubstr("stopped"));
+  EXPECT_EQ(conformal_totals(contact.get(), totals, 1), CONFORMAL_WRONG_INPUT) << "there is no result";
+  EXPECT_EQ(conformal_solve(contact.get()), CONFORMAL_OK) << "a stop ends one solution";
+}
+
 TEST(C, AnotherThreadStopsASolution) {
   const Handle contact = open_file(corner);
   for (const char* key : {"grid.dx", "grid.ds"})
     ASSERT_EQ(conformal_set_number(contact.get(), key_of(contact, key), 0.06), CONFORMAL_OK);
   ASSERT_EQ(conformal_set_text(contact.get(), key_of(contact, "solver.model"), "halfspace"), CONFORMAL_OK);
-  std::atomic<bool> ended = false;
   std::thread other([&] {
-    while (!ended) {
-      conformal_stop(contact.get());
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    conformal_stop(contact.get());
   });
   EXPECT_EQ(conformal_solve(contact.get()), CONFORMAL_STOPPED);
-  ended = true;
   other.join();
   EXPECT_THAT(conformal_message(contact.get()), HasSubstr("stopped"));
 }

@@ -309,7 +309,7 @@ class Outputs(Hostile):
         null, full = self.nodes()
         self.refused(self.solve("-o", null), "device")
         self.assertEqual(self.solve("--vtk", null)[0], 0)
-        self.refused(self.solve("--vtk", full), "No space left")
+        self.refused(self.solve("--vtk", full), "No space left", code=1)
         self.assertTrue(null.is_char_device() and full.is_char_device())
 
     def test_pipes(self):

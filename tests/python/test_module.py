@@ -12,6 +12,7 @@ import sys
 import tempfile
 import threading
 import unittest
+import unittest.mock
 from pathlib import Path
 
 import h5py
@@ -120,6 +121,19 @@ class Module(unittest.TestCase):
             self.assertTrue(r.certified)
             self.assertAlmostEqual(r.Fy, alone.Fy, delta=1e-5 * alone.Fz)
             self.assertAlmostEqual(r.Fx, alone.Fx, delta=1e-4 * alone.Fz)
+
+    def test_every_error_has_one_base(self):
+        """Also an error of the machine, which was a RuntimeError like any other."""
+        self.assertFalse(issubclass(bem_contact.Error, (ValueError, RuntimeError)))
+        for kind, usual in ((bem_contact.InputError, ValueError), (bem_contact.ConvergenceError, RuntimeError)):
+            self.assertTrue(issubclass(kind, bem_contact.Error) and issubclass(kind, usual))
+        with self.assertRaisesRegex(bem_contact.Error, "no such file") as caught:
+            bem_contact.solve("no/such.toml")
+        self.assertIs(type(caught.exception), bem_contact.InputError)
+        with unittest.mock.patch.dict(os.environ, TMPDIR="/no/such/folder"), \
+                self.assertRaisesRegex(bem_contact.Error, "No temporary folder") as caught:
+            bem_contact.wear(SCENES / "wear_collective.toml")
+        self.assertIs(type(caught.exception), bem_contact.Error)
 
     def test_a_history(self):
         r = bem_contact.solve(SCENES / "cattaneo.toml")
@@ -230,7 +244,8 @@ class Module(unittest.TestCase):
     def interrupted(self, begin, call, after=""):
         """Presses Ctrl-C during a long call, in a process of its own, which must end in order; what it prints then."""
         code = f"""
-import os, signal, threading, time
+import atexit, os, signal, threading, time
+atexit.register(lambda: print("ended after", time.monotonic() - pressed[0]))  # and after what bem_contact waits for
 import bem_contact
 {begin}
 pressed = []
@@ -246,7 +261,9 @@ except KeyboardInterrupt:
 {after}
 """
         run = subprocess.run([sys.executable, "-c", code], check=True, stdout=subprocess.PIPE, text=True)
-        return run.stdout
+        *lines, ended = run.stdout.splitlines(keepends=True)
+        self.assertLess(float(ended.split()[-1]), 2, "what was stopped went on")
+        return "".join(lines)
 
     def test_interrupted(self):
         """Ctrl-C ends a long solution; the sequence can be used again."""
@@ -258,8 +275,20 @@ except KeyboardInterrupt:
     def test_interrupted_curves(self):
         for call in (f'bem_contact.creep_curves({str(CORNER)!r}, model="halfspace")',
                      'bem_contact.conicity(changes={"wheel.profile": "S1002", "rail.profile": "60E1"}, roll=True, to=40, '
-                     'step=0.01)'):
+                     'step=0.005)'):
             self.assertRegex(self.interrupted("", call), r"^interrupted after .*\n$")
+
+    def test_interrupted_wear(self):
+        """A step of many cases ends with the case that is being solved."""
+        scene = """rail.profile = "60E1"
+wheel.profile = "S1002"
+solver.model = "halfspace"
+load.force = 8e4
+motion = { xi = 2e-3, free_rolling = false }
+grid = { dx = 0.5, ds = 0.5 }
+sweep.position.lateral = { from = 0, to = 2, count = 1000 }
+"""
+        self.assertRegex(self.interrupted("", f"bem_contact.wear({scene!r})"), r"^interrupted after .*\n$")
 
     def test_threads(self):
         found = [None] * 4

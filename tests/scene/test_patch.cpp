@@ -116,6 +116,20 @@ TEST_F(Tables, AreRefusedWithTheirFault) {
   EXPECT_THAT(refusal(scene), HasSubstr("there is no such file"));
 }
 
+TEST_F(Tables, OfRowsHaveEachRowOnce) {
+  SceneFile scene = patch(1, 2);
+  scene.folder = folder_.path();
+  scene.strip.inclination = "delta.csv";
+  const auto refusal_of = [&](const std::string& rows) {
+    folder_.write("delta.csv", "is, delta\n" + rows);
+    return refusal(scene);
+  };
+  EXPECT_EQ(refusal_of("0, 0\n1, 0.1\n"), "no error");
+  EXPECT_THAT(refusal_of("0, 0\n1, 0.1\n0, 0.2\n"), HasSubstr("row 0 is given twice"));
+  EXPECT_THAT(refusal_of("0, 0\n2, 0.1\n"), HasSubstr("row 2 is not one of it"));
+  EXPECT_THAT(refusal_of("0, 0\n"), HasSubstr("row 1 is missing"));
+}
+
 TEST_F(Tables, InclineTheRows) {
   std::ofstream(folder_ / "delta.csv") << "is, delta\n0, -0.2\n1, 0\n2, 0.2\n";
   SceneFile scene = patch(1, 3);

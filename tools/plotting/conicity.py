@@ -3,13 +3,15 @@
 import h5py
 
 from . import style
-from .kinds import text
+from .kinds import require_columns, text
 
 SIDES = {"right": ("o", 3.2), "left": ("x", 3.6)}
 
 
 def draw(files):
     with h5py.File(files[0]) as file:
+        for group in ("function", "conicity"):
+            require_columns(file[group])
         data = {name: values[:] for group in ("function", "conicity") for name, values in file[group].items()}
         bodies = [" on ".join(text(file.attrs[f"{side}_{body}"]) for body in ("wheel", "rail")) for side in SIDES]
     figure, ((difference, conicity), (wheel, rail)) = style.panels(2, 2, (11, 8.4))

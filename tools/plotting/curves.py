@@ -4,6 +4,7 @@ import h5py
 import numpy as np
 
 from . import style
+from .kinds import require_columns
 
 AXES = {"xi": "xi, longitudinal creepage", "eta": "eta, lateral creepage", "phi": "phi, spin, 1/mm"}
 LABELS = {"Fx": "Fx / (μ Fn)", "Fs": "Fs / (μ Fn)", "Mz": "Mz / (μ Fn c)"}
@@ -34,6 +35,7 @@ def draw(files):
         bound, radius = file.attrs["bound_N"], file.attrs["radius_mm"]
         figure, axes = style.panels(1, len(names), (1.2 + 4.4 * len(names), 5.2), sharey=True)
         for panel, name in zip(axes[0], names):
+            require_columns(file[name])
             draw_curve(panel, name, file[name], {"Fx": bound, "Fs": bound, "Mz": bound * radius},
                        file["kalker"][:] if "kalker" in file else None)
         axes[0, 0].set_ylabel("force on the rail over its bound")

@@ -20,6 +20,17 @@ def refuse(problem, why, what_to_do):
     raise SystemExit(2)
 
 
+def require_columns(group):
+    """Refuses a file of which this group's columns are not equally long."""
+    lengths = {data.name: len(data) for data in group.values() if isinstance(data, h5py.Dataset) and data.ndim == 1}
+    usual = max(lengths.values(), key=list(lengths.values()).count, default=0)
+    for name, length in lengths.items():
+        if length != usual:
+            refuse(f"The file '{group.file.filename}' is damaged",
+                   f"its dataset '{name.lstrip('/')}' has {length} numbers, not {usual} as those beside it",
+                   "Copy it again from where it was whole, or make it again.")
+
+
 def of_hdf5(file):
     with h5py.File(file) as opened:
         name = text(opened.attrs.get("format", "")).removeprefix("bem_contact ")

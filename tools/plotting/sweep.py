@@ -4,7 +4,7 @@ import h5py
 import numpy as np
 
 from . import style
-from .kinds import refuse, text
+from .kinds import refuse, require_columns, text
 
 STATUS_CERTIFIED = 1
 MARKS = ("o", "s", "D", "^", "v", "x", "+", "*")
@@ -89,6 +89,9 @@ def draw_wheels(axis, file, quantity, over, groups, certified, joined):
 
 def draw(files):
     with h5py.File(files[0]) as file:
+        require_columns(file)
+        if "patches" in file:
+            require_columns(file["patches"])
         certified = file["status"][:] == STATUS_CERTIFIED
         if not certified.any():
             refuse(f"'{files[0]}' cannot be drawn", "no case of the sweep is certified", "See the column status of its --csv.")

@@ -5,10 +5,14 @@
     if r.certified:
         print(r.pmax, r.Fx, r.p_n.shape)      # MPa, N, [ms][mx]
 
+Every error that says what is wrong and what to do is a `bem_contact.Error`: `InputError` (a `ValueError` too) for wrong
+input, `ConvergenceError` (a `RuntimeError` too) where there is no certified result, and `Error` itself where the machine
+is to blame, as when the disk gets full.
+
 `help(bem_contact.solve)` and `help(bem_contact.Result)` say what goes in and what comes out.
 """
 
-from ._core import ConvergenceError, InputError, Result, Sequence, Table, __commit__, __version__, compare, conicity, creep_curves, fatigue, read_table, report, solve, table, wear, wheelset
+from ._core import ConvergenceError, Error, InputError, Result, Sequence, Table, __commit__, __version__, compare, conicity, creep_curves, fatigue, read_table, report, solve, table, wear, wheelset
 
-__all__ = ["ConvergenceError", "InputError", "Result", "Sequence", "Table", "__commit__", "__version__", "compare", "conicity", "creep_curves",
+__all__ = ["ConvergenceError", "Error", "InputError", "Result", "Sequence", "Table", "__commit__", "__version__", "compare", "conicity", "creep_curves",
            "fatigue", "read_table", "report", "solve", "table", "wear", "wheelset"]

@@ -1,0 +1,27 @@
+#include "bem_contact/sequence/uncertified.hpp"
+
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+std::string why_uncertified(const SceneResult& result) {
+  if (certified(result))
+    return "";
+  const std::vector<ContactResult>& steps = result.history;
+  const auto failed = std::ranges::find(steps, false, &ContactResult::converged);
+  const bool of_history = failed != steps.end();
+  const ContactResult& first = of_history ? *failed : result.result;
+  std::string out =
+      of_history ? fmt::format("step {} of {} is not a solution: ", failed - steps.begin() + 1, steps.size())
+                 : "";
+  out += fmt::format("its worst violation is {:.1e}, {:.0e} is allowed", first.certificate.worst(),
+                     first.certificate.tolerance);
+  return first.remark.empty() ? out : out + "; " + first.remark;
+}
+
+ConvergenceError uncertified_error(const SceneResult& result) {
+  return {fmt::format("The {} result is not a solution", name_of(result.model)), why_uncertified(result),
+          "Coarsen the grid, lower solver.tolerance, or raise solver.max_outer."};
+}
+
+} // namespace bem_contact

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/scene_result.hpp"
+
+#include <string>
+
+namespace bem_contact {
+
+/// Why a result is not certified(), in words: the worst violation and what the solver says of it, of the
+/// first step that is not a solution, because later steps start from it. "" if it is certified.
+std::string why_uncertified(const SceneResult& result);
+
+/// The same as an error, for callers that take only certified results.
+ConvergenceError uncertified_error(const SceneResult& result);
+
+} // namespace bem_contact
