@@ -120,11 +120,12 @@ double normal_error(const Region& fine, const Region& coarse, const ShearEffects
   return std::hypot(effects.slope * fs, shear_error(change, effects.fn, contact, normal_adhesion));
 }
 
-/// Of Fy. Where Fz and Fs are prescribed, only the direction of the pressure can change it.
+/// Of Fy: by shear, and by the direction of the pressure. Where Fz and Fs are prescribed, nothing else can
+/// change it.
 double lateral_error(const ContactProblem& problem, double change, const ShearEffects& effects, int contact) {
-  if (problem.load == LoadKind::force && problem.force_s)
-    return shear_change * std::abs(change) + direction_local * effects.turned / contact;
-  return shear_error(change, effects.fy, contact);
+  const bool prescribed = problem.load == LoadKind::force && problem.force_s;
+  const double shear = prescribed ? shear_change * std::abs(change) : shear_error(change, effects.fy, contact);
+  return shear + direction_local * effects.turned / contact;
 }
 
 /// Of the patches; nan where the coarse result has other ones. `contact`: elements of all patches.
