@@ -76,7 +76,8 @@ BEM_CONTACT_TUNED(int, least_companion_line, 7);
 // below the stated ones and the median of stated over true is least. Those of pmax and of shear were set anew
 // on 1200 (8 to 11), those of temperatures on 720 (1, 2, 6 to 9 and 12 to 17). shear_local, shear_deviation,
 // both of adhesion and those of creepages were set anew on 1357 by half-spaces (8, 9, 41 and
-// 51; 906 of them with free rolling), those of a prescribed Fs and normal_adhesion on 346 (111 to 141). tools/BENCHMARKS.md, section 9, judges them on other cases.
+// 51; 906 of them with free rolling), those of a prescribed Fs and normal_adhesion on 346 (111 to 141).
+// tools/BENCHMARKS.md, section 9, judges them on other cases.
 
 BEM_CONTACT_TUNED(double, pmax_change, 0.02);     ///< 1. Share of the change of pmax,
 BEM_CONTACT_TUNED(double, pmax_local, 0.092);     ///< 1. and of how far p_n falls beside its peak,

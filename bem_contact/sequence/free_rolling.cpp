@@ -12,6 +12,16 @@ bool has_free_rolling(const ContactCase& asked) {
          (motion.free_rolling || motion.from_free_rolling);
 }
 
+/// Rigid slip w_x, mean weighted with the pressure.
+double mean_slip(const SceneResult& solved) {
+  double sum = 0, pressed = 0;
+  for (std::size_t i = 0; i < solved.result.pn.size(); ++i) {
+    sum += solved.result.pn[i] * solved.problem.slip_x[i];
+    pressed += solved.result.pn[i];
+  }
+  return sum / pressed;
+}
+
 /// Of a solution without longitudinal force.
 FreeRolling free_rolling_of(const SceneResult& solved) {
   const auto& estimate = solved.result.discretisation;
@@ -89,6 +99,7 @@ SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::G
   }
   ContactCase free = asked;
   free.scene.solver.model = out.model;
+  free.setup.motion.creepage.slip_x -= mean_slip(out);
   const std::optional<FormerSolution> start = former_of(out.model, out.problem, out.result, *asked.estimate);
   WorkBudget work = resources.work.another(); // it must not end the case that is asked for
   try {

@@ -28,6 +28,7 @@ struct SequenceAblation {
   bool foresee_shear = true; ///< the estimate counts the part of the load that shear bears
 };
 
+/// How a sequence works.
 struct SequenceOptions {
   bool displacements = true; ///< results hold them; not needed where no fields are written
   /// Influence files must be of the scenes' own profiles. False: profiles that wear keep the files of a shape

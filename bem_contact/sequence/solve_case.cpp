@@ -74,8 +74,8 @@ double contact_radius(const WheelOnRail& pair, const ContactProblem& problem, co
   for (int i = 0; i < problem.grid.size(); ++i) {
     const double p = std::max(0.0, result.pn[i]);
     if (p > 0)
-      sum += p * radius_at(pair, problem.grid.x(i % problem.grid.mx),
-                           problem.rows[i / problem.grid.mx].position);
+      sum += p *
+             radius_at(pair, problem.grid.x(i % problem.grid.mx), problem.rows[i / problem.grid.mx].position);
     pressed += p;
   }
   return pressed > 0 ? sum / pressed : 0;

@@ -70,7 +70,8 @@ TEST(FreeRolling, RadiusHardlyDependsOnTheOneGiven) {
     const std::string radius = fmt::format("motion.rolling_radius = {}\n", given);
     const FreeRolling free = *Sequence().solve(rolling(radius)).free_rolling;
     // What is left is how the slip 1 - r / R_roll differs from row to row.
-    EXPECT_NEAR(free.rolling_radius, own.rolling_radius, 2e-3 * std::abs(own.rolling_radius - given)) << given;
+    EXPECT_NEAR(free.rolling_radius, own.rolling_radius, 2e-3 * std::abs(own.rolling_radius - given))
+        << given;
     // The creepage found is the one that may be prescribed.
     const SceneResult again = Sequence().solve(rolling(radius + fmt::format("motion.xi = {}\n", free.xi)));
     EXPECT_NEAR(again.result.Fx, 0, 8 * std::abs(own.rolling_radius - given)) << given;

@@ -159,7 +159,8 @@ TEST(Sequence, AnAccuracyIsReachedWherePmaxDoesNotConvergeAtFirst) {
   const double exact =
       largest_pressure(Sequence().solve(parse_scene_file(scene + "grid.dx = 0.25\ngrid.ds = 0.1\n")).result);
   for (const double accuracy : {0.05, 0.02}) {
-    const SceneResult r = Sequence().solve(parse_scene_file(scene + fmt::format("grid.accuracy = {}\n", accuracy)));
+    const SceneResult r =
+        Sequence().solve(parse_scene_file(scene + fmt::format("grid.accuracy = {}\n", accuracy)));
     ASSERT_TRUE(r.result.converged && r.result.discretisation);
     EXPECT_TRUE(r.result.discretisation->converges);
     EXPECT_LE(r.result.discretisation->errors.pmax, accuracy * exact);

@@ -124,7 +124,8 @@ double normal_error(const Region& fine, const Region& coarse, const ShearEffects
 /// change it.
 double lateral_error(const ContactProblem& problem, double change, const ShearEffects& effects, int contact) {
   const bool prescribed = problem.load == LoadKind::force && problem.force_s;
-  const double shear = prescribed ? shear_change * std::abs(change) : shear_error(change, effects.fy, contact);
+  const double shear =
+      prescribed ? shear_change * std::abs(change) : shear_error(change, effects.fy, contact);
   return shear + direction_local * effects.turned / contact;
 }
 
