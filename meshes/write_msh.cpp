@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/temporary_file.hpp"
 #include "meshes/gmsh_session.hpp"
 #include "meshes/settings.hpp"
 
@@ -150,36 +151,27 @@ bool add_comment(const std::string& body_digest, const std::filesystem::path& fi
               "Make room, or give another file with -o.");
 }
 
-/// Removes itself.
-struct TemporaryMesh {
-  std::filesystem::path file;
-  ~TemporaryMesh() {
-    std::error_code ignored;
-    std::filesystem::remove(file, ignored);
-  }
-};
-
 /// Gmsh makes a file of its own, which is renamed when complete, or copied into a device or a pipe.
 template <class Mesh> void write_checked(const Mesh& mesh, const std::filesystem::path& output) {
   const OutputTarget target = output_target(output, OutputForm::text);
   // Gmsh tells the format by the name's end.
   const std::string ending = fmt::format(".{}.partial.msh", getpid());
-  const TemporaryMesh temporary{target.stream
+  const TemporaryFile temporary{target.stream
                                     ? std::filesystem::temp_directory_path() / ("mesh_body" + ending)
                                     : std::filesystem::path(target.file.string() + ending)};
-  write_with_gmsh(mesh, temporary.file.string());
-  if (!is_whole(temporary.file) || !add_curved_edges(mesh, temporary.file) ||
-      !add_comment(mesh.body_digest, temporary.file))
+  write_with_gmsh(mesh, temporary.name.string());
+  if (!is_whole(temporary.name) || !add_curved_edges(mesh, temporary.name) ||
+      !add_comment(mesh.body_digest, temporary.name))
     fail(output, "writing stopped early, the disk may be full");
   if (target.stream) {
-    const std::ifstream in(temporary.file, std::ios::binary);
+    const std::ifstream in(temporary.name, std::ios::binary);
     write_text(target.file, [&](std::ostream& out) { out << in.rdbuf(); });
     return;
   }
   std::error_code error;
   if (std::filesystem::exists(target.file))
-    std::filesystem::permissions(temporary.file, std::filesystem::status(target.file).permissions(), error);
-  std::filesystem::rename(temporary.file, target.file, error);
+    std::filesystem::permissions(temporary.name, std::filesystem::status(target.file).permissions(), error);
+  std::filesystem::rename(temporary.name, target.file, error);
   if (error)
     fail(output, error.message());
 }

@@ -1,6 +1,7 @@
 #include "bem_contact/base/output_file.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/temporary_file.hpp"
 
 #include <linux/magic.h>
 #include <sys/stat.h>
@@ -115,15 +116,6 @@ void write_through(const fs::path& file, const std::function<void(std::ostream&)
   if (!out)
     fail(file, last_error("writing stopped early"));
 }
-
-/// Removes itself; nothing is left to remove once it has its final name.
-struct TemporaryFile {
-  fs::path name;
-  ~TemporaryFile() {
-    std::error_code ignored;
-    fs::remove(name, ignored);
-  }
-};
 
 void replace(const fs::path& file, const std::function<void(std::ostream&)>& write) {
   struct stat before {};
