@@ -12,16 +12,6 @@ bool has_free_rolling(const ContactCase& asked) {
          (motion.free_rolling || motion.from_free_rolling);
 }
 
-/// Rigid slip w_x, mean weighted with the pressure.
-double mean_slip(const SceneResult& solved) {
-  double sum = 0, pressed = 0;
-  for (std::size_t i = 0; i < solved.result.pn.size(); ++i) {
-    sum += solved.result.pn[i] * solved.problem.slip_x[i];
-    pressed += solved.result.pn[i];
-  }
-  return sum / pressed;
-}
-
 /// Of a solution without longitudinal force.
 FreeRolling free_rolling_of(const SceneResult& solved) {
   const auto& estimate = solved.result.discretisation;
@@ -35,8 +25,7 @@ FreeRolling counted_as(const SceneResult& result, FreeRolling free) {
   return free;
 }
 
-/// The case with load.force_x = 0 and the creepage of rolling_radius as a start. Nothing where it is not
-/// found.
+/// The case with load.force_x = 0. Nothing where it is not found.
 std::optional<FreeRolling> find_free_rolling(ContactCase asked, const SceneFile::Grid& grid,
                                              SolveResources resources, SceneResult* solution = nullptr) {
   asked.setup.motion.force_x = 0;
@@ -99,7 +88,6 @@ SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::G
   }
   ContactCase free = asked;
   free.scene.solver.model = out.model;
-  free.setup.motion.creepage.slip_x -= mean_slip(out);
   const std::optional<FormerSolution> start = former_of(out.model, out.problem, out.result, *asked.estimate);
   WorkBudget work = resources.work.another(); // it must not end the case that is asked for
   try {

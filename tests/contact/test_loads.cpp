@@ -122,6 +122,22 @@ TEST(Loads, CreepagesOfSteadyRolling) {
   }
 }
 
+/// A rigid slip that is far off (the rolling radius is) moves the creepages found, and takes no more work.
+TEST(Loads, ARigidSlipFarOffIsFoundAsSoon) {
+  ContactProblem problem = rolling(scenes::steel, scenes::steel, 24);
+  const auto pulled = [&](double xi, double eta) {
+    scenes::set_creepage(problem, 0.3, xi, eta, 2e-4);
+    problem.force_x = 0.1 * problem.force;
+    problem.force_s = -0.05 * problem.force;
+    return solve(problem, {.estimate_discretisation = false});
+  };
+  const ContactResult near = pulled(0, 0), far = pulled(0.05, -0.03);
+  ASSERT_TRUE(near.converged && far.converged);
+  EXPECT_NEAR(near.creepage_x, far.creepage_x + 0.05, 1e-8);
+  EXPECT_NEAR(near.creepage_s, far.creepage_s - 0.03, 1e-8);
+  EXPECT_LE(far.tangential_iterations, near.tangential_iterations + 1);
+}
+
 /// Against the difference of two solutions; where both forces are prescribed, the other one is held. A force
 /// that is not prescribed has none.
 TEST(Loads, ComplianceIsTheChangeOfACreepageWithItsForce) {

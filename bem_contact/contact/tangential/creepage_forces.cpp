@@ -47,6 +47,17 @@ std::optional<ForcedCreepage> CreepageForces::find(const std::vector<int>& compo
   return found;
 }
 
+Vector2d CreepageForces::of_no_mean_slip() const {
+  const int n = system_.size();
+  Vector2d slip = Vector2d::Zero(), under_one = Vector2d::Zero();
+  for (const int i : given_.contact) {
+    const Vector2d weight = given_.bound[i] * Vector2d(1, share_[i]);
+    slip += weight.cwiseProduct(Vector2d(given_.rigid[i], given_.rigid[n + i]));
+    under_one += system_.rule.length * weight.cwiseProduct(Vector2d(1, share_[i]));
+  }
+  return -slip.cwiseQuotient(under_one);
+}
+
 void CreepageForces::blend(const Solved& one, const Solved& other, double share) {
   state_.p = (1 - share) * one.p + share * other.p;
   state_.slip = (1 - share) * one.slip + share * other.slip;

@@ -44,6 +44,10 @@ public:
   /// Sets the tractions of full slip along the force.
   void slip_along(const Eigen::Vector2d& force);
 
+  /// The creepages whose mean rigid slip, weighted with mu p_n, is 0: near those of small forces, wherever
+  /// the given slip lies.
+  Eigen::Vector2d of_no_mean_slip() const;
+
   double capacity() const { return capacity_; } ///< sum mu p_n dS, N
   int solves() const { return solves_; }
   /// The creepage whose slip over one step is what an element alone needs to reach its bound.

@@ -177,6 +177,11 @@ void solve_friction(const TangentialSystem& system, const SolverOptions& options
     creepage.reached = false;
     return;
   }
+  if (creepage.iterations == 0 && !task.contact.empty()) {
+    const Vector2d near = forces.of_no_mean_slip();
+    for (const int k : unknown)
+      w[k] = near[k];
+  }
   const double tolerance = settling_factor * options.tolerance * forces.capacity();
   if (const auto found = forces.find(unknown, wanted, tolerance, w)) {
     creepage.reached = true;

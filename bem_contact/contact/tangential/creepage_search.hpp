@@ -22,8 +22,8 @@ struct FoundCreepage {
 /// Friction for given p_n. It also finds the creepages of prescribed forces (as unknowns of Newton's method;
 /// where that ends without an answer, one is bracketed, and two are found by Newton with finite differences
 /// and step halving) and which elements slip at the kinetic coefficient. `task` comes with bound = mu p_n of
-/// adhesion and leaves with the bounds, rigid slip and drive of the solution. Starts from `creepage` and
-/// `state`.
+/// adhesion and leaves with the bounds, rigid slip and drive of the solution. Starts from `state` and from
+/// `creepage`, at first (no iterations) from the creepages without a mean slip.
 void solve_friction(const TangentialSystem& system, const SolverOptions& options, WorkBudget& work,
                     TangentialTask& task, TangentialState& state, FoundCreepage& creepage);
 
