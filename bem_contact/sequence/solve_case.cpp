@@ -68,17 +68,16 @@ void add_stresses(const SceneFile& scene, SceneResult& out) {
         degrees(turn), 100 * error));
 }
 
-/// SceneResult::contact_radius.
+/// SceneResult::contact_radius: radius_at() is linear, so that its mean is that of the mean place.
 double contact_radius(const WheelOnRail& pair, const ContactProblem& problem, const ContactResult& result) {
-  double sum = 0, pressed = 0;
+  double x = 0, pressed = 0;
+  Point2 point{};
   for (int i = 0; i < problem.grid.size(); ++i) {
-    const double p = std::max(0.0, result.pn[i]);
-    if (p > 0)
-      sum += p *
-             radius_at(pair, problem.grid.x(i % problem.grid.mx), problem.rows[i / problem.grid.mx].position);
-    pressed += p;
+    x += result.pn[i] * problem.grid.x(i % problem.grid.mx);
+    point = point + result.pn[i] * problem.rows[i / problem.grid.mx].position;
+    pressed += result.pn[i];
   }
-  return pressed > 0 ? sum / pressed : 0;
+  return pressed > 0 ? radius_at(pair, x / pressed, (1 / pressed) * point) : 0;
 }
 
 /// The creepages that the last step had.

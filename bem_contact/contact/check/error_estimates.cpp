@@ -43,7 +43,7 @@ double roughness_of_gap(const ContactProblem& problem, const ContactResult& resu
 }
 
 /// `roughness`: as roughness_of_gap() returns it, MPa.
-bool rough(const Region& fine, double roughness) {
+bool is_rough(const Region& fine, double roughness) {
   return roughness > largest_roughness * fine.pmax;
 }
 
@@ -51,7 +51,7 @@ bool rough(const Region& fine, double roughness) {
 /// it grossly, or where the undeformed distance is rough: then smaller elements show another field.
 bool converges(const Region& fine, const Region& coarse, double roughness) {
   return std::abs(fine.pmax - coarse.pmax) <= largest_pmax_change * fine.pmax &&
-         fine.curvature <= largest_curvature * fine.pmax && !rough(fine, roughness);
+         fine.curvature <= largest_curvature * fine.pmax && !is_rough(fine, roughness);
 }
 
 /// `roughness`: as converges() takes it, MPa.
@@ -253,7 +253,7 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   out.coarse_pmax = rough.pmax;
   const double roughness = roughness_of_gap(problem, result);
   out.converges = converges(fine, rough, roughness);
-  out.rough = contact::rough(fine, roughness);
+  out.rough = is_rough(fine, roughness);
   out.patches.resize(patches.size());
   if (!out.converges)
     return;
