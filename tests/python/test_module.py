@@ -25,6 +25,16 @@ CORNER = SCENES / "conformal_small.toml"
 
 
 class Module(unittest.TestCase):
+    def test_without_its_compiled_part_it_says_what_to_call(self):
+        with tempfile.TemporaryDirectory() as folder:
+            package = Path(folder) / "bem_contact"
+            package.mkdir()
+            shutil.copy(Path(bem_contact.__file__), package)
+            run = subprocess.run([sys.executable, "-c", "import bem_contact"], cwd=folder, env={"PYTHONPATH": folder},
+                                 capture_output=True, text=True)
+            self.assertNotEqual(run.returncode, 0)
+            self.assertIn("cmake --build --preset full --target bem_contact_python", run.stderr)
+
     def test_hertz(self):
         r = bem_contact.solve(SCENES / "hertz.toml", model="halfspace")
         self.assertTrue(r.certified)

@@ -12,7 +12,16 @@ is to blame, as when the disk gets full.
 `help(bem_contact.solve)` and `help(bem_contact.Result)` say what goes in and what comes out.
 """
 
-from ._core import ConvergenceError, Error, InputError, Result, Sequence, Table, __commit__, __version__, compare, conicity, creep_curves, fatigue, read_table, report, solve, table, wear, wheelset
+try:
+    from ._core import ConvergenceError, Error, InputError, Result, Sequence, Table, __commit__, __version__, compare, conicity, creep_curves, fatigue, read_table, report, solve, table, wear, wheelset
+except ModuleNotFoundError as missing:
+    if missing.name != f"{__name__}._core":
+        raise
+    import sys
+    raise ImportError(
+        f"the compiled part of bem_contact is missing (it was not built, or not for this Python {sys.version_info.major}."
+        f"{sys.version_info.minor}) Call cmake --build --preset full --target bem_contact_python, and use "
+        "/usr/bin/python3.", name=missing.name) from None
 
 __all__ = ["ConvergenceError", "Error", "InputError", "Result", "Sequence", "Table", "__commit__", "__version__", "compare", "conicity", "creep_curves",
            "fatigue", "read_table", "report", "solve", "table", "wear", "wheelset"]
