@@ -2,6 +2,7 @@
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/profile/like_standard.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/report/report_page.hpp"
@@ -81,8 +82,24 @@ ProfileKind kind_of_profile(const std::string& name, const std::string& kind) {
                        : "Say --kind rail or --kind wheel.");
 }
 
+std::string like_text(const LikeStandard& like, const MeasuredProfile& p) {
+  const std::string other = like.other.empty() ? "" : fmt::format(" or {}", like.other);
+  std::string out = fmt::format("  like {}{}, worn by {:.3f} .. {:.3f} mm", like.name, other,
+                                like.least_depth, like.largest_depth);
+  if (like.inclination > 0)
+    out +=
+        fmt::format(", turned by {:.2f} degrees ({}): the file is already inclined; give position.cant = 0 "
+                    "with it",
+                    like.angle * 180 / std::numbers::pi, inclination_text(like.inclination));
+  if (p.noise.smoothing > 0 && p.smoothing == 0)
+    out += fmt::format("; nominal = \"{}\"{} advised", like.name,
+                       like.other.empty() ? "" : fmt::format(" or \"{}\"", like.other));
+  return out + '\n';
+}
+
 /// The profile in words: points, extent, noise, what smoothing removed, radii along s.
-std::string describe_profile(const MeasuredProfile& p, ProfileKind kind) {
+std::string describe_profile(const MeasuredProfile& p, const std::optional<LikeStandard>& like,
+                             ProfileKind kind) {
   const ProfileCurve& curve = p.curve;
   constexpr double degree = std::numbers::pi / 180;
   const double length = curve.s_end() - curve.s_begin();
@@ -96,9 +113,8 @@ std::string describe_profile(const MeasuredProfile& p, ProfileKind kind) {
         p.noise.smoothing > 0 ? fmt::format("smoothing = {:.2g} advised", p.noise.smoothing)
                               : std::string("no smoothing needed"));
   }
-  if (p.like)
-    out += fmt::format("  like {0}, worn by {1:.3f} .. {2:.3f} mm: nominal = \"{0}\" advised\n", p.like->name,
-                       p.like->least_depth, p.like->largest_depth);
+  if (like)
+    out += like_text(*like, p);
   if (p.worn)
     out += fmt::format("  nominal: {}\n", worn_text(*p.worn));
   if (p.smoothing > 0)
@@ -153,7 +169,8 @@ report::DrawnProfile drawn(std::string name, const ProfileCurve& curve, double s
 
 /// The profile, then the same as measured if it is smoothed, then the standard that it resembles.
 std::vector<report::DrawnProfile> drawn_profiles(const ProfileArguments& arguments,
-                                                 const MeasuredProfile& profile, ProfileKind kind) {
+                                                 const MeasuredProfile& profile,
+                                                 const std::optional<LikeStandard>& like, ProfileKind kind) {
   const std::string name = std::filesystem::path(arguments.name).filename();
   std::vector<report::DrawnProfile> out{drawn(name, profile.curve, arguments.step)};
   if (profile.smoothing > 0 || profile.worn) {
@@ -163,9 +180,7 @@ std::vector<report::DrawnProfile> drawn_profiles(const ProfileArguments& argumen
     out.push_back(drawn(name + ", as measured", read(raw, kind).curve, arguments.step));
   }
   const std::string usual = kind == ProfileKind::wheel ? "S1002" : "60E1";
-  const std::string standard = profile.worn   ? arguments.reading.nominal
-                               : profile.like ? profile.like->name
-                                              : usual;
+  const std::string standard = profile.worn ? arguments.reading.nominal : like ? like->name : usual;
   if (standard != arguments.name)
     out.push_back(drawn(standard, standard_profile(standard), arguments.step));
   return out;
@@ -182,9 +197,11 @@ ExitCode run(ProfileArguments arguments, bool flange_back_given) {
   const MeasuredProfile profile = read(arguments, kind);
   if (!arguments.csv.empty())
     write_whole(arguments.csv, [&](std::ostream& out) { out << profile_csv(profile.curve, arguments.step); });
-  const std::string words = describe_profile(profile, kind);
+  const std::optional<LikeStandard> like =
+      profile.points > 0 ? like_standard(profile.curve, kind) : std::nullopt;
+  const std::string words = describe_profile(profile, like, kind);
   if (!arguments.plot.empty())
-    report::write_profile_page(arguments.name, words, drawn_profiles(arguments, profile, kind),
+    report::write_profile_page(arguments.name, words, drawn_profiles(arguments, profile, like, kind),
                                arguments.plot);
   fmt::print("{}", words);
   return success;

@@ -3,7 +3,9 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopped.hpp"
 #include "bem_contact/conicity/settings.hpp"
+#include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/scene/warnings.hpp"
 #include "bem_contact/scene/wheel_rail_geometry.hpp"
 
 #include <fmt/format.h>
@@ -24,6 +26,8 @@ WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
     throw InputError("This scene has no wheelset", "its kind is \"patch\"",
                      "Give a scene with kind = \"wheel_rail\".");
   const WheelRailProfiles right = read_profiles(scene);
+  if (const std::string twice = inclined_twice(right.rail_inclination, scene.position.cant); !twice.empty())
+    messages()->warn("{}", twice);
   const auto other = [&](const std::string& name, ProfileKind kind, const SceneFile::Side& side,
                          const TabulatedProfile& same) {
     return name.empty() ? same : TabulatedProfile(named_profile(name, kind, scene.folder, side.reading));

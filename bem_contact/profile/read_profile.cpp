@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
+#include "bem_contact/profile/like_standard.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/profile_formats.hpp"
 #include "bem_contact/profile/profile_repair.hpp"
@@ -16,7 +17,6 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -52,35 +52,19 @@ std::string file_name(const std::string& source) {
   return std::filesystem::path(source).filename().string();
 }
 
-void warn_of_noise(const std::string& source, const MeasuredProfile& p) {
+void warn_of_noise(const std::string& source, const MeasuredProfile& p, ProfileKind kind) {
+  const std::optional<LikeStandard> like = like_standard(p.curve, kind);
   const std::string better =
-      p.like
-          ? fmt::format("; as it looks like {} worn by {:.2g} .. {:.2g} mm, nominal = \"{}\" keeps more of "
-                        "its shape",
-                        p.like->name, p.like->least_depth, p.like->largest_depth, p.like->name)
-          : "";
+      like ? fmt::format("; as it looks like {} worn by {:.2g} .. {:.2g} mm, nominal = \"{}\" keeps more of "
+                         "its shape",
+                         like->name, like->least_depth, like->largest_depth, like->name)
+           : "";
   messages()->warn(
       "{}: its points scatter by {:.2g} um, {:.2g} mm apart: a curve through all of them bends to radii of "
       "{:.2g} mm, which moves pressures between steel bodies by some {:.0f} MPa and may split patches "
       "(smoothing = {:.2g} removes it{})",
       source, 1e3 * p.noise.scatter, p.noise.spacing, 1 / p.noise.bending, p.noise.pressure,
       p.noise.smoothing, better);
-}
-
-/// The standard whose profile lies nearest, if one is near.
-std::optional<LikeStandard> like_standard(std::span<const Point2> points, double scatter, ProfileKind kind) {
-  std::optional<LikeStandard> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::string& name : standard_profile_names()) {
-    if (kind_of_standard(name) != kind)
-      continue;
-    const NominalFit fit = fit_nominal(standard_profile(name), points, scatter);
-    if (fit.near && std::max(-fit.least, fit.largest) <= farthest_advised && fit.rms < least) {
-      least = fit.rms;
-      best = {name, fit.least, fit.largest};
-    }
-  }
-  return best;
 }
 
 /// The nominal profile that `reading` names.
@@ -151,10 +135,8 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
   const ProfileNoise noise = measure_noise(points);
   if (reading.smoothing == 0 && reading.nominal.empty()) {
     MeasuredProfile out{ProfileCurve::through_points(file_name(source), points), points.size(), noise};
-    if (noise.smoothing > 0) {
-      out.like = like_standard(points, noise.scatter, kind);
-      warn_of_noise(source, out);
-    }
+    if (noise.smoothing > 0)
+      warn_of_noise(source, out, kind);
     return out;
   }
   MeasuredProfile out = smoothed_profile(source, points, noise, kind, reading);

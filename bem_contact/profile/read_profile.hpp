@@ -13,12 +13,6 @@
 
 namespace bem_contact {
 
-/// A standard profile that a measured one may be worn from.
-struct LikeStandard {
-  std::string name;
-  double least_depth = 0, largest_depth = 0; ///< of the points inside it, mm
-};
-
 /// A profile file, and what was found out about it on the way.
 struct MeasuredProfile {
   ProfileCurve curve;
@@ -27,8 +21,7 @@ struct MeasuredProfile {
   double smoothing = 0;    ///< shortest wavelength kept, mm; 0: not smoothed; the longest of several
   double removed_rms = 0;  ///< by smoothing, mm
   double removed_most = 0; ///< mm
-  std::optional<WornNominal> worn = {};  ///< if reading.nominal is given
-  std::optional<LikeStandard> like = {}; ///< what nominal could be: of a noisy file that is not smoothed
+  std::optional<WornNominal> worn = {}; ///< if reading.nominal is given
 };
 
 /// Reads a profile file: Simpack .prr/.prw, MiniProf .ban/.whl/.mpt, Vampire .rai/.whe (told by their

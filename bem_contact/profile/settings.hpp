@@ -160,6 +160,23 @@ BEM_CONTACT_TUNED(double, farthest_from_nominal, 5.0);
 BEM_CONTACT_TUNED(double, farthest_rms_from_nominal, 2.0); ///< mm. Root mean square, as above. Chosen.
 /// mm. Noise says which nominal profile would help if the points lie this near to it. Chosen.
 BEM_CONTACT_TUNED(double, farthest_advised, 3.0);
+/// mm. A standard is not like a profile that has more steel outside it: flow of the steel makes lips of some
+/// tenths.
+BEM_CONTACT_TUNED(double, farthest_added_steel, 1.0);
+/// 1. Points of a measured curve by which it is compared with the standards: closer than 1 mm. Chosen.
+BEM_CONTACT_TUNED(int, like_points, 200);
+/// 1. How unlike a standard is: the steel outside it and this share of the whole depth, root mean squares.
+/// Wear of 2 mm then weighs as much as 0.1 mm of steel that nothing can have added. Chosen.
+BEM_CONTACT_TUNED(double, worn_share, 0.1);
+/// 1. A second standard that is not more unlike than this is named too. Chosen: a 60E2 with its top worn
+/// evenly lies as well on 60E1.
+BEM_CONTACT_TUNED(double, like_tie, 1.5);
+/// mm (root mean square). With more steel outside a standard the turn of a rail is not told. A 60E1 that
+/// bumps of wear take 0.3 to 2 mm off, 8 to 30 mm wide, is then placed askew by less than least_inclination.
+BEM_CONTACT_TUNED(double, most_added_steel, 0.02);
+/// rad. A rail that is turned by this or more towards the track's centre was measured as it lies in the
+/// track: half of 1:40, the smallest inclination in use.
+BEM_CONTACT_TUNED(double, least_inclination, 0.0125);
 /// 1. Fewer points tell no depth.
 BEM_CONTACT_TUNED(std::size_t, least_nominal_points, 20);
 /// 1 (median distances of points). Depths nearer to each other become one.

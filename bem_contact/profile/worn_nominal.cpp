@@ -119,7 +119,7 @@ void refuse_far(const ProfileCurve& nominal, const NominalFit& fit, std::size_t 
 
 NominalFit fit_nominal(const ProfileCurve& nominal, std::span<const Point2> points, double scatter) {
   NominalFit fit{.place = place_nominal(nominal, points, scatter)};
-  double squares = 0;
+  double squares = 0, added = 0;
   bool any = false;
   for (const Point2 p : points) {
     const PointOnNominal seen = seen_from(nominal, p, fit.place);
@@ -130,10 +130,12 @@ NominalFit fit_nominal(const ProfileCurve& nominal, std::span<const Point2> poin
     fit.least = any ? std::min(fit.least, seen.depth) : seen.depth;
     fit.largest = any ? std::max(fit.largest, seen.depth) : seen.depth;
     squares += seen.depth * seen.depth;
+    added += std::pow(std::min(seen.depth, 0.0), 2);
     any = true;
   }
   const std::size_t on = points.size() - fit.beyond;
   fit.rms = any ? std::sqrt(squares / static_cast<double>(on)) : 0;
+  fit.added_rms = any ? std::sqrt(added / static_cast<double>(on)) : 0;
   fit.near = 2 * fit.beyond <= points.size() && on >= least_nominal_points &&
              std::max(-fit.least, fit.largest) <= farthest_from_nominal &&
              fit.rms <= farthest_rms_from_nominal;

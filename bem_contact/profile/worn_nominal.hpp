@@ -36,6 +36,7 @@ std::string worn_text(const WornNominal& worn);
 struct NominalFit {
   NominalPlace place;
   double least = 0, largest = 0, rms = 0; ///< depths of the points on it, mm
+  double added_rms = 0;                   ///< root mean square of the depths below 0: of steel outside it, mm
   std::size_t beyond = 0;                 ///< points beyond its ends
   /// The points may be those of this profile, worn: they lie near it, and most of them not beyond its ends.
   bool near = false;

@@ -149,7 +149,10 @@ ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& pro
   const double lowered = pair.wheel_pose.origin.z - before;
   const ContactLoad load = load_of(scene, scene.position.vertical ? *scene.position.vertical - lowered
                                                                   : scene.load.approach.value_or(0));
-  return set_up_touching(scene, std::move(pair), std::move(locus), std::move(touch), lowered, load);
+  ContactSetup out =
+      set_up_touching(scene, std::move(pair), std::move(locus), std::move(touch), lowered, load);
+  std::get<WheelRailGeometry>(out.geometry).rail_inclination = profiles.rail_inclination;
+  return out;
 }
 
 ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, StructuralPlacement by) {
@@ -168,6 +171,7 @@ ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, Structural
   out.motion = setup.motion;
   out.motion.creepage.rolling_radius = rolling_radius;
   std::get<WheelRailGeometry>(out.geometry).structure = by;
+  std::get<WheelRailGeometry>(out.geometry).rail_inclination = before.rail_inclination;
   return out;
 }
 

@@ -1,5 +1,6 @@
 #include "bem_contact/scene/warnings.hpp"
 
+#include "bem_contact/profile/like_standard.hpp"
 #include "bem_contact/profile/wheel_datum.hpp"
 #include "bem_contact/scene/settings.hpp"
 
@@ -50,6 +51,15 @@ std::optional<Point2> flange_tip_below(const WheelRailGeometry& placed) {
 
 } // namespace
 
+std::string inclined_twice(double rail_inclination, double cant) {
+  if (rail_inclination == 0 || cant == 0)
+    return "";
+  return fmt::format(
+      "the rail's file is already inclined ({}), and position.cant = {:g} inclines it again: give "
+      "position.cant = 0 with it",
+      inclination_text(rail_inclination), cant);
+}
+
 std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSetup& setup) {
   std::vector<std::string> out = scene.unused;
   look_at_material(scene.rail.material, "rail.material", out);
@@ -68,6 +78,8 @@ std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSet
     if (setup.load.kind == LoadKind::force && setup.load.force > 0 && setup.load.force < least_wheel_load)
       out.push_back(
           fmt::format("load.force looks like kN ({:g} N on a wheel) Give it in N.", setup.load.force));
+    if (std::string twice = inclined_twice(placed->rail_inclination, scene.position.cant); !twice.empty())
+      out.push_back(std::move(twice));
     look_at_motion(scene, setup.motion.creepage.rolling_radius, out);
     if (scene.position.wheel_radius > largest_wheel_radius)
       out.push_back(fmt::format("position.wheel_radius = {:g} mm: the radius is asked for, not the diameter",

@@ -2,7 +2,9 @@
 
 #include "bem_contact/geometry/rail_rows.hpp"
 #include "bem_contact/geometry/undeformed_distance.hpp"
+#include "bem_contact/profile/like_standard.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
 
 #include <cmath>
 
@@ -27,8 +29,12 @@ void take_back(const WheelRailGeometry& placed, const std::vector<ContactRow>& r
 } // namespace
 
 WheelRailProfiles read_profiles(const SceneFile& scene) {
-  return {named_profile(scene.rail.profile, ProfileKind::rail, scene.folder, scene.rail.reading),
-          named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder, scene.wheel.reading)};
+  const ProfileCurve rail =
+      named_profile(scene.rail.profile, ProfileKind::rail, scene.folder, scene.rail.reading);
+  const std::optional<LikeStandard> like =
+      is_standard_profile(scene.rail.profile) ? std::nullopt : like_standard(rail, ProfileKind::rail);
+  return {rail, named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder, scene.wheel.reading),
+          like ? like->inclination : 0};
 }
 
 std::vector<ContactRow> WheelRailGeometry::rows(const GridPlan& plan) const {

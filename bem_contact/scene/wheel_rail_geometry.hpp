@@ -16,6 +16,7 @@ namespace bem_contact {
 /// Both profiles, tabulated: read once for a sequence of cases with the same bodies.
 struct WheelRailProfiles {
   TabulatedProfile rail, wheel;
+  double rail_inclination = 0; ///< that the rail's file has already (like_standard.hpp), rad
 };
 WheelRailProfiles read_profiles(const SceneFile& scene);
 
@@ -29,6 +30,7 @@ struct WheelRailGeometry {
   bool planar = false;           ///< all rows lie in the tangent plane at the reference point
   ReferencePoint reference;      ///< centre of the contact; the deepest point where nothing touches
   double contact_radius = 0;     ///< of the wheel at that centre, mm
+  double rail_inclination = 0;   ///< of the rail in its file, before position.cant, rad
   std::optional<StructuralPlacement> structure = {}; ///< where structural motion has moved the bodies
 
   std::vector<ContactRow> rows(const GridPlan& plan) const;

@@ -1,4 +1,5 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/like_standard.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/wear_depth.hpp"
 #include "sampled.hpp"
@@ -321,6 +322,51 @@ TEST(Nominal, AnUnknownOneAndOneOfTheOtherKindAreRefused) {
   EXPECT_THAT(refusal(points, ProfileKind::wheel, {.nominal = "S1003"}),
               AllOf(HasSubstr("nominal = \"S1003\" is not known"), HasSubstr("a wheel was made: S1002")));
   EXPECT_THAT(refusal(points, ProfileKind::wheel, {.nominal = "60E1"}), HasSubstr("is not known"));
+}
+
+std::optional<LikeStandard> like(const Points& points) {
+  const Warnings quiet;
+  return like_standard(read(points, ProfileKind::rail, {}).curve, ProfileKind::rail);
+}
+
+/// The gauge corner of a 60E1 worn by 1.2 mm lies nearer to 60E2 than to 60E1, in the root mean square: but
+/// wear adds no steel.
+TEST(LikeStandard, IsTheOneOutsideOfWhichThereIsNoSteel) {
+  const auto worn = like(worn_points("60E1", {{1.2, -30, 12}}, {}, 0.5));
+  ASSERT_TRUE(worn);
+  EXPECT_EQ(worn->name, "60E1");
+  EXPECT_EQ(worn->other, "");
+  EXPECT_NEAR(worn->largest_depth, 1.2, 0.05);
+  EXPECT_EQ(worn->inclination, 0);
+}
+
+/// A top that is worn evenly looks like the lower top of another standard.
+TEST(LikeStandard, TwoThatAreNearAreBothNamedAndNoTurnIsTold) {
+  const auto even = like(worn_points("60E2", {{1.0, 0, 20}}, {{0, 0}, -std::atan(1 / 40.0)}, 0.5));
+  ASSERT_TRUE(even);
+  EXPECT_NE(even->other, "");
+  EXPECT_EQ(even->inclination, 0);
+}
+
+TEST(LikeStandard, TellsARailThatIsInclinedAlready) {
+  for (const double part : {20.0, 40.0}) {
+    const auto inclined = like(worn_points("60E1", {{1.0, -35, 10}}, {{-7, 0}, -std::atan(1 / part)}, 0.5));
+    ASSERT_TRUE(inclined);
+    EXPECT_EQ(inclined->name, "60E1");
+    EXPECT_NEAR(inclined->inclination, std::atan(1 / part), 2e-4);
+    EXPECT_EQ(inclination_text(inclined->inclination), part == 20 ? "about 1:20" : "about 1:40");
+  }
+  const NominalPlace other_way{{0, 0}, 0.025};
+  EXPECT_EQ(like(worn_points("60E1", {}, other_way, 0.5))->inclination, 0);
+}
+
+/// Wide wear turns the place at which 60E1 lies best.
+TEST(LikeStandard, TakesNoWearForAnInclination) {
+  for (const double depth : {0.3, 1.0, 2.0})
+    for (const double at : {-35.0, -20.0, -10.0})
+      for (const double width : {12.0, 20.0, 30.0})
+        EXPECT_EQ(like(worn_points("60E1", {{depth, at, width}}, {}, 0.5))->inclination, 0)
+            << depth << ' ' << at << ' ' << width;
 }
 
 std::string said(const Points& points, ProfileKind kind, const ProfileReading& reading = {}) {

@@ -1,6 +1,13 @@
 #include "bem_contact/scene/warnings.hpp"
 
+#include "bem_contact/profile/nominal_place.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
+#include "tests/base/temporary_folder.hpp"
+
 #include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
 
 namespace bem_contact {
 namespace {
@@ -45,6 +52,28 @@ TEST(Warnings, FrictionAboveOneAndForcesInKilonewtonsAreSaid) {
                        "grid.dx = 1.0\ngrid.ds = 0.5\n");
   EXPECT_THAT(input_warnings(scene, set_up_contact(scene, read_profiles(scene))),
               ElementsAre(HasSubstr("load.force looks like kN (100 N on a wheel)")));
+}
+
+/// 60E1 as it lies in the track, inclined 1:40 towards the centre.
+TEST(Warnings, ARailThatIsInclinedTwiceIsSaid) {
+  const TemporaryFolder folder;
+  const ProfileCurve upright = standard_profile("60E1");
+  const NominalPlace in_track{{-7.5, 0.1}, -std::atan(1 / 40.0)};
+  std::ofstream file(folder.path() / "rail.txt");
+  for (double s = upright.s_begin(); s <= upright.s_end(); s += 0.4) {
+    const Point2 p = in_track.to_measured(upright.at(s).position);
+    file << p.y << ' ' << p.z << '\n';
+  }
+  file.close();
+  const std::string rail = "rail.profile = '" + (folder.path() / "rail.txt").string() + "'\n";
+  const auto warnings = [&](const std::string& more) {
+    const SceneFile scene = parse_scene_file(rail + "wheel.profile = 'S1002'\nload.force = 1e5\n" + more);
+    return input_warnings(scene, set_up_contact(scene, read_profiles(scene)));
+  };
+  EXPECT_THAT(warnings(""), IsEmpty());
+  EXPECT_THAT(
+      warnings("position.cant = 0.025"),
+      ElementsAre(HasSubstr("the rail's file is already inclined (about 1:40), and position.cant = 0.025")));
 }
 
 TEST(Warnings, AWheelOnItsFlangeIsSaid) {
