@@ -2,6 +2,7 @@
 #include "bem_contact/app/csv_name.hpp"
 #include "bem_contact/app/datasets.hpp"
 #include "bem_contact/app/file_kinds.hpp"
+#include "bem_contact/app/output_names.hpp"
 #include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -162,7 +163,8 @@ ExitCode run(const ConicityArguments& arguments) {
   const std::vector<NamedFile> left = left_files(arguments.left);
   std::vector<std::filesystem::path> inputs = files_read(arguments.scene, given.scene);
   std::ranges::move(paths_of(left), std::back_inserter(inputs));
-  require_outputs(inputs, {{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}});
+  require_named_outputs(inputs,
+                        {{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}});
   if (!arguments.output.empty()) {
     given.inputs = inputs_of(given.scene);
     std::ranges::move(records_of(left), std::back_inserter(given.inputs));

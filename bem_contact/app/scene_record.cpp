@@ -1,6 +1,7 @@
 #include "bem_contact/app/scene_record.hpp"
 
 #include "bem_contact/app/datasets.hpp"
+#include "bem_contact/app/output_names.hpp"
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
@@ -40,7 +41,7 @@ GivenScene read_given_scene(const std::string& file, const std::string& model,
 GivenScene read_given_scene_for(const std::vector<Output>& outputs, const std::string& file,
                                 const std::string& model) {
   GivenScene out = read_given_scene(file, model);
-  require_outputs(files_read(file, out.scene), outputs);
+  require_named_outputs(files_read(file, out.scene), outputs);
   if (std::ranges::any_of(outputs, [](const Output& output) {
         return output.form == OutputForm::whole_file && !output.file.empty();
       }))

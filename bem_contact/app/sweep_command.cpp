@@ -1,5 +1,6 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/file_kinds.hpp"
+#include "bem_contact/app/output_names.hpp"
 #include "bem_contact/app/sweep_inputs.hpp"
 #include "bem_contact/app/sweep_journal.hpp"
 #include "bem_contact/app/sweep_output.hpp"
@@ -182,12 +183,12 @@ void write_csv_of(const std::filesystem::path& csv, const H5Table& top, const Sw
 void check_outputs(const SweepFile& sweep, const SweepRequest& request,
                    const std::filesystem::path& own_journal) {
   const CsvFiles csv = csv_files(request.csv);
-  require_outputs(files_read(request.scene, sweep),
-                  {{"--output", request.output, OutputForm::whole_file, true},
-                   {"--output", own_journal, OutputForm::whole_file},
-                   {"--csv", request.csv},
-                   {"--csv", csv.patches},
-                   {"--csv", csv.units}});
+  require_named_outputs(files_read(request.scene, sweep),
+                        {{"--output", request.output, OutputForm::whole_file, true},
+                         {"--output", own_journal, OutputForm::whole_file},
+                         {"--csv", request.csv},
+                         {"--csv", csv.patches},
+                         {"--csv", csv.units}});
 }
 
 /// What is known from all journals, after this process has solved its part of the rest.

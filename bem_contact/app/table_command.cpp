@@ -1,5 +1,6 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/number_list.hpp"
+#include "bem_contact/app/output_names.hpp"
 #include "bem_contact/app/scene_record.hpp"
 #include "bem_contact/app/sweep_workers.hpp"
 #include "bem_contact/base/error.hpp"
@@ -243,8 +244,8 @@ ExitCode run(TableArguments arguments) {
   Order order = arguments.creep ? creep_order(arguments) : scene_order(arguments);
   const std::vector<std::filesystem::path> inputs =
       order.given ? files_read(arguments.input, order.given->scene) : std::vector<std::filesystem::path>{};
-  require_outputs(inputs,
-                  {{"--output", arguments.output, OutputForm::whole_file}, {"--text", arguments.text}});
+  require_named_outputs(inputs,
+                        {{"--output", arguments.output, OutputForm::whole_file}, {"--text", arguments.text}});
   arguments.wanted.progress = [](const std::string& text) { spdlog::info("the table has {}", text); };
   const Stopwatch watch;
   table::refine(order.table, side_by_side(order.make_solver, arguments.jobs), arguments.wanted);

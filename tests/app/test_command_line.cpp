@@ -271,6 +271,13 @@ TEST_F(CommandLine, AFullDiskIsOne) {
   }
 }
 
+TEST_F(CommandLine, NamesOfOtherKindsOfFilesAreRefused) {
+  const std::string scene = write("s.toml", hertz).string();
+  refused(run("solve '" + scene + "' -o a.csv"),
+          {"a.csv' of --output would have a misleading name", "an HDF5 file", "ends with .h5"});
+  refused(run("solve '" + scene + "' --vtk a.vtk"), {"in XML", "ends with .vts"});
+}
+
 TEST_F(CommandLine, AFolderIsNoOutputAndNothingIsLeftBesideIt) {
   const std::string scene = write("s.toml", hertz).string();
   std::filesystem::create_directory(folder_ / "taken");
