@@ -116,6 +116,14 @@ void Schema::refuse_unknown(const std::string& path, bool is_table) const {
     if (!better.empty())
       like = better;
   }
+  const std::string inner = last_part(path);
+  if (const bool dotted =
+          std::ranges::any_of(keys_, [&](const Key& key) { return key.path.starts_with(inner + "."); });
+      is_table && inner != path && dotted)
+    throw InputError(
+        fmt::format("{}unknown table '{}'", where(path), path),
+        fmt::format("keys below [{}] belong to it, those with dots too", table_of(path)),
+        fmt::format("Write the keys {0}.* above the first line with [...], or below [{0}].", inner));
   throw InputError(fmt::format("{}unknown {} '{}'", where(path), is_table ? "table" : "key", path),
                    fmt::format("a {} has no such {}", title_, is_table ? "table" : "key"),
                    like.empty() ? "See --print-default (of bem_contact for scenes, of mesh_body for bodies)."
@@ -128,8 +136,9 @@ void Schema::check(const Key& key) const {
     if (!std::isfinite(value))
       refuse(key.path, "the value must be finite", "Give a number.");
     if (!(value >= rule.at_least && value > rule.above && value <= rule.at_most && value < rule.below))
-      refuse(key.path, "out of range",
-             fmt::format("Give a value {}.", with_unit(range_text(key.target, rule), rule)));
+      refuse(
+          key.path, "out of range",
+          fmt::format("Give a value {}. It is: {}.", with_unit(range_text(key.target, rule), rule), key.doc));
   };
   const auto check_value = [&](const auto& self, const auto& value) -> void {
     using T = std::decay_t<decltype(value)>;

@@ -7,11 +7,30 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
+#include <regex>
 
 namespace bem_contact {
 
 namespace {
+
+std::string_view line_of(std::string_view text, std::size_t number) {
+  for (; number > 1 && text.find('\n') != text.npos; --number)
+    text.remove_prefix(text.find('\n') + 1);
+  return text.substr(0, text.find('\n'));
+}
+
+/// The value of "key = 1/40", if the line is like that.
+std::optional<double> fraction_in(std::string_view line) {
+  static const std::regex form(R"(^[^=]*=\s*([-+]?[0-9.]+)\s*/\s*([0-9.]+)\s*(#.*)?$)");
+  std::match_results<std::string_view::const_iterator> found;
+  if (!std::regex_match(line.begin(), line.end(), found, form))
+    return std::nullopt;
+  const double value = std::stod(found[1].str()) / std::stod(found[2].str());
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
 
 std::string type_of(const toml::node& node) {
   if (node.is_integer())
@@ -73,12 +92,21 @@ public:
 private:
   Schema& schema;
 
+  /// The value as it is; where that is refused or empty, 1 stands for it.
+  static std::string example_text(const Schema::Key& key) {
+    const std::string text = value_text(key.target);
+    if (text == "[]" && std::holds_alternative<std::vector<double>*>(key.target))
+      return "[1.0]";
+    return (text == "0.0" && key.rule.above >= 0) ? fmt::format("{:.1f}", key.rule.above + 1) : text;
+  }
+
   void require_type(const Schema::Key& key, const toml::node& node, bool fits) const {
     if (!fits)
       throw InputError(
           schema.where(key.path) + key.path + " is " + type_of(node),
-          fmt::format("it must be of type: {}", type_text(key.target)),
-          fmt::format("Correct it, for instance {} = {}.", last_part(key.path), value_text(key.target)));
+          fmt::format("it must be of type: {}{}", type_text(key.target),
+                      node.is_string() && !key.rule.unit.empty() ? ", in " + key.rule.unit : ""),
+          fmt::format("Correct it, for instance {} = {}.", last_part(key.path), example_text(key)));
   }
 
   void take(const Schema::Key& key, const toml::node& node, double& number) {
@@ -160,11 +188,18 @@ private:
 void Schema::read(std::string_view toml, std::string_view source_name) {
   source_ = source_name;
   lines_.clear();
+  if (toml.starts_with("\x89HDF"))
+    throw InputError(fmt::format("{} is no {}", source_name, title_),
+                     "it is an HDF5 file: a result file, or an influence file",
+                     fmt::format("bem_contact info {} says what is in it.", source_name));
   try {
     SchemaReader(*this).table(toml::parse(toml, source_name), "");
   } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: {}", source_name, error.source().begin.line, error.description()),
-                     "the file is not valid TOML", "Correct the line.");
+    const auto line = static_cast<std::size_t>(error.source().begin.line);
+    const std::optional<double> fraction = fraction_in(line_of(toml, line));
+    throw InputError(fmt::format("{}:{}: {}", source_name, line, error.description()),
+                     fraction ? "TOML has no fractions" : "the file is not valid TOML",
+                     fraction ? fmt::format("Write {:.6g}.", *fraction) : "Correct the line.");
   }
   require_needed();
   for (const Key& key : keys_)

@@ -13,7 +13,9 @@ template <> struct EnumNames<Colour> {
 
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 struct Paint {
   Colour colour = Colour::red;
@@ -56,6 +58,28 @@ TEST(Schema, AnOptionalIsEmptyIfTheFileDoesNotHaveItsKey) {
   EXPECT_EQ(read("coats = 0").coats, std::nullopt);
   EXPECT_EQ(read("coats = 2").coats, 2);
   EXPECT_THAT(message_of([] { read("thickness = -1"); }), HasSubstr("Give a value >= 0 mm."));
+}
+
+TEST(Schema, MessagesMeetTheMistake) {
+  EXPECT_THAT(message_of([] { read("thickness = 1/40\n"); }),
+              AllOf(HasSubstr("TOML has no fractions"), HasSubstr("Write 0.025.")));
+  EXPECT_THAT(message_of([] { read("thickness = \"1/40\n"); }), Not(HasSubstr("fractions")));
+  EXPECT_THAT(message_of([] { read("thickness = '2 mm'\n"); }), HasSubstr("number, in mm"));
+  EXPECT_THAT(message_of([] { read("thickness = -1\n"); }), HasSubstr("It is: Of a coat."));
+  EXPECT_THAT(message_of([] { read("\x89HDF\r\n"); }),
+              AllOf(HasSubstr("no paint file"), HasSubstr("bem_contact info")));
+  double force = 0;
+  std::vector<double> depths;
+  Schema scene("scene file");
+  scene.add("load.force", force, "Force", {.unit = "N", .above = 0});
+  scene.add("motion.xi", force, "Creepage");
+  scene.add("stresses.depths", depths, "Depths");
+  EXPECT_THAT(message_of([&] { scene.read("load.force = '80 kN'", "s"); }),
+              HasSubstr("for instance force = 1.0"));
+  EXPECT_THAT(message_of([&] { scene.read("stresses.depths = 1.0", "s"); }),
+              HasSubstr("for instance depths = [1.0]"));
+  EXPECT_THAT(message_of([&] { scene.read("[motion]\nxi = 0.0\nload.force = 1.0", "s"); }),
+              AllOf(HasSubstr("unknown table 'motion.load'"), HasSubstr("or below [load]")));
 }
 
 TEST(Schema, PrintsWhatIsNotGivenAsAComment) {

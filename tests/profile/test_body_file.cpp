@@ -177,9 +177,8 @@ TEST(BodyFile, unknown_tables_and_misplaced_keys) {
 }
 
 TEST(BodyFile, wrong_types_ranges_and_values_name_line_and_key) {
-  EXPECT_EQ(
-      body_refusal("[strip]\nfrom = 'a'"),
-      "body.toml:2: strip.from is text (it must be of type: number) Correct it, for instance from = -45.0.");
+  EXPECT_EQ(body_refusal("[strip]\nfrom = 'a'"), "body.toml:2: strip.from is text (it must be of type: "
+                                                 "number, in mm) Correct it, for instance from = -45.0.");
   EXPECT_THAT(body_refusal("[mesh]\nelements_per_station = 2.5"),
               HasSubstr("(it must be of type: whole number)"));
   EXPECT_THAT(body_refusal("[mesh]\nelements_per_station = 99999999999"), HasSubstr("(out of range)"));
@@ -187,9 +186,11 @@ TEST(BodyFile, wrong_types_ranges_and_values_name_line_and_key) {
             "body.toml:2: strip.from = nan (the value must be finite) Give a number.");
   EXPECT_THAT(body_refusal("[strip]\nto = inf"), HasSubstr("strip.to = inf (the value must be finite)"));
   EXPECT_EQ(body_refusal("[material]\npoisson = 0.5"),
-            "body.toml:2: material.poisson = 0.5 (out of range) Give a value >= 0 and < 0.5.");
+            "body.toml:2: material.poisson = 0.5 (out of range) Give a value >= 0 and < 0.5. It is: "
+            "Poisson's ratio.");
   EXPECT_EQ(body_refusal("[material]\nshear_modulus = 0"),
-            "body.toml:2: material.shear_modulus = 0.0 (out of range) Give a value > 0 MPa.");
+            "body.toml:2: material.shear_modulus = 0.0 (out of range) Give a value > 0 MPa. It is: G; give "
+            "either this or young.");
   EXPECT_THAT(body_refusal("[body]\nkind = 'weel'"),
               AllOf(HasSubstr("(known are rail, wheel, block, disc, bore, outline)"),
                     HasSubstr("Did you mean \"wheel\"?")));
