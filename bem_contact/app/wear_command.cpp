@@ -4,6 +4,7 @@
 #include "bem_contact/app/wear_state.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/scene/settings.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -54,6 +55,8 @@ ExitCode run(const WearArguments& arguments) {
   const std::vector<wear::CollectiveCase> cases = wear::collective_of(sweep, arguments.model);
   const wear::EvolutionOptions options = options_of(arguments, wear::wear_map_of(cases.front().scene));
   wear::validate(cases, options, arguments.depth);
+  if (arguments.law == "archard" && arguments.speed < least_speed)
+    warn({fmt::format("--speed {:g} mm/s is below walking pace: give it in mm/s", arguments.speed)});
   const std::string digest = digest_of(sweep, arguments.digest_text());
   const std::filesystem::path folder = arguments.output;
   std::error_code failed;
@@ -82,7 +85,7 @@ ExitCode run(const WearArguments& arguments) {
                state.step, row.mileage, row.rail_depth, row.rail_area, row.wheel_depth, row.wheel_area);
     std::fflush(stdout);
   }
-  fmt::print("{} steps, {} contact problems, {:.1f} minutes\n", state.step - before,
+  fmt::print("{} steps, {} contact problems, {:.2g} minutes\n", state.step - before,
              (state.step - before) * static_cast<int>(cases.size()), watch.seconds() / 60);
   return success;
 }

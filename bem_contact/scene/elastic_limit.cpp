@@ -14,12 +14,20 @@ double limit_of(const ContactSetup& setup) {
   return largest_pressure_share * std::min(setup.rail.material.young(), setup.wheel.material.young());
 }
 
+/// "rail.material.young = 210 MPa" and, if that looks like GPa, so much.
+std::string softer_modulus(const ContactSetup& setup) {
+  const bool rail = setup.rail.material.young() <= setup.wheel.material.young();
+  const double young = (rail ? setup.rail : setup.wheel).material.young();
+  return fmt::format("{}.material.young = {:g} MPa{}", rail ? "rail" : "wheel", young,
+                     setup.wheel_rail() && young < softest_modulus ? ", which looks like GPa" : "");
+}
+
 [[noreturn]] void refuse(const ContactSetup& setup, const std::string& pressure) {
   throw InputError(
       "The load is far beyond elastic contact",
-      fmt::format("{}, and {:.4g} MPa are {:g} of the softer body's Young's modulus, where "
+      fmt::format("{}, and {:.4g} MPa are {:g} of the softer body's Young's modulus ({}), where "
                   "linear elasticity ends",
-                  pressure, limit_of(setup), largest_pressure_share),
+                  pressure, limit_of(setup), largest_pressure_share, softer_modulus(setup)),
       "Check load, lengths and moduli and their units (N, mm, MPa), and whether the grid holds the "
       "contact.");
 }
@@ -41,7 +49,7 @@ void require_small_approach(double approach) {
   if (approach > largest_approach)
     throw InputError("The load is far beyond elastic contact",
                      fmt::format("the bodies would approach by about {:.3g} mm", approach),
-                     "Check load and units (N, mm).");
+                     "Check load, moduli and their units (N, mm, MPa; steel has 210000 MPa).");
 }
 
 void require_elastic(const ContactSetup& setup, double pressure) {

@@ -38,6 +38,14 @@ BEM_CONTACT_TUNED(double, highest_friction, 1.0);
 BEM_CONTACT_TUNED(double, least_wheel_load, 300.0);
 /// MPa. A Young's modulus above this is probably one in another unit: somewhat above diamond.
 BEM_CONTACT_TUNED(double, stiffest_modulus, 1.3e6);
+/// MPa. A Young's modulus below this is probably in GPa: below hard plastics, and 210 is steel.
+BEM_CONTACT_TUNED(double, softest_modulus, 1000);
+/// 1. A spin times the wheel's radius above this is probably in 1/m: a wheel that rolls on a vertical face of
+/// its flange has 1.
+BEM_CONTACT_TUNED(double, largest_spin, 10.0);
+/// mm. The thinnest flange of a wheel in service (EN 15313): with it the wheelset moves farthest until the
+/// other wheel's flange meets its rail.
+BEM_CONTACT_TUNED(double, thinnest_flange, 22.0);
 /// mm. A wheel radius above this is probably a diameter: the largest of railways in service is 625 mm.
 BEM_CONTACT_TUNED(double, largest_wheel_radius, 750.0);
 /// 1. A velocity above this share of the speed, or a rolling radius that differs from the wheel's by more, is

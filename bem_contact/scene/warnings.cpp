@@ -19,6 +19,28 @@ void look_at_material(const Material& material, const char* key, std::vector<std
                     material.young()));
 }
 
+/// Of wheels and rails: patches may be of anything.
+void look_at_low_modulus(const Material& material, const char* key, std::vector<std::string>& out) {
+  if (material.young() < softest_modulus)
+    out.push_back(
+        fmt::format("{}: a Young's modulus of {:g} MPa is below that of hard plastics (the unit is MPa)", key,
+                    material.young()));
+}
+
+/// The other wheel is not computed: does its flange stand on its rail?
+void look_at_lateral(const SceneFile& scene, std::vector<std::string>& out) {
+  const SceneFile::Position& p = scene.position;
+  const double away =
+      p.side == WheelSide::left ? p.lateral : -p.lateral; // of this wheel's flange from its rail
+  const double room = (p.gauge - p.back_to_back) / 2 - thinnest_flange;
+  if (scene.rail.place == BodyPlace::gauge && scene.wheel.place == BodyPlace::gauge && away > room)
+    out.push_back(
+        fmt::format("position.lateral = {:g} mm moves this wheel's flange away from its rail, and the other "
+                    "wheel's flange over "
+                    "its own: between gauge and flange backs there are {:.3g} mm at most (+ is to the right)",
+                    p.lateral, room));
+}
+
 void look_at_motion(const SceneFile& scene, double rolling_radius, std::vector<std::string>& out) {
   const SceneFile::Motion& m = scene.motion;
   const double radius = scene.position.wheel_radius;
@@ -31,6 +53,10 @@ void look_at_motion(const SceneFile& scene, double rolling_radius, std::vector<s
   else if (m.rolling_radius && unlike(*m.rolling_radius))
     out.push_back(fmt::format("motion.rolling_radius is {:g} mm on a wheel of {:g} mm: it slides",
                               *m.rolling_radius, radius));
+  if (std::abs(m.phi) * radius > largest_spin)
+    out.push_back(
+        fmt::format("motion.phi = {:g} per mm is the spin of a radius of {:.3g} mm (the unit is 1/mm)", m.phi,
+                    1 / std::abs(m.phi)));
   for (const auto& [key, velocity] : {std::pair{"lateral_velocity", m.lateral_velocity},
                                       std::pair{"vertical_velocity", m.vertical_velocity}})
     if (m.speed && std::abs(velocity) > largest_motion_share * *m.speed)
@@ -80,6 +106,9 @@ std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSet
           fmt::format("load.force looks like kN ({:g} N on a wheel) Give it in N.", setup.load.force));
     if (std::string twice = inclined_twice(placed->rail_inclination, scene.position.cant); !twice.empty())
       out.push_back(std::move(twice));
+    look_at_low_modulus(scene.rail.material, "rail.material", out);
+    look_at_low_modulus(scene.wheel.material, "wheel.material", out);
+    look_at_lateral(scene, out);
     look_at_motion(scene, setup.motion.creepage.rolling_radius, out);
     if (scene.position.wheel_radius > largest_wheel_radius)
       out.push_back(fmt::format("position.wheel_radius = {:g} mm: the radius is asked for, not the diameter",

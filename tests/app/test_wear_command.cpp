@@ -10,6 +10,7 @@ namespace {
 
 using namespace bem_contact;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string scene =
     "kind = \"wheel_rail\"\nrail.profile = \"60E1\"\nwheel.profile = \"S1002\"\n"
@@ -125,7 +126,12 @@ TEST_F(WearCommand, TakesTheWearMapOfTheScene) {
     write(name + ".toml", scene + map);
     return run("wear " + path(name + ".toml") + " --law archard --depth 0.01 -o " + path(name));
   };
-  ASSERT_EQ(worn("without", "").code, 0);
+  const Outcome plain = worn("without", "");
+  ASSERT_EQ(plain.code, 0);
+  EXPECT_THAT(plain.err, Not(HasSubstr("walking pace")));
+  EXPECT_THAT(
+      run("wear " + path("without.toml") + " --law archard --speed 30 --depth 0.01 -o " + path("slow")).err,
+      HasSubstr("--speed 30 mm/s is below walking pace: give it in mm/s"));
   ASSERT_EQ(worn("kth", kth).code, 0);
   EXPECT_EQ(text("kth/wear.csv"), text("without/wear.csv"));
   const Outcome wrong = worn("wrong", "[wear]\nspeeds = [200]\ncoefficients = [1e-4]\n");

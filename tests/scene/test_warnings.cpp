@@ -36,6 +36,11 @@ TEST(Warnings, OtherUnitsAndDiametersAreSaid) {
   EXPECT_THAT(warnings_of("motion.friction = 30"), ElementsAre(HasSubstr("it is no percentage")));
   EXPECT_THAT(warnings_of("rail.material.young = 2.1e11"),
               ElementsAre(HasSubstr("rail.material: a Young's modulus of 2.1e+11 MPa")));
+  EXPECT_THAT(warnings_of("rail.material.young = 210"),
+              ElementsAre(HasSubstr("a Young's modulus of 210 MPa")));
+  EXPECT_THAT(warnings_of("motion.phi = 0.7"), ElementsAre(HasSubstr("spin of a radius of 1.43 mm")));
+  EXPECT_THAT(warnings_of("position.lateral = -20"),
+              ElementsAre(HasSubstr("the other wheel's flange over its own")));
   EXPECT_THAT(warnings_of("position.wheel_radius = 920"), ElementsAre(HasSubstr("not the diameter")));
   EXPECT_THAT(warnings_of("motion.speed = 20\nmotion.pitch_rate = 43.5"),
               ElementsAre(HasSubstr("a rolling radius of 0.4598 mm on a wheel of 460 mm")));
