@@ -27,7 +27,7 @@ You should see one patch, its forces, its largest pressure and the line `certifi
 the result fulfils the contact conditions; code that is not part of the solver checks that.
 data/scenes/README.md lists what scenes can ask; --print-default prints every key of a scene.
 
-Units are mm, N, MPa. x points in the direction of rolling, y to the right, z down. s is the arc length of the
+Units are mm, N, MPa, rad. x points in the direction of rolling, y to the right, z down. s is the arc length of the
 rail's profile: 0 at the middle of its top, negative towards the gauge corner. n points into the rail. Forces are
 those on the rail.
 

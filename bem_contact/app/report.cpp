@@ -298,7 +298,7 @@ std::string to_text(const SceneResult& r) {
     out += fmt::format("{} outer iterations, each leaving {:.2g} of the residual\n",
                        r.result.outer_iterations, r.result.outer_rate);
   if (!r.history.empty())
-    out += fmt::format("the last of {} steps\n", r.history.size());
+    out += r.history.size() == 1 ? "one step\n" : fmt::format("the last of {} steps\n", r.history.size());
   out += fmt::format("approach relative to {}\n", r.approach_datum);
   out += structure_text(r.structure);
   out += stresses_text(r.stresses);
