@@ -66,20 +66,33 @@ std::string radius_text(double turn, double length) {
 /// `kind`
 /// ("rail", "wheel"). Throws InputError where neither says it.
 ProfileKind kind_of_profile(const std::string& name, const std::string& kind) {
-  std::string ending = profile_file_name(name).file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  const auto is = [&](std::initializer_list<const char*> endings) {
-    return std::ranges::find(endings, ending) != endings.end();
-  };
-  if (kind == "wheel" || (kind.empty() && (name == "S1002" || is({".prw", ".whl", ".whe"}))))
-    return ProfileKind::wheel;
-  if (kind == "rail" || (kind.empty() && (is_standard_profile(name) || is({".prr", ".ban", ".rai"}))))
-    return ProfileKind::rail;
+  if (!kind.empty())
+    return kind == "wheel" ? ProfileKind::wheel : ProfileKind::rail;
+  if (is_standard_profile(name))
+    return kind_of_standard(name);
+  const std::filesystem::path file = profile_file_name(name).file;
+  if (const auto its = kind_of_ending(file))
+    return *its;
+  if (!std::filesystem::exists(file))
+    named_profile(name, ProfileKind::rail); // it says that there is no such file
   throw InputError(fmt::format("'{}' is the profile of a rail or of a wheel", name),
                    "neither its name nor its ending says which",
-                   is({".toml"})
+                   file.extension() == ".toml"
                        ? "Say --kind rail or --kind wheel; if it is a scene, solve it first (-o R.h5)."
                        : "Say --kind rail or --kind wheel.");
+}
+
+std::string noise_text(const MeasuredProfile& p) {
+  if (p.noise.coarse)
+    return "  noise: not known; the points are too far apart for a curved profile\n";
+  if (p.smoothing > 0 || p.worn)
+    return fmt::format("  noise: {:.2f} um as measured\n", 1e3 * p.noise.scatter);
+  return fmt::format(
+      "  noise: {:.2f} um; a curve through all points has pressures off by some {:.0f} MPa (steel); "
+      "{}\n",
+      1e3 * p.noise.scatter, p.noise.pressure,
+      p.noise.smoothing > 0 ? fmt::format("smoothing = {:.2g} advised", p.noise.smoothing)
+                            : std::string("no smoothing needed"));
 }
 
 std::string like_text(const LikeStandard& like, const MeasuredProfile& p) {
@@ -106,12 +119,11 @@ std::string describe_profile(const MeasuredProfile& p, const std::optional<LikeS
   std::string out = fmt::format("Profile of a {}: {}\n", name_of(kind), curve.name());
   if (p.points > 0) {
     out += fmt::format("  points: {}, {:.3g} mm apart in the median\n", p.points, p.noise.spacing);
-    out += fmt::format(
-        "  noise: {:.2f} um; a curve through all points has pressures off by some {:.0f} MPa (steel); "
-        "{}\n",
-        1e3 * p.noise.scatter, p.noise.pressure,
-        p.noise.smoothing > 0 ? fmt::format("smoothing = {:.2g} advised", p.noise.smoothing)
-                              : std::string("no smoothing needed"));
+    out += noise_text(p);
+    if (!p.outliers.empty())
+      out +=
+          fmt::format("  outliers: {}, the first at y = {:.2f}, z = {:.2f} by {:.2g} mm\n", p.outliers.size(),
+                      p.outliers.front().point.y, p.outliers.front().point.z, p.outliers.front().distance);
   }
   if (like)
     out += like_text(*like, p);
@@ -120,8 +132,10 @@ std::string describe_profile(const MeasuredProfile& p, const std::optional<LikeS
   if (p.smoothing > 0)
     out +=
         fmt::format("  smoothed: waves shorter than {} mm removed, {:.2f} um root mean square, {:.2f} um at "
-                    "most\n",
-                    wavelength_text(p), 1e3 * p.removed_rms, 1e3 * p.removed_most);
+                    "most: {} (up to {:.2f} um is taken for noise)\n",
+                    wavelength_text(p), 1e3 * p.removed_rms, 1e3 * p.removed_most,
+                    p.removed_rms > p.largest_noise_removed() ? "shape is taken away" : "noise alone",
+                    1e3 * p.largest_noise_removed());
   out +=
       fmt::format("  length: {:.2f} mm, s = {:.2f} .. {:.2f} mm\n", length, curve.s_begin(), curve.s_end());
   out += "  radii: mean over each stretch, > 0 convex, < 0 concave\n";
@@ -201,8 +215,8 @@ ExitCode run(ProfileArguments arguments, bool flange_back_given) {
       profile.points > 0 ? like_standard(profile.curve, kind) : std::nullopt;
   const std::string words = describe_profile(profile, like, kind);
   if (!arguments.plot.empty())
-    report::write_profile_page(arguments.name, words, drawn_profiles(arguments, profile, like, kind),
-                               arguments.plot);
+    report::write_profile_page(std::filesystem::path(arguments.name).filename(), words,
+                               drawn_profiles(arguments, profile, like, kind), arguments.plot);
   fmt::print("{}", words);
   return success;
 }

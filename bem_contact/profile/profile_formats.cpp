@@ -26,10 +26,13 @@ MeasuredPoints plain_points(std::string_view text, const std::string& source) {
       names_seen = true;
       continue;
     }
+    const bool more = values.size() > 2 && line.find(',') == line.npos; // decimal commas make two of one
     if (values.size() != 2)
-      throw InputError(fmt::format("{}:{}: '{}' is not a point", source, number, line.substr(0, 40)),
-                       "a profile in plain columns has two numbers a line, y and z, with decimal points",
-                       "Correct the line, or mark it as a comment with #.");
+      throw InputError(
+          fmt::format("{}:{}: '{}' is not a point", source, number, line.substr(0, 40)),
+          more ? fmt::format("it has {} columns, and a profile has two, y and z", values.size())
+               : "a profile in plain columns has two numbers a line, y and z, with decimal points",
+          more ? "Leave y and z alone in the file." : "Correct the line, or mark it as a comment with #.");
     require_finite(values, source, number);
     out.points.push_back({values[0], values[1]});
   }

@@ -53,7 +53,8 @@ ProfileNoise measure_noise(std::span<const Point2> points) {
   noise.bending =
       std::numbers::pi * std::numbers::pi * noise.scatter / (std::sqrt(5.0) * noise.spacing * noise.spacing);
   noise.pressure = steel_contact_modulus / 2 * noise.slope;
-  if (noise.pressure > least_noise_pressure)
+  noise.coarse = noise.spacing > coarsest_spacing;
+  if (noise.pressure > least_noise_pressure && !noise.coarse)
     noise.smoothing = smoothing_for_noise *
                       std::pow(noise.scatter * std::sqrt(noise.spacing), smoothing_for_noise_exponent);
   return noise;

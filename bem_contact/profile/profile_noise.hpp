@@ -10,6 +10,8 @@ namespace bem_contact {
 struct ProfileNoise {
   double scatter = 0; ///< standard deviation of a point from the profile, along its normal, mm
   double spacing = 0; ///< median distance of neighbouring points, mm
+  /// The points are too far apart for a curved profile, and scatter cannot be told from shape.
+  bool coarse = false;
   double slope = 0;   ///< standard deviation of the slope of a spline through the points, rad
   double bending = 0; ///< standard deviation of its curvature, 1/mm
   double pressure =

@@ -224,8 +224,8 @@ void report_holes(const std::vector<Point2>& p, const std::string& source) {
       first = i;
   }
   if (jumps > 0)
-    messages()->warn("{}: the profile jumps {} times, first by {:.2g} mm at y = {:.4g}", source, jumps,
-                     length[first], p[first].y);
+    messages()->warn("{}: the profile jumps {} by {:.2g} mm at y = {:.4g}", source,
+                     jumps == 1 ? "once," : fmt::format("{} times, first", jumps), length[first], p[first].y);
 }
 
 } // namespace

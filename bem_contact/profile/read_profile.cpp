@@ -14,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -67,6 +68,16 @@ void warn_of_noise(const std::string& source, const MeasuredProfile& p, ProfileK
       p.noise.smoothing, better);
 }
 
+void warn_of_outliers(const std::string& source, const std::vector<Outlier>& outliers) {
+  for (std::size_t i = 0; i < std::min(outliers.size(), most_named_outliers); ++i)
+    messages()->warn(
+        "{}: the point y = {:.4g}, z = {:.4g} lies {:.2g} mm off the line of its neighbours: a curve "
+        "through it has a bump there (dirt, or a fault of the measurement?) Take the point out.",
+        source, outliers[i].point.y, outliers[i].point.z, outliers[i].distance);
+  if (outliers.size() > most_named_outliers)
+    messages()->warn("{}: and {} more such points", source, outliers.size() - most_named_outliers);
+}
+
 /// The nominal profile that `reading` names.
 ProfileCurve nominal_profile(const std::string& name, ProfileKind kind, const std::string& source) {
   if (is_standard_profile(name) && kind_of_standard(name) == kind)
@@ -90,8 +101,7 @@ void warn_of_smoothing(const std::string& source, const MeasuredProfile& p) {
   if (p.smoothing < least_smoothing_share * p.noise.smoothing)
     messages()->warn("{}: smoothing = {:g} leaves noise: for a scatter of {:.2g} um use {:.2g}", source,
                      p.smoothing, 1e3 * p.noise.scatter, p.noise.smoothing);
-  const double scatter = (p.worn ? 1 : std::sqrt(2.0)) * p.noise.scatter; // a depth; or along y and along z
-  if (p.removed_rms > std::max(removed_over_noise * scatter, least_removed))
+  if (p.removed_rms > p.largest_noise_removed())
     messages()->warn(
         "{}: smoothing = {:g} takes shape away: it moved points by {:.2g} um (root mean square), and their "
         "scatter is {:.2g} um: use a shorter one",
@@ -123,6 +133,10 @@ MeasuredProfile smoothed_profile(const std::string& source, std::span<const Poin
 MeasuredProfile parse_measured_profile(std::string_view text, std::string_view source_name, ProfileKind kind,
                                        const ProfileReading& reading, int part) {
   const std::string source(source_name);
+  if (text.starts_with("\x89HDF"))
+    throw InputError(fmt::format("{} is no profile", source),
+                     "it is an HDF5 file, and a profile is a table of points",
+                     fmt::format("If it is an influence file, give it as {}.influence.", name_of(kind)));
   if (text.starts_with("\xef\xbb\xbf")) // a byte order mark
     text.remove_prefix(3);
   if (std::ranges::count(text, '\n') > most_points)
@@ -133,21 +147,48 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
   how.mirror = reading.mirror && !is_vampire(text); // there it has chosen the left profile, mirrored
   const std::vector<Point2> points = repaired(std::move(measured), source, kind, how);
   const ProfileNoise noise = measure_noise(points);
+  if (noise.coarse)
+    messages()->warn(
+        "{}: {} points, {:.2g} mm apart: too few for a curved profile (arcs of rails and wheels have "
+        "radii down to 13 mm) Give points at most {:g} mm apart.",
+        source, points.size(), noise.spacing, coarsest_spacing);
+  std::vector<Outlier> off = outliers(points, noise.scatter);
+  warn_of_outliers(source, off);
   if (reading.smoothing == 0 && reading.nominal.empty()) {
     MeasuredProfile out{ProfileCurve::through_points(file_name(source), points), points.size(), noise};
+    out.outliers = std::move(off);
     if (noise.smoothing > 0)
       warn_of_noise(source, out, kind);
     return out;
   }
   MeasuredProfile out = smoothed_profile(source, points, noise, kind, reading);
+  out.outliers = std::move(off);
   report_smoothing(source, out);
   if (reading.smoothing > 0)
     warn_of_smoothing(source, out);
   return out;
 }
 
+double MeasuredProfile::largest_noise_removed() const {
+  const double along_and_across = worn ? 1 : std::sqrt(2.0); // a depth alone; or along y and along z
+  return std::max(removed_over_noise * along_and_across * noise.scatter, least_removed);
+}
+
+std::optional<ProfileKind> kind_of_ending(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (ending == ".prw" || ending == ".whl" || ending == ".whe")
+    return ProfileKind::wheel;
+  if (ending == ".prr" || ending == ".ban" || ending == ".rai")
+    return ProfileKind::rail;
+  return std::nullopt;
+}
+
 MeasuredProfile measured_profile(const std::filesystem::path& file, ProfileKind kind,
                                  const ProfileReading& reading, int part) {
+  if (const auto its = kind_of_ending(file); its && *its != kind)
+    messages()->warn("{}: read as the profile of a {}, but {} is the ending of {} profiles", file.string(),
+                     name_of(kind), file.extension().string(), name_of(*its));
   return parse_measured_profile(read_text_file(file.string(), "profile file"), file.string(), kind, reading,
                                 part);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/profile/outliers.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
 #include "bem_contact/profile/profile_kind.hpp"
 #include "bem_contact/profile/profile_noise.hpp"
@@ -10,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace bem_contact {
 
@@ -22,6 +24,9 @@ struct MeasuredProfile {
   double removed_rms = 0;  ///< by smoothing, mm
   double removed_most = 0; ///< mm
   std::optional<WornNominal> worn = {}; ///< if reading.nominal is given
+  std::vector<Outlier> outliers = {};   ///< of the points as measured
+  /// What smoothing may remove if it removes noise alone, mm (root mean square). More is shape.
+  double largest_noise_removed() const;
 };
 
 /// Reads a profile file: Simpack .prr/.prw, MiniProf .ban/.whl/.mpt, Vampire .rai/.whe (told by their
@@ -42,6 +47,9 @@ MeasuredProfile measured_profile(const std::filesystem::path& file, ProfileKind 
                                  const ProfileReading& reading = {}, int part = 0);
 MeasuredProfile parse_measured_profile(std::string_view text, std::string_view source_name, ProfileKind kind,
                                        const ProfileReading& reading = {}, int part = 0);
+
+/// Of which kind a file is by its ending (.prr, .ban, .rai; .prw, .whl, .whe), if that says it.
+std::optional<ProfileKind> kind_of_ending(const std::filesystem::path& file);
 
 /// A standard profile by its name; of a body file (*.toml) the contact curve of the body; else a profile
 /// file, where "FILE#2" is the second of several profiles in it. Relative paths start in `folder`; `reading`

@@ -96,6 +96,9 @@ BEM_CONTACT_TUNED(int, noise_neighbours, 4);
 BEM_CONTACT_TUNED(double, normal_deviation_over_median, 1.4826);
 /// MPa. E* of two steel bodies, for the pressure that noise makes.
 BEM_CONTACT_TUNED(double, steel_contact_modulus, 115000);
+/// mm. Points that are farther apart tell no noise: a cubic through nine of them leaves 25 um and more of an
+/// arc of 13 mm radius, which is shape. They are too few for a curved profile as well.
+BEM_CONTACT_TUNED(double, coarsest_spacing, 2.0);
 /// MPa. Noise that makes less is not worth a word: 1 % of a usual largest pressure.
 BEM_CONTACT_TUNED(double, least_noise_pressure, 15);
 /// mm over mm^(3/2) to the exponent below. Smoothing advised for noise e at the distance h is this times
@@ -212,6 +215,17 @@ BEM_CONTACT_TUNED(double, least_hole, 2.0);   ///< mm. and at least so long;
 BEM_CONTACT_TUNED(double, hole_turn, 2.0);    ///< deg. and the profile turns by more over it.
 /// deg. Two chords that turn by more, there and back, are a jump between two scans.
 BEM_CONTACT_TUNED(double, jump_turn, 45.0);
+
+/// 1 (scatters). A single point that lies off the line of its neighbours by more is an outlier: noise hardly
+/// ever has so much. Chosen.
+BEM_CONTACT_TUNED(double, outlier_scatters, 12.0);
+BEM_CONTACT_TUNED(double, least_outlier, 0.05);         ///< mm. As above, of exact points. Chosen.
+BEM_CONTACT_TUNED(std::size_t, most_named_outliers, 5); ///< 1. Outliers that warnings name. Chosen.
+/// 1 (share of the outlier's distance). Its neighbours lie nearer to their own line without it. At a corner
+/// they are off by 0.1 times as much as its point and more.
+BEM_CONTACT_TUNED(double, neighbour_share, 0.05);
+/// 1 (scatters). Noise alone may move a neighbour so far from its line. Chosen.
+BEM_CONTACT_TUNED(double, neighbour_scatters, 5.0);
 
 // Datum of wheels.
 

@@ -81,7 +81,48 @@ TEST(PlainProfile, holes_and_jumps_are_said) {
   Points jump = whole;
   for (Point2& p : jump)
     p.z += p.y > -12 ? 0.5 : 0;
-  EXPECT_THAT(said(jump), HasSubstr("jumps 1 times, first by 0.5"));
+  EXPECT_THAT(said(jump), HasSubstr("jumps once, by 0.5"));
+}
+
+/// One point half a millimetre off. The corner of a rim and noise are none.
+TEST(PlainProfile, a_point_off_its_neighbours_is_said) {
+  const auto said = [](const Points& points) {
+    const Warnings warnings;
+    parse_profile(columns(points), "p", ProfileKind::rail);
+    return warnings.text();
+  };
+  Points points = sampled("60E1", 0.5);
+  const std::size_t at = points.size() / 2;
+  points[at].z -= 0.5;
+  EXPECT_THAT(said(points),
+              AllOf(HasSubstr("0.5 mm off the line of its neighbours"), HasSubstr("Take the point out")));
+  points[at].z += 0.47;
+  EXPECT_THAT(said(points), Not(HasSubstr("off the line")));
+  for (const double slope : {0.1, 0.3, 0.8, 1.5}) {
+    Points corner;
+    for (int i = -40; i <= 40; ++i)
+      corner.push_back({i * 0.5, std::abs(i) * 0.5 * slope});
+    EXPECT_THAT(said(corner), Not(HasSubstr("off the line"))) << slope;
+  }
+  Points scattered = sampled("60E1", 0.25);
+  std::mt19937 random(1);
+  for (Point2& p : scattered)
+    p.z += std::normal_distribution(0.0, 0.01)(random);
+  EXPECT_THAT(said(scattered), Not(HasSubstr("off the line")));
+}
+
+/// 6 mm apart: what looks like scatter is the shape.
+TEST(PlainProfile, too_few_points_are_no_noise) {
+  const Warnings warnings;
+  const MeasuredProfile p = parse_measured_profile(columns(sampled("60E1", 6)), "p", ProfileKind::rail);
+  EXPECT_THAT(warnings.text(),
+              AllOf(HasSubstr("6.1 mm apart: too few for a curved profile"), Not(HasSubstr("smoothing ="))));
+  EXPECT_EQ(p.noise.smoothing, 0);
+}
+
+TEST(PlainProfile, other_files_and_a_third_column_are_told) {
+  EXPECT_THAT(refusal("\x89HDF\r\n\x1a\n", ProfileKind::wheel), HasSubstr("give it as wheel.influence"));
+  EXPECT_THAT(refusal("1 2 0\n2 3 0\n3 4 0\n", ProfileKind::wheel), HasSubstr("it has 3 columns"));
 }
 
 TEST(PlainProfile, comments_names_separators_and_line_ends) {
