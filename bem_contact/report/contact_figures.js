@@ -158,7 +158,7 @@ const sectionFigure = contact => {
   return {height: 380, traces: [
     line(touching, "contact", {color: PRESSURE[1][1], width: 8}),
     line(contact.rail, "rail", {color: RAIL, width: 2.5}),
-    line(contact.wheel, "wheel, at approach 0", {color: WHEEL, width: 2, dash: "dash"})],
+    line(contact.wheel, "wheel, undeformed, just touching", {color: WHEEL, width: 2, dash: "dash"})],
     layout: {xaxis: {title: sideways(contact)}, legend: {orientation: "h", y: 1.02, yanchor: "bottom"},
              yaxis: {title: "z down, mm", autorange: "reversed", scaleanchor: "x"}}};
 };

@@ -45,7 +45,8 @@ std::string kind_of(const H5Table& table, const std::filesystem::path& file) {
   throw InputError(
       fmt::format("'{}' cannot be reported", file.string()),
       "it is HDF5, but no result, comparison, sweep, creep curves, conicity, wheelset or wear",
-      "Name a file that bem_contact solve, compare, sweep, creep-curves, conicity, wheelset or wear wrote.");
+      "Name a file that bem_contact solve, compare, sweep, creep-curves, conicity, wheelset or wear wrote; "
+      "tools/plot draws tables of forces and of fatigue.");
 }
 
 /// What no figure draws.

@@ -171,7 +171,8 @@ class Pages(unittest.TestCase):
 
     def test_what_cannot_be_drawn_is_refused(self):
         for line, words in (("tools/plot no_such.h5", "there is no such file"), ("tools/plot demo", "has no wear.csv"),
-                            ("tools/plot data/influence/small_rail.h5", "its format is"),
+                            ("tools/plot data/influence/small_rail.h5", "may be an influence file"),
+                            ("tools/plot data/scenes/wear_in_a_curve.csv", "Draw the HDF5 file"),
                             ("tools/plot S1002 -o S1002.txt", "is no picture"), ("tools/plot no_such#2", "there is no such file")):
             done = subprocess.run(shlex.split(line), stderr=subprocess.PIPE, text=True)
             self.assertEqual(done.returncode, 2, line)

@@ -143,7 +143,7 @@ def draw_section(axis, contacts):
     """Both profiles at the contact, looking along the track; a band for each contact in its model's line."""
     first = contacts[0]
     axis.plot(*first.rail.T, color=style.RAIL, linewidth=2, label="rail")
-    axis.plot(*first.wheel.T, color=style.WHEEL, linewidth=2, linestyle="--", label="wheel, at approach 0")
+    axis.plot(*first.wheel.T, color=style.WHEEL, linewidth=2, linestyle="--", label="wheel, undeformed, just touching")
     for k, c in enumerate(contacts):
         touched = (c.state > 0).any(axis=1)
         shift = 0.35 * (k + 1)  # mm into the rail, so that no line hides another
@@ -158,7 +158,7 @@ def draw_section(axis, contacts):
     side = "left" if first.left else "right"
     axis.locator_params(nbins=6)
     axis.set(xlim=(first.y.mean() - half, first.y.mean() + half), ylim=(first.z.mean() + half, first.z.mean() - half),
-             aspect="equal", xlabel=f"y to the {side}, mm", ylabel="z down, mm", title="Section along the track")
+             aspect="equal", xlabel=f"y to the {side}, mm; contact is drawn inside the rail", ylabel="z down, mm", title="Section across the track")
     axis.legend(loc="best", fontsize=8.5)
 
 

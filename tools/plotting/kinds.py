@@ -37,7 +37,10 @@ def of_hdf5(file):
     for kind in FORMATS:
         if name.startswith(kind):
             return kind
-    refuse(f"'{file}' cannot be drawn", f"its format is '{name or 'not stated'}'",
+    if not name:
+        refuse(f"'{file}' cannot be drawn", "it is no file of results; it may be an influence file",
+               "bem_contact info says what is in it.")
+    refuse(f"'{file}' cannot be drawn", f"its format is '{name}'",
            "Name a file that bem_contact solve, compare, sweep, creep-curves, conicity, wheelset, table or wear wrote.")
 
 
@@ -57,5 +60,9 @@ def kind_of(name):
     if h5py.is_hdf5(path):
         return of_hdf5(path)
     with open(path, encoding="utf-8", errors="replace") as opened:
-        head = opened.readline()
-    return next((kind for word, kind in HEADS.items() if word in head), "profile")
+        head = next((line for line in opened if not line.startswith("#")), "")
+    kind = next((kind for word, kind in HEADS.items() if word in head), "profile")
+    if kind == "profile" and path.suffix == ".csv" and head.count(",") > 1 and head[:1].isalpha():
+        refuse(f"'{name}' cannot be drawn", "it is a table, and neither of wear, of fatigue nor of a profile",
+               f"Draw the HDF5 file that was written with it, as {path.with_suffix('.h5')}.")
+    return kind

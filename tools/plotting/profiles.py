@@ -21,13 +21,14 @@ def program():
 
 
 def read(name, options):
-    """Columns s, y, z, inclination, curvature. The program reads as a scene would; its words go to the terminal."""
+    """Columns s, y, z, inclination, curvature. The program reads as a scene would; its warnings go to the terminal."""
     if kind_of(name) == "profile table":
         return np.loadtxt(name, delimiter=",", skiprows=1, unpack=True)
     with tempfile.TemporaryDirectory() as folder:
         csv = Path(folder) / "profile.csv"
         try:
-            done = subprocess.run([program(), "profile", name, "--csv", csv, *([] if name in STANDARDS else options)])
+            done = subprocess.run([program(), "profile", name, "--csv", csv, *([] if name in STANDARDS else options)],
+                                  stdout=subprocess.DEVNULL)  # its table of radii; warnings go to the terminal
         except FileNotFoundError:
             refuse(f"'{name}' cannot be read", "the program bem_contact was not found", "Put it on the PATH, or its folder into CONFORMAL_BIN.")
         if done.returncode != 0:
