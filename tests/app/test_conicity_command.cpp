@@ -1,6 +1,9 @@
 #include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/profile/nominal_place.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
 #include "tests/app/run_program.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +14,7 @@ namespace {
 using namespace bem_contact;
 using nlohmann::json;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class ConicityCommand : public ProgramTest {
 protected:
@@ -34,6 +38,26 @@ TEST_F(ConicityCommand, AConeHasKlingelsWavelength) {
                 2 * M_PI * std::sqrt(750 * 460 / 0.05), 0.5);
   }
   EXPECT_NEAR(at(j["function"], "lateral", -7, "difference"), -0.7, 1e-6);
+}
+
+/// 60E1 as it lies in the track: with cant = 0 it gives what the standard gives with cant, and a warning with
+/// both.
+TEST_F(ConicityCommand, ARailThatIsInclinedTwiceIsSaid) {
+  const ProfileCurve upright = standard_profile("60E1");
+  const NominalPlace in_track{{-7, 0}, -0.025};
+  std::string points;
+  for (double s = upright.s_begin(); s <= upright.s_end(); s += 0.2) {
+    const Point2 p = in_track.to_measured(upright.at(s).position);
+    points += fmt::format("{:.6f} {:.6f}\n", p.y, p.z);
+  }
+  const std::string command = "conicity --json --wheel S1002 --rail ";
+  const std::string measured = command + "'" + write("rail.txt", points).string() + "' ";
+  const Outcome once = run(measured), standard = run(command + "60E1 --cant 0.025");
+  ASSERT_EQ(once.code, 0) << once.err;
+  EXPECT_THAT(once.err, Not(HasSubstr("inclined")));
+  EXPECT_NEAR(at(json::parse(once.out)["conicity"], "amplitude", 3, "tan_gamma"),
+              at(json::parse(standard.out)["conicity"], "amplitude", 3, "tan_gamma"), 2e-3);
+  EXPECT_THAT(run(measured + "--cant 0.025").err, HasSubstr("already inclined (about 1:40)"));
 }
 
 TEST_F(ConicityCommand, TextJsonCsvAndHdf5AgreeAndTheHelpIsRight) {
