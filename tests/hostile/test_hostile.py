@@ -187,7 +187,7 @@ class Files(Hostile):
         line = "".join(f"{y} {0.001 * y * y}\n" for y in range(-35, 36))
         for name, text, words in (
                 ("empty", "", ""), ("one point", "0 0\n", ""), ("words", "a b\nc d\n", ""),
-                ("three columns", "1 2 3\n" * 9, "two numbers"), ("nan", line.replace("0.0 ", "nan ") + "nan nan\n", ""),
+                ("three columns", "1 2 3\n" * 9, "3 columns"), ("nan", line.replace("0.0 ", "nan ") + "nan nan\n", ""),
                 ("infinite", "inf 0\n" + line, "not a number"), ("huge numbers", "1e400 0\n" + line, ""),
                 ("same point", "1 1\n" * 100, ""), ("commas", line.replace(".", ","), ""),
                 ("tiny", "".join(f"{1e-3 * y} 0\n" for y in range(9)), ""),
