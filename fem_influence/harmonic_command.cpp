@@ -3,7 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/interrupt_note.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/profile/body_file.hpp"
+#include "bem_contact/profile/bodies/body_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "fem_influence/harmonic/harmonic_run.hpp"
 #include "fem_influence/progress_bar.hpp"

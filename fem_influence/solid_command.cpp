@@ -5,7 +5,7 @@
 #include "bem_contact/influence/expand.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
-#include "bem_contact/profile/body_file.hpp"
+#include "bem_contact/profile/bodies/body_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "fem_influence/progress_bar.hpp"
 #include "fem_influence/shared/body_description.hpp"

@@ -3,7 +3,7 @@
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/program.hpp"
 #include "bem_contact/base/provenance.hpp"
-#include "bem_contact/profile/body_file.hpp"
+#include "bem_contact/profile/bodies/body_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "meshes/heartbeat.hpp"
 #include "meshes/section_mesh.hpp"

@@ -1,8 +1,8 @@
 #include "meshes/section.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/own_outline.hpp"
-#include "bem_contact/profile/rail_section.hpp"
+#include "bem_contact/profile/bodies/own_outline.hpp"
+#include "bem_contact/profile/bodies/rail_section.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "meshes/graft.hpp"
 #include "meshes/graft_fit.hpp"

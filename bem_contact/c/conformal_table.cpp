@@ -1,6 +1,6 @@
 #include "bem_contact/c/calls.hpp"
-#include "bem_contact/table/creep_table.hpp"
-#include "bem_contact/table/table_file.hpp"
+#include "bem_contact/uses/table/creep_table.hpp"
+#include "bem_contact/uses/table/table_file.hpp"
 
 #include <fmt/format.h>
 

@@ -2,13 +2,13 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
-#include "bem_contact/profile/like_standard.hpp"
+#include "bem_contact/profile/formats/profile_formats.hpp"
+#include "bem_contact/profile/measured/profile_repair.hpp"
+#include "bem_contact/profile/measured/profile_smoothing.hpp"
 #include "bem_contact/profile/messages.hpp"
-#include "bem_contact/profile/profile_formats.hpp"
-#include "bem_contact/profile/profile_repair.hpp"
-#include "bem_contact/profile/profile_smoothing.hpp"
 #include "bem_contact/profile/settings.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/profile/worn/like_standard.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

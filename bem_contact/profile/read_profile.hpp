@@ -1,11 +1,11 @@
 #pragma once
 
-#include "bem_contact/profile/outliers.hpp"
+#include "bem_contact/profile/measured/outliers.hpp"
+#include "bem_contact/profile/measured/profile_noise.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
 #include "bem_contact/profile/profile_kind.hpp"
-#include "bem_contact/profile/profile_noise.hpp"
 #include "bem_contact/profile/profile_reading.hpp"
-#include "bem_contact/profile/worn_nominal.hpp"
+#include "bem_contact/profile/worn/worn_nominal.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,8 +1,8 @@
 #include "bem_contact/profile/standard_profiles.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/own_outline.hpp"
-#include "bem_contact/profile/rail_section.hpp"
+#include "bem_contact/profile/bodies/own_outline.hpp"
+#include "bem_contact/profile/bodies/rail_section.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/settings.hpp"
 

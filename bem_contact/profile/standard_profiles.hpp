@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/profile/body_file.hpp"
+#include "bem_contact/profile/bodies/body_file.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
 #include "bem_contact/profile/profile_kind.hpp"
 

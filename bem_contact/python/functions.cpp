@@ -1,13 +1,13 @@
 #include "bem_contact/python/functions.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/conicity/wheelset_conicity.hpp"
-#include "bem_contact/curves/creep_columns.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/sequence/sequence.hpp"
-#include "bem_contact/wheelset/quantities.hpp"
+#include "bem_contact/uses/conicity/wheelset_conicity.hpp"
+#include "bem_contact/uses/curves/creep_columns.hpp"
+#include "bem_contact/uses/wheelset/quantities.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -4,9 +4,9 @@
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
-#include "bem_contact/table/creep_table.hpp"
-#include "bem_contact/table/scene_table.hpp"
-#include "bem_contact/table/table_file.hpp"
+#include "bem_contact/uses/table/creep_table.hpp"
+#include "bem_contact/uses/table/scene_table.hpp"
+#include "bem_contact/uses/table/table_file.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -1,12 +1,12 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
-#include "bem_contact/fatigue/fatigue_of_result.hpp"
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
-#include "bem_contact/wear/evolution.hpp"
-#include "bem_contact/wear/wear_of_result.hpp"
+#include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
+#include "bem_contact/uses/wear/evolution.hpp"
+#include "bem_contact/uses/wear/wear_of_result.hpp"
 
 #include <fmt/format.h>
 #include <optional>

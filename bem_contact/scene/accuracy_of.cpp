@@ -1,7 +1,7 @@
 #include "bem_contact/scene/accuracy_of.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/text_lines.hpp"
+#include "bem_contact/profile/formats/text_lines.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "bem_contact/scene/case_table.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/text_lines.hpp"
+#include "bem_contact/profile/formats/text_lines.hpp"
 #include "bem_contact/scene/csv_table.hpp"
 
 #include <algorithm>

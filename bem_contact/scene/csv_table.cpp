@@ -2,7 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
-#include "bem_contact/profile/text_lines.hpp"
+#include "bem_contact/profile/formats/text_lines.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "bem_contact/scene/warnings.hpp"
 
-#include "bem_contact/profile/like_standard.hpp"
 #include "bem_contact/profile/wheel_datum.hpp"
+#include "bem_contact/profile/worn/like_standard.hpp"
 #include "bem_contact/scene/settings.hpp"
 
 #include <cmath>

@@ -2,9 +2,9 @@
 
 #include "bem_contact/geometry/rail_rows.hpp"
 #include "bem_contact/geometry/undeformed_distance.hpp"
-#include "bem_contact/profile/like_standard.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/profile/worn/like_standard.hpp"
 
 #include <cmath>
 

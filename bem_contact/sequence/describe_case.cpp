@@ -2,10 +2,11 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/warnings.hpp"
-#include "bem_contact/sequence/grow_grid.hpp"
-#include "bem_contact/sequence/model_choice.hpp"
+#include "bem_contact/sequence/numbers/settings.hpp"
+#include "bem_contact/sequence/plan/model_choice.hpp"
 #include "bem_contact/sequence/settings.hpp"
-#include "bem_contact/sequence/trim_plan.hpp"
+#include "bem_contact/sequence/solution/grow_grid.hpp"
+#include "bem_contact/sequence/solution/trim_plan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,8 +85,8 @@ FitOnStrips fit_on_strips(const ContactCase& asked) {
 }
 
 /// Which strips of both bodies a wheel on a rail needs for fem, line by line, as the table [strip] of their
-/// body files (profile/body_file.hpp): the rows that the frictionless contact has with half-space numbers,
-/// and strip_reserve beyond them. `contact`: on its first grid.
+/// body files (profile/bodies/body_file.hpp): the rows that the frictionless contact has with half-space
+/// numbers, and strip_reserve beyond them. `contact`: on its first grid.
 std::vector<std::string> describe_strips(const ContactCase& asked, const ContactOnGrid& contact) {
   const WheelRailGeometry* placed = asked.setup.wheel_rail();
   if (!placed)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/sequence/contact_case.hpp"
+#include "bem_contact/sequence/plan/contact_case.hpp"
 
 #include <string>
 #include <vector>

@@ -2,10 +2,12 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
-#include "bem_contact/sequence/contact_estimate.hpp"
-#include "bem_contact/sequence/free_rolling.hpp"
-#include "bem_contact/sequence/lateral_search.hpp"
+#include "bem_contact/sequence/lateral/lateral_search.hpp"
+#include "bem_contact/sequence/plan/contact_estimate.hpp"
+#include "bem_contact/sequence/plan/settings.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/sequence/settings.hpp"
+#include "bem_contact/sequence/solution/free_rolling.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 
 #include "bem_contact/sequence/comparison.hpp"
 #include "bem_contact/sequence/describe_case.hpp"
-#include "bem_contact/sequence/element_size.hpp"
-#include "bem_contact/sequence/lateral_curve.hpp"
+#include "bem_contact/sequence/lateral/lateral_curve.hpp"
+#include "bem_contact/sequence/plan/element_size.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
-#include "bem_contact/sequence/solve_on_grid.hpp"
+#include "bem_contact/sequence/solution/solve_on_grid.hpp"
 
 #include <atomic>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/profile/body_file.hpp"
+#include "bem_contact/profile/bodies/body_file.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
 #include "fem_influence/harmonic/error_estimate.hpp"
 #include "fem_influence/harmonic/meshed_system.hpp"

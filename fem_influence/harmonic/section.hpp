@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem_contact/base/conventions.hpp"
-#include "bem_contact/profile/body_file.hpp"
+#include "bem_contact/profile/bodies/body_file.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
 #include "fem_influence/harmonic/section_mesh.hpp"
 #include "fem_influence/shared/elements.hpp"

@@ -2,7 +2,7 @@
 
 #include "bem_contact/influence/influence_function.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
-#include "bem_contact/profile/body_file.hpp"
+#include "bem_contact/profile/bodies/body_file.hpp"
 #include "bem_contact/profile/profile_curve.hpp"
 
 #include <filesystem>

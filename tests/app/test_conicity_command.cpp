@@ -1,6 +1,6 @@
 #include "bem_contact/influence/h5_table.hpp"
-#include "bem_contact/profile/nominal_place.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/profile/worn/nominal_place.hpp"
 #include "tests/app/run_program.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "bem_contact/app/creep_curves_command.hpp"
+#include "bem_contact/app/commands/creep_curves_command.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 #include "tests/app/run_program.hpp"

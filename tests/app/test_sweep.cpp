@@ -1,6 +1,6 @@
-#include "bem_contact/app/sweep_inputs.hpp"
-#include "bem_contact/app/sweep_journal.hpp"
-#include "bem_contact/app/sweep_workers.hpp"
+#include "bem_contact/app/sweep/sweep_inputs.hpp"
+#include "bem_contact/app/sweep/sweep_journal.hpp"
+#include "bem_contact/app/sweep/sweep_workers.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 #include "tests/app/run_program.hpp"
 

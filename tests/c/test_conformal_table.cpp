@@ -1,5 +1,5 @@
 #include "bem_contact/c/conformal_contact.h"
-#include "bem_contact/table/table_file.hpp"
+#include "bem_contact/uses/table/table_file.hpp"
 
 #include <gmock/gmock.h>
 

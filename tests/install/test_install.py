@@ -160,7 +160,7 @@ COMP_WORDS=(bem_contact comp); COMP_CWORD=1; _bem_contact; echo "${{COMPREPLY[@]
         headers = {str(h.relative_to(self.prefix / "include")) for h in (self.prefix / "include").rglob("*.h*")}
         self.assertIn("conformal_contact.h", headers)
         self.assertIn("bem_contact/sequence/sequence.hpp", headers)
-        self.assertIn("bem_contact/wheelset/solve_wheelset.hpp", headers)
+        self.assertIn("bem_contact/uses/wheelset/solve_wheelset.hpp", headers)
         self.assertFalse({h for h in headers if "/app/" in h or "/python/" in h or "operator" in h})
 
 

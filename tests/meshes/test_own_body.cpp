@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/body_file.hpp"
+#include "bem_contact/profile/bodies/body_file.hpp"
 #include "mesh_checks.hpp"
 #include "meshes/section_mesh.hpp"
 #include "tests/base/message.hpp"

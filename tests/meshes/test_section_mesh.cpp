@@ -1,4 +1,4 @@
-#include "bem_contact/profile/body_file.hpp"
+#include "bem_contact/profile/bodies/body_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "mesh_checks.hpp"
 #include "meshes/section_mesh.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/profile/rail_section.hpp"
+#include "bem_contact/profile/bodies/rail_section.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 

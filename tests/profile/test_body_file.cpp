@@ -1,4 +1,4 @@
-#include "bem_contact/profile/body_file.hpp"
+#include "bem_contact/profile/bodies/body_file.hpp"
 #include "tests/base/message.hpp"
 #include "tests/base/temporary_folder.hpp"
 

@@ -1,5 +1,5 @@
-#include "bem_contact/profile/profile_noise.hpp"
-#include "bem_contact/profile/profile_smoothing.hpp"
+#include "bem_contact/profile/measured/profile_noise.hpp"
+#include "bem_contact/profile/measured/profile_smoothing.hpp"
 #include "sampled.hpp"
 #include "tests/profile/curves.hpp"
 #include "warnings.hpp"

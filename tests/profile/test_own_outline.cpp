@@ -1,5 +1,5 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/profile/own_outline.hpp"
+#include "bem_contact/profile/bodies/own_outline.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "tests/base/message.hpp"

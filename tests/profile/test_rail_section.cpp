@@ -1,6 +1,6 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/bodies/rail_section.hpp"
 #include "bem_contact/profile/curve_piece.hpp"
-#include "bem_contact/profile/rail_section.hpp"
 #include "tests/base/message.hpp"
 #include "tests/profile/section_properties.hpp"
 

@@ -1,7 +1,7 @@
 #include "bem_contact/scene/warnings.hpp"
 
-#include "bem_contact/profile/nominal_place.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/profile/worn/nominal_place.hpp"
 #include "tests/base/temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "bem_contact/sequence/plan_grid.hpp"
+#include "bem_contact/sequence/plan/plan_grid.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/contact_centre.hpp"

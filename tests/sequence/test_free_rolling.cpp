@@ -2,9 +2,9 @@
 
 #include "bem_contact/halfspace/combine.hpp"
 #include "bem_contact/halfspace/resample.hpp"
-#include "bem_contact/sequence/add_wheel.hpp"
-#include "bem_contact/sequence/contact_case.hpp"
-#include "bem_contact/sequence/pair_numbers.hpp"
+#include "bem_contact/sequence/numbers/add_wheel.hpp"
+#include "bem_contact/sequence/numbers/pair_numbers.hpp"
+#include "bem_contact/sequence/plan/contact_case.hpp"
 #include "tests/base/message.hpp"
 
 #include <algorithm>

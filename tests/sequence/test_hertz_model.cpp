@@ -1,9 +1,9 @@
-#include "bem_contact/sequence/hertz_model.hpp"
+#include "bem_contact/sequence/plan/hertz_model.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/patch_geometry.hpp"
-#include "bem_contact/sequence/model_choice.hpp"
-#include "bem_contact/sequence/pair_numbers.hpp"
+#include "bem_contact/sequence/numbers/pair_numbers.hpp"
+#include "bem_contact/sequence/plan/model_choice.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <gmock/gmock.h>

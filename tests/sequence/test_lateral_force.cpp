@@ -1,9 +1,9 @@
-#include "bem_contact/sequence/lateral_force.hpp"
+#include "bem_contact/sequence/lateral/lateral_force.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/sequence/lateral_search.hpp"
+#include "bem_contact/sequence/lateral/lateral_search.hpp"
+#include "bem_contact/sequence/lateral/settings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
-#include "bem_contact/sequence/settings.hpp"
 #include "tests/base/message.hpp"
 
 #include <algorithm>

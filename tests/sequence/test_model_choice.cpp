@@ -1,9 +1,8 @@
-#include "bem_contact/sequence/model_choice.hpp"
+#include "bem_contact/sequence/plan/model_choice.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/contact_centre.hpp"
 #include "bem_contact/sequence/sequence.hpp"
-#include "bem_contact/sequence/settings.hpp"
 #include "tests/base/temporary_folder.hpp"
 
 #include <cmath>

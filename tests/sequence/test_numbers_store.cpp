@@ -1,6 +1,6 @@
 // What a sequence keeps of influence numbers.
-#include "bem_contact/sequence/numbers_store.hpp"
-#include "bem_contact/sequence/settings.hpp"
+#include "bem_contact/sequence/numbers/numbers_store.hpp"
+#include "bem_contact/sequence/numbers/settings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Scenes whose profiles come from files: noise, datum, and bodies without gauge face or flange.
-#include "bem_contact/profile/profile_noise.hpp"
+#include "bem_contact/profile/measured/profile_noise.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "tests/base/message.hpp"
 #include "tests/base/temporary_folder.hpp"

@@ -1,8 +1,8 @@
 #include "bem_contact/sequence/sequence.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/sequence/model_choice.hpp"
-#include "bem_contact/sequence/pair_numbers.hpp"
+#include "bem_contact/sequence/numbers/pair_numbers.hpp"
+#include "bem_contact/sequence/plan/model_choice.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/history.hpp"
+#include "bem_contact/sequence/plan/settings.hpp"
 #include "tests/base/message.hpp"
 #include "tests/base/temporary_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "bem_contact/sequence/sequence_files.hpp"
+#include "bem_contact/sequence/numbers/sequence_files.hpp"
 
 #include "bem_contact/sequence/sequence.hpp"
 #include "tests/base/temporary_folder.hpp"

@@ -1,8 +1,8 @@
 // Large grids that are cut down to what a rough solution says: the contact must be the one of the whole grid.
-#include "bem_contact/sequence/trim_plan.hpp"
+#include "bem_contact/sequence/solution/trim_plan.hpp"
 
+#include "bem_contact/sequence/numbers/settings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
-#include "bem_contact/sequence/settings.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

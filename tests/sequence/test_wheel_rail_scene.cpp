@@ -1,5 +1,5 @@
+#include "bem_contact/sequence/plan/settings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
-#include "bem_contact/sequence/settings.hpp"
 
 #include "bem_contact/base/error.hpp"
 #include "tests/base/message.hpp"

@@ -7,9 +7,10 @@ set(CONFORMAL_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where the Pytho
 set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/conformal_contact)
 
 # The headers of a C++ caller: what Sequence takes and returns, what the rooms above it answer, and all that these include.
-set(answers conicity/wheelset_conicity curves/creep_curves table/creep_table table/scene_table
-            table/table_file wear/wear_of_result wear/evolution fatigue/fatigue_of_result wheelset/solve_wheelset
-            wheelset/quantities)
+set(answers uses/conicity/wheelset_conicity uses/curves/creep_curves uses/table/creep_table uses/table/scene_table
+            uses/table/table_file uses/wear/wear_of_result uses/wear/evolution uses/fatigue/fatigue_of_result
+            uses/wheelset/solve_wheelset
+            uses/wheelset/quantities)
 set(public_headers)
 set(todo sequence/sequence sequence/quantities scene/scene_file scene/scene_reader base/error base/provenance contact/work
          ${answers})
@@ -32,7 +33,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/bem_contact/c/conformal_contact.h
 
 # Those that a caller writes in a program, for Doxygen: doxygen build/Doxyfile makes build/reference/html.
 set(doxygen_input bem_contact/c/conformal_contact.h)
-foreach(header sequence/sequence sequence/quantities sequence/scene_result sequence/comparison sequence/describe_case sequence/lateral_force
+foreach(header sequence/sequence sequence/quantities sequence/scene_result sequence/comparison sequence/describe_case sequence/lateral/lateral_force
                sequence/stresses sequence/structural_result scene/scene_file scene/scene_reader scene/choices
                contact/problem contact/result contact/work geometry/rigid_slip geometry/placement profile/contact_row
                halfspace/stress base/conventions base/error base/material base/provenance ${answers})

@@ -1,15 +1,15 @@
 // Asks every room above `sequence` one question about scenes of a folder, and prints a name and a number for
 // each.
 #include <bem_contact/base/error.hpp>
-#include <bem_contact/conicity/wheelset_conicity.hpp>
-#include <bem_contact/curves/creep_curves.hpp>
-#include <bem_contact/fatigue/fatigue_of_result.hpp>
 #include <bem_contact/scene/scene_file.hpp>
 #include <bem_contact/sequence/sequence.hpp>
-#include <bem_contact/table/creep_table.hpp>
-#include <bem_contact/table/table_file.hpp>
-#include <bem_contact/wear/wear_of_result.hpp>
-#include <bem_contact/wheelset/solve_wheelset.hpp>
+#include <bem_contact/uses/conicity/wheelset_conicity.hpp>
+#include <bem_contact/uses/curves/creep_curves.hpp>
+#include <bem_contact/uses/fatigue/fatigue_of_result.hpp>
+#include <bem_contact/uses/table/creep_table.hpp>
+#include <bem_contact/uses/table/table_file.hpp>
+#include <bem_contact/uses/wear/wear_of_result.hpp>
+#include <bem_contact/uses/wheelset/solve_wheelset.hpp>
 
 #include <cstdio>
 

@@ -1,0 +1,239 @@
+#include "bem_contact/app/command.hpp"
+#include "bem_contact/app/output/csv_name.hpp"
+#include "bem_contact/app/output/datasets.hpp"
+#include "bem_contact/app/output/file_kinds.hpp"
+#include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/scene_record.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/uses/conicity/wheelset_conicity.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <ranges>
+#include <string>
+#include <tuple>
+
+namespace bem_contact::app {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* conicity_help =
+    R"(A rigid wheelset is moved sideways on its track: where do its wheels touch, how much do their rolling radii differ, and
+which cone would run with the same wavelength (EN 15302)? Profiles and track come from a scene, from options, or from
+both; load, motion, and the displacement, roll and yaw of the scene's [position] do not count. Example:
+    bem_contact conicity --wheel S1002 --rail 60E1 --cant 0.025
+You should see the contact points for each millimetre from -12 to 12 mm and, for an amplitude of 3 mm, a conicity of
+0.1741 and a wavelength of 8.844 m. "none": no motion has this amplitude.
+
+More, and how to draw it: data/tutorial/conicity.md.)";
+
+struct ConicityArguments {
+  std::string scene, csv, output;
+  std::vector<SceneChange> changes;
+  LeftProfiles left;
+  Amplitudes amplitudes;
+  bool rolls = false, json = false;
+};
+
+/// A profile's name as a scene understands it from any folder: files are given from the working directory.
+std::string from_here(const std::string& name) {
+  const ProfileFileName given = profile_file_name(name);
+  if (!std::filesystem::exists(given.file))
+    return name;
+  const std::string file = std::filesystem::absolute(given.file).string();
+  return given.part > 0 ? fmt::format("{}#{}", file, given.part) : file;
+}
+
+/// The scene of the file and the options. Without a file its text has all keys.
+GivenScene given_scene(const ConicityArguments& arguments) {
+  if (!arguments.scene.empty())
+    return read_given_scene(arguments.scene, "", arguments.changes);
+  for (const auto& [key, option, example] :
+       {std::tuple{"wheel.profile", "--wheel", "S1002"}, {"rail.profile", "--rail", "60E1"}})
+    if (std::ranges::count(arguments.changes, key, &SceneChange::key) == 0)
+      throw InputError(
+          fmt::format("{} is not given", option), "without a scene it says what touches",
+          fmt::format("Give a standard or a profile file, for instance {} {}.", option, example));
+  const SceneFile scene = scene_without_file(arguments.changes);
+  return {"options", scene_with_defaults(scene), "", {}, scene, {}};
+}
+
+std::vector<NamedFile> left_files(const LeftProfiles& left) {
+  std::vector<NamedFile> files = files_of_key("left_rail.profile", left.rail, {});
+  std::ranges::move(files_of_key("left_wheel.profile", left.wheel, {}), std::back_inserter(files));
+  return files;
+}
+
+bool is_whole(double millimetres) {
+  return std::abs(millimetres - std::round(millimetres)) < 1e-9;
+}
+
+std::string head(const WheelsetConicity& c, const WheelsetOnTrack& w) {
+  std::string out = fmt::format("Wheelset: right {} on {}, left {} on {}\n", w.right_wheel.name(),
+                                w.right_rail.name(), w.left_wheel.name(), w.left_rail.name());
+  out += fmt::format("  wheel radius {:g} mm, contact circles {:g} mm apart, cant {:g} rad{}; {}\n",
+                     c.lengths.wheel_radius, c.lengths.contact_distance, w.position.cant,
+                     w.position.rail_origin ? std::string()
+                                            : fmt::format(", gauge {:g} mm ({:g} mm below the top)",
+                                                          w.position.gauge, w.position.gauge_height),
+                     w.rolls ? "rolls until both wheels stand" : "upright");
+  return out;
+}
+
+/// Tables for people: the contact at whole millimetres of displacement, and the conicity by amplitude.
+std::string conicity_text(const WheelsetConicity& c, const WheelsetOnTrack& w) {
+  std::string out = head(c, w);
+  out += "Rolling radius difference and contact points, mm (y to the field side of each body)\n";
+  out += "    lateral  difference   radius right   wheel y    rail y    radius left   wheel y    rail y\n";
+  for (const WheelsetStand& s : c.stands)
+    if (is_whole(s.lateral))
+      out += fmt::format("  {:9.1f} {:11.4f} {:14.4f} {:9.2f} {:9.2f} {:14.4f} {:9.2f} {:9.2f}\n", s.lateral,
+                         s.difference(), s.right.radius, s.right.wheel.y, s.right.rail.y, s.left.radius,
+                         s.left.wheel.y, s.left.rail.y);
+  out += "Equivalent conicity (EN 15302)\n  amplitude mm  tan gamma  wavelength m   from mm     to mm\n";
+  for (const WheelsetConicity::Value& v : c.values)
+    out += v.motion
+               ? fmt::format("  {:12g} {:10.4f} {:13.3f} {:9.3f} {:9.3f}\n", v.amplitude, v.motion->tan_gamma,
+                             1e-3 * v.motion->wavelength, v.motion->from, v.motion->to)
+               : fmt::format("  {:12g} {:>10} {:>13}\n", v.amplitude, "none", "none");
+  return out;
+}
+
+/// "function": arrays over the lateral displacement; "conicity": arrays over the amplitude, null where there
+/// is no motion. mm and rad.
+json conicity_json(const WheelsetConicity& c, const WheelsetOnTrack& w) {
+  json out = {{"right", {{"rail", w.right_rail.name()}, {"wheel", w.right_wheel.name()}}},
+              {"left", {{"rail", w.left_rail.name()}, {"wheel", w.left_wheel.name()}}},
+              {"wheel_radius", c.lengths.wheel_radius},
+              {"contact_distance", c.lengths.contact_distance},
+              {"rolls", w.rolls}};
+  for (const auto& column : stand_columns())
+    out["function"][column.name] = column.values(c.stands);
+  for (const auto& column : conicity_columns())
+    out["conicity"][column.name] = column.values(c.values); // nlohmann writes nan as null
+  return out;
+}
+
+/// One line for each lateral displacement.
+std::string conicity_csv(const WheelsetConicity& c) {
+  const auto each = [](const auto& of) { return stand_columns() | std::views::transform(of); };
+  const auto name = [](const auto& column) { return csv_name(column.name, column.unit); };
+  std::string out = fmt::format("{}\n", fmt::join(each(name), ","));
+  for (const WheelsetStand& s : c.stands)
+    out += fmt::format("{:.9g}\n", fmt::join(each([&](const auto& column) { return column.value(s); }), ","));
+  return out;
+}
+
+/// The groups "function" and "conicity" with the same names as in JSON; nan where there is no motion. Scene
+/// and inputs as in result files.
+H5Table conicity_table(const WheelsetConicity& c, const WheelsetOnTrack& w, const GivenScene& given,
+                       const std::filesystem::path& output) {
+  H5Table table = file_of(conicity_format, given, output);
+  const auto add = [&](const std::string& group, const auto& columns, const auto& rows) {
+    for (const auto& column : columns)
+      table.datasets[group + column.name] = line(column.values(rows), column.unit, column.description);
+  };
+  add("function/", stand_columns(), c.stands);
+  add("conicity/", conicity_columns(), c.values);
+  auto& a = table.attributes;
+  a["right_rail"] = w.right_rail.name();
+  a["right_wheel"] = w.right_wheel.name();
+  a["left_rail"] = w.left_rail.name();
+  a["left_wheel"] = w.left_wheel.name();
+  a["wheel_radius_mm"] = c.lengths.wheel_radius;
+  a["contact_distance_mm"] = c.lengths.contact_distance;
+  a["rolls"] = w.rolls ? 1.0 : 0.0;
+  return table;
+}
+
+ExitCode run(const ConicityArguments& arguments) {
+  GivenScene given = given_scene(arguments);
+  const std::vector<NamedFile> left = left_files(arguments.left);
+  std::vector<std::filesystem::path> inputs = files_read(arguments.scene, given.scene);
+  std::ranges::move(paths_of(left), std::back_inserter(inputs));
+  require_named_outputs(inputs,
+                        {{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}});
+  if (!arguments.output.empty()) {
+    given.inputs = inputs_of(given.scene);
+    std::ranges::move(records_of(left), std::back_inserter(given.inputs));
+  }
+  WheelsetOnTrack wheelset = wheelset_of(given.scene, arguments.left);
+  wheelset.rolls = arguments.rolls;
+  const WheelsetConicity conicity = wheelset_conicity(wheelset, arguments.amplitudes);
+  if (!arguments.output.empty())
+    write_h5(arguments.output, conicity_table(conicity, wheelset, given, arguments.output));
+  if (!arguments.csv.empty())
+    write_text(arguments.csv, [&](std::ostream& out) { out << conicity_csv(conicity); });
+  fmt::print("{}", arguments.json ? conicity_json(conicity, wheelset).dump(2) + "\n"
+                                  : conicity_text(conicity, wheelset));
+  return success;
+}
+
+/// Options that give a key of a scene.
+void add_keys(CLI::App& line, const std::shared_ptr<ConicityArguments>& arguments) {
+  const auto profile = [&](const char* option, const char* key, const char* what) {
+    line.add_option_function<std::string>(
+        option,
+        [=](const std::string& name) {
+          arguments->changes.push_back({key, from_here(name)});
+        },
+        what);
+  };
+  profile("--wheel", "wheel.profile", "Standard or profile file of the wheels");
+  profile("--rail", "rail.profile", "Standard or profile file of the rails");
+  const auto number = [&](const char* option, const char* key, const char* what) {
+    line.add_option_function<double>(
+        option,
+        [=](const double& value) {
+          arguments->changes.push_back({key, value});
+        },
+        what);
+  };
+  number("--gauge", "position.gauge", "Track gauge, mm");
+  number("--gauge-height", "position.gauge_height",
+         "Depth below the top of the rail where the gauge is measured, mm");
+  number("--cant", "position.cant",
+         "Inclination of the rails towards the track's centre, rad (1:40 is 0.025)");
+  number("--back-to-back", "position.back_to_back", "Distance of the flange backs, mm");
+  number("--wheel-radius", "position.wheel_radius", "At the tape circle, mm");
+}
+
+} // namespace
+
+Command add_conicity(CLI::App& program) {
+  const auto arguments = std::make_shared<ConicityArguments>();
+  CLI::App* line =
+      program.add_subcommand("conicity", "Rolling radius difference and equivalent conicity of a wheelset");
+  line->add_option("scene", arguments->scene, "Scene file (TOML) with profiles and track");
+  add_keys(*line, arguments);
+  const auto left = [&](const char* option, std::string LeftProfiles::*member, const char* what) {
+    line->add_option_function<std::string>(
+        option, [=](const std::string& name) { arguments->left.*member = from_here(name); }, what);
+  };
+  left("--left-wheel", &LeftProfiles::wheel,
+       "The left wheel, if it has another profile (y to the field side)");
+  left("--left-rail", &LeftProfiles::rail, "The left rail, if it has another profile");
+  line->add_flag("--roll", arguments->rolls, "Let the wheelset roll until both wheels stand on their rails");
+  line->add_option("--to", arguments->amplitudes.largest, "Largest amplitude, mm")->capture_default_str();
+  line->add_option("--step", arguments->amplitudes.step, "Step of the amplitudes, mm")->capture_default_str();
+  add_json(*line, arguments->json);
+  line->add_option("--csv", arguments->csv,
+                   "Write radius difference and contact points over the displacement");
+  line->add_option("-o,--output", arguments->output, "Write all results (HDF5)");
+  line->footer(conicity_help);
+  return {line, [arguments] { return run(*arguments); }};
+}
+
+} // namespace bem_contact::app

@@ -1,0 +1,242 @@
+#include "bem_contact/app/commands/creep_curves_command.hpp"
+
+#include "bem_contact/app/number_list.hpp"
+#include "bem_contact/app/output/csv_name.hpp"
+#include "bem_contact/app/output/datasets.hpp"
+#include "bem_contact/app/output/file_kinds.hpp"
+#include "bem_contact/app/output/scene_record.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/uses/curves/creep_columns.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <spdlog/spdlog.h>
+
+namespace bem_contact::app {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* creep_curves_help =
+    R"(Each curve varies one creepage; all else is what the scene says, and the wheelset stays where it is. Without a range
+there are three curves, from full slip to full slip. A range is FROM:TO:COUNT, as --xi=-0.002:0.002:21 (the = is for a
+leading minus), or auto. Example:
+    bem_contact creep-curves data/scenes/steady_rolling.toml -o creep.h5
+You should see the slopes at zero creepage and spin beside those of Kalker's linear theory for the same ellipse (dFx/dxi
+1.7149e+06 and 1.719e+06 N, a difference of -0.24 %), the sensitivities at the scene's creepages (dFx/dxi 6.092e+05 N),
+and three tables, with a line for each creepage. More, and how to draw them: data/tutorial/creep-curves.md.
+
+Exit code 0: every certificate holds; 2: the input is wrong; 3: some point has no certified result.)";
+
+struct CreepArguments {
+  std::string scene, model, csv, output;
+  std::array<std::string, 3> ranges;
+  bool json = false;
+};
+
+std::vector<CreepRange> ranges_of(const std::array<std::string, 3>& texts) {
+  std::vector<CreepRange> out;
+  for (const CreepKind kind : {CreepKind::xi, CreepKind::eta, CreepKind::phi})
+    if (const std::string& text = texts[static_cast<std::size_t>(kind)]; !text.empty())
+      out.push_back(creep_range(kind, text));
+  if (out.empty())
+    out = {{CreepKind::xi, {}}, {CreepKind::eta, {}}, {CreepKind::phi, {}}};
+  return out;
+}
+
+/// The derivatives that linear theory does not set to zero: [force][creepage].
+constexpr std::pair<std::size_t, std::size_t> in_linear_theory[] = {{0, 0}, {1, 1}, {1, 2}, {2, 1}, {2, 2}};
+
+std::string slopes_text(const CreepCurves& c) {
+  std::string out =
+      "Slopes where nothing moves over the other (no creepage, no spin), beside Kalker's linear theory\n";
+  if (c.linear)
+    out += fmt::format(
+        "  for the ellipse of {:.4g} x {:.4g} mm (semi-axes along x, s), from which the undeformed distance "
+        "is {:.1f} % off\n",
+        c.linear->semi_axis_x, c.linear->semi_axis_s, 100 * c.linear->deviation);
+  else
+    out += "  (the contact is no ellipse: nothing to compare with)\n";
+  out += "               computed        +-      Kalker   difference\n";
+  for (const auto& [f, k] : in_linear_theory) {
+    const double value = c.slopes.values[f][k];
+    const std::string what =
+        fmt::format("d{}/d{}", EnumNames<CreepForce>::names[f], EnumNames<CreepKind>::names[k]);
+    out += fmt::format("  {:9} {:12.5g} {:9.1g}", what, value, c.slopes.errors[f][k]);
+    if (c.linear)
+      out += fmt::format(" {:11.5g} {:10.2f} %", c.linear->slopes[f][k],
+                         100 * (value / c.linear->slopes[f][k] - 1));
+    out += '\n';
+  }
+  return out;
+}
+
+std::string sensitivities_text(const CreepCurves& c) {
+  std::string out = "Sensitivities at the scene's creepages, by differences\n              force      d/dxi  "
+                    "   d/deta     d/dphi\n";
+  const CreepForceValues forces = forces_of(c.solution);
+  for (std::size_t f = 0; f < 3; ++f) {
+    out += fmt::format("  {:4} {:12.5g}", EnumNames<CreepForce>::names[f], forces[f]);
+    for (std::size_t k = 0; k < 3; ++k)
+      out += fmt::format(" {:10.4g}", c.sensitivities.values[f][k]);
+    out += '\n';
+  }
+  if (c.linearised) {
+    out += "  from the linear system at the solution, with the pressure held\n";
+    for (std::size_t f = 0; f < 3; ++f)
+      out += fmt::format("  {:4} {:12} {:10.4g} {:10.4g} {:10.4g}\n", EnumNames<CreepForce>::names[f], "",
+                         (*c.linearised)[f][0], (*c.linearised)[f][1], (*c.linearised)[f][2]);
+  }
+  return out;
+}
+
+/// Tables for people: slopes at zero beside Kalker's, sensitivities, and each curve.
+std::string curves_text(const CreepCurves& c) {
+  std::string out = fmt::format("Creep curves, model {}: Fz {:.6g} N, mu Fn {:.6g} N, c = {:.4g} mm\n",
+                                name_of(c.solution.model), c.solution.result.Fz, c.bound, c.radius);
+  out += slopes_text(c) + sensitivities_text(c);
+  for (const CreepCurve& curve : c.curves) {
+    out += fmt::format("Over {}\n  {:>12}        Fx N        Fs N     Mz N mm  |F|/(mu Fn)  adhesion\n",
+                       name_of(curve.which), name_of(curve.which));
+    for (const CreepPoint& p : curve.points)
+      out +=
+          fmt::format("  {:12.5g} {:11.5g} {:11.5g} {:11.5g} {:12.4f} {:8.1f} %{}\n", p.creepage, p.forces[0],
+                      p.forces[1], p.forces[2], std::hypot(p.forces[0], p.forces[1]) / c.bound,
+                      100 * p.adhesion_share, p.certified ? "" : "  NOT certified");
+  }
+  return out;
+}
+
+/// "slopes", "kalker" and "sensitivities" are matrices [Fx, Fs, Mz][xi, eta, phi]; "curves" has arrays for
+/// each creepage that was varied. N, mm; errors that are not known are null.
+json curves_json(const CreepCurves& c) {
+  json out = {{"model", name_of(c.solution.model)},
+              {"Fz", c.solution.result.Fz},
+              {"bound", c.bound},
+              {"radius", c.radius},
+              {"certified", c.certified()},
+              {"forces", forces_of(c.solution)},
+              {"curves", json::object()}};
+  for (const CreepMatrixEntry& entry : creep_matrices()) {
+    const CreepMatrix* matrix = entry.of(c);
+    out[entry.name] = matrix ? json(*matrix) : json(nullptr);
+  }
+  if (const auto& l = c.linear)
+    out["kalker"] = {{"slopes", l->slopes},           {"semi_axis_x", l->semi_axis_x},
+                     {"semi_axis_s", l->semi_axis_s}, {"tilt", l->tilt},
+                     {"deviation", l->deviation},     {"shear_modulus", l->shear_modulus},
+                     {"poisson", l->poisson},         {"c11", l->coefficients.c11},
+                     {"c22", l->coefficients.c22},    {"c23", l->coefficients.c23},
+                     {"c33", l->coefficients.c33}};
+  for (const CreepCurve& curve : c.curves) {
+    json& of = out["curves"][std::string(name_of(curve.which))];
+    of["creepage"] = creepages_of(curve);
+    for (const CreepColumn& column : creep_columns())
+      of[column.name] = column.values(curve.points);
+  }
+  return out;
+}
+
+/// All curves below each other: which, creepage, forces, their errors, adhesion, certified.
+std::string curves_csv(const CreepCurves& c) {
+  std::string out = "varied,creepage";
+  for (const CreepColumn& column : creep_columns())
+    out += ',' + csv_name(column.name, column.unit);
+  out += '\n';
+  for (const CreepCurve& curve : c.curves)
+    for (const CreepPoint& p : curve.points) {
+      out += fmt::format("{},{:.9g}", name_of(curve.which), p.creepage);
+      for (const CreepColumn& column : creep_columns()) {
+        const double value = column.value(p);
+        out += std::isnan(value) ? "," : fmt::format(",{:.{}g}", value, column.digits);
+      }
+      out += '\n';
+    }
+  return out;
+}
+
+/// Groups "xi", "eta", "phi" for the curves; the matrices at the top. Errors that are not known are nan.
+/// Scene and inputs as in result files.
+H5Table curves_table(const CreepCurves& c, const GivenScene& given, const std::filesystem::path& output) {
+  H5Table table = file_of(creep_curves_format, given, output);
+  auto& d = table.datasets;
+  for (const CreepMatrixEntry& entry : creep_matrices())
+    if (const CreepMatrix* values = entry.of(c))
+      d[entry.name] =
+          matrix(*values, "Fx, Fs: N (by phi: N mm); Mz: N mm (by phi: N mm2)", entry.description);
+  for (const CreepCurve& curve : c.curves) {
+    const std::string group = fmt::format("{}/", name_of(curve.which));
+    d[group + "creepage"] =
+        line(creepages_of(curve), unit_of(curve.which), "varied; the other two as the scene has them");
+    for (const CreepColumn& column : creep_columns())
+      d[group + column.name] = line(column.values(curve.points), column.unit, column.description);
+  }
+  auto& a = table.attributes;
+  a["model"] = std::string(name_of(c.solution.model));
+  a["Fz_N"] = c.solution.result.Fz;
+  a["bound_N"] = c.bound;
+  a["radius_mm"] = c.radius;
+  return table;
+}
+
+ExitCode run(const CreepArguments& arguments) {
+  const std::vector<CreepRange> ranges = ranges_of(arguments.ranges);
+  const GivenScene given =
+      read_given_scene_for({{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}},
+                           arguments.scene, arguments.model);
+  const CreepCurves curves = creep_curves(given.scene, ranges);
+  if (!arguments.output.empty())
+    write_h5(arguments.output, curves_table(curves, given, arguments.output));
+  if (!arguments.csv.empty())
+    write_text(arguments.csv, [&](std::ostream& out) { out << curves_csv(curves); });
+  fmt::print("{}", arguments.json ? curves_json(curves).dump(2) + "\n" : curves_text(curves));
+  warn(curves.solution.warnings);
+  if (curves.certified())
+    return success;
+  spdlog::error(
+      "Some points are not solutions (their certificates do not hold) Look at the column `certified`, and "
+      "leave these points out or coarsen the grid.");
+  return no_convergence;
+}
+
+} // namespace
+
+CreepRange creep_range(CreepKind kind, const std::string& text) {
+  if (text == "auto")
+    return {kind, {}};
+  const std::vector<double> numbers = number_list(text, ':').value_or(std::vector<double>());
+  const double count = numbers.size() == 3 ? numbers[2] : 0;
+  if (!(count >= 2 && count <= 10000 && count == static_cast<int>(count)))
+    throw InputError(fmt::format("The range '{}' of {} cannot be read", text,
+                                 EnumNames<CreepKind>::names[static_cast<std::size_t>(kind)]),
+                     "it is neither auto nor FROM:TO:COUNT with a count of 2 to 10000",
+                     "Give one like 0:0.005:21.");
+  CreepRange range{kind, {}};
+  for (int i = 0; i < count; ++i)
+    range.values.push_back(numbers[0] + (numbers[1] - numbers[0]) * i / (count - 1));
+  return range;
+}
+
+Command add_creep_curves(CLI::App& program) {
+  const auto arguments = std::make_shared<CreepArguments>();
+  CLI::App* line = program.add_subcommand("creep-curves", "Forces over creepages, slopes and sensitivities");
+  line->add_option("scene", arguments->scene, "Scene file (TOML)")->required();
+  line->add_option("--xi", arguments->ranges[0],
+                   "Range of the longitudinal creepage, as motion.xi counts it");
+  line->add_option("--eta", arguments->ranges[1], "Range of the lateral creepage");
+  line->add_option("--phi", arguments->ranges[2], "Range of the spin, 1/mm");
+  add_model(*line, arguments->model);
+  add_json(*line, arguments->json);
+  line->add_option("--csv", arguments->csv, "Write all curves, one line for each point");
+  line->add_option("-o,--output", arguments->output, "Write all results (HDF5)");
+  line->footer(creep_curves_help);
+  return {line, [arguments] { return run(*arguments); }};
+}
+
+} // namespace bem_contact::app

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "bem_contact/app/command.hpp"
+#include "bem_contact/uses/curves/creep_curves.hpp"
+
+#include <string>
+
+namespace bem_contact::app {
+
+/// `bem_contact creep-curves SCENE`.
+Command add_creep_curves(CLI::App& program);
+
+/// "FROM:TO:COUNT", equal steps, or "auto": chosen. Throws InputError for any other text.
+CreepRange creep_range(CreepKind kind, const std::string& text);
+
+} // namespace bem_contact::app

@@ -1,0 +1,117 @@
+#include "bem_contact/app/command.hpp"
+#include "bem_contact/app/output/file_kinds.hpp"
+#include "bem_contact/app/output/repeat.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/file_seal.hpp"
+#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/requirements.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <memory>
+#include <numbers>
+
+namespace bem_contact::app {
+
+namespace {
+
+H5Table without_cases(H5Table table) {
+  std::erase_if(table.attributes, [](const auto& a) { return a.first.starts_with("cases/"); });
+  return table;
+}
+
+std::string describe_table(const H5Table& table, const std::string& title,
+                           const std::filesystem::path& file) {
+  std::string out = title + "\n";
+  for (const auto& [name, value] : table.attributes)
+    out += std::holds_alternative<std::string>(value)
+               ? fmt::format("  {}: {}\n", name, std::get<std::string>(value))
+               : fmt::format("  {}: {:g}\n", name, std::get<double>(value));
+  for (const auto& [name, text] : table.texts)
+    out += fmt::format("  {}: {} characters, {}\n", name, text.text.size(), text.description);
+  out += "Datasets\n";
+  for (const auto& [name, data] : table.datasets)
+    out += data.shape.empty()
+               ? fmt::format("  {} = {:.6g} {}: {}\n", name, dataset_of(table, name, file, 1).values.front(),
+                             data.unit, data.description)
+               : fmt::format("  {} [{}] {}: {}\n", name, fmt::join(data.shape, "]["), data.unit,
+                             data.description);
+  return out;
+}
+
+std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes) {
+  const double half = 0.5 * f.station_width;
+  const auto degrees = [](double rad) { return rad * 180 / std::numbers::pi; };
+  std::string out = "Influence functions of one body\n";
+  out += fmt::format("  body: {}; profile: {} (digest {:016x})\n", f.body, f.profile, f.profile_digest);
+  out += fmt::format("  material: shear modulus {:g} MPa, Poisson's ratio {:g}\n", f.material.shear_modulus,
+                     f.material.poisson);
+  out += f.invariance == Invariance::prismatic
+             ? std::string("  the body is the same all along x\n")
+             : fmt::format("  the body is the same all around its axle, reference radius {:g} mm\n",
+                           f.reference_radius);
+  out += fmt::format("  held: {}\n  method: {}\n", f.held, f.method);
+  out += fmt::format(
+      "  strip: {} stations {:g} mm wide, s = {:.3f} .. {:.3f} mm, inclination {:.2f} .. {:.2f} degrees\n",
+      f.station_count(), f.station_width, f.stations.front().s - half, f.stations.back().s + half,
+      degrees(f.stations.front().delta), degrees(f.stations.back().delta));
+  if (f.is_table())
+    out += fmt::format(
+        "  table of {} influence numbers along x, elements of {:g} mm and whole multiples of it\n",
+        f.table_offsets(), f.table_dx);
+  else
+    out += fmt::format(
+        "  {} wavenumbers, 0 .. {:g} 1/mm; half period {:g} mm: elements along x from {:.3g} mm{}, a "
+        "patch up to {:.4g} mm long\n",
+        f.wavenumber_count(), f.wavenumber.back(), f.half_period, shortest_dx(f),
+        f.invariance == Invariance::revolution ? " (at the reference radius)" : "", f.half_period);
+  out += fmt::format("  estimated error {}; Maxwell-Betti {:.1e}, reaction against load {:.1e}\n",
+                     f.estimated_error < 0 ? std::string("not given")
+                                           : fmt::format("{:.2e} of the self number", f.estimated_error),
+                     f.betti_error, f.reaction_error);
+  out += fmt::format("  size: {:.2f} MB on disk, {:.0f} MB in memory\n", 1e-6 * static_cast<double>(bytes),
+                     8e-6 * static_cast<double>(f.kernel.size() + f.remote.size() + f.table.size()));
+  return out;
+}
+
+/// An influence file, a result file, a sweep or plain influence numbers in words. Throws InputError for any
+/// other file.
+std::string describe_file(const std::filesystem::path& file) {
+  // Only files whose seal holds go to HDF5.
+  if (begins_with_seal(file))
+    return describe_influence(read_influence_file(file), std::filesystem::file_size(file));
+  const H5Table top = read_h5_top(file, "patches"); // a sweep's fields may be large
+  const std::string format = text_attribute(top, "format");
+  for (const FileKind& kind : file_kinds)
+    if (format == kind.format)
+      return describe_table(format == sweep_format ? without_cases(top) : read_h5(file), kind.title, file);
+  throw InputError(fmt::format("'{}' is not a file of this project", file.string()),
+                   "it is HDF5 and neither influence functions, nor plain numbers, nor a result, nor a sweep",
+                   "Name a file that fem_influence or bem_contact wrote.");
+}
+
+} // namespace
+
+Command add_info(CLI::App& program) {
+  CLI::App* line = program.add_subcommand("info", "Describe an influence file, a result file or a sweep");
+  const auto file = std::make_shared<std::string>();
+  const auto scene = std::make_shared<bool>(false), with_defaults = std::make_shared<bool>(false);
+  line->add_option("file", *file, "HDF5 file")->required();
+  line->add_flag("--scene", *scene, "Print the scene of a result, comparison, sweep, ..., as it was given");
+  line->add_flag("--scene-with-defaults", *with_defaults, "Print this scene with the value of every key");
+  line->footer(R"(Example:
+    bem_contact info data/influence/small_rail.h5
+You should see which body the file is for (rail 60E1), its material, where it is held, the strip of its
+profile that the file covers (s = -44 .. -20 mm), the shortest element along x that it has numbers for (0.5 mm), and
+the estimated error of an influence number, relative to that of a loaded element on itself. For a result or a sweep
+you see every dataset with its shape and unit.)");
+  return {line, [file, scene, with_defaults] {
+            fmt::print("{}",
+                       *scene || *with_defaults ? stored_scene(*file, *with_defaults) : describe_file(*file));
+            return success;
+          }};
+}
+
+} // namespace bem_contact::app

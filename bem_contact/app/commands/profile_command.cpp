@@ -1,0 +1,264 @@
+#include "bem_contact/app/command.hpp"
+#include "bem_contact/app/settings.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/profile/worn/like_standard.hpp"
+#include "bem_contact/report/report_page.hpp"
+#include "bem_contact/scene/scene_file.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <numbers>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+namespace bem_contact::app {
+
+namespace {
+
+constexpr const char* profile_help =
+    R"(The file is read as a scene would read it; warnings say what was repaired. It is a measured profile (MiniProf, Simpack,
+Vampire, or two columns y and z), the name of a standard (60E1, S1002) or a body file (.toml). The options do what keys
+of the same name do in [rail] and [wheel] of a scene (data/scenes/README.md). Example, with a worn wheel of this
+project:
+    bem_contact profile data/bodies/hollow_wheel.txt --kind wheel
+You should see 307 points, 0.5 mm apart. Their noise of 0.05 um needs no smoothing. Then comes the mean radius of every
+5 mm of the profile: -13.2 mm (concave) at the root of the flange, 20.0 mm (convex) on its face.
+
+More, and how to draw it: data/tutorial/profile.md.)";
+
+struct ProfileArguments {
+  std::string name, kind, unit = "found", profile_z = "as stated", csv, plot;
+  ProfileReading reading;
+  double flange_back = 0, step = profile_csv_step;
+};
+
+template <NamedEnum E> E choice(const std::string& name) {
+  const auto& names = EnumNames<E>::names;
+  return static_cast<E>(std::ranges::find(names, name) - names.begin());
+}
+
+template <NamedEnum E> std::vector<std::string> choices() {
+  return {EnumNames<E>::names.begin(), EnumNames<E>::names.end()};
+}
+
+MeasuredProfile read(const ProfileArguments& arguments, ProfileKind kind) {
+  const auto [file, part] = profile_file_name(arguments.name);
+  if (is_standard_profile(arguments.name) || file.extension() == ".toml" || !std::filesystem::exists(file))
+    return {.curve = named_profile(arguments.name, kind), .noise = {}}; // it says what is wrong with a name
+  return measured_profile(file, kind, arguments.reading, part);
+}
+
+std::string radius_text(double turn, double length) {
+  const double radius = length / turn;
+  return std::abs(radius) < straight_radius ? fmt::format("{:9.1f}", radius)
+                                            : fmt::format("{:>9}", "straight");
+}
+
+/// Rail or wheel: a standard by its name, a file by its ending (.prr, .ban, .rai; .prw, .whl, .whe) or by
+/// `kind`
+/// ("rail", "wheel"). Throws InputError where neither says it.
+ProfileKind kind_of_profile(const std::string& name, const std::string& kind) {
+  if (!kind.empty())
+    return kind == "wheel" ? ProfileKind::wheel : ProfileKind::rail;
+  if (is_standard_profile(name))
+    return kind_of_standard(name);
+  const std::filesystem::path file = profile_file_name(name).file;
+  if (const auto its = kind_of_ending(file))
+    return *its;
+  if (!std::filesystem::exists(file))
+    named_profile(name, ProfileKind::rail); // it says that there is no such file
+  throw InputError(fmt::format("'{}' is the profile of a rail or of a wheel", name),
+                   "neither its name nor its ending says which",
+                   file.extension() == ".toml"
+                       ? "Say --kind rail or --kind wheel; if it is a scene, solve it first (-o R.h5)."
+                       : "Say --kind rail or --kind wheel.");
+}
+
+std::string noise_text(const MeasuredProfile& p) {
+  if (p.noise.coarse)
+    return "  noise: not known; the points are too far apart for a curved profile\n";
+  if (p.smoothing > 0 || p.worn)
+    return fmt::format("  noise: {:.2f} um as measured\n", 1e3 * p.noise.scatter);
+  return fmt::format(
+      "  noise: {:.2f} um; a curve through all points has pressures off by some {:.0f} MPa (steel); "
+      "{}\n",
+      1e3 * p.noise.scatter, p.noise.pressure,
+      p.noise.smoothing > 0 ? fmt::format("smoothing = {:.2g} advised", p.noise.smoothing)
+                            : std::string("no smoothing needed"));
+}
+
+std::string like_text(const LikeStandard& like, const MeasuredProfile& p) {
+  const std::string other = like.other.empty() ? "" : fmt::format(" or {}", like.other);
+  std::string out = fmt::format("  like {}{}, worn by {:.3f} .. {:.3f} mm", like.name, other,
+                                like.least_depth, like.largest_depth);
+  if (like.inclination > 0)
+    out +=
+        fmt::format(", turned by {:.2f} degrees ({}): the file is already inclined; give position.cant = 0 "
+                    "with it",
+                    like.angle * 180 / std::numbers::pi, inclination_text(like.inclination));
+  if (p.noise.smoothing > 0 && p.smoothing == 0)
+    out += fmt::format("; nominal = \"{}\"{} advised", like.name,
+                       like.other.empty() ? "" : fmt::format(" or \"{}\"", like.other));
+  return out + '\n';
+}
+
+/// The profile in words: points, extent, noise, what smoothing removed, radii along s.
+std::string describe_profile(const MeasuredProfile& p, const std::optional<LikeStandard>& like,
+                             ProfileKind kind) {
+  const ProfileCurve& curve = p.curve;
+  constexpr double degree = std::numbers::pi / 180;
+  const double length = curve.s_end() - curve.s_begin();
+  std::string out = fmt::format("Profile of a {}: {}\n", name_of(kind), curve.name());
+  if (p.points > 0) {
+    out += fmt::format("  points: {}, {:.3g} mm apart in the median\n", p.points, p.noise.spacing);
+    out += noise_text(p);
+    if (!p.outliers.empty())
+      out +=
+          fmt::format("  outliers: {}, the first at y = {:.2f}, z = {:.2f} by {:.2g} mm\n", p.outliers.size(),
+                      p.outliers.front().point.y, p.outliers.front().point.z, p.outliers.front().distance);
+  }
+  if (like)
+    out += like_text(*like, p);
+  if (p.worn)
+    out += fmt::format("  nominal: {}\n", worn_text(*p.worn));
+  if (p.smoothing > 0)
+    out +=
+        fmt::format("  smoothed: waves shorter than {} mm removed, {:.2f} um root mean square, {:.2f} um at "
+                    "most: {} (up to {:.2f} um is taken for noise)\n",
+                    wavelength_text(p), 1e3 * p.removed_rms, 1e3 * p.removed_most,
+                    p.removed_rms > p.largest_noise_removed() ? "shape is taken away" : "noise alone",
+                    1e3 * p.largest_noise_removed());
+  out +=
+      fmt::format("  length: {:.2f} mm, s = {:.2f} .. {:.2f} mm\n", length, curve.s_begin(), curve.s_end());
+  out += "  radii: mean over each stretch, > 0 convex, < 0 concave\n";
+  out += "      from s       to s          y          z   inclination    radius\n";
+  out += "          mm         mm         mm         mm       degrees        mm\n";
+  const int stretches = std::max(1, static_cast<int>(std::ceil(length / radius_stretch)));
+  for (int i = 0; i < stretches; ++i) {
+    const CurvePoint a = curve.at(curve.s_begin() + length * i / stretches),
+                     b = curve.at(curve.s_begin() + length * (i + 1) / stretches),
+                     m = curve.at((a.s + b.s) / 2);
+    out += fmt::format("  {:10.2f} {:10.2f} {:10.2f} {:10.2f} {:13.2f} {}\n", a.s, b.s, m.position.y,
+                       m.position.z, m.delta / degree - (kind == ProfileKind::wheel ? 180 : 0),
+                       radius_text(b.delta - a.delta, b.s - a.s));
+  }
+  return out;
+}
+
+/// Points at equal steps of arc length, at most `step` mm long.
+std::vector<CurvePoint> points_along(const ProfileCurve& curve, double step) {
+  const double length = curve.s_end() - curve.s_begin();
+  const int steps = std::max(1, static_cast<int>(std::ceil(length / step)));
+  std::vector<CurvePoint> out;
+  for (int i = 0; i <= steps; ++i)
+    out.push_back(curve.at(curve.s_begin() + length * i / steps));
+  return out;
+}
+
+std::string profile_csv(const ProfileCurve& curve, double step) {
+  std::string out = "s_mm,y_mm,z_mm,inclination_rad,curvature_per_mm\n";
+  for (const CurvePoint& p : points_along(curve, step))
+    out += fmt::format("{:.6f},{:.6f},{:.6f},{:.8f},{:.8g}\n", p.s, p.position.y, p.position.z, p.delta,
+                       p.curvature);
+  return out;
+}
+
+report::DrawnProfile drawn(std::string name, const ProfileCurve& curve, double step) {
+  report::DrawnProfile out{.name = std::move(name), .y = {}, .z = {}, .curvature = {}};
+  for (const CurvePoint& p : points_along(curve, step)) {
+    out.y.push_back(p.position.y);
+    out.z.push_back(p.position.z);
+    out.curvature.push_back(p.curvature);
+  }
+  return out;
+}
+
+/// The profile, then the same as measured if it is smoothed, then the standard that it resembles.
+std::vector<report::DrawnProfile> drawn_profiles(const ProfileArguments& arguments,
+                                                 const MeasuredProfile& profile,
+                                                 const std::optional<LikeStandard>& like, ProfileKind kind) {
+  const std::string name = std::filesystem::path(arguments.name).filename();
+  std::vector<report::DrawnProfile> out{drawn(name, profile.curve, arguments.step)};
+  if (profile.smoothing > 0 || profile.worn) {
+    ProfileArguments raw = arguments;
+    raw.reading.smoothing = 0;
+    raw.reading.nominal.clear();
+    out.push_back(drawn(name + ", as measured", read(raw, kind).curve, arguments.step));
+  }
+  const std::string usual = kind == ProfileKind::wheel ? "S1002" : "60E1";
+  const std::string standard = profile.worn ? arguments.reading.nominal : like ? like->name : usual;
+  if (standard != arguments.name)
+    out.push_back(drawn(standard, standard_profile(standard), arguments.step));
+  return out;
+}
+
+ExitCode run(ProfileArguments arguments, bool flange_back_given) {
+  arguments.reading.unit = choice<ProfileUnit>(arguments.unit);
+  arguments.reading.profile_z = choice<ProfileZ>(arguments.profile_z);
+  if (flange_back_given)
+    arguments.reading.flange_back = arguments.flange_back;
+  require_outputs(paths_of(files_of_key("file.profile", arguments.name, {})),
+                  {{"--csv", arguments.csv}, {"--plot", arguments.plot}});
+  const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
+  const MeasuredProfile profile = read(arguments, kind);
+  if (!arguments.csv.empty())
+    write_whole(arguments.csv, [&](std::ostream& out) { out << profile_csv(profile.curve, arguments.step); });
+  const std::optional<LikeStandard> like =
+      profile.points > 0 ? like_standard(profile.curve, kind) : std::nullopt;
+  const std::string words = describe_profile(profile, like, kind);
+  if (!arguments.plot.empty())
+    report::write_profile_page(std::filesystem::path(arguments.name).filename(), words,
+                               drawn_profiles(arguments, profile, like, kind), arguments.plot);
+  fmt::print("{}", words);
+  return success;
+}
+
+} // namespace
+
+Command add_profile(CLI::App& program) {
+  const auto arguments = std::make_shared<ProfileArguments>();
+  CLI::App* line =
+      program.add_subcommand("profile", "Describe a profile file: noise, radii, what was repaired");
+  line->add_option("file", arguments->name, "Measured profile, name of a standard, or body file")->required();
+  line->add_option("--kind", arguments->kind,
+                   "rail or wheel; needed where neither the file nor its ending says it")
+      ->check(CLI::IsMember({"rail", "wheel"}));
+  line->add_option(
+          "--smoothing", arguments->reading.smoothing,
+          "Remove waves shorter than this, mm; 0, the default: remove nothing, or with --nominal find the "
+          "length from the points")
+      ->check(CLI::Range(0.0, 50.0));
+  line->add_option(
+      "--nominal", arguments->reading.nominal,
+      "Standard profile from which it was made (S1002, 60E1): only the depth worn off it is smoothed");
+  line->add_option("--unit", arguments->unit,
+                   "Unit of the file; found, the default: by the size of the profile")
+      ->check(CLI::IsMember(choices<ProfileUnit>()));
+  line->add_option("--profile-z", arguments->profile_z,
+                   "Where z of the file points; 'as stated', the default: what its format says")
+      ->check(CLI::IsMember(choices<ProfileZ>()));
+  line->add_flag("--mirror", arguments->reading.mirror,
+                 "y of the file points to the gauge side: turn it, y is to point to the field side");
+  const CLI::Option* back =
+      line->add_option("--flange-back", arguments->flange_back,
+                       "Wheel: y of the back of the flange in the file, mm. It places the wheel laterally");
+  line->add_flag("--keep-origin", arguments->reading.keep_origin,
+                 "Keep y and z as the file has them (a scene: place = \"absolute\")");
+  line->add_option("--csv", arguments->csv, "Write arc length, y, z, inclination and curvature to this file");
+  line->add_option("--plot", arguments->plot,
+                   "Write a page (HTML) that draws outline and curvature, with the standard beside them");
+  line->add_option("--step", arguments->step, "Longest step of table and page, mm")
+      ->check(CLI::Range(1e-3, 100.0));
+  line->footer(profile_help);
+  return {line, [arguments, back] { return run(*arguments, back->count() > 0); }};
+}
+
+} // namespace bem_contact::app

@@ -1,0 +1,271 @@
+#include "bem_contact/app/command.hpp"
+#include "bem_contact/app/output/comparison_report.hpp"
+#include "bem_contact/app/output/error_text.hpp"
+#include "bem_contact/app/output/repeat.hpp"
+#include "bem_contact/app/output/report.hpp"
+#include "bem_contact/app/output/result_file.hpp"
+#include "bem_contact/app/output/vtk_file.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/settings.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+namespace bem_contact::app {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* solve_help =
+    R"(Example: a wheel-like body rolls steadily with creepage and spin.
+    bem_contact solve data/scenes/steady_rolling.toml
+You should see one patch of 13.8 mm2 with a largest pressure of 437.0 MPa, and the forces on the rail: Fx 671.5 N,
+Fy 919.8 N, Fz 4000.0 N. +- says how far the size of the elements may put a number off. `certificate` says `holds` if no
+contact condition is violated by more than 1e-6 (relative); code that is not part of the solver checks that.
+
+--model says where the influence numbers come from:
+  hertz          no elements: the closed form for a contact without friction and with constant curvatures
+  halfspace      the elastic half-space, the profiles unrolled: distances count along the arc
+  tangent_plane  a half-space at the tangent plane of each element: the surface turns, but has no other shape
+  fem            influence files of both bodies, computed by finite elements
+  auto           the cheapest of them whose predicted error is below solver.model_tolerance
+
+A result file (-o) keeps its scene and its inputs, so that it can be solved again: `bem_contact solve result.h5`.
+More, and how to draw it: data/tutorial/solve.md.
+
+Exit code 0: the certificate holds, and a repeated result is the same. 2: the input is wrong. 3: the solver did not
+converge, and nothing is written; or the certificate does not hold; or a repeated result differs. 1: an unforeseen error.)";
+
+constexpr const char* compare_help =
+    R"(fem needs influence files of both bodies. Example, with the small files of this project:
+    bem_contact compare data/scenes/conformal_small.toml --models halfspace,tangent_plane,fem
+You should see three tables with a column for each model:
+  1. Equal forces on the rail. Fx is load.force_x, or 0: the wheel rolls freely. Fy is load.force_y, or what the
+     reference (fem, or else the last model) finds at the scene's position; the other models are moved until they have it.
+  2. Creep forces, each model from its own free rolling: at 0.0005, 0.001 and 0.002 beyond it.
+  3. Equal position and creepage, those of the scene. Near a flange a small shift changes the forces much.
+If the scene gives an approach and no force, Fz is what the reference finds for it. More: data/tutorial/compare.md.
+
+Exit code 0: all certificates hold. 2: the input is wrong. 3: a model did not converge, or a certificate does not hold.)";
+
+constexpr const char* check_help =
+    R"(Example:
+    bem_contact check data/scenes/conformal_small.toml
+You should see where wheel and rail touch first (rail s = -29.957 mm, in the gauge corner), the estimated vertical
+approach, the grid that would be solved (42 elements along x, 24 rows along s), and whether these rows lie on the part
+of either profile that its influence file covers. Input that can be solved but is probably a mistake gives a warning.
+
+Exit code 0: the scene can be solved. 2: it cannot, or --strict is set and there is a warning.)";
+
+struct SceneArguments {
+  std::string file, model, output, vtk;
+  std::string folder; ///< of a repeated result: where its scene's paths start
+  std::vector<std::string> models{"halfspace", "fem"}; ///< of compare
+  bool json = false, strict = false;
+  int threads = 1;
+};
+
+/// Success only if the result is certified().
+ExitCode verdict(const SceneResult& r) {
+  if (certified(r))
+    return success;
+  spdlog::error("{}", uncertified_error(r).what());
+  return no_convergence;
+}
+
+json difference_json(const QuantityDifference& d, const SceneResult& now) {
+  return {{"name", d.quantity->name},
+          {"unit", d.quantity->unit.of(now)},
+          {"before", d.before},
+          {"now", d.now},
+          {"allowed", d.allowed}};
+}
+
+json repetition_json(const Repetition& repetition) {
+  json differences = json::array();
+  for (const QuantityDifference& d : repetition.differences)
+    differences.push_back(difference_json(d, repetition.result));
+  return {{"same", repetition.same()},
+          {"made_by", {{"program", repetition.program}, {"commit", repetition.commit}}},
+          {"differences", differences},
+          {"other_differences", repetition.others},
+          {"result", to_json(repetition.result)}};
+}
+
+/// A result file in place of a scene.
+ExitCode run_repeat(const SceneArguments& arguments) {
+  const std::pair<const char*, const std::string*> options[] = {
+      {"--model", &arguments.model}, {"--output", &arguments.output}, {"--vtk", &arguments.vtk}};
+  for (const auto& [name, value] : options)
+    if (!value->empty())
+      throw InputError(fmt::format("{} cannot be given with the result file '{}'", name, arguments.file),
+                       "its case is repeated as it was, and compared",
+                       "Write its scene with bem_contact info --scene, and solve that.");
+  const Repetition repetition = repeat_result(arguments.file, arguments.folder);
+  warn(repetition.warnings);
+  if (arguments.strict)
+    refuse_warnings(repetition.result.warnings);
+  fmt::print("{}", arguments.json ? repetition_json(repetition).dump(2) + "\n" : to_text(repetition));
+  warn(repetition.result.warnings);
+  return std::max(verdict(repetition.result), repetition.same() ? success : no_convergence);
+}
+
+ExitCode run_solve(const SceneArguments& arguments) {
+  if (is_hdf5(arguments.file))
+    return run_repeat(arguments);
+  if (!arguments.folder.empty())
+    throw InputError("--folder cannot be given with a scene", "a scene's paths start in its own folder",
+                     "Leave it out; it is for result files.");
+  const GivenScene given =
+      read_given_scene_for({{"--output", arguments.output, OutputForm::whole_file}, {"--vtk", arguments.vtk}},
+                           arguments.file, arguments.model);
+  const SceneResult result = Sequence({.threads = arguments.threads}).solve(given.scene);
+  if (arguments.strict)
+    refuse_warnings(result.warnings);
+  if (!arguments.output.empty())
+    write_h5(arguments.output, to_table(result, given, arguments.output));
+  if (!arguments.vtk.empty())
+    write_vts(arguments.vtk, result);
+  fmt::print("{}", arguments.json ? to_json(result).dump(2) + "\n" : to_text(result));
+  warn(result.warnings);
+  return verdict(result);
+}
+
+std::vector<Model> models_of(const std::vector<std::string>& names) {
+  std::vector<Model> models;
+  for (const std::string& name : names)
+    models.push_back(model_named(name).value());
+  return models;
+}
+
+/// Each once, with the models and tables whose numbers it has.
+std::vector<std::string> warnings_of(const Comparison& comparison) {
+  std::vector<std::string> texts, where;
+  const auto note = [&](const SceneResult& result, const char* table) {
+    for (const std::string& text : result.warnings) {
+      const std::string place = fmt::format("{} at {}", name_of(result.model), table);
+      const auto known = std::ranges::find(texts, text);
+      if (known == texts.end()) {
+        texts.push_back(text);
+        where.push_back(place);
+      } else {
+        where[static_cast<std::size_t>(known - texts.begin())] += ", " + place;
+      }
+    }
+  };
+  for (const SceneResult& result : comparison.at_forces)
+    note(result, "equal forces");
+  for (const SceneResult& result : comparison.at_position)
+    note(result, "equal position");
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    texts[i] = fmt::format("{}: {}", where[i], texts[i]);
+  return texts;
+}
+
+ExitCode run_compare(const SceneArguments& arguments) {
+  const std::vector<Model> models = models_of(arguments.models);
+  const auto surface_of = [&](Model model) {
+    return fmt::format("{}_{}.vts", arguments.vtk, name_of(model));
+  };
+  std::vector<Output> outputs{{"--output", arguments.output, OutputForm::whole_file}};
+  if (!arguments.vtk.empty())
+    for (const Model model : models)
+      outputs.push_back({"--vtk-prefix", surface_of(model)});
+  const GivenScene given = read_given_scene_for(outputs, arguments.file, "");
+  const Comparison comparison = Sequence({.threads = arguments.threads}).compare(given.scene, models);
+  if (arguments.strict)
+    for (const SceneResult& result : comparison.leading())
+      refuse_warnings(result.warnings);
+  if (!arguments.output.empty())
+    write_h5(arguments.output, to_table(comparison, given, arguments.output));
+  if (!arguments.vtk.empty())
+    for (const SceneResult& result : comparison.leading())
+      write_vts(surface_of(result.model), result);
+  fmt::print("{}", arguments.json ? to_json(comparison).dump(2) + "\n" : to_text(comparison));
+  warn(warnings_of(comparison));
+  ExitCode worst = success;
+  for (const auto* results : {&comparison.at_forces, &comparison.at_position})
+    for (const SceneResult& result : *results)
+      worst = std::max(worst, verdict(result));
+  return worst;
+}
+
+ExitCode run_check(const SceneArguments& arguments) {
+  const SceneDescription description = Sequence().check(read_scene_file(arguments.file));
+  for (const std::string& line : description.lines)
+    fmt::print("{}\n", line);
+  if (arguments.strict)
+    refuse_warnings(description.warnings);
+  for (const std::string& warning : description.warnings)
+    fmt::print("warning: {}\n", warning);
+  return success;
+}
+
+/// The subcommand with what all three have: the scene file and a tutorial.
+CLI::App* add_scene_command(CLI::App& program, const char* name, const char* what, const char* help,
+                            SceneArguments& arguments) {
+  CLI::App* line = program.add_subcommand(name, what);
+  line->add_option("scene", arguments.file, "Scene file (TOML)")->required();
+  add_strict(*line, arguments.strict);
+  line->footer(help);
+  return line;
+}
+
+void add_threads(CLI::App& line, int& threads) {
+  line.add_option(
+          "--threads", threads,
+          "Threads that share the work of a case by fem with thousands of elements (default 1); results are "
+          "the same")
+      ->check(CLI::Range(1, most_threads));
+}
+
+} // namespace
+
+Command add_solve(CLI::App& program) {
+  const auto arguments = std::make_shared<SceneArguments>();
+  CLI::App* line = add_scene_command(program, "solve", "Solve a scene", solve_help, *arguments);
+  line->get_option("scene")->description("Scene file (TOML), or a result file (HDF5) to solve again");
+  add_model(*line, arguments->model);
+  add_json(*line, arguments->json);
+  add_output(*line, arguments->output);
+  add_threads(*line, arguments->threads);
+  line->add_option("--folder", arguments->folder,
+                   "With a result file: where the relative paths of its scene start, if it was moved");
+  line->add_option("--vtk", arguments->vtk, "Surface with the result for ParaView (.vts)");
+  return {line, [arguments] { return run_solve(*arguments); }};
+}
+
+Command add_compare(CLI::App& program) {
+  const auto arguments = std::make_shared<SceneArguments>();
+  CLI::App* line =
+      add_scene_command(program, "compare", "Solve a scene with several models, at equal forces first",
+                        compare_help, *arguments);
+  line->add_option("--models", arguments->models,
+                   "Models to compare, separated by commas (default halfspace,fem)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(EnumNames<Model>::names));
+  add_json(*line, arguments->json);
+  add_output(*line, arguments->output);
+  add_threads(*line, arguments->threads);
+  line->add_option("--vtk-prefix", arguments->vtk,
+                   "Write PREFIX_MODEL.vts of each model for ParaView (at equal forces)");
+  return {line, [arguments] { return run_compare(*arguments); }};
+}
+
+Command add_check(CLI::App& program) {
+  const auto arguments = std::make_shared<SceneArguments>();
+  CLI::App* line = add_scene_command(program, "check", "Check a scene and its files; solve nothing",
+                                     check_help, *arguments);
+  return {line, [arguments] { return run_check(*arguments); }};
+}
+
+} // namespace bem_contact::app

@@ -1,0 +1,294 @@
+#include "bem_contact/app/command.hpp"
+#include "bem_contact/app/number_list.hpp"
+#include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/scene_record.hpp"
+#include "bem_contact/app/sweep/sweep_workers.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/progress.hpp"
+#include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/uses/table/creep_table.hpp"
+#include "bem_contact/uses/table/scene_table.hpp"
+#include "bem_contact/uses/table/table_file.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstring>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <spdlog/spdlog.h>
+
+namespace bem_contact::app {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* table_help =
+    R"(Creep forces of an elliptic contact between half-spaces, over a/b and the three creepages (Kalker's USETAB):
+    bem_contact table --creep-forces --tolerance 0.1 --elements 10 --ratio 0.5:2 -o creep.h5
+You should see the points of the axes, how many contacts were solved, and for Fx, Fy and Mz the largest error of the
+interpolation (7.99 %, 9.83 % and 7.82 %). The defaults, 2 % for a/b from 0.5 to 2, take 13 seconds of processor time.
+
+Forces of a pair of profiles: add a table [table] to a scene. Points are added until the error in each cell is small enough.
+    [table]
+    position.lateral = { from = -4, to = 2, count = 4 }     # the axes begin with these points
+    load.force = [ 4e4, 8e4 ]
+    hold = [ "Fx", "Fy" ]      # quantities whose error is kept within the tolerance; or leave it out
+    bem_contact table SCENE.toml -o forces.h5
+
+Values of a table, as C, Fortran and Python look them up (tools/examples):
+    bem_contact table creep.h5 --at 6,4,82000,30000,0.001,0,0    # a, b (mm), G (MPa), mu N (N), xi, eta, phi (1/mm)
+    bem_contact table forces.h5 --at 0.5,6e4                     # one number for each axis
+More: data/tutorial/table.md.
+
+Exit code 0: the table is within the tolerance; 2: the input is wrong; 3: a point has no certified result, or the
+tolerance takes more than --most-points.)";
+
+struct TableArguments {
+  std::string input, output, text, model, at;
+  std::string ratio = "0.5:2";
+  bool creep = false, json = false;
+  table::CreepTableOptions options;
+  table::Wanted wanted;
+  int jobs = 0;
+};
+
+/// Throws InputError naming the option.
+std::vector<double> numbers_of(const std::string& text, char between, const char* option,
+                               const char* example) {
+  if (const auto numbers = number_list(text, between))
+    return *numbers;
+  throw InputError(fmt::format("{} '{}' cannot be read", option, text),
+                   fmt::format("it is no list of numbers with '{}' between them", between),
+                   fmt::format("Give one like {}.", example));
+}
+
+json json_of(const table::ContactTable& t, double seconds) {
+  json out = {{"points", t.size()},       {"solved", t.solved}, {"checked", t.checked},
+              {"tolerance", t.tolerance}, {"seconds", seconds}, {"axes", json::object()},
+              {"columns", json::object()}};
+  for (const table::Axis& axis : t.axes)
+    if (axis.first.empty())
+      out["axes"][axis.name] = axis.points;
+    else
+      out["axes"][axis.name] = {{"points", axis.points.size()}, {"from", axis.from()}, {"to", axis.to()}};
+  for (const table::Column& c : t.columns)
+    out["columns"][c.name] = {{"unit", c.unit},
+                              {"held", c.held},
+                              {"scale", c.scale},
+                              {"interpolation_error", c.interpolation_error},
+                              {"element_error", c.element_error}};
+  return out;
+}
+
+std::string words_of(const table::ContactTable& t, double seconds) {
+  std::string out = "Table";
+  bool below = false;
+  for (const table::Axis& axis : t.axes) {
+    const bool nested = !axis.first.empty();
+    out += fmt::format("{}{} {}",
+                       &axis == &t.axes.front() ? " over "
+                       : !nested                ? " x "
+                       : !below                 ? ", below them "
+                                                : ", ",
+                       axis.points.size(), axis.name);
+    below = nested;
+  }
+  out += fmt::format(": {} points. {} contacts were solved in {:.1f} minutes, the middle of {} cells among "
+                     "them\n{:22} {:>18} {:>10} {:>16} {:>10}\n",
+                     t.size(), t.solved, seconds / 60, t.checked, "", "interpolation", "", "elements", "");
+  for (const table::Column& c : t.columns)
+    out += fmt::format("{:22} {:>18.3g} {:>8.3g} % {:>16.2g}  {}{}\n", c.name, c.interpolation_error,
+                       100 * c.interpolation_error / c.scale, c.element_error, c.unit,
+                       c.held ? fmt::format(", held within {:g} %", 100 * t.tolerance) : "");
+  return out;
+}
+
+/// The value of every column at a point, or forces by creepages, with the error between the points.
+void print_values(const TableArguments& arguments) {
+  const table::ContactTable t = table::read_table(arguments.input);
+  const std::vector<double> at = numbers_of(arguments.at, ',', "--at", "0.5,6e4");
+  const auto print = [](const char* name, double value, double error, const std::string& unit) {
+    fmt::print("{} {:.12g} +- {:.2g} {}\n", name, value, error, unit);
+  };
+  if (t.scale) {
+    if (at.size() != 7)
+      throw InputError(fmt::format("--at '{}' cannot be used", arguments.at),
+                       "a creep table wants a, b, G, mu N, xi, eta and phi",
+                       "Give seven numbers, such as 6,4,82000,30000,0.001,0,0.");
+    const table::TabulatedForces f =
+        table::creep_forces(t, {at[0], at[1], at[2], at[3]}, at[4], at[5], at[6]);
+    print("Fx", f.Fx, f.Fx_error, "N");
+    print("Fy", f.Fy, f.Fy_error, "N");
+    print("Mz", f.Mz, f.Mz_error, "N mm");
+    return;
+  }
+  const std::vector<double> values = table::look_up(t, at);
+  for (std::size_t c = 0; c < values.size(); ++c)
+    print(t.columns[c].name.c_str(), values[c], t.columns[c].interpolation_error, t.columns[c].unit);
+}
+
+/// What is solved, and what the file says of it.
+struct Order {
+  table::ContactTable table;
+  std::function<table::PointSolver()> make_solver;
+  std::optional<GivenScene> given;
+};
+
+Order creep_order(TableArguments& arguments) {
+  const std::vector<double> ratio = numbers_of(arguments.ratio, ':', "--ratio", "0.5:2");
+  if (ratio.size() != 2)
+    throw InputError(fmt::format("--ratio '{}' cannot be used", arguments.ratio), "it needs two ends",
+                     "Give FROM:TO, as 0.5:2.");
+  arguments.options.from = ratio[0], arguments.options.to = ratio[1];
+  arguments.options.tolerance = arguments.wanted.tolerance;
+  Order order{table::creep_table(arguments.options), {}, {}};
+  order.make_solver = [scale = *order.table.scale, elements = arguments.options.elements] {
+    return table::creep_point_solver(scale, elements);
+  };
+  return order;
+}
+
+Order scene_order(TableArguments& arguments) {
+  const std::filesystem::path file = arguments.input;
+  table::SceneTable described = table::parse_scene_table(read_text_file(arguments.input, "scene file"),
+                                                         arguments.input, file.parent_path());
+  described.model = arguments.model;
+  arguments.wanted.rescale = table::rescale;
+  Order order{table::table_of(described), {}, {}};
+  const SceneFile scene = table::first_scene(described);
+  order.given = GivenScene{described.source, described.text, described.model,
+                           described.folder, scene,          inputs_of(scene)};
+  order.make_solver = [described] { return table::scene_point_solver(described); };
+  return order;
+}
+
+std::string to_bytes(const table::PointValues& point) {
+  std::string out(2 * sizeof(double) * point.values.size(), '\0');
+  std::memcpy(out.data(), point.values.data(), out.size() / 2);
+  std::memcpy(out.data() + out.size() / 2, point.element_errors.data(), out.size() / 2);
+  return out;
+}
+
+table::PointValues point_of(const std::string& bytes) {
+  table::PointValues out;
+  out.values.resize(bytes.size() / 2 / sizeof(double));
+  out.element_errors.resize(out.values.size());
+  std::memcpy(out.values.data(), bytes.data(), bytes.size() / 2);
+  std::memcpy(out.element_errors.data(), bytes.data() + bytes.size() / 2, bytes.size() / 2);
+  return out;
+}
+
+std::vector<Chunk> chunks_of(std::size_t points) {
+  const std::size_t length = chunk_size(points);
+  std::vector<Chunk> out;
+  for (std::size_t i = 0; i < points; ++i) {
+    if (i % length == 0)
+      out.emplace_back();
+    out.back().push_back(i);
+  }
+  return out;
+}
+
+/// Solves points in `jobs` processes side by side. `make` gives a solver with a Sequence of its own. Which
+/// points start from which others does not depend on `jobs`.
+table::PointsSolver side_by_side(std::function<table::PointSolver()> make, int jobs) {
+  return [make = std::move(make), jobs](std::span<const table::Point> points) {
+    std::vector<table::PointValues> out(points.size());
+    if (points.empty())
+      return out;
+    Progress progress("contacts", points.size());
+    WorkerCalls calls;
+    calls.make_solver = [&]() -> CaseSolver {
+      return [&, solve = make()](std::size_t index) {
+        try {
+          return to_bytes(solve(points[index]));
+        } catch (const std::exception&) {
+          return std::string(); // solved again below, where the error can be thrown
+        }
+      };
+    };
+    calls.done = [&](std::size_t index, std::string bytes) {
+      out[index] = bytes.empty() ? make()(points[index]) : point_of(bytes);
+      progress.step();
+    };
+    calls.died = [&](std::size_t index, const std::string& reason) { // here it would end this process too
+      throw ConvergenceError(
+          fmt::format("The point ({:.6g}) of the table has no result", fmt::join(points[index], ", ")),
+          reason, "If memory ran out, give a smaller --jobs; else solve this point alone to see why.");
+    };
+    solve_in_processes(chunks_of(points.size()), jobs, calls);
+    progress.finish();
+    return out;
+  };
+}
+
+ExitCode run(TableArguments arguments) {
+  if (!arguments.at.empty()) {
+    print_values(arguments);
+    return success;
+  }
+  if (arguments.creep == !arguments.input.empty())
+    throw InputError("It is not clear which table is wanted",
+                     arguments.creep ? "a scene and --creep-forces are given" : "there is no scene",
+                     "Name a scene with a table [table], or give --creep-forces.");
+  if (arguments.output.empty() && arguments.text.empty())
+    throw InputError("The table has no file", "neither --output nor --text is given",
+                     "Give -o TABLE.h5 to make a table, or --at to look one up.");
+  Order order = arguments.creep ? creep_order(arguments) : scene_order(arguments);
+  const std::vector<std::filesystem::path> inputs =
+      order.given ? files_read(arguments.input, order.given->scene) : std::vector<std::filesystem::path>{};
+  require_named_outputs(inputs,
+                        {{"--output", arguments.output, OutputForm::whole_file}, {"--text", arguments.text}});
+  arguments.wanted.progress = [](const std::string& text) { spdlog::info("the table has {}", text); };
+  const Stopwatch watch;
+  table::refine(order.table, side_by_side(order.make_solver, arguments.jobs), arguments.wanted);
+  const double seconds = watch.seconds();
+  if (!arguments.output.empty()) {
+    H5Table file = table::to_h5(order.table);
+    if (order.given)
+      add_scene(file, *order.given, arguments.output);
+    write_h5(arguments.output, file);
+  }
+  if (!arguments.text.empty())
+    write_text(arguments.text, [&](std::ostream& out) { out << table::to_text(order.table); });
+  fmt::print("{}",
+             arguments.json ? json_of(order.table, seconds).dump(2) + "\n" : words_of(order.table, seconds));
+  return success;
+}
+
+} // namespace
+
+Command add_table(CLI::App& program) {
+  const auto arguments = std::make_shared<TableArguments>();
+  TableArguments& a = *arguments;
+  CLI::App* line = program.add_subcommand("table", "Tables of forces to look up, with measured errors");
+  line->add_option("input", a.input, "Scene file (TOML) with a table [table]; with --at a table (HDF5)");
+  line->add_flag("--creep-forces", a.creep, "Forces of an ellipse over its creepages, instead of a scene");
+  line->add_option("-o,--output", a.output, "The table (HDF5)");
+  line->add_option("--text", a.text, "The same as plain text (bem_contact/uses/table/table_file.hpp)");
+  line->add_option("--tolerance", a.wanted.tolerance,
+                   "Largest error of the interpolation: over mu N (Mz: mu N R), or over each number's scale")
+      ->capture_default_str();
+  line->add_option("--most-points", a.wanted.most_points, "Refuse a table with more points")
+      ->capture_default_str();
+  line->add_option("--ratio", a.ratio, "Creep forces: FROM:TO of a/b")->capture_default_str();
+  line->add_option("--poisson", a.options.poisson, "Creep forces: Poisson's ratio")->capture_default_str();
+  line->add_option("--elements", a.options.elements, "Creep forces: elements across each axis of the ellipse")
+      ->capture_default_str();
+  add_model(*line, a.model);
+  add_jobs(*line, a.jobs);
+  add_json(*line, a.json);
+  line->add_option("--at", a.at,
+                   "Print the values of a table at a point, with the error of the interpolation");
+  line->footer(table_help);
+  return {line, [arguments] { return run(*arguments); }};
+}
+
+} // namespace bem_contact::app

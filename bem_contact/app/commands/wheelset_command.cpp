@@ -1,0 +1,193 @@
+#include "bem_contact/app/command.hpp"
+#include "bem_contact/app/output/datasets.hpp"
+#include "bem_contact/app/output/file_kinds.hpp"
+#include "bem_contact/app/output/report.hpp"
+#include "bem_contact/app/output/result_file.hpp"
+#include "bem_contact/app/output/scene_record.hpp"
+#include "bem_contact/app/output/vtk_file.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/provenance.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/uses/wheelset/quantities.hpp"
+#include "bem_contact/uses/wheelset/settings.hpp"
+#include "bem_contact/uses/wheelset/solve_wheelset.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace bem_contact::app {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* wheelset_help =
+    R"(A scene of one wheel becomes one of both if its table [load] is replaced by
+    [wheelset]
+    force = 2e5          # N, vertical force on the axle; both wheels share it
+Example:
+    bem_contact wheelset data/scenes/wheelset.toml
+You should see that a lateral force of 20000 N moves the wheelset by 6.07 mm to the right, where the right wheel bears
+0.547 of the vertical force and the axle rolls on a radius of 461.93 mm. The first table is in the track frame for both
+wheels. Then comes what solve prints of each wheel; the left one counts y, s, Fy, Mz, eta and phi to the left.
+
+More, and which moments give the roll: data/tutorial/wheelset.md.
+
+Exit code 0: both certificates hold. 2: the input is wrong, a wheel lifts, or no displacement gives the lateral force.
+3: no equilibrium was found, or a certificate does not hold.)";
+
+struct WheelsetArguments {
+  std::string scene, model, output, vtk;
+  bool json = false, strict = false;
+};
+
+/// Newtons to the last, all else with five digits.
+std::string number(double value) {
+  const double size = std::abs(value);
+  return size >= 1e4 && size < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.5g}", value);
+}
+
+/// "  Fz               N          109328         90672        200000": the sum only where there is one.
+std::string line_of(const WheelQuantity& q, const WheelsetResult& r) {
+  std::string out = fmt::format("  {:16} {:5}", q.name, q.unit);
+  for (const WheelSide side : both_sides)
+    out += fmt::format(" {:>13}", number(q.value(r.state, side)));
+  for (const WheelsetQuantity& sum : wheelset_quantities())
+    if (std::string_view(sum.name) == q.name)
+      out += fmt::format(" {:>13}", number(sum.value(r)));
+  return out + "\n";
+}
+
+std::string pose_text(const WheelsetResult& r) {
+  const WheelsetPose& pose = r.state.pose;
+  std::string out =
+      fmt::format("Wheelset: lateral {:.4f} mm{}, roll {:.4e} rad (right side down), yaw {:g} rad; its "
+                  "centre is {:.4f} mm "
+                  "above the rails\n",
+                  pose.lateral, std::isnan(r.lateral_residual) ? "" : " (found for the lateral force)",
+                  pose.roll, r.state.yaw, r.state.wheel_radius - pose.vertical);
+  if (pose.rolling_radius)
+    out +=
+        fmt::format("the axle rolls on a radius of {:.3f} mm (found for the torque)\n", *pose.rolling_radius);
+  return out;
+}
+
+json numbers_of(const WheelsetState& state, WheelSide side) {
+  json out = json::object();
+  for (const WheelQuantity& q : wheel_quantities())
+    out[q.name] = q.value(state, side);
+  return out;
+}
+
+/// For people: both wheels side by side in the track frame, then what solve prints of each.
+std::string wheelset_text(const WheelsetResult& r) {
+  std::string out = pose_text(r);
+  out += fmt::format("  {:22} {:>13} {:>13} {:>13}\n", "y to the right for both", "right", "left", "sum");
+  for (const WheelQuantity& q : wheel_quantities())
+    out += line_of(q, r);
+  const Wrench sum = r.state.sum();
+  out +=
+      fmt::format("on the axle: roll moment {:.5g} N mm and yaw moment {:.5g} N mm about its centre, torque "
+                  "{:.5g} N mm\n",
+                  r.state.roll_moment(sum), sum.moment[2], r.state.torque(sum));
+  out += fmt::format(
+      "equilibrium: largest residual {:.1e} of {:.0e} allowed; {} contact problems, {:.2f} s\n",
+      std::fmax(r.residual, r.lateral_residual), equilibrium_tolerance, r.contact_problems, r.seconds);
+  for (const WheelSide side : both_sides)
+    out += fmt::format("\n{} wheel\n{}", side == WheelSide::right ? "Right" : "Left",
+                       to_text(r.state.solved(side)));
+  return out;
+}
+
+/// "wheelset" (wheelset_quantities()), "right" and "left": each with "track" (wheel_quantities(), track
+/// frame) and "result", the object that solve prints of this wheel, in the frame of its side.
+json wheelset_json(const WheelsetResult& r) {
+  json totals = json::object(), units = json::object();
+  for (const WheelsetQuantity& q : wheelset_quantities()) {
+    totals[q.name] = q.value(r);
+    units[q.name] = q.unit;
+  }
+  for (const WheelQuantity& q : wheel_quantities())
+    units[q.name] = q.unit;
+  const auto wheel = [&](WheelSide side) {
+    return json{{"track", numbers_of(r.state, side)}, {"result", to_json(r.state.solved(side))}};
+  };
+  return {{"program", provenance("bem_contact")},
+          {"commit", commit()},
+          {"wheelset", totals},
+          {"right", wheel(WheelSide::right)},
+          {"left", wheel(WheelSide::left)},
+          {"units", units},
+          {"certified", r.state.certified()},
+          {"warnings", r.warnings},
+          {"seconds", r.seconds}};
+}
+
+/// Groups wheelset, right/track and left/track with one dataset for each number; in right and left the whole
+/// result of each wheel as comparisons have it, in the frame of its side. Scene and inputs as in result
+/// files.
+H5Table wheelset_table(const WheelsetResult& r, const GivenScene& given,
+                       const std::filesystem::path& output) {
+  H5Table table = file_of(wheelset_format, given, output);
+  for (const WheelsetQuantity& q : wheelset_quantities())
+    table.datasets[fmt::format("wheelset/{}", q.name)] = single(q.value(r), q.unit, q.description);
+  for (const WheelSide side : both_sides) {
+    const std::string group = fmt::format("{}/", name_of(side));
+    for (const WheelQuantity& q : wheel_quantities())
+      table.datasets[fmt::format("{}track/{}", group, q.name)] =
+          single(q.value(r.state, side), q.unit, q.description);
+    add_whole_result(table, group, r.state.solved(side));
+  }
+  return table;
+}
+
+std::string surface_of(const WheelsetArguments& arguments, WheelSide side) {
+  return fmt::format("{}_{}.vts", arguments.vtk, name_of(side));
+}
+
+std::vector<Output> outputs_of(const WheelsetArguments& arguments) {
+  std::vector<Output> out{{"--output", arguments.output, OutputForm::whole_file}};
+  for (const WheelSide side : both_sides)
+    if (!arguments.vtk.empty())
+      out.push_back({"--vtk-prefix", surface_of(arguments, side)});
+  return out;
+}
+
+ExitCode run(const WheelsetArguments& arguments) {
+  const GivenScene given = read_given_scene_for(outputs_of(arguments), arguments.scene, arguments.model);
+  const WheelsetResult result = solve_wheelset(given.scene);
+  if (arguments.strict)
+    refuse_warnings(result.warnings);
+  if (!arguments.output.empty())
+    write_h5(arguments.output, wheelset_table(result, given, arguments.output));
+  for (const WheelSide side : both_sides)
+    if (!arguments.vtk.empty())
+      write_vts(surface_of(arguments, side), result.state.solved(side));
+  fmt::print("{}", arguments.json ? wheelset_json(result).dump(2) + "\n" : wheelset_text(result));
+  warn(result.warnings);
+  return result.state.certified() ? success : no_convergence;
+}
+
+} // namespace
+
+Command add_wheelset(CLI::App& program) {
+  const auto arguments = std::make_shared<WheelsetArguments>();
+  CLI::App* line =
+      program.add_subcommand("wheelset", "Both wheels of a wheelset under the forces on its axle");
+  line->add_option("scene", arguments->scene, "Scene file (TOML) with a table [wheelset]")->required();
+  add_model(*line, arguments->model);
+  add_strict(*line, arguments->strict);
+  add_json(*line, arguments->json);
+  add_output(*line, arguments->output);
+  line->add_option("--vtk-prefix", arguments->vtk,
+                   "Write PREFIX_right.vts and PREFIX_left.vts for ParaView, each in the frame of its side");
+  line->footer(wheelset_help);
+  return {line, [arguments] { return run(*arguments); }};
+}
+
+} // namespace bem_contact::app

@@ -1,0 +1,37 @@
+#include "bem_contact/app/output/output_names.hpp"
+
+#include "bem_contact/base/error.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+
+namespace bem_contact::app {
+
+namespace {
+
+void require_ending(const Output& output, const char* what, std::vector<std::string> own) {
+  constexpr const char* of_other_files[] = {".h5",  ".hdf5", ".csv", ".json", ".txt", ".toml", ".html",
+                                            ".png", ".pdf",  ".svg", ".vtk",  ".vts", ".vtu",  ".xlsx"};
+  std::string ending = output.file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (std::ranges::count(own, ending) == 0 && std::ranges::count(of_other_files, ending) > 0)
+    throw InputError(
+        fmt::format("'{}' of {} would have a misleading name", output.file.string(), output.option),
+        fmt::format("what is written is {}", what),
+        fmt::format("Give a name that ends with {}.", own.front()));
+}
+
+} // namespace
+
+void require_named_outputs(const std::vector<std::filesystem::path>& inputs,
+                           const std::vector<Output>& outputs) {
+  require_outputs(inputs, outputs);
+  for (const Output& output : outputs)
+    if (output.form == OutputForm::whole_file)
+      require_ending(output, "an HDF5 file", {".h5", ".hdf5"});
+    else if (output.option == "--vtk")
+      require_ending(output, "a surface for ParaView in XML", {".vts"});
+}
+
+} // namespace bem_contact::app

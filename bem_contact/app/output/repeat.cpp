@@ -1,0 +1,215 @@
+#include "bem_contact/app/output/repeat.hpp"
+
+#include "bem_contact/app/output/file_kinds.hpp"
+#include "bem_contact/app/output/scene_record.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/provenance.hpp"
+#include "bem_contact/base/temporary_folder.hpp"
+#include "bem_contact/influence/file_seal.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/scene/scene_reader.hpp"
+#include "bem_contact/sequence/sequence.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <string_view>
+
+namespace bem_contact::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void require_result(const H5Table& table, const fs::path& file) {
+  const std::string format = text_attribute(table, "format");
+  if (format == result_format && table.texts.contains("scene_with_defaults"))
+    return;
+  const std::string name = file.string();
+  for (const FileKind& other : file_kinds)
+    if (format == other.format && *other.command)
+      throw InputError(fmt::format("'{}' cannot be repeated by solve", name),
+                       fmt::format("it holds {}", other.holds),
+                       fmt::format("Write its scene with bem_contact info --scene '{}' and give it to "
+                                   "bem_contact {}.",
+                                   name, other.command));
+  throw InputError(
+      fmt::format("'{}' cannot be repeated", name),
+      format.starts_with("bem_contact result")
+          ? fmt::format("its format is '{}', and this program repeats '{}'", format, result_format)
+          : "it is no result file",
+      "Name a file that bem_contact solve -o of this version wrote, or a scene.");
+}
+
+/// "FILE#2" has a file and a number behind it.
+std::string part_of(const std::string& name) {
+  const auto hash = name.rfind('#');
+  return hash == std::string::npos ? "" : name.substr(hash);
+}
+
+/// Where the scene's file should lie today.
+fs::path place_of(const InputRecord& input, const fs::path& folder) {
+  return names_profile(input.key) ? profile_file_name(input.name, folder).file : folder / input.name;
+}
+
+/// Throws InputError unless the file is there with the same bytes.
+void require_unchanged(const InputRecord& input, const fs::path& place) {
+  const char* what = names_influence(input.key) ? "influence file" : "file";
+  if (!is_regular(place))
+    throw InputError(fmt::format("The {} '{}' is missing", what, input.name),
+                     fmt::format("{} named it; its SHA-256 was {}, and there is no file '{}'", input.key,
+                                 input.sha256, place.string()),
+                     "Put it there, or say with --folder where the scene's relative paths start.");
+  const std::string now = record_of(NamedFile{input.key, input.name, place}).sha256;
+  if (now != input.sha256)
+    throw InputError(fmt::format("The {} '{}' has changed since the result was made", what, place.string()),
+                     fmt::format("{} named it; its SHA-256 was {} and is {}", input.key, input.sha256, now),
+                     "Bring back the former file, or name another folder with --folder.");
+}
+
+/// Prepares all inputs and points the scene's keys to them.
+class InputsAgain {
+public:
+  InputsAgain(const H5Table& table, fs::path folder)
+      : inputs_(stored_inputs(table)), folder_(std::move(folder)) {}
+
+  void point_to(SceneReader& reader, std::vector<std::string>& warnings) {
+    for (const InputRecord& input : inputs_) {
+      if (input.sha256.empty()) // a standard profile
+        continue;
+      if (input.content)
+        reader.set({input.key, unpack(input, warnings).string() + part_of(input.name)});
+      else if (input.key.ends_with(".body.profile"))
+        require_unchanged(input, place_of(input, body_of(input).parent_path()));
+      else {
+        const fs::path place = place_of(input, folder_);
+        require_unchanged(input, place);
+        reader.set({input.key, fs::absolute(place).string() + part_of(input.name)});
+      }
+    }
+  }
+
+private:
+  fs::path body_of(const InputRecord& points) const {
+    const std::string key =
+        points.key.substr(0, points.key.size() - std::string_view(".body.profile").size());
+    for (const InputRecord& input : inputs_)
+      if (input.key == key)
+        return place_of(input, folder_);
+    return folder_;
+  }
+
+  fs::path unpack(const InputRecord& input, std::vector<std::string>& warnings) const {
+    if (sha256(*input.content) != input.sha256)
+      throw InputError(fmt::format("The result file's copy of '{}' is damaged", input.name),
+                       fmt::format("{}: its SHA-256 should be {} and is {}", input.key, input.sha256,
+                                   sha256(*input.content)),
+                       "Copy the result file again from where it was whole.");
+    const fs::path place = place_of(input, folder_);
+    if (is_regular(place)) {
+      const std::string now = record_of(NamedFile{input.key, input.name, place}).sha256;
+      if (now != input.sha256)
+        warnings.push_back(fmt::format(
+            "'{}' ({}) has changed since: its SHA-256 was {} and is {}; the copy in the result file is used",
+            place.string(), input.key, input.sha256, now));
+    }
+    const bool profile = names_profile(input.key);
+    const fs::path name = profile ? profile_file_name(input.name).file : fs::path(input.name);
+    return folder_of_copies_.write(input.key / name.filename(), *input.content);
+  }
+
+  std::vector<InputRecord> inputs_;
+  fs::path folder_;
+  TemporaryFolder folder_of_copies_;
+};
+
+void compare_geometry(const H5Table& table, const char* key, std::uint64_t now,
+                      std::vector<std::string>& others) {
+  const std::string before = text_attribute(table, fmt::format("inputs/{}/geometry", key));
+  const std::string digest = fmt::format("{:016x}", now);
+  if (!before.empty() && before != digest)
+    others.push_back(
+        fmt::format("{} '{}': this program makes another curve of it (digest of the geometry {}, "
+                    "now {})",
+                    key, text_attribute(table, fmt::format("inputs/{}/name", key)), before, digest));
+}
+
+} // namespace
+
+bool is_hdf5(const fs::path& file) {
+  if (!is_regular(file))
+    return false;
+  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+  std::string first(signature.size(), '\0');
+  std::ifstream in(file, std::ios::binary);
+  return in.read(first.data(), static_cast<std::streamsize>(first.size())) && first == signature;
+}
+
+Repetition repeat_result(const fs::path& file, const fs::path& folder) {
+  const H5Table table = read_h5(file);
+  require_result(table, file);
+  const fs::path start = folder.empty()
+                             ? (file.parent_path() / text_attribute(table, "scene_folder")).lexically_normal()
+                             : folder;
+  Repetition out;
+  out.program = text_attribute(table, "program");
+  out.commit = text_attribute(table, "commit");
+  SceneReader reader(table.texts.at("scene_with_defaults").text,
+                     fmt::format("scene_with_defaults of '{}'", file.string()), start);
+  InputsAgain inputs(table, start);
+  inputs.point_to(reader, out.warnings);
+  out.result = Sequence().solve(reader.scene());
+
+  std::map<std::string, double> before;
+  constexpr std::string_view group = "/quantities/";
+  for (const auto& [name, data] : table.datasets)
+    if (const auto at = name.find(group); at != std::string::npos && data.values.size() == 1) {
+      before[name.substr(at + group.size())] = data.values.front();
+      out.model = name.substr(0, at);
+    }
+  out.compared = before.size();
+  out.differences = differing_quantities(before, out.result);
+  if (out.model != name_of(out.result.model))
+    out.others.push_back(fmt::format("the model was {} and is {}", out.model, name_of(out.result.model)));
+  compare_geometry(table, "rail.profile", out.result.rail_geometry, out.others);
+  compare_geometry(table, "wheel.profile", out.result.wheel_geometry, out.others);
+  return out;
+}
+
+std::string to_text(const Repetition& r) {
+  std::string out = fmt::format("made by {} (commit {}), repeated by {} (commit {}), model {}\n", r.program,
+                                r.commit, provenance("bem_contact"), commit(), name_of(r.result.model));
+  const double tolerance = r.result.result.certificate.tolerance;
+  if (r.same())
+    return out + fmt::format("the same: every total agrees with the file within the certificate's tolerance "
+                             "({:.0e} of its scale)\n",
+                             tolerance);
+  for (const std::string& other : r.others)
+    out += other + "\n";
+  if (!r.differences.empty())
+    out += fmt::format("{:<20} {:>14} {:>14} {:>11} {:>11} {:>11}\n", "differs", "in the file", "now",
+                       "difference", "allowed", "its error");
+  for (const QuantityDifference& d : r.differences) {
+    const Quantity& q = *d.quantity;
+    const double error = q.error ? q.error(r.result) : std::nan("");
+    out += fmt::format("{:<20} {:>14.9g} {:>14.9g} {:>11.2e} {:>11.1e} {:>11} {}\n", q.name, d.before, d.now,
+                       d.now - d.before, d.allowed, std::isnan(error) ? "-" : fmt::format("{:.1e}", error),
+                       q.unit.of(r.result));
+  }
+  return out + fmt::format("allowed: {:.0e} of the scale of the quantity, by the certificate; its error: by "
+                           "the size of the elements\n",
+                           tolerance);
+}
+
+std::string stored_scene(const fs::path& file, bool with_defaults) {
+  const H5Table top = read_h5_top(file);
+  const auto text = top.texts.find(with_defaults ? "scene_with_defaults" : "scene_text");
+  if (text == top.texts.end())
+    throw InputError(fmt::format("'{}' holds no scene", file.string()),
+                     "it is no file of this version that says what was solved",
+                     "Name a file that solve, compare, sweep, creep-curves, conicity or wheelset wrote.");
+  return text->second.text;
+}
+
+} // namespace bem_contact::app

@@ -1,0 +1,273 @@
+#include "bem_contact/app/command.hpp"
+#include "bem_contact/app/output/file_kinds.hpp"
+#include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/sweep/sweep_inputs.hpp"
+#include "bem_contact/app/sweep/sweep_journal.hpp"
+#include "bem_contact/app/sweep/sweep_output.hpp"
+#include "bem_contact/app/sweep/sweep_share.hpp"
+#include "bem_contact/app/sweep/sweep_workers.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/interrupt_note.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/progress.hpp"
+#include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/sequence/sequence.hpp"
+
+#include <CLI/CLI.hpp>
+#include <ctime>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace bem_contact::app {
+
+namespace {
+
+constexpr const char* sweep_help =
+    R"(Add a table [sweep] to a scene; it gives lists or ranges for any keys of the scene:
+    [sweep]
+    position.lateral = { from = 6.2, to = 7.1, step = 0.05 }   # both ends included; or count = 19 for step
+    load.force = [ 5e4, 1e5 ]
+    mode = "product"        # the default: every value with every other; "zip": the lists side by side
+    fields = true           # the default; false: keep only the totals of each case
+Example, 64 contacts from tread to flange:
+    bem_contact sweep data/scenes/cases_halfspace.toml -o sweep.h5 --csv sweep.csv
+You should see the progress, then `64 certified, of 64 cases`. If the program is stopped, call it again: sweep.h5.part
+holds the finished cases, and only the others are solved.
+
+Machines that see the same folder can share the cases (tools/cluster/slurm_sweep). Join the shares when all are done:
+    bem_contact sweep SCENE.toml -o SWEEP.h5 --part 1/8        # ... --part 8/8
+    bem_contact sweep SCENE.toml -o SWEEP.h5 --merge
+More, and wheelsets: data/tutorial/sweep.md, data/tutorial/wheelset.md.
+
+Exit code 0: every case is certified (of a share: every case of the share). 2: the input is wrong. 3: a case is missing
+or not certified.)";
+
+struct SweepRequest {
+  std::string scene, output, csv, model;
+  int jobs = 0;        ///< processes; 0: one for each core
+  std::string part;    ///< "2/8": the second of eight shares; "": all
+  bool merge = false;  ///< solve nothing: write what the shares have solved
+  bool strict = false; ///< a case with a warning is refused
+
+  /// What changes the results besides the scene.
+  std::string options() const { return model + (strict ? " strict" : ""); }
+};
+
+/// Whether the output is there with all cases. Throws InputError if it is not a file of this sweep.
+bool is_complete(const std::filesystem::path& output, const std::string& digest) {
+  if (!file_exists(output))
+    return false;
+  H5Table top;
+  try {
+    top = read_h5_top(output);
+  } catch (const InputError&) {
+  }
+  const auto is = [&](const char* name, const std::string& value) {
+    return text_attribute(top, name) == value;
+  };
+  if (!is("format", sweep_format) || !is("digest", digest))
+    throw InputError(fmt::format("The output '{}' exists and is not of this sweep", output.string()),
+                     is("format", sweep_format) ? digest_changed : "it was not made by bem_contact sweep",
+                     "Give another output, or remove the file.");
+  return top.attributes["missing"] == H5Attribute(0.0);
+}
+
+/// What a worker keeps from case to case.
+struct Solver {
+  std::shared_ptr<SequenceFiles> files;
+  Sequence sequence;
+
+  Solver(bool displacements, std::shared_ptr<SequenceFiles> shared)
+      : files(std::move(shared)), sequence({.displacements = displacements}, files) {}
+};
+
+CaseRecord solve_case(Solver& solver, const SweepFile& sweep, std::size_t index,
+                      const SweepRequest& request) {
+  const Stopwatch watch;
+  const std::clock_t cpu = std::clock();
+  CaseRecord record;
+  const auto failed = [&](CaseStatus status, const char* reason) {
+    record.index = index;
+    record.status = status;
+    record.reason = reason;
+  };
+  try {
+    const SceneFile scene = with_model(sweep.scene(index), request.model);
+    const auto kept = [&](const auto& result) {
+      if (request.strict)
+        refuse_warnings(result.warnings);
+      return case_record(index, result, sweep.fields);
+    };
+    record = scene.wheelset.force ? kept(solve_wheelset(scene, nullptr, solver.files))
+                                  : kept(solver.sequence.solve(scene));
+  } catch (const ConvergenceError& error) {
+    failed(CaseStatus::not_certified, error.what());
+  } catch (const InputError& error) {
+    failed(CaseStatus::refused, error.what());
+  } catch (const std::exception& error) {
+    failed(CaseStatus::not_certified, error.what());
+  }
+  record.seconds = watch.seconds();
+  record.cpu_seconds = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
+  return record;
+}
+
+void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Share& share,
+                   SweepJournal& journal, SweepOutput& output) {
+  const std::vector<Chunk> chunks = chunks_of(output, sweep.size(), share);
+  std::size_t cases = 0;
+  for (const Chunk& chunk : chunks)
+    cases += chunk.size();
+  if (cases == 0)
+    return;
+  Progress progress("cases", cases);
+  InterruptNote note("cases", fmt::format("Give the same command again to go on: '{}' holds them.",
+                                          journal_name(request.output, share.part, share.parts).string()));
+  std::size_t done = 0;
+  note.done(done, cases);
+  const auto keep = [&](const CaseRecord& record, const std::string& bytes) {
+    journal.append(bytes);
+    output.add(record);
+    progress.step();
+    note.done(++done, cases);
+  };
+  WorkerCalls calls;
+  const auto files = std::make_shared<SequenceFiles>(); // each worker fills its own copy
+  calls.make_solver = [&]() -> CaseSolver {
+    const auto solver = std::make_shared<Solver>(sweep.fields, files);
+    return [&, solver](std::size_t index) { return to_bytes(solve_case(*solver, sweep, index, request)); };
+  };
+  calls.done = [&](std::size_t, std::string bytes) { keep(from_bytes(bytes), bytes); };
+  calls.died = [&](std::size_t index, const std::string& reason) {
+    CaseRecord record;
+    record.index = index;
+    record.status = CaseStatus::died;
+    record.reason = reason;
+    keep(record, to_bytes(record));
+  };
+  solve_in_processes(chunks, request.jobs, calls);
+  progress.finish();
+}
+
+/// From the journals, case by case: fields need not fit into memory.
+void write_file(const std::filesystem::path& file, const std::vector<std::filesystem::path>& journals,
+                const std::string& digest, const SweepOutput& output, const GivenScene& given) {
+  const std::size_t cases = output.size();
+  H5Writer writer(file);
+  std::vector<char> written(cases, 0);
+  for (const std::filesystem::path& journal : journals)
+    read_journal(journal, digest, [&](const CaseRecord& record) {
+      if (record.index >= cases || std::exchange(written[record.index], 1))
+        return;
+      writer.add(group_of(record));
+    });
+  H5Table top = output.top();
+  add_scene(top, given, file);
+  writer.add(top);
+  writer.finish();
+}
+
+void write_csv_of(const std::filesystem::path& csv, const H5Table& top, const SweepFile& sweep) {
+  std::vector<std::string> reasons(sweep.size());
+  for (std::size_t i = 0; i < sweep.size(); ++i)
+    reasons[i] = text_attribute(top, fmt::format("cases/{:06}/reason", i));
+  write_csv(csv_files(csv), sweep, top, reasons);
+}
+
+void check_outputs(const SweepFile& sweep, const SweepRequest& request,
+                   const std::filesystem::path& own_journal) {
+  const CsvFiles csv = csv_files(request.csv);
+  require_named_outputs(files_read(request.scene, sweep),
+                        {{"--output", request.output, OutputForm::whole_file, true},
+                         {"--output", own_journal, OutputForm::whole_file},
+                         {"--csv", request.csv},
+                         {"--csv", csv.patches},
+                         {"--csv", csv.units}});
+}
+
+/// What is known from all journals, after this process has solved its part of the rest.
+SweepOutput results_of(const SweepFile& sweep, const SweepRequest& request, const Share& share,
+                       const std::filesystem::path& own_journal, const std::string& digest) {
+  SweepOutput results(sweep, digest);
+  const auto add = [&](const CaseRecord& record) { results.add(record); };
+  for (const std::filesystem::path& journal : journals_of(request.output))
+    if (request.merge || journal != own_journal)
+      read_journal(journal, digest, add);
+  if (!request.merge) {
+    SweepJournal journal(own_journal, digest, add);
+    solve_missing(sweep, request, share, journal, results);
+  }
+  return results;
+}
+
+void remove_journals(const std::filesystem::path& output) {
+  for (const std::filesystem::path& journal : journals_of(output))
+    std::filesystem::remove(journal);
+}
+
+/// Solves the cases that are not solved yet and writes them into one file (sweep_output.hpp). A share writes
+/// only its journal (sweep_journal.hpp); --merge makes the file of all journals. Throws InputError for wrong
+/// input, an output of another sweep, or files that cannot be written. What is wrong with one case is in its
+/// record.
+SweepSummary run_sweep(const SweepRequest& request) {
+  const SweepFile sweep = read_sweep_file(request.scene);
+  const Share share = share_of(request.part);
+  check_values(sweep);
+  const std::filesystem::path output = request.output;
+  const std::filesystem::path own_journal = journal_name(output, share.part, share.parts);
+  check_outputs(sweep, request, own_journal);
+  const std::string digest = digest_of(sweep, request.options());
+  std::string head;
+  if (is_complete(output, digest)) {
+    head = fmt::format("'{}' is complete: nothing was solved\n", output.string());
+    for (const std::filesystem::path& journal : journals_of(output)) // a kill left it after the file was done
+      if (read_journal(journal, digest, [](const CaseRecord&) {}) > 0)
+        std::filesystem::remove(journal);
+  } else {
+    const GivenScene given = given_sweep(sweep, request.model);
+    const SweepOutput results = results_of(sweep, request, share, own_journal, digest);
+    if (share.parts > 1)
+      return summary_of(
+          results.top(), share,
+          fmt::format("share {} of {} is solved: --merge makes the file of all\n", share.part, share.parts));
+    write_file(output, journals_of(output), digest, results, given);
+    if (results.count(CaseStatus::missing) == 0)
+      remove_journals(output);
+  }
+  const H5Table top = read_sweep_top(output, sweep);
+  if (!request.csv.empty())
+    write_csv_of(request.csv, top, sweep);
+  return summary_of(top, share, head);
+}
+
+} // namespace
+
+Command add_sweep(CLI::App& program) {
+  const auto request = std::make_shared<SweepRequest>();
+  SweepRequest& r = *request;
+  CLI::App* line = program.add_subcommand("sweep", "Solve a scene for lists or ranges of any of its keys");
+  line->add_option("scene", r.scene, "Scene file (TOML) with a table [sweep]")->required();
+  line->add_option("-o,--output", r.output, "File of all cases (HDF5)")->required();
+  line->add_option("--csv", r.csv,
+                   "S.csv: a line for each case; beside it S_patches.csv with a line for each patch, and "
+                   "S_units.csv with unit and meaning of each column");
+  add_model(*line, r.model);
+  line->add_flag("--strict", r.strict, "Count a case with a warning as refused, and keep no result of it");
+  add_jobs(*line, r.jobs);
+  CLI::Option* part = line->add_option("--part", r.part, "I/N: solve the I-th of N shares");
+  line->add_flag("--merge", r.merge, "Solve nothing; join what the shares have solved")->excludes(part);
+  line->footer(sweep_help);
+  return {line, [request] {
+            const SweepSummary summary = run_sweep(*request);
+            fmt::print("{}", summary.text);
+            return summary.certified ? success : no_convergence;
+          }};
+}
+
+} // namespace bem_contact::app

@@ -1,0 +1,228 @@
+#include "bem_contact/app/sweep/sweep_workers.hpp"
+
+#include "bem_contact/app/settings.hpp"
+#include "bem_contact/base/error.hpp"
+
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <deque>
+#include <fmt/format.h>
+#include <iterator>
+#include <thread>
+
+namespace bem_contact::app {
+
+namespace {
+
+/// The ends of the pipes in a worker.
+constexpr int orders = 3, answers = 4;
+
+/// Calls read() or write() until all bytes are through; false where that fails.
+bool transfer(const auto& call, int handle, auto* at, std::size_t count) {
+  while (count > 0) {
+    const ssize_t n = call(handle, at, count);
+    if (n < 0 && errno == EINTR)
+      continue;
+    if (n <= 0)
+      return false;
+    at += n;
+    count -= static_cast<std::size_t>(n);
+  }
+  return true;
+}
+
+bool read_bytes(int handle, void* to, std::size_t count) {
+  return transfer(read, handle, static_cast<char*>(to), count);
+}
+
+bool write_bytes(int handle, const void* from, std::size_t count) {
+  return transfer(write, handle, static_cast<const char*>(from), count);
+}
+
+/// Never returns: takes a chunk, answers with its cases, until there are no more orders.
+[[noreturn]] void work(const WorkerCalls& calls) {
+  for (std::uint64_t count = 0; read_bytes(orders, &count, sizeof count);) {
+    Chunk chunk(count);
+    if (!read_bytes(orders, chunk.data(), count * sizeof chunk[0]))
+      _exit(1);
+    const CaseSolver solver = calls.make_solver();
+    for (const std::size_t index : chunk) {
+      const std::string result = solver(index);
+      const std::uint64_t bytes = result.size();
+      if (!write_bytes(answers, &bytes, sizeof bytes) || !write_bytes(answers, result.data(), bytes))
+        _exit(1);
+    }
+  }
+  _exit(0);
+}
+
+struct Worker {
+  pid_t process = 0;
+  int orders = -1, answers = -1;
+  Chunk chunk;
+  std::size_t solved = 0; ///< of its chunk
+
+  bool busy() const { return solved < chunk.size(); }
+
+  void start(const WorkerCalls& calls) {
+    int to[2] = {-1, -1}, from[2] = {-1, -1};
+    const pid_t started = pipe(to) == 0 && pipe(from) == 0 ? fork() : -1;
+    if (started < 0) { // never kept: kill(-1) would end every process of the user
+      const std::string why = std::strerror(errno);
+      for (const int end : {to[0], to[1], from[0], from[1]})
+        close(end);
+      throw Error("No process to solve cases can be started", why,
+                  "Give a smaller --jobs, or end other programs.");
+    }
+    process = started;
+    if (process == 0) {
+      prctl(PR_SET_PDEATHSIG, SIGKILL);
+      const int read_end = dup(to[0]), write_end = dup(from[1]); // both above `answers`
+      dup2(read_end, app::orders);
+      dup2(write_end, app::answers);
+      close_range(app::answers + 1, ~0U, 0); // above all the journal, whose lock must end with its owner
+      work(calls);
+    }
+    close(to[0]);
+    close(from[1]);
+    orders = to[1];
+    answers = from[0];
+  }
+
+  /// If the worker has died, reading its answers will meet the end of the file.
+  void give(Chunk next) {
+    chunk = std::move(next);
+    solved = 0;
+    const std::uint64_t count = chunk.size();
+    if (write_bytes(orders, &count, sizeof count))
+      write_bytes(orders, chunk.data(), count * sizeof chunk[0]);
+  }
+
+  /// Closes its pipes and says how it ended.
+  std::string end() {
+    close(orders);
+    close(answers);
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    process = 0;
+    chunk.clear();
+    return WIFSIGNALED(status)
+               ? fmt::format("the process that solved it was ended by signal {} ({})", WTERMSIG(status),
+                             strsignal(WTERMSIG(status)))
+               : fmt::format("the process that solved it ended with code {}", WEXITSTATUS(status));
+  }
+};
+
+/// A worker that dies must not take this process with it.
+class NoPipeSignal {
+public:
+  NoPipeSignal() : before_(std::signal(SIGPIPE, SIG_IGN)) {}
+  ~NoPipeSignal() { std::signal(SIGPIPE, before_); }
+
+private:
+  void (*before_)(int);
+};
+
+/// The workers, and the chunks that no worker has yet.
+class Pool {
+public:
+  Pool(std::vector<Chunk> chunks, int jobs, const WorkerCalls& calls)
+      : calls_(calls), open_(std::make_move_iterator(chunks.begin()), std::make_move_iterator(chunks.end())),
+        workers_(std::min<std::size_t>(std::max(jobs, 1), open_.size())) {}
+
+  void solve_all() {
+    for (Worker& w : workers_)
+      w.start(calls_);
+    for (;;) {
+      std::vector<pollfd> waiting;
+      std::vector<Worker*> who;
+      for (Worker& w : workers_) {
+        if (!w.busy() && !open_.empty()) {
+          w.give(std::move(open_.front()));
+          open_.pop_front();
+        }
+        if (w.busy()) {
+          waiting.push_back({w.answers, POLLIN, 0});
+          who.push_back(&w);
+        }
+      }
+      if (waiting.empty())
+        return;
+      if (poll(waiting.data(), waiting.size(), -1) < 0)
+        continue;
+      for (std::size_t i = 0; i < waiting.size(); ++i)
+        if (waiting[i].revents != 0)
+          take_answer(*who[i]);
+    }
+  }
+
+  void end() {
+    for (Worker& w : workers_)
+      if (w.process != 0)
+        w.end();
+  }
+
+  void kill_all() {
+    for (Worker& w : workers_)
+      if (w.process != 0) {
+        kill(w.process, SIGKILL);
+        w.end();
+      }
+  }
+
+private:
+  /// Of one case; if the worker has died, the case is lost, the rest of its chunk is not.
+  void take_answer(Worker& w) {
+    std::uint64_t bytes = 0;
+    std::string result;
+    bool whole = read_bytes(w.answers, &bytes, sizeof bytes);
+    if (whole) {
+      result.resize(bytes);
+      whole = read_bytes(w.answers, result.data(), bytes);
+    }
+    if (whole) {
+      calls_.done(w.chunk[w.solved++], std::move(result));
+      return;
+    }
+    const std::size_t lost = w.chunk[w.solved];
+    Chunk rest(w.chunk.begin() + static_cast<std::ptrdiff_t>(w.solved) + 1, w.chunk.end());
+    calls_.died(lost, w.end());
+    if (!rest.empty())
+      open_.push_front(std::move(rest));
+    w.start(calls_);
+  }
+
+  const WorkerCalls& calls_;
+  std::deque<Chunk> open_;
+  std::vector<Worker> workers_;
+};
+
+} // namespace
+
+std::size_t chunk_size(std::size_t cases) {
+  return std::clamp(cases / chunks_of_a_sweep, smallest_chunk, largest_chunk);
+}
+
+void solve_in_processes(std::vector<Chunk> chunks, int jobs, const WorkerCalls& calls) {
+  const NoPipeSignal no_signal;
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  Pool pool(std::move(chunks), jobs > 0 ? jobs : cores, calls);
+  try {
+    pool.solve_all();
+  } catch (...) {
+    pool.kill_all();
+    throw;
+  }
+  pool.end();
+}
+
+} // namespace bem_contact::app

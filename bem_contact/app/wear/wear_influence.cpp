@@ -1,0 +1,137 @@
+#include "bem_contact/app/wear/wear_influence.hpp"
+
+#include "bem_contact/app/wear/wear_state.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fmt/format.h>
+#include <ostream>
+#include <spawn.h>
+#include <sstream>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace bem_contact::app {
+
+namespace {
+
+std::vector<Point2> points_in(const std::filesystem::path& file) {
+  std::istringstream in(read_text_file(file.string(), "profile"));
+  std::vector<Point2> points;
+  for (Point2 p; in >> p.y >> p.z;)
+    points.push_back(p);
+  return points;
+}
+
+/// The body of these functions with another profile. Elements along x are the shortest that they serve.
+std::string body_file_text(const InfluenceFunction& f, const char* body, const std::string& standard,
+                           const std::string& profile_file) {
+  const double half = f.station_width / 2;
+  std::string out = fmt::format("# A worn body, written by bem_contact wear. The body file of the unworn one "
+                                "may say more: copy its keys.\n"
+                                "[body]\nkind = \"{}\"\nprofile = \"{}\"\nprofile_z = \"down\"\n",
+                                body, profile_file);
+  if (is_standard_profile(standard)) // where its body stands is known: in its own coordinates
+    out += fmt::format("graft_onto = \"{}\"\ngraft_at = [0, 0]\ngraft_angle = 0\n", standard);
+  out += fmt::format("\n[material]\nshear_modulus = {} # MPa\npoisson = {}\n", f.material.shear_modulus,
+                     f.material.poisson);
+  out += fmt::format("\n[strip]\nfrom = {:.9g} # mm\nto = {:.9g}\nstation_width = {:.9g}\n",
+                     f.stations.front().s - half, f.stations.back().s + half, f.station_width);
+  if (!f.is_table())
+    out += fmt::format("\n[harmonic]\nshortest_dx = {:.6g} # mm\n", shortest_dx(f));
+  return out;
+}
+
+/// Runs `program` on a body file; what it prints goes to standard error. Throws InputError where it fails.
+void compute(const std::string& program, const std::filesystem::path& body_file,
+             const std::filesystem::path& file) {
+  std::array<std::string, 3> words{program, body_file.string(), file.string()};
+  std::array<char*, 4> arguments{words[0].data(), words[1].data(), words[2].data(), nullptr};
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  pid_t process = 0;
+  int status = 0;
+  const int failed = posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed == 0)
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR)
+      ;
+  if (failed != 0 || status != 0 || !file_exists(file))
+    throw InputError(fmt::format("'{} {} {}' has made no influence functions", words[0], words[1], words[2]),
+                     failed != 0 ? std::strerror(failed) : "it failed, or wrote no such file",
+                     "Call it alone to see why. Then give the same command again: it goes on from here.");
+}
+
+} // namespace
+
+WearInfluence::WearInfluence(const SceneFile& scene, const wear::WornPair& unworn,
+                             std::filesystem::path folder, std::string program)
+    : folder_(std::move(folder)), program_(std::move(program)), used_(wear::needs_influence(scene)),
+      rail_{"rail", ProfileKind::rail, scene.rail, 0}, wheel_{"wheel", ProfileKind::wheel, scene.wheel, 0} {
+  if (used_)
+    kept_ = wear::unworn_influence(scene, unworn);
+}
+
+void WearInfluence::take_newest(Side& side, wear::KeptInfluence& kept, int step) {
+  for (int k = step; k > side.step; --k) {
+    const std::filesystem::path file = folder_ / step_file(side.name, k, "h5");
+    if (!file_exists(file))
+      continue;
+    const std::filesystem::path profile = folder_ / step_file(side.name, k, "txt");
+    const ProfileCurve curve = named_profile(std::filesystem::absolute(profile).string(), side.kind, {},
+                                             {.profile_z = ProfileZ::down});
+    require_profile(read_influence_file(file), curve.name(), curve.digest());
+    kept = {file, points_in(profile)};
+    side.step = k;
+    return;
+  }
+}
+
+void WearInfluence::renew(const Side& side, const wear::KeptInfluence& kept, int step, double turn,
+                          double kept_turn) const {
+  const std::filesystem::path file = folder_ / step_file(side.name, step, "h5"),
+                              body_file = folder_ / step_file(side.name, step, "toml");
+  if (!file_exists(body_file)) // the user may have completed it
+    write_whole(body_file, [&](std::ostream& out) {
+      out << body_file_text(read_influence_file(kept.file), side.name, side.scene.profile,
+                            step_file(side.name, step, "txt"));
+    });
+  if (!program_.empty())
+    return compute(program_, body_file, file);
+  wear::refuse_outgrown(
+      side.name, turn, kept_turn, fmt::format("step {}, where they were computed", side.step),
+      fmt::format("Compute new ones, tools/influence {} {}, and give the same command again: it goes on "
+                  "from here. With --influence tools/influence it does so itself.",
+                  body_file.string(), file.string()));
+}
+
+const wear::KeptPair& WearInfluence::at(int step, const wear::WornPair& now, double kept_turn) {
+  if (!used_)
+    return kept_;
+  const auto follow = [&](Side& side, wear::KeptInfluence& kept, const wear::WornBody& body) {
+    const auto turn = [&] { return wear::turn_between(kept.shape, body.points); };
+    if (kept.file.empty())
+      return;
+    if (!resumed_ || turn() > kept_turn)
+      take_newest(side, kept, step);
+    if (turn() > kept_turn) {
+      renew(side, kept, step, turn(), kept_turn);
+      take_newest(side, kept, step);
+    }
+  };
+  follow(rail_, kept_.rail, now.rail);
+  follow(wheel_, kept_.wheel, now.wheel);
+  resumed_ = true;
+  return kept_;
+}
+
+} // namespace bem_contact::app

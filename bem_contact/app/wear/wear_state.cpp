@@ -1,0 +1,102 @@
+#include "bem_contact/app/wear/wear_state.hpp"
+
+#include "bem_contact/app/output/csv_name.hpp"
+#include "bem_contact/app/output/datasets.hpp"
+#include "bem_contact/app/output/scene_record.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/influence/h5_table.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <ostream>
+#include <ranges>
+
+namespace bem_contact::app {
+
+namespace {
+
+constexpr const char *state_file = "wear.h5", *wear_format = "bem_contact wear";
+
+/// All of the state: the last row of the history has what WearState holds beside it.
+H5Table table_of(const WearState& state, const std::string& digest) {
+  H5Table table;
+  for (const wear::WearColumn& column : wear::wear_columns) {
+    std::vector<double> values;
+    for (const wear::WearRow& row : state.history)
+      values.push_back(row.*column.member);
+    table.datasets[column.name] = line(std::move(values), column.unit, "by step");
+  }
+  const auto body = [&](const std::string& name, const wear::WornBody& worn) {
+    table.datasets[name + "/profile"] = points(worn.points, "worn profile (y, z), own frame, z down");
+    table.datasets[name + "/depth"] = line(worn.depth, "mm", "taken off along the normals");
+  };
+  body("rail", state.pair.rail);
+  body("wheel", state.pair.wheel);
+  table.attributes["format"] = std::string(wear_format);
+  table.attributes["digest"] = digest;
+  return table;
+}
+
+wear::WornBody body_of(const H5Table& table, const std::string& name, const std::filesystem::path& file,
+                       double area) {
+  wear::WornBody out{.points = {}, .depth = dataset_of(table, name + "/depth", file).values, .area = area};
+  const std::vector<double>& points = dataset_of(table, name + "/profile", file, 2 * out.depth.size()).values;
+  for (std::size_t i = 0; i < points.size(); i += 2)
+    out.points.push_back({points[i], points[i + 1]});
+  return out;
+}
+
+} // namespace
+
+std::string step_file(std::string_view body, int step, std::string_view extension) {
+  return fmt::format("{}_{:04}.{}", body, step, extension);
+}
+
+void write_wear(const std::filesystem::path& folder, const std::string& digest, const WearState& state) {
+  wear::write_profile(folder / step_file("rail", state.step, "txt"), state.pair.rail.points);
+  wear::write_profile(folder / step_file("wheel", state.step, "txt"), state.pair.wheel.points);
+  write_whole(folder / "wear.csv", [&](std::ostream& out) {
+    const auto each = [](const auto& of) { return wear::wear_columns | std::views::transform(of); };
+    const auto name = [](const auto& column) { return csv_name(column.name, column.unit); };
+    out << fmt::format("{}\n", fmt::join(each(name), ","));
+    for (const wear::WearRow& row : state.history)
+      out << fmt::format("{:.9g}\n",
+                         fmt::join(each([&](const auto& column) { return row.*column.member; }), ","));
+  });
+  write_h5(folder / state_file, table_of(state, digest));
+}
+
+std::optional<WearState> read_wear(const std::filesystem::path& folder, const std::string& digest) {
+  const auto refuse = [&](const std::string& why, const char* what_to_do) {
+    throw InputError(fmt::format("The output '{}' exists and is not of this wear", folder.string()), why,
+                     what_to_do);
+  };
+  if (!file_exists(folder / state_file)) {
+    if (!std::filesystem::is_empty(folder))
+      refuse(fmt::format("it is not empty, and there is no {} in it: its files might be overwritten",
+                         state_file),
+             "Give a new folder, or an empty one.");
+    return std::nullopt;
+  }
+  const std::filesystem::path file = folder / state_file;
+  const H5Table table = read_h5(file);
+  if (text_attribute(table, "format") != wear_format || text_attribute(table, "digest") != digest)
+    refuse(digest_changed, "Give another folder, or remove it.");
+  WearState state;
+  state.history.resize(dataset_of(table, "step", file).values.size());
+  for (const wear::WearColumn& column : wear::wear_columns) {
+    const std::vector<double>& values = dataset_of(table, column.name, file, state.history.size()).values;
+    for (std::size_t i = 0; i < state.history.size(); ++i)
+      state.history[i].*column.member = values[i];
+  }
+  const wear::WearRow& last = state.history.back();
+  state.step = static_cast<int>(state.history.size()) - 1;
+  state.pair = {body_of(table, "rail", file, last.rail_area), body_of(table, "wheel", file, last.wheel_area),
+                last.revolutions};
+  return state;
+}
+
+} // namespace bem_contact::app

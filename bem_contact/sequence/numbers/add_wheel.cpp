@@ -1,0 +1,99 @@
+#include "bem_contact/sequence/numbers/add_wheel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace bem_contact {
+
+namespace {
+
+/// Inclination of one row and dx / (2 R).
+struct Radial {
+  double inclination, half_step;
+
+  /// Adds the integral of u_r / R to A_xj of that row; A_sj and A_nj are `sign` times these.
+  void add_to(std::span<double> line, std::span<const double> of_s, std::span<const double> of_n,
+              double sign) const {
+    // The wheel's own frame is the contact frame turned by pi about x (base/conventions.hpp).
+    const double along_s = -std::sin(inclination), along_n = -std::cos(inclination);
+    double sum = 0, before = 0;
+    for (std::size_t m = 0; m < line.size(); ++m) {
+      const double here = sign * (along_s * of_s[m] + along_n * of_n[m]);
+      sum += m > 0 ? half_step * (before + here) : 0.0;
+      before = here;
+      line[m] += sum;
+    }
+  }
+};
+
+/// A_xj(m; I, J) of one row I and A_xj(m; J, I), J <= I, with the radial displacement of each.
+class LinesAlongX {
+public:
+  LinesAlongX(NumberLines& wheel, std::span<const double> inclination, double half_step)
+      : offsets_(wheel.offsets()), own_(3 * static_cast<std::size_t>(wheel.columns()) * offsets_),
+        opposite_(own_.size()) {
+    for (int column = 0; column < wheel.columns(); ++column)
+      for (int j = 0; j < 3; ++j) {
+        std::ranges::copy(wheel.line(column, component_x, j), own(column, j).begin());
+        std::ranges::transform(wheel.line(column, j, component_x), opposite(column, j).begin(),
+                               [sign = parity(component_x, j)](double a) { return sign * a; });
+        if (inclination.empty())
+          continue;
+        Radial{inclination[wheel.row()], half_step}.add_to(own(column, j), wheel.line(column, component_s, j),
+                                                           wheel.line(column, component_n, j), 1);
+        Radial{inclination[column], half_step}.add_to(opposite(column, j), wheel.line(column, j, component_s),
+                                                      wheel.line(column, j, component_n),
+                                                      parity(component_s, j));
+      }
+  }
+
+  std::span<double> own(int column, int j) { return of(own_, column, j); }
+  std::span<double> opposite(int column, int j) { return of(opposite_, column, j); }
+
+private:
+  std::span<double> of(std::vector<double>& all, int column, int j) const {
+    return std::span(all).subspan((3 * static_cast<std::size_t>(column) + j) * offsets_, offsets_);
+  }
+
+  std::size_t offsets_;
+  std::vector<double> own_, opposite_;
+};
+
+/// T A T is A with the signs of parity(): T = diag(1, -1, -1).
+void add_to_table(NumberLines& wheel, LinesAlongX& along_x, InfluenceNumbers& pair) {
+  constexpr int block = 8; // offsets of a cache line
+  const std::size_t table = 9 * static_cast<std::size_t>(pair.rows) * static_cast<std::size_t>(pair.rows);
+  const int row = wheel.row();
+  for (int from = 0; from < wheel.offsets(); from += block) {
+    const int to = std::min(from + block, wheel.offsets());
+    const auto add = [&](std::span<const double> line, double sign, double* place) {
+      for (int m = from; m < to; ++m, place += table)
+        *place += sign * line[static_cast<std::size_t>(m)];
+    };
+    for (int column = 0; column <= row; ++column)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const bool x = i == component_x;
+          add(x ? along_x.own(column, j) : wheel.line(column, i, j), parity(i, j),
+              &pair.at(from, row, i, column, j));
+          if (column < row) // Maxwell-Betti: parity(i, j) line(j, i)
+            add(x ? along_x.opposite(column, j) : wheel.line(column, j, i), x ? parity(i, j) : 1,
+                &pair.at(from, column, i, row, j));
+        }
+  }
+}
+
+} // namespace
+
+void add_wheel(NumberLines& wheel, std::span<const double> inclination, double radius,
+               InfluenceNumbers& pair) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = i + 1; j < 3; ++j) // those of the diagonal are not there yet
+      std::ranges::transform(wheel.line(wheel.row(), j, i), wheel.line(wheel.row(), i, j).begin(),
+                             [sign = parity(i, j)](double a) { return sign * a; });
+  LinesAlongX along_x(wheel, inclination, 0.5 * pair.dx / radius);
+  add_to_table(wheel, along_x, pair);
+}
+
+} // namespace bem_contact

@@ -1,0 +1,212 @@
+#include "bem_contact/sequence/numbers/pair_numbers.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/halfspace/combine.hpp"
+#include "bem_contact/halfspace/flat_strip.hpp"
+#include "bem_contact/halfspace/resample.hpp"
+#include "bem_contact/halfspace/tangent_plane.hpp"
+#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/sequence/numbers/add_wheel.hpp"
+#include "bem_contact/sequence/numbers/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+std::shared_ptr<const InfluenceFunction> read_side(const Body& body) {
+  if (body.influence.empty())
+    return nullptr;
+  auto function = std::make_shared<const InfluenceFunction>(read_influence_file(body.influence));
+  require_material(*function, body.material);
+  return function;
+}
+
+bool inside(const std::shared_ptr<const InfluenceFunction>& f, double s, double ds) {
+  if (!f)
+    return true;
+  const auto [from, to] = strip_of(*f);
+  return s - row_on_strip * ds >= from && s + row_on_strip * ds <= to;
+}
+
+ExpandOptions options_of(const InfluenceFunction& function, const Body& body, const ContactOnGrid& contact,
+                         NumbersParts* known, int threads) {
+  const ContactGrid& grid = contact.problem.grid;
+  const bool plane_strain = contact.problem.plane_strain();
+  ExpandOptions options;
+  options.dx = plane_strain ? 0.0 : grid.dx;
+  options.offsets = plane_strain ? 1 : grid.mx + 2;
+  options.structural = body.structural;
+  options.series = known ? &known->series : nullptr;
+  options.threads = threads;
+  options.contact_radius = function.invariance == Invariance::revolution ? contact.contact_radius : 0.0;
+  return options;
+}
+
+InfluenceNumbers rail_numbers(const std::shared_ptr<const InfluenceFunction>& function, const Body& body,
+                              const ContactOnGrid& contact, NumbersParts* known, int threads) {
+  const ContactGrid& grid = contact.problem.grid;
+  const auto compute = [&] {
+    return halfspace::resample(*function, options_of(*function, body, contact, known, threads),
+                               contact.rail_s, grid.ds, known ? &known->lines : nullptr);
+  };
+  if (!known || contact.problem.plane_strain() || function->invariance == Invariance::revolution)
+    return compute();
+  return known->rail.get({function, body.structural, grid.dx, grid.ds}, contact.rail_s, grid.mx + 2, compute);
+}
+
+/// A patch is given without profiles: what can be compared is how far the normal turns along the strip.
+/// Throws InputError where the file's surface turns otherwise than the rows do, by more than `tolerance`.
+void require_turn(const InfluenceFunction& f, const ContactOnGrid& contact, const std::vector<double>& row_s,
+                  double tolerance) {
+  const auto delta_at = [&](double s) {
+    const double index = (s - f.stations.front().s) / f.station_width;
+    const auto last = static_cast<double>(f.stations.size() - 1);
+    return f.stations[static_cast<std::size_t>(std::lround(std::clamp(index, 0.0, last)))].delta;
+  };
+  const std::vector<ContactRow>& rows = contact.problem.rows;
+  const std::size_t middle = rows.size() / 2;
+  const double station =
+      std::abs(f.stations.back().delta - f.stations.front().delta) / static_cast<double>(f.stations.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double file_turn = delta_at(row_s[i]) - delta_at(row_s[middle]);
+    const double row_turn = rows[i].delta - rows[middle].delta;
+    if (std::abs(file_turn - row_turn) > tolerance + station)
+      throw InputError(
+          fmt::format("The influence functions of '{}' do not fit the patch", f.body),
+          fmt::format("from the middle to row {} their surface turns by {:.3f} rad and the patch by "
+                      "{:.3f} rad",
+                      i, file_turn, row_turn),
+          "Correct [strip] (radius, inclination, rail_s0, wheel_s0) or give the bodies' own files.");
+  }
+}
+
+/// The same numbers with the rows in the opposite order.
+InfluenceNumbers reversed(const InfluenceNumbers& numbers) {
+  InfluenceNumbers out = numbers;
+  const int last = numbers.rows - 1;
+  for (int m = 0; m < numbers.offsets; ++m)
+    for (const auto& [row_i, row_j] : numbers.stored_rows())
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          out.at(m, row_i, i, row_j, j) = numbers.at(m, last - row_i, i, last - row_j, j);
+  return out;
+}
+
+} // namespace
+
+PairFiles read_pair_files(const Body& rail, const Body& wheel) {
+  PairFiles files{read_side(rail), read_side(wheel)};
+  if (files.complete())
+    require_order(*files.rail, *files.wheel);
+  return files;
+}
+
+InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& contact,
+                                NumbersParts* known) {
+  const ContactGrid& grid = contact.problem.grid;
+  const auto one = [&](const Material& material) {
+    // On a curved strip forces depend on the reference distance of plane strain, since the approach turns
+    // with the normal; the strip's radius is what the disc in a hole has (Michell 1899).
+    return contact.problem.plane_strain()
+               ? halfspace::plane_strain_numbers(material, grid.ds, grid.ms, setup.reference_distance())
+               : halfspace::numbers(material, grid.dx, grid.ds, grid.mx + 2, grid.ms,
+                                    known ? &known->lines : nullptr);
+  };
+  // The wheel's own s runs against the rail's: with rows in the contact's order the couplings of equal bodies
+  // cancel.
+  const Material &below = setup.rail.material, &above = setup.wheel.material;
+  const InfluenceNumbers rail = one(below);
+  return halfspace::combine(rail, reversed(above == below ? rail : one(above)));
+}
+
+InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGrid& contact) {
+  const ContactGrid& grid = contact.problem.grid;
+  const bool plane_strain = contact.problem.plane_strain();
+  std::vector<halfspace::StripRow> rail, wheel; // the wheel's own frame is turned by pi about x
+  for (const ContactRow& row : contact.problem.rows) {
+    rail.push_back({row.position, row.delta});
+    wheel.push_back({-1.0 * row.position, row.delta});
+  }
+  const halfspace::StripGrid strip{plane_strain ? 0.0 : grid.dx, grid.ds, plane_strain ? 1 : grid.mx + 2,
+                                   setup.reference_distance()};
+  return halfspace::combine(halfspace::tangent_plane_numbers(setup.rail.material, strip, rail),
+                            halfspace::tangent_plane_numbers(setup.wheel.material, strip, wheel));
+}
+
+InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact,
+                          NumbersParts* known, int threads) {
+  if (!files.complete())
+    throw InputError("The finite-element model needs influence functions of both bodies",
+                     !files.rail && !files.wheel ? "the scene names none"
+                     : files.rail                ? "the scene names none for the wheel"
+                                                 : "the scene names none for the rail",
+                     "Give rail.influence and wheel.influence, or name other models, such as halfspace and "
+                     "tangent_plane.");
+  require_strips(files, contact.problem.grid.ds, contact.rail_s, contact.wheel_s);
+  if (setup.patch()) {
+    require_turn(*files.rail, contact, contact.rail_s, rail_turn_tolerance);
+    require_turn(*files.wheel, contact, contact.wheel_s, wheel_turn_tolerance);
+  }
+  InfluenceNumbers pair = rail_numbers(files.rail, setup.rail, contact, known, threads);
+  const std::vector<double> inclination = radial_inclination(setup, contact.problem.rows);
+  halfspace::resample_lines(
+      *files.wheel, options_of(*files.wheel, setup.wheel, contact, known, threads), contact.wheel_s, pair.ds,
+      [&](NumberLines& lines) { add_wheel(lines, inclination, contact.contact_radius, pair); },
+      known ? &known->lines : nullptr);
+  return pair;
+}
+
+std::vector<double> radial_inclination(const ContactSetup& setup, const std::vector<ContactRow>& rows) {
+  const Motion& motion = setup.motion;
+  std::vector<double> inclination;
+  if (const WheelRailGeometry* placed = setup.wheel_rail();
+      placed && motion.tangential && motion.kind == MotionKind::steady && motion.radial_displacement)
+    for (const ContactRow& row : rows)
+      inclination.push_back(row.delta - placed->pair.wheel_pose.angle);
+  return inclination;
+}
+
+InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const PairFiles& files,
+                              const ContactOnGrid& contact, NumbersParts* known, int threads) {
+  return model == Model::fem             ? fem_pair(setup, files, contact, known, threads)
+         : model == Model::tangent_plane ? tangent_plane_pair(setup, contact)
+                                         : halfspace_pair(setup, contact, known);
+}
+
+std::pair<double, double> strip_of(const InfluenceFunction& function) {
+  const double half = 0.5 * function.station_width;
+  return {function.stations.front().s - half, function.stations.back().s + half};
+}
+
+void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,
+                    const std::vector<double>& wheel_s) {
+  const double half = row_on_strip * ds;
+  const auto side = [&](const std::shared_ptr<const InfluenceFunction>& f, const std::vector<double>& s) {
+    if (!f || s.empty())
+      return;
+    const auto [lo, hi] = std::ranges::minmax(s);
+    require_strip(*f, lo - half, hi + half);
+  };
+  side(files.rail, rail_s);
+  side(files.wheel, wheel_s);
+}
+
+std::pair<int, int> covered_rows(const PairFiles& files, double ds, const std::vector<double>& rail_s,
+                                 const std::vector<double>& wheel_s) {
+  int first = 0, last = static_cast<int>(rail_s.size()) - 1;
+  const auto good = [&](int i) {
+    return inside(files.rail, rail_s[i], ds) && inside(files.wheel, wheel_s[i], ds);
+  };
+  while (first <= last && !good(first))
+    ++first;
+  while (last >= first && !good(last))
+    --last;
+  return {first, last};
+}
+
+} // namespace bem_contact

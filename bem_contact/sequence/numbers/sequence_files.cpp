@@ -1,0 +1,56 @@
+#include "bem_contact/sequence/numbers/sequence_files.hpp"
+
+#include <algorithm>
+
+namespace bem_contact {
+
+namespace {
+
+double size_of_files(const PairFiles& files) {
+  double numbers = 0;
+  for (const auto& f : {files.rail, files.wheel})
+    if (f)
+      numbers += static_cast<double>(f->kernel.size() + f->remote.size() + f->table.size());
+  return 1e-6 * sizeof(double) * numbers;
+}
+
+/// What is kept for `key`, made by `make` if there is none. It is put in front; of the others, those used
+/// last stay whose sizes sum up to no more than `most`.
+template <class Key, class Value, class Make, class SizeOf>
+Value take(std::deque<std::pair<Key, Value>>& all, const Key& key, const Make& make, const SizeOf& size_of,
+           double most) {
+  const auto found = std::ranges::find(all, key, [](const auto& entry) { return entry.first; });
+  if (found != all.end())
+    std::rotate(all.begin(), found, found + 1);
+  else
+    all.emplace_front(key, make());
+  double size = 0;
+  std::size_t count = 0;
+  for (const auto& [name, value] : all) {
+    size += size_of(value);
+    if (count > 0 && size > most)
+      break;
+    ++count;
+  }
+  all.erase(all.begin() + static_cast<std::ptrdiff_t>(count), all.end());
+  return all.front().second;
+}
+
+} // namespace
+
+WheelRailProfiles SequenceFiles::profiles(const SceneFile& scene) {
+  return take(
+      profiles_,
+      ProfileSources{scene.folder, scene.rail.profile, scene.wheel.profile, scene.rail.reading,
+                     scene.wheel.reading},
+      [&] { return read_profiles(scene); }, [](const WheelRailProfiles&) { return 1.0; },
+      static_cast<double>(most_profiles_));
+}
+
+PairFiles SequenceFiles::influence(const Body& rail, const Body& wheel) {
+  return take(
+      influence_, InfluenceSources{rail.influence, wheel.influence, rail.material, wheel.material},
+      [&] { return read_pair_files(rail, wheel); }, size_of_files, most_megabytes_);
+}
+
+} // namespace bem_contact

@@ -1,0 +1,239 @@
+#include "bem_contact/sequence/plan/contact_estimate.hpp"
+
+#include "bem_contact/geometry/settings.hpp"
+#include "bem_contact/scene/approach_search.hpp"
+#include "bem_contact/scene/contact_centre.hpp"
+#include "bem_contact/scene/elastic_limit.hpp"
+#include "bem_contact/sequence/plan/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bem_contact {
+
+namespace {
+
+/// K(m) - E(m), complete elliptic integrals of the parameter m < 1, by the arithmetic-geometric mean: the
+/// difference itself, because K and E cancel for the small m of slices far from the deepest one.
+double k_minus_e(double m) {
+  double a = 1, b = std::sqrt(1 - m), sum = m, power = 1;
+  while (a - b > elliptic_tolerance) { // each step doubles the digits
+    const double c = 0.5 * (a - b), mean = 0.5 * (a + b);
+    b = std::sqrt(a * b);
+    a = mean;
+    power *= 2;
+    sum += power * c * c;
+  }
+  return std::numbers::pi / (2 * a) * 0.5 * sum;
+}
+
+/// Normal force of the slices first .. end - 1, which touch at the approach q. Kik and Piotrowski: N = pi E*
+/// q I1/I2, I1 and I2 the integrals of sqrt(x_l^2 - x^2) and of the same over r; along x, I2 is 2 S (K - E)
+/// with S^2 = x_l^2 + t^2, m = x_l^2 / S^2 at the distance t in s.
+/// `width`: of a slice, mm.
+double normal_force(std::span<const RailSlice> area, const RailSlice& deepest, double q, double compliance,
+                    double width) {
+  double i1 = 0, i2 = 0;
+  for (const RailSlice& c : area) {
+    const double xl2 = c.depth(penetration_share * q) / c.half;
+    const double t = std::max(std::abs(c.s - deepest.s), slice_self_distance * width);
+    i1 += std::numbers::pi * xl2 / 2;
+    i2 += 2 * std::sqrt(xl2 + t * t) * k_minus_e(xl2 / (xl2 + t * t));
+  }
+  return std::numbers::pi / compliance * deepest.depth(q) * i1 / i2;
+}
+
+/// Slices of one width, mm.
+double width_of(std::span<const RailSlice> slices) {
+  return slices.size() > 1 ? slices[1].s - slices[0].s : slice_width;
+}
+
+/// Largest pressure and extent of one area that bears `normal` at the approach q: the pressure is
+/// proportional to sqrt(x_l^2 - x^2).
+void set_extent(std::span<const RailSlice> area, const RailSlice& deepest, double q, double normal,
+                double width, EstimatedContact& out) {
+  double half_lengths = 0;
+  for (const RailSlice& c : area) {
+    const double squared = c.depth(penetration_share * q) / c.half;
+    half_lengths += 0.5 * std::numbers::pi * squared;
+    out.length = std::max(out.length, 2 * std::sqrt(squared));
+  }
+  out.width = width * double(area.size());
+  out.pressure = normal * 0.5 * out.length / (half_lengths * width);
+  out.turn = std::abs(area.back().delta - area.front().delta);
+  out.x = deepest.x;
+  out.s = deepest.s;
+  out.delta = deepest.delta;
+  out.position = deepest.position;
+}
+
+/// Of the inclination, weighted by the pressure.
+double mean_sine(std::span<const RailSlice> area, double q) {
+  double sum = 0, weights = 0;
+  for (const RailSlice& c : area) {
+    const double weight = c.depth(penetration_share * q) / c.half;
+    sum += weight * std::sin(c.delta);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+/// Vertical force at the approach q, and what is known of the area that bears most of it.
+struct Borne {
+  double force = 0;
+  EstimatedContact contact;
+};
+Borne borne_at(const ContactEstimate& estimate, double q, double compliance) {
+  const std::span<const RailSlice> slices = estimate.slices;
+  const double width = width_of(slices);
+  Borne out;
+  double largest = 0;
+  const auto inside = [&](const RailSlice& c) { return c.depth(penetration_share * q) > 0; };
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    if (!inside(slices[i]))
+      continue;
+    std::size_t end = i, deepest = i;
+    for (; end < slices.size() && inside(slices[end]); ++end)
+      if (slices[end].depth(q) > slices[deepest].depth(q))
+        deepest = end;
+    const std::span<const RailSlice> area = slices.subspan(i, end - i);
+    const double normal = normal_force(area, slices[deepest], q, compliance, width);
+    const double vertical = normal * slices[deepest].cosine * estimate.lift[deepest];
+    out.force += vertical;
+    out.contact.normal += normal;
+    out.contact.lateral -= normal * mean_sine(area, q);
+    if (vertical > largest) {
+      largest = vertical;
+      set_extent(area, slices[deepest], q, normal, width, out.contact);
+    }
+    i = end;
+  }
+  return out;
+}
+
+double approach_under(const ContactEstimate& estimate, double force, double compliance) {
+  return approach_for(force, [&](double q) { return borne_at(estimate, q, compliance).force; });
+}
+
+void set_approach(ContactEstimate& estimate, double q, double compliance) {
+  const Borne borne = borne_at(estimate, q, compliance);
+  estimate.approach = q;
+  estimate.force = borne.force;
+  estimate.turn = borne.contact.turn;
+}
+
+/// Of the slices that can touch, where each is nearest to the wheel.
+void set_lift(const ContactSetup& setup, ContactEstimate& estimate) {
+  for (std::size_t i = 0; i < estimate.slices.size(); ++i) {
+    const RailSlice& c = estimate.slices[i];
+    if (c.gap >= largest_approach)
+      continue;
+    const CurvePoint p = setup.wheel_rail()->pair.rail_at(c.s);
+    const RigidSlip slip = setup.rigid_slip({}, {{c.s, p.position, p.delta}}, {c.x});
+    const double along_s = slip.s[0] / std::hypot(slip.x[0], slip.s[0], half_slip_creepage);
+    estimate.lift[i] =
+        std::clamp(1 + setup.motion.friction * along_s * std::tan(c.delta), least_lift, most_lift);
+  }
+}
+
+} // namespace
+
+ContactEstimate estimate_contact(std::vector<RailSlice> slices, double compliance, const ContactLoad& load) {
+  ContactEstimate out;
+  out.slices = std::move(slices);
+  out.lift.assign(out.slices.size(), 1.0);
+  set_approach(out,
+               load.kind == LoadKind::approach ? load.approach : approach_under(out, load.force, compliance),
+               compliance);
+  return out;
+}
+
+ContactEstimate estimate_contact(const ContactSetup& setup, bool foresee_shear) {
+  const double compliance = contact_compliance(setup.rail.material, setup.wheel.material);
+  ContactEstimate out = estimate_contact(setup.wheel_rail()->slices, compliance, setup.load);
+  require_small_approach(out.approach);
+  const Motion& motion = setup.motion;
+  if (foresee_shear && motion.tangential && motion.kind != MotionKind::shift && setup.load.force > 0 &&
+      !motion.force_x && !motion.force_s) {
+    set_lift(setup, out);
+    set_approach(out,
+                 std::min(approach_under(out, setup.load.force, compliance),
+                          most_approach_with_shear * largest_approach),
+                 compliance);
+  }
+  return out;
+}
+
+EstimatedContact estimated_contact(const ContactEstimate& estimate, double compliance, double aside) {
+  if (aside == 0)
+    return borne_at(estimate, estimate.approach, compliance).contact;
+  ContactEstimate moved = estimate;
+  for (RailSlice& c : moved.slices)
+    c.gap += aside * std::sin(c.delta);
+  const double q = estimate.force > 0 ? approach_under(moved, estimate.force, compliance) : 0;
+  return borne_at(moved, q, compliance).contact;
+}
+
+std::optional<ContactEstimate> estimate_contact(const ContactProblem& problem, double compliance) {
+  const ContactGrid& grid = problem.grid;
+  if (problem.plane_strain() || grid.mx < 3)
+    return std::nullopt;
+  std::vector<RailSlice> slices;
+  for (int is = 0; is < grid.ms; ++is) {
+    const double* h = problem.gap.data() + std::size_t(is) * grid.mx;
+    const int ix = std::clamp(int(std::min_element(h, h + grid.mx) - h), 1, grid.mx - 2);
+    const double curvature = (h[ix - 1] - 2 * h[ix] + h[ix + 1]) / (grid.dx * grid.dx);
+    const ContactRow& row = problem.rows[is];
+    slices.push_back({.s = row.s,
+                      .delta = row.delta,
+                      .cosine = std::cos(row.delta),
+                      .gap = h[ix],
+                      .x = grid.x(ix),
+                      .half = std::max(0.5 * curvature, least_half_curvature),
+                      .position = row.position});
+  }
+  return estimate_contact(std::move(slices), compliance, {problem.load, problem.force, problem.approach});
+}
+
+ContactExtent contact_extent(const ContactEstimate& estimate) {
+  ContactExtent out;
+  if (estimate.slices.size() < 2)
+    return out;
+  const double ds = estimate.slices[1].s - estimate.slices[0].s;
+  for (const RailSlice& c : estimate.slices) {
+    const double depth = c.depth(penetration_share * estimate.approach);
+    if (depth <= 0)
+      continue;
+    const double length = 2 * std::sqrt(depth / c.half);
+    out.along_x = std::max(out.along_x, length);
+    out.along_s += ds;
+    out.area += length * ds;
+  }
+  return out;
+}
+
+std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, double q) {
+  std::vector<PotentialArea> areas;
+  bool open = false;
+  for (const RailSlice& c : estimate.slices) {
+    const double depth = c.depth(q);
+    if (depth > 0) {
+      const double half_length = std::sqrt(depth / c.half);
+      if (!open)
+        areas.push_back({c.s, c.s, c.x - half_length, c.x + half_length});
+      PotentialArea& area = areas.back();
+      area.s_to = c.s;
+      area.x_from = std::min(area.x_from, c.x - half_length);
+      area.x_to = std::max(area.x_to, c.x + half_length);
+    }
+    open = depth > 0;
+  }
+  return areas;
+}
+
+std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate) {
+  return potential_areas(estimate, potential_share * std::max(estimate.approach, least_approach));
+}
+
+} // namespace bem_contact

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "bem_contact/scene/contact_setup.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace bem_contact {
+
+/// A Hertz-like estimate of where and how far the bodies touch. Semi-Hertzian method of Kik and Piotrowski
+/// (1996): the contact is where they would overlap at 0.55 of the approach.
+struct ContactEstimate {
+  std::vector<RailSlice> slices; ///< the whole head of the rail
+  /// One for each slice: vertical force of pressure and shear, over that of the pressure alone.
+  std::vector<double> lift;
+  double approach = 0; ///< mm
+  double force = 0;    ///< vertical, N
+  double turn = 0;     ///< turn of the normal within the largest area of contact, rad
+};
+
+/// Without shear. `compliance`: contact_compliance() of the pair.
+ContactEstimate estimate_contact(std::vector<RailSlice> slices, double compliance, const ContactLoad& load);
+
+/// Of a `wheel_rail` scene. `foresee_shear`: shear bears its part of a prescribed force, as if all slipped,
+/// less where creepages are small. On a flange the pressure may be many times what it is without friction.
+/// Throws InputError where the bodies approach by more than elasticity allows.
+ContactEstimate estimate_contact(const ContactSetup& setup, bool foresee_shear);
+
+/// One area where the undeformed distance is below what the approach asks for.
+struct PotentialArea {
+  double s_from = 0, s_to = 0, x_from = 0, x_to = 0; ///< mm
+
+  bool operator==(const PotentialArea&) const = default;
+};
+/// All of them, h < q cos(delta), along s.
+std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate, double q);
+/// Those where the undeformed distance is below potential_share of the estimate's own approach.
+std::vector<PotentialArea> potential_areas(const ContactEstimate& estimate);
+
+/// What the estimate says of the area that bears most.
+struct EstimatedContact {
+  double normal = 0;            ///< normal force, of all areas, N
+  double lateral = 0;           ///< force of the pressure along y on the rail, of all areas, N
+  double pressure = 0;          ///< largest, MPa
+  double turn = 0;              ///< of the normal, rad
+  double length = 0, width = 0; ///< along x and s, mm
+  double x = 0;                 ///< its deepest slice: along the rail, mm
+  double s = 0;                 ///< arc length, mm
+  double delta = 0;             ///< inclination, rad
+  Point2 position;              ///< on the rail
+};
+/// Under the vertical force of the estimate, with the wheel `aside` mm further along y. Its distance from the
+/// rail then changes by the part of that shift along the normal.
+EstimatedContact estimated_contact(const ContactEstimate& estimate, double compliance, double aside = 0);
+
+/// The same method on the rows of a problem, whose undeformed distance is known. Nothing in plane strain, and
+/// on fewer than three columns.
+std::optional<ContactEstimate> estimate_contact(const ContactProblem& problem, double compliance);
+
+/// How large the estimate says that the contact is, mm, mm^2. In s the sum over all areas.
+struct ContactExtent {
+  double along_x = 0, along_s = 0, area = 0;
+};
+ContactExtent contact_extent(const ContactEstimate& estimate);
+
+} // namespace bem_contact

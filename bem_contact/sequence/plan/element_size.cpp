@@ -1,0 +1,192 @@
+#include "bem_contact/sequence/plan/element_size.hpp"
+
+#include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/scene/accuracy_of.hpp"
+#include "bem_contact/sequence/plan/model_errors.hpp"
+#include "bem_contact/sequence/plan/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+/// Rounded in the logarithm; `down`: not larger.
+double on_ladder(double length, bool down) {
+  const double step = sizes_per_octave * std::log2(length);
+  return std::exp2((down ? std::floor(step + 1e-9) : std::round(step)) / sizes_per_octave); // 1e-9: rounding
+}
+
+/// Fewest elements in contact for an accuracy, with influence numbers that depend on both rows. There a
+/// second solution costs so much that some elements in reserve are cheaper.
+int fewest_with_bodies(double accuracy) {
+  const double wanted = accuracy > 0 ? fewest_elements_bodies * std::sqrt(usual_accuracy / accuracy) : 0.0;
+  return static_cast<int>(std::clamp(wanted, double(fewest_elements), double(most_elements_full)));
+}
+
+} // namespace
+
+ElementCount::ElementCount(int elements, double accuracy, int limit, int least)
+    : accuracy_(accuracy), least_(least), usual_(elements > 0 ? elements : int(usual_elements)),
+      wanted_(usual_) {
+  const auto elements_for = [&](double error) {
+    return usual_elements * (accuracy > 0 ? std::pow(error / accuracy, 1 / error_order) : 1.0);
+  };
+  const double needed = elements_for(usual_error);
+  most_ = static_cast<int>(
+      std::clamp(rare_factor * elements_for(rare_error), rare_factor * usual_elements, double(limit)));
+  if (elements == 0)
+    usual_ = wanted_ =
+        static_cast<int>(std::clamp(needed, double(std::max(int(usual_elements), least)), double(limit)));
+}
+
+void ElementCount::forget() {
+  wanted_ = std::min(wanted_, usual_);
+}
+
+bool ElementCount::learn(int contact, double error) {
+  if (accuracy_ <= 0 || contact <= 0)
+    return false;
+  if (error < 0) { // nothing is known but that there are few
+    const bool more = contact < most_ / 2 && wanted_ < most_;
+    wanted_ = more ? std::min(most_, 2 * std::max(wanted_, contact)) : wanted_;
+    return more;
+  }
+  const double needed = element_reserve * contact * std::pow(error / accuracy_, 1 / error_order);
+  const bool again = error > accuracy_ && contact < most_;
+  // Errors scatter: come down not at once, and go up by no more than a retry can correct.
+  const double lo = (again ? least_retry : least_change) * contact, hi = most_change * contact;
+  wanted_ = static_cast<int>(std::clamp(std::clamp(needed, lo, hi), double(least_), double(most_)));
+  if (!again && wanted_ > usual_) // the next case may well be a usual one
+    wanted_ = static_cast<int>(usual_ * std::pow(double(wanted_) / usual_, learnt_share));
+  return again && wanted_ > contact;
+}
+
+std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio,
+                                           double shortest, double longest) {
+  const ContactExtent extent = contact_extent(estimate);
+  if (!(extent.area > 0) || !(extent.along_x > 0) || !(extent.along_s > 0))
+    return {default_dx, default_ds};
+  const double element = extent.area * area_ratio / elements;
+  // Behind the leading edge tractions grow over the shorter axis of a contact, whichever way that lies: long
+  // elements in a contact drawn out along x, as at the gauge corner, cost three times the error.
+  const double aspect = std::clamp(extent.along_x / extent.along_s, double(shortest_element_aspect), longest);
+  // One is rounded to the nearest, the other such that there are not fewer elements than asked for.
+  const double dx = std::max(shortest, on_ladder(std::sqrt(element * aspect), false));
+  // Where dx may not follow, ever narrower rows would cost much and say little.
+  const double narrowest = dx == shortest ? narrowest_element_share * shortest : 0;
+  return {dx, std::max(narrowest, on_ladder(element / dx, true))};
+}
+
+namespace {
+
+/// Whether the case leaves the size of its elements open.
+bool open_size(const SceneFile::Grid& grid) {
+  return grid.elements || grid.accuracy;
+}
+
+/// The shortest element that influence files have numbers for, mm; 0: any.
+double shortest_element(const PairFiles& files) {
+  double shortest = 0;
+  for (const auto& file : {files.rail, files.wheel})
+    if (file)
+      shortest = std::max(shortest, wavelength_reserve * shortest_dx(*file));
+  return shortest;
+}
+
+double relative(double error, double value) {
+  return value != 0 ? error / std::abs(value) : 0.0;
+}
+
+double error_of(AccuracyOf what, const SceneResult& out) {
+  const ContactResult& r = out.result;
+  const TotalErrors& e = r.discretisation->errors;
+  switch (what) {
+  case AccuracyOf::pmax:
+    return relative(e.pmax, largest_pressure(r));
+  case AccuracyOf::area:
+    return relative(e.area, contact_area(r));
+  case AccuracyOf::adhesion:
+    return e.adhesion_share;
+  case AccuracyOf::approach:
+    return relative(e.approach, r.approach);
+  case AccuracyOf::creepages:
+    return std::max(relative(e.creepage_x, r.creepage_x), relative(e.creepage_s, r.creepage_s));
+  case AccuracyOf::friction_power:
+    return relative(e.friction_power, friction_power(r, out.problem.element_area()));
+  case AccuracyOf::forces:
+    break;
+  }
+  return r.certificate.discretisation;
+}
+
+} // namespace
+
+double asked_error(const SceneFile::Grid& grid, const SceneResult& out) {
+  const double forces = out.result.certificate.discretisation;
+  const std::optional<Discretisation>& estimate = out.result.discretisation;
+  if (!estimate || (estimate->rough && !estimate->converges))
+    return forces;
+  const auto error = [&](AccuracyOf what) {
+    const double pmax = largest_pressure(out.result);
+    return what == AccuracyOf::forces || estimate->converges
+               ? error_of(what, out)
+               : std::max(forces, relative(pmax - estimate->coarse_pmax, pmax));
+  };
+  double largest = 0;
+  for (const AccuracyOf what : accuracy_of(grid.accuracy_of))
+    largest = std::max(largest, error(what));
+  return largest;
+}
+
+void ElementSize::begin(const ContactCase& asked, bool alike) {
+  const std::optional<Model> model = asked.scene.solver.model;
+  // Which model is chosen automatically is not known yet: it may have numbers that depend on both rows.
+  const bool full = model != Model::halfspace && model != Model::hertz;
+  const bool by_bodies = model ? model == Model::fem : names_bodies(asked);
+  const Request request{asked.scene.grid.elements.value_or(0), asked.scene.grid.accuracy.value_or(0)};
+  if (!count_ || request != request_)
+    count_.emplace(request.elements, request.accuracy, full ? most_elements_full : most_elements,
+                   by_bodies ? fewest_with_bodies(request.accuracy) : fewest_elements);
+  request_ = request;
+  // Half-space numbers serve any element.
+  shortest_ = !model || model == Model::fem ? shortest_element(asked.files) : 0;
+  longest_ = full ? longest_element_full : longest_element;
+  if (!alike) {
+    count_->forget();
+    area_ratio_ = std::clamp(area_ratio_, double(least_area_ratio), double(most_area_ratio));
+  }
+}
+
+SceneFile::Grid ElementSize::grid(const ContactCase& asked) const {
+  SceneFile::Grid grid = asked.scene.grid;
+  if (open_size(grid))
+    std::tie(grid.dx, grid.ds) =
+        size_of_elements(*asked.estimate, count_->wanted(), area_ratio_, shortest_, longest_);
+  return grid;
+}
+
+bool ElementSize::learn(const ContactCase& asked, const SceneResult& out) {
+  const ContactResult& r = out.result;
+  if (!r.converged || r.patches.empty())
+    return false;
+  const ContactGrid& solved = out.problem.grid;
+  const int contact = count_elements(r).contact;
+  const double area = contact_extent(*asked.estimate).area;
+  if (asked.estimate->approach > 0)
+    area_ratio_ = learn_area_ && area > 0 ? contact * solved.dx * solved.ds / area : 1.0;
+  if (!open_size(asked.scene.grid) || out.model == Model::hertz ||
+      !count_->learn(contact, asked_error(asked.scene.grid, out)))
+    return false;
+  const SceneFile::Grid next = grid(asked);
+  return next.dx != solved.dx || next.ds != solved.ds;
+}
+
+std::string ElementSize::limit(double dx) const {
+  return dx == shortest_ ? "the influence files have no numbers for shorter ones"
+                         : fmt::format("at most {} are tried", count_->most());
+}
+
+} // namespace bem_contact

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "bem_contact/sequence/plan/model_errors.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+struct HertzModel;
+
+/// What is asked of a model.
+struct ModelRequest {
+  double tolerance = 0.01;                          ///< solver.model_tolerance
+  std::vector<ModelErrorOf> of{ModelErrorOf::pmax}; ///< solver.model_tolerance_of; one at least
+  bool fem = false;                                 ///< the scene names influence files of both bodies
+};
+ModelRequest request_of(const ContactCase& asked);
+
+/// The cheapest model that is predicted to be within the tolerance, why, and what a costlier one would
+/// change.
+struct ModelChoice {
+  Model model;
+  std::string reason;
+  bool enough = true; ///< false: fem would be needed, and there are no influence files
+};
+
+/// hertz is offered where there is a model of it that serves. `traits`: for what half-space theory misses.
+ModelChoice choose_hertz(const HertzModel& model, const ContactTraits& traits, const ModelRequest& request);
+ModelChoice choose_model(const ContactTraits& traits, const ModelRequest& request);
+
+/// Predicted relative error of half-space theory in plane strain, and of stresses below a surface whose
+/// normal turns by `turn` rad: 0.66 (turn/2)^2 (halfspace_error).
+double predicted_halfspace_error(double turn);
+/// Of Hertz's solution in pmax: what the undeformed distance departs from a quadratic
+/// (hertz_deviation_error), and what the turn does.
+double predicted_error(const HertzModel& model);
+
+double degrees(double angle); ///< of rad
+
+} // namespace bem_contact

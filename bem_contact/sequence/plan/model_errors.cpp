@@ -1,0 +1,206 @@
+#include "bem_contact/sequence/plan/model_errors.hpp"
+
+#include "bem_contact/scene/contact_centre.hpp"
+#include "bem_contact/sequence/plan/settings.hpp"
+#include "bem_contact/sequence/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bem_contact {
+
+namespace {
+
+/// The rows lie on one circle, all of them.
+bool on_a_circle(const ContactProblem& problem) {
+  const std::vector<ContactRow>& rows = problem.rows;
+  const double turn = rows.size() > 1 ? rows[1].delta - rows[0].delta : 0;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    if (std::abs(rows[i].delta - rows[i - 1].delta - turn) > equal_turn)
+      return false;
+  return true;
+}
+
+double edge_distance(const ContactCase& asked, const EstimatedContact& contact) {
+  const WheelRailGeometry* placed = asked.setup.wheel_rail();
+  if (!placed || placed->touch.empty())
+    return 0;
+  const double wheel_s = placed->touch.front().wheel_s;
+  return std::min({contact.s - placed->pair.rail.s_begin(), placed->pair.rail.s_end() - contact.s,
+                   wheel_s - placed->pair.wheel.s_begin(), placed->pair.wheel.s_end() - wheel_s});
+}
+
+/// Slip in the middle of the contact, and how steeply the shear force grows with it: Kalker's linear theory
+/// for a circle, and Johnson and Vermeulen's saturation.
+void set_creep(const ContactCase& asked, const EstimatedContact& contact, ContactTraits& traits) {
+  const Motion& motion = asked.setup.motion;
+  const double limit = motion.friction * traits.normal;
+  if (!motion.tangential || motion.kind == MotionKind::shift || limit <= 0)
+    return;
+  const RigidSlip slip =
+      asked.setup.rigid_slip({}, {{contact.s, contact.position, contact.delta}}, {contact.x});
+  traits.slip = std::hypot(slip.x[0], slip.s[0]);
+  const double shear = traits.modulus * (1 - asked.setup.rail.material.poisson);
+  const double linear = creep_coefficient * shear * 0.25 * contact.length * contact.width / limit;
+  const double share = std::min(1.0, linear * traits.slip / 3);
+  traits.creep_stiffness = linear * std::max(least_slope_share, (1 - share) * (1 - share));
+}
+
+/// How far the wheel stands aside for the same lateral force, mm: bodies stretch along the normal, and what
+/// of it points along z is approach.
+double position_error(const ContactTraits& traits) {
+  const double stretch = traits.normal / (traits.modulus * stretch_depth);
+  return traits.prescribed.place ? stretch * std::sin(traits.inclination) : 0;
+}
+
+/// Of the creepage of free rolling.
+double creepage_error(const ContactTraits& traits) {
+  return traits.on_rail ? traits.approach / wheel_creep_radius * (1 + creep_inclination * traits.inclination)
+                        : traits.approach / roller_creep_radius;
+}
+
+double pressure_error(Model model, const ContactTraits& traits) {
+  if (model == Model::tangent_plane && traits.one_circle)
+    return 0;
+  const bool halfspace = model == Model::halfspace;
+  if (traits.line)
+    return (halfspace ? halfspace_error : tangent_plane_error) * 0.25 * traits.turn * traits.turn;
+  return least_pressure_error + (halfspace ? halfspace_turn_error : tangent_plane_turn_error) * traits.turn +
+         (traits.unlike ? unlike_turn_error * traits.turn : 0);
+}
+
+/// What a creepage that is off does to shear forces, and to their power over itself.
+void add_creepage(const ContactTraits& traits, double xi, ModelErrors& out) {
+  const bool friction = traits.creep_stiffness > 0;
+  const double share = traits.on_rail ? rail_power_share : 1;
+  if (traits.prescribed.force) {
+    out.creepages = xi / least_creepage;
+    out.forces += side_creep_share * traits.creep_stiffness * xi;
+    out.friction_power += share * found_creep_power * xi / least_creepage;
+  } else if (traits.prescribed.creepage && friction) {
+    out.forces += traits.creep_stiffness * xi;
+    out.friction_power += share * given_creep_power * xi / (traits.slip + xi);
+  }
+}
+
+} // namespace
+
+double ModelErrors::of(ModelErrorOf what) const {
+  switch (what) {
+  case ModelErrorOf::forces:
+    return forces;
+  case ModelErrorOf::pmax:
+    return pmax;
+  case ModelErrorOf::creepages:
+    return creepages;
+  case ModelErrorOf::friction_power:
+    break;
+  }
+  return friction_power;
+}
+
+ModelErrorOf ModelErrors::worst(std::span<const ModelErrorOf> named) const {
+  return *std::ranges::max_element(named, {}, [&](ModelErrorOf what) { return of(what); });
+}
+
+PrescribedMotion prescribed_of(const ContactCase& asked) {
+  const SceneFile& scene = asked.scene;
+  const Motion& motion = asked.setup.motion;
+  PrescribedMotion out;
+  out.place = scene.kind == SceneKind::wheel_rail && !asked.lateral_force;
+  out.force = motion.tangential && (scene.load.force_x || scene.load.force_s);
+  out.creepage = motion.tangential && motion.kind != MotionKind::shift && !scene.load.force_x &&
+                 !scene.motion.from_free_rolling;
+  for (const Body* body : {&asked.setup.rail, &asked.setup.wheel})
+    out.structures |= body->structural == StructuralCompliance::included && !body->influence.empty();
+  return out;
+}
+
+bool names_bodies(const ContactCase& asked) {
+  return !asked.setup.rail.influence.empty() && !asked.setup.wheel.influence.empty();
+}
+
+ContactTraits traits_of(const ContactCase& asked, const ContactEstimate& estimate) {
+  const double compliance = contact_compliance(asked.setup.rail.material, asked.setup.wheel.material);
+  const EstimatedContact contact = estimated_contact(estimate, compliance);
+  ContactTraits out;
+  out.prescribed = prescribed_of(asked);
+  out.bodies = names_bodies(asked);
+  out.on_rail = asked.setup.wheel_rail() != nullptr;
+  out.unlike = !(asked.setup.rail.material == asked.setup.wheel.material);
+  out.turn = contact.turn;
+  out.normal = contact.normal;
+  out.modulus = 1 / compliance;
+  out.approach = estimate.approach;
+  out.inclination = std::abs(contact.delta);
+  out.size = std::sqrt(contact.length * contact.width);
+  out.edge = edge_distance(asked, contact);
+  if (contact.normal <= 0)
+    return out;
+  if (out.prescribed.place) {
+    const double aside = std::max(position_error(out), least_aside);
+    for (const double step : {-aside, aside}) {
+      const EstimatedContact moved = estimated_contact(estimate, compliance, step);
+      out.force_steepness =
+          std::max(out.force_steepness, std::abs(moved.lateral - contact.lateral) / (contact.normal * aside));
+      out.pressure_steepness =
+          std::max(out.pressure_steepness, std::abs(moved.pressure / contact.pressure - 1) / aside);
+    }
+  }
+  set_creep(asked, contact, out);
+  return out;
+}
+
+ContactTraits traits_of(const ContactCase& asked, ContactTraits estimated, const ContactProblem& problem,
+                        const ContactResult& result) {
+  ContactTraits out = estimated;
+  out.prescribed = prescribed_of(asked);
+  out.modulus = 1 / contact_compliance(asked.setup.rail.material, asked.setup.wheel.material);
+  out.turn = turn_of_contact(problem, result);
+  out.normal = 0;
+  for (const PatchSummary& patch : result.patches)
+    out.normal += patch.fn;
+  out.line = problem.plane_strain();
+  out.one_circle =
+      out.line && asked.setup.rail.material == asked.setup.wheel.material && on_a_circle(problem);
+  return out;
+}
+
+ModelErrors predicted_errors(Model model, const ContactTraits& traits) {
+  if (model != Model::halfspace && model != Model::tangent_plane)
+    return {};
+  if (traits.prescribed.structures)
+    return {1, 1, 1, 1};
+  const double aside = position_error(traits);
+  const double near = traits.edge > 0 ? traits.size / traits.edge : 0;
+  ModelErrors out;
+  out.pmax = pressure_error(model, traits) + traits.pressure_steepness * aside + edge_error * near * near;
+  out.forces = traits.force_steepness * aside;
+  if (traits.creep_stiffness > 0) {
+    out.friction_power = least_power_error + power_turn_error * traits.turn + out.forces;
+    out.forces += least_shear_error + shear_turn_error * traits.turn;
+  }
+  if (traits.bodies)
+    add_creepage(traits, creepage_error(traits), out);
+  return out;
+}
+
+double turn_of_contact(const ContactProblem& problem, const ContactResult& result) {
+  const ContactGrid& grid = problem.grid;
+  double largest = 0, lo = 0, hi = 0;
+  bool inside = false;
+  for (int is = 0; is < grid.ms; ++is) {
+    bool contact = false;
+    for (int ix = 0; ix < grid.mx && !result.state.empty(); ++ix)
+      contact |= result.state[is * grid.mx + ix] != ElementState::exterior;
+    const double delta = problem.rows[is].delta;
+    lo = contact && inside ? std::min(lo, delta) : delta;
+    hi = contact && inside ? std::max(hi, delta) : delta;
+    inside = contact;
+    if (contact)
+      largest = std::max(largest, hi - lo);
+  }
+  return largest;
+}
+
+} // namespace bem_contact

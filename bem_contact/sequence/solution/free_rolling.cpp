@@ -1,0 +1,101 @@
+#include "bem_contact/sequence/solution/free_rolling.hpp"
+
+#include "bem_contact/base/error.hpp"
+
+namespace bem_contact {
+
+namespace {
+
+bool has_free_rolling(const ContactCase& asked) {
+  const SceneFile::Motion& motion = asked.scene.motion;
+  return asked.setup.wheel_rail() && asked.setup.motion.tangential && motion.kind == MotionKind::steady &&
+         (motion.free_rolling || motion.from_free_rolling);
+}
+
+/// Of a solution without longitudinal force.
+FreeRolling free_rolling_of(const SceneResult& solved) {
+  const auto& estimate = solved.result.discretisation;
+  return {solved.xi, solved.rolling_radius / (1 - solved.xi),
+          estimate ? estimate->errors.creepage_x : unknown_error, solved.contact_radius};
+}
+
+/// The same with the creepage counted as that of `result` is: placed bodies may have another rolling radius.
+FreeRolling counted_as(const SceneResult& result, FreeRolling free) {
+  free.xi = 1 - result.rolling_radius / free.rolling_radius;
+  return free;
+}
+
+/// The case with load.force_x = 0. Nothing where it is not found.
+std::optional<FreeRolling> find_free_rolling(ContactCase asked, const SceneFile::Grid& grid,
+                                             SolveResources resources, SceneResult* solution = nullptr) {
+  asked.setup.motion.force_x = 0;
+  asked.scene.stresses.depths.clear();
+  SceneResult solved = solve_case(asked, grid, resources);
+  if (!solved.result.converged || solved.result.patches.empty())
+    return std::nullopt;
+  const FreeRolling out = free_rolling_of(solved);
+  if (solution)
+    *solution = std::move(solved);
+  return out;
+}
+
+SceneResult solve_from_free_rolling(const ContactCase& asked, const SceneFile::Grid& grid,
+                                    SolveResources resources) {
+  ContactCase counted = asked;
+  counted.setup.motion.creepage.xi = 0;
+  SceneResult free;
+  const std::optional<FreeRolling> found = find_free_rolling(counted, grid, resources, &free);
+  if (!found)
+    throw ConvergenceError(
+        "The creepage of free rolling was not found",
+        "no certified solution without longitudinal force came out",
+        "Count the creepage from motion.rolling_radius (motion.from_free_rolling = false).");
+  counted = beyond_free_rolling(std::move(counted), *found, asked.setup.motion.creepage.xi);
+  counted.scene.solver.model = free.model;
+  const std::optional<FormerSolution> start =
+      former_of(free.model, free.problem, free.result, *asked.estimate);
+  resources.start = start ? &*start : resources.start;
+  SceneResult out = solve_case(counted, grid, resources);
+  out.reason = free.reason;
+  out.free_rolling = counted_as(out, *found);
+  return out;
+}
+
+} // namespace
+
+ContactCase beyond_free_rolling(ContactCase asked, const FreeRolling& free, double creepage) {
+  Creepage& motion = asked.setup.motion.creepage;
+  motion.xi = 0;
+  if (!asked.scene.motion.pitch_rate) // that of free.xi, wherever the bodies are placed
+    asked.scene.motion.rolling_radius = motion.rolling_radius = free.rolling_radius * (1 - free.xi);
+  motion.slip_x = (free.xi + creepage) * free.contact_radius / motion.rolling_radius;
+  asked.setup.motion.force_x.reset();
+  return asked;
+}
+
+SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::Grid& grid,
+                                    const SolveResources& resources) {
+  if (!has_free_rolling(asked))
+    return solve_case(asked, grid, resources);
+  if (asked.scene.motion.from_free_rolling)
+    return solve_from_free_rolling(asked, grid, resources);
+  SceneResult out = solve_case(asked, grid, resources);
+  if (out.model == Model::hertz || !out.result.converged || out.result.patches.empty())
+    return out;
+  if (asked.setup.motion.force_x == 0.0) {
+    out.free_rolling = free_rolling_of(out);
+    return out;
+  }
+  ContactCase free = asked;
+  free.scene.solver.model = out.model;
+  const std::optional<FormerSolution> start = former_of(out.model, out.problem, out.result, *asked.estimate);
+  WorkBudget work = resources.work.another(); // it must not end the case that is asked for
+  try {
+    if (const auto found = find_free_rolling(free, grid, resources.with(work, start ? &*start : nullptr)))
+      out.free_rolling = counted_as(out, *found);
+  } catch (const ConvergenceError&) { // free rolling is not what was asked for
+  }
+  return out;
+}
+
+} // namespace bem_contact

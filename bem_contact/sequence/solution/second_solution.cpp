@@ -1,0 +1,116 @@
+#include "bem_contact/sequence/solution/second_solution.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/flash_temperature.hpp"
+#include "bem_contact/sequence/solution/settings.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+namespace bem_contact {
+
+namespace {
+
+/// The shear force, N, where all elements slide in one direction at one velocity, mm/s: mu of each row at
+/// that velocity, and at the temperature that this sliding makes. Nothing where these two do not settle.
+std::optional<double> force_of_sliding(const ContactProblem& problem, const ContactResult& result,
+                                       double velocity) {
+  const int n = problem.grid.size();
+  std::vector<double> traction(n), factor(n, 1.0), heat(n);
+  std::vector<char> in_contact(n);
+  for (int i = 0; i < n; ++i) {
+    const int row = i / problem.grid.mx;
+    traction[i] = problem.friction_of(row) * problem.falling_factor(row, velocity) * result.pn[i];
+    in_contact[i] = result.pn[i] > 0;
+  }
+  const auto force = [&] {
+    return problem.element_area() * std::inner_product(traction.begin(), traction.end(), factor.begin(), 0.0);
+  };
+  if (!problem.friction_falls_with_heat())
+    return force();
+  for (int k = 0; k < most_heat_changes; ++k) {
+    for (int i = 0; i < n; ++i)
+      heat[i] = factor[i] * traction[i] * velocity;
+    const SurfaceTemperatures at =
+        flash_temperatures(problem.grid, *problem.heating, problem.speed, heat, in_contact);
+    double change = 0;
+    for (int i = 0; i < n; ++i) {
+      const double step = problem.heating->friction->factor(at.mean(i)) - factor[i];
+      factor[i] += heat_damping * step; // less friction makes less heat: whole steps would swing
+      change = std::max(change, std::abs(step) * in_contact[i]);
+    }
+    if (change < least_heat_change)
+      return force();
+  }
+  return std::nullopt;
+}
+
+/// The slip velocity above that of `result` at which sliding as a whole carries the prescribed force too,
+/// mm/s. The faster it slides, the less it carries; beyond the rolling speed nothing is looked for.
+std::optional<double> velocity_of_sliding(const ContactProblem& problem, const ContactResult& result) {
+  const double wanted = std::hypot(problem.force_x.value_or(0), problem.force_s.value_or(0));
+  double low = problem.speed * std::hypot(result.creepage_x, result.creepage_s), high = problem.speed;
+  bool settled = true;
+  const auto carries = [&](double velocity) {
+    const std::optional<double> force = force_of_sliding(problem, result, velocity);
+    settled = settled && force;
+    return force.value_or(0) - wanted;
+  };
+  if (!(low < high) || carries(low) <= 0 || carries(high) >= 0)
+    return std::nullopt;
+  boost::uintmax_t steps = most_sliding_steps;
+  std::tie(low, high) = boost::math::tools::toms748_solve(
+      carries, low, high, boost::math::tools::eps_tolerance<double>(sliding_bits), steps);
+  return settled ? std::optional((low + high) / 2) : std::nullopt;
+}
+
+std::string larger_creepage(const ContactProblem& problem, const ContactResult& result) {
+  const std::optional<double> velocity = velocity_of_sliding(problem, result);
+  if (!velocity)
+    return "";
+  return fmt::format("friction falls with {}, and two creepages give the shear force: the "
+                     "smaller one was taken "
+                     "({:.3g} along x, {:.3g} along s); sliding as a whole at some {:.3g} (slip velocity "
+                     "{:.3g} mm/s) carries it "
+                     "too. Give a creepage (motion.xi, eta) to choose.",
+                     problem.friction_falls() ? "the slip velocity" : "temperature", result.creepage_x,
+                     result.creepage_s, *velocity / problem.speed, *velocity);
+}
+
+std::string forces_text(const ContactResult& result) {
+  const ElementCounts count = count_elements(result);
+  return fmt::format("Fx {:.1f} N, Fs {:.1f} N, {} of {} elements in adhesion", result.Fx, result.Fs,
+                     count.adhesion, count.contact);
+}
+
+} // namespace
+
+std::string second_solution(const ContactProblem& problem, const ContactResult& result, SolverOptions options,
+                            WorkBudget& work) {
+  if (!problem.has_friction() || !problem.friction_varies() || problem.motion != MotionKind::steady ||
+      !result.converged)
+    return "";
+  if (problem.force_x || problem.force_s)
+    return larger_creepage(problem, result);
+  options.from_sliding = true;
+  options.estimate_discretisation = options.displacements = false;
+  try {
+    const ContactResult other = solve(problem, options, work);
+    const double change = std::hypot(other.Fx - result.Fx, other.Fs - result.Fs);
+    if (!other.converged || change <= least_branch_difference * friction_bound(problem, result))
+      return "";
+    return fmt::format(
+        "friction falls so steeply that this contact has two solutions: taken is the one that comes "
+        "from adhesion ({}); from sliding comes {}. Which one occurs depends on what was before.",
+        forces_text(result), forces_text(other));
+  } catch (const Error&) { // no such solution, or no work left to look for it
+    return "";
+  }
+}
+
+} // namespace bem_contact

@@ -1,0 +1,234 @@
+#include "bem_contact/sequence/solution/solve_case.hpp"
+
+#include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/scene/contact_centre.hpp"
+#include "bem_contact/scene/elastic_limit.hpp"
+#include "bem_contact/scene/outlines.hpp"
+#include "bem_contact/scene/warnings.hpp"
+#include "bem_contact/sequence/patch_places.hpp"
+#include "bem_contact/sequence/plan/hertz_model.hpp"
+#include "bem_contact/sequence/plan/model_choice.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/sequence/solution/grow_grid.hpp"
+#include "bem_contact/sequence/solution/settings.hpp"
+#include "bem_contact/sequence/solution/structural_motion.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <iterator>
+
+namespace bem_contact {
+
+namespace {
+
+/// Of all steps, as far as they are solutions, MPa.
+double highest_pressure(const GridSolution& solved) {
+  double highest = 0;
+  const auto look = [&](const ContactResult& result) {
+    if (result.converged)
+      highest = std::max(highest, largest_pressure(result));
+  };
+  look(solved.result);
+  std::ranges::for_each(solved.history, look);
+  return highest;
+}
+
+void warn_of_discretisation(const ContactResult& result, std::vector<std::string>& warnings) {
+  const double error = result.certificate.discretisation;
+  if (error > poor_discretisation)
+    warnings.push_back(fmt::format(
+        "the elements are too large for this contact: the estimated discretisation error is {:.0f} %",
+        100 * error));
+}
+
+/// Undeformed distance and normals are those of surfaces that stay opposite each other.
+void warn_of_slide(const ContactCase& asked, GridSolution& solved) {
+  const double slide = unseen_slide(asked, solved), half_row = 0.5 * solved.contact.problem.grid.ds;
+  const auto included = [](const Body& body) { return body.structural == StructuralCompliance::included; };
+  if (solved.model == Model::fem && (included(asked.setup.rail) || included(asked.setup.wheel)) &&
+      slide > half_row)
+    solved.warnings.push_back(fmt::format(
+        "the surfaces move past each other by up to {:.3f} mm along s, more than half a row ({:.3f} mm), and "
+        "the undeformed distance and the normals do not follow: {}",
+        slide, half_row,
+        asked.setup.wheel_rail() ? "solver.structural_motion = \"placed\" lets them follow a steady contact"
+                                 : "forces and approach may be some percent off"));
+}
+
+void add_stresses(const SceneFile& scene, SceneResult& out) {
+  if (scene.stresses.depths.empty() || !out.result.converged)
+    return;
+  out.stresses =
+      stresses_below(scene.stresses, out.problem, out.result, scene.rail.material.poisson, out.reference.s);
+  const double turn = turn_of_contact(out.problem, out.result);
+  if (const double error = predicted_halfspace_error(turn); error > scene.solver.model_tolerance)
+    out.warnings.push_back(fmt::format(
+        "the stresses below the surface are those of a half-space under these tractions: an "
+        "approximation here, for the normal turns by {:.1f} degrees within the patch, and they may "
+        "be off by up to {:.1f} %",
+        degrees(turn), 100 * error));
+}
+
+/// SceneResult::contact_radius: radius_at() is linear, so that its mean is that of the mean place.
+double contact_radius(const WheelOnRail& pair, const ContactProblem& problem, const ContactResult& result) {
+  double x = 0, pressed = 0;
+  Point2 point{};
+  for (int i = 0; i < problem.grid.size(); ++i) {
+    x += result.pn[i] * problem.grid.x(i % problem.grid.mx);
+    point = point + result.pn[i] * problem.rows[i / problem.grid.mx].position;
+    pressed += result.pn[i];
+  }
+  return pressed > 0 ? radius_at(pair, x / pressed, (1 / pressed) * point) : 0;
+}
+
+/// The creepages that the last step had.
+void add_creepages(const ContactSetup& setup, SceneResult& out) {
+  const Motion& motion = setup.motion;
+  if (!motion.tangential || (setup.patch() && setup.patch()->slip))
+    return;
+  const Creepage last = motion.steps.empty() ? motion.creepage : motion.creepage_of(motion.steps.back());
+  const double per_slip = out.contact_radius > 0 ? out.rolling_radius / out.contact_radius : 1.0;
+  out.xi = last.xi + per_slip * (last.slip_x + out.result.creepage_x);
+  out.eta = last.eta + out.result.creepage_s;
+  out.phi = last.phi;
+}
+
+/// What is handed back of a solution: with totals about the reference point, outlines of the bodies, stresses
+/// below the surface, and everything that a person should be warned of. Throws InputError for pressures that
+/// are beyond elasticity.
+SceneResult record_of(const ContactCase& asked, GridSolution solved, const ModelChoice& choice) {
+  require_elastic(asked.setup, highest_pressure(solved));
+  SceneResult out;
+  out.approach_datum = approach_datum(asked, solved.model);
+  warn_of_slide(asked, solved);
+  out.patch_places = patch_places(asked.setup, solved.contact, solved.result);
+  out.model = solved.model;
+  out.reason = choice.reason;
+  out.problem = std::move(solved.contact.problem);
+  out.result = std::move(solved.result);
+  out.history = std::move(solved.history);
+  out.warnings = std::move(solved.warnings);
+  out.seconds = solved.seconds;
+  if (!choice.enough)
+    out.warnings.push_back("the finite-element model is needed here: " + out.reason);
+  std::ranges::move(input_warnings(asked.scene, asked.setup), std::back_inserter(out.warnings));
+  out.left = asked.scene.position.side == WheelSide::left;
+  out.reference = asked.setup.reference();
+  if (const WheelRailGeometry* placed = asked.setup.wheel_rail()) {
+    out.lateral = asked.scene.position.lateral;
+    out.rolling_radius = asked.setup.motion.creepage.rolling_radius;
+    out.contact_radius = contact_radius(placed->pair, out.problem, out.result);
+    out.rail_geometry = placed->pair.rail.digest();
+    out.wheel_geometry = placed->pair.wheel.digest();
+  }
+  add_creepages(asked.setup, out);
+  out.moment = moment_about(out.reference, out.result);
+  if (asked.setup.wheel_rail() || names_bodies(asked))
+    out.wheel_s = std::move(solved.contact.wheel_s);
+  Outlines bodies = outlines(asked.setup, out.problem);
+  out.rail_profile = std::move(bodies.rail);
+  out.wheel_profile = std::move(bodies.wheel);
+  warn_of_discretisation(out.result, out.warnings);
+  std::ranges::move(result_warnings(asked, out), std::back_inserter(out.warnings));
+  add_stresses(asked.scene, out);
+  return out;
+}
+
+/// A case with the influence files that its model needs, on its first grid.
+struct FirstContact {
+  ContactCase asked;
+  ContactOnGrid contact;
+};
+FirstContact first_contact(const ContactCase& asked, Model model, const SceneFile::Grid& grid,
+                           const SolveResources& resources) {
+  const bool on_strips = model == Model::fem;
+  ContactCase known = on_strips && resources.files ? with_influence(asked, *resources.files) : asked;
+  ContactOnGrid contact = known.setup.on(first_plan(known, grid, on_strips));
+  return {std::move(known), std::move(contact)};
+}
+
+/// By the estimate; in plane strain, which has none, by the normal problem with half-space numbers.
+ContactTraits foreseen_traits(const ContactCase& asked, const ContactOnGrid& contact,
+                              const SolveResources& resources) {
+  const double compliance = contact_compliance(asked.setup.rail.material, asked.setup.wheel.material);
+  if (const auto estimate = asked.estimate ? asked.estimate : estimate_contact(contact.problem, compliance))
+    return traits_of(asked, *estimate);
+  const GridSolution normal =
+      solve_on_growing_grid(asked, contact, {Model::halfspace, true}, resources, false);
+  return traits_of(asked, {}, normal.contact.problem, normal.result);
+}
+
+ModelChoice choose(const ContactCase& asked, const ContactOnGrid& contact, const ContactTraits& traits) {
+  const ModelRequest request = request_of(asked);
+  if (const auto hertz = hertz_of(asked.setup, contact.problem))
+    if (ModelChoice choice = choose_hertz(*hertz, traits, request); choice.enough)
+      return choice;
+  return choose_model(traits, request);
+}
+
+/// What the solution itself says of the choice: a costlier model, or the same with what is known now.
+ModelChoice checked(const ContactCase& asked, ModelChoice taken, const ContactTraits& foreseen,
+                    const GridSolution& solved) {
+  if (taken.model == Model::hertz || taken.model == Model::fem || !solved.result.converged ||
+      solved.result.patches.empty())
+    return taken;
+  ModelChoice known =
+      choose_model(traits_of(asked, foreseen, solved.contact.problem, solved.result), request_of(asked));
+  return known.model < taken.model ? taken : known;
+}
+
+SceneResult recorded(PlacedSolution placed, const ModelChoice& choice) {
+  SceneResult out = record_of(placed.asked, std::move(placed.solved), choice);
+  out.structure = std::move(placed.structure);
+  return out;
+}
+
+SceneResult solve_by_choice(const ContactCase& asked, const SceneFile::Grid& grid,
+                            const SolveResources& resources) {
+  const Stopwatch looking;
+  FirstContact first = first_contact(asked, Model::halfspace, grid, resources);
+  const ContactTraits foreseen = foreseen_traits(asked, first.contact, resources);
+  ModelChoice choice = choose(asked, first.contact, foreseen);
+  PhaseSeconds spent{.geometry = looking.seconds()};
+  for (;;) {
+    if (choice.model == Model::fem) {
+      const Stopwatch reading;
+      first = first_contact(asked, Model::fem, grid, resources);
+      spent.geometry += reading.seconds();
+    }
+    PlacedSolution placed =
+        solve_on_placed_bodies(first.asked, grid, first.contact, {choice.model}, resources);
+    spent += placed.solved.seconds;
+    const Model taken = choice.model;
+    choice = checked(asked, std::move(choice), foreseen, placed.solved);
+    if (choice.model == taken) {
+      placed.solved.seconds = spent;
+      return recorded(std::move(placed), choice);
+    }
+  }
+}
+
+SceneResult solve_as_asked(const ContactCase& asked, Model model, const SceneFile::Grid& grid,
+                           const SolveResources& resources) {
+  const Stopwatch looking;
+  FirstContact first = first_contact(asked, model, grid, resources);
+  const double geometry = looking.seconds();
+  PlacedSolution placed =
+      solve_on_placed_bodies(first.asked, grid, std::move(first.contact), {model}, resources);
+  placed.solved.seconds.geometry += geometry;
+  return recorded(std::move(placed), {model, "asked for"});
+}
+
+} // namespace
+
+SceneResult solve_case(const ContactCase& asked, const SceneFile::Grid& grid,
+                       const SolveResources& resources) {
+  const Stopwatch clock;
+  const std::optional<Model> model = asked.scene.solver.model;
+  SceneResult out =
+      model ? solve_as_asked(asked, *model, grid, resources) : solve_by_choice(asked, grid, resources);
+  out.seconds.total = clock.seconds();
+  return out;
+}
+
+} // namespace bem_contact

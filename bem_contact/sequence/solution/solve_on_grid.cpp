@@ -1,0 +1,178 @@
+#include "bem_contact/sequence/solution/solve_on_grid.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/progress.hpp"
+#include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/contact/solve.hpp"
+#include "bem_contact/sequence/plan/hertz_model.hpp"
+#include "bem_contact/sequence/solution/second_solution.hpp"
+#include "bem_contact/sequence/solution/settings.hpp"
+#include "bem_contact/sequence/solution/structural_motion.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+/// Numbers of both bodies, of the pair, and the operator's spectra: four times one table.
+void require_memory(const ContactGrid& grid) {
+  const double gigabytes = 4 * 8e-9 * 9 * double(grid.ms) * grid.ms * (grid.mx + 2);
+  if (gigabytes > largest_memory)
+    throw InputError(fmt::format("A grid of {} x {} elements is too large", grid.mx, grid.ms),
+                     fmt::format("its influence numbers need about {:.0f} GB, {:g} GB are allowed", gigabytes,
+                                 largest_memory),
+                     "Use larger elements or fewer of them, above all along s.");
+}
+
+/// The fields of every step are kept: tractions, slip, distance, states.
+void require_memory(const ContactGrid& grid, std::size_t steps) {
+  const double gigabytes = 1e-9 * (6 * sizeof(double) + 1) * double(grid.size()) * double(steps);
+  if (gigabytes > largest_memory)
+    throw InputError(
+        fmt::format("A history of {} steps on {} x {} elements is too large", steps, grid.mx, grid.ms),
+        fmt::format("the fields of all steps need about {:.0f} GB, {:g} GB are allowed", gigabytes,
+                    largest_memory),
+        "Take fewer steps (rolling is steady after about two lengths of contact), or elements.");
+}
+
+/// Half-space numbers depend on the size of the grid alone.
+NumbersSource source_of(Model model, const ContactSetup& setup, const ContactOnGrid& contact) {
+  const ContactGrid& grid = contact.problem.grid;
+  NumbersSource source{model,       setup.rail,
+                       setup.wheel, grid.mx,
+                       grid.ms,     contact.problem.plane_strain() ? 0.0 : grid.dx,
+                       grid.ds,     setup.reference_distance(),
+                       {},          {},
+                       0,           {}};
+  if (model == Model::fem) {
+    source.rail_s = contact.rail_s;
+    source.wheel_s = contact.wheel_s;
+    source.contact_radius = contact.contact_radius;
+    source.inclination = radial_inclination(setup, contact.problem.rows);
+  }
+  return source;
+}
+
+/// Tangent-plane numbers depend on where all rows lie: no other case has the same.
+NumbersStore* store_for(Model model, NumbersStore* store) {
+  return model == Model::tangent_plane ? nullptr : store;
+}
+
+void solve_by_hertz(const ContactSetup& setup, GridSolution& out) {
+  const std::optional<HertzModel> model = hertz_of(setup, out.contact.problem);
+  if (!model)
+    throw InputError(
+        "Hertz's closed form does not fit this contact",
+        "it is for a frictionless contact in three dimensions whose undeformed distance is curved "
+        "both ways and known all over the contact (on at least 5 x 5 elements)",
+        "Set motion.frictionless = true, give a larger grid, or choose another model.");
+  out.result = solve_hertz(out.contact.problem, *model);
+}
+
+bool gives_way(const ContactSetup& setup) {
+  return setup.rail.structural == StructuralCompliance::included ||
+         setup.wheel.structural == StructuralCompliance::included;
+}
+
+SolverOptions options_of(const ContactCase& asked, const SolveTask& task, const SolveResources& resources) {
+  return {.tolerance = asked.scene.solver.tolerance,
+          .max_outer = asked.scene.solver.max_outer,
+          .estimate_discretisation = !task.normal_only && !resources.totals_only,
+          // A warning looks at how far surfaces slide where the bodies' structures give way.
+          .displacements = !task.normal_only &&
+                           (is_placed_by_contact(asked.scene) ||
+                            ((resources.displacements || gives_way(asked.setup)) && !resources.totals_only)),
+          .coarse_start = resources.coarse_start,
+          .workspace = resources.operators};
+}
+
+/// Every step of a transient or of shifts; each has a work budget of its own. `problem` has its influence
+/// numbers; it leaves with what the last step prescribes.
+void solve_steps(const ContactSetup& setup, const SolverOptions& options, ContactProblem& problem,
+                 GridSolution& out) {
+  const std::vector<MotionStep>& steps = setup.motion.steps;
+  require_memory(problem.grid, steps.size());
+  std::optional<Progress> progress;
+  if (steps.size() >= static_cast<std::size_t>(many_steps))
+    progress.emplace("steps", steps.size());
+  const auto prescribe = [&](int k, ContactProblem& p) {
+    if (progress && k > 0)
+      progress->step();
+    setup.prescribe(steps[k], p);
+  };
+  const int last = static_cast<int>(steps.size()) - 1;
+  out.history = solve_history(problem, last + 1, prescribe, options);
+  if (progress) {
+    progress->step();
+    progress->finish();
+  }
+  out.result = out.history.back();
+  setup.prescribe(steps[last], problem);
+  for (int k = 0; k < last; ++k)
+    if (!out.history[k].converged)
+      out.warnings.push_back(
+          fmt::format("step {} of {} is not a solution ({})", k + 1, last + 1, out.history[k].remark));
+}
+
+void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const SolveResources& resources,
+                      GridSolution& out) {
+  ContactProblem problem = out.contact.problem;
+  require_memory(problem.grid);
+  const Stopwatch numbers;
+  NumbersStore* store = store_for(task.model, resources.numbers);
+  const NumbersSource source = source_of(task.model, asked.setup, out.contact);
+  const auto compute = [&] {
+    return pair_numbers(task.model, asked.setup, asked.files, out.contact, store ? &store->parts() : nullptr,
+                        resources.threads);
+  };
+  problem.numbers = store ? store->take(source, compute) : compute();
+  out.seconds.numbers = numbers.seconds();
+  const Stopwatch solving;
+  SolverOptions options = options_of(asked, task, resources);
+  std::optional<StartingPoint> start;
+  if (resources.start && asked.estimate) {
+    start = start_from(*resources.start, problem, potential_areas(*asked.estimate), problem.force);
+    options.start = &*start;
+  }
+  if (task.normal_only) {
+    problem.tangential = false;
+    out.result = solve(problem, options, resources.work);
+  } else if (!problem.tangential || problem.motion == MotionKind::steady) {
+    out.result = solve(problem, options, resources.work);
+    if (const std::string other =
+            resources.totals_only ? "" : second_solution(problem, out.result, options, resources.work);
+        !other.empty())
+      out.warnings.push_back(other);
+  } else {
+    solve_steps(asked.setup, options, problem, out);
+    asked.setup.prescribe(asked.setup.motion.steps.back(), out.contact.problem);
+  }
+  const auto add = [&](const ContactResult& result) {
+    out.seconds.check += result.check_seconds;
+    out.seconds.estimate += result.estimate_seconds;
+  };
+  if (out.history.empty())
+    add(out.result);
+  std::ranges::for_each(out.history, add);
+  out.seconds.solve = solving.seconds() - out.seconds.check - out.seconds.estimate;
+  if (store)
+    store->keep(source, std::move(problem.numbers));
+}
+
+} // namespace
+
+GridSolution solve_on_grid(const ContactCase& asked, ContactOnGrid contact, const SolveTask& task,
+                           const SolveResources& resources) {
+  GridSolution out;
+  out.model = task.model;
+  out.contact = std::move(contact);
+  if (task.model == Model::hertz)
+    solve_by_hertz(asked.setup, out);
+  else
+    solve_by_numbers(asked, task, resources, out);
+  return out;
+}
+
+} // namespace bem_contact

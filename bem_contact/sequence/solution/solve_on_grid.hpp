@@ -1,0 +1,54 @@
+#pragma once
+
+#include "bem_contact/contact/history.hpp"
+#include "bem_contact/sequence/numbers/numbers_store.hpp"
+#include "bem_contact/sequence/plan/contact_case.hpp"
+#include "bem_contact/sequence/scene_result.hpp"
+#include "bem_contact/sequence/solution/warm_start.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// What solving a case may draw on. All of it belongs to the caller.
+struct SolveResources {
+  WorkBudget& work;                ///< of the case
+  SequenceFiles* files = nullptr;  ///< where fem finds influence files that are not read; null: they are
+  NumbersStore* numbers = nullptr; ///< null: influence numbers are computed anew
+  Workspace* operators = nullptr;  ///< null: what solving prepares is made anew, too
+  const FormerSolution* start = nullptr; ///< of an alike() case; null: none
+  bool coarse_start = true;              ///< without a start a case starts from larger elements
+  bool totals_only = false;              ///< no error of the elements, no displacements
+  bool displacements = true;             ///< the result holds them
+  int threads = 1; ///< share the influence numbers; `operators` have a number of their own
+
+  /// For another solution on the way, with a budget and a start of its own.
+  SolveResources with(WorkBudget& budget, const FormerSolution* from) const {
+    return {budget, files, numbers, operators, from, coarse_start, totals_only, displacements, threads};
+  }
+};
+
+/// With which numbers, and how much of the problem is solved.
+struct SolveTask {
+  Model model = Model::halfspace;
+  bool normal_only = false; ///< a look at the normal problem, for the choice of the model: no steps, no error
+                            ///< of the elements, no displacements
+};
+
+/// A case solved on the elements of one plan.
+struct GridSolution {
+  Model model = Model::halfspace;
+  ContactOnGrid contact;              ///< with what the last step prescribes
+  ContactResult result;               ///< of the last step
+  std::vector<ContactResult> history; ///< transient and shift: of every step
+  std::vector<std::string> warnings;
+  PhaseSeconds seconds;
+};
+
+/// Throws InputError where the model does not serve, where the grid needs too much memory, and what solve()
+/// throws.
+GridSolution solve_on_grid(const ContactCase& asked, ContactOnGrid contact, const SolveTask& task,
+                           const SolveResources& resources);
+
+} // namespace bem_contact

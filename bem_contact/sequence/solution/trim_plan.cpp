@@ -1,0 +1,113 @@
+#include "bem_contact/sequence/solution/trim_plan.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/plan/settings.hpp"
+#include "bem_contact/sequence/solution/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace bem_contact {
+
+namespace {
+
+/// Where a solution by the same model of the same potential contact, on the same elements, ended within the
+/// plan.
+std::optional<GridPlan> plan_of_former(const ContactCase& asked, const GridPlan& plan, Model model,
+                                       const FormerSolution* former) {
+  if (!former || former->model != model || former->grid.dx != plan.dx || former->grid.ds != plan.ds ||
+      former->areas != potential_areas(*asked.estimate))
+    return std::nullopt;
+  GridPlan out = plan;
+  out.first = static_cast<int>(std::lround((former->first_s - plan.origin) / plan.ds));
+  out.rows = former->grid.ms;
+  out.columns = former->grid.mx;
+  const bool within = out.first >= plan.first && out.first + out.rows <= plan.first + plan.rows &&
+                      out.columns <= plan.columns;
+  return within ? std::optional(out) : std::nullopt;
+}
+
+/// The elements of a plan that are joined trim_factor by trim_factor; as far as the strips reach.
+GridPlan rough_plan(const ContactCase& asked, const GridPlan& plan, bool on_strips) {
+  GridPlan rough = plan;
+  rough.dx *= trim_factor;
+  rough.ds *= trim_factor;
+  const auto row = [](double fine) { return static_cast<int>(std::lround(fine / trim_factor)); };
+  rough.first = row(plan.first);
+  rough.rows = row(plan.first + plan.rows - 1) - rough.first + 1;
+  rough.columns = 2 * ((plan.columns + 2 * trim_factor - 1) / (2 * trim_factor));
+  if (on_strips) {
+    const auto [first, last] = rows_on_strips(asked, rough);
+    rough.first += first;
+    rough.rows = last - first + 1;
+  }
+  return rough;
+}
+
+/// Without the outer rows and columns of `solved`, joined elements of the plan, where the bodies do not come
+/// near to touching. Sides on which they do stay as they are.
+GridPlan without_far_elements(GridPlan plan, const GridSolution& solved) {
+  const GridPlan& rough = solved.contact.plan;
+  const ContactGrid grid = rough.grid();
+  int first = grid.ms, last = -1;
+  double reach = 0;
+  const auto look = [&](const ContactResult& result) {
+    double approach = 0;
+    for (const PatchSummary& patch : result.patches)
+      approach = std::max(approach, patch.approach);
+    for (int i = 0; i < grid.size(); ++i)
+      if (result.state[i] != ElementState::exterior ||
+          result.deformed_distance[i] < near_distance * approach) {
+        first = std::min(first, i / grid.mx);
+        last = std::max(last, i / grid.mx);
+        reach = std::max(reach, std::abs(grid.x(i % grid.mx) - rough.x_centre));
+      }
+  };
+  look(solved.result);
+  std::ranges::for_each(solved.history, look);
+  // One joined element more on each side, for what the rough solution is off by: one and a half from the
+  // middle of the last that touches.
+  constexpr int beyond = 3 * trim_factor / 2;
+  const int end = plan.first + plan.rows;
+  if (first > 0)
+    plan.first = std::clamp((rough.first + first) * trim_factor - beyond, plan.first, end);
+  if (last < grid.ms - 1)
+    plan.rows = std::clamp((rough.first + last) * trim_factor + beyond + 1, plan.first, end) - plan.first;
+  else
+    plan.rows = end - plan.first;
+  const double columns = 2 * std::ceil(reach / plan.dx + beyond);
+  plan.columns = std::min(plan.columns, static_cast<int>(columns));
+  return plan;
+}
+
+} // namespace
+
+bool has_large_numbers(const ContactCase& asked, const GridPlan& plan, Model model) {
+  const SceneFile::Grid& grid = asked.scene.grid;
+  const bool open = asked.estimate && !grid.rows && !grid.ms && !grid.mx;
+  const bool by_both_rows = model == Model::fem || model == Model::tangent_plane;
+  const double megabytes = 9e-6 * sizeof(double) * plan.rows * plan.rows * (plan.columns + 2.0);
+  return open && by_both_rows && megabytes >= large_numbers;
+}
+
+TrimmedPlan trimmed(const ContactCase& asked, const GridPlan& plan, const SolveTask& task,
+                    const SolveResources& resources, bool on_strips) {
+  if (const auto known = plan_of_former(asked, plan, task.model, resources.start))
+    return {*known, {}};
+  const GridPlan rough = rough_plan(asked, plan, on_strips);
+  if (rough.rows < fewest_rows)
+    return {plan, {}};
+  WorkBudget work = resources.work.another();
+  SolveResources tools = resources.with(work, resources.start);
+  tools.totals_only = true;
+  try {
+    const GridSolution solved = solve_on_grid(asked, asked.setup.on(rough), task, tools);
+    const bool serves = solved.result.converged && !solved.result.patches.empty();
+    return {serves ? without_far_elements(plan, solved) : plan, solved.seconds};
+  } catch (const Error&) { // the plan itself says what is wrong
+    return {plan, {}};
+  }
+}
+
+} // namespace bem_contact

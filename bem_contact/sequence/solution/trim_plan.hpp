@@ -1,0 +1,24 @@
+#pragma once
+
+#include "bem_contact/sequence/solution/solve_on_grid.hpp"
+
+namespace bem_contact {
+
+/// Whether the influence numbers on a plan depend on both rows and take large_numbers or more, where the
+/// scene leaves it open which rows and columns are solved.
+bool has_large_numbers(const ContactCase& asked, const GridPlan& plan, Model model);
+
+/// A plan without what the contact does not need, and what it took to know that.
+struct TrimmedPlan {
+  GridPlan plan;
+  PhaseSeconds seconds;
+};
+
+/// The estimate of a wheel on a rail is generous, and numbers that depend on both rows grow with their
+/// square. So the case is first solved on elements trim_factor times as large. The plan keeps the rows and
+/// columns where the bodies come near to touching; its elements stay where they are. It stays as it is where
+/// there is no rough solution. `on_strips`: all rows must lie on the strips of the influence files.
+TrimmedPlan trimmed(const ContactCase& asked, const GridPlan& plan, const SolveTask& task,
+                    const SolveResources& resources, bool on_strips);
+
+} // namespace bem_contact

@@ -1,0 +1,141 @@
+#include "bem_contact/uses/conicity/rolling_radius.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopped.hpp"
+#include "bem_contact/geometry/contact_search.hpp"
+#include "bem_contact/profile/wheel_datum.hpp"
+#include "bem_contact/uses/conicity/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace bem_contact {
+
+namespace {
+
+struct Lowered {
+  double down = 0; ///< how far the axle went down until the wheel touched, mm
+  WheelTouch touch;
+};
+
+Lowered lowered(const WheelsetOnTrack& wheelset, WheelSide side, double lateral, double roll) {
+  const WheelsetPosition& p = wheelset.position;
+  const WheelsetPosition position{.side = side,
+                                  .lateral = lateral,
+                                  .gauge = p.gauge,
+                                  .gauge_height = p.gauge_height,
+                                  .back_to_back = p.back_to_back,
+                                  .cant = p.cant,
+                                  .roll = roll,
+                                  .wheel_radius = p.wheel_radius,
+                                  .rail_origin = p.rail_origin,
+                                  .wheel_origin = p.wheel_origin};
+  const bool right = side == WheelSide::right;
+  WheelOnRail pair = place(position, right ? wheelset.right_rail : wheelset.left_rail,
+                           right ? wheelset.right_wheel : wheelset.left_wheel);
+  const double before = pair.wheel_pose.origin.z;
+  const TouchPoint touch = lower_to_touch(pair).front();
+  const Point2 wheel = pair.wheel.at(touch.wheel_s).position;
+  return {pair.wheel_pose.origin.z - before,
+          {touch.rail_s, touch.wheel_s, pair.rail.at(touch.rail_s).position, wheel, touch.delta,
+           p.wheel_radius + wheel.z}};
+}
+
+struct Both {
+  Lowered right, left;
+  double unequal() const { return right.down - left.down; } ///< mm
+};
+
+/// The roll at which both wheels ask for the same height of the axle. Roll lowers the right wheel by half the
+/// distance of the contacts and lifts the left one, so that `unequal` falls by that distance; the secant
+/// knows it better from the second step on. A kink, where a contact jumps, is bracketed.
+WheelsetStand rolled(const WheelsetOnTrack& wheelset, double lateral) {
+  const auto at = [&](double roll) {
+    return Both{lowered(wheelset, WheelSide::right, lateral, roll),
+                lowered(wheelset, WheelSide::left, lateral, roll)};
+  };
+  double roll = 0, slope = -wheelset.contact_distance();
+  Both both = at(roll);
+  std::optional<double> above, below; // rolls where the right side asks to be lowered more, and less
+  for (int i = 0; i < roll_steps && std::abs(both.unequal()) > height_difference; ++i) {
+    const double value = both.unequal(), before = roll;
+    (value > 0 ? above : below) = roll;
+    roll -= value / slope;
+    if (above && below && !(roll > *above && roll < *below))
+      roll = 0.5 * (*above + *below);
+    if (roll == before)
+      break;
+    both = at(roll);
+    if (const double secant = (both.unequal() - value) / (roll - before); secant < 0)
+      slope = secant;
+  }
+  return {lateral, roll, both.right.touch, both.left.touch};
+}
+
+double move(const WheelTouch& a, const WheelTouch& b) {
+  return std::max(std::abs(a.rail_s - b.rail_s), std::abs(a.wheel_s - b.wheel_s));
+}
+
+/// Puts all stands after `from` up to and with `to` at the end of `out`.
+void refine(const WheelsetOnTrack& wheelset, const WheelsetStand& from, const WheelsetStand& to,
+            std::vector<WheelsetStand>& out, const std::atomic<bool>* stop) {
+  end_if_stopped(stop);
+  const bool fast = std::max(move(from.right, to.right), move(from.left, to.left)) > largest_move;
+  if (fast && std::abs(to.lateral - from.lateral) > 2 * smallest_lateral_step) {
+    const WheelsetStand middle = stand(wheelset, 0.5 * (from.lateral + to.lateral));
+    refine(wheelset, from, middle, out, stop);
+    refine(wheelset, middle, to, out, stop);
+  } else {
+    out.push_back(to);
+  }
+}
+
+/// From `middle` to `end`, the middle left out.
+std::vector<WheelsetStand> one_side(const WheelsetOnTrack& wheelset, const WheelsetStand& middle, double end,
+                                    const std::atomic<bool>* stop) {
+  std::vector<WheelsetStand> stands;
+  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(end) / lateral_step - 1e-9)));
+  try {
+    WheelsetStand last = middle;
+    for (int i = 1; i <= steps; ++i) {
+      const WheelsetStand next = stand(wheelset, end * i / steps);
+      refine(wheelset, last, next, stands, stop);
+      last = next;
+    }
+  } catch (const InputError&) {
+    // The wheel leaves the rail: the table ends at the last displacement that has two contacts.
+  }
+  return stands;
+}
+
+} // namespace
+
+double WheelsetOnTrack::contact_distance() const {
+  return position.wheel_origin ? 2 * position.wheel_origin->y
+                               : position.back_to_back + 2 * flange_back_to_tape_circle;
+}
+
+WheelsetStand stand(const WheelsetOnTrack& wheelset, double lateral) {
+  if (wheelset.rolls)
+    return rolled(wheelset, lateral);
+  return {lateral, 0, lowered(wheelset, WheelSide::right, lateral, 0).touch,
+          lowered(wheelset, WheelSide::left, lateral, 0).touch};
+}
+
+std::vector<WheelsetStand> rolling_radius_difference(const WheelsetOnTrack& wheelset, double reach,
+                                                     const std::atomic<bool>* stop) {
+  if (!(reach > 0 && reach <= 50))
+    throw InputError(fmt::format("The wheelset cannot be moved by {:g} mm to either side", reach),
+                     "this is not above 0 and at most 50 mm", "Give the largest displacement in mm.");
+  const WheelsetStand middle = stand(wheelset, 0);
+  std::vector<WheelsetStand> stands = one_side(wheelset, middle, -reach, stop);
+  std::ranges::reverse(stands);
+  stands.push_back(middle);
+  const std::vector<WheelsetStand> right = one_side(wheelset, middle, reach, stop);
+  stands.insert(stands.end(), right.begin(), right.end());
+  return stands;
+}
+
+} // namespace bem_contact

@@ -1,0 +1,110 @@
+#include "bem_contact/uses/conicity/wheelset_conicity.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopped.hpp"
+#include "bem_contact/profile/messages.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/scene/warnings.hpp"
+#include "bem_contact/scene/wheel_rail_geometry.hpp"
+#include "bem_contact/uses/conicity/settings.hpp"
+
+#include <fmt/format.h>
+#include <limits>
+
+namespace bem_contact {
+
+namespace {
+
+template <double EquivalentConicity::*member> double of_motion(const WheelsetConicity::Value& v) {
+  return v.motion ? (*v.motion).*member : std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace
+
+WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
+  if (scene.kind != SceneKind::wheel_rail)
+    throw InputError("This scene has no wheelset", "its kind is \"patch\"",
+                     "Give a scene with kind = \"wheel_rail\".");
+  const WheelRailProfiles right = read_profiles(scene);
+  if (const std::string twice = inclined_twice(right.rail_inclination, scene.position.cant); !twice.empty())
+    messages()->warn("{}", twice);
+  const auto other = [&](const std::string& name, ProfileKind kind, const SceneFile::Side& side,
+                         const TabulatedProfile& same) {
+    return name.empty() ? same : TabulatedProfile(named_profile(name, kind, scene.folder, side.reading));
+  };
+  return {.right_rail = right.rail,
+          .right_wheel = right.wheel,
+          .left_rail = other(left.rail, ProfileKind::rail, scene.rail, right.rail),
+          .left_wheel = other(left.wheel, ProfileKind::wheel, scene.wheel, right.wheel),
+          .position = scene.position};
+}
+
+SceneFile scene_without_file(std::span<const SceneChange> changes) {
+  return parse_scene_file("load.force = 1.0\n", "options", changes);
+}
+
+WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplitudes& amplitudes,
+                                   const std::atomic<bool>* stop) {
+  const double largest = amplitudes.largest, step = amplitudes.step;
+  if (!(step > 0 && largest >= step && largest <= 45 && largest / step <= 10000))
+    throw InputError(
+        fmt::format("The conicity cannot be given for amplitudes up to {:g} mm in steps of {:g} mm", largest,
+                    step),
+        "the step must be above 0 and not above the largest, the largest at most 45 mm, and 10000 of them "
+        "are allowed",
+        "Give both in mm, as 10 and 1.");
+  WheelsetConicity out{.lengths = {wheelset.contact_distance(), wheelset.position.wheel_radius},
+                       .stands = rolling_radius_difference(wheelset, largest + beyond_amplitude, stop),
+                       .values = {}};
+  std::vector<RadiusDifference> function;
+  for (const WheelsetStand& s : out.stands)
+    function.push_back({s.lateral, s.difference()});
+  const int count = static_cast<int>(largest / step + 1e-9);
+  for (int k = 1; k <= count; ++k) {
+    end_if_stopped(stop);
+    out.values.push_back({k * step, equivalent_conicity(function, k * step, out.lengths)});
+  }
+  return out;
+}
+
+std::span<const ColumnOf<WheelsetStand>> stand_columns() {
+  using S = WheelsetStand;
+  static constexpr ColumnOf<WheelsetStand> columns[] = {
+      {"lateral", "mm", "lateral displacement of the wheelset, to the right",
+       [](const S& s) { return s.lateral; }},
+      {"difference", "mm", "rolling radius difference, right less left",
+       [](const S& s) { return s.difference(); }},
+      {"roll", "rad", "roll of the wheelset, right side down", [](const S& s) { return s.roll; }},
+      {"right_radius", "mm", "rolling radius of the right wheel", [](const S& s) { return s.right.radius; }},
+      {"right_wheel_y", "mm", "contact on the right wheel, from the tape circle to the field side",
+       [](const S& s) { return s.right.wheel.y; }},
+      {"right_wheel_s", "mm", "the same, arc length", [](const S& s) { return s.right.wheel_s; }},
+      {"right_rail_y", "mm", "contact on the right rail, from its origin to the field side",
+       [](const S& s) { return s.right.rail.y; }},
+      {"right_rail_s", "mm", "the same, arc length", [](const S& s) { return s.right.rail_s; }},
+      {"right_delta", "rad", "inclination of the right contact", [](const S& s) { return s.right.delta; }},
+      {"left_radius", "mm", "rolling radius of the left wheel", [](const S& s) { return s.left.radius; }},
+      {"left_wheel_y", "mm", "contact on the left wheel, from the tape circle to the field side",
+       [](const S& s) { return s.left.wheel.y; }},
+      {"left_wheel_s", "mm", "the same, arc length", [](const S& s) { return s.left.wheel_s; }},
+      {"left_rail_y", "mm", "contact on the left rail, from its origin to the field side",
+       [](const S& s) { return s.left.rail.y; }},
+      {"left_rail_s", "mm", "the same, arc length", [](const S& s) { return s.left.rail_s; }},
+      {"left_delta", "rad", "inclination of the left contact, in the mirror image",
+       [](const S& s) { return s.left.delta; }}};
+  return columns;
+}
+
+std::span<const ColumnOf<WheelsetConicity::Value>> conicity_columns() {
+  static constexpr ColumnOf<WheelsetConicity::Value> columns[] = {
+      {"amplitude", "mm", "half of the way from the leftmost to the rightmost point",
+       [](const WheelsetConicity::Value& v) { return v.amplitude; }},
+      {"tan_gamma", "1", "equivalent conicity", of_motion<&EquivalentConicity::tan_gamma>},
+      {"wavelength", "mm", "wavelength of the free lateral motion",
+       of_motion<&EquivalentConicity::wavelength>},
+      {"from", "mm", "its leftmost displacement", of_motion<&EquivalentConicity::from>},
+      {"to", "mm", "its rightmost displacement", of_motion<&EquivalentConicity::to>}};
+  return columns;
+}
+
+} // namespace bem_contact

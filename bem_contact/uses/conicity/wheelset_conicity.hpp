@@ -1,0 +1,57 @@
+#pragma once
+
+#include "bem_contact/base/column.hpp"
+#include "bem_contact/scene/scene_file.hpp"
+#include "bem_contact/uses/conicity/equivalent_conicity.hpp"
+#include "bem_contact/uses/conicity/rolling_radius.hpp"
+
+#include <atomic>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// The left side of a wheelset, where it is not the mirror image of the right one.
+struct LeftProfiles {
+  std::string rail, wheel; ///< standard names or files, as in a scene; "": as on the right
+};
+
+/// The wheelset of a wheel_rail scene on its track: the scene's profiles on the right and, unless `left` says
+/// otherwise, on the left. Files of the left side are read as the right side's are. Throws InputError for a
+/// patch and for profiles that cannot be read.
+WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left = {});
+
+/// A scene of the profiles and the track that `changes` give, where there is no file. Its load does not
+/// count. Paths start at the working directory. Throws InputError as parse_scene_file() does.
+SceneFile scene_without_file(std::span<const SceneChange> changes);
+
+/// Amplitudes for which the conicity is wanted: step, 2 step, .. up to `largest`, mm.
+struct Amplitudes {
+  double largest = 10, step = 1; ///< mm
+};
+
+/// All that follows from the shapes of a wheelset and its track.
+struct WheelsetConicity {
+  /// One amplitude; `motion` is empty where there is none (equivalent_conicity.hpp).
+  struct Value {
+    double amplitude = 0;                     ///< mm
+    std::optional<EquivalentConicity> motion; ///< with this amplitude
+  };
+  KlingelLengths lengths;            ///< of the wheelset
+  std::vector<WheelsetStand> stands; ///< in rising order of lateral displacement
+  std::vector<Value> values;         ///< in rising order of the amplitude
+};
+
+/// Throws InputError where a wheel finds no touch point at displacement 0, for amplitudes beyond 45 mm, and
+/// for more than 10000 of them; Stopped soon after another thread sets `stop`.
+WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplitudes& amplitudes = {},
+                                   const std::atomic<bool>* stop = nullptr);
+
+/// Columns over the lateral displacement, in the order of the outputs.
+std::span<const ColumnOf<WheelsetStand>> stand_columns();
+/// Columns over the amplitude; nan where there is no motion.
+std::span<const ColumnOf<WheelsetConicity::Value>> conicity_columns();
+
+} // namespace bem_contact

@@ -1,0 +1,223 @@
+#include "bem_contact/uses/curves/creep_curves.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/plan/hertz_model.hpp"
+#include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/uses/curves/linearised.hpp"
+#include "bem_contact/uses/curves/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <utility>
+
+namespace bem_contact {
+
+double LinearTheory::c() const {
+  return std::sqrt(semi_axis_x * semi_axis_s);
+}
+
+std::optional<LinearTheory> linear_theory(const SceneResult& result, const Material& rail,
+                                          const Material& wheel) {
+  if (result.result.patches.size() != 1)
+    return std::nullopt;
+  const std::optional<HertzModel> hertz = fit_hertz(result.problem, rail, wheel);
+  if (!hertz || !(hertz->contact.force > 0))
+    return std::nullopt;
+  LinearTheory out;
+  out.semi_axis_x = hertz->contact.semi_axis_x;
+  out.semi_axis_s = hertz->contact.semi_axis_s;
+  // Its own x axis may lie nearer to s.
+  const double quarter = 0.5 * std::numbers::pi, turns = std::round(hertz->angle / quarter);
+  if (std::fmod(std::abs(turns), 2) == 1)
+    std::swap(out.semi_axis_x, out.semi_axis_s);
+  out.tilt = hertz->angle - turns * quarter;
+  out.deviation = hertz->deviation;
+  const double ratio = out.semi_axis_x / out.semi_axis_s;
+  if (!(ratio < longest_ellipse && ratio > 1 / longest_ellipse))
+    return std::nullopt;
+  // Equal bodies with the same sums of compliances (Kalker 1990, section 1.4).
+  out.shear_modulus = 2 / (1 / rail.shear_modulus + 1 / wheel.shear_modulus);
+  out.poisson =
+      0.5 * out.shear_modulus * (rail.poisson / rail.shear_modulus + wheel.poisson / wheel.shear_modulus);
+  out.coefficients = reference::creep_coefficients(ratio, out.poisson);
+  const double c = out.c(), cc = c * c * out.shear_modulus;
+  const reference::CreepCoefficients& k = out.coefficients;
+  out.slopes = {
+      {{cc * k.c11, 0, 0}, {0, cc * k.c22, cc * c * k.c23}, {0, -cc * c * k.c23, cc * c * c * k.c33}}};
+  return out;
+}
+
+namespace {
+
+constexpr CreepKind kinds[] = {CreepKind::xi, CreepKind::eta, CreepKind::phi};
+constexpr std::size_t index(CreepKind kind) {
+  return static_cast<std::size_t>(kind);
+}
+
+void require_creepages(const SceneFile& scene, std::span<const CreepRange> ranges) {
+  const auto refuse = [](const char* why, const char* what_to_do) {
+    throw InputError("This scene has no creep curves", why, what_to_do);
+  };
+  if (scene.motion.kind != MotionKind::steady)
+    refuse("its motion is no steady rolling", "Set motion.kind = \"steady\".");
+  if (scene.motion.frictionless)
+    refuse("it has no friction", "Set motion.friction.");
+  if (scene.load.force_x || scene.load.force_s)
+    refuse("it prescribes a shear force, so that a creepage is found and not given",
+           "Leave out load.force_x and load.force_s.");
+  if (!scene.motion.slip_table.empty())
+    refuse("its slip comes from a table", "Leave out motion.slip_table.");
+  std::size_t points = 0;
+  for (const CreepRange& range : ranges) {
+    points += range.values.empty() ? automatic_points : range.values.size();
+    for (const double value : range.values)
+      if (!std::isfinite(value))
+        throw InputError(fmt::format("The range of {} cannot be used", name_of(range.which)),
+                         "one of its values is not a number", "Give finite values.");
+  }
+  if (points > most_curve_points)
+    throw InputError(fmt::format("{} points of creep curves are too many", points),
+                     fmt::format("{} are allowed", most_curve_points),
+                     "Give fewer, or use bem_contact sweep.");
+}
+
+/// The same contact with other creepages: all else of the scene is fixed, so that points differ by nothing
+/// but their creepages.
+class Contact {
+public:
+  Contact(Sequence& sequence, const SceneFile& scene, const std::atomic<bool>* stop)
+      : sequence_(sequence), scene_(scene), stop_(stop) {
+    first_ = sequence.solve(scene, stop);
+    scene_ = with_model(scene, first_.model);
+    scene_.grid.dx = first_.problem.grid.dx;
+    scene_.grid.ds = first_.problem.grid.ds;
+    scene_.grid.elements.reset();
+    scene_.grid.accuracy.reset();
+    scene_.stresses.depths.clear();
+    scene_.motion.free_rolling = false;
+    if (scene.load.force_y) {
+      scene_.position.lateral = first_.lateral.value_or(scene.position.lateral);
+      scene_.load.force_y.reset();
+    }
+    if (scene.motion.from_free_rolling) {
+      scene_.motion.from_free_rolling = false;
+      offset_ = first_.xi - scene.motion.xi;
+    }
+  }
+
+  const SceneResult& first() const { return first_; }
+  Creepages asked() const { return {scene_.motion.xi, scene_.motion.eta, scene_.motion.phi}; }
+  /// Free rolling, as motion.xi counts it; 0 for a patch.
+  double free_xi() const { return offset_ != 0 || !first_.free_rolling ? 0 : first_.free_rolling->xi; }
+  SceneFile scene_at(const Creepages& creepages) const {
+    SceneFile scene = scene_;
+    scene.motion.xi = creepages[0] + offset_;
+    scene.motion.eta = creepages[1];
+    scene.motion.phi = creepages[2];
+    return scene;
+  }
+  SceneResult at(const Creepages& creepages) { return sequence_.solve(scene_at(creepages), stop_); }
+
+private:
+  Sequence& sequence_;
+  SceneFile scene_;
+  SceneResult first_;
+  const std::atomic<bool>* stop_;
+  double offset_ = 0; ///< of free rolling, where motion.xi counts from there
+};
+
+/// `order`: of the leading error in the step, which two steps take out. 2 where forces are smooth. At zero
+/// creepage slip begins at both sides of zero, and the error has order 1.
+CreepDerivatives derivatives(Contact& contact, const Creepages& at, const Creepages& steps, int order) {
+  CreepDerivatives out;
+  const auto difference = [&](CreepKind kind, double h) {
+    Creepages up = at, down = at;
+    up[index(kind)] += h, down[index(kind)] -= h;
+    const CreepForceValues a = forces_of(contact.at(up)), b = forces_of(contact.at(down));
+    CreepForceValues slope{};
+    for (std::size_t i = 0; i < slope.size(); ++i)
+      slope[i] = (a[i] - b[i]) / (2 * h);
+    return slope;
+  };
+  const double gain = std::pow(2, order) - 1;
+  for (const CreepKind kind : kinds) {
+    const std::size_t k = index(kind);
+    const CreepForceValues whole = difference(kind, steps[k]), half = difference(kind, 0.5 * steps[k]);
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      out.values[i][k] = half[i] + (half[i] - whole[i]) / gain;
+      out.errors[i][k] = std::abs(half[i] - whole[i]);
+    }
+  }
+  return out;
+}
+
+/// Creepages at which linear theory reaches the friction bound: of Fx, Fs, and Fs again for spin.
+Creepages saturation(const CreepCurves& c, const SceneFile& scene) {
+  const double modulus = 2 / (1 / scene.rail.material.shear_modulus + 1 / scene.wheel.material.shear_modulus);
+  const double usual = usual_coefficient * modulus * c.radius * c.radius;
+  const CreepMatrix slopes =
+      c.linear ? c.linear->slopes : CreepMatrix{{{usual, 0, 0}, {0, usual, 0.4 * usual * c.radius}, {}}};
+  return {c.bound / slopes[0][0], c.bound / slopes[1][1], c.bound / slopes[1][2]};
+}
+
+CreepCurve curve_of(Contact& contact, const CreepRange& range, const Creepages& scale) {
+  const std::size_t k = index(range.which);
+  std::vector<double> values = range.values;
+  const double middle = range.which == CreepKind::xi ? contact.free_xi() : 0;
+  for (int i = 0; range.values.empty() && i < automatic_points; ++i)
+    values.push_back(middle + automatic_reach * scale[k] * (2.0 * i / (automatic_points - 1) - 1));
+  CreepCurve curve{range.which, {}};
+  for (const double value : values) {
+    Creepages creepages = contact.asked();
+    creepages[k] = value;
+    const SceneResult r = contact.at(creepages);
+    curve.points.push_back(
+        {value, forces_of(r), force_errors_of(r), adhesion_share(r.result), r.result.certificate.holds()});
+  }
+  return curve;
+}
+
+} // namespace
+
+bool CreepCurves::certified() const {
+  return solution.result.certificate.holds() && std::ranges::all_of(curves, [](const CreepCurve& curve) {
+           return std::ranges::all_of(curve.points, &CreepPoint::certified);
+         });
+}
+
+CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ranges,
+                         const std::atomic<bool>* stop) {
+  require_creepages(scene, ranges);
+  const auto files = std::make_shared<SequenceFiles>();
+  Sequence sequence({.displacements = false}, files);
+  Contact contact(sequence, scene, stop);
+  CreepCurves out;
+  out.solution = contact.first();
+  out.bound = friction_bound(out.solution.problem, out.solution.result);
+  if (!(out.bound > 0))
+    throw InputError("This scene has no creep curves", "its bodies do not touch, or their friction is zero",
+                     "Press them together, and set motion.friction.");
+  out.linear = linear_theory(out.solution, scene.rail.material, scene.wheel.material);
+  out.radius = out.linear ? out.linear->c() : std::sqrt(contact_area(out.solution.result) / std::numbers::pi);
+  const Creepages scale = saturation(out, scene), asked = contact.asked();
+  const auto part = [&](double share) {
+    return Creepages{share * scale[0], share * scale[1], share * scale[2]};
+  };
+  out.sensitivities = derivatives(contact, asked, part(sensitivity_step), 2);
+  out.linearised =
+      linearised_sensitivities(contact.scene_at(asked), out.solution, part(sensitivity_step), *files);
+  const Creepages rigid = rigid_creepages(out.solution);
+  const double found = out.solution.result.creepage_x;
+  Creepages none{};
+  for (const CreepKind kind : kinds)
+    none[index(kind)] = asked[index(kind)] - rigid[index(kind)];
+  none[0] -= found;
+  out.slopes = derivatives(contact, none, part(slope_step), 1);
+  for (const CreepRange& range : ranges)
+    out.curves.push_back(curve_of(contact, range, scale));
+  return out;
+}
+
+} // namespace bem_contact

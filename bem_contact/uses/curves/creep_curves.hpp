@@ -1,0 +1,85 @@
+#pragma once
+
+#include "bem_contact/reference/creep_coefficients.hpp"
+#include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/uses/curves/creep_state.hpp"
+
+#include <atomic>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace bem_contact {
+
+/// Kalker's linear theory for the Hertz contact that is nearest to a solved one: what small creepages would
+/// give on an ellipse between half-spaces, if nothing slipped.
+struct LinearTheory {
+  double semi_axis_x = 0, semi_axis_s = 0; ///< mm
+  double tilt = 0;                         ///< of the ellipse out of the axes x and s, rad; taken as 0
+  double deviation = 0;                    ///< of the undeformed distance from a quadratic, over the approach
+  double shear_modulus = 0, poisson = 0;   ///< of the pair, MPa
+  reference::CreepCoefficients coefficients; ///< Kalker's C11, C22, C23, C33
+  CreepMatrix slopes{};                      ///< of the forces over the creepages, by them
+
+  double c() const; ///< sqrt(a b), mm
+};
+
+/// Nothing where the contact has no ellipse: several patches, a distance that is not curved both ways, or
+/// semi-axes beyond the table of coefficients.
+std::optional<LinearTheory> linear_theory(const SceneResult& result, const Material& rail,
+                                          const Material& wheel);
+
+/// A curve that is wanted: one creepage is varied, the other two stay what the scene says.
+struct CreepRange {
+  CreepKind which = CreepKind::xi; ///< the one that varies
+  /// As motion.xi, eta, phi mean it, in the order in which they are solved. Empty: chosen, to full slip on
+  /// both sides of free rolling (xi) or of zero.
+  std::vector<double> values;
+};
+
+/// One solution.
+struct CreepPoint {
+  double creepage = 0;                 ///< the one that varies
+  CreepForceValues forces{}, errors{}; ///< errors: by the size of the elements
+  double adhesion_share = 0;           ///< of the area in contact
+  bool certified = false;              ///< the certificate holds
+};
+
+/// Forces over one creepage.
+struct CreepCurve {
+  CreepKind which = CreepKind::xi; ///< the one that varies
+  std::vector<CreepPoint> points;  ///< in the order of the range
+};
+
+/// Derivatives by central differences, from steps h and h/2.
+struct CreepDerivatives {
+  CreepMatrix values{}; ///< of the forces by the creepages
+  CreepMatrix errors{}; ///< how far both steps are apart
+};
+
+/// The forces of a contact over its creepages.
+struct CreepCurves {
+  SceneResult solution; ///< of the scene as it is
+  double bound = 0;     ///< sum of mu p_n dS, N
+  double radius = 0;    ///< c = sqrt(a b) of the ellipse, or of the area in contact, mm
+  /// At the scene's own creepages: what a vehicle model linearises with.
+  CreepDerivatives sensitivities;
+  /// The same from one linear system, with the pressure held (linearised.hpp).
+  std::optional<CreepMatrix> linearised;
+  /// At zero rigid slip: without any creepage and spin, not even those that the geometry makes.
+  CreepDerivatives slopes;
+  std::optional<LinearTheory> linear; ///< to compare the slopes with
+  std::vector<CreepCurve> curves;     ///< one for each range
+
+  bool certified() const; ///< the solution and every point
+};
+
+/// Solves one scene in steady rolling for all points of all curves, each from the one before. The wheelset
+/// stays where it is: the displacement of a lateral force (load.force_y) and the creepage of free rolling are
+/// found once and kept, and the elements keep their size. Throws InputError for a scene
+/// without friction, one that is no steady rolling, or one that prescribes shear forces; ConvergenceError as
+/// Sequence::solve() does, and Stopped where another thread sets `stop`.
+CreepCurves creep_curves(const SceneFile& scene, std::span<const CreepRange> ranges,
+                         const std::atomic<bool>* stop = nullptr);
+
+} // namespace bem_contact

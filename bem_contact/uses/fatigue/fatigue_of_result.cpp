@@ -1,0 +1,126 @@
+#include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/scene_result.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace bem_contact::fatigue {
+
+namespace {
+
+void require_positive(double value, const char* name) {
+  if (!(std::isfinite(value) && value > 0))
+    throw InputError(fmt::format("{} cannot be {}", name, value), "it must be a positive number",
+                     "Correct it.");
+}
+
+} // namespace
+
+void require_yield_shear(double yield_shear) {
+  require_positive(yield_shear, "The yield stress in shear");
+}
+
+double surface_index(const ShakedownPoint& point) {
+  require_positive(point.load, "p0/k");
+  return point.traction - 1 / point.load;
+}
+
+double element_index(double shear_traction, double pressure, double yield_shear) {
+  return std::max(least_element_index, (shear_traction - yield_shear) / pressure);
+}
+
+double damage_of(const DamageFunction& f, double t_gamma) {
+  const std::vector<double>& nodes = f.t_gamma;
+  if (t_gamma < nodes.front() || (t_gamma > nodes.back() && !f.wear_is_negative))
+    return 0;
+  const auto above = std::ranges::upper_bound(nodes, t_gamma) - nodes.begin();
+  const std::size_t right = std::min<std::size_t>(above, nodes.size() - 1), left = right - 1;
+  const double share = (t_gamma - nodes[left]) / (nodes[right] - nodes[left]);
+  return std::lerp(f.damage[left], f.damage[right], share);
+}
+
+void validate(const DamageFunction& f) {
+  const auto finite = [](double value) { return std::isfinite(value); };
+  const auto refuse = [](const std::string& why) {
+    throw InputError("The damage function cannot have these nodes", why,
+                     "Give rising values of T-gamma, and one damage for each.");
+  };
+  if (f.t_gamma.size() < 2 || f.t_gamma.size() != f.damage.size())
+    refuse(fmt::format("there are {} values of T-gamma and {} of damage", f.t_gamma.size(), f.damage.size()));
+  if (!std::ranges::all_of(f.t_gamma, finite) || !std::ranges::all_of(f.damage, finite) ||
+      f.t_gamma.front() < 0 ||
+      std::ranges::adjacent_find(f.t_gamma, std::greater_equal<>()) != f.t_gamma.end())
+    refuse("T-gamma must be finite, not negative, and rise");
+}
+
+namespace {
+
+/// `largest_index`: of the elements of the patch.
+PatchFatigue fatigue_of_patch(const PatchSummary& patch, double largest_index, bool power,
+                              const FatigueProperties& properties) {
+  PatchFatigue out;
+  out.s = patch.s;
+  out.y = patch.position.y;
+  out.normal_force = patch.fn;
+  out.pmax = patch.pmax;
+  out.point = {patch.pmax / properties.yield_shear, std::hypot(patch.fx, patch.fs) / patch.fn};
+  out.surface_index = surface_index(out.point);
+  out.largest_index = largest_index;
+  out.t_gamma = power ? patch.friction_power : 0.0;
+  out.damage = damage_of(properties.damage, out.t_gamma);
+  return out;
+}
+
+std::vector<double> index_of_elements(const ContactResult& r, double yield_shear) {
+  std::vector<double> out(r.pn.size(), least_element_index);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (r.pn[i] > 0)
+      out[i] = element_index(std::hypot(r.px[i], r.ps[i]), r.pn[i], yield_shear);
+  return out;
+}
+
+} // namespace
+
+Fatigue fatigue_of(const SceneResult& solved, const FatigueProperties& properties) {
+  require_yield_shear(properties.yield_shear);
+  validate(properties.damage);
+  const ContactResult& r = solved.result;
+  if (!r.converged)
+    throw InputError("There is no fatigue of a result that did not converge",
+                     "its tractions are not a solution", "Solve the scene first.");
+  const bool power = solved.problem.motion != MotionKind::shift; // it is work by area there
+  Fatigue out;
+  out.element_index = index_of_elements(r, properties.yield_shear);
+  const std::vector<std::vector<int>> elements = patch_elements(solved.problem, r);
+  for (std::size_t k = 0; k < r.patches.size(); ++k) {
+    double largest = least_element_index;
+    if (k < elements.size()) // a small Hertz contact may have none
+      for (const int i : elements[k])
+        largest = std::max(largest, out.element_index[i]);
+    out.patches.push_back(fatigue_of_patch(r.patches[k], largest, power, properties));
+  }
+  if (properties.stresses && !out.patches.empty())
+    out.peaks = stress_peaks(solved.problem, r, properties.poisson);
+  return out;
+}
+
+std::span<const PatchColumn> patch_columns() {
+  using P = PatchFatigue;
+  static constexpr PatchColumn columns[] = {
+      {"s", "mm", [](const P& p) { return p.s; }},
+      {"y", "mm", [](const P& p) { return p.y; }},
+      {"Fn", "N", [](const P& p) { return p.normal_force; }},
+      {"pmax", "MPa", [](const P& p) { return p.pmax; }},
+      {"p0_over_k", "1", [](const P& p) { return p.point.load; }},
+      {"mu_used", "1", [](const P& p) { return p.point.traction; }},
+      {"FI_surf", "1", [](const P& p) { return p.surface_index; }},
+      {"FI_worst_element", "1", [](const P& p) { return p.largest_index; }},
+      {"T_gamma", "N", [](const P& p) { return p.t_gamma; }},
+      {"damage", "1", [](const P& p) { return p.damage; }}};
+  return columns;
+}
+
+} // namespace bem_contact::fatigue

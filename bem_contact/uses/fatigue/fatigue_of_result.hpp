@@ -1,0 +1,97 @@
+#pragma once
+
+#include "bem_contact/uses/fatigue/stress_peaks.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+/// What rolling contact fatigue reads off a contact.
+namespace bem_contact {
+struct SceneResult;
+}
+
+namespace bem_contact::fatigue {
+
+/// Where a contact lies in the shakedown diagram (Johnson 1985, section 9.2).
+struct ShakedownPoint {
+  double load = 0;     ///< p0 / k, the largest pressure over the yield stress in shear
+  double traction = 0; ///< mu used: the resultant of shear over the normal force
+};
+
+/// FI_surf = mu used - k / p0 (Ekberg, Kabo and Andersson, Fatigue Fract. Eng. Mater. Struct. 25 (2002) 899):
+/// above 0 the surface flows cycle after cycle, and fatigues. Throws InputError unless p0/k > 0.
+double surface_index(const ShakedownPoint& point);
+
+/// FI of an element that bears no pressure. The map of Ekberg et al. is not read below it.
+inline constexpr double least_element_index = -0.5;
+
+/// FI of one element, from its own tractions: (|p_t| - k) / p_n, or least_element_index if that is more.
+/// p_n > 0, MPa.
+double element_index(double shear_traction, double pressure, double yield_shear);
+
+/// Throws InputError unless the yield stress in shear is positive.
+void require_yield_shear(double yield_shear);
+
+/// Damage by fatigue of one passage over T-gamma, N: straight lines between nodes (Burstow, AEA Technology
+/// AEATR-ES-2003-832 (2003), the whole life rail model). A crack begins where the damage of all passages
+/// sums up to 1. Below the first node there is none. The defaults are public values for rails of grade 220:
+/// nothing below 20 N, most at 65 N, none at 175 N. Other steels need other nodes.
+struct DamageFunction {
+  std::vector<double> t_gamma{20, 65, 175}; ///< N, rising
+  std::vector<double> damage{0, 1e-5, 0};   ///< by passage, 1
+  /// Above the last node: 0, or the last line goes on, below zero: there wear removes more than cracks grow.
+  bool wear_is_negative = false;
+
+  bool operator==(const DamageFunction&) const = default;
+};
+
+/// Of one passage, 1.
+double damage_of(const DamageFunction& function, double t_gamma);
+
+/// Throws InputError unless there are two nodes or more, finite and rising, each with a damage.
+void validate(const DamageFunction& function);
+
+/// What the steel bears.
+struct FatigueProperties {
+  double yield_shear = 300;   ///< k, MPa
+  double poisson = 0.28;      ///< of the rail, for stresses below the surface
+  DamageFunction damage = {}; ///< of one passage
+  bool stresses = true;       ///< search the largest stresses below the surface: most of the work
+
+  bool operator==(const FatigueProperties&) const = default;
+};
+
+/// One area in contact.
+struct PatchFatigue {
+  double s = 0, y = 0;      ///< centre of pressure: arc length on the rail, y of the rows' frame, mm
+  double normal_force = 0;  ///< N: sum p_n dS
+  double pmax = 0;          ///< MPa
+  ShakedownPoint point;     ///< with the largest pressure of the patch as p0
+  double surface_index = 0; ///< FI_surf of that point
+  double largest_index = 0; ///< of its elements
+  double t_gamma = 0;       ///< what friction dissipates by rolled distance, spin included, N
+  double damage = 0;        ///< by passage, 1
+};
+
+/// What one contact does to the rail.
+struct Fatigue {
+  std::vector<double> element_index; ///< FI of each element; -0.5 outside the contact; field
+  std::vector<PatchFatigue> patches; ///< largest normal force first
+  std::optional<StressPeaks> peaks;  ///< where they are asked for and there is contact
+};
+
+/// Throws InputError for properties that make no sense and for a result that did not converge. Without
+/// friction, or of a shift, T-gamma and damage are 0.
+Fatigue fatigue_of(const SceneResult& result, const FatigueProperties& properties = {});
+
+/// A number of each patch. The program's CSV and Python take names, units and values from here.
+struct PatchColumn {
+  const char* name;                     ///< as in the outputs
+  const char* unit;                     ///< "1" where it has none
+  double (*value)(const PatchFatigue&); ///< of one patch
+};
+/// All of them, in the order of the outputs.
+std::span<const PatchColumn> patch_columns();
+
+} // namespace bem_contact::fatigue

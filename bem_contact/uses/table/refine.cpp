@@ -1,0 +1,136 @@
+#include "bem_contact/uses/table/refine.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/uses/table/measured_table.hpp"
+#include "bem_contact/uses/table/refine_nested.hpp"
+#include "bem_contact/uses/table/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+namespace bem_contact::table {
+
+namespace {
+
+class TensorRefinement {
+public:
+  TensorRefinement(ContactTable& table, const PointsSolver& solve, const Wanted& wanted)
+      : table_(table), measured_(table, solve, wanted) {}
+
+  void run() {
+    for (int round = 0;; ++round) {
+      measured_.fill(round);
+      const std::vector<Point> cells = middles();
+      std::vector<WorstError> wrong = measured_.measure(sample(cells, round));
+      if (wrong.empty()) // nothing wrong is seen: look at all of them
+        wrong = measured_.measure(cells);
+      if (wrong.empty())
+        return;
+      insert(wrong);
+    }
+  }
+
+private:
+  /// The intervals of a cell are those of the axes around its middle.
+  std::vector<std::size_t> intervals_of(const Point& middle) const {
+    std::vector<std::size_t> out;
+    for (std::size_t a = 0; a < middle.size(); ++a)
+      out.push_back(std::ranges::upper_bound(table_.axes[a].points, middle[a]) -
+                    table_.axes[a].points.begin() - 1);
+    return out;
+  }
+
+  std::vector<Point> middles() const {
+    ContactTable cells{.axes = table_.axes};
+    for (Axis& axis : cells.axes) {
+      for (std::size_t i = 0; i + 1 < axis.points.size(); ++i)
+        axis.points[i] = 0.5 * (axis.points[i] + axis.points[i + 1]);
+      axis.points.pop_back();
+    }
+    std::vector<Point> out;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      out.push_back(cells.point(i));
+    return out;
+  }
+
+  /// Other cells in each round: every so many, from another first one.
+  static std::vector<Point> sample(const std::vector<Point>& cells, int round) {
+    const std::size_t stride = cells.size() / cells_in_a_round + 1;
+    std::vector<Point> out;
+    for (std::size_t i = static_cast<std::size_t>(round) % stride; i < cells.size(); i += stride)
+      out.push_back(cells[i]);
+    return out;
+  }
+
+  /// The middle of a cell's interval of one axis, at the lower or the upper ends of its other intervals. If
+  /// this interval is halved, it is a point of the table.
+  Point on_edge(const Point& middle, std::size_t axis, std::size_t end) const {
+    Point out = middle;
+    const std::vector<std::size_t> cell = intervals_of(middle);
+    for (std::size_t a = 0; a < out.size(); ++a)
+      if (a != axis)
+        out[a] = table_.axes[a].points[cell[a] + end];
+    return out;
+  }
+
+  /// Halves intervals of the worst cells: of the axis along which the error is largest, as solutions on two
+  /// of the cell's edges tell.
+  void insert(const std::vector<WorstError>& wrong) {
+    std::vector<Point> edges;
+    const auto each_edge = [&](const auto& use) {
+      for (const WorstError& cell : wrong)
+        if (cell.relative >= worst_share * measured_.worst().relative)
+          for (std::size_t a = 0; a < cell.at.size(); ++a)
+            use(cell, a);
+    };
+    each_edge([&](const WorstError& cell, std::size_t a) {
+      for (const std::size_t end : {0u, 1u})
+        edges.push_back(on_edge(cell.at, a, end));
+    });
+    measured_.ask(edges);
+    std::map<Point, std::vector<double>> along; ///< error of each cell along each axis
+    each_edge([&](const WorstError& cell, std::size_t a) {
+      const auto off = [&](std::size_t end) { return measured_.off(on_edge(cell.at, a, end), cell.column); };
+      along[cell.at].push_back(std::max(off(0), off(1)));
+    });
+    std::vector<std::set<double>> fresh(table_.axes.size());
+    for (const auto& [middle, errors] : along)
+      for (std::size_t a = 0; a < errors.size(); ++a)
+        if (!(errors[a] < axis_share * *std::ranges::max_element(errors)))
+          fresh[a].insert(middle[a]);
+    for (std::size_t a = 0; a < fresh.size(); ++a) {
+      std::vector<double>& points = table_.axes[a].points;
+      points.insert(points.end(), fresh[a].begin(), fresh[a].end());
+      std::ranges::sort(points);
+    }
+  }
+
+  ContactTable& table_;
+  MeasuredTable measured_;
+};
+
+} // namespace
+
+PointsSolver one_by_one(PointSolver solve) {
+  return [solve = std::move(solve)](std::span<const Point> points) {
+    std::vector<PointValues> out;
+    for (const Point& point : points)
+      out.push_back(solve(point));
+    return out;
+  };
+}
+
+void refine(ContactTable& table, const PointsSolver& solve, const Wanted& wanted) {
+  if (!(wanted.tolerance > 0 && std::isfinite(wanted.tolerance)))
+    throw InputError(fmt::format("A table within {:g} is not possible", wanted.tolerance),
+                     "the tolerance is no positive number", "Give one, such as 0.01.");
+  if (table.nested())
+    refine_nested(table, solve, wanted);
+  else
+    TensorRefinement(table, solve, wanted).run();
+}
+
+} // namespace bem_contact::table

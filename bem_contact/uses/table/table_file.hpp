@@ -1,0 +1,39 @@
+#pragma once
+
+#include "bem_contact/influence/h5_table.hpp"
+#include "bem_contact/uses/table/contact_table.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace bem_contact::table {
+
+/// The attribute "format" of a table's file.
+inline constexpr const char* table_format = "bem_contact table 3";
+
+/// Datasets:
+///     axes/NAME                 [n], with unit
+///     first/NAME                [m + 1] of a nested axis (Axis::first), m: points of the axes before it
+///     values/NAME               [n of the first axis][n of the second]..., with unit;
+///                               [points] where axes are nested
+///     interpolation_error/NAME  scalar, largest found in the middle of any cell
+///     element_error/NAME        scalar, largest stated by a point; nan: not known
+///     scale/NAME                scalar, what the tolerance is relative to
+///     creep_scale/log10_a_over_b, C11, C22   of a creep table
+/// Attributes: format, program, axes (their names in the order of the values' dimensions), columns, held,
+/// interpolation, tolerance, points, solved, checked; of a creep table poisson, spin and symmetry.
+H5Table to_h5(const ContactTable& table);
+
+/// The same numbers as plain text, for languages in which HDF5 is a burden. Blanks separate:
+///     bem_contact_table 3
+///     AXES COLUMNS SCALES                   (SCALES: points of the creep scale, 0 of a scene)
+///     n of each axis
+///     NAME 'UNIT' M, the n points, M first  (each axis; M = 0: not nested)
+///     NAME 'UNIT' ERROR, then all values    (each column; ERROR: of the interpolation)
+///     log10(a/b) C11 C22                    (each point of the scale)
+std::string to_text(const ContactTable& table);
+
+/// Reads what to_h5() gives. Throws InputError for another file.
+ContactTable read_table(const std::filesystem::path& file);
+
+} // namespace bem_contact::table

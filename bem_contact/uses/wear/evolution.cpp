@@ -1,0 +1,190 @@
+#include "bem_contact/uses/wear/evolution.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/sequence/sequence.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numbers>
+
+namespace bem_contact::wear {
+
+namespace {
+
+constexpr const char* as_given = "Correct it.";
+constexpr double mm_per_km = 1e6;
+
+void use_profile(SceneFile::Side& side, const std::filesystem::path& file,
+                 const std::filesystem::path& influence) {
+  side.influence = influence.empty() ? "" : std::filesystem::absolute(influence).string();
+  side.profile = std::filesystem::absolute(file).string();
+  side.reading = {};
+  side.reading.profile_z = ProfileZ::down;
+  side.reading.keep_origin = true; // these are the section's own coordinates already
+}
+
+WornBody body_of(const SceneFile::Side& side, ProfileKind kind, const std::filesystem::path& folder) {
+  WornBody body;
+  body.points = points_of(named_profile(side.profile, kind, folder, side.reading));
+  body.depth.assign(body.points.size(), 0.0);
+  return body;
+}
+
+WornBody after(const WornBody& now, const Depths& rate, double times) {
+  WornBody out = now;
+  std::vector<double> depth = rate.values();
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    depth[i] *= times;
+    out.depth[i] += depth[i];
+  }
+  out.area += times * rate.area();
+  out.points = worn(now.points, depth, times * rate.area());
+  return out;
+}
+
+/// How often the wear of `rate` may be repeated until `depth` is reached somewhere.
+double times_until(const std::vector<double>& now, const std::vector<double>& rate, double depth) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (rate[i] > 0)
+      least = std::min(least, (depth - now[i]) / rate[i]);
+  return std::max(0.0, least);
+}
+
+} // namespace
+
+double WornBody::largest() const {
+  return *std::ranges::max_element(depth);
+}
+
+std::vector<CollectiveCase> collective_of(const SweepFile& sweep, const std::string& model) {
+  std::vector<CollectiveCase> out;
+  for (std::size_t i = 0; i < sweep.size(); ++i)
+    out.push_back({with_model(sweep.scene(i), model), sweep.weight(i)});
+  return out;
+}
+
+WornPair unworn(const SceneFile& scene) {
+  return {body_of(scene.rail, ProfileKind::rail, scene.folder),
+          body_of(scene.wheel, ProfileKind::wheel, scene.folder), 0};
+}
+
+KeptPair unworn_influence(const SceneFile& scene, const WornPair& unworn) {
+  const auto kept = [&](const SceneFile::Side& side, ProfileKind kind, const WornBody& body) {
+    if (side.influence.empty())
+      return KeptInfluence{}; // the solution says what is missing
+    const KeptInfluence out{scene.folder / side.influence, body.points};
+    const ProfileCurve curve = named_profile(side.profile, kind, scene.folder, side.reading);
+    require_profile(read_influence_file(out.file), curve.name(), curve.digest());
+    return out;
+  };
+  return {kept(scene.rail, ProfileKind::rail, unworn.rail),
+          kept(scene.wheel, ProfileKind::wheel, unworn.wheel)};
+}
+
+WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases,
+                   const EvolutionOptions& options, double until, const std::filesystem::path& folder,
+                   const KeptPair& influence) {
+  require_kept("rail", influence.rail, now.rail.points, options.kept_turn);
+  require_kept("wheel", influence.wheel, now.wheel.points, options.kept_turn);
+  write_profile(folder / "rail.txt", now.rail.points);
+  write_profile(folder / "wheel.txt", now.wheel.points);
+  Sequence sequence({.displacements = false, .own_shape = false});
+  Depths rail(now.rail.points, options.smoothing), wheel(now.wheel.points, options.smoothing);
+  double weights = 0;
+  for (const CollectiveCase& one : cases)
+    weights += one.weight;
+  for (const CollectiveCase& one : cases) {
+    SceneFile scene = one.scene;
+    const bool files = needs_influence(scene);
+    use_profile(scene.rail, folder / "rail.txt", files ? influence.rail.file : "");
+    use_profile(scene.wheel, folder / "wheel.txt", files ? influence.wheel.file : "");
+    const SceneResult result = sequence.solve(scene, options.stop);
+    if (!result.result.converged)
+      throw ConvergenceError("A case of the load collective has no certified result",
+                             fmt::format("lateral displacement {:g} mm, {:g} revolutions so far",
+                                         scene.position.lateral, now.revolutions),
+                             "Solve it alone with these profiles to see why.");
+    const Wear wear = wear_of(result, options.law);
+    rail.add(wear.rail, options.passages * one.weight / weights);
+    wheel.add(wear.wheel, one.weight / weights);
+  }
+  double times = std::numeric_limits<double>::infinity();
+  const auto limit = [&](const WornBody& body, const Depths& rate) {
+    if (rate.largest() > 0)
+      times = std::min({times, options.cap / rate.largest(), times_until(body.depth, rate.values(), until)});
+  };
+  if (options.rail)
+    limit(now.rail, rail);
+  if (options.wheel)
+    limit(now.wheel, wheel);
+  if (!std::isfinite(times))
+    throw InputError("Nothing wears", "no case of the load collective slides anywhere",
+                     "Give creepages or a position that makes the wheel slide.");
+  WornPair out = now;
+  out.revolutions += times;
+  if (options.rail)
+    out.rail = after(now.rail, rail, times);
+  if (options.wheel)
+    out.wheel = after(now.wheel, wheel, times);
+  return out;
+}
+
+bool needs_influence(const SceneFile& scene) {
+  const bool files = !scene.rail.influence.empty() && !scene.wheel.influence.empty();
+  return scene.solver.model == Model::fem || (!scene.solver.model && files);
+}
+
+std::optional<WearMap> wear_map_of(const SceneFile& scene) {
+  const SceneFile::Wear& w = scene.wear;
+  if (w == SceneFile::Wear{})
+    return std::nullopt;
+  return WearMap{w.speeds, w.pressures, w.coefficients};
+}
+
+void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& o, double depth) {
+  validate(o.law);
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
+  if (!positive(depth))
+    throw InputError(fmt::format("Wear cannot end at a depth of {} mm", depth),
+                     "depths are positive and finite",
+                     "Give the depth at the deepest place at which to end.");
+  if (!positive(o.cap) || !positive(o.passages) || !std::isfinite(o.smoothing) || o.smoothing < 0 ||
+      !(o.rail || o.wheel))
+    throw InputError(
+        "Wear cannot be computed with these options",
+        "depth of a step and passages must be positive, smoothing not negative, and one body must wear",
+        as_given);
+  if (cases.empty())
+    throw InputError("The load collective is empty", "there is nothing to solve", "Give at least one case.");
+  for (const CollectiveCase& one : cases) {
+    if (!positive(one.weight))
+      throw InputError(fmt::format("A case of the load collective has the weight {}", one.weight),
+                       "weights must be positive", as_given);
+    const SceneFile &scene = one.scene, &first = cases.front().scene;
+    if (scene.kind != SceneKind::wheel_rail)
+      throw InputError("This scene cannot wear", "it has no profiles", "Give kind = \"wheel_rail\".");
+    if (!(scene.rail == first.rail) || !(scene.wheel == first.wheel))
+      throw InputError("The cases of the load collective have different bodies",
+                       "one pair of profiles wears under all of them", "Sweep over other keys.");
+    if (!(scene.wear == first.wear))
+      throw InputError("The cases of the load collective have different wear maps",
+                       "one law holds for all of them", "Sweep over other keys.");
+  }
+}
+
+WearRow history_row(int step, const WornPair& pair, double wheel_radius) {
+  return {.step = double(step),
+          .revolutions = pair.revolutions,
+          .mileage = pair.revolutions * 2 * std::numbers::pi * wheel_radius / mm_per_km,
+          .rail_depth = pair.rail.largest(),
+          .wheel_depth = pair.wheel.largest(),
+          .rail_area = pair.rail.area,
+          .wheel_area = pair.wheel.area};
+}
+
+} // namespace bem_contact::wear

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "bem_contact/scene/sweep_file.hpp"
+#include "bem_contact/uses/wear/kept_influence.hpp"
+#include "bem_contact/uses/wear/settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bem_contact::wear {
+
+/// One member of a load collective: a scene, and how often it occurs compared with the others.
+struct CollectiveCase {
+  SceneFile scene;   ///< with the unworn profiles
+  double weight = 1; ///< > 0
+};
+
+/// How profiles wear under a collective.
+struct EvolutionOptions {
+  Law law = EnergyLaw{};          ///< of both bodies
+  bool rail = true, wheel = true; ///< which bodies wear
+  double cap = 0.02;              ///< largest depth of one step, mm
+  double smoothing = 3;           ///< of the wear of each step: shortest wavelength, mm
+  /// How many wheels pass a place of the rail while one wheel turns once. 1: roller and disc of equal size.
+  double passages = 1;
+  double kept_turn = usual_kept_turn; ///< influence functions are kept up to this turn_between(), rad
+  /// A step ends with Stopped soon after another thread sets it. Null: nobody does.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// What has become of one body.
+struct WornBody {
+  std::vector<Point2> points; ///< of its profile, in walking order; own frame, mm
+  std::vector<double> depth;  ///< taken off at each point so far, along the normals, mm
+  double area = 0;            ///< gone from the section so far, mm^2: volume by length of the body
+
+  double largest() const; ///< of the depths, mm
+};
+
+/// The state between two steps.
+struct WornPair {
+  WornBody rail, wheel;   ///< the bodies
+  double revolutions = 0; ///< of the wheel
+
+  double largest() const { return std::max(rail.largest(), wheel.largest()); } ///< depth of both, mm
+};
+
+/// The cases of a sweep with their weights; `model`: instead of the scenes' own, "": none.
+std::vector<CollectiveCase> collective_of(const SweepFile& sweep, const std::string& model);
+
+/// The unworn bodies of a scene.
+WornPair unworn(const SceneFile& scene);
+
+/// The influence files that a scene names, as those of its unworn bodies. Throws InputError where they are
+/// not of the scene's profiles.
+KeptPair unworn_influence(const SceneFile& scene, const WornPair& unworn);
+
+/// Solves every case with the profiles of `now`, which are written into `folder` as rail.txt and wheel.txt.
+/// Then moves the profiles of the bodies that wear (explicit Euler, first order in the length of the step).
+/// The step takes off `cap` at the deepest place, or less if the largest depth reaches `until`, mm. Throws
+/// InputError for wrong scenes, and for influence functions that the shape has outgrown; ConvergenceError
+/// where a case has no certified result. `influence`: taken instead of the files that the scenes name, by the
+/// cases whose model may need them.
+WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases,
+                   const EvolutionOptions& options, double until, const std::filesystem::path& folder,
+                   const KeptPair& influence = {});
+
+/// Whether a case may be solved with the influence files that it names.
+bool needs_influence(const SceneFile& scene);
+
+/// The wear map that a scene gives; none: that of KTH Stockholm is meant. validate() sees what is wrong.
+std::optional<WearMap> wear_map_of(const SceneFile& scene);
+
+/// Throws InputError for an empty collective, weights that are not positive, other bodies or another wear map
+/// from case to case, options out of range, and a depth to end at (mm) that is not positive.
+void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& options, double depth);
+
+/// What has become of both bodies after a step.
+struct WearRow {
+  double step = 0, revolutions = 0, mileage = 0; ///< 1, 1, km
+  double rail_depth = 0, wheel_depth = 0;        ///< largest depth of each body, mm
+  double rail_area = 0, wheel_area = 0;          ///< gone from each section, mm^2
+};
+
+/// A column of wear.csv, a dataset of wear.h5, an array of Python's wear().
+struct WearColumn {
+  const char* name;        ///< as in all outputs
+  const char* unit;        ///< "1" where it has none
+  double WearRow::*member; ///< what it has of a step
+};
+inline constexpr std::array<WearColumn, 7> wear_columns{{{"step", "1", &WearRow::step},
+                                                         {"revolutions", "1", &WearRow::revolutions},
+                                                         {"mileage", "km", &WearRow::mileage},
+                                                         {"rail_depth", "mm", &WearRow::rail_depth},
+                                                         {"wheel_depth", "mm", &WearRow::wheel_depth},
+                                                         {"rail_area", "mm^2", &WearRow::rail_area},
+                                                         {"wheel_area", "mm^2", &WearRow::wheel_area}}};
+
+/// The row of a state after so many steps; the mileage is that of a wheel of this radius, mm.
+WearRow history_row(int step, const WornPair& pair, double wheel_radius);
+
+} // namespace bem_contact::wear

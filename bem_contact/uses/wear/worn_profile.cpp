@@ -1,0 +1,103 @@
+#include "bem_contact/uses/wear/worn_profile.hpp"
+
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/uses/wear/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+#include <ostream>
+
+namespace bem_contact::wear {
+
+namespace {
+
+/// Cubic B-spline with knots -2, -1, 0, 1, 2.
+double b_spline(double t) {
+  t = std::abs(t);
+  if (t >= 2)
+    return 0;
+  return t >= 1 ? (2 - t) * (2 - t) * (2 - t) / 6 : 2.0 / 3 - t * t * (1 - t / 2);
+}
+
+/// Half the distances to both neighbours, mm.
+std::vector<double> lengths(std::span<const Point2> points) {
+  std::vector<double> out(points.size(), 0.0);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const double half = norm(points[i + 1] - points[i]) / 2;
+    out[i] += half;
+    out[i + 1] += half;
+  }
+  return out;
+}
+
+} // namespace
+
+std::vector<Point2> points_of(const ProfileCurve& curve) {
+  const double length = curve.s_end() - curve.s_begin();
+  const int steps = std::max(2, static_cast<int>(std::ceil(length / profile_spacing)));
+  std::vector<Point2> out;
+  for (int i = 0; i <= steps; ++i)
+    out.push_back(curve.at(curve.s_begin() + length * i / steps).position);
+  return out;
+}
+
+Depths::Depths(std::span<const Point2> points, double smoothing)
+    : s_(ProfileCurve::through_points("worn", points).joints()), length_(lengths(points)),
+      depth_(points.size(), 0.0), knot_spacing_(std::max(smoothing / knots_per_wavelength, profile_spacing)) {
+}
+
+void Depths::add(const DepthOverS& wear, double weight) {
+  for (std::size_t row = 0; row < wear.s.size(); ++row) {
+    if (wear.depth[row] == 0)
+      continue;
+    const double s = std::clamp(wear.s[row], s_.front(), s_.back());
+    const std::size_t first = std::ranges::upper_bound(s_, s - 2 * knot_spacing_) - s_.begin(),
+                      last = std::ranges::lower_bound(s_, s + 2 * knot_spacing_) - s_.begin();
+    double sum = 0;
+    for (std::size_t i = first; i < last; ++i)
+      sum += b_spline((s_[i] - s) / knot_spacing_) * length_[i];
+    for (std::size_t i = first; i < last; ++i)
+      depth_[i] += weight * wear.depth[row] * wear.width * b_spline((s_[i] - s) / knot_spacing_) / sum;
+  }
+}
+
+double Depths::largest() const {
+  return *std::ranges::max_element(depth_);
+}
+
+double Depths::area() const {
+  return std::inner_product(depth_.begin(), depth_.end(), length_.begin(), 0.0);
+}
+
+std::vector<Point2> worn(std::span<const Point2> points, const std::vector<double>& depth, double area) {
+  std::vector<Point2> out(points.begin(), points.end());
+  if (!(area > 0))
+    return out;
+  const ProfileCurve curve = ProfileCurve::through_points("worn", points);
+  const std::vector<double> s = curve.joints(); // of the points
+  std::vector<Point2> move(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (depth[i] > 0)
+      move[i] = depth[i] * normal_of(curve.at(s[i]).delta);
+  double linear = 0, square = 0; // of the area under the moves times a factor
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Point2 edge = points[i + 1] - points[i];
+    linear += (cross(edge, move[i]) + cross(edge, move[i + 1])) / 2;
+    square += cross(move[i + 1], move[i]) / 2;
+  }
+  const double factor = 2 * area / (linear + std::sqrt(linear * linear + 4 * square * area));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    out[i] = points[i] + factor * move[i];
+  return out;
+}
+
+void write_profile(const std::filesystem::path& file, std::span<const Point2> points) {
+  write_whole(file, [&](std::ostream& out) {
+    for (const Point2& p : points)
+      out << fmt::format("{:.12f} {:.12f}\n", p.y, p.z);
+  });
+}
+
+} // namespace bem_contact::wear

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "bem_contact/profile/profile_curve.hpp"
+#include "bem_contact/uses/wear/wear_of_result.hpp"
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace bem_contact::wear {
+
+/// A profile as points in walking order, about profile_spacing apart; its own frame, mm.
+std::vector<Point2> points_of(const ProfileCurve& curve);
+
+/// Depths of several contacts on one body, each times its weight, at the points of a profile.
+class Depths {
+public:
+  /// `smoothing`: waves shorter than this are removed, mm.
+  Depths(std::span<const Point2> points, double smoothing);
+
+  /// Spreads the depth of each row over the points near it by a cubic B-spline. This is smoothing that keeps
+  /// the volume exactly, and no point grows. (A smoothing spline through the worn points would keep it too,
+  /// but overshoots beside a worn band, and would smooth the unworn shape at every step.)
+  void add(const DepthOverS& wear, double weight);
+
+  const std::vector<double>& values() const { return depth_; } ///< mm, one a point
+  double largest() const;                                      ///< mm
+  double area() const;                                         ///< mm^2
+
+private:
+  std::vector<double> s_, length_, depth_;
+  double knot_spacing_;
+};
+
+/// The points moved along their normals into the body by the depths times a factor near 1, such that the
+/// area between the two polygons is the area of the depths: on a curved profile it would else be smaller or
+/// larger by depth times curvature / 2.
+std::vector<Point2> worn(std::span<const Point2> points, const std::vector<double>& depth, double area);
+
+/// Two columns y z, as scenes read them with profile_z = "down"; whole or not at all.
+void write_profile(const std::filesystem::path& file, std::span<const Point2> points);
+
+} // namespace bem_contact::wear

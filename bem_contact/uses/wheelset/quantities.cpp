@@ -1,0 +1,133 @@
+#include "bem_contact/uses/wheelset/quantities.hpp"
+
+#include "bem_contact/sequence/quantities.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace bem_contact {
+
+namespace {
+
+using Result = WheelsetResult;
+using State = WheelsetState;
+
+/// What changes sign in the mirror.
+double sign(WheelSide side) {
+  return side == WheelSide::left ? -1 : 1;
+}
+
+/// Of the first patch; `Of` gets what changes sign in the mirror.
+template <double (*Of)(const PatchSummary&, double sign)> double of_patch(const State& s, WheelSide side) {
+  const auto& patches = s.solved(side).result.patches;
+  return patches.empty() ? PatchPlace::none : Of(patches.front(), sign(side));
+}
+
+template <double PatchPlace::*Member> double place(const State& s, WheelSide side) {
+  const auto& places = s.solved(side).patch_places;
+  return places.empty() ? PatchPlace::none : places.front().*Member;
+}
+
+template <double PatchPlace::*Member> double mirrored_place(const State& s, WheelSide side) {
+  return sign(side) * place<Member>(s, side);
+}
+
+template <std::size_t I> double force(const State& s, WheelSide side) {
+  return s.wrench(side).force[I];
+}
+template <std::size_t I> double moment(const State& s, WheelSide side) {
+  return s.wrench(side).moment[I];
+}
+template <std::size_t I> double sum_of_forces(const Result& r) {
+  return r.state.sum().force[I];
+}
+
+double friction_power_of(const State& s, WheelSide side) {
+  const SceneResult& r = s.solved(side);
+  return r.problem.has_friction() ? friction_power(r.result, r.problem.element_area()) : 0.0;
+}
+
+constexpr WheelsetQuantity of_wheelset[] = {
+    {"lateral", "mm", "lateral displacement, to the right",
+     [](const Result& r) { return r.state.pose.lateral; }},
+    {"vertical", "mm", "of the centre below wheel_radius above the rails",
+     [](const Result& r) { return r.state.pose.vertical; }},
+    {"roll", "rad", "right side down", [](const Result& r) { return r.state.pose.roll; }},
+    {"yaw", "rad", "front to the right", [](const Result& r) { return r.state.yaw; }},
+    {"rolling_radius", "mm", "forward over angular speed of the axle, found for the torque; nan: given",
+     [](const Result& r) {
+       return r.state.pose.rolling_radius.value_or(std::numeric_limits<double>::quiet_NaN());
+     }},
+    {"Fx", "N", "on both rails", sum_of_forces<0>},
+    {"Fy", "N", "on both rails", sum_of_forces<1>},
+    {"Fz", "N", "on both rails", sum_of_forces<2>},
+    {"roll_moment", "N mm", "on both rails, about the forward axis through the wheelset's centre",
+     [](const Result& r) { return r.state.roll_moment(r.state.sum()); }},
+    {"yaw_moment", "N mm", "on both rails, about the vertical through the wheelset's centre",
+     [](const Result& r) { return r.state.sum().moment[2]; }},
+    {"torque", "N mm", "that drives the axle against the forces on the rails",
+     [](const Result& r) { return r.state.torque(r.state.sum()); }},
+    {"friction_power", "N", "dissipated per unit of rolled distance",
+     [](const Result& r) {
+       return friction_power_of(r.state, WheelSide::right) + friction_power_of(r.state, WheelSide::left);
+     }},
+    {"residual", "1", "of the equilibrium, over wheelset.force", [](const Result& r) { return r.residual; }},
+    {"lateral_residual", "1", "of the lateral force, over wheelset.force; nan: not given",
+     [](const Result& r) { return r.lateral_residual; }},
+    {"contact_problems", "1", "solved on the way",
+     [](const Result& r) { return static_cast<double>(r.contact_problems); }},
+};
+
+constexpr WheelQuantity of_wheel[] = {
+    {"share", "1", "of the vertical force",
+     [](const State& s, WheelSide side) { return s.wrench(side).force[2] / s.sum().force[2]; }},
+    {"Fx", "N", "on the rail", force<0>},
+    {"Fy", "N", "on the rail, to the right", force<1>},
+    {"Fz", "N", "on the rail", force<2>},
+    {"Y_over_Q", "1", "|Fy| / Fz: derailment quotient",
+     [](const State& s, WheelSide side) {
+       return std::abs(s.wrench(side).force[1]) / s.wrench(side).force[2];
+     }},
+    {"Mx", "N mm", "on the rail, about the wheelset's centre", moment<0>},
+    {"My", "N mm", "on the rail, about the wheelset's centre", moment<1>},
+    {"Mz", "N mm", "on the rail, about the wheelset's centre", moment<2>},
+    {"y", "mm", "of the contact, from the track's centre line to the right",
+     of_patch<[](const PatchSummary& p, double sign) { return sign * p.position.y; }>},
+    {"z", "mm", "of the contact, below the top of the rail",
+     of_patch<[](const PatchSummary& p, double) { return p.position.z; }>},
+    {"delta", "rad", "inclination of the rail there, right side down",
+     of_patch<[](const PatchSummary& p, double sign) { return sign * p.delta; }>},
+    {"rail_y", "mm", "of the contact on the rail's profile, to the field side", place<&PatchPlace::rail_y>},
+    {"wheel_y", "mm", "of the contact on the wheel's profile, to the field side",
+     place<&PatchPlace::wheel_y>},
+    {"radius", "mm", "of the wheel at the contact",
+     [](const State& s, WheelSide side) { return s.wheel_radius + place<&PatchPlace::wheel_z>(s, side); }},
+    {"xi", "1", "longitudinal creepage", place<&PatchPlace::xi>},
+    {"eta", "1", "lateral creepage, to the right", mirrored_place<&PatchPlace::eta>},
+    {"phi", "1/mm", "spin creepage", mirrored_place<&PatchPlace::phi>},
+    {"approach", "mm", "of wheel and rail, vertically",
+     [](const State& s, WheelSide side) { return s.solved(side).result.approach; }},
+    {"pmax", "MPa", "largest pressure",
+     [](const State& s, WheelSide side) { return largest_pressure(s.solved(side).result); }},
+    {"area", "mm2", "in contact",
+     [](const State& s, WheelSide side) { return contact_area(s.solved(side).result); }},
+    {"patches", "1", "areas of contact",
+     [](const State& s, WheelSide side) {
+       return static_cast<double>(s.solved(side).result.patches.size());
+     }},
+    {"adhesion_share", "1", "of the area in contact that adheres",
+     [](const State& s, WheelSide side) { return adhesion_share(s.solved(side).result); }},
+    {"friction_power", "N", "dissipated per unit of rolled distance", friction_power_of},
+};
+
+} // namespace
+
+std::span<const WheelsetQuantity> wheelset_quantities() {
+  return of_wheelset;
+}
+
+std::span<const WheelQuantity> wheel_quantities() {
+  return of_wheel;
+}
+
+} // namespace bem_contact

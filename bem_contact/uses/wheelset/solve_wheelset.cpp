@@ -1,0 +1,239 @@
+#include "bem_contact/uses/wheelset/solve_wheelset.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/sequence/lateral/lateral_force.hpp"
+#include "bem_contact/uses/wheelset/equilibrium.hpp"
+#include "bem_contact/uses/wheelset/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+/// Narrows an interval at whose ends the force is on different sides of `wanted`: where the line between both
+/// meets it, but not too near to an end, because on a flange the force is no line.
+LateralRoot narrow(const LateralForce& force, LateralSample a, LateralSample b, double wanted) {
+  const double first_slope = (b.force - a.force) / (b.lateral - a.lateral);
+  const auto met = [&] { return (wanted - a.force) / (b.force - a.force); };
+  while (std::abs(b.lateral - a.lateral) > rough_lateral_width) {
+    const double share = std::clamp(met(), least_narrowing, 1 - least_narrowing);
+    const double between = a.lateral + share * (b.lateral - a.lateral);
+    const std::optional<double> there = force(between);
+    if (!there)
+      break;
+    ((*there - wanted) * (a.force - wanted) > 0 ? a : b) = {between, *there};
+  }
+  const double slope = (b.force - a.force) / (b.lateral - a.lateral);
+  return slope > 0 ? LateralRoot{a.lateral + (wanted - a.force) / slope, slope}
+                   : LateralRoot{a.lateral, first_slope}; // rough forces so near to each other say nothing
+}
+
+/// The first displacement from `start` on at which the lateral forces on both rails add up to about `wanted`,
+/// N; within rough_lateral_width. `force`: this sum at a displacement, nothing where the wheelset does not
+/// stand. The force grows with the displacement until a wheel climbs its rail, so the search goes to that
+/// side. Throws InputError, with the largest force on the way, if the wanted one is not met.
+LateralRoot search_lateral(const LateralForce& force, double start, double wanted) {
+  const std::optional<double> first = force(start);
+  if (!first)
+    throw InputError(fmt::format("The wheelset does not stand at a lateral displacement of {:g} mm", start),
+                     "the search for the displacement that wheelset.force_y asks for begins there",
+                     "Give another position.lateral.");
+  const double side = *first < wanted ? 1 : -1;
+  LateralSample here{start, *first}, best = here;
+  double step = first_lateral_step;
+  while (std::abs(here.lateral - start) < lateral_search_reach) {
+    const double at = here.lateral + side * step;
+    const std::optional<double> there = force(at);
+    if (there && side * (*there - wanted) >= 0)
+      return narrow(force, here, {at, *there}, wanted);
+    if (!there) {
+      step *= 0.5;
+      if (step < least_lateral_step)
+        break;
+      continue;
+    }
+    here = {at, *there};
+    if (side * (here.force - best.force) > 0)
+      best = here;
+    step = std::min(lateral_step_growth * step, largest_lateral_step);
+  }
+  throw InputError(
+      fmt::format("No lateral displacement gives the wheelset a lateral force of {:g} N", wanted),
+      fmt::format(
+          "from {:g} mm on, the rails bear up to {:.5g} N, at {:.2f} mm; beyond that the flange climbs "
+          "the rail or a wheel lifts",
+          start, best.force, best.lateral),
+      "Give a smaller wheelset.force_y, less friction, or another position.lateral.");
+}
+
+/// Whether the rolling radius of the axle follows from its torque.
+bool finds_rolling_radius(const SceneFile& scene) {
+  const SceneFile::Motion& m = scene.motion;
+  return !m.frictionless && !m.rolling_radius && !m.pitch_rate;
+}
+
+/// Of the wheel where its largest patch lies, mm.
+double radius_at_contact(const SceneResult& r, double wheel_radius) {
+  return wheel_radius + (r.patch_places.empty() ? 0.0 : r.patch_places.front().wheel_z);
+}
+
+/// Approaches and rolling radius by rule of thumb.
+EquilibriumStart first_guess(const SceneFile& scene) {
+  const double softer = std::min(scene.rail.material.young(), scene.wheel.material.young());
+  const double share = 0.5 * *scene.wheelset.force / 1e5 * Material().young() / softer;
+  const double approach = usual_approach * std::pow(share, 1 / hertz_exponent);
+  return {approach, approach, 0, {}};
+}
+
+/// The start for the equations, from a solution at the guess: elements are chosen there and kept.
+EquilibriumStart begin(WheelPair& wheels, double lateral) {
+  EquilibriumStart start = first_guess(wheels.scene());
+  const WheelsetState s = wheels.at(stand(wheels, lateral, start));
+  wheels.fix_elements(s);
+  start.roll = s.pose.roll;
+  const double half = 0.5 * *wheels.scene().wheelset.force;
+  const auto nearer = [&](const SceneResult& r) {
+    const double ratio = std::clamp(half / std::max(r.result.Fz, 0.1 * half), 0.1, 10.0);
+    return r.result.approach * std::pow(ratio, 1 / hertz_exponent);
+  };
+  start.right = nearer(s.right);
+  start.left = nearer(s.left);
+  if (finds_rolling_radius(wheels.scene()))
+    start.rolling_radius =
+        0.5 * (radius_at_contact(s.right, s.wheel_radius) + radius_at_contact(s.left, s.wheel_radius));
+  return start;
+}
+
+/// The same question for half-spaces.
+SceneFile rough_scene(const SceneFile& scene) {
+  SceneFile out = with_model(scene, Model::halfspace);
+  out.stresses.depths.clear();
+  return out;
+}
+
+/// An equilibrium at each displacement that is tried, from the nearest one before.
+class Follower {
+public:
+  Follower(WheelPair& wheels, double lateral, const EquilibriumStart& start, double tolerance)
+      : wheels_(wheels), tolerance_(tolerance), known_{{lateral, start}} {}
+
+  std::optional<double> force(double lateral) {
+    try {
+      last_ = find_equilibrium(wheels_, lateral, near(lateral), tolerance_);
+    } catch (const InputError&) { // a wheel lifts, or leaves its rail
+      return std::nullopt;
+    } catch (const ConvergenceError&) {
+      return std::nullopt;
+    }
+    known_.push_back({lateral, last_->start()});
+    return last_->state.sum().force[1];
+  }
+
+  const Equilibrium& last() const { return *last_; } ///< once there is one
+  const EquilibriumStart& near(double lateral) const {
+    return std::ranges::min_element(known_, {}, [&](const Known& k) { return std::abs(k.lateral - lateral); })
+        ->start;
+  }
+
+private:
+  struct Known {
+    double lateral = 0;
+    EquilibriumStart start;
+  };
+  WheelPair& wheels_;
+  double tolerance_;
+  std::vector<Known> known_;
+  std::optional<Equilibrium> last_;
+};
+
+/// About where the lateral force is met.
+struct RoughPlace {
+  LateralRoot guess;
+  WheelsetPose pose;      ///< of the last equilibrium that was tried, near it
+  EquilibriumStart start; ///< there
+  int contact_problems = 0;
+};
+RoughPlace search_roughly(const SceneFile& scene, const std::atomic<bool>* stop,
+                          const std::shared_ptr<SequenceFiles>& files) {
+  WheelPair wheels(rough_scene(scene), stop, files);
+  Follower follower(wheels, scene.position.lateral, begin(wheels, scene.position.lateral), rough_tolerance);
+  wheels.scale_elements(rough_elements);
+  const LateralRoot guess = search_lateral([&](double y) { return follower.force(y); },
+                                           scene.position.lateral, *scene.wheelset.force_y);
+  return {guess, follower.last().state.pose, follower.near(guess.lateral), wheels.contact_problems()};
+}
+
+/// The equilibrium under wheelset.force_y.
+Equilibrium at_lateral_force(WheelPair& wheels, const EquilibriumStart& start, const LateralRoot& guess) {
+  const SceneFile::Wheelset& given = wheels.scene().wheelset;
+  Follower follower(wheels, guess.lateral, start, equilibrium_tolerance / 10);
+  const double lateral =
+      solve_lateral_force([&](double y) { return follower.force(y); }, *given.force_y, guess,
+                          lateral_balance * std::hypot(*given.force, *given.force_y));
+  if (follower.last().state.pose.lateral != lateral)
+    return find_equilibrium(wheels, lateral, follower.near(lateral), equilibrium_tolerance / 10);
+  return follower.last();
+}
+
+/// Whether some wheel's elements are too large for the accuracy asked for, or to tell.
+bool too_coarse(const SceneFile& scene, const WheelsetState& s) {
+  const auto coarse = [&](const SceneResult& r) {
+    const double error = asked_error(scene.grid, r);
+    return error < 0 || error > *scene.grid.accuracy;
+  };
+  return scene.grid.accuracy && (coarse(s.right) || coarse(s.left));
+}
+
+void add_warnings(const SceneFile& scene, WheelsetResult& out) {
+  for (const WheelSide side : both_sides)
+    for (const std::string& warning : out.state.solved(side).warnings)
+      out.warnings.push_back(fmt::format("{} wheel: {}", name_of(side), warning));
+  if (too_coarse(scene, out.state))
+    out.warnings.push_back("the accuracy asked for was not reached: the equilibrium is found on the elements "
+                           "that were chosen near it");
+}
+
+} // namespace
+
+WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop,
+                              std::shared_ptr<SequenceFiles> files) {
+  if (!scene.wheelset.force)
+    throw InputError(
+        "This scene is of one wheel", "wheelset.force is not given",
+        "Give the vertical force on the axle as force in a table [wheelset], instead of [load].");
+  const Stopwatch clock;
+  WheelPair wheels(scene, stop, files);
+  RoughPlace rough{{scene.position.lateral, 0}, {}, {}};
+  if (scene.wheelset.force_y) {
+    rough = search_roughly(scene, stop, files);
+    wheels.fix_elements(wheels.at(rough.pose));
+  } else {
+    rough.start = begin(wheels, scene.position.lateral);
+  }
+  std::optional<Equilibrium> found;
+  for (int round = 1;; ++round) {
+    found = scene.wheelset.force_y
+                ? at_lateral_force(wheels, rough.start, rough.guess)
+                : find_equilibrium(wheels, rough.guess.lateral, rough.start, equilibrium_tolerance);
+    if (round == most_element_rounds || !too_coarse(scene, found->state))
+      break;
+    wheels.free_elements();
+    wheels.fix_elements(wheels.at(found->state.pose));
+    rough.start = found->start();
+    rough.guess.lateral = found->state.pose.lateral;
+  }
+  WheelsetResult out{.state = std::move(found->state), .residual = found->residual};
+  if (scene.wheelset.force_y)
+    out.lateral_residual =
+        std::abs(out.state.sum().force[1] - *scene.wheelset.force_y) / *scene.wheelset.force;
+  out.contact_problems = wheels.contact_problems() + rough.contact_problems;
+  add_warnings(scene, out);
+  out.seconds = clock.seconds();
+  return out;
+}
+
+} // namespace bem_contact

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "bem_contact/uses/wheelset/wheel_pair.hpp"
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// Both wheels of a wheelset in equilibrium.
+///
+/// The forces on the axle are given: wheelset.force down, and wheelset.force_y to the right or, instead, the
+/// lateral displacement. Both act at the wheelset's centre, on the axle. Roll follows from the moments about
+/// the forward axis through that centre: each vertical force on a rail has the lever arm y of its contact
+/// (some 750 mm), each lateral force the height of the axle above it (some 460 mm), and their sum is
+/// wheelset.roll_moment. Yaw is given. The axle turns both wheels alike: the rolling radius is given, or is
+/// that at which wheelset.torque drives the axle (0: it rolls freely).
+struct WheelsetResult {
+  WheelsetState state; ///< where it stands, and both wheels
+  double residual = 0; ///< largest of the equilibrium's (Equilibrium::residual)
+  /// |sum Fy - force_y| over force; nan where the displacement is given.
+  double lateral_residual = std::numeric_limits<double>::quiet_NaN();
+  int contact_problems = 0;               ///< solved on the way, both wheels
+  std::vector<std::string> warnings = {}; ///< of both wheels
+  double seconds = 0;                     ///< of the call
+};
+
+/// Throws InputError for a scene without [wheelset], wrong input, a wheel that lifts, and a lateral force
+/// that no displacement gives; ConvergenceError where no equilibrium was found. `stop`: as Sequence::solve().
+/// `files`: what earlier calls have read.
+WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop = nullptr,
+                              std::shared_ptr<SequenceFiles> files = std::make_shared<SequenceFiles>());
+
+} // namespace bem_contact

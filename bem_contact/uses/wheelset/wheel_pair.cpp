@@ -1,0 +1,133 @@
+#include "bem_contact/uses/wheelset/wheel_pair.hpp"
+
+#include "bem_contact/uses/wheelset/settings.hpp"
+
+#include <cmath>
+
+namespace bem_contact {
+
+Wrench& Wrench::operator+=(const Wrench& other) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    force[i] += other.force[i];
+    moment[i] += other.moment[i];
+  }
+  return *this;
+}
+
+Wrench operator+(Wrench a, const Wrench& b) {
+  return a += b;
+}
+
+Wrench operator*(double factor, Wrench w) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    w.force[i] *= factor;
+    w.moment[i] *= factor;
+  }
+  return w;
+}
+
+Wrench wrench_at(const Vector3& f, const Vector3& r) {
+  return {f, {r[1] * f[2] - r[2] * f[1], r[2] * f[0] - r[0] * f[2], r[0] * f[1] - r[1] * f[0]}};
+}
+
+Wrench mirrored(Wrench w) {
+  w.force[1] *= -1;
+  w.moment[0] *= -1;
+  w.moment[2] *= -1;
+  return w;
+}
+
+Wrench wrench_of(const SceneResult& result, Point2 centre) {
+  const auto [fx, fy, fz, mx, my, mz] =
+      force_and_moment(result.problem, result.result, result.problem.rows, centre);
+  return {{fx, fy, fz}, {mx, my, mz}};
+}
+
+namespace {
+
+double dot(const Vector3& a, const Vector3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+SceneFile with_elements_of(const SceneFile& scene, const SceneResult& like) {
+  return with_elements(with_model(scene, like.model), like.problem.grid.dx, like.problem.grid.ds);
+}
+
+} // namespace
+
+double WheelsetState::roll_moment(const Wrench& w) const {
+  return dot(w.moment, {std::cos(yaw), std::sin(yaw), 0});
+}
+
+double WheelsetState::torque(const Wrench& w) const {
+  const double c = std::cos(pose.roll);
+  return -dot(w.moment, {-std::sin(yaw) * c, std::cos(yaw) * c, std::sin(pose.roll)});
+}
+
+WheelPair::WheelPair(const SceneFile& scene, const std::atomic<bool>* stop,
+                     std::shared_ptr<SequenceFiles> files)
+    : scene_(scene), stop_(stop), files_(std::move(files)), right_({}, files_), left_({}, files_) {
+  free_elements();
+}
+
+SceneFile WheelPair::wheel_scene(WheelSide side, const WheelsetPose& pose) const {
+  SceneFile out = side == WheelSide::right ? right_scene_ : left_scene_;
+  out.position.lateral = pose.lateral;
+  out.position.vertical = pose.vertical;
+  out.position.roll = pose.roll;
+  out.motion.free_rolling = false; // one wheel of an axle does not roll freely
+  if (pose.rolling_radius) {
+    out.motion.rolling_radius = pose.rolling_radius;
+    out.motion.pitch_rate.reset();
+  }
+  return out;
+}
+
+WheelsetState WheelPair::at(const WheelsetPose& pose) {
+  const double yaw = scene_.position.yaw, radius = scene_.position.wheel_radius;
+  WheelsetState out{.pose = pose,
+                    .yaw = yaw,
+                    .wheel_radius = radius,
+                    .right = right_.solve(wheel_scene(WheelSide::right, pose), stop_),
+                    .left = left_.solve(wheel_scene(WheelSide::left, pose), stop_)};
+  const double height = pose.vertical - radius;
+  out.right_wrench = wrench_of(out.right, {pose.lateral, height});
+  out.left_wrench = mirrored(wrench_of(out.left, {-pose.lateral, height}));
+  return out;
+}
+
+void WheelPair::fix_elements(const WheelsetState& like) {
+  right_scene_ = with_elements_of(right_scene_, like.right);
+  left_scene_ = with_elements_of(left_scene_, like.left);
+}
+
+void WheelPair::scale_elements(double factor) {
+  for (SceneFile* scene : {&right_scene_, &left_scene_})
+    *scene = with_elements(*scene, factor * scene->grid.dx, factor * scene->grid.ds);
+}
+
+void WheelPair::free_elements() {
+  right_scene_ = one_wheel(scene_, WheelSide::right);
+  left_scene_ = one_wheel(scene_, WheelSide::left);
+  for (SceneFile* scene : {&right_scene_, &left_scene_})
+    if (scene->grid.accuracy)
+      *scene->grid.accuracy *= accuracy_reserve;
+}
+
+double WheelPair::lowered(WheelSide side, double lateral, double roll) {
+  const SceneFile& scene = side == WheelSide::right ? right_scene_ : left_scene_;
+  const WheelRailProfiles profiles = files_->profiles(scene);
+  WheelsetPosition position = scene.position;
+  position.lateral = lateral;
+  position.roll = roll;
+  WheelOnRail pair = place(position, profiles.rail, profiles.wheel);
+  const double before = pair.wheel_pose.origin.z;
+  lower_to_touch(pair);
+  return pair.wheel_pose.origin.z - before;
+}
+
+int WheelPair::contact_problems() const {
+  return right_.counts().solves + left_.counts().solves;
+}
+
+} // namespace bem_contact

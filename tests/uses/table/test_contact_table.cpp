@@ -1,0 +1,230 @@
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/uses/table/refine.hpp"
+#include "bem_contact/uses/table/table_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <random>
+#include <unistd.h>
+
+namespace {
+
+using namespace bem_contact;
+using namespace bem_contact::table;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+using Function = double (*)(const Point&);
+
+/// A table of one function over two axes, 0 .. 1 and 2 .. 4.
+ContactTable plane() {
+  return {.axes = {{"x", "mm", "", {0, 0.5, 1}}, {"y", "N", "", {2, 3, 4}}},
+          .columns = {{.name = "f", .unit = "1/mm", .description = ""}}};
+}
+
+PointsSolver solver_of(Function f) {
+  return one_by_one([f](const Point& p) { return PointValues{{f(p)}, {std::nan("")}}; });
+}
+
+ContactTable refined(Function f, const Wanted& wanted) {
+  ContactTable table = plane();
+  refine(table, solver_of(f), wanted);
+  return table;
+}
+
+double steep(const Point& p) {
+  return std::tanh(20 * (p[0] - 0.3)) + 0.5 * p[1];
+}
+
+double quadratic(const Point& p) {
+  return (1 + 2 * p[0] - p[0] * p[0]) * (3 - p[1] + 0.5 * p[1] * p[1]);
+}
+
+/// Of a function that is quadratic in each coordinate, nothing is lost; beyond the ends it is constant.
+TEST(ContactTable, InterpolationIsExactForParabolas) {
+  ContactTable t = refined(quadratic, {});
+  EXPECT_EQ(t.size(), 9u);
+  for (const Point& p : {Point{0.3, 2.7}, Point{0.9, 2.1}, Point{0.5, 3.3}, Point{1, 4}, Point{0, 2}})
+    EXPECT_NEAR(interpolate(t, t.columns[0], p), quadratic(p), 1e-14);
+  EXPECT_NEAR(interpolate(t, t.columns[0], Point{-5, 2.5}), quadratic({0, 2.5}), 1e-14);
+  EXPECT_NEAR(interpolate(t, t.columns[0], Point{9, 99}), quadratic({1, 4}), 1e-14);
+  EXPECT_NEAR(t.columns[0].interpolation_error, 0, 1e-14);
+  EXPECT_THROW(interpolate(t, t.columns[0], Point{1}), InputError);
+  t.axes[0].points = {0, 1}; // two points: a line
+  t.axes[1].points = {2, 4};
+  t.columns[0].values = {0, 2, 4, 10};
+  EXPECT_NEAR(interpolate(t, t.columns[0], Point{0.25, 3}), 0.75 * 1 + 0.25 * 7, 1e-14);
+}
+
+/// What is outside is refused, and so is nan; a point at the end may be off by rounding.
+TEST(ContactTable, LooksUpWithinItsAxesOnly) {
+  const ContactTable t = refined(quadratic, {});
+  EXPECT_NEAR(look_up(t, Point{0.3, 2.7}).at(0), quadratic({0.3, 2.7}), 1e-14);
+  EXPECT_NEAR(look_up(t, Point{1, 4 + 1e-15}).at(0), quadratic({1, 4}), 1e-14);
+  for (const Point& p : {Point{-0.1, 3}, Point{1.1, 3}, Point{0.5, 4.1}, Point{std::nan(""), 3}, Point{1}})
+    EXPECT_THROW(look_up(t, p), InputError);
+  try {
+    look_up(t, Point{0.5, 5});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("y = 5 is outside the table (its axis goes from 2 to 4 N)"));
+  }
+}
+
+/// Points come where the function bends, and on no axis along which it is straight.
+TEST(Refine, MeetsTheToleranceAtPointsNotUsed) {
+  const ContactTable t = refined(steep, {.tolerance = 0.01});
+  EXPECT_LE(t.columns[0].interpolation_error, 0.01);
+  EXPECT_GT(t.columns[0].interpolation_error, 0.001);
+  EXPECT_THAT(t.axes[1].points, ElementsAre(2, 3, 4));
+  const auto inside = [&](double from, double to) {
+    return std::ranges::count_if(t.axes[0].points, [=](double x) { return x > from && x < to; });
+  };
+  EXPECT_GT(inside(0.2, 0.4), 2 * inside(0.6, 1));
+  EXPECT_EQ(t.checked, (t.axes[0].points.size() - 1) * 2);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> x(0, 1), y(2, 4);
+  for (int i = 0; i < 200; ++i) {
+    const Point p{x(random), y(random)};
+    EXPECT_NEAR(interpolate(t, t.columns[0], p), steep(p), 0.012)
+        << p[0]; // the middle is not quite the worst
+  }
+}
+
+/// The plane with a line of points of its own at each x.
+ContactTable nested_plane() {
+  ContactTable t = plane();
+  t.axes[1] = {"y", "N", "", {2, 3, 4, 2, 3, 4, 2, 3, 4}, {0, 3, 6, 9}};
+  return t;
+}
+
+/// Points and weights by hand: the lines at x = 0, .5 and 1 have one, two and three points.
+TEST(NestedAxes, EachPointHasItsOwnLine) {
+  ContactTable t = plane();
+  t.axes[1] = {"y", "N", "", {0, 2, 4, 2, 3, 4}, {0, 1, 3, 6}};
+  t.columns[0].values = {7, 10, 20, 1, 5, 2};
+  EXPECT_EQ(t.size(), 6u);
+  EXPECT_EQ(t.point(0), (Point{0, 0}));
+  EXPECT_EQ(t.point(2), (Point{0.5, 4}));
+  EXPECT_EQ(t.point(4), (Point{1, 3}));
+  EXPECT_EQ(t.axes[1].from(), 2);
+  EXPECT_EQ(t.axes[1].to(), 4);
+  EXPECT_NEAR(interpolate(t, t.columns[0], Point{0, 2.7}), 7, 1e-14);      // a single point: constant
+  EXPECT_NEAR(interpolate(t, t.columns[0], Point{0.5, 2.5}), 12.5, 1e-14); // two points: a line
+  EXPECT_NEAR(interpolate(t, t.columns[0], Point{1, 3}), 5, 1e-14);
+  // At y = 3 the lines say 7, 15 and 5: the parabola through these.
+  EXPECT_NEAR(interpolate(t, t.columns[0], Point{0.25, 3}), 0.375 * 7 + 0.75 * 15 - 0.125 * 5, 1e-13);
+}
+
+TEST(NestedAxes, InterpolationIsExactForParabolas) {
+  ContactTable t = nested_plane();
+  refine(t, solver_of(quadratic), {});
+  EXPECT_EQ(t.size(), 9u);
+  EXPECT_EQ(t.checked, 4u);
+  EXPECT_EQ(t.solved, 13u);
+  for (const Point& p : {Point{0.3, 2.7}, Point{0.9, 2.1}, Point{0.5, 3.3}, Point{1, 4}, Point{0, 2}})
+    EXPECT_NEAR(interpolate(t, t.columns[0], p), quadratic(p), 1e-14);
+}
+
+/// A ridge across the corner.
+double ridge(const Point& p) {
+  return std::tanh(10 * (p[0] + 0.5 * p[1] - 2.2));
+}
+
+/// Lines get points only where the ridge crosses them, fewer than the tensor takes.
+TEST(NestedAxes, PointsComeOnlyWhereTheFunctionBends) {
+  ContactTable nested = nested_plane(), tensor = plane();
+  refine(nested, solver_of(ridge), {.tolerance = 0.02});
+  refine(tensor, solver_of(ridge), {.tolerance = 0.02});
+  EXPECT_LT(nested.size(), 0.7 * static_cast<double>(tensor.size()));
+  EXPECT_LE(nested.columns[0].interpolation_error, 0.02);
+  EXPECT_GT(nested.columns[0].interpolation_error, 0.002);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> x(0, 1), y(2, 4);
+  double worst = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Point p{x(random), y(random)};
+    worst = std::max(worst, std::abs(interpolate(nested, nested.columns[0], p) - ridge(p)));
+  }
+  fmt::print("{} points, {} of a tensor; off by up to {:.3f}\n", nested.size(), tensor.size(), worst);
+  EXPECT_LE(worst, 0.03); // the middle of a cell is not quite the worst
+}
+
+/// The slope is continuous across the points of the outer axis, whatever lines they have.
+TEST(NestedAxes, SlopeIsContinuous) {
+  ContactTable t = nested_plane();
+  refine(t, solver_of(ridge), {.tolerance = 0.02});
+  const double h = 1e-6;
+  const auto at = [&](double x) { return interpolate(t, t.columns[0], Point{x, 2.7}); };
+  for (std::size_t i = 1; i + 1 < t.axes[0].points.size(); ++i) {
+    const double x = t.axes[0].points[i];
+    EXPECT_NEAR((at(x + h) - at(x)) / h, (at(x) - at(x - h)) / h, 1e-3) << x;
+  }
+}
+
+/// An error relative to a larger scale, or of a column that is not held, adds no point.
+TEST(Refine, LooksAtHeldColumnsByTheirScale) {
+  ContactTable t = plane();
+  t.columns[0].scale = 1000;
+  t.columns.push_back({.name = "g", .unit = "", .description = "", .held = false});
+  refine(t, one_by_one([](const Point& p) {
+           return PointValues{{steep(p), 1e9 * std::pow(p[0], 4)}, {0.1, 0.2}};
+         }),
+         {});
+  EXPECT_EQ(t.size(), 9u);
+  EXPECT_GT(t.columns[1].interpolation_error, 1e7);
+  EXPECT_EQ(t.columns[1].element_error, 0.2);
+}
+
+TEST(Refine, SaysWhereTheToleranceIsNotMet) {
+  const auto jump = [](const Point& p) { return p[0] < 0.7 ? 0.0 : 1.0; };
+  try {
+    refined(jump, {.tolerance = 0.01, .most_points = 60});
+    FAIL();
+  } catch (const ConvergenceError& error) {
+    for (const char* part :
+         {"not within 1 %", "f is still off by", "x = 0.", "60 are allowed", "--most-points"})
+      EXPECT_THAT(error.what(), HasSubstr(part));
+  }
+  ContactTable nested = nested_plane();
+  EXPECT_THROW(refine(nested, solver_of(jump), {.tolerance = 0.01, .most_points = 60}), ConvergenceError);
+  EXPECT_THROW(refine(nested, solver_of([](const Point&) { return std::nan(""); }), {}), InputError);
+  EXPECT_THROW(refined(jump, {.most_points = 8}), InputError);
+  EXPECT_THROW(refined(jump, {.tolerance = 0}), InputError);
+  EXPECT_THROW(refined([](const Point&) { return std::nan(""); }, {}), InputError);
+}
+
+TEST(TableFile, IsReadAsItWasWritten) {
+  ContactTable t = refined(steep, {.tolerance = 0.1});
+  t.scale = {{-1, 0, 1}, {3, 4, 5}, {3.5, 4.5, 5.5}, 0.28};
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / fmt::format("table_{}.h5", getpid());
+  write_h5(file, to_h5(t));
+  const ContactTable read = read_table(file);
+  EXPECT_EQ(read.axes[1].name, "y");
+  EXPECT_EQ(read.axes[0].unit, "mm");
+  EXPECT_EQ(read.axes[0].points, t.axes[0].points);
+  EXPECT_EQ(read.columns[0].values, t.columns[0].values);
+  EXPECT_EQ(read.columns[0].interpolation_error, t.columns[0].interpolation_error);
+  EXPECT_EQ(read.scale->c22, t.scale->c22);
+  EXPECT_EQ(read.solved, t.solved);
+  ContactTable nested = nested_plane();
+  refine(nested, solver_of(steep), {.tolerance = 0.1});
+  write_h5(file, to_h5(nested));
+  EXPECT_EQ(read_table(file).axes[1].first, nested.axes[1].first);
+  EXPECT_EQ(read_table(file).columns[0].values, nested.columns[0].values);
+  H5Table damaged = to_h5(nested);
+  damaged.datasets["first/y"].values[1] += 1e6;
+  write_h5(file, damaged);
+  EXPECT_THROW(read_table(file), InputError);
+  H5Table other;
+  other.attributes["format"] = std::string(table_format);
+  write_h5(file, other);
+  EXPECT_THROW(read_table(file), InputError);
+  std::filesystem::remove(file);
+}
+
+} // namespace

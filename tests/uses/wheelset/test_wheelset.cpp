@@ -1,0 +1,232 @@
+#include "bem_contact/uses/wheelset/quantities.hpp"
+#include "tests/uses/wheelset/scenes.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <string_view>
+
+namespace {
+
+using namespace bem_contact;
+
+double of_wheelset(const WheelsetResult& r, std::string_view name) {
+  for (const WheelsetQuantity& q : wheelset_quantities())
+    if (name == q.name)
+      return q.value(r);
+  ADD_FAILURE() << name;
+  return 0;
+}
+double of_wheel(const WheelsetResult& r, WheelSide side, std::string_view name) {
+  for (const WheelQuantity& q : wheel_quantities())
+    if (name == q.name)
+      return q.value(r.state, side);
+  ADD_FAILURE() << name;
+  return 0;
+}
+
+/// In the middle of the track nothing distinguishes the wheels, and each is a wheel under half of the force
+/// that rolls freely.
+TEST(Wheelset, CentredIsTwoSingleWheels) {
+  const WheelsetResult r = solve_wheelset(standard(""));
+  EXPECT_NEAR(r.state.pose.roll, 0, 1e-12);
+  SceneFile one = standard("");
+  one.wheelset = {};
+  one.load.force = 1e5;
+  one.load.force_x = 0;
+  const SceneResult single = Sequence().solve(one);
+  for (const WheelSide side : both_sides) {
+    const SceneResult& wheel = r.state.solved(side);
+    EXPECT_NEAR(wheel.result.Fz, 1e5, 0.2);
+    EXPECT_NEAR(wheel.result.Fy, single.result.Fy, 1);
+    EXPECT_NEAR(wheel.result.approach, single.result.approach, 1e-6 * single.result.approach);
+    EXPECT_NEAR(wheel.moment, single.moment, 1e-3 * std::abs(single.moment));
+  }
+  // The torque vanishes, not Fx itself: the pressure of a wheel without yaw has no moment about the axle.
+  EXPECT_NEAR(r.state.pose.rolling_radius.value(), single.free_rolling.value().rolling_radius, 1e-3);
+}
+
+/// Displacement, yaw, force and moment of other sign: the mirror image, number by number.
+TEST(Wheelset, MirrorImages) {
+  const char* one = "position.lateral = 3\nposition.yaw = 2e-3\nwheelset.roll_moment = 1e7\n"
+                    "wheelset.torque = 2e6\nmotion.speed = 2e4\nmotion.lateral_velocity = 10\n";
+  const char* other = "position.lateral = -3\nposition.yaw = -2e-3\nwheelset.roll_moment = -1e7\n"
+                      "wheelset.torque = 2e6\nmotion.speed = 2e4\nmotion.lateral_velocity = -10\n";
+  const WheelsetResult a = solve_wheelset(standard(one)), b = solve_wheelset(standard(other));
+  const auto sign = [](std::string_view name) {
+    for (const char* odd : {"lateral", "roll", "yaw", "Fy", "roll_moment", "yaw_moment", "Mx", "Mz", "y",
+                            "delta", "eta", "phi"})
+      if (name == odd)
+        return -1.0;
+    return 1.0;
+  };
+  const auto expect_same = [&](const char* name, double x, double y, double mirrored) {
+    if (!std::isnan(x) || !std::isnan(y)) {
+      EXPECT_NEAR(y, mirrored, 2e-6 * std::abs(x) + 1e-9) << name;
+    }
+  };
+  for (const WheelsetQuantity& q : wheelset_quantities())
+    if (std::string_view(q.name) != "residual")
+      expect_same(q.name, q.value(a), q.value(b), sign(q.name) * q.value(a));
+  for (const WheelQuantity& q : wheel_quantities()) {
+    const double right = q.value(a.state, WheelSide::right), left = q.value(a.state, WheelSide::left);
+    expect_same(q.name, right, q.value(b.state, WheelSide::left), sign(q.name) * right);
+    expect_same(q.name, left, q.value(b.state, WheelSide::right), sign(q.name) * left);
+  }
+}
+
+/// A cone on a circle stands as a cone that is larger by the circle's radius stands on its centre. With the
+/// centres b from the middle and the axle h above them the roll is y tan gamma / (b - h tan gamma), right
+/// side up, to first order in y (Wickens 2003, section 2.2: knife edges have h = r).
+///
+/// Without friction the forces are normal. Their vertical sum is the weight, and their moment about the
+/// axle's centre vanishes: from these two follow the shares and the lateral force.
+TEST(Wheelset, ConesRollAsTheTextbookSays) {
+  const double slope = 1.0 / 40, b = 750, h = 460 + 300 * std::hypot(1, slope), y = 2, weight = 1e5;
+  SceneFile scene = cones("position.lateral = 2\nmotion.frictionless = true\n");
+  scene.grid.dx = scene.grid.ds = 0.4;
+  const WheelsetResult r = solve_wheelset(scene);
+  const double rigid = -y * slope / (b - h * slope), roll = r.state.pose.roll;
+  // Unequal loads press one wheel deeper: half the difference of the approaches over b.
+  const double elastic = (r.state.right.result.approach - r.state.left.result.approach) / (2 * b);
+  EXPECT_NEAR(roll, rigid + elastic, 1e-3 * std::abs(rigid));
+  EXPECT_NEAR(of_wheel(r, WheelSide::right, "radius") - of_wheel(r, WheelSide::left, "radius"),
+              2 * slope * (y - h * roll), 1e-3 * slope * y);
+  const double gamma = std::atan(slope), right_tan = std::tan(gamma - roll),
+               left_tan = std::tan(gamma + roll);
+  const double right_arm = b - y - h * right_tan, left_arm = b + y - h * left_tan;
+  const double right = weight * left_arm / (right_arm + left_arm), left = weight - right;
+  EXPECT_NEAR(of_wheel(r, WheelSide::right, "Fz"), right, 1e-5 * weight);
+  EXPECT_NEAR(of_wheel(r, WheelSide::left, "Fz"), left, 1e-5 * weight);
+  const double stiffness = (right * right_tan - left * left_tan) / y; // gravitational, N/mm
+  fmt::print("gravitational stiffness {:.4f} N/mm, {:.4f} by statics; {:.1e} of the shares\n",
+             of_wheelset(r, "Fy") / y, stiffness, of_wheel(r, WheelSide::right, "Fz") / right - 1);
+  // Off by 1.6 % with elements of 0.8 mm, 0.2 % with these, 0.02 % with 0.1 mm.
+  EXPECT_NEAR(of_wheelset(r, "Fy") / y, stiffness, 4e-3 * stiffness);
+}
+
+/// A moment on the axle shifts the load: by M over the distance of the lever arms, for small angles.
+TEST(Wheelset, AMomentShiftsTheLoad) {
+  const double moment = 1.5e7, slope = 1.0 / 40, h = 460 + 300 * std::hypot(1, slope);
+  const WheelsetResult r =
+      solve_wheelset(cones("wheelset.roll_moment = 1.5e7\nmotion.frictionless = true\n"));
+  const double arm = 750 - h * slope; // of normals through the circles' centres
+  EXPECT_NEAR(of_wheel(r, WheelSide::right, "Fz") - of_wheel(r, WheelSide::left, "Fz"), moment / arm,
+              1e-3 * moment / arm);
+  EXPECT_NEAR(of_wheelset(r, "roll_moment"), moment, 1e-6 * 750 * 1e5);
+  EXPECT_GT(r.state.pose.roll, 0);
+}
+
+/// Without friction the contacts store all work: z dW + roll dM - Fy dy is the differential of a function,
+/// and its mixed derivatives are equal.
+TEST(Wheelset, MixedDerivativesOfTheEnergyAreEqual) {
+  const auto solved = [](double weight, double moment, double y) {
+    SceneFile scene = standard("motion.frictionless = true\n");
+    scene.wheelset.force = weight;
+    scene.wheelset.roll_moment = moment;
+    scene.position.lateral = y;
+    return solve_wheelset(scene);
+  };
+  const double W = 2e5, M = 1e7, y = 4.2, dW = 2e3, dM = 1e6, dy = 0.02;
+  const WheelsetResult w1 = solved(W - dW, M, y), w2 = solved(W + dW, M, y), m1 = solved(W, M - dM, y),
+                       m2 = solved(W, M + dM, y), y1 = solved(W, M, y - dy), y2 = solved(W, M, y + dy);
+  const auto height = [](const WheelsetResult& r) { return r.state.pose.vertical; };
+  const auto roll = [](const WheelsetResult& r) { return r.state.pose.roll; };
+  const auto Fy = [](const WheelsetResult& r) { return r.state.sum().force[1]; };
+  const double roll_by_W = (roll(w2) - roll(w1)) / dW, height_by_M = (height(m2) - height(m1)) / dM;
+  const double height_by_y = (height(y2) - height(y1)) / dy, Fy_by_W = (Fy(w2) - Fy(w1)) / dW;
+  const double roll_by_y = (roll(y2) - roll(y1)) / dy, Fy_by_M = (Fy(m2) - Fy(m1)) / dM;
+  fmt::print("roll by W {:.4e}, height by M {:.4e}; height by y {:.4e}, Fy by W {:.4e}; roll by y {:.4e}, "
+             "Fy by M {:.4e}\n",
+             roll_by_W, height_by_M, height_by_y, Fy_by_W, roll_by_y, Fy_by_M);
+  EXPECT_NEAR(roll_by_W / height_by_M, 1, 0.02);
+  EXPECT_NEAR(-height_by_y / Fy_by_W, 1, 0.05);
+  EXPECT_NEAR(-roll_by_y / Fy_by_M, 1, 0.02);
+}
+
+/// The torque is what Fx does at the radii; braking drags the rails along.
+TEST(Wheelset, ATorqueDrivesOrBrakes) {
+  for (const double torque : {-5e6, 5e6}) {
+    const WheelsetResult r = solve_wheelset(cones(fmt::format("wheelset.torque = {}\n", torque)));
+    EXPECT_NEAR(of_wheelset(r, "torque"), torque, 1e-6 * 1e5 * 460);
+    EXPECT_NEAR(of_wheelset(r, "Fx"), -torque / 460, 1e-3 * 5e6 / 460);
+    EXPECT_LT(of_wheel(r, WheelSide::right, "xi") * torque, 0);
+  }
+}
+
+/// A displacement that was found for a force gives that force, and the sums are what was given.
+TEST(Wheelset, FindsTheDisplacementOfALateralForce) {
+  SceneFile scene = standard("wheelset.force_y = 3e4\nposition.yaw = 1e-3\n");
+  const WheelsetResult found = solve_wheelset(scene);
+  EXPECT_LE(found.residual, 1e-6);
+  EXPECT_LE(found.lateral_residual, 2e-6);
+  EXPECT_NEAR(of_wheelset(found, "Fy"), 3e4, 0.4);
+  EXPECT_NEAR(of_wheelset(found, "Fz"), 2e5, 0.2);
+  // The moment about the axle's centre by hand, patch by patch (their own moments included). About the
+  // forward axis: with a yaw of 1 mrad that is the x axis where no torque drives the axle.
+  double moment = 0, largest = 0;
+  for (const WheelSide side : both_sides) {
+    const double sign = side == WheelSide::right ? 1 : -1;
+    for (const PatchSummary& p : found.state.solved(side).result.patches) {
+      const double arm = sign * p.position.y - found.state.pose.lateral,
+                   depth = p.position.z - (found.state.pose.vertical - 460);
+      moment += arm * p.fz - depth * sign * p.fy + sign * p.moment_x;
+      largest = std::max(largest, std::abs(depth * p.fy));
+    }
+  }
+  EXPECT_GT(largest, 5e6);
+  EXPECT_NEAR(moment, 0, 1e3);
+  scene.wheelset.force_y.reset();
+  scene.position.lateral = found.state.pose.lateral;
+  const WheelsetResult there = solve_wheelset(scene);
+  EXPECT_NEAR(of_wheelset(there, "Fy"), 3e4, 10);
+  EXPECT_NEAR(there.state.pose.roll, found.state.pose.roll, 1e-8);
+  fmt::print("lateral force: {} contact problems, {:.2f} s; at its displacement {} and {:.2f} s\n",
+             found.contact_problems, found.seconds, there.contact_problems, there.seconds);
+}
+
+/// Naming the left side's profiles changes nothing if they are the right side's; its friction is its own.
+TEST(Wheelset, TheLeftSideMayDiffer) {
+  const std::string yawed = "position.yaw = 6e-3\n"; // both wheels slip
+  const WheelsetResult same = solve_wheelset(standard(yawed));
+  const WheelsetResult named = solve_wheelset(
+      standard(yawed + "wheelset.left_wheel_profile = 'S1002'\nwheelset.left_rail_profile = '60E1'\n"));
+  EXPECT_EQ(named.state.pose.roll, same.state.pose.roll);
+  const WheelsetResult oiled = solve_wheelset(standard(yawed + "wheelset.left_friction = 0.05\n"));
+  const auto used = [&](WheelSide side) {
+    const PatchSummary& p = oiled.state.solved(side).result.patches.front();
+    return std::hypot(p.fx, p.fs) / p.fn;
+  };
+  EXPECT_NEAR(used(WheelSide::left), 0.05, 1e-3);
+  EXPECT_GT(used(WheelSide::right), 0.25);
+  const WheelsetResult other = solve_wheelset(
+      standard("wheelset.left_wheel_profile = '" CONFORMAL_SOURCE_DIR "/data/bodies/hollow_wheel.txt'\n"));
+  EXPECT_NE(other.state.left.wheel_geometry, other.state.right.wheel_geometry);
+  EXPECT_NE(other.state.pose.roll, 0);
+}
+
+/// With influence files, on a gauge so narrow that both flange roots lie in the gauge corners: under a moment
+/// the wheels share the load by the lever arms of their normals, which are those of the model's own contacts.
+TEST(Wheelset, FiniteElementsServeBothWheels) {
+  const std::string folder = CONFORMAL_SOURCE_DIR "/data/influence/";
+  const WheelsetResult r = solve_wheelset(parse_scene_file(
+      fmt::format("rail = {{ profile = '60E1', influence = '{0}small_rail.h5' }}\n"
+                  "wheel = {{ profile = 'S1002', influence = '{0}small_wheel.h5' }}\nsolver.model = 'fem'\n"
+                  "motion.frictionless = true\nposition.gauge = 1421.8\ngrid = {{ dx = 0.5, ds = 0.5 }}\n"
+                  "wheelset = {{ force = 2e5, roll_moment = 1e7 }}\n",
+                  folder)));
+  EXPECT_TRUE(r.state.certified());
+  EXPECT_EQ(r.state.right.model, Model::fem);
+  EXPECT_EQ(r.state.left.model, Model::fem);
+  EXPECT_NEAR(of_wheelset(r, "Fz"), 2e5, 0.2);
+  EXPECT_NEAR(of_wheelset(r, "roll_moment"), 1e7, 2e2);
+  double moment = 0;
+  for (const WheelSide side : both_sides) {
+    const double arm = std::abs(of_wheel(r, side, "y")) -
+                       (460 + of_wheel(r, side, "z")) * std::abs(of_wheel(r, side, "Y_over_Q"));
+    moment += (side == WheelSide::right ? 1 : -1) * arm * of_wheel(r, side, "Fz");
+  }
+  EXPECT_NEAR(moment, 1e7, 2e4);
+}
+
+} // namespace

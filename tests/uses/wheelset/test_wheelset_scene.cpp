@@ -1,0 +1,52 @@
+#include "bem_contact/base/error.hpp"
+#include "tests/base/message.hpp"
+#include "tests/uses/wheelset/scenes.hpp"
+
+#include <gmock/gmock.h>
+
+namespace {
+
+using namespace bem_contact;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+TEST(WheelsetScene, RefusesWhatBelongsToOneWheel) {
+  for (const auto& [line, words] :
+       {std::pair("load.force = 1e5\n", "load.force"),
+        {"load.force_y = 1e4\n", "wheelset.force_y"},
+        {"position.roll = 1e-3\n", "roll of the wheelset is found"},
+        {"position.vertical = 0.1\n", "position.vertical"},
+        {"position.side = 'left'\n", "both wheels are solved"},
+        {"motion.xi = 1e-3\n", "wheelset.torque"},
+        {"motion.kind = 'transient'\n", "steady"},
+        {"wheelset.left_rail_influence = 'a.h5'\n", "profile is not given"},
+        {"motion.rolling_radius = 460\nwheelset.torque = 1e5\n", "either of the two"}})
+    EXPECT_THAT(message_of([&, line = line] { standard(line); }), HasSubstr(words)) << line;
+  EXPECT_THAT(message_of([] {
+                parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nload.force = 1e5\n"
+                                 "wheelset.roll_moment = 1e6\n");
+              }),
+              HasSubstr("wheelset.force is not given"));
+}
+
+TEST(WheelsetScene, IsNoSceneOfOneWheelAndBack) {
+  EXPECT_THAT(message_of([] { Sequence().solve(standard("")); }), HasSubstr("bem_contact wheelset"));
+  SceneFile one = standard("");
+  one.wheelset = {};
+  one.load.force = 1e5;
+  EXPECT_THAT(message_of([&] { solve_wheelset(one); }), HasSubstr("[wheelset]"));
+  const SceneFile scene = standard("wheelset.force_y = 1e4\n");
+  EXPECT_EQ(parse_scene_file(scene_with_defaults(scene)).wheelset, scene.wheelset);
+}
+
+TEST(WheelsetScene, RefusesWhatHasNoEquilibrium) {
+  EXPECT_THAT(
+      message_of([] { solve_wheelset(cones("wheelset.roll_moment = 9e7\nmotion.frictionless = true\n")); }),
+      AllOf(HasSubstr("left wheel lifts"), HasSubstr("roll_moment")));
+  EXPECT_THAT(message_of([] { solve_wheelset(standard("wheelset.force_y = 4e5\n")); }),
+              AllOf(HasSubstr("No lateral displacement"), HasSubstr("climbs")));
+  EXPECT_THAT(message_of([] { solve_wheelset(cones("wheelset.torque = 3e7\n")); }),
+              HasSubstr("friction used up"));
+}
+
+} // namespace
