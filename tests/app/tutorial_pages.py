@@ -198,6 +198,9 @@ class Pages(unittest.TestCase):
         self.assertEqual(picture_faults.faults(figure), ["1 marks under the legend of ''"])
         axes[0, 0].text(0.52, 0.52, "words")
         self.assertIn("'words on' lies on 'words'", picture_faults.faults(figure))
+        axes[0, 0].set(xlabel="largest pressure of hollow_wheel.txt, MPa", ylabel="free_rolling_xi")
+        self.assertIn("'free_rolling_xi' has a name of the files", picture_faults.faults(figure))
+        self.assertFalse(any("largest pressure" in fault for fault in picture_faults.faults(figure)))
 
     def test_a_wrong_number_is_found(self):
         self.assertTrue(same_line("pmax 12.25 MPa, ... holds", "pmax 12.26 MPa, worst 3e-9, it holds"))
