@@ -1,8 +1,10 @@
 """Patches in the shakedown diagram; fatigue index and damage over the arc length of the rail."""
 
+import h5py
 import numpy as np
 
 from . import shakedown, style
+from .kinds import require_columns, text
 
 MU = np.linspace(0.002, 0.6, 120)
 LARGEST_DAMAGE = 1e-5  # of the usual damage function, for an axis where there is none
@@ -27,8 +29,17 @@ def draw_diagram(axis, t):
     style.legend_beside(axis, below=True, columns=1)
 
 
+def columns_of(file):
+    """Of the CSV file, with units in the names, or of the HDF5 file: by the names of the former."""
+    if not h5py.is_hdf5(file):
+        return np.genfromtxt(file, delimiter=",", names=True, ndmin=1)
+    with h5py.File(file) as h5:
+        require_columns(h5["patches"])
+        return {name if (unit := text(data.attrs["unit"])) == "1" else f"{name}_{unit}": data[:] for name, data in h5["patches"].items()}
+
+
 def draw(files):
-    t = np.genfromtxt(files[0], delimiter=",", names=True, ndmin=1)
+    t = columns_of(files[0])
     figure, ((diagram, index), (stress, damage)) = style.panels(2, 2, (12, 9.2))
     draw_diagram(diagram, t)
 
