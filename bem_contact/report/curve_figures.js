@@ -80,7 +80,7 @@ const patchesFigure = (data, key) => {
 const sweepFigure = (data, keys, key, names) => {
   const over = along(data, key), groups = new Map();
   over.values.forEach((_, i) => {
-    const same = key ? keys.filter(k => k !== key).map(k => `${k} ${keyText(data[k], i)}`).join(", ") : "";
+    const same = key ? keys.filter(k => k !== key).map(k => `${words(k)} ${keyText(data[k], i)} ${unitText(data[k].unit.replace(/^1$/, ""))}`.trim()).join(", ") : "";
     groups.set(same, [...(groups.get(same) ?? []), i]);
   });
   const traces = [], marks = ["circle", "square", "diamond", "cross", "triangle-up", "x", "star", "hexagon"];
@@ -92,7 +92,8 @@ const sweepFigure = (data, keys, key, names) => {
       const known = FORCES[of] ?? {colour: of === "pmax" ? PRESSURE[1][1] : INK, dash: "solid", mark: "circle"};
       const style = of === name ? known : {...known, dash: name.startsWith("left_") ? "dash" : "solid"};
       const pick = column => cases.map(i => column.values[i]);
-      const label = [names.length > 1 ? name : "", same].filter(Boolean).join("; ") || name;
+      const which = of === name ? name : `${name.split("_")[0]} wheel`;
+      const label = [names.length > 1 ? which : "", same].filter(Boolean).join("; ") || name;
       traces.push(lineOver(pick(over), pick(data[name]), label,
                            groups.size > 1 ? {...style, mark: marks[count % marks.length]} : style,
                            data[`${name}_error`] && pick(data[`${name}_error`])));

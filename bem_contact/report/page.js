@@ -101,7 +101,7 @@ const addSweep = () => {
               "normal forces, darker ones larger pressures.", patchesFigure(data, key));
   for (const names of wheels ? [...(key === "position.lateral" ? [] : [["lateral"]]), ["roll"], both("share"), both("Fy"), both("pmax")]
                              : [["pmax"], ["area"], ["Fx", "Fy"], ["Mz"]])
-    addFigure(`over-${names.join("-")}`, `${names.map(words).join("; ")} over ${key ? words(key) : "the cases"}.`, sweepFigure(data, keys, key, names));
+    addFigure(`over-${names.join("-")}`, `${[...new Set(names.map(ofEither))].map(words).join(" and ")} over the ${key ? words(key) : "cases"}.`, sweepFigure(data, keys, key, names));
   const status = ["missing", "certified", "not certified", "refused", "died"];
   addTable("All cases", ["case", ...keys.map(k => withUnit(k, data[k]).replace(".", ".\u200b")), ...columns.map(name => withUnit(name, data[name])), "status"],
            data.status.values.map((state, i) =>
@@ -198,7 +198,7 @@ const loadLibrary = async () => {
 
 const draw = async ([frame, {traces, layout, height, frames}]) => {
   const drawing = frame.firstChild, size = {width: 700, height};
-  const axis = {automargin: true, showline: true, linecolor: INK, ticks: "outside", zeroline: false, gridcolor: "#e3e7eb"};
+  const axis = {automargin: true, showline: true, linecolor: INK, ticks: "outside", zeroline: false, gridcolor: "#e3e7eb", exponentformat: "none"};
   const whole = {...size, font: {family: "sans-serif", size: 12, color: INK}, hovermode: "closest", ...layout,
                  margin: {t: 50, l: 65, r: 20, b: 50, ...layout.margin}};
   for (const name of ["xaxis", "yaxis", "yaxis2"])

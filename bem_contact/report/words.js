@@ -45,7 +45,7 @@ const number = (value, error) => {
 
 /// An angle in degrees behind what is written in rad.
 const inDegrees = (text, value, unit) => unit === "rad" && value !== null && value !== undefined
-    ? `${text} (${number(Number((value * 180 / Math.PI).toPrecision(4)))}°)` : text;
+    ? `${text} (${number(Number((value * 180 / Math.PI).toPrecision(3)))}°)` : text;
 
 /// Names of the files as people read them; a name that is not here stands as it is.
 const WORDS = {pmax: "largest pressure", area: "area in contact", Fx: "longitudinal force Fx", Fy: "lateral force Fy", Fz: "vertical force Fz",
