@@ -192,4 +192,13 @@ std::uint64_t ProfileCurve::digest() const {
   return hash.value();
 }
 
+std::vector<CurvePoint> points_along(const ProfileCurve& curve, double step) {
+  const double length = curve.s_end() - curve.s_begin();
+  const int steps = std::max(1, static_cast<int>(std::ceil(length / step)));
+  std::vector<CurvePoint> out;
+  for (int i = 0; i <= steps; ++i)
+    out.push_back(curve.at(curve.s_begin() + length * i / steps));
+  return out;
+}
+
 } // namespace bem_contact

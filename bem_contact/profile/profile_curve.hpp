@@ -68,4 +68,7 @@ private:
   std::vector<CurvePiece> pieces_; ///< in walking order, at least one
 };
 
+/// Points from end to end at equal steps of arc length, at most `step` mm long.
+std::vector<CurvePoint> points_along(const ProfileCurve& curve, double step);
+
 } // namespace bem_contact

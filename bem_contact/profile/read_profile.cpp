@@ -237,4 +237,30 @@ ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::f
                                      : measured_profile(file, kind, reading, part).curve;
 }
 
+MeasuredProfile described_profile(const std::string& name, ProfileKind kind, const ProfileReading& reading) {
+  const auto [file, part] = profile_file_name(name);
+  if (is_standard_profile(name) || file.extension() == ".toml" || !file_exists(file))
+    return {.curve = named_profile(name, kind), .noise = {}}; // it says what is wrong with a name
+  return measured_profile(file, kind, reading, part);
+}
+
+ProfileKind kind_of_profile(const std::string& name, const std::string& kind) {
+  if (!kind.empty())
+    return kind == "wheel" ? ProfileKind::wheel : ProfileKind::rail;
+  if (is_standard_profile(name))
+    return kind_of_standard(name);
+  const std::filesystem::path file = profile_file_name(name).file;
+  if (const auto its = kind_of_ending(file))
+    return *its;
+  if (!file_exists(file))
+    named_profile(name, ProfileKind::rail); // it says that there is no such file
+  throw InputError(
+      fmt::format("'{}' is the profile of a rail or of a wheel", name),
+      "neither its name nor its ending says which",
+      file.extension() == ".toml"
+          ? "Say --kind rail or --kind wheel (Python: kind=\"rail\"); if it is a scene, solve it "
+            "first (-o R.h5)."
+          : "Say --kind rail or --kind wheel (Python: kind=\"rail\").");
+}
+
 } // namespace bem_contact

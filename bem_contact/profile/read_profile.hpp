@@ -58,6 +58,14 @@ std::optional<ProfileKind> kind_of_ending(const std::filesystem::path& file);
 ProfileCurve named_profile(std::string_view name_or_file, ProfileKind kind,
                            const std::filesystem::path& folder = {}, const ProfileReading& reading = {});
 
+/// The same with what was found out on the way; of a standard or a body the curve alone.
+MeasuredProfile described_profile(const std::string& name_or_file, ProfileKind kind,
+                                  const ProfileReading& reading = {});
+
+/// Rail or wheel: `kind` ("rail" or "wheel") if it is given, else a standard by its name or a file by its
+/// ending. Throws InputError where neither says it.
+ProfileKind kind_of_profile(const std::string& name_or_file, const std::string& kind = "");
+
 /// "8", or "21 .. 50" where the shortest wavelength kept is not the same everywhere, mm.
 std::string wavelength_text(const MeasuredProfile& profile);
 

@@ -5,6 +5,10 @@
 namespace bem_contact {
 
 // Functions of the module. Each computes what the command of its name computes, and returns a dict.
+/// `check`, and `sweep` over a table [sweep].
+void add_check_and_sweep(pybind11::module_& module);
+/// `profile`: a profile file.
+void add_profile(pybind11::module_& module);
 /// compare, conicity, creep_curves, wheelset.
 void add_functions(pybind11::module_& module);
 /// `table`, and tables to look up in.

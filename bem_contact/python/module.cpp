@@ -293,6 +293,8 @@ PYBIND11_MODULE(_core, m) {
       .def("solve", &solve_changed, "changes"_a = py::none(), "model"_a = py::none(), "strict"_a = false,
            of_arguments);
   add_functions(m);
+  add_check_and_sweep(m);
+  add_profile(m);
   add_table(m);
   add_wear_functions(m);
   m.def("report", &report::write_report, "file"_a, "output"_a, py::call_guard<py::gil_scoped_release>(),

@@ -28,7 +28,7 @@ const creepFigure = (data, which) => {
   });
   traces.push({...lineOver(x, curve.Mz.values, "Mz, N mm (right)", FORCES.Mz, curve.Mz_error.values), yaxis: "y2"});
   const unit = curve.creepage.unit === "1" ? "" : `, ${curve.creepage.unit}`;
-  return {traces, height: 380, layout: {xaxis: {title: which + unit}, yaxis: {title: "force on the rail, N"},
+  return {traces, height: 380, layout: {xaxis: {title: words(which) + unit}, yaxis: {title: "force on the rail, N"},
                                         yaxis2: {title: "Mz, N mm", overlaying: "y", side: "right", showgrid: false},
                                         legend: ABOVE, margin: {r: 70}}};
 };
@@ -37,7 +37,8 @@ const creepFigure = (data, which) => {
 const sweptKeys = data => Object.keys(data.patches ?? data)
     .filter(key => /^(swept over|which of)/.test((data.patches ?? data)[key]?.description ?? ""));
 
-const titled = (name, dataset) => dataset.unit && dataset.unit !== "1" ? `${name}, ${unitText(dataset.unit)}` : name;
+const withUnit = (text, dataset) => dataset.unit && dataset.unit !== "1" ? `${text}, ${unitText(dataset.unit)}` : text;
+const titled = (name, dataset) => withUnit(words(name), dataset); // of a figure; columns of tables have short names
 
 /// Values of a key, or the cases' numbers.
 const along = (data, key) => key ? {...data[key], title: titled(key, data[key])}
@@ -71,7 +72,7 @@ const patchesFigure = (data, key) => {
     hovertemplate: "y %{x:.2f} mm<br>%{text}<extra></extra>",
     error_x: {type: "data", array: half, thickness: 4, width: 0, color: RAIL},
     marker: {size: p.Fn.values.map(f => 4 + 12 * Math.sqrt(f / largest)), color: p.pmax.values, colorscale: PRESSURE,
-             cmin: 0, line: {color: INK, width: 1}, colorbar: {title: {text: "pmax, MPa", side: "right"}, thickness: 14}}}],
+             cmin: 0, line: {color: INK, width: 1}, colorbar: {title: {text: "largest pressure, MPa", side: "right"}, thickness: 14}}}],
     layout: {xaxis: {title: `y to the ${sceneValue("position.side") || "right"}, mm`}, yaxis: {title: along(data, key).title}, showlegend: false}};
 };
 
@@ -79,7 +80,7 @@ const patchesFigure = (data, key) => {
 const sweepFigure = (data, keys, key, names) => {
   const over = along(data, key), groups = new Map();
   over.values.forEach((_, i) => {
-    const same = key ? keys.filter(k => k !== key).map(k => `${k} ${keyText(data[k], i)}`).join(", ") : "";
+    const same = key ? keys.filter(k => k !== key).map(k => `${words(k)} ${keyText(data[k], i)} ${unitText(data[k].unit.replace(/^1$/, ""))}`.trim()).join(", ") : "";
     groups.set(same, [...(groups.get(same) ?? []), i]);
   });
   const traces = [], marks = ["circle", "square", "diamond", "cross", "triangle-up", "x", "star", "hexagon"];
@@ -87,11 +88,12 @@ const sweepFigure = (data, keys, key, names) => {
   for (const [same, cases] of groups) {
     cases.sort((a, b) => over.values[a] - over.values[b]);
     for (const name of names) {
-      const of = name.replace(/^(right|left)_/, ""); // of wheelsets: the colour of the number, dashed for the left wheel
+      const of = ofEither(name); // of wheelsets: the colour of the number, dashed for the left wheel
       const known = FORCES[of] ?? {colour: of === "pmax" ? PRESSURE[1][1] : INK, dash: "solid", mark: "circle"};
       const style = of === name ? known : {...known, dash: name.startsWith("left_") ? "dash" : "solid"};
       const pick = column => cases.map(i => column.values[i]);
-      const label = [names.length > 1 ? name : "", same].filter(Boolean).join("; ") || name;
+      const which = of === name ? name : `${name.split("_")[0]} wheel`;
+      const label = [names.length > 1 ? which : "", same].filter(Boolean).join("; ") || name;
       traces.push(lineOver(pick(over), pick(data[name]), label,
                            groups.size > 1 ? {...style, mark: marks[count % marks.length]} : style,
                            data[`${name}_error`] && pick(data[`${name}_error`])));
@@ -100,7 +102,7 @@ const sweepFigure = (data, keys, key, names) => {
     ++count;
   }
   return {traces, height: 330, layout: {xaxis: {title: over.title, dtick: key ? undefined : Math.ceil(over.values.length / 15)},
-                                        yaxis: {title: titled(names.join(", "), data[names[0]])},
+                                        yaxis: {title: titled([...new Set(names.map(ofEither))].join(", "), data[names[0]])},
                                         showlegend: traces.length > 1 && traces.length <= 12, legend: ABOVE}};
 };
 

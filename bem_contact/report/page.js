@@ -101,12 +101,13 @@ const addSweep = () => {
               "normal forces, darker ones larger pressures.", patchesFigure(data, key));
   for (const names of wheels ? [...(key === "position.lateral" ? [] : [["lateral"]]), ["roll"], both("share"), both("Fy"), both("pmax")]
                              : [["pmax"], ["area"], ["Fx", "Fy"], ["Mz"]])
-    addFigure(`over-${names.join("-")}`, `${names.join(", ")} over ${key ?? "the cases"}.`, sweepFigure(data, keys, key, names));
+    addFigure(`over-${names.join("-")}`, `${[...new Set(names.map(ofEither))].map(words).join(" and ")} over the ${key ? words(key) : "cases"}.`, sweepFigure(data, keys, key, names));
   const status = ["missing", "certified", "not certified", "refused", "died"];
-  addTable("All cases", ["case", ...keys.map(k => titled(k, data[k]).replace(".", ".\u200b")), ...columns.map(name => titled(name, data[name])), "status"],
+  addTable("All cases", ["case", ...keys.map(k => withUnit(k, data[k]).replace(".", ".\u200b")), ...columns.map(name => withUnit(name, data[name])), "status"],
            data.status.values.map((state, i) =>
              [i, ...keys.map(k => keyText(data[k], i)),
-              ...columns.map(name => number(data[name].values[i], data[`${name}_error`]?.values[i])), status[state]]),
+              ...columns.map(name => inDegrees(number(data[name].values[i], data[`${name}_error`]?.values[i]), data[name].values[i], data[name].unit)),
+              status[state]]),
            {id: "cases", wide: true});
   for (const [name, one] of Object.entries(data.cases ?? {}))
     if (one.attributes?.reason)
@@ -124,7 +125,9 @@ const addCreepCurves = () => {
   add("h2", "Curves");
   for (const which of ["xi", "eta", "phi"])
     if (data[which])
-      addFigure(`curve-${which}`, `Forces over ${which}; the other two creepages are the scene's.`, creepFigure(data, which));
+      addFigure(`curve-${which}`, `Forces over the ${words(which)}; the other two creepages stay as in the scene. With little creepage a force ` +
+                "grows along the straight line of linear theory, if the other two are zero; with much of it the whole contact slips, and the force " +
+                "stays within the bound of friction.", creepFigure(data, which));
 };
 
 const addWear = () => {
@@ -137,7 +140,7 @@ const addWear = () => {
   addFigure("wear-depth", "Depth of the deepest place.", wearFigure(data, "depth", "mm"));
   addFigure("wear-area", "Area gone from the sections.", wearFigure(data, "area", "mm²"));
   const names = ["mileage", "revolutions", "rail_depth", "wheel_depth", "rail_area", "wheel_area"];
-  addTable("By step", ["step", ...names.map(name => titled(name.replace("_", " "), data[name]))],
+  addTable("By step", ["step", ...names.map(name => withUnit(name.replace("_", " "), data[name]))],
            data.step.values.map((step, i) => [step, ...names.map(name => number(data[name].values[i]))]), {id: "steps", wide: true});
 };
 
@@ -145,7 +148,7 @@ const addConicity = () => {
   add("h2", "Conicity");
   addFigure("tan-gamma", "Equivalent conicity over the amplitude.", conicityFigure(data));
   const c = data.conicity, names = ["amplitude", "tan_gamma", "wavelength", "from", "to"], whole = i => Math.abs(c.amplitude.values[i] % 1) < 1e-9;
-  addTable("Equivalent conicity (EN 15302); – where no motion has this amplitude", names.map(name => titled(name.replace("_", " "), c[name])),
+  addTable("Equivalent conicity (EN 15302); – where no motion has this amplitude", names.map(name => withUnit(name.replace("_", " "), c[name])),
            c.amplitude.values.map((_, i) => i).filter((i, _, all) => all.length <= 20 || whole(i))
              .map(i => names.map(name => number(c[name].values[i]))), {id: "conicities"});
   add("h2", "Contact points");
@@ -162,7 +165,8 @@ const addWheelset = () => {
   }
   add("h2", "Both wheels");
   addTable("On the track, y to the right for both", ["", "left", "right", "sum", "unit", ""], Object.keys(track("right")).map(name =>
-    [name, ...["left", "right"].map(side => number(track(side)[name].values[0])), number(sum(name)), unitText(track("right")[name].unit),
+    [name, ...["left", "right"].map(side => inDegrees(number(track(side)[name].values[0]), track(side)[name].values[0], track(side)[name].unit)),
+     number(sum(name)), unitText(track("right")[name].unit),
      track("right")[name].description]), {numbers: [1, 2, 3], id: "track"});
   for (const wheel of wheels) {
     add("h2", TITLES[wheel.name]);
@@ -194,7 +198,7 @@ const loadLibrary = async () => {
 
 const draw = async ([frame, {traces, layout, height, frames}]) => {
   const drawing = frame.firstChild, size = {width: 700, height};
-  const axis = {automargin: true, showline: true, linecolor: INK, ticks: "outside", zeroline: false, gridcolor: "#e3e7eb"};
+  const axis = {automargin: true, showline: true, linecolor: INK, ticks: "outside", zeroline: false, gridcolor: "#e3e7eb", exponentformat: "none"};
   const whole = {...size, font: {family: "sans-serif", size: 12, color: INK}, hovermode: "closest", ...layout,
                  margin: {t: 50, l: 65, r: 20, b: 50, ...layout.margin}};
   for (const name of ["xaxis", "yaxis", "yaxis2"])

@@ -43,6 +43,19 @@ const number = (value, error) => {
   return `${value.toFixed(digits)} ±\u00a0${error.toFixed(digits)}`;
 };
 
+/// An angle in degrees behind what is written in rad.
+const inDegrees = (text, value, unit) => unit === "rad" && value !== null && value !== undefined
+    ? `${text} (${number(Number((value * 180 / Math.PI).toPrecision(3)))}°)` : text;
+
+/// Names of the files as people read them; a name that is not here stands as it is.
+const WORDS = {pmax: "largest pressure", area: "area in contact", Fx: "longitudinal force Fx", Fy: "lateral force Fy", Fz: "vertical force Fz",
+               Mz: "moment Mz about the vertical", lateral: "lateral displacement", roll: "roll, right side down", share: "share of the vertical force",
+               "position.lateral": "lateral displacement", "position.yaw": "yaw angle", "load.force": "vertical force",
+               "wheelset.force": "vertical force of the axle", "motion.friction": "coefficient of friction", xi: "longitudinal creepage xi",
+               eta: "lateral creepage eta", phi: "spin phi"};
+const ofEither = name => name.replace(/^(right|left)_/, ""); // wheel
+const words = name => WORDS[name] ?? (ofEither(name) === name ? name : `${words(ofEither(name))}, ${name.split("_")[0]} wheel`);
+
 /// "mm2" as people write it.
 const unitText = unit => unit.replace(/mm\^?2/g, "mm²").replace(/mm\^?3/g, "mm³").replace("N mm", "N\u00a0mm");
 
@@ -91,7 +104,7 @@ const wheelsetInWords = profile => {
   } else
     words.push(bothWheels(profile),
                `The axle bears ${of("Fz")} N down and ${of("Fy")} N to the right. It stands ${of("lateral")} mm to the right with a roll of ` +
-               `${of("roll")} rad (right side down), and rolls on a radius of ${of("rolling_radius")} mm.`);
+               `${inDegrees(`${of("roll")} rad`, data.wheelset.roll?.values[0], "rad")}, right side down, and rolls on a radius of ${of("rolling_radius")} mm.`);
   return words;
 };
 
@@ -148,8 +161,10 @@ const addCertificate = contact => {
 };
 
 const addQuantities = (contacts, caption, id) => {
-  const value = (contact, name) => number(contact.group.quantities[name]?.values[0],
-                                          contact.group.quantities[`${name}_error`]?.values[0]);
+  const value = (contact, name) => {
+    const q = contact.group.quantities[name];
+    return inDegrees(number(q?.values[0], contact.group.quantities[`${name}_error`]?.values[0]), q?.values[0], q?.unit);
+  };
   const line = name => { const q = contacts[0].group.quantities[name];
                          return [name, ...contacts.map(c => value(c, name)), unitText(q.unit), q.description]; };
   const all = Object.keys(contacts[0].group.quantities).filter(name => !name.endsWith("_error"));
@@ -170,7 +185,8 @@ const addPatches = contact => {
   const count = p.Fn.values.length;
   addTable("Patches, the largest force first", ["", ...Array.from({length: count}, (_, k) => `patch ${k + 1}`), "unit", ""],
            PATCH.filter(name => p[name]).map(name =>
-             [name, ...Array.from({length: count}, (_, k) => number(p[name].values[k], p[`${name}_error`]?.values[k])),
+             [name, ...Array.from({length: count}, (_, k) =>
+                        inDegrees(number(p[name].values[k], p[`${name}_error`]?.values[k]), p[name].values[k], p[name].unit)),
               unitText(p[name].unit), p[name].description]),
            {numbers: Array.from({length: count}, (_, k) => k + 1), id: `patches-${contact.name}`});
 };

@@ -122,6 +122,15 @@ template <class Table, class Use> void with_errors(const Table& table, const Use
   }
 }
 
+/// The numbers of a table in that order. `of`: the result, and which patch.
+template <class Table, class... Of> std::vector<double> values_of(const Table& table, const Of&... of) {
+  std::vector<double> values;
+  with_errors(table, [&](const std::string&, const QuantityUnit&, auto value, const char*) {
+    values.push_back(value(of...));
+  });
+  return values;
+}
+
 /// Share of the elements in contact that adhere; 0 without contact.
 double adhesion_share(const ContactResult& result);
 

@@ -1,10 +1,12 @@
-"""What makes a picture hard to read: words on words, and marks under a legend."""
+"""What makes a picture hard to read: words on words, marks under a legend, names of the files in place of words."""
 
 import contextlib
+import re
 
 from matplotlib.collections import PathCollection
 from matplotlib.text import Text
 
+NAME_OF_A_FILE = re.compile(r"\b(pmax|[a-z]+_[a-z_]+|(position|load|motion|wheelset)\.[a-z_]+)\b(?!\.)")
 NARROWER, LOWER = 0.98, 0.9  # of the boxes of two words: their empty borders may touch
 
 
@@ -42,6 +44,7 @@ def faults(figure):
     boxes = list(drawn.items())
     found = [f"'{a.get_text()}' lies on '{b.get_text()}'" for k, (a, one) in enumerate(boxes) for b, other in boxes[k + 1:]
              if one.overlaps(other)]
+    found += [f"'{a.get_text()}' has a name of the files" for a, _ in boxes if NAME_OF_A_FILE.search(a.get_text())]
     for axis in figure.axes:
         legend = axis.get_legend()
         hidden = legend and sum(legend.get_frame().get_window_extent().contains(*place) and axis.bbox.contains(*place)

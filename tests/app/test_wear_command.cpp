@@ -5,6 +5,9 @@
 #include "tests/app/run_program.hpp"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace {
 
@@ -208,6 +211,19 @@ TEST_F(WearCommand, FatigueHasALineForEachPatch) {
   EXPECT_EQ(done.code, 0) << done.err;
   EXPECT_THAT(done.out, HasSubstr("2 cases, "));
   EXPECT_THAT(text("f.csv"), HasSubstr("mu_used,FI_surf"));
+  const Outcome both = run("fatigue " + path("scene.toml") + " --json -o " + path("f.h5"));
+  EXPECT_EQ(both.code, 0) << both.err;
+  const nlohmann::json json = nlohmann::json::parse(both.out);
+  const H5Table file = read_h5(path("f.h5"));
+  EXPECT_EQ(json.at("cases"), 2);
+  for (const auto& [name, values] : json.at("patches").items()) {
+    EXPECT_EQ(file.datasets.at("patches/" + name).values, values.get<std::vector<double>>()) << name;
+    EXPECT_EQ(file.datasets.at("patches/" + name).unit, json.at("units").at(name)) << name;
+  }
+  const auto& index = file.datasets.at("patches/FI_surf").values;
+  EXPECT_EQ(std::ranges::count_if(index, [](double f) { return f > 0; }), json.at("beyond_surface_limit"));
+  EXPECT_EQ(std::ranges::count(text("f.csv"), '\n'), std::ptrdiff_t(index.size()) + 1);
+  EXPECT_THAT(run("info " + path("f.h5")).out, HasSubstr("Fatigue of each patch"));
   const Outcome nodes = run("fatigue " + path("scene.toml") + " --nodes 20 10 --damage 0 1");
   EXPECT_EQ(nodes.code, 2);
   EXPECT_THAT(nodes.err, HasSubstr("T-gamma must be finite, not negative, and rise"));

@@ -19,6 +19,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import h5py
+
 import bem_contact
 import picture_faults
 
@@ -169,6 +171,37 @@ class Pages(unittest.TestCase):
         commands = re.findall(r"^  ([a-z-]+) ", said.split("Subcommands:")[1], re.M)
         self.assertEqual(sorted(commands), sorted(Path(name).stem for name in self.ordered))
 
+    def test_what_the_matlab_page_names_is_there(self):
+        """Without Matlab: files, datasets, their numbers and shapes; functions of the header and how many arguments they have."""
+        page = (PAGES / "matlab.md").read_text()
+        self.run_page(PAGES / "matlab.md")
+        code = "".join(re.findall(r"```matlab\n(.*?)```", page, re.S))
+        file, read = None, 0
+        for line in code.splitlines():
+            file = (re.match(r"file = '(.*)'", line) or [None, file])[1]
+            for function, group, name in re.findall(r"(h5read|h5readatt)\(file, '(/[\w./]*)'(?:, '(\w+)')?", line):
+                read += 1
+                with h5py.File(file) as h5:
+                    value = h5[group].attrs[name] if function == "h5readatt" else h5[group][()]
+                    comment = line.split("%")[1].strip() if "%" in line else ""
+                    if indices := re.search(r"\w\((\w+(, \w+)+)\)", comment):  # Matlab's, the other way round
+                        of = {"ix": "/x", "is": "/s"} | {name.split(".")[-1]: f"/axes/{name}" for name in h5.get("axes", ())}
+                        self.assertEqual(value.shape, tuple(len(h5[of[k]]) for k in reversed(indices[1].split(", "))), line)
+                    elif function == "h5readatt" and " " in comment and ":" not in comment:
+                        self.assertEqual(value.decode() if isinstance(value, bytes) else value, comment)
+                    elif number := re.match(r"\d+", comment):
+                        self.assertAlmostEqual(float(value), float(number[0]), delta=1)
+        self.assertEqual(read, 11)
+        header = re.sub(r"/\*.*?\*/", "", (ROOT / "bem_contact/c/conformal_contact.h").read_text(), flags=re.S)
+        calls = re.findall(r"calllib\('conformal', '(\w+)', (.*?)\)(?:\s|$|;)", code)
+        self.assertEqual(len(calls), 7)
+        for name, arguments in calls:
+            declared = re.search(rf"\b{name}\(([^)]*)\)", header)
+            self.assertIsNotNone(declared, name)
+            self.assertEqual(len(re.sub(r"\([^)]*\)", "", arguments).split(",")), len(declared[1].split(",")), name)
+        self.assertIn("#define CONFORMAL_TOTALS 13", header)
+        self.assertIn("#define CONFORMAL_PMAX 8", header)
+
     def test_what_cannot_be_drawn_is_refused(self):
         for line, words in (("tools/plot no_such.h5", "there is no such file"), ("tools/plot demo", "has no wear.csv"),
                             ("tools/plot data/influence/small_rail.h5", "may be an influence file"),
@@ -198,6 +231,9 @@ class Pages(unittest.TestCase):
         self.assertEqual(picture_faults.faults(figure), ["1 marks under the legend of ''"])
         axes[0, 0].text(0.52, 0.52, "words")
         self.assertIn("'words on' lies on 'words'", picture_faults.faults(figure))
+        axes[0, 0].set(xlabel="largest pressure of hollow_wheel.txt, MPa", ylabel="free_rolling_xi")
+        self.assertIn("'free_rolling_xi' has a name of the files", picture_faults.faults(figure))
+        self.assertFalse(any("largest pressure" in fault for fault in picture_faults.faults(figure)))
 
     def test_a_wrong_number_is_found(self):
         self.assertTrue(same_line("pmax 12.25 MPa, ... holds", "pmax 12.26 MPa, worst 3e-9, it holds"))

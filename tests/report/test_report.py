@@ -206,6 +206,15 @@ class Report(unittest.TestCase):
                     last = "Math.max(...data.rail_depth.values)"
                     self.assertLess(show.value(moved), 5)  # mm, drawn; the last step is the deepest
                     self.assertGreater(show.value(last), 0.02)
+                if kind == "wheelset":
+                    row = show.value("[...document.querySelectorAll('#track tbody tr')].find(r => r.innerText.startsWith('delta')).innerText")
+                    right = self.report_of(kind)["data"]["right"]["track"]["delta"]["values"][0]
+                    radian, degrees = re.search(r"(-\d\S*) \((-\d\S*)°\)", row).groups()
+                    self.assertAlmostEqual(float(radian), right, delta=1e-5)
+                    self.assertAlmostEqual(float(degrees), np.degrees(right), delta=0.06)
+                if kind == "sweep":
+                    titles = show.value("[...document.querySelectorAll('#over-pmax .ytitle')].map(t => t.textContent).join()")
+                    self.assertEqual(titles, "largest pressure, MPa")
                 if kind == "comparison":
                     cells = show.value("[...document.querySelectorAll('#creep-forces tbody tr')].map(row => row.innerText.split('\\t'))")
                     creep = self.report_of(kind)["data"]["creep_forces"]

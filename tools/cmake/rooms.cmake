@@ -54,7 +54,7 @@ if(CONFORMAL_TESTS)
   endif()
   if(CMAKE_UNITY_BUILD)
     # Several sources at once take a third of the time. Helpers of one room's tests need different names, and a local
-    # name may hide one of another file. The preset contact-only compiles each source by itself, with that warning.
+    # name may hide one of another file. The preset separate compiles each source by itself, with that warning.
     target_compile_options(conformal_test_options INTERFACE -Wno-shadow)
   endif()
   add_library(conformal_test_headers OBJECT ${CMAKE_BINARY_DIR}/test_headers.cpp)

@@ -96,14 +96,18 @@ def draw_patch(axis, contact, pmax, shear, title):
     return image
 
 
-def patch_key(axis, shear, columns=3, with_arrows=True):
-    """What the lines and arrows of a patch mean."""
+def patch_key(axis, contacts, columns=3, below=True):
+    """What the lines and arrows of patches mean: below a panel, or in one of its own."""
+    shear = max(c.shear.max() for c in contacts)
     handles = [Line2D([], [], color=style.INK, linewidth=1.4, label="border of the contact"),
                Line2D([], [], color=style.ADHESION, linewidth=2.6, label="adhesion within, slip around"),
                Line2D([], [], color=style.INK, marker=r"$\rightarrow$", markersize=13, linestyle="none",
-                      label=f"shear traction on the rail, longest {shear:.0f} MPa")][:3 if with_arrows else 2]
-    if shear > 0:
-        style.legend_beside(axis, below=True, columns=columns, handles=handles, fontsize=8.5, handlelength=1.6)
+                      label=f"shear traction on the rail, longest {shear:.0f} MPa")][:2 if all(c.slender for c in contacts) else 3]
+    look = {"handles": handles, "fontsize": 8.5, "handlelength": 1.6}
+    if shear > 0 and below:
+        style.legend_beside(axis, below=True, columns=columns, **look)
+    elif shear > 0:
+        axis.legend(loc="center", ncol=columns, **look)
 
 
 def draw_cut(axis, contact, along="x"):
@@ -158,7 +162,7 @@ def draw_section(axis, contacts):
     side = "left" if first.left else "right"
     axis.locator_params(nbins=6)
     axis.set(xlim=(first.y.mean() - half, first.y.mean() + half), ylim=(first.z.mean() + half, first.z.mean() - half),
-             aspect="equal", xlabel=f"y to the {side}, mm; contact is drawn inside the rail", ylabel="z down, mm", title="Section across the track")
+             aspect="equal", adjustable="datalim", xlabel=f"y to the {side}, mm; contact is drawn inside the rail", ylabel="z down, mm", title="Section across the track")
     axis.legend(loc="best", fontsize=8.5)
 
 

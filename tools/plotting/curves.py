@@ -6,7 +6,9 @@ import numpy as np
 from . import style
 from .kinds import require_columns
 
-AXES = {"xi": "xi, longitudinal creepage", "eta": "eta, lateral creepage", "phi": "phi, spin, 1/mm"}
+AXES = {"xi": "longitudinal creepage xi", "eta": "lateral creepage eta", "phi": "spin phi, 1/mm"}
+EXPLAINED = ("Each panel changes one creepage, and the other two stay as in the scene. With little creepage the force grows along Kalker's\n"
+             "straight line, if the other two are zero; with much of it the whole contact slips, and the force stays within the bound of friction.")
 LABELS = {"Fx": "Fx / (μ Fn)", "Fs": "Fs / (μ Fn)", "Mz": "Mz / (μ Fn c)"}
 
 
@@ -41,5 +43,6 @@ def draw(files):
         axes[0, 0].set_ylabel("force on the rail over its bound")
         middle = axes[0, len(names) // 2]
         style.legend_beside(middle, below=True, columns=5 if len(names) > 1 else 2)
-        figure.suptitle(f"Creep curves: Fz {file.attrs['Fz_N']:.6g} N, bound of friction μ Fn {bound:.6g} N, c {radius:.3g} mm", fontsize=11)
+        figure.suptitle(f"Creep curves: vertical force {file.attrs['Fz_N']:.6g} N, bound of friction μ Fn = {bound:.6g} N, "
+                        f"mean radius of the contact c = {radius:.3g} mm\n" + EXPLAINED, fontsize=10.5)
         return figure

@@ -6,7 +6,7 @@ from pathlib import Path
 import h5py
 
 STANDARDS = ("60E1", "60E2", "54E1", "46E3", "S1002")
-FORMATS = ("result", "comparison", "sweep", "creep curves", "conicity", "wheelset", "table", "wear")
+FORMATS = ("result", "comparison", "sweep", "creep curves", "conicity", "wheelset", "table", "wear", "fatigue")
 HEADS = {"FI_surf": "fatigue", "s_mm,y_mm,z_mm,inclination_rad": "profile table"}
 
 
@@ -41,7 +41,7 @@ def of_hdf5(file):
         refuse(f"'{file}' cannot be drawn", "it is no file of results; it may be an influence file",
                "bem_contact info says what is in it.")
     refuse(f"'{file}' cannot be drawn", f"its format is '{name}'",
-           "Name a file that bem_contact solve, compare, sweep, creep-curves, conicity, wheelset, table or wear wrote.")
+           "Name a file that bem_contact solve, compare, sweep, creep-curves, conicity, wheelset, table, wear or fatigue wrote.")
 
 
 def kind_of(name):

@@ -10,6 +10,10 @@ from .kinds import text
 SETS = {"equal_forces": "At equal forces", "equal_position": "At equal position and vertical force"}
 NUMBERS = (("pmax", "MPa", 1), ("area", "mm²", 1), ("Fx", "N", 1), ("Fy", "N", 1), ("Fz", "N", 1), ("Mz", "N mm", 1), ("approach", "mm", 1),
            ("lateral", "mm", 1), ("free_rolling_xi", "‰", 1e3), ("Tmax_rail", "°C", 1), ("Tmax_wheel", "°C", 1))  # scale last
+SHARES = ("pmax", "area")  # differences of these are relative
+ROUNDING = 1e-6  # in the unit of a line: less is not shown
+INCOMPARABLE = ("approach",)  # of each model relative to another place
+PATCH_WIDTH, PATCH_HEIGHTS = 4.0, (1.3, 4.0)  # inches
 SIDES = ("left", "right")
 OF_WHEELSET = ("lateral", "roll", "yaw", "rolling_radius", "Fx", "Fy", "Fz", "roll_moment", "yaw_moment", "torque")
 ON_TRACK = (("share", "1"), ("Fx", "N"), ("Fy", "N"), ("Fz", "N"), ("Y_over_Q", "1"), ("radius", "mm"), ("delta", "rad"), ("pmax", "MPa"),
@@ -20,12 +24,15 @@ def with_error(value, error):
     """ "1859 ± 4": as many digits as the error has meaning."""
     if not np.isfinite(value):
         return "–"
-    if not (np.isfinite(error) and error > 0):
-        return f"{0.0 if abs(value) < 1e-6 else value:.6g}"
-    if abs(value) < 1e-6:
-        value = 0.0
-    digits = min(6, max(0, int(np.ceil(-np.log10(error) + 0.3))))
-    return f"{value:.{digits}f} ± {error:.{digits}f}"
+    digits = digits_of(error)
+    if digits is None:
+        return f"{0.0 if abs(value) < ROUNDING else value:.6g}"
+    return f"{round(value, digits) + 0.0:.{digits}f} ± {error:.{digits}f}"
+
+
+def digits_of(error):
+    """How many digits behind the point have meaning; None: nothing is known of the error, or it is that of rounding."""
+    return min(6, max(0, int(np.ceil(-np.log10(error) + 0.3)))) if np.isfinite(error) and error > ROUNDING else None
 
 
 def write_table(axis, title, head, lines, height=0.085):
@@ -39,24 +46,36 @@ def write_table(axis, title, head, lines, height=0.085):
 
 
 def numbers_of(contacts):
-    """Lines of a table, those that any model knows."""
+    """Lines of a table, those that any model knows; of two models their difference, too."""
     for name, unit, scale in NUMBERS:
-        values = [c.numbers.get(name, np.nan) * scale for c in contacts]
+        values, errors = ([c.numbers.get(column, np.nan) * scale for c in contacts] for column in (name, f"{name}_error"))
         if np.isfinite(values).any():
-            yield [f"{name}, {unit}", *(with_error(v, c.numbers.get(f"{name}_error", np.nan) * scale)
-                                        for v, c in zip(values, contacts))]
+            yield [style.titled(name, unit), *map(with_error, values, errors),
+                   *([difference(name, values, errors)] if len(contacts) == 2 else [])]
 
 
-def draw_patches(figure, axes, contacts, titles, key=-1, columns=3):
-    """Patches on one scale, with one colour bar and one key."""
+def difference(name, values, errors):
+    """The second less the first: of pressures and areas relative to the first, else in the unit of the line."""
+    change, digits = values[1] - values[0], digits_of(np.fmax(*errors))
+    if name in INCOMPARABLE or not np.isfinite(change):
+        return "–"
+    if name in SHARES and values[0]:
+        return f"{100 * change / values[0]:+.2f} %"
+    if digits is not None:
+        change = round(change, digits)
+        return f"{change:+.{digits}f}" if change else "0"
+    return f"{change:+.3g}" if abs(change) > ROUNDING * max(1, abs(values[0])) else "0"
+
+
+def draw_patches(figure, axes, contacts, titles):
+    """Patches on one scale, with one colour bar."""
     pmax = max(c.pressure.max() for c in contacts) or 1.0
     shear = max(c.shear.max() for c in contacts)
     for axis, contact, title in zip(axes, contacts, titles):
         image = draw_patch(axis, contact, pmax, shear, title)
         axis.set(xlim=contact.window()[0], ylim=contact.window()[1])
-    axes[-1].set_xlabel(style.ACROSS)
+        axis.set_xlabel(style.ACROSS)
     figure.colorbar(image, ax=axes, label="pressure, MPa", shrink=0.8, pad=0.02, aspect=30)
-    patch_key(axes[key], shear, columns, not all(c.slender for c in contacts))
 
 
 def one_window(axes, contacts):
@@ -71,7 +90,8 @@ def draw_result(files):
         contact = next(Contact(m, file, file[m]) for m in style.MODELS if m in file)
         stresses = contact.group.get("stresses")
         figure, axes = style.panels(2, 2, (12, 8.6), width_ratios=(1.35, 1), height_ratios=(1.5, 1))
-        draw_patches(figure, axes[:1, 0], [contact], [style.MODELS[contact.model][0]], columns=1)
+        draw_patches(figure, axes[:1, 0], [contact], [style.MODELS[contact.model][0]])
+        patch_key(axes[0, 0], [contact], columns=1)
         draw_cut(axes[1, 0], contact)
         if stresses is not None:
             draw_stresses(axes[0, 1], stresses)
@@ -85,34 +105,65 @@ def draw_result(files):
         return figure
 
 
-def draw_pressures(axis, contacts):
-    """Pressure along s through its largest value, by each model."""
+def cut_through_peak(contact):
+    """Pressure along s through its largest value."""
+    return contact.pressure[:, contact.peak()[1]]
+
+
+def draw_pressures(pressures, differences, contacts):
+    """Pressure along s by each model; below it what the first has more than each of the others."""
+    first, *others = contacts
     for k, c in enumerate(contacts):
-        _, column = c.peak()
-        axis.plot(c.s, c.pressure[:, column], color=style.DEEPEST_PRESSURE, linestyle=style.MODELS[c.model][2], linewidth=2.6 - 0.6 * k,
-                  label=style.MODELS[c.model][1])
-    axis.set(title="Pressure through its largest value", xlabel=style.UP, ylabel="MPa", xlim=contacts[0].window()[1])
-    axis.legend()
+        pressures.plot(c.s, cut_through_peak(c), color=style.DEEPEST_PRESSURE, linestyle=style.MODELS[c.model][2], linewidth=2.6 - 0.6 * k,
+                       label=style.MODELS[c.model][1])
+    for c in others:
+        differences.plot(first.s, cut_through_peak(first) - np.interp(first.s, c.s, cut_through_peak(c)), color=style.INK, linewidth=1.3,
+                         linestyle=style.MODELS[c.model][2], label=f"{style.MODELS[first.model][1]} less {style.MODELS[c.model][1]}")
+    windows = [c.window()[1] for c in contacts]
+    pressures.set(title="Pressure through its largest value", ylabel="pressure, MPa", xlim=(min(w[0] for w in windows), max(w[1] for w in windows)))
+    pressures.legend(fontsize=8.5)
+    pressures.tick_params(labelbottom=False)
+    differences.axhline(0, color=style.FRAME, linewidth=0.8, zorder=0)
+    differences.set(xlabel=style.UP, ylabel="difference, MPa")
+    differences.legend(fontsize=8.5)
+
+
+def patch_height(contacts):
+    """Of a panel, inches: patches are drawn in their proportions."""
+    x, s = (np.ptp([c.window()[k] for c in contacts]) for k in (0, 1))
+    return np.clip(PATCH_WIDTH * s / x, *PATCH_HEIGHTS) + 0.9  # with title and labels
 
 
 def draw_comparison(files):
     with h5py.File(files[0]) as file:
         name = next(name for name in SETS if name in file)
         contacts = [Contact(m, file[name][m], file[name][m]) for m in style.MODELS if m in file[name]]
-        count = len(contacts)
-        figure = style.plt.figure(figsize=(14, 1.5 + 3.3 * count), layout="constrained")
-        grid = figure.add_gridspec(count, 2, width_ratios=(1.1, 1))
-        axes = [figure.add_subplot(grid[k, 0]) for k in range(count)]
+        lines = list(numbers_of(contacts[::-1]))  # the simplest model first, as the program prints
+        rows = -(-len(contacts) // 2)
+        heights = (rows * patch_height(contacts), 0.3, 3.6, 0.5 + 0.27 * len(lines))
+        figure = style.plt.figure(figsize=(10, sum(heights)), layout="constrained")
+        patches, key, details, table = figure.add_gridspec(4, 1, height_ratios=heights)
+        panels = patches.subgridspec(rows, 2)
+        axes = [figure.add_subplot(panels[k // 2, k % 2]) for k in range(len(contacts))]
         draw_patches(figure, axes, contacts, [style.MODELS[c.model][0] for c in contacts])
         one_window(axes, contacts)
-        draw_section(figure.add_subplot(grid[0, 1]), contacts)
-        rows = figure.add_subplot(grid[1, 1])
-        shown = contacts[::-1]  # the simplest model first, as the program prints
-        write_table(rows, SETS[name], [style.MODELS[c.model][1] for c in shown], list(numbers_of(shown)),
-                    0.105)
-        if count > 2:
-            draw_pressures(figure.add_subplot(grid[2, 1]), contacts)
+        below = figure.add_subplot(key)
+        below.axis("off")
+        patch_key(below, contacts, below=False)
+        section, pressures = details.subgridspec(1, 2)
+        draw_section(figure.add_subplot(section), contacts)
+        upper, lower = pressures.subgridspec(2, 1, height_ratios=(1.6, 1))
+        axis = figure.add_subplot(upper)
+        draw_pressures(axis, figure.add_subplot(lower, sharex=axis), contacts)
+        head = [style.MODELS[c.model][1] for c in contacts[::-1]]
+        head += [" less ".join(head[::-1])] * (len(contacts) == 2)
+        write_table(figure.add_subplot(table), SETS[name], head, lines, 0.95 / (len(lines) + 1))
         return figure
+
+
+def in_table(value, unit):
+    """A number whose unit stands in front; an angle also in degrees."""
+    return f"{value:.4g} ({np.degrees(value):.3g}°)" if unit == "rad" else f"{value:.6g}"
 
 
 def draw_wheelset(files):
@@ -120,16 +171,15 @@ def draw_wheelset(files):
     with h5py.File(files[0]) as file:
         contacts = [Contact(text(file[side].attrs["model"]), file[side], file[side]) for side in SIDES]
         figure, axes = style.panels(3, 2, (12.5, 13), height_ratios=(1, 1.1, 0.6))
-        draw_patches(figure, axes[0], contacts, [f"{side.capitalize()} wheel" for side in SIDES], 0, 1)
-        axes[0, 0].set_xlabel(style.ACROSS)
+        draw_patches(figure, axes[0], contacts, [f"{side.capitalize()} wheel" for side in SIDES])
+        patch_key(axes[0, 0], contacts, columns=1)
         for axis, contact in zip(axes[1], contacts):
             draw_section(axis, [contact])
         axes[1, 0].invert_xaxis()  # y to the left: the field side is on the left
-        number = {name: f"{data[()]:.6g}" for name, data in file["wheelset"].items()}
         write_table(axes[2, 0], "Each wheel, y to the right", SIDES, [
-            [style.titled(name, unit), *(f"{file[side]['track'][name][()]:.6g}" for side in SIDES)]
+            [style.titled(name, unit), *(in_table(file[side]["track"][name][()], unit) for side in SIDES)]
             for name, unit in ON_TRACK], 0.11)
         write_table(axes[2, 1], "The wheelset", ["value"], [
-            [style.titled(name, text(data.attrs["unit"])), number[name]] for name, data in file["wheelset"].items()
-            if name in OF_WHEELSET and np.isfinite(data[()])], 0.11)
+            [style.titled(name, text(data.attrs["unit"])), in_table(data[()], text(data.attrs["unit"]))]
+            for name, data in file["wheelset"].items() if name in OF_WHEELSET and np.isfinite(data[()])], 0.11)
         return figure

@@ -5,10 +5,11 @@ import html
 import io
 
 import matplotlib.pyplot as plt
+from matplotlib.lines import Line2D
 
 from . import style
 
-NAMES = {"pmax": "pmax", "area": "area", "Fx": "Fx", "Fy": "Fy", "Mz": "Mz", "friction_power": "frictional power"}
+NAMES = {"pmax": "largest pressure", "area": "area in contact", "Fx": "Fx", "Fy": "Fy", "Mz": "Mz", "friction_power": "friction power"}
 MARKS = {"halfspace": "o", "tangent_plane": "s", "fem": "D"}
 BARS = (0.05, 0.02, 0.01, 0.005)
 NEGLIGIBLE = 1e-5  # 1. Smaller errors are drawn here.
@@ -44,7 +45,7 @@ def front(rows, error):
 
 def draw(axis, rows, error, label):
     """Points of all models, and the front of each."""
-    for model, (_, short, dash) in style.MODELS.items():
+    for model, (_, _, dash) in style.MODELS.items():
         of_model = [r for r in rows if r["model"] == model]
         if not of_model:
             continue
@@ -53,9 +54,18 @@ def draw(axis, rows, error, label):
             axis.loglog([1e3 * r["seconds"] for r in some], [100 * max(error(r), NEGLIGIBLE) for r in some], linestyle="none",
                         marker=MARKS[model], color=style.INK, markerfacecolor=face, markersize=4.5)
         best = front(of_model, error)
-        axis.loglog([1e3 * r["seconds"] for r in best], [100 * max(error(r), NEGLIGIBLE) for r in best], color=style.INK,
-                    linestyle=dash, marker=MARKS[model], markersize=0.1, label=short)
+        axis.loglog([1e3 * r["seconds"] for r in best], [100 * max(error(r), NEGLIGIBLE) for r in best], color=style.INK, linestyle=dash)
     axis.set(title=label)
+
+
+def key(figure):
+    """Below all panels: what marks and lines mean."""
+    look = {"color": style.INK, "markersize": 5.5}
+    models = [Line2D([], [], linestyle=dash, marker=MARKS[model], label=short, **look)
+              for model, (_, short, dash) in style.MODELS.items() if model in MARKS]
+    asked = [Line2D([], [], linestyle="none", marker="o", label="filled: a number of elements (grid.elements)", **look),
+             Line2D([], [], linestyle="none", marker="o", markerfacecolor="none", label="hollow: an accuracy (grid.accuracy)", **look)]
+    figure.legend(handles=models + asked, loc="upper center", bbox_to_anchor=(0.5, 0), ncol=5, handlelength=3, fontsize=9)
 
 
 def overview(scenes, quantities):
@@ -68,7 +78,7 @@ def overview(scenes, quantities):
         axis.set_ylabel("largest of six errors, %")
     for axis in list(axes.flat)[len(scenes):]:
         axis.set_visible(False)
-    style.legend(axes[0, 0], handlelength=3.5)
+    key(figure)
     return figure
 
 
@@ -80,7 +90,7 @@ def of_scene(scene, quantities):
         axis.set_xlabel("processor time of an answer, ms")
     for axis in axes[:, 0]:
         axis.set_ylabel("error, %")
-    style.legend(axes[0, 0], handlelength=3.5)
+    key(figure)
     return figure
 
 

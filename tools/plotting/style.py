@@ -1,10 +1,13 @@
 """What all pictures share. One colour has one meaning, the same as on the pages of `bem_contact report`; line styles and
-marks say the same without colours."""
+marks say the same without colours. Numbers have names that people read, not those of the files."""
+
+import math
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+import numpy as np
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.ticker import MaxNLocator
 from matplotlib.transforms import ScaledTranslation
@@ -24,6 +27,23 @@ MODELS = {"fem": ("Finite-element influence functions", "FEM", "-"), "tangent_pl
 BELOW_LABEL = 42  # points
 PICTURES = (".png", ".pdf", ".svg")
 ACROSS, UP = "x, rolling direction, mm", "s along the rail, mm"
+WORDS = {  # of the names in the files; a name that is not here stands as it is
+    "pmax": "largest pressure", "area": "area in contact", "Fx": "longitudinal force Fx", "Fy": "lateral force Fy", "Fz": "vertical force Fz",
+    "Fs": "shear force Fs along the profile", "Mz": "moment Mz about the vertical", "lateral": "lateral displacement",
+    "free_rolling_xi": "creepage of free rolling", "free_rolling_radius": "rolling radius of free rolling",
+    "friction_power": "friction power", "adhesion_share": "share in adhesion", "patch_count": "number of patches",
+    "Tmax_rail": "hottest place of the rail", "Tmax_wheel": "hottest place of the wheel",
+    "reference_y": "reference point, y", "reference_z": "reference point, z", "reference_delta": "reference point, inclination",
+    "patch_semi_axis_a": "first semi-axis", "patch_semi_axis_b": "second semi-axis", "patch_y": "patch, y", "patch_z": "patch, z",
+    "patch_delta": "patch, inclination", "patch_rail_y": "patch, y on the rail", "patch_wheel_y": "patch, y on the wheel",
+    "share": "share of the vertical force", "Y_over_Q": "Y/Q, derailment quotient", "radius": "radius at the contact",
+    "delta": "inclination of the rail", "rolling_radius": "rolling radius", "roll_moment": "roll moment", "yaw_moment": "yaw moment",
+    "torque": "torque of the axle", "roll": "roll, right side down", "yaw": "yaw, front to the right",
+    "position.lateral": "lateral displacement", "position.yaw": "yaw angle", "position.cant": "inclination of the rail",
+    "position.roll": "roll angle", "load.force": "vertical force", "load.force_y": "lateral force", "load.force_x": "longitudinal force",
+    "wheelset.force": "vertical force of the axle", "wheelset.force_y": "lateral force of the axle",
+    "motion.friction": "coefficient of friction", "motion.xi": "longitudinal creepage xi", "motion.eta": "lateral creepage eta",
+    "motion.phi": "spin phi"}
 
 
 def use():
@@ -40,9 +60,29 @@ def panels(rows, columns, size, **options):
     return plt.subplots(rows, columns, figsize=size, layout="constrained", squeeze=False, **options)
 
 
+def words(name):
+    """ "largest pressure" of "pmax"."""
+    return WORDS.get(name, name)
+
+
 def titled(name, unit):
-    """ "pmax, MPa"; a number without a unit has its name alone."""
-    return name if unit in ("", "1") else f"{name}, {unit}".replace("mm2", "mm²")
+    """ "largest pressure, MPa"; a number without a unit has its name alone. A panel of an angle has degrees_beside(), too."""
+    return words(name) if unit in ("", "1") else f"{words(name)}, {unit}".replace("mm2", "mm²").replace("degC", "°C")
+
+
+def valued(value, unit):
+    """ "70000 N"; an angle also in degrees: "0.0025 rad (0.14°)"."""
+    text = f"{value:.6g}" if unit in ("", "1") else f"{value:.6g} {unit}"
+    return f"{text} ({math.degrees(value):.3g}°)" if unit == "rad" else text
+
+
+def degrees_beside(axis, x="", y=""):
+    """A second scale above a panel whose x has the unit rad, to the right of one whose y has."""
+    both = {"functions": (np.degrees, np.radians)}
+    if x == "rad":
+        axis.secondary_xaxis("top", **both).set_xlabel("degrees")
+    if y == "rad":
+        axis.secondary_yaxis("right", **both).set_ylabel("degrees")
 
 
 def line(style, **more):

@@ -33,7 +33,8 @@ def groups_of(file, keys, lead):
     """Cases that differ in the leading key alone, and what tells them from the others."""
     groups = {}
     for i in range(len(file["status"])):
-        words = [f"{k.split('.')[-1]} {keys[k][int(file[k][i])].split('/')[-1] if keys[k] else f'{file[k][i]:g}'}"
+        words = [f"{style.words(k)} "
+                 + (keys[k][int(file[k][i])].split("/")[-1] if keys[k] else style.valued(file[k][i], text(file[k].attrs["unit"])))
                  for k in keys if lead and k != lead]
         groups.setdefault(", ".join(words), []).append(i)
     return groups
@@ -48,7 +49,7 @@ def draw_patches(figure, axis, patches, over):
     axis.errorbar(p["y"], at, xerr=half, fmt="none", ecolor=style.RAIL, elinewidth=3, zorder=2)
     shown = axis.scatter(p["y"], at, s=15 + 120 * p["Fn"] / p["Fn"].max(), c=p["pmax"], cmap=style.PRESSURE, vmin=0,
                          edgecolor=style.INK, zorder=3)
-    figure.colorbar(shown, ax=axis, label="pmax, MPa")
+    figure.colorbar(shown, ax=axis, label="largest pressure, MPa")
     axis.set(title="Patches on the rail: bars as wide as they are", xlabel="y, mm")
 
 
@@ -64,7 +65,7 @@ def draw_totals(axis, file, names, over, groups, certified, joined):
             axis.errorbar(over[sure], file[name][:][sure], yerr=np.nan_to_num(file[f"{name}_error"][:][sure]) if f"{name}_error" in file
                           else None, linestyle=dash if joined else "none", color=colour, marker=mark, markersize=4.5, elinewidth=1,
                           capsize=2, label=words)
-    axis.set_ylabel(style.titled(", ".join(names), text(file[names[0]].attrs["unit"])))
+    axis.set_ylabel(style.titled(names[0] if len(names) == 1 else ", ".join(names), text(file[names[0]].attrs["unit"])))
     if len(groups) * len(names) > 1 and len(groups) * len(names) <= 8:
         axis.legend()
 
@@ -83,6 +84,7 @@ def draw_wheels(axis, file, quantity, over, groups, certified, joined):
                       | ({} if joined else {"linestyle": "none"}))
     unit = text(file[f"right_{quantity}" if sides else quantity].attrs["unit"])
     axis.set_ylabel(style.titled(quantity, unit))
+    style.degrees_beside(axis, y=unit)
     if 1 < len(groups) * len(sides or [""]) <= 8:
         axis.legend()
 
@@ -108,7 +110,7 @@ def draw(files):
         if "right_share" in file:
             moved = "roll" if lead == "position.lateral" else "lateral"
             for axis, quantity, title in zip(axes.flat, (moved, "share", "Fy", "pmax"), (
-                    f"Wheelset: {moved}", "Share of the vertical force", "Lateral forces on the rails, to the right",
+                    style.words(moved).split(",")[0].capitalize(), "Share of the vertical force", "Lateral forces on the rails, to the right",
                     "Largest pressure")):
                 draw_wheels(axis, file, quantity, over, groups, certified, lead is not None)
                 axis.set(title=title, xlabel=name)

@@ -16,10 +16,16 @@ def draw_errors(axis, file, columns, held):
     places = np.arange(len(columns))[::-1]
     axis.barh(places, errors, color=[style.RAIL if c in held else "none" for c in columns], edgecolor=style.RAIL)
     axis.set(yticks=places, xlabel="% of the column's scale", title="Largest interpolation error")
-    axis.set_yticklabels(columns, fontsize=min(10, 160 / len(columns)))
+    axis.set_yticklabels(map(style.words, columns), fontsize=min(10, 160 / len(columns)))
     style.limit(axis, 100 * float(file.attrs["tolerance"]), f"goal {100 * float(file.attrs['tolerance']):g} %: filled bars are held to it",
                 vertical=True)
     axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12))
+
+
+def at_point(file, name, k):
+    """ "vertical force 60000 N": the k-th point of an axis."""
+    grid = file[f"axes/{name}"]
+    return f"{style.words(name)} {style.valued(grid[int(k)], text(grid.attrs['unit']))}"
 
 
 def draw_column(axis, file, axes, column):
@@ -35,13 +41,14 @@ def draw_column(axis, file, axes, column):
     for k, dash, mark in zip(shown, ("-", "--", "-.", ":"), ("o", "s", "D", "^")):
         if second is not None:
             at[second] = k
-        label = "" if second is None else f"{axes[second]} {file[f'axes/{axes[second]}'][k]:.6g}"
+        label = "" if second is None else at_point(file, axes[second], k)
         colour = style.FORCES.get(column, (style.DEEPEST_PRESSURE if column == "pmax" else style.INK,))[0]
         axis.plot(grid[:], values[tuple(at)], dash, marker=mark, markersize=4, color=colour, linewidth=1.3, label=label)
-    others = ", ".join(f"{name} {file[f'axes/{name}'][at[k]]:.6g}" for k, name in enumerate(axes) if k not in (first, second))
+    others = ", ".join(at_point(file, name, at[k]) for k, name in enumerate(axes) if k not in (first, second))
     unit = text(file[f"values/{column}"].attrs["unit"])
-    axis.set(xlabel=style.titled(axes[first], text(grid.attrs["unit"])) + (f"   (at {others})" if others else ""),
-             ylabel=style.titled(column, unit), title=column)
+    axis.set(xlabel=style.titled(axes[first], text(grid.attrs["unit"])) + (f"\n(at {others})" if others else ""),
+             ylabel=style.titled(column, unit), title=style.words(column).capitalize() if column not in style.FORCES else column)
+    style.degrees_beside(axis, text(grid.attrs["unit"]))
     style.legend(axis, fontsize=8)
 
 
@@ -66,7 +73,7 @@ def draw_nested(axis, file, axes, column):
         line = below(file, last, node)
         axis.plot(file[f"axes/{last}"][line], values[line], dash, marker=mark, markersize=4, color=colour, linewidth=1.3, label=label)
     unit = [text(file[name].attrs["unit"]) for name in (f"axes/{last}", f"values/{column}")]
-    axis.set(xlabel=f"{last}, {unit[0]}   (at {outer} {file[f'axes/{outer}'][start]:.6g})", ylabel=f"{column}, {unit[1]}", title=column)
+    axis.set(xlabel=f"{style.titled(last, unit[0])}   (at {at_point(file, outer, start)})", ylabel=style.titled(column, unit[1]), title=column)
     style.legend_beside(axis, below=True, columns=2, fontsize=8)
 
 
@@ -82,6 +89,6 @@ def draw(files):
             (draw_nested if "first" in file else draw_column)(axis, file, axes, column)
         for axis in panels.flat[1 + len(shown):]:
             axis.axis("off")
-        size = (", below them " if "first" in file else " x ").join(f"{len(file[f'axes/{name}'])} {name}" for name in axes)
-        figure.suptitle(f"Table over {size}; marks: its points", fontsize=11)
+        size = (", below it " if "first" in file else ", ").join(f"{style.words(name)} ({len(file[f'axes/{name}'])})" for name in axes)
+        figure.suptitle(f"Table over {size}; in brackets how many points, the marks", fontsize=11)
         return figure

@@ -49,37 +49,10 @@ template <NamedEnum E> std::vector<std::string> choices() {
   return {EnumNames<E>::names.begin(), EnumNames<E>::names.end()};
 }
 
-MeasuredProfile read(const ProfileArguments& arguments, ProfileKind kind) {
-  const auto [file, part] = profile_file_name(arguments.name);
-  if (is_standard_profile(arguments.name) || file.extension() == ".toml" || !std::filesystem::exists(file))
-    return {.curve = named_profile(arguments.name, kind), .noise = {}}; // it says what is wrong with a name
-  return measured_profile(file, kind, arguments.reading, part);
-}
-
 std::string radius_text(double turn, double length) {
   const double radius = length / turn;
   return std::abs(radius) < straight_radius ? fmt::format("{:9.1f}", radius)
                                             : fmt::format("{:>9}", "straight");
-}
-
-/// Rail or wheel: a standard by its name, a file by its ending (.prr, .ban, .rai; .prw, .whl, .whe) or by
-/// `kind`
-/// ("rail", "wheel"). Throws InputError where neither says it.
-ProfileKind kind_of_profile(const std::string& name, const std::string& kind) {
-  if (!kind.empty())
-    return kind == "wheel" ? ProfileKind::wheel : ProfileKind::rail;
-  if (is_standard_profile(name))
-    return kind_of_standard(name);
-  const std::filesystem::path file = profile_file_name(name).file;
-  if (const auto its = kind_of_ending(file))
-    return *its;
-  if (!std::filesystem::exists(file))
-    named_profile(name, ProfileKind::rail); // it says that there is no such file
-  throw InputError(fmt::format("'{}' is the profile of a rail or of a wheel", name),
-                   "neither its name nor its ending says which",
-                   file.extension() == ".toml"
-                       ? "Say --kind rail or --kind wheel; if it is a scene, solve it first (-o R.h5)."
-                       : "Say --kind rail or --kind wheel.");
 }
 
 std::string noise_text(const MeasuredProfile& p) {
@@ -153,16 +126,6 @@ std::string describe_profile(const MeasuredProfile& p, const std::optional<LikeS
   return out;
 }
 
-/// Points at equal steps of arc length, at most `step` mm long.
-std::vector<CurvePoint> points_along(const ProfileCurve& curve, double step) {
-  const double length = curve.s_end() - curve.s_begin();
-  const int steps = std::max(1, static_cast<int>(std::ceil(length / step)));
-  std::vector<CurvePoint> out;
-  for (int i = 0; i <= steps; ++i)
-    out.push_back(curve.at(curve.s_begin() + length * i / steps));
-  return out;
-}
-
 std::string profile_csv(const ProfileCurve& curve, double step) {
   std::string out = "s_mm,y_mm,z_mm,inclination_rad,curvature_per_mm\n";
   for (const CurvePoint& p : points_along(curve, step))
@@ -191,7 +154,8 @@ std::vector<report::DrawnProfile> drawn_profiles(const ProfileArguments& argumen
     ProfileArguments raw = arguments;
     raw.reading.smoothing = 0;
     raw.reading.nominal.clear();
-    out.push_back(drawn(name + ", as measured", read(raw, kind).curve, arguments.step));
+    out.push_back(
+        drawn(name + ", as measured", described_profile(raw.name, kind, raw.reading).curve, arguments.step));
   }
   const std::string usual = kind == ProfileKind::wheel ? "S1002" : "60E1";
   const std::string standard = profile.worn ? arguments.reading.nominal : like ? like->name : usual;
@@ -208,7 +172,7 @@ ExitCode run(ProfileArguments arguments, bool flange_back_given) {
   require_outputs(paths_of(files_of_key("file.profile", arguments.name, {})),
                   {{"--csv", arguments.csv}, {"--plot", arguments.plot}});
   const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
-  const MeasuredProfile profile = read(arguments, kind);
+  const MeasuredProfile profile = described_profile(arguments.name, kind, arguments.reading);
   if (!arguments.csv.empty())
     write_whole(arguments.csv, [&](std::ostream& out) { out << profile_csv(profile.curve, arguments.step); });
   const std::optional<LikeStandard> like =

@@ -12,6 +12,7 @@ inline constexpr const char* sweep_format = "bem_contact sweep 2";
 inline constexpr const char* wheelset_format = "bem_contact wheelset 1";
 inline constexpr const char* conicity_format = "bem_contact conicity 1";
 inline constexpr const char* creep_curves_format = "bem_contact creep curves 1";
+inline constexpr const char* fatigue_format = "bem_contact fatigue 1";
 inline constexpr const char* numbers_format = "conformal-contact influence numbers 1";
 
 /// A kind of file that stands for itself.
@@ -27,6 +28,8 @@ inline constexpr FileKind file_kinds[] = {
     {wheelset_format, "Both wheels of a wheelset", "both wheels of a wheelset", "wheelset"},
     {conicity_format, "The conicity of a wheelset", "the conicity of a wheelset", "conicity"},
     {creep_curves_format, "Creep curves", "creep curves", "creep-curves"},
+    {fatigue_format, "Fatigue of each patch of a load collective", "the fatigue of a load collective",
+     "fatigue"},
     {table::table_format, "A table of contact forces"},
     {numbers_format, "Plain influence numbers"},
 };

@@ -30,15 +30,6 @@ template <class Table> std::vector<Column> columns_of(const Table& table) {
   return all;
 }
 
-/// `of`: the result, and which patch.
-template <class Table, class... Of> std::vector<double> values_of(const Table& table, const Of&... of) {
-  std::vector<double> values;
-  with_errors(table, [&](const std::string&, const QuantityUnit&, auto value, const char*) {
-    values.push_back(value(of...));
-  });
-  return values;
-}
-
 std::vector<Column> columns_of_cases() {
   std::vector<Column> all = columns_of(quantities());
   all.push_back({model_column, "1", of_model});

@@ -9,11 +9,22 @@ Every error that says what is wrong and what to do is a `bem_contact.Error`: `In
 input, `ConvergenceError` (a `RuntimeError` too) where there is no certified result, and `Error` itself where the machine
 is to blame, as when the disk gets full.
 
-`help(bem_contact.solve)` and `help(bem_contact.Result)` say what goes in and what comes out.
+Each command of the program has a function here, or is called as a command:
+
+    solve         solve(), or Sequence for many cases     wheelset      wheelset()
+    compare       compare()                               creep-curves  creep_curves()
+    check         check()                                 table         table(), read_table()
+    profile       profile()                               wear          wear()
+    sweep         sweep()                                 fatigue       fatigue(), of a Result
+    conicity      conicity()                              report        report()
+
+    info, influence, options such as --csv    python3 -m bem_contact info FILE.h5, from a shell
+
+`help(bem_contact.solve)` and `help(bem_contact.Result)` say what goes in and what comes out; each function has such a text.
 """
 
 try:
-    from ._core import ConvergenceError, Error, InputError, Result, Sequence, Table, __commit__, __version__, compare, conicity, creep_curves, fatigue, read_table, report, solve, table, wear, wheelset
+    from ._core import ConvergenceError, Error, InputError, Result, Sequence, Table, __commit__, __version__, check, compare, conicity, creep_curves, fatigue, profile, read_table, report, solve, sweep, table, wear, wheelset
 except ModuleNotFoundError as missing:
     if missing.name != f"{__name__}._core":
         raise
@@ -23,5 +34,5 @@ except ModuleNotFoundError as missing:
         f"{sys.version_info.minor}) Call cmake --build --preset full --target bem_contact_python, and use "
         "/usr/bin/python3.", name=missing.name) from None
 
-__all__ = ["ConvergenceError", "Error", "InputError", "Result", "Sequence", "Table", "__commit__", "__version__", "compare", "conicity", "creep_curves",
-           "fatigue", "read_table", "report", "solve", "table", "wear", "wheelset"]
+__all__ = ["ConvergenceError", "Error", "InputError", "Result", "Sequence", "Table", "__commit__", "__version__", "check", "compare", "conicity",
+           "creep_curves", "fatigue", "profile", "read_table", "report", "solve", "sweep", "table", "wear", "wheelset"]

@@ -242,6 +242,28 @@ def compare(
     "at_equal_forces", "creep_forces" (Fx over the creepage beyond free rolling), "at_equal_position", "reference".
     """
 
+def check(
+    scene: _Scene, changes: _Changes = None, model: _Model = None, *, folder: str | PathLike[str] | None = None
+) -> dict[str, list[str]]:
+    """What would be solved, and whether the influence files suffice: "lines" and "warnings". Nothing is solved."""
+
+def sweep(
+    scene: _Scene, model: _Model = None, *, folder: str | PathLike[str] | None = None
+) -> dict[str, Any]:
+    """The cases of a table [sweep] as columns: the keys swept over, "status", "reason", "model", the numbers, "patches"."""
+
+def profile(
+    file: str | PathLike[str],
+    kind: Literal["", "rail", "wheel"] = "",
+    reading: _Changes = None,
+    *,
+    step: float = 0.1,
+) -> dict[str, Any]:
+    """What a profile says: "s", "y", "z" (mm), "inclination" (rad), "curvature" (1/mm), "noise", "like" ...
+
+    `reading`: keys of [rail] or [wheel] of a scene, as {"smoothing": 8}.
+    """
+
 def conicity(
     scene: _Scene | None = None,
     changes: _Changes = None,

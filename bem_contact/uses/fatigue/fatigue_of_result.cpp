@@ -110,16 +110,18 @@ Fatigue fatigue_of(const SceneResult& solved, const FatigueProperties& propertie
 std::span<const PatchColumn> patch_columns() {
   using P = PatchFatigue;
   static constexpr PatchColumn columns[] = {
-      {"s", "mm", [](const P& p) { return p.s; }},
-      {"y", "mm", [](const P& p) { return p.y; }},
-      {"Fn", "N", [](const P& p) { return p.normal_force; }},
-      {"pmax", "MPa", [](const P& p) { return p.pmax; }},
-      {"p0_over_k", "1", [](const P& p) { return p.point.load; }},
-      {"mu_used", "1", [](const P& p) { return p.point.traction; }},
-      {"FI_surf", "1", [](const P& p) { return p.surface_index; }},
-      {"FI_worst_element", "1", [](const P& p) { return p.largest_index; }},
-      {"T_gamma", "N", [](const P& p) { return p.t_gamma; }},
-      {"damage", "1", [](const P& p) { return p.damage; }}};
+      {"s", "mm", [](const P& p) { return p.s; }, "centre of pressure, arc length along the rail"},
+      {"y", "mm", [](const P& p) { return p.y; }, "centre of pressure, track frame"},
+      {"Fn", "N", [](const P& p) { return p.normal_force; }, "sum of the pressure"},
+      {"pmax", "MPa", [](const P& p) { return p.pmax; }, "largest pressure"},
+      {"p0_over_k", "1", [](const P& p) { return p.point.load; },
+       "largest pressure over the yield stress in shear"},
+      {"mu_used", "1", [](const P& p) { return p.point.traction; }, "shear force over normal force"},
+      {"FI_surf", "1", [](const P& p) { return p.surface_index; },
+       "mu used less k/p0: above 0 the surface fatigues"},
+      {"FI_worst_element", "1", [](const P& p) { return p.largest_index; }, "the same of the worst element"},
+      {"T_gamma", "N", [](const P& p) { return p.t_gamma; }, "dissipated by friction by rolled distance"},
+      {"damage", "1", [](const P& p) { return p.damage; }, "of one passage"}};
   return columns;
 }
 

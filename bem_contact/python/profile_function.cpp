@@ -1,0 +1,110 @@
+#include "bem_contact/profile/like_standard.hpp"
+#include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/python/functions.hpp"
+#include "bem_contact/python/values.hpp"
+#include "bem_contact/scene/scene_file.hpp"
+
+#include <pybind11/numpy.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+/// How a file is read, by the keys of the same names in [rail] or [wheel] of a scene, and checked as those.
+ProfileReading reading_of(const std::string& name, ProfileKind kind, const py::object& keys) {
+  const bool wheel = kind == ProfileKind::wheel;
+  std::vector<SceneChange> changes{{"rail.profile", wheel ? "60E1" : name},
+                                   {"wheel.profile", wheel ? name : "S1002"}};
+  for (SceneChange change : changes_of(keys)) {
+    change.key = std::string(name_of(kind)) + '.' + change.key;
+    changes.push_back(std::move(change));
+  }
+  const SceneFile scene = scene_without_file(changes);
+  return wheel ? scene.wheel.reading : scene.rail.reading;
+}
+
+py::dict curve_of(const ProfileCurve& curve, double step) {
+  std::vector<double> s, y, z, inclination, curvature;
+  for (const CurvePoint& p : points_along(curve, step)) {
+    s.push_back(p.s);
+    y.push_back(p.position.y);
+    z.push_back(p.position.z);
+    inclination.push_back(p.delta);
+    curvature.push_back(p.curvature);
+  }
+  return py::dict("s"_a = array_of(s), "y"_a = array_of(y), "z"_a = array_of(z),
+                  "inclination"_a = array_of(inclination), "curvature"_a = array_of(curvature));
+}
+
+py::object like_of(const MeasuredProfile& profile, ProfileKind kind) {
+  const std::optional<LikeStandard> like =
+      profile.points > 0 ? like_standard(profile.curve, kind) : std::nullopt;
+  if (!like)
+    return py::none();
+  return py::dict("name"_a = like->name, "other"_a = like->other, "least_depth"_a = like->least_depth,
+                  "largest_depth"_a = like->largest_depth, "angle"_a = like->angle,
+                  "inclination"_a = like->inclination);
+}
+
+py::object noise_of(const MeasuredProfile& p) {
+  if (p.points == 0 || p.noise.coarse)
+    return py::none();
+  return py::dict("scatter"_a = p.noise.scatter, "spacing"_a = p.noise.spacing,
+                  "pressure"_a = p.noise.pressure, "smoothing"_a = p.noise.smoothing);
+}
+
+py::dict profile(const py::object& file, const std::string& kind, const py::object& reading, double step) {
+  if (!kind.empty() && kind != "rail" && kind != "wheel")
+    throw InputError("There is no kind of profiles '" + kind + "'", "there are rails and wheels",
+                     "Give rail or wheel.");
+  if (!(step > 0))
+    throw InputError("A step of " + std::to_string(step) + " mm cannot be", "no points would lie along it",
+                     "Give a step above 0.");
+  const std::string name = py::str(py::module_::import("os").attr("fspath")(file));
+  const ProfileKind its = kind_of_profile(name, kind);
+  const MeasuredProfile found = described_profile(name, its, reading_of(name, its, reading));
+  py::list outliers;
+  for (const Outlier& o : found.outliers)
+    outliers.append(py::dict("y"_a = o.point.y, "z"_a = o.point.z, "distance"_a = o.distance));
+  py::dict out = curve_of(found.curve, step);
+  out["kind"] = std::string(name_of(its));
+  out["name"] = found.curve.name();
+  out["points"] = found.points;
+  out["noise"] = noise_of(found);
+  out["outliers"] = outliers;
+  out["like"] = like_of(found, its);
+  out["removed_rms"] = found.removed_rms;
+  out["removed_most"] = found.removed_most;
+  return out;
+}
+
+} // namespace
+
+void add_profile(py::module_& module) {
+  module.def(
+      "profile", &profile, "file"_a, "kind"_a = "", "reading"_a = py::none(), py::kw_only(), "step"_a = 0.1,
+      "What a profile file says, as `bem_contact profile` prints it; also of a standard (\"60E1\") or a body "
+      "file. `kind`: rail or wheel, needed where neither name nor ending says it. `reading`: keys of [rail] "
+      "or "
+      "[wheel] of a scene, as {\"smoothing\": 8, \"nominal\": \"S1002\", \"unit\": \"mm\", \"mirror\": "
+      "True}. "
+      "A dict: arrays `s` (arc length), `y`, `z` (mm, z down), `inclination` (rad) and `curvature` (1/mm, > "
+      "0 "
+      "convex) at equal steps, at most `step` mm long, in the frame of the profile (y to the field side; a "
+      "wheel is walked from the field side, with an inclination near pi on the tread); `kind`, `name`; of a "
+      "measured file `points` (how many), `noise` (None where it is not known: `scatter` and `spacing`, mm; "
+      "`pressure`, MPa, by which a curve through all points is off; `smoothing`, mm, advised, 0: none), "
+      "`outliers` (dicts of y, z, distance, mm), `like` (the nearest standard or None: `name`, `other`, "
+      "`least_depth` and `largest_depth` worn off, mm, `angle`, and `inclination` if the file is inclined "
+      "already, rad), `removed_rms` and `removed_most` (by smoothing, mm). Raises InputError for what is no "
+      "profile.");
+}
+
+} // namespace bem_contact

@@ -1,0 +1,88 @@
+"""What tools/plotting computes: limits of the shakedown diagram against closed forms and known numbers; numbers of tables in words."""
+
+import sys
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
+sys.dont_write_bytecode = True
+from plotting import results, shakedown, style  # noqa: E402
+
+
+class Stresses(unittest.TestCase):
+    def test_equilibrium(self):
+        """The divergence is zero inside, by differences."""
+        rng, h = np.random.default_rng(3), 1e-4
+        x, z = rng.uniform(-1.4, 1.4, 50), rng.uniform(0.1, 1.4, 50)
+        for mu in (0, 0.3, 1):
+            of = lambda x, z: np.array(shakedown.line_stresses(x, z, mu))
+            along, down = (of(x + h, z) - of(x - h, z)) / (2 * h), (of(x, z + h) - of(x, z - h)) / (2 * h)
+            np.testing.assert_allclose(along[0] + down[2], 0, atol=1e-5)
+            np.testing.assert_allclose(along[2] + down[1], 0, atol=1e-5)
+
+    def test_surface(self):
+        """Hertz's pressure and mu times it within the contact, nothing beside it. A traction along +x compresses in front (x = 1) by 2 mu."""
+        x, mu = np.linspace(-1.4, 1.4, 57), 0.2
+        xx, zz, xz = shakedown.line_stresses(x, np.zeros_like(x), mu)
+        pressure = np.sqrt(np.maximum(1 - x**2, 0))
+        np.testing.assert_allclose(zz, -pressure, atol=1e-9)
+        np.testing.assert_allclose(np.abs(xz), mu * pressure, atol=1e-9)
+        np.testing.assert_allclose(xx[np.abs(x) < 0.99], (-pressure - 2 * mu * x)[np.abs(x) < 0.99], atol=1e-9)
+
+    def test_below_the_middle(self):
+        """Johnson 1985, eq. 4.46, on x = 0."""
+        z = np.linspace(0, 1.4, 15)
+        xx, zz, xz = shakedown.line_stresses(0 * z, z, 0)
+        np.testing.assert_allclose(zz, -1 / np.sqrt(1 + z**2))
+        np.testing.assert_allclose(xx, -((1 + 2 * z**2) / np.sqrt(1 + z**2) - 2 * z), atol=1e-12)
+        np.testing.assert_allclose(xz, 0, atol=1e-12)
+
+
+class Limits(unittest.TestCase):
+    def test_without_friction(self):
+        """The shear along the surface is p0/4 at most (x = sqrt(3)/2, z = 1/2); the elastic limit is that of Johnson 1985, section 6.1."""
+        self.assertAlmostEqual(abs(shakedown.line_stresses(np.sqrt(0.75), 0.5, 0)[2]), 0.25, 12)
+        self.assertAlmostEqual(shakedown.shakedown_limit(0), 4, 3)
+        self.assertAlmostEqual(shakedown.elastic_limit(0), 3.1, 1)
+
+    def test_much_friction(self):
+        for mu in (0.37, 0.4, 0.6):
+            self.assertAlmostEqual(shakedown.shakedown_limit(mu) * mu, 1, 9)
+
+    def test_where_the_surface_takes_over(self):
+        """mu = 0.367 (Johnson and Jefferis 1963)."""
+        self.assertLess(shakedown.shakedown_limit(0.365), 0.999 / 0.365)
+        self.assertAlmostEqual(shakedown.shakedown_limit(0.368) * 0.368, 1, 9)
+
+    def test_order(self):
+        """Steel flows before it ceases to shake down, and friction lowers both limits."""
+        elastic, shaken = ([limit(mu) for mu in np.linspace(0, 0.6, 25)] for limit in (shakedown.elastic_limit, shakedown.shakedown_limit))
+        self.assertTrue((np.array(elastic) < shaken).all())
+        for limits in (elastic, shaken):
+            self.assertTrue((np.diff(limits) < 0).all())
+
+
+class Numbers(unittest.TestCase):
+    def test_digits_follow_the_error(self):
+        for value, error, wanted in ((1858.23, 3.2, "1858 ± 3"), (-0.0281, 4.0, "0 ± 4"), (100000, np.nan, "100000"), (1e-9, 1e-11, "0"),
+                                     (np.nan, 1, "–"), (-1.785, 5.9e-3, "-1.785 ± 0.006")):
+            self.assertEqual(results.with_error(value, error), wanted)
+
+    def test_differences(self):
+        """Relative of pressures and areas, else in the unit, with the digits that the errors leave; none of approaches."""
+        for name, values, errors, wanted in (("pmax", (1881.64, 1858.23), (3.3, 3.2), "-1.24 %"), ("Fy", (38188.44, 38188.40), (75, 64), "0"),
+                                             ("Mz", (-59223.99, -57020.28), (266, 224), "+2204"), ("approach", (0.137, 0.124), (1e-4, 1e-4), "–"),
+                                             ("lateral", (6.62167, 6.6), (3.8e-4, np.nan), "-0.0217"), ("Fz", (1e5, 1e5), (np.nan, np.nan), "0")):
+            self.assertEqual(results.difference(name, values, errors), wanted, name)
+
+    def test_words_and_degrees(self):
+        self.assertEqual(style.titled("pmax", "MPa"), "largest pressure, MPa")
+        self.assertEqual(style.titled("free_rolling_xi", "1"), "creepage of free rolling")
+        self.assertEqual(style.valued(0.0025, "rad"), "0.0025 rad (0.143°)")
+        self.assertEqual(style.valued(60000, "N"), "60000 N")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,129 @@
+"""bem_contact.profile, check and sweep: against closed forms and against the program."""
+
+import csv
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import bem_contact
+
+ROOT = Path(__file__).resolve().parents[2]
+SCENES, BODIES = ROOT / "data" / "scenes", ROOT / "data" / "bodies"
+HOLLOW = BODIES / "hollow_wheel.txt"
+
+
+def program(*arguments):
+    return subprocess.run([os.environ["BEM_CONTACT"], *map(str, arguments)], check=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, text=True).stdout
+
+
+class Profile(unittest.TestCase):
+    def test_an_arc(self):
+        """Points on a circle of radius 300 mm: its curvature, arc length and no noise."""
+        angle = np.linspace(-0.1, 0.1, 121)
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "arc.txt"
+            np.savetxt(file, np.column_stack((300 * np.sin(angle), 300 * (1 - np.cos(angle)))))
+            p = bem_contact.profile(file, "rail", step=0.5)
+        np.testing.assert_allclose(p["curvature"], 1 / 300, rtol=1e-3)
+        np.testing.assert_allclose(p["inclination"], p["s"] / 300, atol=1e-5)
+        self.assertAlmostEqual(p["s"][-1] - p["s"][0], 60, delta=1e-3)
+        self.assertLessEqual(np.diff(p["s"]).max(), 0.5 + 1e-9)
+        self.assertEqual((p["kind"], p["points"], p["outliers"], p["removed_rms"]), ("rail", 121, [], 0))
+        self.assertLess(p["noise"]["scatter"], 1e-6)
+
+    def test_is_what_the_program_says(self):
+        p = bem_contact.profile(str(HOLLOW), "wheel", {"smoothing": 8})
+        with tempfile.TemporaryDirectory() as folder:
+            table = Path(folder) / "p.csv"
+            said = program("profile", HOLLOW, "--kind", "wheel", "--smoothing", 8, "--csv", table)
+            columns = np.loadtxt(table, delimiter=",", skiprows=1, unpack=True)
+        for name, column in zip(("s", "y", "z", "inclination", "curvature"), columns):
+            np.testing.assert_allclose(p[name], column, rtol=1e-7, atol=1e-6)
+        self.assertIn(f"points: {p['points']}, {p['noise']['spacing']:.3g} mm apart", said)
+        self.assertIn(f"noise: {1e3 * p['noise']['scatter']:.2f} um", said)
+        self.assertIn(f"like {p['like']['name']}", said)
+        self.assertIn(f"{1e3 * p['removed_rms']:.2f} um root mean square", said)
+
+    def test_a_standard_has_a_curve_alone(self):
+        p = bem_contact.profile("60E1")
+        self.assertEqual((p["kind"], p["points"], p["noise"], p["like"]), ("rail", 0, None, None))
+        self.assertAlmostEqual(p["curvature"][len(p["s"]) // 2], 1 / 300, delta=1e-6)
+
+    def test_wrong_input(self):
+        for words, arguments in (("neither its name nor its ending", (HOLLOW,)), ("no kind of profiles 'axle'", (HOLLOW, "axle")),
+                                 ("unknown profile 'no_such.txt'", ("no_such.txt", "rail")),
+                                 ("wheel.smoothing", (HOLLOW, "wheel", {"smoothing": -1})),
+                                 ("unknown key 'wheel.smoothin'", (HOLLOW, "wheel", {"smoothin": 1}))):
+            with self.assertRaisesRegex(bem_contact.InputError, words):
+                bem_contact.profile(*arguments)
+        with self.assertRaisesRegex(bem_contact.InputError, "step"):
+            bem_contact.profile("60E1", step=0)
+
+
+class Check(unittest.TestCase):
+    def test_is_what_the_program_says(self):
+        for file in (SCENES / "conformal_small.toml", SCENES / "steady_rolling.toml"):
+            found = bem_contact.check(file)
+            said = program("check", file)
+            self.assertEqual("".join(line + "\n" for line in found["lines"]) + "".join(f"warning: {w}\n" for w in found["warnings"]), said)
+
+    def test_changes_count(self):
+        lines = bem_contact.check(SCENES / "conformal_small.toml", {"position.lateral": 0.0}, "halfspace")["lines"]
+        self.assertNotEqual(lines, bem_contact.check(SCENES / "conformal_small.toml")["lines"])
+        with self.assertRaisesRegex(bem_contact.InputError, "position.latteral"):
+            bem_contact.check(SCENES / "conformal_small.toml", {"position.latteral": 1})
+
+
+class Sweep(unittest.TestCase):
+    def test_is_what_the_program_solves(self):
+        """Numbers within the tolerance of the certificate: the program begins anew with each chunk of cases."""
+        found = bem_contact.sweep(SCENES / "cases_two_areas.toml")
+        with tempfile.TemporaryDirectory() as folder:
+            program("sweep", SCENES / "cases_two_areas.toml", "-o", Path(folder) / "s.h5", "--csv", Path(folder) / "s.csv")
+            with open(Path(folder) / "s.csv", newline="") as lines:
+                rows = list(csv.DictReader(lines))
+            with open(Path(folder) / "s_patches.csv", newline="") as lines:
+                patches = list(csv.DictReader(lines))
+        self.assertEqual(found["status"], [row["status"] for row in rows])
+        self.assertEqual(found["model"], [row["model"] for row in rows])
+        for name in ("position.lateral", "pmax", "area", "Fx", "Fy", "Fz", "approach", "pmax_error"):
+            np.testing.assert_allclose(found[name], [float(row[name] or "nan") for row in rows], rtol=1e-4, atol=1, err_msg=name)
+        for name in ("case", "patch", "y", "Fn"):
+            np.testing.assert_allclose(found["patches"][name], [float(row[name] or "nan") for row in patches], rtol=1e-4, atol=1e-2, err_msg=name)
+        self.assertEqual(set(rows[0]) - {"case", "seconds", "cpu_seconds"} - set(found), set())
+
+    def test_a_case_that_is_refused_has_no_numbers(self):
+        scene = {"kind": "patch", "load.force": 1e4, "grid": {"dx": 0.5, "ds": 0.5, "mx": 24, "ms": 24}, "gap": {"a": 1e-3, "b": 1e-3},
+                 "motion.frictionless": True}
+        text = "kind = 'patch'\nmotion.frictionless = true\ngrid = { dx = 0.5, ds = 0.5, mx = 24, ms = 24 }\ngap = { a = 1e-3, b = 1e-3 }\n"
+        found = bem_contact.sweep(text + "[sweep]\nload.force = [1e4, 1e9]\n")
+        self.assertEqual(found["status"], ["certified", "refused"])
+        self.assertEqual(found["pmax"][0], bem_contact.solve(scene).pmax)
+        self.assertTrue(np.isnan(found["pmax"][1]))
+        self.assertTrue(found["reason"][1])
+        self.assertEqual(list(found["patches"]["case"]), [0])
+
+    def test_wrong_input(self):
+        for words, scene in (("sweep", SCENES / "hertz.toml"), ("does not solve wheelsets", SCENES / "wheelset_sweep.toml"),
+                             ("no_such.toml", SCENES / "no_such.toml")):
+            with self.assertRaisesRegex(bem_contact.InputError, words):
+                bem_contact.sweep(scene)
+
+
+class Help(unittest.TestCase):
+    def test_every_command_is_in_the_help_of_the_module(self):
+        commands = re.findall(r"^  ([a-z-]+) ", program("--help").split("Subcommands:")[1], re.M)
+        for command in commands:
+            self.assertRegex(bem_contact.__doc__, rf"\b{command}\b")
+        for name in re.findall(r"(\w+)\(\)", bem_contact.__doc__.split("or is called")[1]):
+            self.assertTrue(getattr(bem_contact, name).__doc__)
+
+
+if __name__ == "__main__":
+    unittest.main()
