@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/free_rolling.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
 
 namespace bem_contact {
 
@@ -56,7 +57,7 @@ SceneResult solve_from_free_rolling(const ContactCase& asked, const SceneFile::G
       former_of(free.model, free.problem, free.result, *asked.estimate);
   resources.start = start ? &*start : resources.start;
   SceneResult out = solve_case(counted, grid, resources);
-  out.reason = free.reason;
+  take_choice(free, out);
   out.free_rolling = counted_as(out, *found);
   return out;
 }

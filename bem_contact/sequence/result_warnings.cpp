@@ -151,6 +151,17 @@ std::vector<std::string> result_warnings(const ContactCase& asked, const SceneRe
   return out;
 }
 
+void warn_of_model(SceneResult& out) {
+  if (!out.model_enough)
+    out.warnings.push_back("the finite-element model is needed here: " + out.reason);
+}
+
+void take_choice(const SceneResult& chosen, SceneResult& out) {
+  out.reason = chosen.reason;
+  out.model_enough = chosen.model_enough;
+  warn_of_model(out);
+}
+
 void warn_of_accuracy(const SceneFile::Grid& asked, const std::string& why, SceneResult& out) {
   const double error = asked_error(asked, out);
   if (!asked.accuracy || !out.result.converged || error <= *asked.accuracy)

@@ -13,6 +13,13 @@ namespace bem_contact {
 /// elements that are too large, fields that do not converge.
 std::vector<std::string> result_warnings(const ContactCase& asked, const SceneResult& result);
 
+/// Adds a warning if no model that can be taken is good enough (SceneResult::model_enough).
+void warn_of_model(SceneResult& out);
+
+/// Of a result whose model was chosen for `chosen`, another solution of the same question: why it was taken,
+/// and whether it is good enough.
+void take_choice(const SceneResult& chosen, SceneResult& out);
+
 /// Adds a warning if the estimated error of a solution is above the grid.accuracy asked for. `why`: the
 /// reason why the accuracy was not reached.
 void warn_of_accuracy(const SceneFile::Grid& asked, const std::string& why, SceneResult& out);
