@@ -1,5 +1,6 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/csv_name.hpp"
+#include "bem_contact/app/error_text.hpp"
 #include "bem_contact/app/sweep_inputs.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -81,8 +82,9 @@ ExitCode run(FatigueArguments arguments) {
     fmt::print("{}", table);
   else
     write_text(arguments.csv, [&](std::ostream& out) { out << table; });
-  fmt::print("{} cases, {} patches, {} of them beyond the limit of the surface (FI_surf > 0)\n", sweep.size(),
-             patches, beyond);
+  fmt::print("{}, {}, {} of them beyond the limit of the surface (FI_surf > 0)\n",
+             counted(static_cast<int>(sweep.size()), "case", "cases"), counted(patches, "patch", "patches"),
+             beyond);
   fmt::print("damage of one passage, mean over the collective: {:.4g}\n", damage / weights);
   return success;
 }

@@ -28,6 +28,14 @@ void warn_of_accuracy(const SceneFile::Grid& asked, const std::string& why, Scen
 /// `at_start`: Fy at position.lateral, N, if it is known.
 void warn_of_lateral(const SceneFile& asked, std::optional<double> at_start, SceneResult& out);
 
+/// A warning, and what it is of: "fem at equal forces".
+struct PlacedWarning {
+  std::string place, text;
+};
+/// Each warning once, with all places of it. Behind it stand the places where the same is said with other
+/// figures.
+std::vector<std::string> once_each(const std::vector<PlacedWarning>& warnings);
+
 /// For --strict: throws InputError with all warnings, if there are any.
 void refuse_warnings(const std::vector<std::string>& warnings);
 

@@ -153,6 +153,7 @@ std::optional<double> Sequence::rough_lateral_force(SceneFile scene, double late
 }
 
 SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene, const SceneTask& task) {
+  const Stopwatch searching;
   const double wanted = *scene.load.force_y, start = scene.position.lateral;
   const SceneFile rough = rough_scene(scene);
   if (!memory_.lateral || memory_.lateral->rough != rough)
@@ -185,7 +186,9 @@ SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene, const Scene
   const double lateral = search.find(
       [&](double at) { return lateral_force_of(solve_at_position(with_lateral(on_the_way, at), totals)); });
 
+  const double searched = searching.seconds();
   SceneResult out = solve_at_position(with_lateral(asked, lateral), task);
+  out.seconds.search = searched;
   if (chosen)
     take_choice(*chosen, out);
   const double error = out.result.discretisation ? out.result.discretisation->errors.Fy : unknown_error;

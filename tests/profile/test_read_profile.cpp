@@ -208,8 +208,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mishap{"shuffled_wheel", "S1002", columns(shuffled(sampled("S1002"))), "the points are out of order"},
         Mishap{"doubled", "60E1", columns(with_doubles(sampled("60E1"))),
                "4 doubled or crowded points dropped"},
-        Mishap{"swapped", "60E1", columns(with_swapped(sampled("60E1"))), "1 points dropped where"},
-        Mishap{"spike", "S1002", columns(with_spike(sampled("S1002"))), "1 points dropped where"}),
+        Mishap{"swapped", "60E1", columns(with_swapped(sampled("60E1"))), "1 point dropped where"},
+        Mishap{"spike", "S1002", columns(with_spike(sampled("S1002"))), "1 point dropped where"}),
     [](const auto& p) { return p.param.name; });
 
 TEST(Repairs, what_cannot_be_mended_is_refused) {
