@@ -84,7 +84,7 @@ class TableCommand(unittest.TestCase):
         """With what its process said of it; it is not solved a second time."""
         self.scene.write_text(SCENE.split("[table]")[0] + "[table]\nload.force = [1e3, 1e12]\n")
         done = self.run_table("table", self.scene, "-o", self.folder / "t.h5", "--jobs", "1")
-        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("The point (1e+12) of the table has no result (", done.stderr)
         self.assertIn("far beyond elastic contact", done.stderr)
 
