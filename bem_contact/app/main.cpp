@@ -1,4 +1,5 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/output/message_sink.hpp"
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
@@ -11,7 +12,6 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 namespace {
@@ -65,9 +65,6 @@ ExitCode run(const CLI::App& cli, const std::vector<Command>& commands, bool pri
 
 int run_program(int argc, char** argv) {
   keep_freed_memory();
-  spdlog::set_default_logger(spdlog::stderr_color_mt("bem_contact"));
-  spdlog::set_pattern("%^%l%$: %v");
-
   CLI::App cli{"Conformal wheel-rail contact by the boundary element method"};
   bool print_default = false;
   cli.require_subcommand(0, 1);
@@ -105,5 +102,8 @@ int run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   hold_standard_streams();
-  return checked_exit_code(run_program(argc, argv));
+  const auto messages = install_message_sink();
+  const int code = run_program(argc, argv);
+  messages->finish();
+  return checked_exit_code(code);
 }

@@ -32,6 +32,11 @@ BEM_CONTACT_TUNED(std::size_t, largest_chunk, 32);
 /// table of 100000 rows has 5 MB. Chosen.
 BEM_CONTACT_TUNED(std::size_t, largest_kept_input, 10'000'000);
 
+// Messages.
+
+/// Characters. So much of a message is said again where it came more than once: enough to know it. Chosen.
+BEM_CONTACT_TUNED(int, repeated_length, 60);
+
 // Profiles in words.
 
 /// mm. Length of the stretches whose mean radius is printed: a table of 30 lines for a wheel.

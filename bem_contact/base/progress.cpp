@@ -9,16 +9,12 @@
 
 namespace bem_contact {
 
-namespace {
-
 std::string duration_text(double seconds) {
   if (seconds < 100)
     return fmt::format("{:.1f} s", seconds);
   const auto whole = static_cast<long>(seconds + 0.5);
   return fmt::format("{}:{:02} min", whole / 60, whole % 60);
 }
-
-} // namespace
 
 Progress::Progress(std::string label, std::size_t total)
     : Progress(std::move(label), total, std::cerr, isatty(STDERR_FILENO) == 1) {}

@@ -8,6 +8,9 @@
 
 namespace bem_contact {
 
+/// "12.3 s", from 100 s on "2:05 min".
+std::string duration_text(double seconds);
+
 /// A progress bar for a long step: label, done of total, time left. On a terminal one line is redrawn at
 /// most ten times a second; elsewhere (a file, a CI log) a line is written at most every tenth of the way.
 /// Steps may come from several threads.

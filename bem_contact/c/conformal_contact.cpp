@@ -5,6 +5,7 @@
 #include "bem_contact/c/calls.hpp"
 #include "bem_contact/c/result_values.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
+#include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
 
@@ -26,7 +27,7 @@ struct conformal_contact {
   std::vector<std::string> keys; ///< by index
   std::optional<SceneResult> result;
   std::atomic<bool> stop = false;
-  std::string message;
+  std::string message, why_no_errors;
 };
 
 namespace {
@@ -182,6 +183,14 @@ int conformal_model(conformal_contact* handle, const char** name, const char** r
     const SceneResult& result = result_of(handle);
     *name = name_of(result.model).data(); // a literal
     *reason = result.reason.c_str();
+  });
+}
+
+int conformal_why_no_errors(conformal_contact* handle, const char** text) {
+  return with(handle, [&] {
+    require(text, "the text");
+    handle->why_no_errors = why_no_errors(result_of(handle));
+    *text = handle->why_no_errors.c_str();
   });
 }
 

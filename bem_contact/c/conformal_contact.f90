@@ -88,6 +88,11 @@ module conformal_contact
       type(c_ptr), value :: handle
       type(c_ptr), intent(out) :: name, reason
     end function
+    integer(c_int) function conformal_why_no_errors(handle, text) bind(c)
+      import
+      type(c_ptr), value :: handle
+      type(c_ptr), intent(out) :: text
+    end function
     integer(c_int) function conformal_patch_count(handle, count) bind(c)
       import
       type(c_ptr), value :: handle

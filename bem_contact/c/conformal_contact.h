@@ -100,6 +100,10 @@ int conformal_total_errors(conformal_contact* handle, double* errors, int count)
  * was this one. *reason is valid until the next conformal_solve(). */
 int conformal_model(conformal_contact* handle, const char** name, const char** reason);
 
+/* Why the numbers of the last result have no stated errors, and what to do; "" if they have.
+ * *text is valid until the next call of this function. */
+int conformal_why_no_errors(conformal_contact* handle, const char** text);
+
 /* Patches, the one with the largest force first: values of one patch. A value that a patch does not have is
  * not a number (not equal to itself): a scene of kind "patch" has no profiles, a frictionless one no
  * creepages. */

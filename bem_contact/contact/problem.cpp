@@ -72,7 +72,8 @@ void validate_numbers(const ContactProblem& problem) {
         asymmetry = std::max(asymmetry, std::abs(value - parity(i, j) * numbers.at(0, row_j, j, row_i, i)));
       }
   require(asymmetry <= 1e-6 * largest, "the influence numbers violate Maxwell-Betti",
-          "asymmetry " + std::to_string(asymmetry / largest) + " of the largest self number",
+          "asymmetry " + std::to_string(asymmetry / largest) +
+              " of the largest influence number of an element on itself",
           "use displacements averaged over the element");
 }
 

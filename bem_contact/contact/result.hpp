@@ -183,6 +183,7 @@ struct ContactResult {
   std::vector<PatchSummary> patches;            ///< connected areas of contact, largest force first
   Certificate certificate;                      ///< look at it first
   std::optional<Discretisation> discretisation; ///< nothing: not estimated
+  std::string unestimated; ///< why there is no `discretisation`, and what to do; "" where there is one
 
   bool touches_border = false;   ///< contact at an edge of the grid: the potential contact is too small
   bool converged = false;        ///< certificate.holds()

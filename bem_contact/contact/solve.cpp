@@ -153,15 +153,15 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
   return result;
 }
 
-/// Estimates the error of the discretisation. Nothing where it cannot be told.
-std::optional<Discretisation> estimate(const ContactProblem& problem, const SolverOptions& options,
-                                       contact::ContactOperators& operators, WorkBudget& work,
-                                       const ContactResult& result) {
-  if (!options.estimate_discretisation || !result.converged)
-    return std::nullopt;
+/// Estimates the error of the discretisation, or says why it cannot be told.
+void estimate(const ContactProblem& problem, const SolverOptions& options,
+              contact::ContactOperators& operators, WorkBudget& work, ContactResult& result) {
+  result.unestimated = !options.estimate_discretisation ? "they are not asked for"
+                       : !result.converged              ? "the result is not certified"
+                                                        : contact::why_no_companion(problem, result);
+  if (!result.unestimated.empty())
+    return;
   const auto coarse = contact::companion_of(problem, result, threads_of(options));
-  if (!coarse)
-    return std::nullopt;
   // A key costs a pass over the numbers, and is needed only where the operators outlive this call.
   contact::ContactOperators& companion =
       operators.companion(options.workspace ? contact::key_of(coarse->problem) : contact::NumbersKey{});
@@ -170,10 +170,11 @@ std::optional<Discretisation> estimate(const ContactProblem& problem, const Solv
   loose.start = &coarse->start;
   loose.displacements = false;
   try {
-    return contact::compare(problem, result, coarse->problem,
-                            solve_on_this_grid(coarse->problem, loose, companion, work));
+    const ContactResult rough = solve_on_this_grid(coarse->problem, loose, companion, work);
+    result.discretisation = contact::compare(problem, result, coarse->problem, rough);
+    result.unestimated = contact::why_not_compared(coarse->problem, rough);
   } catch (const Error&) { // larger elements cannot carry the forces, or no work is left
-    return std::nullopt;
+    result.unestimated = "elements twice as large have no solution. Give smaller elements";
   }
 }
 
@@ -190,7 +191,7 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options,
   contact::ContactOperators& operators = options.workspace ? options.workspace->of(problem) : only_now;
   ContactResult result = solve_on_this_grid(problem, options, operators, work);
   const Stopwatch estimating;
-  result.discretisation = estimate(problem, options, operators, work, result);
+  estimate(problem, options, operators, work, result);
   result.estimate_seconds = estimating.seconds();
   if (result.discretisation)
     result.certificate.discretisation = result.discretisation->worst();

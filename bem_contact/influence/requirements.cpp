@@ -1,6 +1,5 @@
 #include "bem_contact/influence/requirements.hpp"
 
-#include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/settings.hpp"
 
 #include <cmath>
@@ -53,7 +52,7 @@ void require_strip(const InfluenceFunction& f, double s_from, double s_to) {
   const double rounding = strip_rounding * (std::abs(from) + std::abs(to) + f.station_width);
   // Negated, so that NaN is refused.
   if (!(s_from >= from - rounding && s_to <= to + rounding && s_from <= s_to))
-    throw InputError(
+    throw OffStripError(
         text("the patch from s = ", s_from, " to ", s_to, " mm leaves the contact strip of '", f.body, "'"),
         text("its influence functions cover s = ", from, " to ", to, " mm"),
         "Compute them for a wider strip, or move the patch.");

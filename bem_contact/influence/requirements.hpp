@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/influence_function.hpp"
 
 #include <cstdint>
@@ -9,6 +10,12 @@
 /// not.
 namespace bem_contact {
 
+/// A contact needs influence functions where their strip has ended.
+class OffStripError : public InputError {
+public:
+  using InputError::InputError; ///< as Error
+};
+
 /// It was computed for this profile: the digest of ProfileCurve counts, the name is for the message.
 void require_profile(const InfluenceFunction& function, const std::string& profile, std::uint64_t digest);
 /// It was computed for this material.
@@ -16,7 +23,7 @@ void require_material(const InfluenceFunction& function, const Material& materia
 /// The two files are not exchanged: the lower body (rail) has its material below, the upper one (wheel)
 /// above.
 void require_order(const InfluenceFunction& lower, const InfluenceFunction& upper);
-/// [s_from, s_to], mm, lies on its contact strip.
+/// [s_from, s_to], mm, lies on its contact strip. Throws OffStripError.
 void require_strip(const InfluenceFunction& function, double s_from, double s_to);
 
 /// The shortest element along x that its wavenumbers serve, at the reference radius, mm. 0: a table, or

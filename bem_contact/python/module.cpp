@@ -232,6 +232,8 @@ void add_trust(ResultClass& c) {
       "model", [](const SceneResult& r) { return std::string(name_of(r.model)); },
       "hertz, halfspace, tangent_plane or fem");
   c.def_readonly("reason", &SceneResult::reason, "Why this model");
+  c.def_property_readonly("why_no_errors", why_no_errors,
+                          "Why numbers have no stated errors, and what to do; \"\" where they have");
   c.def_readonly("warnings", &SceneResult::warnings,
                  "What to know before the numbers are used, each with its figure and what to do");
   c.def_property_readonly("certified", &certified,

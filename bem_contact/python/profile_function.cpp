@@ -1,5 +1,5 @@
-#include "bem_contact/profile/like_standard.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/profile/worn/like_standard.hpp"
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/scene/scene_file.hpp"

@@ -199,6 +199,14 @@ std::string SweepFile::describe(std::size_t index) const {
   return out;
 }
 
+bool has_sweep(const std::filesystem::path& file) {
+  try {
+    return toml::parse(read_text_file(file.string(), "scene file")).contains("sweep");
+  } catch (const toml::parse_error&) { // whoever reads the scene says what is wrong
+    return false;
+  }
+}
+
 SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name, std::string_view section,
                            const std::filesystem::path& folder) {
   SweepFile sweep;

@@ -54,6 +54,9 @@ struct SweepFile {
   std::string describe(std::size_t index) const;
 };
 
+/// Whether a scene file has a table [sweep]. Throws InputError for a file that cannot be read.
+bool has_sweep(const std::filesystem::path& file);
+
 /// Throws InputError for a file without [sweep], an empty or endless range, a zip of lists of unequal
 /// lengths, or a key that no scene has.
 SweepFile read_sweep_file(const std::filesystem::path& file);

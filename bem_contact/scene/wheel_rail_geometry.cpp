@@ -28,13 +28,17 @@ void take_back(const WheelRailGeometry& placed, const std::vector<ContactRow>& r
 
 } // namespace
 
+double inclination_of_rail(const std::string& name, const ProfileCurve& rail) {
+  const std::optional<LikeStandard> like =
+      is_standard_profile(name) ? std::nullopt : like_standard(rail, ProfileKind::rail);
+  return like ? like->inclination : 0;
+}
+
 WheelRailProfiles read_profiles(const SceneFile& scene) {
   const ProfileCurve rail =
       named_profile(scene.rail.profile, ProfileKind::rail, scene.folder, scene.rail.reading);
-  const std::optional<LikeStandard> like =
-      is_standard_profile(scene.rail.profile) ? std::nullopt : like_standard(rail, ProfileKind::rail);
   return {rail, named_profile(scene.wheel.profile, ProfileKind::wheel, scene.folder, scene.wheel.reading),
-          like ? like->inclination : 0};
+          inclination_of_rail(scene.rail.profile, rail)};
 }
 
 std::vector<ContactRow> WheelRailGeometry::rows(const GridPlan& plan) const {

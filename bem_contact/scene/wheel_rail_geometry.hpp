@@ -19,6 +19,8 @@ struct WheelRailProfiles {
   double rail_inclination = 0; ///< that the rail's file has already (like_standard.hpp), rad
 };
 WheelRailProfiles read_profiles(const SceneFile& scene);
+/// By how much a rail is inclined in its file already (like_standard.hpp), rad; 0 of a standard profile.
+double inclination_of_rail(const std::string& name, const ProfileCurve& rail);
 
 /// The bodies of a `wheel_rail` scene, the wheel lowered until it just touches.
 struct WheelRailGeometry {

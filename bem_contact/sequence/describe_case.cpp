@@ -1,11 +1,12 @@
 #include "bem_contact/sequence/describe_case.hpp"
 
-#include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/scene/warnings.hpp"
 #include "bem_contact/sequence/numbers/settings.hpp"
 #include "bem_contact/sequence/plan/model_choice.hpp"
 #include "bem_contact/sequence/settings.hpp"
 #include "bem_contact/sequence/solution/grow_grid.hpp"
+#include "bem_contact/sequence/solution/solve_case.hpp"
 #include "bem_contact/sequence/solution/trim_plan.hpp"
 
 #include <algorithm>
@@ -64,8 +65,9 @@ double room_on(const InfluenceFunction& f, const std::vector<double>& row_s, con
 /// What becomes of the frictionless contact on the strips of both influence files. `room`: from the contact
 /// to the nearer end of the strip, mm; nothing where it is not known.
 struct FitOnStrips {
-  std::string refusal; ///< why fem refuses it; empty: it does not
-  std::optional<double> rail_room, wheel_room;
+  std::string refusal = {}; ///< why fem refuses it; empty: it does not
+  bool covered = true;      ///< false: because the contact leaves the strips
+  std::optional<double> rail_room = {}, wheel_room = {};
 };
 
 /// Of a wheel on a rail whose influence files are both there; nothing is known of others. The frictionless
@@ -76,11 +78,12 @@ FitOnStrips fit_on_strips(const ContactCase& asked) {
   try {
     const GridSolution solved =
         grown_contact(asked, asked.setup.on(first_plan(asked, asked.scene.grid, true)), Model::fem);
-    return {.refusal = {},
-            .rail_room = room_on(*asked.files.rail, solved.contact.rail_s, solved),
+    return {.rail_room = room_on(*asked.files.rail, solved.contact.rail_s, solved),
             .wheel_room = room_on(*asked.files.wheel, solved.contact.wheel_s, solved)};
+  } catch (const OffStripError& error) {
+    return {.refusal = error.what(), .covered = false};
   } catch (const Error& error) {
-    return {.refusal = error.what(), .rail_room = {}, .wheel_room = {}};
+    return {.refusal = error.what()};
   }
 }
 
@@ -131,18 +134,28 @@ std::string load_text(const ContactLoad& load) {
                                       : fmt::format("load: approach {:g} mm", load.approach);
 }
 
-/// `trimmed`: solve does not keep all of it (trim_plan.hpp).
-std::string grid_text(const SceneFile::Grid& asked, const ContactProblem& problem, bool trimmed) {
+/// What solve makes of the first grid of a wheel on a rail. `trimmed`: it does not keep all of it
+/// (trim_plan.hpp).
+std::string later_grid_text(bool trimmed) {
+  return fmt::format("; it covers where the bodies may touch by the estimate: solve {}enlarges it if the "
+                     "contact reaches its edge",
+                     trimmed ? "leaves out the rows and columns that the contact does not come near to, and "
+                             : "");
+}
+
+std::string grid_text(const SceneFile& scene, const ContactProblem& problem, bool trimmed) {
+  const SceneFile::Grid& asked = scene.grid;
+  const bool on_rail = scene.kind == SceneKind::wheel_rail;
   if (asked.accuracy)
     return fmt::format("grid: dx and ds are chosen for an error of {:g} %", 100 * *asked.accuracy);
   if (asked.elements)
     return fmt::format("grid: dx and ds are chosen for {} elements in contact", *asked.elements);
-  return fmt::format(
-      "grid: {} x {} elements of {:g} x {:g} mm, s = {:.3f} .. {:.3f} mm, inclination "
-      "{:.2f} .. {:.2f} degrees{}",
-      problem.grid.mx, problem.grid.ms, problem.grid.dx, problem.grid.ds, problem.rows.front().s,
-      problem.rows.back().s, degrees(problem.rows.front().delta), degrees(problem.rows.back().delta),
-      trimmed ? "; solve leaves out the rows and columns that the contact does not come near to" : "");
+  return fmt::format("{}grid: {} x {} elements of {:g} x {:g} mm, s = {:.3f} .. {:.3f} mm, inclination "
+                     "{:.2f} .. {:.2f} degrees{}",
+                     on_rail ? "first " : "", problem.grid.mx, problem.grid.ms, problem.grid.dx,
+                     problem.grid.ds, problem.rows.front().s, problem.rows.back().s,
+                     degrees(problem.rows.front().delta), degrees(problem.rows.back().delta),
+                     on_rail ? later_grid_text(trimmed) : "");
 }
 
 std::string friction_text(const Motion& motion, const ContactProblem& problem) {
@@ -157,6 +170,15 @@ std::string friction_text(const Motion& motion, const ContactProblem& problem) {
                      : motion.kind == MotionKind::shift
                          ? fmt::format("shift in {} steps", steps)
                          : fmt::format("transient rolling, {} steps of dx", steps));
+}
+
+/// `choice`: of auto; nothing where it was not looked for.
+std::string model_text(std::optional<Model> asked_for, const std::optional<ModelChoice>& choice) {
+  std::string out = fmt::format("model: {}", name_of(asked_for));
+  if (choice)
+    out += fmt::format("{} {} by the estimate: {}", asked_for ? "; auto would take" : ", which takes",
+                       name_of(choice->model), choice->reason);
+  return out;
 }
 
 /// `off`: by how much the rows leave the strip, mm; 0: they do not. Friction moves a contact along s, by up
@@ -206,20 +228,20 @@ SceneDescription describe_case(const ContactCase& asked) {
   if (asked.estimate)
     add_touch_points(asked.setup, *asked.estimate, lines);
   lines.push_back(load_text(asked.setup.load));
-  std::optional<ModelChoice> choice;
-  if (asked.estimate)
-    choice = choose_model(traits_of(asked, *asked.estimate), request_of(asked));
-  const Model model = scene.solver.model.value_or(choice ? choice->model : Model::halfspace);
-  lines.push_back(grid_text(scene.grid, problem, has_large_numbers(asked, contact.plan, model)));
-  lines.push_back(friction_text(asked.setup.motion, problem));
   const FitOnStrips fit = fit_on_strips(asked);
+  const std::optional<Model> asked_for = scene.solver.model;
+  std::optional<ModelChoice> choice;
+  if (!asked_for || asked.estimate)
+    choice = foreseen_model(asked, fit.covered);
+  const Model model = asked_for ? *asked_for : choice->model;
+  lines.push_back(grid_text(scene, problem, has_large_numbers(asked, contact.plan, model)));
+  lines.push_back(friction_text(asked.setup.motion, problem));
   lines.push_back(
       influence_text("rail", asked.files.rail, contact.rail_s, problem, fit.refusal, fit.rail_room));
   lines.push_back(
       influence_text("wheel", asked.files.wheel, contact.wheel_s, problem, fit.refusal, fit.wheel_room));
   std::ranges::move(describe_strips(asked, contact), std::back_inserter(lines));
-  lines.push_back(fmt::format("model: {}{}", name_of(scene.solver.model),
-                              choice ? "; by the estimate " + choice->reason : ""));
+  lines.push_back(model_text(asked_for, choice));
   return {std::move(lines), input_warnings(scene, asked.setup)};
 }
 

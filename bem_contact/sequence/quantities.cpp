@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/quantities.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <limits>
 
 namespace bem_contact {
@@ -314,6 +315,16 @@ std::vector<double> ElementQuantity::values(const SceneResult& result) const {
 
 const Quantity& quantity(std::string_view name) {
   return *std::ranges::find(all, name, [](const Quantity& q) { return std::string_view(q.name); });
+}
+
+std::string why_no_errors(const SceneResult& r) {
+  const auto& estimate = r.result.discretisation;
+  if (!estimate || estimate->converges)
+    return r.result.unestimated;
+  return fmt::format(
+      "the pressure does not converge with the size of the elements (pmax {:.0f} MPa on elements "
+      "twice as large). Give smaller elements, or smooth the profiles",
+      estimate->coarse_pmax);
 }
 
 std::string error_name(const char* name) {

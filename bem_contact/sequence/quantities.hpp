@@ -112,6 +112,8 @@ std::string error_name(const char* name);
 /// What an error is, in a few words.
 inline constexpr const char* error_description =
     "estimated error by the size of the elements; nan: not known";
+/// Why a result has no stated errors, and what to do; "" where it has them.
+std::string why_no_errors(const SceneResult& result);
 /// Lists the numbers of a table, and behind each its error, if it has one: use(name, unit, value,
 /// description), where `value` is the function of the quantity.
 template <class Table, class Use> void with_errors(const Table& table, const Use& use) {

@@ -6,6 +6,7 @@
 #include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -152,6 +153,17 @@ std::vector<std::string> result_warnings(const ContactCase& asked, const SceneRe
   return out;
 }
 
+void warn_of_model(SceneResult& out) {
+  if (!out.model_enough)
+    out.warnings.push_back("the finite-element model is needed here: " + out.reason);
+}
+
+void take_choice(const SceneResult& chosen, SceneResult& out) {
+  out.reason = chosen.reason;
+  out.model_enough = chosen.model_enough;
+  warn_of_model(out);
+}
+
 void warn_of_accuracy(const SceneFile::Grid& asked, const std::string& why, SceneResult& out) {
   const double error = asked_error(asked, out);
   if (!asked.accuracy || !out.result.converged || error <= *asked.accuracy)
@@ -189,6 +201,30 @@ void warn_of_lateral(const SceneFile& asked, std::optional<double> at_start, Sce
         fmt::format("position.lateral bears load.force_y within its error, too (Fy {:.6g} N at "
                     "{:.2f} mm) Solve it without load.force_y if it is meant.",
                     *at_start, start));
+}
+
+std::vector<std::string> once_each(const std::vector<PlacedWarning>& warnings) {
+  struct Group {
+    std::string words, text;
+    std::vector<std::string> places, others; ///< of this text; of other figures
+  };
+  std::vector<Group> groups;
+  for (const PlacedWarning& w : warnings) {
+    std::string words = w.text;
+    std::erase_if(words, [](unsigned char c) { return std::isdigit(c) || c == '.' || c == '-' || c == '+'; });
+    const auto known = std::ranges::find(groups, words, &Group::words);
+    if (known == groups.end())
+      groups.push_back({words, w.text, {w.place}, {}});
+    else
+      (known->text == w.text ? known->places : known->others).push_back(w.place);
+  }
+  std::vector<std::string> out;
+  for (const Group& g : groups)
+    out.push_back(fmt::format("{}: {}", fmt::join(g.places, ", "), g.text) +
+                  (g.others.empty() ? ""
+                                    : fmt::format(" [{} more with other figures: {}]", g.others.size(),
+                                                  fmt::join(g.others, ", "))));
+  return out;
 }
 
 void refuse_warnings(const std::vector<std::string>& warnings) {

@@ -17,12 +17,14 @@ namespace bem_contact {
 
 /// Wall-clock seconds by phase.
 struct PhaseSeconds {
-  double geometry = 0; ///< files, profiles, contact search, undeformed distance
-  double numbers = 0;  ///< influence numbers
-  double solve = 0;    ///< pressures and shear tractions
-  double check = 0;    ///< certificate and displacements
-  double estimate = 0; ///< the same on elements twice as large, for the stated errors
-  double total = 0;    ///< all of the call
+  double geometry = 0;     ///< files, profiles, contact search, undeformed distance
+  double numbers = 0;      ///< influence numbers
+  double solve = 0;        ///< pressures and shear tractions
+  double check = 0;        ///< certificate and displacements
+  double estimate = 0;     ///< the same on elements twice as large, for the stated errors
+  double free_rolling = 0; ///< all that finds free rolling
+  double search = 0;       ///< all that finds the lateral displacement for load.force_y
+  double total = 0;        ///< all of the call
 
   /// Adds the seconds of another call.
   PhaseSeconds& operator+=(const PhaseSeconds& other) {
@@ -31,6 +33,8 @@ struct PhaseSeconds {
     solve += other.solve;
     check += other.check;
     estimate += other.estimate;
+    free_rolling += other.free_rolling;
+    search += other.search;
     total += other.total;
     return *this;
   }
@@ -65,6 +69,8 @@ inline double moment_about(const ReferencePoint& reference, const ContactResult&
 struct SceneResult {
   Model model = Model::halfspace; ///< that it was solved with
   std::string reason;             ///< why this model, in a sentence
+  bool model_enough =
+      true;               ///< false: finite elements would be needed, and cannot be taken; `reason` says why
   ContactProblem problem; ///< grid, rows (wheel_rail: track frame), undeformed distance, rigid slip; without
                           ///< the values of the influence numbers
   ContactResult result;   ///< of the last step

@@ -155,6 +155,7 @@ std::optional<double> Sequence::rough_lateral_force(SceneFile scene, double late
 }
 
 SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene, const SceneTask& task) {
+  const Stopwatch searching;
   const double wanted = *scene.load.force_y, start = scene.position.lateral;
   const SceneFile rough = rough_scene(scene);
   if (!memory_.lateral || memory_.lateral->rough != rough)
@@ -168,15 +169,14 @@ SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene, const Scene
 
   SceneFile asked = scene;
   asked.load.force_y.reset();
-  std::string reason;
+  std::optional<SceneResult> chosen;
   if (!scene.solver.model || scene.grid.elements ||
       scene.grid.accuracy) { // the same model and elements all the way
     SceneTask choosing = task;
     choosing.lateral_force = true;
-    const SceneResult first = solve_at_position(with_lateral(scene, search.guess()), choosing);
-    asked = with_elements(with_model(std::move(asked), first.model), first.problem.grid.dx,
-                          first.problem.grid.ds);
-    reason = first.reason;
+    chosen = solve_at_position(with_lateral(scene, search.guess()), choosing);
+    const ContactGrid& grid = chosen->problem.grid;
+    asked = with_elements(with_model(std::move(asked), chosen->model), grid.dx, grid.ds);
   }
   SceneFile on_the_way = asked;
   on_the_way.motion.free_rolling = false;
@@ -188,8 +188,11 @@ SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene, const Scene
   const double lateral = search.find(
       [&](double at) { return lateral_force_of(solve_at_position(with_lateral(on_the_way, at), totals)); });
 
+  const double searched = searching.seconds();
   SceneResult out = solve_at_position(with_lateral(asked, lateral), task);
-  out.reason = reason.empty() ? out.reason : reason;
+  out.seconds.search = searched;
+  if (chosen)
+    take_choice(*chosen, out);
   const double error = out.result.discretisation ? out.result.discretisation->errors.Fy : unknown_error;
   out.found_lateral = search.describe(lateral, error);
   warn_of_accuracy(scene.grid, "all displacements are tried on the elements of the first one", out);

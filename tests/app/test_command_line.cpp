@@ -3,6 +3,7 @@
 #include "bem_contact/scene/scene_file.hpp"
 #include "tests/app/run_program.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -157,6 +158,110 @@ TEST_F(CommandLine, CompareSaysAWarningOnceWithWhatItIsAbout) {
   ASSERT_NE(at, std::string::npos) << r.err;
   EXPECT_EQ(r.err.find("motion.friction = 30: ", at + 1), std::string::npos) << r.err;
   EXPECT_THAT(r.err, HasSubstr("halfspace at equal forces, tangent_plane at equal forces"));
+}
+
+/// The same words with other figures: one warning, with the places of the others.
+TEST_F(CommandLine, CompareCountsWarningsThatDifferInFigures) {
+  const Outcome r = run("compare " CONFORMAL_SOURCE_DIR "/data/scenes/conformal_small.toml");
+  const std::string words = "above three times the yield strength";
+  const auto at = r.err.find(words);
+  ASSERT_NE(at, std::string::npos) << r.err;
+  EXPECT_EQ(r.err.find(words, at + 1), std::string::npos) << r.err;
+  EXPECT_THAT(r.err, HasSubstr("[3 more with other figures: fem at equal forces"));
+}
+
+/// 18 elements: nothing is said of errors but why, and what to do.
+TEST_F(CommandLine, ACoarseGridSaysWhyThereAreNoErrors) {
+  std::string coarse = hertz;
+  for (const char* size : {"dx = 0.5", "ds = 0.5"})
+    coarse.replace(coarse.find(size), 8, std::string(size, 5) + "1.0");
+  const std::string scene = write("coarse.toml", coarse).string();
+  EXPECT_THAT(run("solve '" + scene + "'").out,
+              ::testing::ContainsRegex("no errors .* are stated: .* 40 are needed. Give smaller elements"));
+  EXPECT_THAT(json::parse(run("solve '" + scene + "' --json").out)["why_no_errors"].get<std::string>(),
+              HasSubstr("Give smaller elements"));
+  std::string fine = hertz;
+  for (const char* size : {"dx = 0.5", "ds = 0.5"})
+    fine.replace(fine.find(size), 8, std::string(size, 5) + "0.25");
+  for (const char* size : {"mx = 16", "ms = 16"})
+    fine.replace(fine.find(size), 7, std::string(size, 5) + "32");
+  const std::string fine_scene = write("fine.toml", fine).string();
+  EXPECT_TRUE(json::parse(run("solve '" + fine_scene + "' --json").out)["why_no_errors"].is_null());
+}
+
+TEST_F(CommandLine, TextHasNoInsiderWordsAndNoSlipWithoutFriction) {
+  const Outcome r = run("solve '" + write("s.toml", wheel_rail).string() + "' --model halfspace");
+  for (const char* word : {"slip", "adhesion", "outer iterations"})
+    EXPECT_THAT(r.out, ::testing::Not(HasSubstr(word)));
+  const std::string influence = run("info " CONFORMAL_SOURCE_DIR "/data/influence/small_rail.h5").out;
+  for (const char* word : {"self number", "digest"})
+    EXPECT_THAT(influence, ::testing::Not(HasSubstr(word)));
+}
+
+/// Of a wheel on a rail with friction, free rolling takes as long as the case itself.
+TEST_F(CommandLine, SecondsNameFreeRollingAndSearch) {
+  std::string scene = wheel_rail;
+  scene.replace(scene.find("motion.frictionless = true"), 26, "load.force_y = 2e3\nmotion.friction = 0.3");
+  const std::string file = write("s.toml", scene).string();
+  const json seconds = json::parse(run("solve '" + file + "' --json").out)["seconds"];
+  EXPECT_GT(seconds["free_rolling"].get<double>(), 0);
+  EXPECT_GT(seconds["search"].get<double>(), 0);
+  EXPECT_THAT(run("solve '" + file + "'").out,
+              ::testing::ContainsRegex("free rolling [0-9.]+, search of the displacement [0-9.]+, total"));
+}
+
+TEST_F(CommandLine, CheckTakesSweepsAndWheelsets) {
+  const std::string sweep = "\n[sweep]\nposition.lateral = [ 0.0, 3.0, 6.0 ]\n";
+  const Outcome r = run("check '" + write("s.toml", wheel_rail + sweep).string() + "' --strict");
+  EXPECT_EQ(r.code, 0) << r.err;
+  for (const char* words : {"case 1 of 3: position.lateral = 0", "case 3 of 3: position.lateral = 6",
+                            "first grid: ", "model: auto, which takes "})
+    EXPECT_THAT(r.out, HasSubstr(words));
+  refused(run("check '" +
+              write("bad.toml", wheel_rail + "\n[sweep]\nload.force = [ 1e4, -1.0, 1e4 ]\n").string() + "'"),
+          {"load.force"});
+  std::string wheelset = wheel_rail;
+  wheelset.replace(wheelset.find("load.force = 1e4"), 16, "wheelset.force = 1e5");
+  const Outcome both = run("check '" + write("w.toml", wheelset).string() + "'");
+  EXPECT_EQ(both.code, 0) << both.err;
+  for (const char* words :
+       {"equilibrium begins at a lateral displacement of 0 mm", "right wheel", "left wheel"})
+    EXPECT_THAT(both.out, HasSubstr(words));
+}
+
+/// Messages come between lines, each once.
+TEST_F(CommandLine, AMessageComesOnceAndBetweenLines) {
+  std::string points;
+  for (int i = 0; i <= 700; ++i) {
+    const double y = -60 + 0.15 * i;
+    points += fmt::format("{:.3f} {:.4f}\n", y, 0.025 * y + (i == 350 ? 0.2 : 0.0));
+  }
+  const std::string cone = write("cone.txt", points).string();
+  const Outcome r = run("conicity --rail 60E1 --wheel '" + cone + "' --left-wheel '" + cone + "' --to 2");
+  const auto at = r.err.find("may split patches");
+  ASSERT_NE(at, std::string::npos) << r.err;
+  EXPECT_EQ(r.err.rfind("may split patches"), at) << "said once";
+  EXPECT_THAT(r.err, HasSubstr("info: 2 times: cone.txt: its points scatter by"));
+  const Outcome table = run("solve '" + write("s.toml", wheel_rail).string() + "' --model halfspace -o '" +
+                            (folder_ / "r.h5").string() + "'");
+  const std::string info = run("info '" + (folder_ / "r.h5").string() + "'").out;
+  EXPECT_THAT(info, ::testing::ContainsRegex("Main results\n  halfspace: Fx 0.00 N.*the certificate holds"));
+}
+
+TEST_F(CommandLine, ReportSaysWhatItTakes) {
+  refused(run("report '" + write("fatigue.csv", "case,patch\n").string() + "' -o '" +
+              (folder_ / "r.html").string() + "'"),
+          {"fatigue.csv", "report takes what solve, compare", "spreadsheet"});
+}
+
+/// At most one digit more than the error has.
+TEST_F(CommandLine, NumbersHaveNoMoreDigitsThanTheirErrorAllows) {
+  std::string scene = wheel_rail;
+  scene.replace(scene.find("motion.frictionless = true"), 26, "motion.friction = 0.3");
+  scene.replace(scene.find("1e4"), 3, "1e5");
+  const std::string file = write("s.toml", scene).string();
+  const std::string out = run("solve '" + file + "' --model halfspace").out;
+  EXPECT_THAT(out, ::testing::ContainsRegex("Mz -?[0-9]+ \\+- [0-9][0-9][0-9]+ N mm")) << out;
 }
 
 TEST_F(CommandLine, NoContactIsZeroForceAndSuccess) {

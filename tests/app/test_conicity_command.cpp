@@ -58,6 +58,9 @@ TEST_F(ConicityCommand, ARailThatIsInclinedTwiceIsSaid) {
   EXPECT_NEAR(at(json::parse(once.out)["conicity"], "amplitude", 3, "tan_gamma"),
               at(json::parse(standard.out)["conicity"], "amplitude", 3, "tan_gamma"), 2e-3);
   EXPECT_THAT(run(measured + "--cant 0.025").err, HasSubstr("already inclined (about 1:40)"));
+  const std::string left =
+      command + "60E1 --cant 0.025 --left-rail '" + (folder_ / "rail.txt").string() + "'";
+  EXPECT_THAT(run(left).err, HasSubstr("left rail: the rail's file is already inclined (about 1:40)"));
 }
 
 TEST_F(ConicityCommand, TextJsonCsvAndHdf5AgreeAndTheHelpIsRight) {

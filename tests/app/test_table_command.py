@@ -80,6 +80,14 @@ class TableCommand(unittest.TestCase):
         self.assertIn("values/Fx", info)
         self.assertIn("motion.eta", self.run_table("info", "--scene", file).stdout)
 
+    def test_a_point_that_is_refused_is_named(self):
+        """With what its process said of it; it is not solved a second time."""
+        self.scene.write_text(SCENE.split("[table]")[0] + "[table]\nload.force = [1e3, 1e12]\n")
+        done = self.run_table("table", self.scene, "-o", self.folder / "t.h5", "--jobs", "1")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("The point (1e+12) of the table has no result (", done.stderr)
+        self.assertIn("far beyond elastic contact", done.stderr)
+
     def test_wrong_input(self):
         def refused(word, *arguments, code=2):
             done = self.run_table("table", *arguments)

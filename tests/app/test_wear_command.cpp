@@ -190,7 +190,7 @@ TEST_F(WearCommand, LetsAProgramComputeInfluenceFunctions) {
   const Outcome done = run(command + path("hand_out"));
   EXPECT_EQ(done.code, 0) << done.err;
   EXPECT_THAT(done.out, HasSubstr("continued after step 1"));
-  EXPECT_THAT(done.out, HasSubstr("1 steps, 1 contact problems"));
+  EXPECT_THAT(done.out, HasSubstr("1 step, 1 contact problem, "));
   EXPECT_THAT(done.err, HasSubstr("hands out " + path("worn/rail_0001.toml")));
   EXPECT_THAT(done.err, HasSubstr("hands out " + path("worn/wheel_0001.toml")));
   EXPECT_EQ(text("worn/wear.csv"), text("kept/wear.csv")) << "these functions are the same";

@@ -1,5 +1,6 @@
 #include "bem_contact/base/temporary_folder.hpp"
 #include "bem_contact/c/conformal_contact.h"
+#include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <gmock/gmock.h>
@@ -162,6 +163,9 @@ TEST(C, StatedErrorsAndTheModelAreThoseOfTheResult) {
   ASSERT_EQ(conformal_model(contact.get(), &name, &reason), CONFORMAL_OK);
   EXPECT_STREQ(name, "halfspace");
   EXPECT_EQ(reason, expected.reason);
+  const char* why = nullptr;
+  ASSERT_EQ(conformal_why_no_errors(contact.get(), &why), CONFORMAL_OK);
+  EXPECT_EQ(why, why_no_errors(expected));
 }
 
 TEST(C, SaysWhatIsWrong) {

@@ -47,6 +47,18 @@ struct Tally {
   }
 };
 
+/// Too few elements: nothing is estimated, and the result says why and what to do.
+TEST(ErrorEstimates, SayWhyThereAreNone) {
+  const ContactResult coarse = solve(ellipse(1e-3, 1e-3, 10, 0, 0));
+  EXPECT_FALSE(coarse.discretisation);
+  EXPECT_NE(coarse.unestimated.find("40 are needed. Give smaller elements"), std::string::npos)
+      << coarse.unestimated;
+  EXPECT_EQ(solve(ellipse(1e-3, 1e-3, 20, 0, 0)).unestimated, "");
+  SolverOptions options;
+  options.estimate_discretisation = false;
+  EXPECT_NE(solve(ellipse(1e-3, 1e-3, 20, 0, 0), options).unestimated, "");
+}
+
 /// What the numbers are said to mean, against Hertz (Johnson 1985, chapter 4).
 TEST(ErrorEstimates, HoldOnHertzContacts) {
   const double modulus = 82000 / (1 - 0.28);

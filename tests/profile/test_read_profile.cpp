@@ -160,8 +160,10 @@ TEST_P(Repaired, to_the_profile_it_was_and_said) {
   const ProfileKind kind = mishap.standard == "S1002" ? ProfileKind::wheel : ProfileKind::rail;
   const ProfileCurve curve = parse_profile(mishap.text, "p.txt", kind);
   EXPECT_LT(deviation(curve, mishap.standard), sampling);
+  // Points that say nothing more are dropped by the way; all else may change the shape.
+  const std::string level = mishap.warning.find("dropped") == std::string::npos ? "warning" : "info";
   EXPECT_THAT(warnings.text(), mishap.warning.empty() ? testing::Matcher<std::string>(IsEmpty())
-                                                      : HasSubstr("warning: p.txt: " + mishap.warning));
+                                                      : HasSubstr(level + ": p.txt: " + mishap.warning));
 }
 
 Points reversed(Points points) {
@@ -208,8 +210,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mishap{"shuffled_wheel", "S1002", columns(shuffled(sampled("S1002"))), "the points are out of order"},
         Mishap{"doubled", "60E1", columns(with_doubles(sampled("60E1"))),
                "4 doubled or crowded points dropped"},
-        Mishap{"swapped", "60E1", columns(with_swapped(sampled("60E1"))), "1 points dropped where"},
-        Mishap{"spike", "S1002", columns(with_spike(sampled("S1002"))), "1 points dropped where"}),
+        Mishap{"swapped", "60E1", columns(with_swapped(sampled("60E1"))), "1 point dropped where"},
+        Mishap{"spike", "S1002", columns(with_spike(sampled("S1002"))), "1 point dropped where"}),
     [](const auto& p) { return p.param.name; });
 
 TEST(Repairs, what_cannot_be_mended_is_refused) {

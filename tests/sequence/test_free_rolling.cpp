@@ -78,6 +78,16 @@ TEST(FreeRolling, RadiusHardlyDependsOnTheOneGiven) {
   }
 }
 
+/// A wheel that slides without turning has no spin: free rolling is another state, with an error of its own.
+TEST(FreeRolling, AWheelThatHardlyTurnsHasTheSame) {
+  const FreeRolling own = *Sequence().solve(rolling("")).free_rolling;
+  for (const char* xi : {"0.5", "0.999", "1"}) {
+    const FreeRolling free = *Sequence().solve(rolling(std::string("motion.xi = ") + xi + "\n")).free_rolling;
+    EXPECT_NEAR(free.xi, own.xi, own.xi_error) << xi;
+    EXPECT_NEAR(free.xi_error, own.xi_error, 0.5 * own.xi_error) << xi;
+  }
+}
+
 TEST(FreeRolling, WhatContradictsItIsRefused) {
   EXPECT_THAT(message_of([] { rolling("motion.from_free_rolling = true\nload.force_x = 100\n"); }),
               HasSubstr("its creepage is found"));

@@ -12,6 +12,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <regex>
+
 namespace {
 
 using namespace bem_contact;
@@ -237,6 +239,23 @@ TEST(PrescribedLateralForce, ALeftWheelIsTheMirrorImage) {
       Sequence().solve(rolling_at(-6.5, "position.side = \"left\"\nload.force_y = 3e4\n"));
   EXPECT_NEAR(*left.lateral, -*right.lateral, 1e-7);
   EXPECT_NEAR(largest_pressure(left.result), largest_pressure(right.result), 1e-3);
+}
+
+/// What can be reached does not depend on what was wanted, and can be asked for.
+TEST(PrescribedLateralForce, TheReachableRangeIsTheSameWhateverWasWanted) {
+  const std::regex range("between about (\\S+) and (\\S+) N");
+  const auto reached = [&](const std::string& wanted) {
+    const std::string message = message_of(
+        [&] { Sequence().solve(rolling_at(0, "position.cant = 0.025\nload.force_y = " + wanted + "\n")); });
+    std::smatch found;
+    EXPECT_TRUE(std::regex_search(message, found, range)) << message;
+    return found.empty() ? 0.0 : std::stod(found[2]);
+  };
+  const double most = reached("1e6");
+  EXPECT_NEAR(reached("-3e5"), most, 0.02 * most);
+  EXPECT_NEAR(reached("2e5"), most, 0.02 * most);
+  EXPECT_NO_THROW(Sequence().solve(
+      rolling_at(0, fmt::format("position.cant = 0.025\nload.force_y = {}\n", 0.98 * most))));
 }
 
 TEST(PrescribedLateralForce, WhatCannotBeIsRefused) {

@@ -15,6 +15,8 @@
 namespace {
 
 using namespace bem_contact;
+using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -135,6 +137,42 @@ TEST(ModelChoice, KnowsWhetherThePlaceIsGiven) {
   EXPECT_EQ(choice(flange, 0.02, {ModelErrorOf::forces}).model, Model::halfspace);
   flange.prescribed.place = true;
   EXPECT_EQ(choice(flange, 0.02, {ModelErrorOf::forces}).model, Model::fem);
+}
+
+/// Where nothing tells how the real bodies roll freely, nobody knows what a given creepage does to them.
+TEST(ModelChoice, ClaimsNothingOfCreepForcesWithoutBodies) {
+  ContactTraits rolling = in_the_groove();
+  rolling.turn = 0.1;
+  rolling.creep_stiffness = 50;
+  rolling.slip = 1e-3;
+  rolling.prescribed.creepage = true;
+  rolling.bodies = false;
+  const ModelChoice chosen = choice(rolling, 0.05, all_four, false);
+  EXPECT_EQ(chosen.model, Model::halfspace);
+  EXPECT_THAT(chosen.reason, HasSubstr("would change pmax, creepages by no more"));
+  EXPECT_THAT(chosen.reason, HasSubstr("would change forces, friction_power is not known"));
+  const ModelChoice forces = choice(rolling, 0.05, {ModelErrorOf::forces}, false);
+  EXPECT_THAT(forces.reason, Not(HasSubstr("predicted to miss")));
+  rolling.prescribed.creepage = false;
+  EXPECT_THAT(choice(rolling, 0.05, all_four, false).reason, Not(HasSubstr("not known")));
+}
+
+/// Files of the flange's strip alone: on the tread finite elements would be needed near free rolling, and
+/// cannot be taken. The case is solved, with a warning; who names fem is refused.
+TEST(ModelChoice, TakesTheBestModelOffTheStrips) {
+  const SceneFile tread = corner(0, "[motion]\nfriction = 0.3\n");
+  const SceneResult solved = Sequence().solve(tread);
+  EXPECT_TRUE(certified(solved));
+  EXPECT_EQ(solved.model, Model::halfspace);
+  EXPECT_THAT(solved.warnings,
+              Contains(AllOf(HasSubstr("needed here"), HasSubstr("miss friction_power by up to"),
+                             HasSubstr("influence files do not cover this contact"))));
+  EXPECT_THROW(Sequence().solve(with_model(tread, Model::fem)), InputError);
+  EXPECT_THAT(Sequence().check(tread).lines, Contains(HasSubstr("model: auto, which takes halfspace")));
+  EXPECT_EQ(Sequence().solve(corner(6.5, "[motion]\nfriction = 0.3\n")).model, Model::fem);
+  SceneFile by_force = tread;
+  by_force.load.force_y = solved.result.Fy;
+  EXPECT_THAT(Sequence().solve(by_force).warnings, Contains(HasSubstr("do not cover this contact")));
 }
 
 TEST(ModelChoice, StructuralMotionNeedsFiniteElements) {

@@ -17,7 +17,7 @@ inline void keep_freed_memory() {} // the programs of older commits do not
 #else
 #include "bem_contact/base/sweep_file.hpp"
 #include "bem_contact/contact/history.hpp"
-#include "bem_contact/uses/wheelset/sequence.hpp"
+#include "bem_contact/wheelset/sequence.hpp"
 #endif
 
 #include <ctime>

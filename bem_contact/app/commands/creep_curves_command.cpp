@@ -7,6 +7,7 @@
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/uses/curves/creep_columns.hpp"
 
 #include <CLI/CLI.hpp>
@@ -37,7 +38,7 @@ Exit code 0: every certificate holds; 2: the input is wrong; 3: some point has n
 struct CreepArguments {
   std::string scene, model, csv, output;
   std::array<std::string, 3> ranges;
-  bool json = false;
+  bool json = false, strict = false;
 };
 
 std::vector<CreepRange> ranges_of(const std::array<std::string, 3>& texts) {
@@ -63,7 +64,7 @@ std::string slopes_text(const CreepCurves& c) {
         c.linear->semi_axis_x, c.linear->semi_axis_s, 100 * c.linear->deviation);
   else
     out += "  (the contact is no ellipse: nothing to compare with)\n";
-  out += "               computed        +-      Kalker   difference\n";
+  out += "               computed    spread      Kalker   difference\n";
   for (const auto& [f, k] : in_linear_theory) {
     const double value = c.slopes.values[f][k];
     const std::string what =
@@ -191,6 +192,8 @@ ExitCode run(const CreepArguments& arguments) {
       read_given_scene_for({{"--output", arguments.output, OutputForm::whole_file}, {"--csv", arguments.csv}},
                            arguments.scene, arguments.model);
   const CreepCurves curves = creep_curves(given.scene, ranges);
+  if (arguments.strict)
+    refuse_warnings(curves.solution.warnings);
   if (!arguments.output.empty())
     write_h5(arguments.output, curves_table(curves, given, arguments.output));
   if (!arguments.csv.empty())
@@ -232,6 +235,7 @@ Command add_creep_curves(CLI::App& program) {
   line->add_option("--eta", arguments->ranges[1], "Range of the lateral creepage");
   line->add_option("--phi", arguments->ranges[2], "Range of the spin, 1/mm");
   add_model(*line, arguments->model);
+  add_strict(*line, arguments->strict);
   add_json(*line, arguments->json);
   line->add_option("--csv", arguments->csv, "Write all curves, one line for each point");
   line->add_option("-o,--output", arguments->output, "Write all results (HDF5)");

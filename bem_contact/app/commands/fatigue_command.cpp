@@ -1,6 +1,7 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/csv_name.hpp"
 #include "bem_contact/app/output/datasets.hpp"
+#include "bem_contact/app/output/error_text.hpp"
 #include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
@@ -156,8 +157,9 @@ ExitCode run(const FatigueArguments& arguments) {
   }
   if (arguments.csv.empty() && arguments.output.empty())
     fmt::print("{}", csv_of(table));
-  fmt::print("{} cases, {} patches, {} of them beyond the limit of the surface (FI_surf > 0)\n", table.cases,
-             table.patches(), table.beyond);
+  fmt::print("{}, {}, {} of them beyond the limit of the surface (FI_surf > 0)\n",
+             counted(static_cast<int>(table.cases), "case", "cases"),
+             counted(static_cast<int>(table.patches()), "patch", "patches"), table.beyond);
   fmt::print("damage of one passage, mean over the collective: {:.4g}\n", table.damage);
   return success;
 }

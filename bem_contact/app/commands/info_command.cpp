@@ -1,12 +1,15 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/output/error_text.hpp"
 #include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/repeat.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
+#include "bem_contact/sequence/quantities.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,9 +25,37 @@ H5Table without_cases(H5Table table) {
   return table;
 }
 
+/// "  fem: Fx 5352 +- 130 N, ...": the main numbers of each result that the file holds whole.
+std::string main_results(const H5Table& table) {
+  std::string out;
+  constexpr std::string_view first = "quantities/Fx";
+  for (const auto& [dataset, data] : table.datasets) {
+    if (!dataset.ends_with(first) || data.values.size() != 1)
+      continue;
+    const std::string group = dataset.substr(0, dataset.size() - first.size());
+    const auto of = [&](const std::string& name) {
+      const auto found = table.datasets.find(group + "quantities/" + name);
+      return found != table.datasets.end() && found->second.values.size() == 1 ? found->second.values.front()
+                                                                               : std::nan("");
+    };
+    const auto holds = table.attributes.find(group + "certificate_holds");
+    out += fmt::format("  {}:", group.empty() ? "result" : group.substr(0, group.size() - 1));
+    for (const char* name : {"Fx", "Fy", "Fz", "Mz", "approach", "pmax", "area"}) {
+      const double error = of(error_name(name));
+      out += fmt::format(" {} {}{} {},", name,
+                         fixed_within(of(name), error, name == std::string_view("approach") ? 5 : 2),
+                         plus_minus(error), quantity(name).unit.rolling);
+    }
+    out += holds != table.attributes.end() && holds->second == H5Attribute(1.0)
+               ? " the certificate holds\n"
+               : " the certificate does not hold\n";
+  }
+  return out.empty() ? "" : "Main results\n" + out;
+}
+
 std::string describe_table(const H5Table& table, const std::string& title,
                            const std::filesystem::path& file) {
-  std::string out = title + "\n";
+  std::string out = title + "\n" + main_results(table);
   for (const auto& [name, value] : table.attributes)
     out += std::holds_alternative<std::string>(value)
                ? fmt::format("  {}: {}\n", name, std::get<std::string>(value))
@@ -45,7 +76,7 @@ std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes)
   const double half = 0.5 * f.station_width;
   const auto degrees = [](double rad) { return rad * 180 / std::numbers::pi; };
   std::string out = "Influence functions of one body\n";
-  out += fmt::format("  body: {}; profile: {} (digest {:016x})\n", f.body, f.profile, f.profile_digest);
+  out += fmt::format("  body: {}; profile: {} (checksum {:016x})\n", f.body, f.profile, f.profile_digest);
   out += fmt::format("  material: shear modulus {:g} MPa, Poisson's ratio {:g}\n", f.material.shear_modulus,
                      f.material.poisson);
   out += f.invariance == Invariance::prismatic
@@ -68,8 +99,9 @@ std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes)
         f.wavenumber_count(), f.wavenumber.back(), f.half_period, shortest_dx(f),
         f.invariance == Invariance::revolution ? " (at the reference radius)" : "", f.half_period);
   out += fmt::format("  estimated error {}; Maxwell-Betti {:.1e}, reaction against load {:.1e}\n",
-                     f.estimated_error < 0 ? std::string("not given")
-                                           : fmt::format("{:.2e} of the self number", f.estimated_error),
+                     f.estimated_error < 0
+                         ? std::string("not given")
+                         : fmt::format("{:.2e} of the loaded element's own displacement", f.estimated_error),
                      f.betti_error, f.reaction_error);
   out += fmt::format("  size: {:.2f} MB on disk, {:.0f} MB in memory\n", 1e-6 * static_cast<double>(bytes),
                      8e-6 * static_cast<double>(f.kernel.size() + f.remote.size() + f.table.size()));

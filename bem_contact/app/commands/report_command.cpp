@@ -1,7 +1,11 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/output/repeat.hpp"
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/report/report_page.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <memory>
 #include <string>
 
@@ -31,6 +35,12 @@ Command add_report(CLI::App& program) {
   line->add_option("-o,--output", arguments->output, "The page (HTML)")->required();
   line->footer(report_help);
   return {line, [arguments] {
+            if (is_regular(arguments->file) && !is_hdf5(arguments->file))
+              throw InputError(
+                  fmt::format("'{}' cannot be shown as a page", arguments->file),
+                  "it is no HDF5 file; report takes what solve, compare, sweep, creep-curves, conicity and "
+                  "wheelset wrote with -o, and the wear.h5 of wear",
+                  "Give one of these; open a CSV file in a spreadsheet, or draw it with tools/plot.");
             report::write_report(arguments->file, arguments->output);
             return success;
           }};

@@ -5,12 +5,14 @@
 #include "bem_contact/app/output/report.hpp"
 #include "bem_contact/app/output/result_file.hpp"
 #include "bem_contact/app/output/vtk_file.hpp"
+#include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/settings.hpp"
 #include "bem_contact/sequence/uncertified.hpp"
+#include "bem_contact/uses/wheelset/solve_wheelset.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -62,7 +64,8 @@ constexpr const char* check_help =
     bem_contact check data/scenes/conformal_small.toml
 You should see where wheel and rail touch first (rail s = -29.957 mm, in the gauge corner), the estimated vertical
 approach, the grid that would be solved (42 elements along x, 24 rows along s), and whether these rows lie on the part
-of either profile that its influence file covers. Input that can be solved but is probably a mistake gives a warning.
+of either profile that its influence file covers. Of a sweep, the first and the last case are shown; of a wheelset, both
+wheels where the search for the equilibrium begins. Input that can be solved but is probably a mistake gives a warning.
 
 Exit code 0: the scene can be solved. 2: it cannot, or --strict is set and there is a warning.)";
 
@@ -149,26 +152,15 @@ std::vector<Model> models_of(const std::vector<std::string>& names) {
 
 /// Each once, with the models and tables whose numbers it has.
 std::vector<std::string> warnings_of(const Comparison& comparison) {
-  std::vector<std::string> texts, where;
-  const auto note = [&](const SceneResult& result, const char* table) {
-    for (const std::string& text : result.warnings) {
-      const std::string place = fmt::format("{} at {}", name_of(result.model), table);
-      const auto known = std::ranges::find(texts, text);
-      if (known == texts.end()) {
-        texts.push_back(text);
-        where.push_back(place);
-      } else {
-        where[static_cast<std::size_t>(known - texts.begin())] += ", " + place;
-      }
-    }
+  std::vector<PlacedWarning> all;
+  const auto note = [&](const std::vector<SceneResult>& results, const char* table) {
+    for (const SceneResult& result : results)
+      for (const std::string& text : result.warnings)
+        all.push_back({fmt::format("{} at {}", name_of(result.model), table), text});
   };
-  for (const SceneResult& result : comparison.at_forces)
-    note(result, "equal forces");
-  for (const SceneResult& result : comparison.at_position)
-    note(result, "equal position");
-  for (std::size_t i = 0; i < texts.size(); ++i)
-    texts[i] = fmt::format("{}: {}", where[i], texts[i]);
-  return texts;
+  note(comparison.at_forces, "equal forces");
+  note(comparison.at_position, "equal position");
+  return once_each(all);
 }
 
 ExitCode run_compare(const SceneArguments& arguments) {
@@ -199,13 +191,55 @@ ExitCode run_compare(const SceneArguments& arguments) {
   return worst;
 }
 
+/// What check prints; each warning once.
+struct Checked {
+  std::vector<std::string> lines, warnings;
+
+  void add(const SceneDescription& description) {
+    lines.insert(lines.end(), description.lines.begin(), description.lines.end());
+    for (const std::string& warning : description.warnings)
+      if (std::ranges::find(warnings, warning) == warnings.end())
+        warnings.push_back(warning);
+  }
+
+  void add(const SceneFile& scene) {
+    if (!scene.wheelset.force) {
+      add(Sequence().check(scene));
+      return;
+    }
+    const WheelsetDescription both = check_wheelset(scene);
+    lines.push_back(
+        fmt::format("wheelset: the search for its equilibrium begins at a lateral displacement of "
+                    "{:g} mm and a roll of {:.3g} rad",
+                    both.lateral, both.roll));
+    lines.push_back("right wheel");
+    add(both.right);
+    lines.push_back("left wheel (y, s to the left)");
+    add(both.left);
+  }
+
+  /// The first and the last case; the values of all lists are read.
+  void add(const SweepFile& sweep) {
+    check_values(sweep);
+    const std::size_t last = sweep.size() - 1;
+    for (const std::size_t i : last > 0 ? std::vector<std::size_t>{0, last} : std::vector<std::size_t>{0}) {
+      lines.push_back(fmt::format("case {} of {}: {}", i + 1, sweep.size(), sweep.describe(i)));
+      add(sweep.scene(i));
+    }
+  }
+};
+
 ExitCode run_check(const SceneArguments& arguments) {
-  const SceneDescription description = Sequence().check(read_scene_file(arguments.file));
-  for (const std::string& line : description.lines)
+  Checked checked;
+  if (has_sweep(arguments.file))
+    checked.add(read_sweep_file(arguments.file));
+  else
+    checked.add(read_scene_file(arguments.file));
+  for (const std::string& line : checked.lines)
     fmt::print("{}\n", line);
   if (arguments.strict)
-    refuse_warnings(description.warnings);
-  for (const std::string& warning : description.warnings)
+    refuse_warnings(checked.warnings);
+  for (const std::string& warning : checked.warnings)
     fmt::print("warning: {}\n", warning);
   return success;
 }

@@ -100,9 +100,10 @@ std::string words_of(const table::ContactTable& t, double seconds) {
                        axis.points.size(), axis.name);
     below = nested;
   }
-  out += fmt::format(": {} points. {} contacts were solved in {:.1f} minutes, the middle of {} cells among "
+  out += fmt::format(": {} points. {} contacts were solved in {}, the middle of {} cells among "
                      "them\n{:22} {:>18} {:>10} {:>16} {:>10}\n",
-                     t.size(), t.solved, seconds / 60, t.checked, "", "interpolation", "", "elements", "");
+                     t.size(), t.solved, duration_text(seconds), t.checked, "", "interpolation", "",
+                     "elements", "");
   for (const table::Column& c : t.columns)
     out += fmt::format("{:22} {:>18.3g} {:>8.3g} % {:>16.2g}  {}{}\n", c.name, c.interpolation_error,
                        100 * c.interpolation_error / c.scale, c.element_error, c.unit,
@@ -115,7 +116,7 @@ void print_values(const TableArguments& arguments) {
   const table::ContactTable t = table::read_table(arguments.input);
   const std::vector<double> at = numbers_of(arguments.at, ',', "--at", "0.5,6e4");
   const auto print = [](const char* name, double value, double error, const std::string& unit) {
-    fmt::print("{} {:.12g} +- {:.2g} {}\n", name, value, error, unit);
+    fmt::print("{} {:.12g} {} (interpolation error {:.2g})\n", name, value, unit, error);
   };
   if (t.scale) {
     if (at.size() != 7)
@@ -196,6 +197,20 @@ std::vector<Chunk> chunks_of(std::size_t points) {
   return out;
 }
 
+// How the first byte of what a process hands back says how its point ended: values follow, or a message.
+constexpr char solved_point = 's', refused_point = 'r', failed_point = 'f';
+
+/// Ends the table with what the process said of this point.
+[[noreturn]] void refuse_point(const table::Point& point, const std::string& bytes) {
+  const std::string problem =
+                        fmt::format("The point ({:.6g}) of the table has no result", fmt::join(point, ", ")),
+                    why = bytes.substr(1);
+  const char* advice = "Leave it out of the lists of [table], or mend what its message says.";
+  if (bytes.at(0) == refused_point)
+    throw InputError(problem, why, advice);
+  throw ConvergenceError(problem, why, advice);
+}
+
 /// Solves points in `jobs` processes side by side. `make` gives a solver with a Sequence of its own. Which
 /// points start from which others does not depend on `jobs`.
 table::PointsSolver side_by_side(std::function<table::PointSolver()> make, int jobs) {
@@ -208,14 +223,18 @@ table::PointsSolver side_by_side(std::function<table::PointSolver()> make, int j
     calls.make_solver = [&]() -> CaseSolver {
       return [&, solve = make()](std::size_t index) {
         try {
-          return to_bytes(solve(points[index]));
-        } catch (const std::exception&) {
-          return std::string(); // solved again below, where the error can be thrown
+          return solved_point + to_bytes(solve(points[index]));
+        } catch (const InputError& error) {
+          return refused_point + std::string(error.what());
+        } catch (const std::exception& error) {
+          return failed_point + std::string(error.what());
         }
       };
     };
     calls.done = [&](std::size_t index, std::string bytes) {
-      out[index] = bytes.empty() ? make()(points[index]) : point_of(bytes);
+      if (bytes.at(0) != solved_point)
+        refuse_point(points[index], bytes);
+      out[index] = point_of(bytes.substr(1));
       progress.step();
     };
     calls.died = [&](std::size_t index, const std::string& reason) { // here it would end this process too

@@ -1,5 +1,6 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/datasets.hpp"
+#include "bem_contact/app/output/error_text.hpp"
 #include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/report.hpp"
 #include "bem_contact/app/output/result_file.hpp"
@@ -7,12 +8,15 @@
 #include "bem_contact/app/output/vtk_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/provenance.hpp"
+#include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
 #include "bem_contact/uses/wheelset/settings.hpp"
 #include "bem_contact/uses/wheelset/solve_wheelset.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -52,6 +56,18 @@ std::string number(double value) {
   return size >= 1e4 && size < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.5g}", value);
 }
 
+/// The stated errors below a line of the table; "" where there are none. Of what the track frame has as the
+/// frame of a side has it.
+std::string errors_of(const WheelQuantity& q, const WheelsetResult& r) {
+  constexpr std::array stated{"Fx", "Fy", "Fz", "pmax", "area", "adhesion_share", "friction_power"};
+  if (std::ranges::find(stated, std::string_view(q.name)) == stated.end())
+    return "";
+  std::string out = fmt::format("  {:>22}", "+-"), cells;
+  for (const WheelSide side : both_sides)
+    cells += fmt::format(" {:>13}", two_digits(quantity(q.name).error(r.state.solved(side))));
+  return cells.find_first_not_of(' ') == std::string::npos ? "" : out + cells + "\n";
+}
+
 /// "  Fz               N          109328         90672        200000": the sum only where there is one.
 std::string line_of(const WheelQuantity& q, const WheelsetResult& r) {
   std::string out = fmt::format("  {:16} {:5}", q.name, q.unit);
@@ -60,7 +76,7 @@ std::string line_of(const WheelQuantity& q, const WheelsetResult& r) {
   for (const WheelsetQuantity& sum : wheelset_quantities())
     if (std::string_view(sum.name) == q.name)
       out += fmt::format(" {:>13}", number(sum.value(r)));
-  return out + "\n";
+  return out + "\n" + errors_of(q, r);
 }
 
 std::string pose_text(const WheelsetResult& r) {

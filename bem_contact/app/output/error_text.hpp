@@ -13,6 +13,15 @@ std::string two_digits(double error);
 /// " +- 4.2", or "" where two_digits() are.
 std::string plus_minus(double error);
 
+/// "1 patch", "2 patches".
+std::string counted(int count, const char* one, const char* many);
+
+/// A number with at most so many decimals, and at most one digit more than its stated error prints. Never
+/// "-0.0".
+std::string fixed_within(double value, double error, int decimals);
+/// The same with at most so many digits, as "{:g}" prints numbers.
+std::string digits_within(double value, double error, int digits);
+
 /// The number of this name (quantities()), as plus_minus() has its error.
 std::string plus_minus(const SceneResult& result, const char* name);
 

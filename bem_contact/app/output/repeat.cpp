@@ -130,8 +130,8 @@ void compare_geometry(const H5Table& table, const char* key, std::uint64_t now,
   const std::string digest = fmt::format("{:016x}", now);
   if (!before.empty() && before != digest)
     others.push_back(
-        fmt::format("{} '{}': this program makes another curve of it (digest of the geometry {}, "
-                    "now {})",
+        fmt::format("{} '{}': this program makes another curve of it (its checksum was {} and is "
+                    "{})",
                     key, text_attribute(table, fmt::format("inputs/{}/name", key)), before, digest));
 }
 

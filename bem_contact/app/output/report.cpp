@@ -64,24 +64,46 @@ json history_json(const SceneResult& r) {
   return steps;
 }
 
+/// Decimals that leave five digits of `largest`, at least one.
+int decimals_of(double largest) {
+  return largest > 0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(largest))), 1, 9) : 1;
+}
+
+/// "-289.6 +- 12": a quantity with so many decimals at most.
+std::string fixed(const SceneResult& r, const char* name, int decimals) {
+  const Quantity& q = quantity(name);
+  const double error = q.error ? q.error(r) : unknown_error;
+  return fixed_within(q.value(r), error, decimals) + plus_minus(error);
+}
+/// "191.5 +- 4.2": with so many digits at most.
+std::string digits(const SceneResult& r, const char* name, int most) {
+  const Quantity& q = quantity(name);
+  const double error = q.error ? q.error(r) : unknown_error;
+  return digits_within(q.value(r), error, most) + plus_minus(error);
+}
+/// The same, always with a sign.
+std::string signed_digits(const SceneResult& r, const char* name, int most) {
+  return (quantity(name).value(r) < 0 ? "" : "+") + digits(r, name, most);
+}
+
 /// Displacement and creepage that were found, and free rolling; "" of a patch.
 std::string rolling_text(const SceneResult& r) {
   std::string out;
   if (r.found_lateral) {
-    out += fmt::format("the lateral force asked for: at a lateral displacement of {:.5f}{} mm, where Fy "
+    out += fmt::format("the lateral force asked for: at a lateral displacement of {} mm, where Fy "
                        "changes by {:.4g} N per mm",
-                       r.found_lateral->lateral, plus_minus(r, "lateral"), r.found_lateral->slope);
-    for (const double other : r.found_lateral->others)
+                       fixed(r, "lateral", 5), r.found_lateral->slope);
+    for (const double& other : r.found_lateral->others)
       out += fmt::format("{} about {:.2f} mm", &other == &r.found_lateral->others.front() ? "; also at" : ",",
                          other);
     out += '\n';
   }
   if (r.free_rolling)
     out += fmt::format(
-        "creepage xi {:+.5g}; the wheel rolls freely at {:+.5g}{} (rolling radius {:.4f}{} mm): {:+.5g} from "
-        "there\n",
-        r.xi, r.free_rolling->xi, plus_minus(r, "free_rolling_xi"), r.free_rolling->rolling_radius,
-        plus_minus(r, "free_rolling_radius"), r.xi - r.free_rolling->xi);
+        "creepage xi {:+.5g}; the wheel rolls freely at {} (rolling radius {} mm): {}{} from there\n", r.xi,
+        signed_digits(r, "free_rolling_xi", 5), fixed(r, "free_rolling_radius", 4),
+        r.xi < r.free_rolling->xi ? "" : "+",
+        digits_within(r.xi - r.free_rolling->xi, r.free_rolling->xi_error, 5));
   return out;
 }
 
@@ -132,14 +154,6 @@ json some_of(const json& numbers, std::initializer_list<const char*> names) {
   return out;
 }
 
-/// With decimals that leave five digits of `largest`, at least one; never "-0.0".
-std::string fixed(double value, double largest) {
-  const int decimals =
-      largest > 0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(largest))), 1, 9) : 1;
-  const double unit = std::pow(10.0, -decimals);
-  return fmt::format("{:.{}f}", std::abs(value) < 0.5 * unit ? 0.0 : value, decimals);
-}
-
 json patches_json(const SceneResult& r) {
   json patches = json::array();
   for (std::size_t i = 0; i < r.result.patches.size(); ++i) {
@@ -153,50 +167,63 @@ json patches_json(const SceneResult& r) {
 /// "pmax 437.0 +- 4.2 MPa, area ..." in one line, with what each stands for.
 std::string pressure_text(const SceneResult& r) {
   const auto& estimate = r.result.discretisation;
-  std::string out = fmt::format("pmax {:.1f}{} MPa, area {:.4g}{} mm2", largest_pressure(r.result),
-                                plus_minus(r, "pmax"), contact_area(r.result), plus_minus(r, "area"));
+  std::string out = fmt::format("pmax {} MPa, area {} mm2", fixed(r, "pmax", 1), digits(r, "area", 4));
   if (r.problem.has_friction())
     out += fmt::format(", {:.1f}{} % of it in adhesion", 100 * adhesion_share(r.result),
                        estimate ? plus_minus(100 * estimate->errors.adhesion_share) : "");
-  if (estimate && !estimate->converges)
-    out +=
-        fmt::format("\nno errors: the pressure does not converge with the size of the elements (pmax {:.0f} "
-                    "MPa on elements twice as large)",
-                    estimate->coarse_pmax);
   return out + "\n";
 }
 
-/// The line below a patch in the table of patches, of the same columns; "" where nothing is estimated.
-std::string patch_errors_text(const SceneResult& r, std::size_t patch) {
-  if (!r.result.discretisation || !r.result.discretisation->converges)
-    return "";
-  const PatchErrors e = r.result.discretisation->patches.at(patch);
-  return fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10} {:>9} {:>9}\n", "+-", two_digits(e.fn),
-                     two_digits(e.fx), two_digits(e.fs), two_digits(e.approach), two_digits(e.pmax),
-                     two_digits(e.area));
+/// The table of patches, each with its errors in a line below. Without friction nothing adheres or slips.
+std::string patches_text(const SceneResult& r, double force) {
+  const bool friction = r.problem.has_friction(),
+             errors = r.result.discretisation && r.result.discretisation->converges;
+  const int decimals = decimals_of(force);
+  const auto line = [](const auto&... cells) {
+    return fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10} {:>9} {:>9}", cells...);
+  };
+  std::string out = line("patch", "Fn N", "Fx N", "Fs N", "approach", "pmax MPa", "area mm2") +
+                    fmt::format(" {:>8}{}\n", "contact", friction ? " adhesion   slip" : "");
+  for (std::size_t i = 0; i < r.result.patches.size(); ++i) {
+    const PatchSummary& p = r.result.patches[i];
+    const PatchErrors e = errors ? r.result.discretisation->patches.at(i) : PatchErrors{};
+    out +=
+        line(i + 1, fixed_within(p.fn, e.fn, decimals), fixed_within(p.fx, e.fx, decimals),
+             fixed_within(p.fs, e.fs, decimals), fixed_within(p.approach, e.approach, 5),
+             fixed_within(p.pmax, e.pmax, decimals_of(1e1 * p.pmax)), digits_within(p.area, e.area, 5)) +
+        fmt::format(" {:>8}{}\n", p.contact, friction ? fmt::format(" {:>8} {:>6}", p.adhesion, p.slip) : "");
+    if (errors)
+      out += line("+-", two_digits(e.fn), two_digits(e.fx), two_digits(e.fs), two_digits(e.approach),
+                  two_digits(e.pmax), two_digits(e.area)) +
+             "\n";
+  }
+  return out;
+}
+
+/// Where all adheres the sum is rounding, and may be below zero.
+std::string friction_power_text(const SceneResult& r) {
+  return count_elements(r.result).slip > 0 ? digits(r, "friction_power", 4) : "0";
 }
 
 /// Each total with its error. `force`: the largest, whose digits all have.
 std::string totals_text(const SceneResult& r, double force) {
   const ContactResult& c = r.result;
-  std::string out = fmt::format(
-      "on the rail{}: Fx {}{} N, Fy {}{} N, Fz {}{} N, Mz {}{} N mm; approach {:.5f}{} mm\n",
-      r.problem.plane_strain() ? ", forces and area per mm of x" : "", fixed(c.Fx, force),
-      plus_minus(r, "Fx"), fixed(c.Fy, force), plus_minus(r, "Fy"), fixed(c.Fz, force), plus_minus(r, "Fz"),
-      fixed(r.moment, force), plus_minus(r, "Mz"), c.approach, plus_minus(r, "approach"));
+  const int decimals = decimals_of(force);
+  std::string out = fmt::format("on the rail{}: Fx {} N, Fy {} N, Fz {} N, Mz {} N mm; approach {} mm\n",
+                                r.problem.plane_strain() ? ", forces and area per mm of x" : "",
+                                fixed(r, "Fx", decimals), fixed(r, "Fy", decimals), fixed(r, "Fz", decimals),
+                                fixed(r, "Mz", decimals), fixed(r, "approach", 5));
   if (!c.patches.empty())
     out += pressure_text(r);
   if (r.problem.has_friction())
-    out += fmt::format("friction dissipates {:.4g}{} {}\n", friction_power(c, r.problem.element_area()),
-                       plus_minus(r, "friction_power"),
+    out += fmt::format("friction dissipates {} {}\n", friction_power_text(r),
                        r.problem.motion == MotionKind::shift ? "N mm" : "N mm per mm rolled");
   if (c.temperatures)
-    out += fmt::format("flash temperature: rail at most {:.1f}{}, wheel {:.1f}{} degrees C\n",
-                       quantity("Tmax_rail").value(r), plus_minus(r, "Tmax_rail"),
-                       quantity("Tmax_wheel").value(r), plus_minus(r, "Tmax_wheel"));
+    out += fmt::format("flash temperature: rail at most {}, wheel {} degrees C\n", fixed(r, "Tmax_rail", 1),
+                       fixed(r, "Tmax_wheel", 1));
   if (r.problem.force_x || r.problem.force_s)
-    out += fmt::format("creepages found for the shear forces: xi {:+.6g}{}, eta {:+.6g}{}\n", c.creepage_x,
-                       plus_minus(r, "xi"), c.creepage_s, plus_minus(r, "eta"));
+    out += fmt::format("creepages found for the shear forces: xi {}, eta {}\n",
+                       signed_digits(r, "creepage_x", 6), signed_digits(r, "creepage_s", 6));
   return out;
 }
 
@@ -250,6 +277,7 @@ json to_json(const SceneResult& r) {
               {"extrapolated", extrapolated_json(r)},
               {"approach_datum", r.approach_datum},
               {"structure", structure_json(r.structure)},
+              {"why_no_errors", why_no_errors(r).empty() ? json(nullptr) : json(why_no_errors(r))},
               {"converges_with_elements",
                r.result.discretisation ? json(r.result.discretisation->converges) : json(nullptr)},
               {"reference",
@@ -268,6 +296,8 @@ json to_json(const SceneResult& r) {
                 {"solve", r.seconds.solve},
                 {"check", r.seconds.check},
                 {"estimate", r.seconds.estimate},
+                {"free_rolling", r.seconds.free_rolling},
+                {"search", r.seconds.search},
                 {"total", r.seconds.total}}}};
   out.update(some_of(all, {"lateral", "xi", "approach", "pmax", "area", "adhesion_share"}));
   for (const char* error : {"xi_error", "eta_error"})
@@ -280,23 +310,11 @@ std::string to_text(const SceneResult& r) {
   const double force = std::max({std::abs(c.Fx), std::abs(c.Fy), std::abs(c.Fz)});
   std::string out = fmt::format("model: {} ({})\n", name_of(r.model), r.reason);
   out += reference_text(r);
-  if (r.result.patches.empty())
-    out += "no contact: all forces are zero\n";
-  else
-    out += fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10} {:>9} {:>9} {:>8} {:>8} {:>6}\n", "patch", "Fn N",
-                       "Fx N", "Fs N", "approach", "pmax MPa", "area mm2", "contact", "adhesion", "slip");
-  std::size_t i = 0;
-  for (const PatchSummary& p : r.result.patches) {
-    out += fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10.5f} {:>9} {:>9.5g} {:>8} {:>8} {:>6}\n", i + 1,
-                       fixed(p.fn, force), fixed(p.fx, force), fixed(p.fs, force), p.approach,
-                       fixed(p.pmax, 1e1 * p.pmax), p.area, p.contact, p.adhesion, p.slip);
-    out += patch_errors_text(r, i++);
-  }
+  out += r.result.patches.empty() ? "no contact: all forces are zero\n" : patches_text(r, force);
   out += totals_text(r, force);
   out += rolling_text(r);
-  if (r.result.outer_iterations > 1)
-    out += fmt::format("{} outer iterations, each leaving {:.2g} of the residual\n",
-                       r.result.outer_iterations, r.result.outer_rate);
+  if (const std::string why = why_no_errors(r); !why.empty() && !r.result.patches.empty())
+    out += fmt::format("no errors (+-) are stated: {}\n", why);
   if (!r.history.empty())
     out += r.history.size() == 1 ? "one step\n" : fmt::format("the last of {} steps\n", r.history.size());
   out += fmt::format("approach relative to {}\n", r.approach_datum);
@@ -312,8 +330,11 @@ std::string to_text(const SceneResult& r) {
     out += fmt::format("solver: {}\n", r.result.remark);
   const PhaseSeconds& spent = r.seconds;
   out += fmt::format("seconds: geometry {:.2f}, influence numbers {:.2f}, solve {:.2f}, certificate {:.2f}, "
-                     "error estimate {:.2f}, total {:.2f}\n",
-                     spent.geometry, spent.numbers, spent.solve, spent.check, spent.estimate, spent.total);
+                     "error estimate {:.2f}{}{}, total {:.2f}\n",
+                     spent.geometry, spent.numbers, spent.solve, spent.check, spent.estimate,
+                     r.free_rolling ? fmt::format(", free rolling {:.2f}", spent.free_rolling) : "",
+                     r.found_lateral ? fmt::format(", search of the displacement {:.2f}", spent.search) : "",
+                     spent.total);
   return out;
 }
 

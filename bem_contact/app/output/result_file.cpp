@@ -75,6 +75,7 @@ void add_trust(H5Table& table, const std::string& group, const SceneResult& r) {
   a[group + "approach_datum"] = r.approach_datum;
   a[group + "model"] = std::string(name_of(r.model));
   a[group + "reason"] = r.reason;
+  a[group + "why_no_errors"] = why_no_errors(r);
   a[group + "converges_with_elements"] = c.discretisation && c.discretisation->converges ? 1.0 : 0.0;
   a[group + "certificate_worst"] = c.certificate.worst();
   a[group + "certificate_tolerance"] = c.certificate.tolerance;

@@ -118,6 +118,15 @@ CaseRecord solve_case(Solver& solver, const SweepFile& sweep, std::size_t index,
   return record;
 }
 
+/// Here, so that messages about them come once and not from each process.
+void read_first_profiles(const SweepFile& sweep, SequenceFiles& files) {
+  try {
+    if (const SceneFile scene = sweep.scene(0); scene.kind == SceneKind::wheel_rail)
+      files.profiles(scene);
+  } catch (const InputError&) { // the cases say it
+  }
+}
+
 void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Share& share,
                    SweepJournal& journal, SweepOutput& output) {
   const std::vector<Chunk> chunks = chunks_of(output, sweep.size(), share);
@@ -139,6 +148,7 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
   };
   WorkerCalls calls;
   const auto files = std::make_shared<SequenceFiles>(); // each worker fills its own copy
+  read_first_profiles(sweep, *files);
   calls.make_solver = [&]() -> CaseSolver {
     const auto solver = std::make_shared<Solver>(sweep.fields, files);
     return [&, solver](std::size_t index) { return to_bytes(solve_case(*solver, sweep, index, request)); };

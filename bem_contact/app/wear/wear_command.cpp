@@ -1,8 +1,10 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/output/error_text.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/app/wear/wear_influence.hpp"
 #include "bem_contact/app/wear/wear_state.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/scene/settings.hpp"
 
@@ -85,8 +87,10 @@ ExitCode run(const WearArguments& arguments) {
                state.step, row.mileage, row.rail_depth, row.rail_area, row.wheel_depth, row.wheel_area);
     std::fflush(stdout);
   }
-  fmt::print("{} steps, {} contact problems, {:.2g} minutes\n", state.step - before,
-             (state.step - before) * static_cast<int>(cases.size()), watch.seconds() / 60);
+  const int steps = state.step - before;
+  fmt::print("{}, {}, {}\n", counted(steps, "step", "steps"),
+             counted(steps * static_cast<int>(cases.size()), "contact problem", "contact problems"),
+             duration_text(watch.seconds()));
   return success;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace bem_contact::contact {
 namespace {
@@ -77,12 +78,23 @@ double largest_approach(const ContactResult& result) {
 
 } // namespace
 
+std::string why_not_compared(const ContactProblem& coarse_problem, const ContactResult& coarse) {
+  const bool line = coarse_problem.grid.mx == 1 || coarse_problem.grid.ms == 1;
+  const int least = line ? least_companion_line : least_companion;
+  const int contact = count_elements(coarse).contact;
+  if (contact < least)
+    return fmt::format(
+        "they are estimated from elements twice as large, of which {} are in contact, and {} are "
+        "needed. Give smaller elements, so that about {} are in contact",
+        contact, least, (line ? 2 : 4) * least);
+  return coarse.certificate.worst() <= companion_violation
+             ? ""
+             : "elements twice as large have no certified solution. Give smaller elements";
+}
+
 std::optional<Discretisation> compare(const ContactProblem& problem, const ContactResult& result,
                                       const ContactProblem& coarse_problem, const ContactResult& coarse) {
-  const int least =
-      coarse_problem.grid.mx > 1 && coarse_problem.grid.ms > 1 ? least_companion : least_companion_line;
-  const auto contact = std::count_if(coarse.pn.begin(), coarse.pn.end(), [](double v) { return v > 0; });
-  if (!(coarse.certificate.worst() <= companion_violation) || contact < least)
+  if (!why_not_compared(coarse_problem, coarse).empty())
     return std::nullopt;
   const Centre centre = centre_of_pressure(result);
   const ForceSums fine = sum_up(problem, result, centre.x, centre.s);
@@ -93,7 +105,7 @@ std::optional<Discretisation> compare(const ContactProblem& problem, const Conta
   const auto normal = [&](double Sums::*q) { return second_order * (fine.normal.*q - rough.normal.*q); };
   const auto shear = [&](double Sums::*q) { return second_order * (fine.shear.*q - rough.shear.*q); };
   Discretisation out;
-  out.contact = static_cast<int>(contact);
+  out.contact = count_elements(coarse).contact;
   out.coarse = totals(coarse);
   out.extrapolated = totals(result);
   out.extrapolated.Fx += shear(&Sums::fx);

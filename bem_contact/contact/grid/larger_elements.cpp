@@ -229,10 +229,19 @@ InfluenceNumbers LargerElements::numbers(const InfluenceNumbers& fine, bool only
   return coarse;
 }
 
+std::string why_no_companion(const ContactProblem& problem, const ContactResult& result) {
+  if (result.patches.empty())
+    return "there is no contact";
+  if (result.touches_border)
+    return "the contact reaches the edge of the grid. Give a larger grid";
+  if (problem.grid.size() == 1)
+    return "the grid is one element. Give smaller elements";
+  return problem.motion == MotionKind::transient ? "they are not estimated in transient rolling" : "";
+}
+
 std::optional<Companion> companion_of(const ContactProblem& problem, const ContactResult& result,
                                       int threads) {
-  if (result.patches.empty() || result.touches_border || problem.grid.size() == 1 ||
-      problem.motion == MotionKind::transient)
+  if (!why_no_companion(problem, result).empty())
     return std::nullopt;
   const LargerElements larger(problem.grid, result.pn);
   double far = std::abs(result.approach);

@@ -5,6 +5,7 @@
 #include "bem_contact/contact/solver_options.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace bem_contact::contact {
@@ -62,10 +63,13 @@ struct Companion {
   StartingPoint start; ///< means of the result's tractions over the joined elements
 };
 
+/// Why there is no companion: the contact touches the border of the grid, there is no contact, the grid is
+/// one element, or it is a transient rolling step, which is another step on larger elements. "": there is
+/// one.
+std::string why_no_companion(const ContactProblem& problem, const ContactResult& result);
+
 /// For the estimate of the discretisation: the influence numbers are exact; undeformed distance, rigid slip
-/// and rows are taken at the new centres. Nothing where the contact touches the border of the grid, where
-/// there is no contact, where the grid is one element, and for a transient rolling step, which is another
-/// step on larger elements.
+/// and rows are taken at the new centres. Nothing where why_no_companion() says why.
 std::optional<Companion> companion_of(const ContactProblem& problem, const ContactResult& result,
                                       int threads = 1);
 

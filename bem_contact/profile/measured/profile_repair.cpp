@@ -103,6 +103,10 @@ bool runs_back(const std::vector<Point2>& p) {
   return travelled > doubled_walk * (high - low);
 }
 
+const char* points_text(std::size_t count) {
+  return count == 1 ? "point" : "points";
+}
+
 /// Drops points nearer than `crowded` to the one before; the last point stays.
 void drop_crowded(std::vector<Point2>& points, const std::string& source) {
   std::vector<Point2> kept;
@@ -111,9 +115,9 @@ void drop_crowded(std::vector<Point2>& points, const std::string& source) {
       kept.push_back(p);
   if (norm(points.back() - kept.back()) > 0 && kept.size() > 1)
     kept.back() = points.back();
-  if (kept.size() < points.size())
-    messages()->warn("{}: {} doubled or crowded points dropped (nearer than {} mm)", source,
-                     points.size() - kept.size(), crowded);
+  if (const std::size_t dropped = points.size() - kept.size(); dropped > 0)
+    messages()->info("{}: {} doubled or crowded {} dropped (nearer than {} mm)", source, dropped,
+                     points_text(dropped), crowded);
   points = std::move(kept);
 }
 
@@ -140,7 +144,8 @@ bool drop_stray(std::vector<Point2>& points, const std::string& source) {
     }
     mended.erase(mended.begin() + static_cast<std::ptrdiff_t>(drop));
   }
-  messages()->warn("{}: {} points dropped where the profile zig-zags", source, points.size() - mended.size());
+  const std::size_t dropped = points.size() - mended.size();
+  messages()->info("{}: {} {} dropped where the profile zig-zags", source, dropped, points_text(dropped));
   points = std::move(mended);
   return true;
 }

@@ -90,10 +90,12 @@ void refuse_lateral_force(double wanted, const std::vector<LateralSample>& sampl
   const auto [least, most] = std::ranges::minmax(samples, {}, &LateralSample::force);
   throw InputError(
       fmt::format("No lateral displacement gives a lateral force of {:g} N", wanted),
-      fmt::format("from {:.4g} to {:.4g} mm the force on the rail is between {:.4g} and {:.4g} N",
-                  samples.front().lateral, samples.back().lateral, least.force, most.force),
-      "Give load.force_y in this range (its sign: towards the side of this wheel), or another "
-      "position.lateral.");
+      fmt::format("from {:.4g} to {:.4g} mm the force on the rail is between about {:.4g} and {:.4g} N, at "
+                  "{:.2f} and {:.2f} mm; positive is towards the side of this wheel",
+                  samples.front().lateral, samples.back().lateral, least.force, most.force, least.lateral,
+                  most.lateral),
+      "Give a load.force_y between them, or another position.lateral, which moves this range of "
+      "displacements.");
 }
 
 } // namespace bem_contact

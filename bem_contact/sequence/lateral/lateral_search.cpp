@@ -78,10 +78,26 @@ double LateralSearch::closest_approach() {
   for (const Point& p : points)
     if (p.exact && short_of(p) <= lateral_scatter * question_.resultant)
       return p.lateral;
-  std::vector<LateralSample> reached;
-  for (const Point& p : points)
-    reached.push_back({p.lateral, *p.force});
-  refuse_lateral_force(question_.wanted, reached);
+  refuse_lateral_force(question_.wanted, reached());
+}
+
+/// The curve, known well where its force is least and most: what can be reached must not depend on what was
+/// wanted.
+std::vector<LateralSample> LateralSearch::reached() {
+  std::vector<LateralSample> out;
+  const auto look = [&](double wanted) {
+    out.clear();
+    for (const Point& p : curve_.points(wanted))
+      if (p.force)
+        out.push_back({p.lateral, *p.force});
+  };
+  look(question_.wanted);
+  for (int i = 0; i < extremum_rounds && !out.empty(); ++i) {
+    const auto [least, most] = std::ranges::minmax(out, {}, &LateralSample::force);
+    look(least.force);
+    look(most.force);
+  }
+  return out;
 }
 
 bool LateralSearch::learn(const LateralForce& force, double lateral) {

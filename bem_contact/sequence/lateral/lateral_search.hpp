@@ -55,6 +55,7 @@ private:
   double on_curve(const Crossing& crossing, double width);
   double next_after(const Crossing& crossing, double least);
   double closest_approach();
+  std::vector<LateralSample> reached();
   std::vector<double> beside_start(const LateralForce& force);
   bool try_at(const LateralForce& force, double lateral);
   bool learn(const LateralForce& force, double lateral);

@@ -23,6 +23,9 @@ BEM_CONTACT_TUNED(double, lateral_root_width, 1e-4);
 BEM_CONTACT_TUNED(double, other_lateral_width, 0.02);
 /// mm. An extremum of the force is known to this: it changes by its square there.
 BEM_CONTACT_TUNED(double, lateral_extremum_width, 0.05);
+/// 1. How often the curve is refined at its extremes before a force that it does not reach is refused: the
+/// first samples are 2 mm apart, and each round comes nearer. Chosen.
+BEM_CONTACT_TUNED(int, extremum_rounds, 3);
 /// mm. On a tread the force is uneven from element to element, over some tenths of a millimetre. If it is
 /// almost the wanted one at position.lateral, the search tries this distance to either side, then doubles it.
 BEM_CONTACT_TUNED(double, first_look_around, 0.1);

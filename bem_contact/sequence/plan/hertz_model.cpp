@@ -238,6 +238,7 @@ ContactResult solve_hertz(const ContactProblem& problem, const HertzModel& model
   if (c.force > 0)
     add_totals(problem, model, inside, result);
   result.converged = result.certificate.holds();
+  result.unestimated = "Hertz's closed form has no elements";
   return result;
 }
 

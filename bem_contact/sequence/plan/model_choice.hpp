@@ -13,7 +13,8 @@ struct HertzModel;
 struct ModelRequest {
   double tolerance = 0.01;                          ///< solver.model_tolerance
   std::vector<ModelErrorOf> of{ModelErrorOf::pmax}; ///< solver.model_tolerance_of; one at least
-  bool fem = false;                                 ///< the scene names influence files of both bodies
+  bool fem = false;                                 ///< finite elements can be taken
+  std::string without_fem = "the scene names no influence files of both bodies"; ///< why not, if they cannot
 };
 ModelRequest request_of(const ContactCase& asked);
 
@@ -22,7 +23,7 @@ ModelRequest request_of(const ContactCase& asked);
 struct ModelChoice {
   Model model;
   std::string reason;
-  bool enough = true; ///< false: fem would be needed, and there are no influence files
+  bool enough = true; ///< false: fem would be needed, and it cannot be taken
 };
 
 /// hertz is offered where there is a model of it that serves. `traits`: for what half-space theory misses.

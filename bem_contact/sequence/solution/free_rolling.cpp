@@ -1,6 +1,8 @@
 #include "bem_contact/sequence/solution/free_rolling.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
 
 namespace bem_contact {
 
@@ -44,7 +46,9 @@ SceneResult solve_from_free_rolling(const ContactCase& asked, const SceneFile::G
   ContactCase counted = asked;
   counted.setup.motion.creepage.xi = 0;
   SceneResult free;
+  const Stopwatch finding;
   const std::optional<FreeRolling> found = find_free_rolling(counted, grid, resources, &free);
+  const double seconds = finding.seconds();
   if (!found)
     throw ConvergenceError(
         "The creepage of free rolling was not found",
@@ -56,8 +60,9 @@ SceneResult solve_from_free_rolling(const ContactCase& asked, const SceneFile::G
       former_of(free.model, free.problem, free.result, *asked.estimate);
   resources.start = start ? &*start : resources.start;
   SceneResult out = solve_case(counted, grid, resources);
-  out.reason = free.reason;
+  take_choice(free, out);
   out.free_rolling = counted_as(out, *found);
+  out.seconds.free_rolling = seconds;
   return out;
 }
 
@@ -86,8 +91,11 @@ SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::G
     out.free_rolling = free_rolling_of(out);
     return out;
   }
+  const Stopwatch finding;
   ContactCase free = asked;
   free.scene.solver.model = out.model;
+  if (!asked.scene.motion.pitch_rate) // a wheel that hardly turns has no spin, and near free rolling it has
+    free.setup.motion.creepage.xi = 0;
   const std::optional<FormerSolution> start = former_of(out.model, out.problem, out.result, *asked.estimate);
   WorkBudget work = resources.work.another(); // it must not end the case that is asked for
   try {
@@ -95,6 +103,7 @@ SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::G
       out.free_rolling = counted_as(out, *found);
   } catch (const ConvergenceError&) { // free rolling is not what was asked for
   }
+  out.seconds.free_rolling = finding.seconds();
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/sequence/plan/plan_grid.hpp"
 #include "bem_contact/sequence/solution/settings.hpp"
 #include "bem_contact/sequence/solution/structural_motion.hpp"
@@ -48,7 +49,7 @@ std::string strip_text(const InfluenceFunction& f) {
 
 /// `plan`: the rows that were solved, as far as the strips reach.
 [[noreturn]] void refuse_end_of_strip(const ContactCase& contact, const GridPlan& plan) {
-  throw InputError(
+  throw OffStripError(
       "The contact reaches the end of a strip of the influence files",
       fmt::format("they cover {} and {}; the rows solved are s = {:.2f} .. {:.2f} mm of the rail",
                   strip_text(*contact.files.rail), strip_text(*contact.files.wheel), plan.s_from(),
@@ -81,7 +82,7 @@ GridPlan grown(const ContactCase& contact, GridPlan plan, const Touched& touched
 
 /// Nothing may touch where the influence files say nothing.
 [[noreturn]] void refuse_second_area(const GridPlan& plan, const TouchPoint& touch, double approach) {
-  throw InputError(
+  throw OffStripError(
       "The bodies touch in a second area that the influence files do not cover",
       fmt::format("at the approach found, {:.4f} mm, they would overlap by {:.4f} mm at s = {:.2f} mm of the "
                   "rail; the rows solved are s = {:.2f} .. {:.2f} mm",

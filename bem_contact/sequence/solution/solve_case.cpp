@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/solution/solve_case.hpp"
 
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/scene/contact_centre.hpp"
 #include "bem_contact/scene/elastic_limit.hpp"
 #include "bem_contact/scene/outlines.hpp"
@@ -104,13 +105,13 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   out.patch_places = patch_places(asked.setup, solved.contact, solved.result);
   out.model = solved.model;
   out.reason = choice.reason;
+  out.model_enough = choice.enough;
   out.problem = std::move(solved.contact.problem);
   out.result = std::move(solved.result);
   out.history = std::move(solved.history);
   out.warnings = std::move(solved.warnings);
   out.seconds = solved.seconds;
-  if (!choice.enough)
-    out.warnings.push_back("the finite-element model is needed here: " + out.reason);
+  warn_of_model(out);
   std::ranges::move(input_warnings(asked.scene, asked.setup), std::back_inserter(out.warnings));
   out.left = asked.scene.position.side == WheelSide::left;
   out.reference = asked.setup.reference();
@@ -158,8 +159,8 @@ ContactTraits foreseen_traits(const ContactCase& asked, const ContactOnGrid& con
   return traits_of(asked, {}, normal.contact.problem, normal.result);
 }
 
-ModelChoice choose(const ContactCase& asked, const ContactOnGrid& contact, const ContactTraits& traits) {
-  const ModelRequest request = request_of(asked);
+ModelChoice choose(const ContactCase& asked, const ContactOnGrid& contact, const ContactTraits& traits,
+                   const ModelRequest& request) {
   if (const auto hertz = hertz_of(asked.setup, contact.problem))
     if (ModelChoice choice = choose_hertz(*hertz, traits, request); choice.enough)
       return choice;
@@ -168,12 +169,12 @@ ModelChoice choose(const ContactCase& asked, const ContactOnGrid& contact, const
 
 /// What the solution itself says of the choice: a costlier model, or the same with what is known now.
 ModelChoice checked(const ContactCase& asked, ModelChoice taken, const ContactTraits& foreseen,
-                    const GridSolution& solved) {
+                    const ModelRequest& request, const GridSolution& solved) {
   if (taken.model == Model::hertz || taken.model == Model::fem || !solved.result.converged ||
       solved.result.patches.empty())
     return taken;
   ModelChoice known =
-      choose_model(traits_of(asked, foreseen, solved.contact.problem, solved.result), request_of(asked));
+      choose_model(traits_of(asked, foreseen, solved.contact.problem, solved.result), request);
   return known.model < taken.model ? taken : known;
 }
 
@@ -183,40 +184,61 @@ SceneResult recorded(PlacedSolution placed, const ModelChoice& choice) {
   return out;
 }
 
+ModelRequest without_fem(ModelRequest request) {
+  request.fem = false;
+  request.without_fem = "the influence files do not cover this contact";
+  return request;
+}
+
+PlacedSolution solve_from(FirstContact first, Model model, const SceneFile::Grid& grid,
+                          const SolveResources& resources) {
+  return solve_on_placed_bodies(first.asked, grid, std::move(first.contact), {model}, resources);
+}
+
+/// With the influence files, if the model needs them.
+PlacedSolution solve_with(const ContactCase& asked, Model model, const SceneFile::Grid& grid,
+                          const SolveResources& resources) {
+  const Stopwatch looking;
+  FirstContact first = first_contact(asked, model, grid, resources);
+  const double geometry = looking.seconds();
+  PlacedSolution placed = solve_from(std::move(first), model, grid, resources);
+  placed.solved.seconds.geometry += geometry;
+  return placed;
+}
+
 SceneResult solve_by_choice(const ContactCase& asked, const SceneFile::Grid& grid,
                             const SolveResources& resources) {
   const Stopwatch looking;
-  FirstContact first = first_contact(asked, Model::halfspace, grid, resources);
+  const FirstContact first = first_contact(asked, Model::halfspace, grid, resources);
   const ContactTraits foreseen = foreseen_traits(asked, first.contact, resources);
-  ModelChoice choice = choose(asked, first.contact, foreseen);
+  ModelRequest request = request_of(asked);
+  ModelChoice choice = choose(asked, first.contact, foreseen, request);
   PhaseSeconds spent{.geometry = looking.seconds()};
   for (;;) {
-    if (choice.model == Model::fem) {
-      const Stopwatch reading;
-      first = first_contact(asked, Model::fem, grid, resources);
-      spent.geometry += reading.seconds();
+    std::optional<PlacedSolution> placed;
+    try {
+      placed = choice.model == Model::fem ? solve_with(asked, choice.model, grid, resources)
+                                          : solve_from(first, choice.model, grid, resources);
+    } catch (const OffStripError&) {
+      if (foreseen.prescribed.structures) // no other model has them
+        throw;
+      request = without_fem(std::move(request));
+      choice = choose_model(foreseen, request);
+      continue;
     }
-    PlacedSolution placed =
-        solve_on_placed_bodies(first.asked, grid, first.contact, {choice.model}, resources);
-    spent += placed.solved.seconds;
+    spent += placed->solved.seconds;
     const Model taken = choice.model;
-    choice = checked(asked, std::move(choice), foreseen, placed.solved);
+    choice = checked(asked, std::move(choice), foreseen, request, placed->solved);
     if (choice.model == taken) {
-      placed.solved.seconds = spent;
-      return recorded(std::move(placed), choice);
+      placed->solved.seconds = spent;
+      return recorded(std::move(*placed), choice);
     }
   }
 }
 
 SceneResult solve_as_asked(const ContactCase& asked, Model model, const SceneFile::Grid& grid,
                            const SolveResources& resources) {
-  const Stopwatch looking;
-  FirstContact first = first_contact(asked, model, grid, resources);
-  const double geometry = looking.seconds();
-  PlacedSolution placed =
-      solve_on_placed_bodies(first.asked, grid, std::move(first.contact), {model}, resources);
-  placed.solved.seconds.geometry += geometry;
-  return recorded(std::move(placed), {model, "asked for"});
+  return recorded(solve_with(asked, model, grid, resources), {model, "asked for"});
 }
 
 } // namespace
@@ -229,6 +251,15 @@ SceneResult solve_case(const ContactCase& asked, const SceneFile::Grid& grid,
       model ? solve_as_asked(asked, *model, grid, resources) : solve_by_choice(asked, grid, resources);
   out.seconds.total = clock.seconds();
   return out;
+}
+
+ModelChoice foreseen_model(const ContactCase& asked, bool covered) {
+  WorkBudget work;
+  const SolveResources resources{.work = work};
+  const ContactOnGrid contact = first_contact(asked, Model::halfspace, asked.scene.grid, resources).contact;
+  const ModelRequest request = request_of(asked);
+  return choose(asked, contact, foreseen_traits(asked, contact, resources),
+                covered ? request : without_fem(request));
 }
 
 } // namespace bem_contact

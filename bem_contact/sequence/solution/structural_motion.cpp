@@ -189,10 +189,8 @@ void solve_where_placed(ContactCase placed, const SceneFile::Grid& grid, const S
 }
 
 std::string body_datum(const Body& body, const InfluenceFunction& f) {
-  return body.structural == StructuralCompliance::included
-             ? fmt::format("where it is held ({})", f.held)
-             : "the mean of its remote section, 1 to 2 times the remote distance (20 mm by default) from the "
-               "strip";
+  return body.structural == StructuralCompliance::included ? fmt::format("where it is held ({})", f.held)
+                                                           : "the mean of its remote section";
 }
 
 } // namespace
@@ -275,9 +273,12 @@ double unseen_slide(const ContactCase& asked, const GridSolution& solved) {
 }
 
 std::string approach_datum(const ContactCase& asked, Model model) {
-  if (model == Model::fem)
-    return fmt::format("rail: {}; wheel: {}", body_datum(asked.setup.rail, *asked.files.rail),
-                       body_datum(asked.setup.wheel, *asked.files.wheel));
+  if (model == Model::fem) {
+    const std::string rail = body_datum(asked.setup.rail, *asked.files.rail),
+                      wheel = body_datum(asked.setup.wheel, *asked.files.wheel);
+    return rail == wheel ? fmt::format("both bodies: {}", rail)
+                         : fmt::format("rail: {}; wheel: {}", rail, wheel);
+  }
   return "points of the two half-spaces far from the contact";
 }
 

@@ -26,17 +26,25 @@ WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
     throw InputError("This scene has no wheelset", "its kind is \"patch\"",
                      "Give a scene with kind = \"wheel_rail\".");
   const WheelRailProfiles right = read_profiles(scene);
-  if (const std::string twice = inclined_twice(right.rail_inclination, scene.position.cant); !twice.empty())
-    messages()->warn("{}", twice);
-  const auto other = [&](const std::string& name, ProfileKind kind, const SceneFile::Side& side,
-                         const TabulatedProfile& same) {
-    return name.empty() ? same : TabulatedProfile(named_profile(name, kind, scene.folder, side.reading));
+  const auto warn_of_inclination = [&](const char* side, double inclination) {
+    if (const std::string twice = inclined_twice(inclination, scene.position.cant); !twice.empty())
+      messages()->warn("{}{}", side, twice);
   };
-  return {.right_rail = right.rail,
-          .right_wheel = right.wheel,
-          .left_rail = other(left.rail, ProfileKind::rail, scene.rail, right.rail),
-          .left_wheel = other(left.wheel, ProfileKind::wheel, scene.wheel, right.wheel),
-          .position = scene.position};
+  warn_of_inclination("", right.rail_inclination);
+  WheelsetOnTrack out{.right_rail = right.rail,
+                      .right_wheel = right.wheel,
+                      .left_rail = right.rail,
+                      .left_wheel = right.wheel,
+                      .position = scene.position};
+  if (!left.rail.empty()) {
+    const ProfileCurve rail = named_profile(left.rail, ProfileKind::rail, scene.folder, scene.rail.reading);
+    warn_of_inclination("left rail: ", inclination_of_rail(left.rail, rail));
+    out.left_rail = TabulatedProfile(rail);
+  }
+  if (!left.wheel.empty())
+    out.left_wheel =
+        TabulatedProfile(named_profile(left.wheel, ProfileKind::wheel, scene.folder, scene.wheel.reading));
+  return out;
 }
 
 SceneFile scene_without_file(std::span<const SceneChange> changes) {

@@ -1,6 +1,7 @@
 #include "bem_contact/uses/wheelset/equilibrium.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/uses/wheelset/settings.hpp"
 
 #include <Eigen/LU>
@@ -67,13 +68,19 @@ WheelsetStiffness stiffness_of(const WheelsetState& state, const SceneFile& scen
   return out;
 }
 
-[[noreturn]] void refuse_lift(WheelSide side, const WheelsetState& state) {
-  throw InputError(
+/// The other wheel bears all: the moment of its forces, scaled to wheelset.force, is the largest roll moment.
+[[noreturn]] void refuse_lift(WheelSide side, const WheelsetState& state, const SceneFile::Wheelset& given) {
+  const Wrench sum = state.sum();
+  const double most = state.roll_moment(sum) * *given.force / sum.force[2];
+  throw LiftError(
       fmt::format("The {} wheel lifts from its rail", name_of(side)),
-      fmt::format("with it unloaded the forces on the rail still have a moment of {:.4g} N mm about the "
-                  "wheelset's centre, at a lateral displacement of {:g} mm",
-                  state.roll_moment(state.sum()), state.pose.lateral),
-      "Give a smaller wheelset.roll_moment or wheelset.force_y, or another position.lateral.");
+      fmt::format("at a lateral displacement of {:g} mm the forces on the other rail, if it bears "
+                  "wheelset.force alone, have a moment of about {:.2g} N mm about the wheelset's centre, and "
+                  "wheelset.roll_moment is {:g} N mm",
+                  state.pose.lateral, most, given.roll_moment),
+      fmt::format("Give {}another position.lateral{}.",
+                  given.roll_moment != 0 ? "a wheelset.roll_moment nearer to 0, or " : "",
+                  given.force_y ? ", or a wheelset.force_y nearer to 0" : ""));
 }
 
 /// The equations of equilibrium at one lateral displacement. Unknowns, all in mm: height; roll times half the
@@ -129,7 +136,7 @@ public:
       const double sign = side == WheelSide::right ? 1 : -1;
       const double approach = s.solved(side).result.approach, more = step[0] + sign * step[1];
       if (more < 0 && s.wrench(side).force[2] < lifted_share * force())
-        refuse_lift(side, s);
+        refuse_lift(side, s, given_);
       if (more < 0)
         share = std::min(share, (1 - least_approach_share) * approach / -more);
       else if (more > 0)
@@ -207,18 +214,24 @@ struct Search {
   }
 };
 
+/// Whether friction is used up: hardly an element adheres on either wheel.
+bool slides(const WheelsetState& s) {
+  return std::max(adhesion_share(s.right.result), adhesion_share(s.left.result)) < sliding_adhesion;
+}
+
 [[noreturn]] void refuse_search(const WheelsetState& s, const SceneFile::Wheelset& given, double residual) {
   const double torque = s.torque(s.sum());
-  if (s.pose.rolling_radius && std::abs(given.torque) > std::abs(torque) &&
-      std::abs(given.torque - torque) >= 0.99 * residual * *given.force * s.wheel_radius)
+  const bool torque_is_worst =
+      std::abs(given.torque - torque) >= 0.99 * residual * *given.force * s.wheel_radius;
+  if (s.pose.rolling_radius && std::abs(given.torque) > std::abs(torque) && (torque_is_worst || slides(s)))
     throw InputError(fmt::format("The rails cannot bear a torque of {:g} N mm", given.torque),
-                     fmt::format("with friction used up they bear {:.4g} N mm", torque),
-                     "Give a smaller wheelset.torque or more friction.");
+                     fmt::format("with friction used up they bear about {:.2g} N mm", torque),
+                     "Give a wheelset.torque nearer to 0, or more friction.");
   throw ConvergenceError(
       "The wheelset does not stand",
       fmt::format("at a lateral displacement of {:g} mm no height and roll balance the forces; the search "
                   "ended at a roll of {:.4g} rad with Fz {:.5g} N on the right rail, {:.5g} N on the left "
-                  "one, and {:.1e} of the vertical force missing",
+                  "one, and {:.1e} of a force or moment missing",
                   s.pose.lateral, s.pose.roll, s.right_wrench.force[2], s.left_wrench.force[2], residual),
       "Give another position.lateral or smaller forces on the axle.");
 }

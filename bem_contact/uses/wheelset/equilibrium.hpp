@@ -1,8 +1,15 @@
 #pragma once
 
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/uses/wheelset/wheel_pair.hpp"
 
 namespace bem_contact {
+
+/// A wheel lifts from its rail.
+class LiftError : public InputError {
+public:
+  using InputError::InputError; ///< as Error
+};
 
 /// What a search for an equilibrium begins with.
 struct EquilibriumStart {
@@ -34,7 +41,8 @@ struct Equilibrium {
 /// Vermeulen and Johnson's do. Broyden's updates (1965) then make the matrix that of the contacts. Steps are
 /// bounded and halved; where that does not help, the matrix is computed by differences, once.
 ///
-/// Throws InputError if one wheel lifts, ConvergenceError if no equilibrium was found.
+/// Throws LiftError if one wheel lifts, InputError for a torque that friction cannot bear, ConvergenceError
+/// if no equilibrium was found.
 Equilibrium find_equilibrium(WheelPair& wheels, double lateral, const EquilibriumStart& start,
                              double tolerance);
 

@@ -22,6 +22,9 @@ BEM_CONTACT_TUNED(double, least_approach_share, 0.3);
 BEM_CONTACT_TUNED(double, most_approach_share, 3.0);
 /// 1. A wheel that bears less than this share of the vertical force, and still too much, lifts.
 BEM_CONTACT_TUNED(double, lifted_share, 1e-4);
+/// 1. A wheel of whose elements in contact fewer adhere slides: near full slip some stay in adhesion about
+/// the spin's pole. Chosen.
+BEM_CONTACT_TUNED(double, sliding_adhesion, 0.05);
 /// 1. Step of differences, over the smaller approach: forces then change by some percent.
 BEM_CONTACT_TUNED(double, difference_share, 0.02);
 /// 1. Exponent of the approach in Hertz's law Fz ~ q^(3/2): the stiffness of a contact is this times Fz / q.

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/lateral/lateral_force.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/uses/wheelset/equilibrium.hpp"
 #include "bem_contact/uses/wheelset/settings.hpp"
 
@@ -32,20 +33,36 @@ LateralRoot narrow(const LateralForce& force, LateralSample a, LateralSample b, 
                    : LateralRoot{a.lateral, first_slope}; // rough forces so near to each other say nothing
 }
 
+/// How a search for a lateral force ended that is not met.
+struct FailedSearch {
+  double wanted = 0, start = 0;
+  LateralSample best; ///< the force nearest to it
+  bool lifts = false; ///< a wheel lifts beyond
+  double roll_moment = 0;
+};
+
+[[noreturn]] void refuse_lateral(const FailedSearch& f) {
+  const bool more = f.best.force < f.wanted;
+  throw InputError(
+      fmt::format("No lateral displacement gives the wheelset a lateral force of {:g} N", f.wanted),
+      fmt::format("from {:g} mm on, the rails bear {} {:.4g} N, at {:.2f} mm; beyond that {}", f.start,
+                  more ? "up to" : "down to", f.best.force, f.best.lateral,
+                  f.lifts ? "a wheel lifts from its rail" : "the flange climbs the rail"),
+      fmt::format("Give a wheelset.force_y {} that, {}, or another position.lateral.",
+                  more ? "below" : "above",
+                  f.lifts && f.roll_moment != 0 ? "a wheelset.roll_moment nearer to 0" : "less friction"));
+}
+
 /// The first displacement from `start` on at which the lateral forces on both rails add up to about `wanted`,
 /// N; within rough_lateral_width. `force`: this sum at a displacement, nothing where the wheelset does not
 /// stand. The force grows with the displacement until a wheel climbs its rail, so the search goes to that
-/// side. Throws InputError, with the largest force on the way, if the wanted one is not met.
-LateralRoot search_lateral(const LateralForce& force, double start, double wanted) {
-  const std::optional<double> first = force(start);
-  if (!first)
-    throw InputError(fmt::format("The wheelset does not stand at a lateral displacement of {:g} mm", start),
-                     "the search for the displacement that wheelset.force_y asks for begins there",
-                     "Give another position.lateral.");
-  const double side = *first < wanted ? 1 : -1;
-  LateralSample here{start, *first}, best = here;
+/// side. `best` is the one on the way that is nearest to the wanted one; nothing if that is not met.
+std::optional<LateralRoot> search_lateral(const LateralForce& force, const LateralSample& start,
+                                          double wanted, LateralSample& best) {
+  const double side = start.force < wanted ? 1 : -1;
+  LateralSample here = best = start;
   double step = first_lateral_step;
-  while (std::abs(here.lateral - start) < lateral_search_reach) {
+  while (std::abs(here.lateral - start.lateral) < lateral_search_reach) {
     const double at = here.lateral + side * step;
     const std::optional<double> there = force(at);
     if (there && side * (*there - wanted) >= 0)
@@ -61,13 +78,7 @@ LateralRoot search_lateral(const LateralForce& force, double start, double wante
       best = here;
     step = std::min(lateral_step_growth * step, largest_lateral_step);
   }
-  throw InputError(
-      fmt::format("No lateral displacement gives the wheelset a lateral force of {:g} N", wanted),
-      fmt::format(
-          "from {:g} mm on, the rails bear up to {:.5g} N, at {:.2f} mm; beyond that the flange climbs "
-          "the rail or a wheel lifts",
-          start, best.force, best.lateral),
-      "Give a smaller wheelset.force_y, less friction, or another position.lateral.");
+  return std::nullopt;
 }
 
 /// Whether the rolling radius of the axle follows from its torque.
@@ -122,17 +133,25 @@ public:
       : wheels_(wheels), tolerance_(tolerance), known_{{lateral, start}} {}
 
   std::optional<double> force(double lateral) {
+    lifts_ = false;
     try {
-      last_ = find_equilibrium(wheels_, lateral, near(lateral), tolerance_);
-    } catch (const InputError&) { // a wheel lifts, or leaves its rail
-      return std::nullopt;
+      return required_force(lateral);
+    } catch (const LiftError&) {
+      lifts_ = true;
+    } catch (const InputError&) { // a wheel leaves its rail
     } catch (const ConvergenceError&) {
-      return std::nullopt;
     }
+    return std::nullopt;
+  }
+
+  /// The same; throws what find_equilibrium() throws.
+  double required_force(double lateral) {
+    last_ = find_equilibrium(wheels_, lateral, near(lateral), tolerance_);
     known_.push_back({lateral, last_->start()});
     return last_->state.sum().force[1];
   }
 
+  bool lifts() const { return lifts_; } ///< whether a wheel lifted where a force was asked for last
   const Equilibrium& last() const { return *last_; } ///< once there is one
   const EquilibriumStart& near(double lateral) const {
     return std::ranges::min_element(known_, {}, [&](const Known& k) { return std::abs(k.lateral - lateral); })
@@ -148,6 +167,7 @@ private:
   double tolerance_;
   std::vector<Known> known_;
   std::optional<Equilibrium> last_;
+  bool lifts_ = false;
 };
 
 /// About where the lateral force is met.
@@ -162,9 +182,13 @@ RoughPlace search_roughly(const SceneFile& scene, const std::atomic<bool>* stop,
   WheelPair wheels(rough_scene(scene), stop, files);
   Follower follower(wheels, scene.position.lateral, begin(wheels, scene.position.lateral), rough_tolerance);
   wheels.scale_elements(rough_elements);
-  const LateralRoot guess = search_lateral([&](double y) { return follower.force(y); },
-                                           scene.position.lateral, *scene.wheelset.force_y);
-  return {guess, follower.last().state.pose, follower.near(guess.lateral), wheels.contact_problems()};
+  const double start = scene.position.lateral, wanted = *scene.wheelset.force_y;
+  LateralSample best;
+  const std::optional<LateralRoot> guess = search_lateral(
+      [&](double y) { return follower.force(y); }, {start, follower.required_force(start)}, wanted, best);
+  if (!guess)
+    refuse_lateral({wanted, start, best, follower.lifts(), scene.wheelset.roll_moment});
+  return {*guess, follower.last().state.pose, follower.near(guess->lateral), wheels.contact_problems()};
 }
 
 /// The equilibrium under wheelset.force_y.
@@ -189,22 +213,35 @@ bool too_coarse(const SceneFile& scene, const WheelsetState& s) {
 }
 
 void add_warnings(const SceneFile& scene, WheelsetResult& out) {
+  std::vector<PlacedWarning> all;
   for (const WheelSide side : both_sides)
     for (const std::string& warning : out.state.solved(side).warnings)
-      out.warnings.push_back(fmt::format("{} wheel: {}", name_of(side), warning));
+      all.push_back({fmt::format("{} wheel", name_of(side)), warning});
+  out.warnings = once_each(all);
   if (too_coarse(scene, out.state))
     out.warnings.push_back("the accuracy asked for was not reached: the equilibrium is found on the elements "
                            "that were chosen near it");
 }
 
-} // namespace
-
-WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop,
-                              std::shared_ptr<SequenceFiles> files) {
+void require_wheelset(const SceneFile& scene) {
   if (!scene.wheelset.force)
     throw InputError(
         "This scene is of one wheel", "wheelset.force is not given",
         "Give the vertical force on the axle as force in a table [wheelset], instead of [load].");
+}
+
+} // namespace
+
+WheelsetDescription check_wheelset(const SceneFile& scene) {
+  require_wheelset(scene);
+  WheelPair wheels(scene);
+  const WheelsetPose pose = stand(wheels, scene.position.lateral, first_guess(scene));
+  return {pose.lateral, pose.roll, wheels.check(WheelSide::right, pose), wheels.check(WheelSide::left, pose)};
+}
+
+WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop,
+                              std::shared_ptr<SequenceFiles> files) {
+  require_wheelset(scene);
   const Stopwatch clock;
   WheelPair wheels(scene, stop, files);
   RoughPlace rough{{scene.position.lateral, 0}, {}, {}};

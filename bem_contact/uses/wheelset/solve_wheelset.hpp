@@ -26,6 +26,15 @@ struct WheelsetResult {
   double seconds = 0;                     ///< of the call
 };
 
+/// Both wheels where the search for the equilibrium begins: at position.lateral, each with the approach of
+/// about half of the vertical force.
+struct WheelsetDescription {
+  double lateral = 0, roll = 0; ///< mm; rad
+  SceneDescription right, left;
+};
+/// Solves no equilibrium. Throws what solve_wheelset() would throw before it solves.
+WheelsetDescription check_wheelset(const SceneFile& scene);
+
 /// Throws InputError for a scene without [wheelset], wrong input, a wheel that lifts, and a lateral force
 /// that no displacement gives; ConvergenceError where no equilibrium was found. `stop`: as Sequence::solve().
 /// `files`: what earlier calls have read.

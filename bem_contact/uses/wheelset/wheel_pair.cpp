@@ -96,6 +96,10 @@ WheelsetState WheelPair::at(const WheelsetPose& pose) {
   return out;
 }
 
+SceneDescription WheelPair::check(WheelSide side, const WheelsetPose& pose) {
+  return (side == WheelSide::right ? right_ : left_).check(wheel_scene(side, pose));
+}
+
 void WheelPair::fix_elements(const WheelsetState& like) {
   right_scene_ = with_elements_of(right_scene_, like.right);
   left_scene_ = with_elements_of(left_scene_, like.left);

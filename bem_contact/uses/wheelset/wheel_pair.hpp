@@ -65,6 +65,8 @@ public:
 
   /// Throws what Sequence::solve() throws.
   WheelsetState at(const WheelsetPose& pose);
+  /// What would be solved of one wheel. Throws what Sequence::check() throws.
+  SceneDescription check(WheelSide side, const WheelsetPose& pose);
   /// From here on both wheels are solved with these models and elements.
   void fix_elements(const WheelsetState& like);
   /// From here on elements are so many times as long and wide as fix_elements() made them.

@@ -49,4 +49,20 @@ TEST(WheelsetScene, RefusesWhatHasNoEquilibrium) {
               HasSubstr("friction used up"));
 }
 
+/// The message names the key that is too large, also where the search for a lateral force fails by it.
+TEST(WheelsetScene, RefusalsNameTheKeyThatIsToBlame) {
+  const std::string in_curve = "position.yaw = 2e-3\n";
+  EXPECT_THAT(message_of([&] { solve_wheelset(standard(in_curve + "wheelset.torque = 2.9e7\n")); }),
+              AllOf(HasSubstr("cannot bear a torque of 2.9e+07"), HasSubstr("wheelset.torque nearer to 0")));
+  EXPECT_THAT(
+      message_of([&] { solve_wheelset(standard("wheelset.force_y = 2e4\nwheelset.torque = 1e8\n")); }),
+      HasSubstr("wheelset.torque nearer to 0"));
+  EXPECT_THAT(
+      message_of([&] { solve_wheelset(standard("wheelset.force_y = 2e4\nwheelset.roll_moment = 1e9\n")); }),
+      AllOf(HasSubstr("left wheel lifts"), HasSubstr("wheelset.roll_moment nearer to 0")));
+  EXPECT_THAT(
+      message_of([&] { solve_wheelset(standard("wheelset.force_y = 2e4\nwheelset.roll_moment = 1.4e8\n")); }),
+      AllOf(HasSubstr("a wheel lifts"), HasSubstr("wheelset.roll_moment nearer to 0")));
+}
+
 } // namespace

@@ -1,0 +1,47 @@
+#include "bem_contact/app/output/message_sink.hpp"
+
+#include "bem_contact/app/settings.hpp"
+
+#include <cstdio>
+#include <memory>
+#include <spdlog/spdlog.h>
+#include <utility>
+
+namespace bem_contact::app {
+
+namespace {
+
+/// Of a message that begins with the name of a file.
+std::string without_folder(const std::string& text) {
+  const std::size_t end = text.find(": ");
+  const std::size_t slash = end == std::string::npos ? end : text.rfind('/', end);
+  return slash == std::string::npos ? text : text.substr(slash + 1);
+}
+
+} // namespace
+
+void MessageSink::log(const spdlog::details::log_msg& message) {
+  std::fflush(stdout);
+  const bool may_repeat = message.level >= spdlog::level::err;
+  if (may_repeat || ++counts_[std::string(message.payload.begin(), message.payload.end())] == 1)
+    spdlog::sinks::ansicolor_stderr_sink_mt::log(message);
+}
+
+void MessageSink::finish() {
+  const std::map<std::string, int> counts = std::exchange(counts_, {});
+  for (const auto& [text, count] : counts)
+    if (count > 1) {
+      const std::string named = without_folder(text);
+      spdlog::info("{} times: {}{}", count, named.substr(0, repeated_length),
+                   named.size() > static_cast<std::size_t>(repeated_length) ? " ..." : "");
+    }
+}
+
+std::shared_ptr<MessageSink> install_message_sink() {
+  auto sink = std::make_shared<MessageSink>();
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>("bem_contact", sink));
+  spdlog::set_pattern("%^%l%$: %v");
+  return sink;
+}
+
+} // namespace bem_contact::app
