@@ -17,4 +17,4 @@ else:
     found = table.look_up(numbers)
     errors = {name: error["interpolation"] for name, error in table.errors.items()}
 for name, value in found.items():
-    print(f"{name} {value:.12g} +- {errors[name]:.2g}")
+    print(f"{name} {value:.12g} (interpolation error {errors[name]:.2g})")

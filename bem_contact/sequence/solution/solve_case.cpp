@@ -190,18 +190,14 @@ ModelRequest without_fem(ModelRequest request) {
   return request;
 }
 
-PlacedSolution solve_from(FirstContact first, Model model, const SceneFile::Grid& grid,
-                          const SolveResources& resources) {
-  return solve_on_placed_bodies(first.asked, grid, std::move(first.contact), {model}, resources);
-}
-
 /// With the influence files, if the model needs them.
 PlacedSolution solve_with(const ContactCase& asked, Model model, const SceneFile::Grid& grid,
                           const SolveResources& resources) {
   const Stopwatch looking;
   FirstContact first = first_contact(asked, model, grid, resources);
   const double geometry = looking.seconds();
-  PlacedSolution placed = solve_from(std::move(first), model, grid, resources);
+  PlacedSolution placed =
+      solve_on_placed_bodies(first.asked, grid, std::move(first.contact), {model}, resources);
   placed.solved.seconds.geometry += geometry;
   return placed;
 }
@@ -217,8 +213,9 @@ SceneResult solve_by_choice(const ContactCase& asked, const SceneFile::Grid& gri
   for (;;) {
     std::optional<PlacedSolution> placed;
     try {
-      placed = choice.model == Model::fem ? solve_with(asked, choice.model, grid, resources)
-                                          : solve_from(first, choice.model, grid, resources);
+      placed = choice.model == Model::fem
+                   ? solve_with(asked, choice.model, grid, resources)
+                   : solve_on_placed_bodies(first.asked, grid, first.contact, {choice.model}, resources);
     } catch (const OffStripError&) {
       if (foreseen.prescribed.structures) // no other model has them
         throw;

@@ -90,7 +90,7 @@ struct PatchColumn {
   const char* name;                     ///< as in the outputs
   const char* unit;                     ///< "1" where it has none
   double (*value)(const PatchFatigue&); ///< of one patch
-  const char* description;
+  const char* description;              ///< what it is, in words
 };
 /// All of them, in the order of the outputs.
 std::span<const PatchColumn> patch_columns();

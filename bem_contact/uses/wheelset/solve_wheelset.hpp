@@ -30,7 +30,8 @@ struct WheelsetResult {
 /// about half of the vertical force.
 struct WheelsetDescription {
   double lateral = 0, roll = 0; ///< mm; rad
-  SceneDescription right, left;
+  SceneDescription right;       ///< the wheel to the right of the rolling direction, as asked
+  SceneDescription left;        ///< the other one, y and s to the left
 };
 /// Solves no equilibrium. Throws what solve_wheelset() would throw before it solves.
 WheelsetDescription check_wheelset(const SceneFile& scene);
