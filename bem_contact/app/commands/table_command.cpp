@@ -198,7 +198,7 @@ std::vector<Chunk> chunks_of(std::size_t points) {
 }
 
 // How the first byte of what a process hands back says how its point ended: values follow, or a message.
-constexpr char solved_point = 's', refused_point = 'r', failed_point = 'f';
+constexpr char solved_point = 's', refused_point = 'r', uncertified_point = 'u', failed_point = 'f';
 
 /// Ends the table with what the process said of this point.
 [[noreturn]] void refuse_point(const table::Point& point, const std::string& bytes) {
@@ -208,7 +208,9 @@ constexpr char solved_point = 's', refused_point = 'r', failed_point = 'f';
   const char* advice = "Leave it out of the lists of [table], or mend what its message says.";
   if (bytes.at(0) == refused_point)
     throw InputError(problem, why, advice);
-  throw ConvergenceError(problem, why, advice);
+  if (bytes.at(0) == uncertified_point)
+    throw ConvergenceError(problem, why, advice);
+  throw Error(problem, why, "The machine or the program is to blame: look for free memory, then report it.");
 }
 
 /// Solves points in `jobs` processes side by side. `make` gives a solver with a Sequence of its own. Which
@@ -226,6 +228,8 @@ table::PointsSolver side_by_side(std::function<table::PointSolver()> make, int j
           return solved_point + to_bytes(solve(points[index]));
         } catch (const InputError& error) {
           return refused_point + std::string(error.what());
+        } catch (const ConvergenceError& error) {
+          return uncertified_point + std::string(error.what());
         } catch (const std::exception& error) {
           return failed_point + std::string(error.what());
         }
