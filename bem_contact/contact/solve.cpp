@@ -172,7 +172,8 @@ void estimate(const ContactProblem& problem, const SolverOptions& options,
   try {
     const ContactResult rough = solve_on_this_grid(coarse->problem, loose, companion, work);
     result.discretisation = contact::compare(problem, result, coarse->problem, rough);
-    result.unestimated = contact::why_not_compared(coarse->problem, rough);
+    if (!result.discretisation)
+      result.unestimated = contact::why_not_compared(coarse->problem, rough);
   } catch (const Error&) { // larger elements cannot carry the forces, or no work is left
     result.unestimated = "elements twice as large have no solution. Give smaller elements";
   }
