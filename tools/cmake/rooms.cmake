@@ -22,7 +22,7 @@ if(CONFORMAL_SANITIZE)
   if(CONFORMAL_SANITIZERS MATCHES "address")
     # What the address sanitizer finds as well (null, object-size), or x86 and a code without casts do not need
     # (alignment, vptr): half of the time to compile.
-    target_compile_options(conformal_options INTERFACE -fno-sanitize=null,object-size,alignment,vptr)
+    target_compile_options(conformal_options INTERFACE -fno-sanitize=null,object-size,alignment,vptr,pointer-overflow)
   endif()
   # no-pie: 550,000 addresses of checked variables stand at link time; each start takes two thirds of the time.
   target_link_options(conformal_options INTERFACE -fsanitize=${CONFORMAL_SANITIZERS}
