@@ -1,8 +1,8 @@
 #include "bem_contact/sequence/result_warnings.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/asked_error.hpp"
 #include "bem_contact/sequence/lateral/settings.hpp"
-#include "bem_contact/sequence/plan/element_size.hpp"
 #include "bem_contact/sequence/settings.hpp"
 
 #include <algorithm>

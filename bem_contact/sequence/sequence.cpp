@@ -2,20 +2,35 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/sequence/describe_case.hpp"
 #include "bem_contact/sequence/lateral/lateral_search.hpp"
+#include "bem_contact/sequence/numbers/sequence_files.hpp"
+#include "bem_contact/sequence/plan/contact_case.hpp"
 #include "bem_contact/sequence/plan/contact_estimate.hpp"
+#include "bem_contact/sequence/plan/element_size.hpp"
 #include "bem_contact/sequence/plan/settings.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/settings.hpp"
 #include "bem_contact/sequence/solution/free_rolling.hpp"
+#include "bem_contact/sequence/solution/solve_case.hpp"
+#include "bem_contact/sequence/solution/warm_start.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <optional>
 #include <tuple>
-
 namespace bem_contact {
 
 namespace {
+
+/// How a scene is solved on the way to an answer.
+struct SceneTask {
+  const std::atomic<bool>* stop = nullptr; ///< of the call
+  bool totals_only = false;                ///< no stated errors, no displacements
+  bool read_influence = false; ///< influence files are read for each model: all have the same rows
+  bool lateral_force = false;  ///< the lateral displacement is found for a force, and not given
+};
 
 /// Whether the former elements are so much larger that their tractions are no start for many elements.
 bool fine_enough(const ContactGrid& former, const SceneFile::Grid& wanted) {
@@ -41,42 +56,70 @@ std::optional<double> lateral_force_of(const SceneResult& solved) {
 
 } // namespace
 
-Sequence::Sequence(SequenceOptions options, std::shared_ptr<SequenceFiles> files)
-    : options_(options), memory_{.files = files ? std::move(files) : std::make_shared<SequenceFiles>(),
-                                 .numbers = {},
-                                 .operators = Workspace(operators_kept, options.threads),
-                                 .former = {},
-                                 .areas = {},
-                                 .element_size = ElementSize(options.ablation.learn),
-                                 .lateral = {}} {}
+class Sequence::Impl {
+public:
+  Impl(SequenceOptions options, std::shared_ptr<SequenceFiles> files);
 
-ContactCase Sequence::prepare(const SceneFile& scene, const SceneTask& task) {
+  SceneResult answer(const SceneFile& scene, const SceneTask& task);
+  SceneResult solve_beyond(const SceneFile& scene, const FreeRolling& free, double creepage,
+                           const std::atomic<bool>* stop);
+  ContactCase prepare(const SceneFile& scene, const SceneTask& task);
+  Counts counts() const;
+
+  std::mutex turn; ///< held by the call that runs
+
+private:
+  /// Lateral forces of a scene, for any load.force_y.
+  struct LateralMemory {
+    SceneFile rough, exact; ///< the scenes solved, without load.force_y
+    KnownLateralForces known;
+  };
+
+  SolveResources resources(WorkBudget& work);
+  SceneResult solve_at_position(const SceneFile& scene, const SceneTask& task);
+  SceneResult solve_at_lateral_force(const SceneFile& scene, const SceneTask& task);
+  std::optional<double> rough_lateral_force(SceneFile scene, double lateral, const SceneTask& task);
+  SceneResult solve_steady_rolling(const ContactCase& asked, const SceneTask& task);
+  const FormerSolution* start_for(const std::vector<PotentialArea>& areas, const SceneFile::Grid& grid) const;
+  void remember(const SceneResult& result, const ContactEstimate& estimate);
+
+  const SequenceOptions options_;
+  // All that outlives a case.
+  std::shared_ptr<SequenceFiles> files_;
+  NumbersStore numbers_;
+  Workspace operators_;
+  std::optional<FormerSolution> former_;
+  std::vector<PotentialArea> areas_; ///< of the last case
+  ElementSize element_size_;
+  std::optional<LateralMemory> lateral_;
+  Counts counts_;
+};
+
+Sequence::Impl::Impl(SequenceOptions options, std::shared_ptr<SequenceFiles> files)
+    : options_(options), files_(files ? std::move(files) : std::make_shared<SequenceFiles>()),
+      operators_(operators_kept, options.threads), element_size_(options.ablation.learn) {}
+
+ContactCase Sequence::Impl::prepare(const SceneFile& scene, const SceneTask& task) {
   if (!options_.ablation.keep_files)
-    memory_.files = std::make_shared<SequenceFiles>();
-  return prepare_case(scene, *memory_.files,
+    files_ = std::make_shared<SequenceFiles>();
+  return prepare_case(scene, *files_,
                       {.foresee_shear = options_.ablation.foresee_shear,
                        .own_shape = options_.own_shape,
                        .read_influence = task.read_influence,
                        .lateral_force = task.lateral_force});
 }
 
-SolveResources Sequence::resources(WorkBudget& work) {
+SolveResources Sequence::Impl::resources(WorkBudget& work) {
   return {.work = work,
-          .files = memory_.files.get(),
-          .numbers = options_.ablation.keep_numbers ? &memory_.numbers : nullptr,
-          .operators = options_.ablation.keep_numbers ? &memory_.operators : nullptr,
+          .files = files_.get(),
+          .numbers = options_.ablation.keep_numbers ? &numbers_ : nullptr,
+          .operators = options_.ablation.keep_numbers ? &operators_ : nullptr,
           .coarse_start = options_.ablation.coarse_start,
           .displacements = options_.displacements,
           .threads = options_.threads};
 }
 
-SceneResult Sequence::solve(const SceneFile& scene, const std::atomic<bool>* stop) {
-  return answer(scene, stop, {});
-}
-
-SceneResult Sequence::answer(const SceneFile& scene, const std::atomic<bool>* stop, const SceneTask& task) {
-  const std::lock_guard turn(*turn_);
-  stop_ = stop;
+SceneResult Sequence::Impl::answer(const SceneFile& scene, const SceneTask& task) {
   const Stopwatch clock;
   ++counts_.cases;
   SceneResult out = scene.load.force_y ? solve_at_lateral_force(scene, task) : solve_at_position(scene, task);
@@ -84,69 +127,69 @@ SceneResult Sequence::answer(const SceneFile& scene, const std::atomic<bool>* st
   return out;
 }
 
-SceneResult Sequence::solve_at_position(const SceneFile& scene, const SceneTask& task) {
+SceneResult Sequence::Impl::solve_at_position(const SceneFile& scene, const SceneTask& task) {
   const Stopwatch clock;
   const ContactCase asked = prepare(scene, task);
   const double preparing = clock.seconds();
   SceneResult out;
   if (asked.estimate && scene.motion.kind == MotionKind::steady) {
-    out = solve_steady_rolling(asked, task.totals_only);
+    out = solve_steady_rolling(asked, task);
   } else {
     ++counts_.solves;
-    WorkBudget work(stop_);
+    WorkBudget work(task.stop);
     out = solve_case(asked, scene.grid, resources(work));
   }
   out.seconds.geometry += preparing;
   return out;
 }
 
-SceneResult Sequence::solve_steady_rolling(const ContactCase& asked, bool totals_only) {
+SceneResult Sequence::Impl::solve_steady_rolling(const ContactCase& asked, const SceneTask& task) {
   const std::vector<PotentialArea> areas = potential_areas(*asked.estimate);
-  memory_.element_size.begin(asked, alike(areas, memory_.areas));
-  memory_.areas = areas;
-  WorkBudget work(stop_);
+  element_size_.begin(asked, alike(areas, areas_));
+  areas_ = areas;
+  WorkBudget work(task.stop);
   SolveResources tools = resources(work);
-  tools.totals_only = totals_only;
+  tools.totals_only = task.totals_only;
   PhaseSeconds spent;
   for (int round = 1;; ++round) {
-    const SceneFile::Grid grid = memory_.element_size.grid(asked);
+    const SceneFile::Grid grid = element_size_.grid(asked);
     tools.start = start_for(areas, grid);
     counts_.starts += tools.start != nullptr;
     ++counts_.solves;
     SceneResult out = solve_with_free_rolling(asked, grid, tools);
     spent += out.seconds;
     out.seconds = spent;
-    const bool again = memory_.element_size.learn(asked, out);
+    const bool again = element_size_.learn(asked, out);
     remember(out, *asked.estimate);
     if (again && round < most_solves)
       continue;
-    warn_of_accuracy(asked.scene.grid, memory_.element_size.limit(grid.dx), out);
+    warn_of_accuracy(asked.scene.grid, element_size_.limit(grid.dx), out);
     return out;
   }
 }
 
-const FormerSolution* Sequence::start_for(const std::vector<PotentialArea>& areas,
-                                          const SceneFile::Grid& grid) const {
-  const std::optional<FormerSolution>& former = memory_.former;
+const FormerSolution* Sequence::Impl::start_for(const std::vector<PotentialArea>& areas,
+                                                const SceneFile::Grid& grid) const {
+  const std::optional<FormerSolution>& former = former_;
   const bool serves = former && alike(areas, former->areas) &&
-                      (memory_.element_size.wanted() < many_elements || fine_enough(former->grid, grid));
+                      (element_size_.wanted() < many_elements || fine_enough(former->grid, grid));
   return serves ? &*former : nullptr;
 }
 
-void Sequence::remember(const SceneResult& result, const ContactEstimate& estimate) {
-  memory_.former = options_.ablation.keep_start
-                       ? former_of(result.model, result.problem, result.result, estimate)
-                       : std::nullopt;
+void Sequence::Impl::remember(const SceneResult& result, const ContactEstimate& estimate) {
+  former_ = options_.ablation.keep_start ? former_of(result.model, result.problem, result.result, estimate)
+                                         : std::nullopt;
 }
 
-std::optional<double> Sequence::rough_lateral_force(SceneFile scene, double lateral) {
+std::optional<double> Sequence::Impl::rough_lateral_force(SceneFile scene, double lateral,
+                                                          const SceneTask& task) {
   ++counts_.rough;
   try {
     const ContactCase asked = prepare(with_lateral(std::move(scene), lateral), {});
     SceneFile::Grid grid;
     std::tie(grid.dx, grid.ds) =
         size_of_elements(*asked.estimate, lateral_map_elements, 1, 0, longest_element);
-    WorkBudget work(stop_);
+    WorkBudget work(task.stop);
     return lateral_force_of(solve_with_free_rolling(asked, grid, {.work = work, .totals_only = true}));
   } catch (const InputError&) { // the bodies do not meet there, or not as elastic bodies
   } catch (const ConvergenceError&) {
@@ -154,18 +197,19 @@ std::optional<double> Sequence::rough_lateral_force(SceneFile scene, double late
   return std::nullopt;
 }
 
-SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene, const SceneTask& task) {
+SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const SceneTask& task) {
   const Stopwatch searching;
   const double wanted = *scene.load.force_y, start = scene.position.lateral;
   const SceneFile rough = rough_scene(scene);
-  if (!memory_.lateral || memory_.lateral->rough != rough)
-    memory_.lateral.emplace().rough = rough;
-  LateralMemory& memory = *memory_.lateral;
+  if (!lateral_ || lateral_->rough != rough)
+    lateral_.emplace().rough = rough;
+  LateralMemory& memory = *lateral_;
   LateralSearch search(
       {wanted, start, std::hypot(wanted, *scene.load.force)},
-      [&](double lateral) { return rough_lateral_force(rough, lateral); }, memory.known);
+      [&](double lateral) { return rough_lateral_force(rough, lateral, task); }, memory.known);
   if (!search.passes())
-    check(with_lateral(scene, start)); // a scene that cannot be solved anywhere says why
+    describe_case(prepare(with_lateral(scene, start),
+                          {.read_influence = true})); // a scene that cannot be solved anywhere says why
 
   SceneFile asked = scene;
   asked.load.force_y.reset();
@@ -200,33 +244,49 @@ SceneResult Sequence::solve_at_lateral_force(const SceneFile& scene, const Scene
   return out;
 }
 
-SceneResult Sequence::solve_beyond(const SceneFile& scene, const FreeRolling& free, double creepage) {
-  WorkBudget work(stop_);
+SceneResult Sequence::Impl::solve_beyond(const SceneFile& scene, const FreeRolling& free, double creepage,
+                                         const std::atomic<bool>* stop) {
+  WorkBudget work(stop);
   return solve_case(beyond_free_rolling(prepare(scene, {.read_influence = true}), free, creepage), scene.grid,
                     resources(work));
 }
 
+Sequence::Counts Sequence::Impl::counts() const {
+  Counts counts = counts_;
+  counts.numbers_kept = numbers_.found();
+  return counts;
+}
+
+Sequence::Sequence(SequenceOptions options, std::shared_ptr<SequenceFiles> files)
+    : impl_(std::make_unique<Impl>(options, std::move(files))) {}
+Sequence::Sequence(Sequence&&) noexcept = default;
+Sequence& Sequence::operator=(Sequence&&) noexcept = default;
+Sequence::~Sequence() = default;
+
+SceneResult Sequence::solve(const SceneFile& scene, const std::atomic<bool>* stop) {
+  const std::lock_guard turn(impl_->turn);
+  return impl_->answer(scene, {.stop = stop});
+}
+
 Comparison Sequence::compare(const SceneFile& scene, std::vector<Model> models,
                              const std::atomic<bool>* stop) {
-  const std::lock_guard turn(*turn_);
+  const std::lock_guard turn(impl_->turn);
   return compare_models(
       scene, std::move(models),
-      [&](const SceneFile& asked) { return answer(asked, stop, {.read_influence = true}); },
+      [&](const SceneFile& asked) { return impl_->answer(asked, {.stop = stop, .read_influence = true}); },
       [&](const SceneFile& asked, const FreeRolling& free, double creepage) {
-        return solve_beyond(asked, free, creepage);
+        return impl_->solve_beyond(asked, free, creepage, stop);
       });
 }
 
 SceneDescription Sequence::check(const SceneFile& scene) {
-  const std::lock_guard turn(*turn_);
-  return describe_case(prepare(scene, {.read_influence = true}));
+  const std::lock_guard turn(impl_->turn);
+  return describe_case(impl_->prepare(scene, {.read_influence = true}));
 }
 
 Sequence::Counts Sequence::counts() const {
-  const std::lock_guard turn(*turn_);
-  Counts counts = counts_;
-  counts.numbers_kept = memory_.numbers.found();
-  return counts;
+  const std::lock_guard turn(impl_->turn);
+  return impl_->counts();
 }
 
 } // namespace bem_contact

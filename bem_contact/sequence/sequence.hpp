@@ -1,19 +1,17 @@
 #pragma once
 
+#include "bem_contact/scene/scene_file.hpp"
 #include "bem_contact/sequence/comparison.hpp"
-#include "bem_contact/sequence/describe_case.hpp"
-#include "bem_contact/sequence/lateral/lateral_curve.hpp"
-#include "bem_contact/sequence/plan/element_size.hpp"
+#include "bem_contact/sequence/scene_description.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
-#include "bem_contact/sequence/solution/solve_on_grid.hpp"
 
 #include <atomic>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <vector>
 
 namespace bem_contact {
+
+class SequenceFiles; // shared_files.hpp
 
 /// For benchmarks alone: switches off what saves time (tools/benchmarks/ablation shows what each saves).
 struct SequenceAblation {
@@ -40,13 +38,6 @@ struct SequenceOptions {
   SequenceAblation ablation = {}; ///< leave it as it is
 };
 
-/// How a scene is solved on the way to an answer.
-struct SceneTask {
-  bool totals_only = false;    ///< no stated errors, no displacements
-  bool read_influence = false; ///< influence files are read for each model: all have the same rows
-  bool lateral_force = false;  ///< the lateral displacement is found for a force, and not given
-};
-
 /// Answers scenes. This is the one way in: the program, sweeps and Python all use it, and one scene is a
 /// sequence of one.
 ///
@@ -61,6 +52,9 @@ class Sequence {
 public:
   /// `files`: shared with other sequences of this thread; null: its own.
   explicit Sequence(SequenceOptions options = {}, std::shared_ptr<SequenceFiles> files = nullptr);
+  Sequence(Sequence&&) noexcept;            ///< the other one may only be destroyed or assigned to
+  Sequence& operator=(Sequence&&) noexcept; ///< as above
+  ~Sequence();
 
   /// Solves a scene with the model that it asks for (solve_case.hpp). If load.force_y is given, the lateral
   /// displacement with this force is found, the nearest to position.lateral (lateral_search.hpp). If the
@@ -92,41 +86,8 @@ public:
   Counts counts() const; ///< so far
 
 private:
-  /// Lateral forces of a scene, for any load.force_y.
-  struct LateralMemory {
-    SceneFile rough, exact; ///< the scenes solved, without load.force_y
-    KnownLateralForces known;
-  };
-
-  /// All that outlives a case.
-  struct Memory {
-    std::shared_ptr<SequenceFiles> files;
-    NumbersStore numbers;
-    Workspace operators;
-    std::optional<FormerSolution> former;
-    std::vector<PotentialArea> areas; ///< of the last case
-    ElementSize element_size;
-    std::optional<LateralMemory> lateral;
-  };
-
-  ContactCase prepare(const SceneFile& scene, const SceneTask& task);
-  SceneResult answer(const SceneFile& scene, const std::atomic<bool>* stop, const SceneTask& task);
-  SolveResources resources(WorkBudget& work);
-  SceneResult solve_at_position(const SceneFile& scene, const SceneTask& task);
-  SceneResult solve_at_lateral_force(const SceneFile& scene, const SceneTask& task);
-  std::optional<double> rough_lateral_force(SceneFile scene, double lateral);
-  SceneResult solve_beyond(const SceneFile& scene, const FreeRolling& free, double creepage);
-  SceneResult solve_steady_rolling(const ContactCase& asked, bool totals_only);
-  const FormerSolution* start_for(const std::vector<PotentialArea>& areas, const SceneFile::Grid& grid) const;
-  void remember(const SceneResult& result, const ContactEstimate& estimate);
-
-  /// Held by the call that runs; recursive, because compare() may solve. On the heap, so that a Sequence can
-  /// be moved.
-  std::unique_ptr<std::recursive_mutex> turn_ = std::make_unique<std::recursive_mutex>();
-  const std::atomic<bool>* stop_ = nullptr; ///< of the call that runs
-  SequenceOptions options_;
-  Memory memory_;
-  Counts counts_;
+  class Impl; // headers of what a sequence keeps are not for callers
+  std::unique_ptr<Impl> impl_;
 };
 
 } // namespace bem_contact

@@ -4,6 +4,7 @@
 #include "bem_contact/halfspace/resample.hpp"
 #include "bem_contact/sequence/numbers/add_wheel.hpp"
 #include "bem_contact/sequence/numbers/pair_numbers.hpp"
+#include "bem_contact/sequence/numbers/sequence_files.hpp"
 #include "bem_contact/sequence/plan/contact_case.hpp"
 #include "tests/base/message.hpp"
 

@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/lateral/lateral_force.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/sequence/lateral/lateral_curve.hpp"
 #include "bem_contact/sequence/lateral/lateral_search.hpp"
 #include "bem_contact/sequence/lateral/settings.hpp"
 #include "bem_contact/sequence/sequence.hpp"

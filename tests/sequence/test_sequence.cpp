@@ -2,7 +2,9 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/history.hpp"
+#include "bem_contact/sequence/plan/element_size.hpp"
 #include "bem_contact/sequence/plan/settings.hpp"
+#include "bem_contact/sequence/solution/warm_start.hpp"
 #include "tests/base/message.hpp"
 #include "tests/base/temporary_folder.hpp"
 

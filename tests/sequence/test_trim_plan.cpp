@@ -1,8 +1,11 @@
 // Large grids that are cut down to what a rough solution says: the contact must be the one of the whole grid.
 #include "bem_contact/sequence/solution/trim_plan.hpp"
 
+#include "bem_contact/sequence/numbers/sequence_files.hpp"
 #include "bem_contact/sequence/numbers/settings.hpp"
+#include "bem_contact/sequence/plan/contact_case.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/solution/solve_on_grid.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+#include "bem_contact/sequence/numbers/sequence_files.hpp"
+#include "bem_contact/sequence/plan/contact_case.hpp"
 #include "bem_contact/sequence/plan/settings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 

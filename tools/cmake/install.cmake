@@ -12,7 +12,7 @@ set(answers uses/conicity/wheelset_conicity uses/curves/creep_curves uses/table/
             uses/wheelset/solve_wheelset
             uses/wheelset/quantities)
 set(public_headers)
-set(todo sequence/sequence sequence/quantities scene/scene_file scene/scene_reader base/error base/provenance contact/work
+set(todo sequence/sequence sequence/shared_files sequence/quantities scene/scene_file scene/scene_reader base/error base/provenance contact/work
          ${answers})
 list(TRANSFORM todo REPLACE "(.+)" "bem_contact/\\1.hpp")
 while(todo)
@@ -33,7 +33,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/bem_contact/c/conformal_contact.h
 
 # Those that a caller writes in a program, for Doxygen: doxygen build/Doxyfile makes build/reference/html.
 set(doxygen_input bem_contact/c/conformal_contact.h)
-foreach(header sequence/sequence sequence/quantities sequence/scene_result sequence/comparison sequence/describe_case sequence/lateral/lateral_force
+foreach(header sequence/sequence sequence/shared_files sequence/quantities sequence/scene_result sequence/comparison sequence/scene_description
                sequence/stresses sequence/structural_result scene/scene_file scene/scene_reader scene/choices
                contact/problem contact/result contact/work geometry/rigid_slip geometry/placement profile/contact_row
                halfspace/stress base/conventions base/error base/material base/provenance ${answers})

@@ -15,6 +15,7 @@
 #include "bem_contact/influence/h5_table.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/shared_files.hpp"
 
 #include <CLI/CLI.hpp>
 #include <ctime>
@@ -121,8 +122,7 @@ CaseRecord solve_case(Solver& solver, const SweepFile& sweep, std::size_t index,
 /// Here, so that messages about them come once and not from each process.
 void read_first_profiles(const SweepFile& sweep, SequenceFiles& files) {
   try {
-    if (const SceneFile scene = sweep.scene(0); scene.kind == SceneKind::wheel_rail)
-      files.profiles(scene);
+    read_profiles(sweep.scene(0), files);
   } catch (const InputError&) { // the cases say it
   }
 }
@@ -147,7 +147,7 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
     note.done(++done, cases);
   };
   WorkerCalls calls;
-  const auto files = std::make_shared<SequenceFiles>(); // each worker fills its own copy
+  const auto files = shared_files(); // each worker fills its own copy
   read_first_profiles(sweep, *files);
   calls.make_solver = [&]() -> CaseSolver {
     const auto solver = std::make_shared<Solver>(sweep.fields, files);

@@ -43,11 +43,6 @@ private:
 std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio,
                                            double shortest, double longest);
 
-/// The largest relative error, estimated, of what the scene's grid.accuracy_of names; < 0: not estimated. The
-/// error of adhesion is that of its share. If the pressure does not converge with the elements, no error is
-/// stated, and the change of pmax from larger elements counts; with rough surfaces that of the forces.
-double asked_error(const SceneFile::Grid& grid, const SceneResult& result);
-
 /// Chooses dx and ds for the cases of a sequence that ask for grid.elements or grid.accuracy. It learns from
 /// each case how many elements the next one needs, and how large its contact is.
 class ElementSize {

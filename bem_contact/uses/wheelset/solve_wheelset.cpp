@@ -2,21 +2,23 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/sequence/asked_error.hpp"
+#include "bem_contact/sequence/lateral/lateral_curve.hpp"
 #include "bem_contact/sequence/lateral/lateral_force.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/wheelset/equilibrium.hpp"
 #include "bem_contact/uses/wheelset/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-
 namespace bem_contact {
 
 namespace {
 
-/// Narrows an interval at whose ends the force is on different sides of `wanted`: where the line between both
-/// meets it, but not too near to an end, because on a flange the force is no line.
+/// Narrows an interval at whose ends the force is on different sides of `wanted`: where the line between
+/// both meets it, but not too near to an end, because on a flange the force is no line.
 LateralRoot narrow(const LateralForce& force, LateralSample a, LateralSample b, double wanted) {
   const double first_slope = (b.force - a.force) / (b.lateral - a.lateral);
   const auto met = [&] { return (wanted - a.force) / (b.force - a.force); };
@@ -53,10 +55,11 @@ struct FailedSearch {
                   f.lifts && f.roll_moment != 0 ? "a wheelset.roll_moment nearer to 0" : "less friction"));
 }
 
-/// The first displacement from `start` on at which the lateral forces on both rails add up to about `wanted`,
-/// N; within rough_lateral_width. `force`: this sum at a displacement, nothing where the wheelset does not
-/// stand. The force grows with the displacement until a wheel climbs its rail, so the search goes to that
-/// side. `best` is the one on the way that is nearest to the wanted one; nothing if that is not met.
+/// The first displacement from `start` on at which the lateral forces on both rails add up to about
+/// `wanted`, N; within rough_lateral_width. `force`: this sum at a displacement, nothing where the wheelset
+/// does not stand. The force grows with the displacement until a wheel climbs its rail, so the search goes
+/// to that side. `best` is the one on the way that is nearest to the wanted one; nothing if that is not
+/// met.
 std::optional<LateralRoot> search_lateral(const LateralForce& force, const LateralSample& start,
                                           double wanted, LateralSample& best) {
   const double side = start.force < wanted ? 1 : -1;
@@ -243,6 +246,8 @@ WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* s
                               std::shared_ptr<SequenceFiles> files) {
   require_wheelset(scene);
   const Stopwatch clock;
+  if (!files)
+    files = shared_files();
   WheelPair wheels(scene, stop, files);
   RoughPlace rough{{scene.position.lateral, 0}, {}, {}};
   if (scene.wheelset.force_y) {

@@ -38,8 +38,8 @@ WheelsetDescription check_wheelset(const SceneFile& scene);
 
 /// Throws InputError for a scene without [wheelset], wrong input, a wheel that lifts, and a lateral force
 /// that no displacement gives; ConvergenceError where no equilibrium was found. `stop`: as Sequence::solve().
-/// `files`: what earlier calls have read.
+/// `files`: what earlier calls have read; null: nothing.
 WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop = nullptr,
-                              std::shared_ptr<SequenceFiles> files = std::make_shared<SequenceFiles>());
+                              std::shared_ptr<SequenceFiles> files = nullptr);
 
 } // namespace bem_contact

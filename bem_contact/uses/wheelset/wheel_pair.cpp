@@ -1,9 +1,9 @@
 #include "bem_contact/uses/wheelset/wheel_pair.hpp"
 
+#include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/wheelset/settings.hpp"
 
 #include <cmath>
-
 namespace bem_contact {
 
 Wrench& Wrench::operator+=(const Wrench& other) {
@@ -66,7 +66,8 @@ double WheelsetState::torque(const Wrench& w) const {
 
 WheelPair::WheelPair(const SceneFile& scene, const std::atomic<bool>* stop,
                      std::shared_ptr<SequenceFiles> files)
-    : scene_(scene), stop_(stop), files_(std::move(files)), right_({}, files_), left_({}, files_) {
+    : scene_(scene), stop_(stop), files_(files ? std::move(files) : shared_files()), right_({}, files_),
+      left_({}, files_) {
   free_elements();
 }
 

@@ -57,11 +57,11 @@ struct WheelsetState {
 };
 
 /// Solves both wheels, each with a sequence of its own, so that a wheel starts from its own last solution.
-/// Both share files. The scene is one with [wheelset].
+/// Both share files; null: files of their own. The scene is one with [wheelset].
 class WheelPair {
 public:
   explicit WheelPair(const SceneFile& scene, const std::atomic<bool>* stop = nullptr,
-                     std::shared_ptr<SequenceFiles> files = std::make_shared<SequenceFiles>());
+                     std::shared_ptr<SequenceFiles> files = nullptr);
 
   /// Throws what Sequence::solve() throws.
   WheelsetState at(const WheelsetPose& pose);

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/history.hpp"
+#include "bem_contact/sequence/plan/element_size.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "tools/benchmarks/cases/reference.hpp"
 

@@ -1,5 +1,7 @@
 #include "tools/benchmarks/cases/tables.hpp"
 
+#include "bem_contact/sequence/numbers/sequence_files.hpp"
+#include "bem_contact/sequence/plan/contact_case.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <algorithm>

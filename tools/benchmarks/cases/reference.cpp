@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/progress.hpp"
+#include "bem_contact/sequence/plan/element_size.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <algorithm>

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "bem_contact/scene/scene_file.hpp"
+
+#include <memory>
+
+namespace bem_contact {
+
+class SequenceFiles;
+
+/// Files that several sequences of one thread share. They are read when a scene first asks for them.
+std::shared_ptr<SequenceFiles> shared_files();
+
+/// Reads the profiles of a scene of a wheel on a rail now. Throws InputError for profiles that cannot be
+/// read.
+void read_profiles(const SceneFile& scene, SequenceFiles& files);
+
+} // namespace bem_contact
