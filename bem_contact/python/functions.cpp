@@ -155,8 +155,9 @@ py::dict curves(const py::object& scene, const py::object& changes, const py::ob
 
 py::dict wheel_of(const WheelsetResult& r, WheelSide side) {
   py::dict track;
-  for (const WheelQuantity& q : wheel_quantities())
-    track[q.name] = q.value(r.state, side);
+  with_errors(wheel_quantities(), [&](const std::string& name, const char*, auto value, const char*) {
+    track[name.c_str()] = value(r.state, side);
+  });
   py::dict out;
   out["track"] = track;
   out["result"] = PythonResult{std::make_shared<const SceneResult>(r.state.solved(side)), {}};

@@ -59,8 +59,7 @@ void warn_of_slide(const ContactCase& asked, GridSolution& solved) {
 void add_stresses(const SceneFile& scene, SceneResult& out) {
   if (scene.stresses.depths.empty() || !out.result.converged)
     return;
-  out.stresses =
-      stresses_below(scene.stresses, out.problem, out.result, out.rail_poisson, out.reference.s);
+  out.stresses = stresses_below(scene.stresses, out.problem, out.result, out.rail_poisson, out.reference.s);
   const double turn = turn_of_contact(out.problem, out.result);
   if (const double error = predicted_halfspace_error(turn); error > scene.solver.model_tolerance)
     out.warnings.push_back(fmt::format(
