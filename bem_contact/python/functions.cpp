@@ -214,7 +214,8 @@ void add_functions(py::module_& module) {
       "folder"_a = py::none(),
       "Both wheels of a wheelset under the forces on its axle. `scene` has a table [wheelset]; `scene`, "
       "`changes`, `model`: as solve() takes them. A dict: \"wheelset\" (displacement, roll, sums), \"right\" "
-      "and \"left\", each with \"track\" (numbers in the track frame, y to the right) and \"result\" (a "
+      "and \"left\", each with \"track\" (numbers in the track frame, y to the right, and their errors) and "
+      "\"result\" (a "
       "Result, in the frame of its side), \"certified\", \"warnings\", \"seconds\". N, mm, rad.");
 }
 

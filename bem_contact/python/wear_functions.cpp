@@ -105,9 +105,9 @@ States worn_by(wear::Study study, const std::atomic<bool>* stop) {
   wear::KeptPair influence;
   if (wear::needs_influence(study.scene()))
     influence = wear::unworn_influence(study.scene(), states.front());
-  wear::evolve(study, states.front(),
-               {folder.path(), [&](const auto&) { return influence; },
-                [&](const wear::WornPair& pair) { states.push_back(pair); }});
+  wear::evolve(
+      study, states.front(), folder.path(), [&](const wear::WornPair&) { return influence; },
+      [&](const wear::WornPair& pair) { states.push_back(pair); });
   return states;
 }
 

@@ -82,13 +82,12 @@ ExitCode run(const WearArguments& arguments) {
     fmt::print("continued after step {}\n", state.step());
   const int before = state.step();
   wear::evolve(
-      study, state.pair,
-      {folder,
-       [&](const wear::WornPair& pair) { return influence.at(state.step(), pair, study.options.kept_turn); },
-       [&](const wear::WornPair& pair) {
-         keep(pair);
-         print_step(state.history.back());
-       }});
+      study, state.pair, folder,
+      [&](const wear::WornPair& pair) { return influence.at(state.step(), pair, study.options.kept_turn); },
+      [&](const wear::WornPair& pair) {
+        keep(pair);
+        print_step(state.history.back());
+      });
   const int steps = state.step() - before;
   fmt::print("{}, {}, {}\n", counted(steps, "step", "steps"),
              counted(steps * static_cast<int>(study.cases.size()), "contact problem", "contact problems"),

@@ -19,11 +19,13 @@ Study study_of(const SweepFile& sweep, const std::string& model, const StudyOpti
   return out;
 }
 
-void evolve(const Study& study, WornPair pair, const StudySteps& steps) {
-  constexpr double rounding = 1e-9; // the last step ends at the depth, but for this
+void evolve(const Study& study, WornPair pair, const std::filesystem::path& folder,
+            const std::function<KeptPair(const WornPair&)>& influence,
+            const std::function<void(const WornPair&)>& on_step) {
+  constexpr double rounding = 1e-9; // relative: the last step ends at the depth, but for this
   while (pair.largest() < study.depth * (1 - rounding)) {
-    pair = wear_step(pair, study.cases, study.options, study.depth, steps.folder, steps.influence(pair));
-    steps.on_step(pair);
+    pair = wear_step(pair, study.cases, study.options, study.depth, folder, influence(pair));
+    on_step(pair);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "bem_contact/uses/wear/evolution.hpp"
 
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -36,14 +37,10 @@ struct Study {
 /// validate() refuses.
 Study study_of(const SweepFile& sweep, const std::string& model, const StudyOptions& asked);
 
-/// What stands around the steps of a study.
-struct StudySteps {
-  std::filesystem::path folder;                       ///< of the profiles of the present step
-  std::function<KeptPair(const WornPair&)> influence; ///< the functions for these profiles
-  std::function<void(const WornPair&)> on_step;       ///< called after each step
-};
-
-/// Takes one wear_step() after the other until the study's depth is reached.
-void evolve(const Study& study, WornPair pair, const StudySteps& steps);
+/// Takes one wear_step() in `folder` after the other until the study's depth is reached. `influence`: the
+/// functions for these profiles. `on_step` is called after each step.
+void evolve(const Study& study, WornPair pair, const std::filesystem::path& folder,
+            const std::function<KeptPair(const WornPair&)>& influence,
+            const std::function<void(const WornPair&)>& on_step);
 
 } // namespace bem_contact::wear
