@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 /// What is positive, said once for the whole project.
 ///
@@ -78,6 +79,10 @@ inline double norm(Point2 a) {
   return std::hypot(a.y, a.z);
 }
 
+/// An angle in degrees, of rad.
+constexpr double degrees(double angle) {
+  return angle * 180 / std::numbers::pi;
+}
 /// Angle from a to b, rad, in (-pi, pi]: above 0 where b is turned from a towards +z.
 inline double angle_from_to(Point2 a, Point2 b) {
   return std::atan2(cross(a, b), dot(a, b));

@@ -38,11 +38,6 @@ constexpr std::array<const char*, CONFORMAL_STATE + 1> array_names{
     "u_x",  "u_s", "u_n", "gap",    "deformed_distance",
     "state"};
 
-/// The entry of a table with that name.
-template <class Table> const auto& named(const Table& table, std::string_view name) {
-  return *std::ranges::find_if(table, [&](const auto& entry) { return name == entry.name; });
-}
-
 /// The entries of those names.
 template <class Table, std::size_t n>
 auto entries(const Table& table, const std::array<const char*, n>& names) {
@@ -121,9 +116,7 @@ void copy_array(const SceneResult& result, int which, std::span<double> to) {
     for (int ix = 0; ix < grid.mx; ++ix)
       to[static_cast<std::size_t>(ix)] = grid.x(ix);
   } else if (which <= CONFORMAL_DELTA) {
-    const RowQuantity& row = named(row_quantities(), name);
-    for (std::size_t is = 0; is < to.size(); ++is)
-      to[is] = row.value(result, is);
+    std::ranges::copy(named(row_quantities(), name).values(result), to.begin());
   } else {
     named(element_quantities(), name).copy(result, to);
   }

@@ -127,7 +127,7 @@ struct Discretisation {
   double worst() const { return std::max({approach, normal, tangential, moment}); }
 };
 
-/// One connected area of contact.
+/// A patch: connected elements in contact.
 struct PatchSummary {
   /// N. Sums over the patch of p_n dS, p_x dS and p_s dS, as numbers: the directions n and s may turn from
   /// row to row.
@@ -180,7 +180,7 @@ struct ContactResult {
   /// What a unit of force_x changes of creepage_x, and force_s of creepage_s, with the pressure held: 1/N
   /// (shift: mm/N). nan where the force is not prescribed, or where no Newton step told it.
   double compliance_x = unknown_error, compliance_s = unknown_error;
-  std::vector<PatchSummary> patches;            ///< connected areas of contact, largest force first
+  std::vector<PatchSummary> patches;            ///< largest force first
   Certificate certificate;                      ///< look at it first
   std::optional<Discretisation> discretisation; ///< nothing: not estimated
   std::string unestimated; ///< why there is no `discretisation`, and what to do; "" where there is one
@@ -217,7 +217,7 @@ std::array<double, 6> force_and_moment(const ContactProblem& problem, const Cont
 /// Sum of mu p_n dS, N: no shear force is larger. 0 without friction.
 double friction_bound(const ContactProblem& problem, const ContactResult& result);
 
-/// The elements of each connected area of contact (8 neighbours), in the order of ContactResult::patches.
+/// The elements of each patch (8 neighbours), in the order of ContactResult::patches.
 std::vector<std::vector<int>> patch_elements(const ContactProblem& problem, const ContactResult& result);
 
 /// Largest pressure of all patches, MPa.

@@ -155,8 +155,9 @@ py::dict curves(const py::object& scene, const py::object& changes, const py::ob
 
 py::dict wheel_of(const WheelsetResult& r, WheelSide side) {
   py::dict track;
-  for (const WheelQuantity& q : wheel_quantities())
-    track[q.name] = q.value(r.state, side);
+  with_errors(wheel_quantities(), [&](const std::string& name, const char*, auto value, const char*) {
+    track[name.c_str()] = value(r.state, side);
+  });
   py::dict out;
   out["track"] = track;
   out["result"] = PythonResult{std::make_shared<const SceneResult>(r.state.solved(side)), {}};
@@ -213,7 +214,8 @@ void add_functions(py::module_& module) {
       "folder"_a = py::none(),
       "Both wheels of a wheelset under the forces on its axle. `scene` has a table [wheelset]; `scene`, "
       "`changes`, `model`: as solve() takes them. A dict: \"wheelset\" (displacement, roll, sums), \"right\" "
-      "and \"left\", each with \"track\" (numbers in the track frame, y to the right) and \"result\" (a "
+      "and \"left\", each with \"track\" (numbers in the track frame, y to the right, and their errors) and "
+      "\"result\" (a "
       "Result, in the frame of its side), \"certified\", \"warnings\", \"seconds\". N, mm, rad.");
 }
 

@@ -68,13 +68,6 @@ py::array_t<double> field(const SceneResult& r, const ElementQuantity& quantity)
   return out;
 }
 
-py::array_t<double> each_row(const SceneResult& r, const RowQuantity& quantity) {
-  std::vector<double> values;
-  for (std::size_t row = 0; row < r.problem.rows.size(); ++row)
-    values.push_back(quantity.value(r, row));
-  return array_of(values);
-}
-
 /// None for nan.
 std::optional<double> known(double value) {
   return std::isnan(value) ? std::nullopt : std::optional(value);
@@ -100,12 +93,8 @@ std::vector<py::dict> patches_of(const SceneResult& r) {
 /// Numbers of every step of a transient or of shifts, [steps] each.
 py::dict history_of(const SceneResult& r) {
   py::dict out;
-  for (const StepQuantity& q : step_quantities()) {
-    std::vector<double> values;
-    for (const ContactResult& step : r.history)
-      values.push_back(q.value(r, step));
-    out[q.name] = array_of(values);
-  }
+  for (const StepQuantity& q : step_quantities())
+    out[q.name] = array_of(q.values(r));
   return out;
 }
 
@@ -220,7 +209,7 @@ void add_fields(ResultClass& c) {
         doc_of(q.description, q.unit, ", [ms][mx]"));
   for (const RowQuantity& q : row_quantities())
     c.def_property_readonly(
-        q.name, [&q](const SceneResult& r) { return each_row(r, q); },
+        q.name, [&q](const SceneResult& r) { return array_of(q.values(r)); },
         doc_of(q.description, q.unit, ", [ms]"));
   c.def_property_readonly(
       "x", [](const SceneResult& r) { return array_of(r.problem.grid.columns()); },

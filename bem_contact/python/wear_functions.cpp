@@ -4,14 +4,17 @@
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
+#include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
-#include "bem_contact/uses/wear/evolution.hpp"
+#include "bem_contact/uses/wear/study.hpp"
 #include "bem_contact/uses/wear/wear_of_result.hpp"
 
 #include <fmt/format.h>
 #include <optional>
 #include <pybind11/stl.h>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace bem_contact {
@@ -55,18 +58,6 @@ py::dict wear_of(const PythonResult& result, const std::string& law, double hard
 
 using States = std::vector<wear::WornPair>; ///< by step, the unworn one first
 
-States worn_by(const std::vector<wear::CollectiveCase>& cases, const wear::EvolutionOptions& options,
-               double depth) {
-  const TemporaryFolder folder; // of the profiles of the present step
-  States states{wear::unworn(cases.front().scene)};
-  wear::KeptPair influence;
-  if (wear::needs_influence(cases.front().scene))
-    influence = wear::unworn_influence(cases.front().scene, states.front());
-  while (states.back().largest() < depth * (1 - 1e-9))
-    states.push_back(wear::wear_step(states.back(), cases, options, depth, folder.path(), influence));
-  return states;
-}
-
 py::array_t<double> points_of(const States& states, wear::WornBody wear::WornPair::*body) {
   py::array_t<double> out({states.size(), (states.front().*body).points.size(), std::size_t(2)});
   double* at = out.mutable_data();
@@ -76,38 +67,68 @@ py::array_t<double> points_of(const States& states, wear::WornBody wear::WornPai
   return out;
 }
 
-py::dict wear_under(const py::object& scene, double depth, const std::string& law, double hardness,
-                    double speed, const std::string& body, double cap, double smoothing, double passages,
-                    double kept_turn, const py::object& model, const py::object& folder) {
+/// Takes what is named from `rest`, if it is there; else `option` stays what it is. Throws TypeError for
+/// another type.
+template <class Value> void take(py::kwargs& rest, const char* name, Value& option) {
+  if (!rest.contains(name))
+    return;
+  try {
+    option = rest.attr("pop")(name).cast<Value>();
+  } catch (const py::cast_error&) {
+    refuse_type(fmt::format("'{}' of wear() cannot be used", name), "it has another type",
+                std::is_same_v<Value, double> ? "Give a number." : "Give a text.");
+  }
+}
+
+wear::StudyOptions study_options(double depth, py::kwargs given) {
+  wear::StudyOptions out{.depth = depth};
+  for (const auto& [name, text] : {std::pair{"law", &out.law}, {"body", &out.body}})
+    take(given, name, *text);
+  for (const auto& [name, number] : {std::pair{"hardness", &out.hardness},
+                                     {"speed", &out.speed},
+                                     {"cap", &out.steps.cap},
+                                     {"smoothing", &out.steps.smoothing},
+                                     {"passages", &out.steps.passages},
+                                     {"kept_turn", &out.steps.kept_turn}})
+    take(given, name, *number);
+  refuse_unknown(
+      "wear",
+      {"law", "hardness", "speed", "body", "cap", "smoothing", "passages", "kept_turn", "model", "folder"},
+      {}, given);
+  return out;
+}
+
+States worn_by(wear::Study study, const std::atomic<bool>* stop) {
+  study.options.stop = stop;
+  const TemporaryFolder folder;
+  States states{wear::unworn(study.scene())};
+  wear::KeptPair influence;
+  if (wear::needs_influence(study.scene()))
+    influence = wear::unworn_influence(study.scene(), states.front());
+  wear::evolve(
+      study, states.front(), folder.path(), [&](const wear::WornPair&) { return influence; },
+      [&](const wear::WornPair& pair) { states.push_back(pair); });
+  return states;
+}
+
+SweepFile collective_of(const py::object& scene, const py::object& folder) {
   const PythonScene given = scene_of(scene, folder);
-  const std::vector<wear::CollectiveCase> cases =
-      wear::collective_of(parse_sweep_file(given.text, given.source, "sweep", given.folder), model_of(model));
-  if (body != "both" && body != "rail" && body != "wheel")
-    throw InputError(fmt::format("There is no body '{}'", body), "there are rail and wheel",
-                     "Give both, rail or wheel.");
-  const wear::EvolutionOptions options{
-      .law = wear::law_named(law, hardness, speed, wear::wear_map_of(cases.front().scene)),
-      .rail = body != "wheel",
-      .wheel = body != "rail",
-      .cap = cap,
-      .smoothing = smoothing,
-      .passages = passages,
-      .kept_turn = kept_turn};
-  wear::validate(cases, options, depth);
-  const States states = stoppable([=](const std::atomic<bool>* stop) {
-    wear::EvolutionOptions until_stopped = options;
-    until_stopped.stop = stop;
-    return worn_by(cases, until_stopped, depth);
-  });
+  return parse_sweep_file(given.text, given.source, "sweep", given.folder);
+}
+
+py::dict wear_under(const py::object& scene, double depth, const py::object& model, const py::object& folder,
+                    const py::kwargs& options) {
+  const wear::StudyOptions asked = study_options(depth, options);
+  const wear::Study study = wear::study_of(collective_of(scene, folder), model_of(model), asked);
+  const States states = stoppable([study](const std::atomic<bool>* stop) { return worn_by(study, stop); });
+  std::vector<wear::WearRow> rows;
+  for (const wear::WornPair& state : states)
+    rows.push_back(
+        wear::history_row(static_cast<int>(rows.size()), state, study.scene().position.wheel_radius));
   py::dict out("rail"_a = points_of(states, &wear::WornPair::rail),
                "wheel"_a = points_of(states, &wear::WornPair::wheel));
-  for (const wear::WearColumn& column : wear::wear_columns) {
-    std::vector<double> values;
-    for (std::size_t k = 0; k < states.size(); ++k)
-      values.push_back(wear::history_row(int(k), states[k], cases.front().scene.position.wheel_radius).*
-                       column.member);
-    out[column.name] = array_of(values);
-  }
+  for (const wear::WearColumn& column : wear::wear_columns())
+    out[column.name] = array_of(column.values(rows));
   return out;
 }
 
@@ -115,18 +136,20 @@ py::dict peak(const fatigue::StressPeak& p) {
   return py::dict("stress"_a = p.stress, "x"_a = p.x, "s"_a = p.s, "depth"_a = p.depth);
 }
 
-py::dict fatigue_of(const PythonResult& result, double yield_shear, double poisson, std::vector<double> nodes,
-                    std::vector<double> damage, bool stresses) {
+fatigue::FatigueProperties properties_of(double yield_shear, NumberList nodes, NumberList damage) {
+  return {.yield_shear = yield_shear, .damage = {.t_gamma = std::move(nodes), .damage = std::move(damage)}};
+}
+
+py::dict fatigue_of(const PythonResult& result, double yield_shear, NumberList nodes, NumberList damage,
+                    bool stresses) {
   const SceneResult& r = solved(result, "fatigue");
-  const fatigue::Fatigue f =
-      fatigue::fatigue_of(r, {.yield_shear = yield_shear,
-                              .poisson = poisson,
-                              .damage = {.t_gamma = std::move(nodes), .damage = std::move(damage)},
-                              .stresses = stresses});
+  fatigue::FatigueProperties properties = properties_of(yield_shear, std::move(nodes), std::move(damage));
+  properties.stresses = stresses;
+  const fatigue::Fatigue f = fatigue::fatigue_of(r, properties);
   py::list patches;
   for (const fatigue::PatchFatigue& p : f.patches) {
     py::dict patch;
-    for (const fatigue::PatchColumn& column : fatigue::patch_columns())
+    for (const auto& column : fatigue::patch_columns())
       patch[column.name] = column.value(p);
     patches.append(patch);
   }
@@ -138,37 +161,58 @@ py::dict fatigue_of(const PythonResult& result, double yield_shear, double poiss
   return out;
 }
 
+py::dict fatigue_under(const py::object& scene, double yield_shear, NumberList nodes, NumberList damage,
+                       bool wear_is_negative, const py::object& folder) {
+  fatigue::FatigueProperties properties = properties_of(yield_shear, std::move(nodes), std::move(damage));
+  properties.damage.wear_is_negative = wear_is_negative;
+  const fatigue::CollectiveFatigue found =
+      stoppable([=, sweep = collective_of(scene, folder)](const std::atomic<bool>* stop) {
+        return fatigue::fatigue_of(sweep, properties, stop);
+      });
+  py::dict patches;
+  for (const auto& column : fatigue::collective_columns())
+    patches[column.name] = array_of(column.values(found.patches));
+  return py::dict("cases"_a = found.cases, "beyond_surface_limit"_a = found.beyond, "damage"_a = found.damage,
+                  "patches"_a = patches);
+}
+
 } // namespace
 
 void add_wear_functions(py::module_& module) {
+  const wear::StudyOptions study;
   module.def(
-      "wear", &wear_of, "result"_a, "law"_a = "energy", "hardness"_a = 3000.0, "speed"_a = 3e4,
-      "map"_a = py::none(),
+      "wear", &wear_of, "result"_a, "law"_a = study.law, "hardness"_a = study.hardness,
+      "speed"_a = study.speed, "map"_a = py::none(),
       "What a Result wears away: `rate` (depth per mm rolled, [ms][mx]), `depth` over `s` of the rail in a "
       "passage and over `wheel_s` of the wheel in a revolution (mm), `sliding_distance` (mm), "
-      "`volume_per_distance` (mm^3/mm). `law`: energy (T-gamma) or archard, with `hardness` (MPa) and "
+      "`volume_per_distance` (mm3/mm). `law`: energy (T-gamma) or archard, with `hardness` (MPa) and "
       "rolling `speed` (mm/s) and `map`: borders of sliding speed (mm/s), borders of pressure (MPa), and k "
       "as rows over pressure of columns over speed; None: the map of KTH Stockholm. Raises InputError for "
       "what does not roll steadily with friction.");
-  const wear::EvolutionOptions usual;
   module.def(
-      "wear", &wear_under, "scene"_a, "depth"_a = 0.1, py::kw_only(), "law"_a = "energy",
-      "hardness"_a = 3000.0, "speed"_a = 3e4, "body"_a = "both", "cap"_a = usual.cap,
-      "smoothing"_a = usual.smoothing, "passages"_a = usual.passages, "kept_turn"_a = usual.kept_turn,
-      "model"_a = py::none(), "folder"_a = py::none(),
+      "wear", &wear_under, "scene"_a, "depth"_a = study.depth, py::kw_only(), "model"_a = py::none(),
+      "folder"_a = py::none(),
       "Lets both profiles of a scene wear under the load collective of its table [sweep] until the deepest "
       "place is `depth` (mm) deep, as `bem_contact wear` does. Arrays by step, the unworn state first: "
       "`revolutions`, `mileage` (km), `rail_depth`, `wheel_depth` (mm), `rail_area`, `wheel_area` (gone from "
-      "the section, mm^2), and the profiles `rail`, `wheel` [step][point][y, z] (own frame, z down, mm). "
-      "`body`: both, rail or wheel; `cap`, `smoothing` (mm), `passages`, `kept_turn` (rad): as the options "
-      "of the command. Nothing is kept on disk: a study that is to go on after it was stopped belongs to the "
+      "the section, mm2), and the profiles `rail`, `wheel` [step][point][y, z] (own frame, z down, mm). "
+      "More options, with the names and defaults of the command's: `law`, `hardness` (MPa), `speed` (mm/s), "
+      "`body`: both, rail or wheel; `cap`, `smoothing` (mm), `passages`, `kept_turn` (rad). "
+      "Nothing is kept on disk: a study that is to go on after it was stopped belongs to the "
       "command. Raises InputError where influence functions would have to be computed anew.");
-  const fatigue::DamageFunction defaults;
-  module.def("fatigue", &fatigue_of, "result"_a, "yield_shear"_a = 300.0, "poisson"_a = 0.28,
-             "nodes"_a = defaults.t_gamma, "damage"_a = defaults.damage, "stresses"_a = true,
+  const fatigue::FatigueProperties steel;
+  module.def("fatigue", &fatigue_of, "result"_a, "yield_shear"_a = steel.yield_shear,
+             "nodes"_a = steel.damage.t_gamma, "damage"_a = steel.damage.damage,
+             "stresses"_a = steel.stresses,
              "Rolling contact fatigue of a Result: `FI` of each element ([ms][mx]), `patches` with shakedown "
              "point, FI_surf, T_gamma (N) and damage of a passage, and the largest `von_mises` and `tresca` "
              "stress below the surface (MPa) with x, s and depth (mm). `yield_shear`: k, MPa.");
+  module.def("fatigue", &fatigue_under, "scene"_a, "yield_shear"_a = steel.yield_shear,
+             "nodes"_a = steel.damage.t_gamma, "damage"_a = steel.damage.damage,
+             "wear_is_negative"_a = steel.damage.wear_is_negative, "folder"_a = py::none(),
+             "The same of each case of a scene's table [sweep], as `bem_contact fatigue` has it: `cases`, "
+             "`beyond_surface_limit`, `damage` (of one passage, mean over the collective), and `patches`, a "
+             "dict of arrays with one entry for each patch of each case.");
 }
 
 } // namespace bem_contact

@@ -76,7 +76,7 @@ HertzContact contact(const Ellipse& e, bool long_along_x, double modulus, double
 
 double contact_modulus(const Material& one, const Material& other) {
   require_positive({{"shear modulus", one.shear_modulus}, {"shear modulus", other.shear_modulus}});
-  return 2 / ((1 - one.poisson) / one.shear_modulus + (1 - other.poisson) / other.shear_modulus);
+  return 1 / contact_compliance(one, other);
 }
 
 HertzContact hertz_by_force(double curvature_x, double curvature_s, double modulus, double force) {

@@ -164,8 +164,8 @@ const addWheelset = () => {
     addCertificate(wheel);
   }
   add("h2", "Both wheels");
-  addTable("On the track, y to the right for both", ["", "left", "right", "sum", "unit", ""], Object.keys(track("right")).map(name =>
-    [name, ...["left", "right"].map(side => inDegrees(number(track(side)[name].values[0]), track(side)[name].values[0], track(side)[name].unit)),
+  addTable("On the track, y to the right for both", ["", "left", "right", "sum", "unit", ""], Object.keys(track("right")).filter(name => !name.endsWith("_error")).map(name =>
+    [name, ...["left", "right"].map(side => inDegrees(number(track(side)[name].values[0], track(side)[`${name}_error`]?.values[0]), track(side)[name].values[0], track(side)[name].unit)),
      number(sum(name)), unitText(track("right")[name].unit),
      track("right")[name].description]), {numbers: [1, 2, 3], id: "track"});
   for (const wheel of wheels) {

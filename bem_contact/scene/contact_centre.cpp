@@ -17,10 +17,6 @@ double foundation(const RailSlice& c, double q) {
 
 } // namespace
 
-double contact_compliance(const Material& rail, const Material& wheel) {
-  return (1 - rail.poisson) / (2 * rail.shear_modulus) + (1 - wheel.poisson) / (2 * wheel.shear_modulus);
-}
-
 std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, const WheelFrame& frame,
                                             double compliance, const ContactLoad& load) {
   const auto vertical = [&](double q) {

@@ -28,7 +28,4 @@ struct ContactCentre {
 std::optional<ContactCentre> contact_centre(std::span<const RailSlice> slices, const WheelFrame& frame,
                                             double compliance, const ContactLoad& load);
 
-/// 1 / E* of a pair: (1 - nu) / 2G of both together, 1/MPa.
-double contact_compliance(const Material& rail, const Material& wheel);
-
 } // namespace bem_contact

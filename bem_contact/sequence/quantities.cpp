@@ -209,28 +209,32 @@ constexpr PatchQuantity all_of_patches[] = {
     {"slip", number, "elements in slip", of_patch<&PatchSummary::slip>},
 };
 
+/// The number of that name, of one step.
+constexpr StepQuantity of_each_step(std::string_view name,
+                                    double (*value)(const SceneResult&, const ContactResult&)) {
+  const Quantity& q = named(all, name);
+  return {q.name, q.unit, q.description, value};
+}
+
 constexpr StepQuantity all_of_steps[] = {
-    {"Fx", newton, "on the rail", of_step<&ContactResult::Fx>},
-    {"Fy", newton, "on the rail, to the right (left wheel: to the left)", of_step<&ContactResult::Fy>},
-    {"Fz", newton, "on the rail, down", of_step<&ContactResult::Fz>},
-    {"Fs", newton, "shear force along the tangent at the reference point", of_step<&ContactResult::Fs>},
-    {"Mz", moment_unit, "on the rail, about the vertical axis through the reference point",
-     [](const SceneResult& r, const ContactResult& step) { return moment_about(r.reference, step); }},
-    {"approach", mm, "along z", of_step<&ContactResult::approach>},
-    {"pmax", pascal, "largest pressure",
-     [](const SceneResult&, const ContactResult& step) { return largest_pressure(step); }},
-    {"area", square, "in contact",
-     [](const SceneResult&, const ContactResult& step) { return contact_area(step); }},
-    {"friction_power", power_unit, "dissipated by friction",
-     [](const SceneResult& r, const ContactResult& step) {
-       return friction_power(step, r.problem.element_area());
-     }},
-    {"creepage_x", creepage_unit, "longitudinal creepage found for load.force_x",
-     of_step<&ContactResult::creepage_x>},
-    {"creepage_s", creepage_unit, "lateral creepage found for load.force_s",
-     of_step<&ContactResult::creepage_s>},
-    {"certificate", number, "worst violation of the contact conditions, relative",
-     [](const SceneResult&, const ContactResult& step) { return step.certificate.worst(); }},
+    of_each_step("Fx", of_step<&ContactResult::Fx>),
+    of_each_step("Fy", of_step<&ContactResult::Fy>),
+    of_each_step("Fz", of_step<&ContactResult::Fz>),
+    of_each_step("Fs", of_step<&ContactResult::Fs>),
+    of_each_step("Mz", [](const SceneResult& r,
+                          const ContactResult& step) { return moment_about(r.reference, step); }),
+    of_each_step("approach", of_step<&ContactResult::approach>),
+    of_each_step("pmax",
+                 [](const SceneResult&, const ContactResult& step) { return largest_pressure(step); }),
+    of_each_step("area", [](const SceneResult&, const ContactResult& step) { return contact_area(step); }),
+    of_each_step("friction_power",
+                 [](const SceneResult& r, const ContactResult& step) {
+                   return friction_power(step, r.problem.element_area());
+                 }),
+    of_each_step("creepage_x", of_step<&ContactResult::creepage_x>),
+    of_each_step("creepage_s", of_step<&ContactResult::creepage_s>),
+    of_each_step("certificate",
+                 [](const SceneResult&, const ContactResult& step) { return step.certificate.worst(); }),
     {"converged", number, "1: the certificate holds", of_step<&ContactResult::converged>},
 };
 
@@ -313,8 +317,18 @@ std::vector<double> ElementQuantity::values(const SceneResult& result) const {
   return out;
 }
 
-const Quantity& quantity(std::string_view name) {
-  return *std::ranges::find(all, name, [](const Quantity& q) { return std::string_view(q.name); });
+std::vector<double> StepQuantity::values(const SceneResult& result) const {
+  std::vector<double> out;
+  for (const ContactResult& step : result.history)
+    out.push_back(value(result, step));
+  return out;
+}
+
+std::vector<double> RowQuantity::values(const SceneResult& result) const {
+  std::vector<double> out;
+  for (std::size_t row = 0; row < result.problem.rows.size(); ++row)
+    out.push_back(value(result, row));
+  return out;
 }
 
 std::string why_no_errors(const SceneResult& r) {

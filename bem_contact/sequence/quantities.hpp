@@ -2,6 +2,7 @@
 
 #include "bem_contact/sequence/scene_result.hpp"
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
@@ -74,6 +75,8 @@ struct StepQuantity {
   QuantityUnit unit;                                              ///< mm, N, MPa, rad
   const char* description;                                        ///< in a few words
   double (*value)(const SceneResult&, const ContactResult& step); ///< of one step of the history
+
+  std::vector<double> values(const SceneResult& result) const; ///< of every step
 };
 /// All of them, in the order of the outputs.
 std::span<const StepQuantity> step_quantities();
@@ -84,6 +87,8 @@ struct RowQuantity {
   QuantityUnit unit;                                    ///< mm, N, MPa, rad
   const char* description;                              ///< in a few words
   double (*value)(const SceneResult&, std::size_t row); ///< rows in the order of the grid
+
+  std::vector<double> values(const SceneResult& result) const; ///< of every row
 };
 /// All of them, in the order of the outputs.
 std::span<const RowQuantity> row_quantities();
@@ -104,8 +109,14 @@ struct ElementQuantity {
 /// All of them, in the order of the outputs.
 std::span<const ElementQuantity> element_quantities();
 
-/// The entry of that name, which must be there.
-const Quantity& quantity(std::string_view name);
+/// The entry of a table with that name, which must be there.
+template <class Table> constexpr const auto& named(const Table& table, std::string_view name) {
+  return *std::ranges::find_if(table, [&](const auto& entry) { return name == entry.name; });
+}
+/// That of quantities().
+inline const Quantity& quantity(std::string_view name) {
+  return named(quantities(), name);
+}
 
 /// "Fx_error"
 std::string error_name(const char* name);
@@ -124,7 +135,7 @@ template <class Table, class Use> void with_errors(const Table& table, const Use
   }
 }
 
-/// The numbers of a table in that order. `of`: the result, and which patch.
+/// The numbers of a table in that order. `of`: what their functions take, as the result, and which patch.
 template <class Table, class... Of> std::vector<double> values_of(const Table& table, const Of&... of) {
   std::vector<double> values;
   with_errors(table, [&](const std::string&, const QuantityUnit&, auto value, const char*) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/base/material.hpp"
 #include "bem_contact/contact/history.hpp"
 #include "bem_contact/geometry/rigid_slip.hpp"
 #include "bem_contact/scene/choices.hpp"
@@ -93,6 +94,7 @@ struct SceneResult {
   double contact_radius = 0;
   std::optional<FreeRolling>
       free_rolling; ///< wheel_rail, steady with friction, unless the scene leaves it out
+  double rail_poisson = Material{}.poisson; ///< of the rail (patch: of the lower body), for stresses in it
   /// ProfileCurve::digest() of both profiles, as influence files have it; 0 of a patch.
   std::uint64_t rail_geometry = 0, wheel_geometry = 0;
   std::vector<double> wheel_s; ///< station on the upper body of each row, mm; empty where it has none

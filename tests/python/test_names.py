@@ -211,6 +211,38 @@ sweep.weight = [3, 1]
                                       ("sweep", self.SCENE.split("sweep")[0], {})):
             with self.assertRaisesRegex(bem_contact.InputError, words):
                 bem_contact.wear(scene, **options)
+        for words, options in ((r"wear\(\) has no argument 'laws' .* Did you mean law\?", {"laws": "energy"}),
+                               ("'cap' of wear.* cannot be used .* Give a number", {"cap": "thick"})):
+            with self.assertRaisesRegex(TypeError, words):
+                bem_contact.wear(self.SCENE, **options)
+
+
+class Fatigue(unittest.TestCase):
+    SCENE = """kind = "patch"
+rail.material.poisson = 0.4
+load.force = 1e4
+motion = { xi = 2e-3 }
+grid = { dx = 0.5, ds = 0.5, mx = 24, ms = 24 }
+gap = { a = 1e-3, b = 1e-3 }
+"""
+
+    def test_both_doors_have_the_same_stresses(self):
+        """Those of the rail's Poisson ratio, of one result and of a collective."""
+        with tempfile.TemporaryDirectory() as folder:
+            scene = Path(folder) / "scene.toml"
+            scene.write_text(self.SCENE + "[sweep]\nmotion.xi = [2e-3, 4e-3]\nweight = [3, 1]\n")
+            asked = [os.environ["BEM_CONTACT"], "fatigue", scene, "--json"]
+            told = json.loads(subprocess.run(asked, check=True, stdout=subprocess.PIPE).stdout)
+            found = bem_contact.fatigue(scene)
+            for name in ("cases", "beyond_surface_limit", "damage"):
+                self.assertEqual(found[name], told[name], name)
+            self.assertEqual(set(found["patches"]), set(told["patches"]))
+            for name, values in told["patches"].items():
+                np.testing.assert_array_equal(found["patches"][name], values, name)
+        for case, xi in enumerate((2e-3, 4e-3)):
+            one = bem_contact.fatigue(bem_contact.solve(self.SCENE, {"motion.xi": xi}))
+            for name in ("von_mises", "tresca"):
+                self.assertAlmostEqual(one[name]["stress"] / told["patches"][name][case], 1, delta=1e-6)
 
 
 class TwoPointContact(unittest.TestCase):

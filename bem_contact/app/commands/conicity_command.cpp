@@ -1,5 +1,5 @@
 #include "bem_contact/app/command.hpp"
-#include "bem_contact/app/output/csv_name.hpp"
+#include "bem_contact/app/output/csv.hpp"
 #include "bem_contact/app/output/datasets.hpp"
 #include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/output_names.hpp"
@@ -14,12 +14,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <ranges>
 #include <string>
 #include <tuple>
 
@@ -126,16 +124,6 @@ json conicity_json(const WheelsetConicity& c, const WheelsetOnTrack& w) {
   return out;
 }
 
-/// One line for each lateral displacement.
-std::string conicity_csv(const WheelsetConicity& c) {
-  const auto each = [](const auto& of) { return stand_columns() | std::views::transform(of); };
-  const auto name = [](const auto& column) { return csv_name(column.name, column.unit); };
-  std::string out = fmt::format("{}\n", fmt::join(each(name), ","));
-  for (const WheelsetStand& s : c.stands)
-    out += fmt::format("{:.9g}\n", fmt::join(each([&](const auto& column) { return column.value(s); }), ","));
-  return out;
-}
-
 /// The groups "function" and "conicity" with the same names as in JSON; nan where there is no motion. Scene
 /// and inputs as in result files.
 H5Table conicity_table(const WheelsetConicity& c, const WheelsetOnTrack& w, const GivenScene& given,
@@ -175,7 +163,7 @@ ExitCode run(const ConicityArguments& arguments) {
   if (!arguments.output.empty())
     write_h5(arguments.output, conicity_table(conicity, wheelset, given, arguments.output));
   if (!arguments.csv.empty())
-    write_text(arguments.csv, [&](std::ostream& out) { out << conicity_csv(conicity); });
+    write_text(arguments.csv, [&](std::ostream& out) { write_csv(out, stand_columns(), conicity.stands); });
   fmt::print("{}", arguments.json ? conicity_json(conicity, wheelset).dump(2) + "\n"
                                   : conicity_text(conicity, wheelset));
   return success;

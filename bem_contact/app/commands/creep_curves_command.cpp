@@ -1,7 +1,7 @@
 #include "bem_contact/app/commands/creep_curves_command.hpp"
 
 #include "bem_contact/app/number_list.hpp"
-#include "bem_contact/app/output/csv_name.hpp"
+#include "bem_contact/app/output/csv.hpp"
 #include "bem_contact/app/output/datasets.hpp"
 #include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
@@ -145,21 +145,12 @@ json curves_json(const CreepCurves& c) {
 }
 
 /// All curves below each other: which, creepage, forces, their errors, adhesion, certified.
-std::string curves_csv(const CreepCurves& c) {
-  std::string out = "varied,creepage";
-  for (const CreepColumn& column : creep_columns())
-    out += ',' + csv_name(column.name, column.unit);
-  out += '\n';
+void write_curves(std::ostream& out, const CreepCurves& c) {
+  out << "varied,creepage," << csv_head(creep_columns()) << '\n';
   for (const CreepCurve& curve : c.curves)
-    for (const CreepPoint& p : curve.points) {
-      out += fmt::format("{},{:.9g}", name_of(curve.which), p.creepage);
-      for (const CreepColumn& column : creep_columns()) {
-        const double value = column.value(p);
-        out += std::isnan(value) ? "," : fmt::format(",{:.{}g}", value, column.digits);
-      }
-      out += '\n';
-    }
-  return out;
+    for (const CreepPoint& p : curve.points)
+      out << name_of(curve.which) << ',' << csv_cell(p.creepage, 9) << ',' << csv_line(creep_columns(), p)
+          << '\n';
 }
 
 /// Groups "xi", "eta", "phi" for the curves; the matrices at the top. Errors that are not known are nan.
@@ -197,7 +188,7 @@ ExitCode run(const CreepArguments& arguments) {
   if (!arguments.output.empty())
     write_h5(arguments.output, curves_table(curves, given, arguments.output));
   if (!arguments.csv.empty())
-    write_text(arguments.csv, [&](std::ostream& out) { out << curves_csv(curves); });
+    write_text(arguments.csv, [&](std::ostream& out) { write_curves(out, curves); });
   fmt::print("{}", arguments.json ? curves_json(curves).dump(2) + "\n" : curves_text(curves));
   warn(curves.solution.warnings);
   if (curves.certified())

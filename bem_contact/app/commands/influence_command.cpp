@@ -163,8 +163,7 @@ std::string expand_command(const ExpandRequest& r) {
     describe(out, r, rail, r.files[0], "_rail");
     describe(out, r, wheel, r.files[1], "_wheel");
     out.numbers = halfspace::combine(rail.numbers, wheel.numbers);
-    out.shear_modulus =
-        2 / (1 / rail.function.material.shear_modulus + 1 / wheel.function.material.shear_modulus);
+    out.shear_modulus = shear_modulus_of_pair(rail.function.material, wheel.function.material);
   }
   if (format == "hdf5")
     write_numbers_h5(r.output, out);

@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <memory>
-#include <numbers>
 
 namespace bem_contact::app {
 
@@ -74,7 +73,6 @@ std::string describe_table(const H5Table& table, const std::string& title,
 
 std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes) {
   const double half = 0.5 * f.station_width;
-  const auto degrees = [](double rad) { return rad * 180 / std::numbers::pi; };
   std::string out = "Influence functions of one body\n";
   out += fmt::format("  body: {}; profile: {} (checksum {:016x})\n", f.body, f.profile, f.profile_digest);
   out += fmt::format("  material: shear modulus {:g} MPa, Poisson's ratio {:g}\n", f.material.shear_modulus,

@@ -14,7 +14,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
-#include <numbers>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -76,7 +75,7 @@ std::string like_text(const LikeStandard& like, const MeasuredProfile& p) {
     out +=
         fmt::format(", turned by {:.2f} degrees ({}): the file is already inclined; give position.cant = 0 "
                     "with it",
-                    like.angle * 180 / std::numbers::pi, inclination_text(like.inclination));
+                    degrees(like.angle), inclination_text(like.inclination));
   if (p.noise.smoothing > 0 && p.smoothing == 0)
     out += fmt::format("; nominal = \"{}\"{} advised", like.name,
                        like.other.empty() ? "" : fmt::format(" or \"{}\"", like.other));
@@ -87,7 +86,6 @@ std::string like_text(const LikeStandard& like, const MeasuredProfile& p) {
 std::string describe_profile(const MeasuredProfile& p, const std::optional<LikeStandard>& like,
                              ProfileKind kind) {
   const ProfileCurve& curve = p.curve;
-  constexpr double degree = std::numbers::pi / 180;
   const double length = curve.s_end() - curve.s_begin();
   std::string out = fmt::format("Profile of a {}: {}\n", name_of(kind), curve.name());
   if (p.points > 0) {
@@ -120,7 +118,7 @@ std::string describe_profile(const MeasuredProfile& p, const std::optional<LikeS
                      b = curve.at(curve.s_begin() + length * (i + 1) / stretches),
                      m = curve.at((a.s + b.s) / 2);
     out += fmt::format("  {:10.2f} {:10.2f} {:10.2f} {:10.2f} {:13.2f} {}\n", a.s, b.s, m.position.y,
-                       m.position.z, m.delta / degree - (kind == ProfileKind::wheel ? 180 : 0),
+                       m.position.z, degrees(m.delta) - (kind == ProfileKind::wheel ? 180 : 0),
                        radius_text(b.delta - a.delta, b.s - a.s));
   }
   return out;

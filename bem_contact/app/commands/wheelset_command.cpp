@@ -15,8 +15,6 @@
 #include "bem_contact/uses/wheelset/solve_wheelset.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -56,15 +54,13 @@ std::string number(double value) {
   return size >= 1e4 && size < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.5g}", value);
 }
 
-/// The stated errors below a line of the table; "" where there are none. Of what the track frame has as the
-/// frame of a side has it.
+/// The stated errors below a line of the table; "" where there are none.
 std::string errors_of(const WheelQuantity& q, const WheelsetResult& r) {
-  constexpr std::array stated{"Fx", "Fy", "Fz", "pmax", "area", "adhesion_share", "friction_power"};
-  if (std::ranges::find(stated, std::string_view(q.name)) == stated.end())
+  if (!q.error)
     return "";
   std::string out = fmt::format("  {:>22}", "+-"), cells;
   for (const WheelSide side : both_sides)
-    cells += fmt::format(" {:>13}", two_digits(quantity(q.name).error(r.state.solved(side))));
+    cells += fmt::format(" {:>13}", two_digits(q.error(r.state, side)));
   return cells.find_first_not_of(' ') == std::string::npos ? "" : out + cells + "\n";
 }
 
@@ -95,8 +91,9 @@ std::string pose_text(const WheelsetResult& r) {
 
 json numbers_of(const WheelsetState& state, WheelSide side) {
   json out = json::object();
-  for (const WheelQuantity& q : wheel_quantities())
-    out[q.name] = q.value(state, side);
+  with_errors(wheel_quantities(), [&](const std::string& name, const char*, auto value, const char*) {
+    out[name] = value(state, side);
+  });
   return out;
 }
 
@@ -128,8 +125,8 @@ json wheelset_json(const WheelsetResult& r) {
     totals[q.name] = q.value(r);
     units[q.name] = q.unit;
   }
-  for (const WheelQuantity& q : wheel_quantities())
-    units[q.name] = q.unit;
+  with_errors(wheel_quantities(),
+              [&](const std::string& name, const char* unit, auto, const char*) { units[name] = unit; });
   const auto wheel = [&](WheelSide side) {
     return json{{"track", numbers_of(r.state, side)}, {"result", to_json(r.state.solved(side))}};
   };
@@ -154,9 +151,10 @@ H5Table wheelset_table(const WheelsetResult& r, const GivenScene& given,
     table.datasets[fmt::format("wheelset/{}", q.name)] = single(q.value(r), q.unit, q.description);
   for (const WheelSide side : both_sides) {
     const std::string group = fmt::format("{}/", name_of(side));
-    for (const WheelQuantity& q : wheel_quantities())
-      table.datasets[fmt::format("{}track/{}", group, q.name)] =
-          single(q.value(r.state, side), q.unit, q.description);
+    with_errors(wheel_quantities(),
+                [&](const std::string& name, const char* unit, auto value, const char* description) {
+                  table.datasets[group + "track/" + name] = single(value(r.state, side), unit, description);
+                });
     add_whole_result(table, group, r.state.solved(side));
   }
   return table;

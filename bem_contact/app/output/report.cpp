@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <utility>
 
 namespace bem_contact::app {
@@ -255,7 +254,7 @@ std::string reference_text(const SceneResult& r) {
   return fmt::format(
       "{}reference point: s = {:.3f} mm, y = {:.3f} mm, z = {:.3f} mm, inclination {:.2f} degrees\n",
       r.left ? "left wheel: y, s, Fy, Fs, Mz, eta and phi are counted to the left\n" : "", r.reference.s,
-      r.reference.position.y, r.reference.position.z, r.reference.delta * 180 / std::numbers::pi);
+      r.reference.position.y, r.reference.position.z, degrees(r.reference.delta));
 }
 
 json to_json(const SceneResult& r) {

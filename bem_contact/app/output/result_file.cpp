@@ -40,12 +40,8 @@ void add_history(H5Table& table, const std::string& group, const SceneResult& r)
   const bool shift = r.problem.motion == MotionKind::shift;
   fields("slip_x", &ContactResult::slip_x, shift ? "mm" : "1");
   fields("slip_s", &ContactResult::slip_s, shift ? "mm" : "1");
-  for (const StepQuantity& q : step_quantities()) {
-    std::vector<double> values;
-    for (const ContactResult& step : r.history)
-      values.push_back(q.value(r, step));
-    table.datasets[group + q.name] = line(std::move(values), q.unit.of(r), q.description);
-  }
+  for (const StepQuantity& q : step_quantities())
+    table.datasets[group + q.name] = line(q.values(r), q.unit.of(r), q.description);
 }
 
 /// One line [patch] for each number of the patches, and for its error.
@@ -114,9 +110,7 @@ void add_coordinates(H5Table& table, const std::string& group, const SceneResult
   auto& d = table.datasets;
   d[group + "x"] = line(problem.grid.columns(), "mm", "middle of the columns, rolling direction");
   for (const RowQuantity& q : row_quantities()) {
-    std::vector<double> values;
-    for (std::size_t row = 0; row < problem.rows.size(); ++row)
-      values.push_back(q.value(r, row));
+    std::vector<double> values = q.values(r);
     if (!std::isnan(values.front()))
       d[group + q.name] = line(std::move(values), q.unit.of(r), q.description);
   }

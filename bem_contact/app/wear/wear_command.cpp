@@ -7,6 +7,7 @@
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/scene/settings.hpp"
+#include "bem_contact/uses/wear/study.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -32,64 +33,64 @@ More: data/tutorial/wear.md. The collective as a CSV file (sweep.table), and a w
 data/scenes/README.md.)";
 
 struct WearArguments {
-  std::string scene, output, model, law = "energy", body = "both", influence;
-  double depth = 0.1, hardness = 3000, speed = 3e4;
-  wear::EvolutionOptions options;
+  std::string scene, output, model, influence;
+  wear::StudyOptions study;
 
   /// All that the result depends on but --depth and --influence: a run may go deeper later.
   std::string digest_text() const {
-    return fmt::format("wear {} {} {} {} {} {} {} {} {}", model, law, body, hardness, speed, options.cap,
-                       options.smoothing, options.passages, options.kept_turn);
+    const wear::EvolutionOptions& steps = study.steps;
+    return fmt::format("wear {} {} {} {} {} {} {} {} {}", model, study.law, study.body, study.hardness,
+                       study.speed, steps.cap, steps.smoothing, steps.passages, steps.kept_turn);
   }
 };
 
-wear::EvolutionOptions options_of(const WearArguments& a, const std::optional<wear::WearMap>& map) {
-  wear::EvolutionOptions out = a.options;
-  out.law = wear::law_named(a.law, a.hardness, a.speed, map);
-  out.rail = a.body != "wheel";
-  out.wheel = a.body != "rail";
-  return out;
-}
-
-ExitCode run(const WearArguments& arguments) {
-  const SweepFile sweep = read_sweep_file(arguments.scene);
-  check_values(sweep);
-  const std::vector<wear::CollectiveCase> cases = wear::collective_of(sweep, arguments.model);
-  const wear::EvolutionOptions options = options_of(arguments, wear::wear_map_of(cases.front().scene));
-  wear::validate(cases, options, arguments.depth);
-  if (arguments.law == "archard" && arguments.speed < least_speed)
-    warn({fmt::format("--speed {:g} mm/s is below walking pace: give it in mm/s", arguments.speed)});
-  const std::string digest = digest_of(sweep, arguments.digest_text());
-  const std::filesystem::path folder = arguments.output;
+void make_folder(const std::filesystem::path& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed)
     throw InputError(fmt::format("The folder '{}' cannot be made", folder.string()), failed.message(),
                      "Give another one.");
-  const SceneFile& first = cases.front().scene;
-  const wear::WornPair unworn = wear::unworn(first);
-  WearState state = read_wear(folder, digest).value_or(WearState{0, unworn, {}});
-  WearInfluence influence(first, unworn, folder, arguments.influence);
+}
+
+void print_step(const wear::WearRow& row) {
+  fmt::print("step {:g}: {:.4g} km, rail {:.4f} mm deep, {:.4f} mm2; wheel {:.4f} mm deep, {:.4f} mm2\n",
+             row.step, row.mileage, row.rail_depth, row.rail_area, row.wheel_depth, row.wheel_area);
+  std::fflush(stdout);
+}
+
+ExitCode run(const WearArguments& arguments) {
+  const SweepFile sweep = read_sweep_file(arguments.scene);
+  check_values(sweep);
+  const wear::Study study = wear::study_of(sweep, arguments.model, arguments.study);
+  if (arguments.study.law == "archard" && arguments.study.speed < least_speed)
+    warn({fmt::format("--speed {:g} mm/s is below walking pace: give it in mm/s", arguments.study.speed)});
+  const std::string digest = digest_of(sweep, arguments.digest_text());
+  const std::filesystem::path folder = arguments.output;
+  make_folder(folder);
+  const wear::WornPair unworn = wear::unworn(study.scene());
+  WearState state = read_wear(folder, digest).value_or(WearState{});
+  WearInfluence influence(study.scene(), unworn, folder, arguments.influence);
   const Stopwatch watch;
-  if (state.history.empty()) {
-    state.history.push_back(wear::history_row(0, state.pair, first.position.wheel_radius));
+  const auto keep = [&](const wear::WornPair& pair) {
+    state.pair = pair;
+    state.history.push_back(wear::history_row(state.step() + 1, pair, study.scene().position.wheel_radius));
     write_wear(folder, digest, state);
-  } else
-    fmt::print("continued after step {}\n", state.step);
-  const int before = state.step;
-  while (state.pair.largest() < arguments.depth * (1 - 1e-9)) {
-    state.pair = wear::wear_step(state.pair, cases, options, arguments.depth, folder,
-                                 influence.at(state.step, state.pair, options.kept_turn));
-    state.history.push_back(wear::history_row(++state.step, state.pair, first.position.wheel_radius));
-    write_wear(folder, digest, state);
-    const wear::WearRow& row = state.history.back();
-    fmt::print("step {}: {:.4g} km, rail {:.4f} mm deep, {:.4f} mm2; wheel {:.4f} mm deep, {:.4f} mm2\n",
-               state.step, row.mileage, row.rail_depth, row.rail_area, row.wheel_depth, row.wheel_area);
-    std::fflush(stdout);
-  }
-  const int steps = state.step - before;
+  };
+  if (state.history.empty())
+    keep(unworn);
+  else
+    fmt::print("continued after step {}\n", state.step());
+  const int before = state.step();
+  wear::evolve(
+      study, state.pair, folder,
+      [&](const wear::WornPair& pair) { return influence.at(state.step(), pair, study.options.kept_turn); },
+      [&](const wear::WornPair& pair) {
+        keep(pair);
+        print_step(state.history.back());
+      });
+  const int steps = state.step() - before;
   fmt::print("{}, {}, {}\n", counted(steps, "step", "steps"),
-             counted(steps * static_cast<int>(cases.size()), "contact problem", "contact problems"),
+             counted(steps * static_cast<int>(study.cases.size()), "contact problem", "contact problems"),
              duration_text(watch.seconds()));
   return success;
 }
@@ -108,24 +109,25 @@ Command add_wear(CLI::App& program) {
   const auto number = [&](const char* name, double& value, const char* what) {
     line->add_option(name, value, what)->check(positive)->capture_default_str();
   };
-  number("--depth", a.depth, "End when this depth is worn off at the deepest place, mm");
-  number("--cap", a.options.cap, "Largest depth of one step, mm");
-  number("--smoothing", a.options.smoothing, "Shortest wavelength of the wear of a step, mm");
-  number("--passages", a.options.passages, "Wheels that pass a place of the rail while one wheel turns once");
-  number("--kept-turn", a.options.kept_turn,
+  number("--depth", a.study.depth, "End when this depth is worn off at the deepest place, mm");
+  number("--cap", a.study.steps.cap, "Largest depth of one step, mm");
+  number("--smoothing", a.study.steps.smoothing, "Shortest wavelength of the wear of a step, mm");
+  number("--passages", a.study.steps.passages,
+         "Wheels that pass a place of the rail while one wheel turns once");
+  number("--kept-turn", a.study.steps.kept_turn,
          "Influence functions are kept until a surface has turned by this, rad");
-  number("--hardness", a.hardness, "Hardness of the softer body, for archard, MPa");
-  number("--speed", a.speed, "Rolling speed, for archard, mm/s");
+  number("--hardness", a.study.hardness, "Hardness of the softer body, for archard, MPa");
+  number("--speed", a.study.speed, "Rolling speed, for archard, mm/s");
   line->add_option(
       "--influence", a.influence,
       "Program that computes new influence functions where they are needed, such as tools/influence: "
       "called with a body file and the file to write");
   add_model(*line, a.model);
-  line->add_option("--law", a.law, "Wear law; energy: T-gamma")
+  line->add_option("--law", a.study.law, "Wear law; energy: T-gamma")
       ->check(CLI::IsMember(wear::law_names))
       ->capture_default_str();
-  line->add_option("--body", a.body, "Which body wears")
-      ->check(CLI::IsMember({"both", "rail", "wheel"}))
+  line->add_option("--body", a.study.body, "Which body wears")
+      ->check(CLI::IsMember(wear::body_names))
       ->capture_default_str();
   line->footer(wear_help);
   return {line, [arguments] { return run(*arguments); }};

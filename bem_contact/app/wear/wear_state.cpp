@@ -1,6 +1,6 @@
 #include "bem_contact/app/wear/wear_state.hpp"
 
-#include "bem_contact/app/output/csv_name.hpp"
+#include "bem_contact/app/output/csv.hpp"
 #include "bem_contact/app/output/datasets.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
@@ -10,9 +10,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <ostream>
-#include <ranges>
 
 namespace bem_contact::app {
 
@@ -23,12 +21,8 @@ constexpr const char *state_file = "wear.h5", *wear_format = "bem_contact wear";
 /// All of the state: the last row of the history has what WearState holds beside it.
 H5Table table_of(const WearState& state, const std::string& digest) {
   H5Table table;
-  for (const wear::WearColumn& column : wear::wear_columns) {
-    std::vector<double> values;
-    for (const wear::WearRow& row : state.history)
-      values.push_back(row.*column.member);
-    table.datasets[column.name] = line(std::move(values), column.unit, "by step");
-  }
+  for (const wear::WearColumn& column : wear::wear_columns())
+    table.datasets[column.name] = line(column.values(state.history), column.unit, column.description);
   const auto body = [&](const std::string& name, const wear::WornBody& worn) {
     table.datasets[name + "/profile"] = points(worn.points, "worn profile (y, z), own frame, z down");
     table.datasets[name + "/depth"] = line(worn.depth, "mm", "taken off along the normals");
@@ -56,16 +50,10 @@ std::string step_file(std::string_view body, int step, std::string_view extensio
 }
 
 void write_wear(const std::filesystem::path& folder, const std::string& digest, const WearState& state) {
-  wear::write_profile(folder / step_file("rail", state.step, "txt"), state.pair.rail.points);
-  wear::write_profile(folder / step_file("wheel", state.step, "txt"), state.pair.wheel.points);
-  write_whole(folder / "wear.csv", [&](std::ostream& out) {
-    const auto each = [](const auto& of) { return wear::wear_columns | std::views::transform(of); };
-    const auto name = [](const auto& column) { return csv_name(column.name, column.unit); };
-    out << fmt::format("{}\n", fmt::join(each(name), ","));
-    for (const wear::WearRow& row : state.history)
-      out << fmt::format("{:.9g}\n",
-                         fmt::join(each([&](const auto& column) { return row.*column.member; }), ","));
-  });
+  wear::write_profile(folder / step_file("rail", state.step(), "txt"), state.pair.rail.points);
+  wear::write_profile(folder / step_file("wheel", state.step(), "txt"), state.pair.wheel.points);
+  write_whole(folder / "wear.csv",
+              [&](std::ostream& out) { write_csv(out, wear::wear_columns(), state.history); });
   write_h5(folder / state_file, table_of(state, digest));
 }
 
@@ -87,13 +75,12 @@ std::optional<WearState> read_wear(const std::filesystem::path& folder, const st
     refuse(digest_changed, "Give another folder, or remove it.");
   WearState state;
   state.history.resize(dataset_of(table, "step", file).values.size());
-  for (const wear::WearColumn& column : wear::wear_columns) {
+  for (const wear::WearColumn& column : wear::wear_columns()) {
     const std::vector<double>& values = dataset_of(table, column.name, file, state.history.size()).values;
     for (std::size_t i = 0; i < state.history.size(); ++i)
       state.history[i].*column.member = values[i];
   }
   const wear::WearRow& last = state.history.back();
-  state.step = static_cast<int>(state.history.size()) - 1;
   state.pair = {body_of(table, "rail", file, last.rail_area), body_of(table, "wheel", file, last.wheel_area),
                 last.revolutions};
   return state;

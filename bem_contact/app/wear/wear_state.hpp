@@ -12,9 +12,10 @@ namespace bem_contact::app {
 
 /// What `bem_contact wear` keeps between two steps, and after the last.
 struct WearState {
-  int step = 0;
   wear::WornPair pair;
   std::vector<wear::WearRow> history; ///< one row a step, 0 included
+
+  int step() const { return static_cast<int>(history.size()) - 1; } ///< the last one; -1: none
 };
 
 /// The name of a body's file of a step: rail_0001.txt. `extension`: txt, h5 or toml.

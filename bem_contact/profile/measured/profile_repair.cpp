@@ -214,18 +214,18 @@ void report_holes(const std::vector<Point2>& p, const std::string& source) {
     length.push_back(norm(p[i] - p[i - 1]));
   const double usual = median(length);
   const auto direction = [&](std::size_t i) { return std::atan2(p[i + 1].z - p[i].z, p[i + 1].y - p[i].y); };
-  const auto degrees = [&](std::size_t from, std::size_t to) {
-    return std::remainder(direction(to) - direction(from), 2 * std::numbers::pi) * 180 / std::numbers::pi;
+  const auto turn = [&](std::size_t from, std::size_t to) {
+    return degrees(std::remainder(direction(to) - direction(from), 2 * std::numbers::pi));
   };
   std::size_t jumps = 0, first = 0;
   for (std::size_t i = 1; i + 2 < p.size(); ++i) {
-    const double turned = std::abs(degrees(i - 1, i + 1));
+    const double turned = std::abs(turn(i - 1, i + 1));
     if (length[i] > std::max(hole_length * usual, least_hole) && turned > hole_turn)
       messages()->warn(
           "{}: no points for {:.3g} mm from y = {:.4g} to y = {:.4g}, over which the profile turns by "
           "{:.2g} degrees: its shape there is a guess",
           source, length[i], p[i].y, p[i + 1].y, turned);
-    const double into = degrees(i - 1, i), out = degrees(i, i + 1);
+    const double into = turn(i - 1, i), out = turn(i, i + 1);
     if (into * out < 0 && std::min(std::abs(into), std::abs(out)) > jump_turn && ++jumps == 1)
       first = i;
   }

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 
 namespace bem_contact {
 
@@ -110,9 +109,8 @@ void refuse_far(const ProfileCurve& nominal, const NominalFit& fit, std::size_t 
                   "{3:.3f} degrees, the points lie {4:.3g} .. {5:.3g} mm inside it (root mean square {6:.3g} "
                   "mm), and {7} of {8} beyond its ends; taken are at most {9:g} mm, root mean square {10:g} "
                   "mm, and half of the points",
-                  nominal.name(), fit.place.shift.y, fit.place.shift.z,
-                  fit.place.angle * 180 / std::numbers::pi, fit.least, fit.largest, fit.rms, fit.beyond,
-                  points, farthest_from_nominal, farthest_rms_from_nominal),
+                  nominal.name(), fit.place.shift.y, fit.place.shift.z, degrees(fit.place.angle), fit.least,
+                  fit.largest, fit.rms, fit.beyond, points, farthest_from_nominal, farthest_rms_from_nominal),
       "Name the profile from which it was made, or leave out nominal and give smoothing.");
 }
 
@@ -182,7 +180,7 @@ std::string worn_text(const WornNominal& worn) {
                      "{:.3f} mm along y and "
                      "{:.3f} mm along z and turned by {:.3f} degrees; {} points beyond its ends left out",
                      worn.nominal, worn.least_depth, worn.largest_depth, worn.rms_depth, worn.place.shift.y,
-                     worn.place.shift.z, worn.place.angle * 180 / std::numbers::pi, worn.beyond);
+                     worn.place.shift.z, degrees(worn.place.angle), worn.beyond);
 }
 
 } // namespace bem_contact

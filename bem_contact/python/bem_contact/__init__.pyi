@@ -378,15 +378,26 @@ def wear(
 ) -> dict[str, Any]:
     """What a result wears away: depth by passage and revolution over s, sliding distance, volume by rolled distance."""
 
+@overload
 def fatigue(
     result: Result,
     yield_shear: float = 300,
-    poisson: float = 0.28,
     nodes: _List[float] = ...,
     damage: _List[float] = ...,
     stresses: bool = True,
 ) -> dict[str, Any]:
     """Shakedown point, FI_surf, T-gamma and damage of each patch; largest stresses below the surface."""
+
+@overload
+def fatigue(
+    scene: _Scene,
+    yield_shear: float = 300,
+    nodes: _List[float] = ...,
+    damage: _List[float] = ...,
+    wear_is_negative: bool = False,
+    folder: str | PathLike[str] | None = None,
+) -> dict[str, Any]:
+    """The same of each case of a table [sweep], as arrays over the patches of all cases, and the damage of the collective."""
 
 def report(file: str | PathLike[str], output: str | PathLike[str]) -> None:
     """One HTML page of a result, a comparison, a sweep, creep curves, conicity, a wheelset or wear (HDF5): words, tables, figures."""

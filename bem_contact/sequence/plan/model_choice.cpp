@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <numbers>
 #include <utility>
 
 namespace bem_contact {
@@ -69,10 +68,6 @@ std::string turn_text(double turn) {
 }
 
 } // namespace
-
-double degrees(double angle) {
-  return angle * 180 / std::numbers::pi;
-}
 
 double predicted_halfspace_error(double turn) {
   return halfspace_error * 0.25 * turn * turn;

@@ -37,6 +37,4 @@ double predicted_halfspace_error(double turn);
 /// (hertz_deviation_error), and what the turn does.
 double predicted_error(const HertzModel& model);
 
-double degrees(double angle); ///< of rad
-
 } // namespace bem_contact

@@ -59,8 +59,7 @@ void warn_of_slide(const ContactCase& asked, GridSolution& solved) {
 void add_stresses(const SceneFile& scene, SceneResult& out) {
   if (scene.stresses.depths.empty() || !out.result.converged)
     return;
-  out.stresses =
-      stresses_below(scene.stresses, out.problem, out.result, scene.rail.material.poisson, out.reference.s);
+  out.stresses = stresses_below(scene.stresses, out.problem, out.result, out.rail_poisson, out.reference.s);
   const double turn = turn_of_contact(out.problem, out.result);
   if (const double error = predicted_halfspace_error(turn); error > scene.solver.model_tolerance)
     out.warnings.push_back(fmt::format(
@@ -113,6 +112,7 @@ SceneResult record_of(const ContactCase& asked, GridSolution solved, const Model
   out.seconds = solved.seconds;
   warn_of_model(out);
   std::ranges::move(input_warnings(asked.scene, asked.setup), std::back_inserter(out.warnings));
+  out.rail_poisson = asked.setup.rail.material.poisson;
   out.left = asked.scene.position.side == WheelSide::left;
   out.reference = asked.setup.reference();
   if (const WheelRailGeometry* placed = asked.setup.wheel_rail()) {

@@ -38,7 +38,7 @@ std::optional<LinearTheory> linear_theory(const SceneResult& result, const Mater
   if (!(ratio < longest_ellipse && ratio > 1 / longest_ellipse))
     return std::nullopt;
   // Equal bodies with the same sums of compliances (Kalker 1990, section 1.4).
-  out.shear_modulus = 2 / (1 / rail.shear_modulus + 1 / wheel.shear_modulus);
+  out.shear_modulus = shear_modulus_of_pair(rail, wheel);
   out.poisson =
       0.5 * out.shear_modulus * (rail.poisson / rail.shear_modulus + wheel.poisson / wheel.shear_modulus);
   out.coefficients = reference::creep_coefficients(ratio, out.poisson);
@@ -155,7 +155,7 @@ CreepDerivatives derivatives(Contact& contact, const Creepages& at, const Creepa
 
 /// Creepages at which linear theory reaches the friction bound: of Fx, Fs, and Fs again for spin.
 Creepages saturation(const CreepCurves& c, const SceneFile& scene) {
-  const double modulus = 2 / (1 / scene.rail.material.shear_modulus + 1 / scene.wheel.material.shear_modulus);
+  const double modulus = shear_modulus_of_pair(scene.rail.material, scene.wheel.material);
   const double usual = usual_coefficient * modulus * c.radius * c.radius;
   const CreepMatrix slopes =
       c.linear ? c.linear->slopes : CreepMatrix{{{usual, 0, 0}, {0, usual, 0.4 * usual * c.radius}, {}}};

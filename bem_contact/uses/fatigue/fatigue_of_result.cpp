@@ -1,11 +1,14 @@
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/sequence/scene_result.hpp"
+#include "bem_contact/scene/sweep_file.hpp"
+#include "bem_contact/sequence/sequence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <vector>
 
 namespace bem_contact::fatigue {
 
@@ -103,25 +106,79 @@ Fatigue fatigue_of(const SceneResult& solved, const FatigueProperties& propertie
     out.patches.push_back(fatigue_of_patch(r.patches[k], largest, power, properties));
   }
   if (properties.stresses && !out.patches.empty())
-    out.peaks = stress_peaks(solved.problem, r, properties.poisson);
+    out.peaks = stress_peaks(solved.problem, r, solved.rail_poisson);
   return out;
 }
 
-std::span<const PatchColumn> patch_columns() {
-  using P = PatchFatigue;
-  static constexpr PatchColumn columns[] = {
-      {"s", "mm", [](const P& p) { return p.s; }, "centre of pressure, arc length along the rail"},
-      {"y", "mm", [](const P& p) { return p.y; }, "centre of pressure, track frame"},
-      {"Fn", "N", [](const P& p) { return p.normal_force; }, "sum of the pressure"},
-      {"pmax", "MPa", [](const P& p) { return p.pmax; }, "largest pressure"},
-      {"p0_over_k", "1", [](const P& p) { return p.point.load; },
-       "largest pressure over the yield stress in shear"},
-      {"mu_used", "1", [](const P& p) { return p.point.traction; }, "shear force over normal force"},
-      {"FI_surf", "1", [](const P& p) { return p.surface_index; },
-       "mu used less k/p0: above 0 the surface fatigues"},
-      {"FI_worst_element", "1", [](const P& p) { return p.largest_index; }, "the same of the worst element"},
-      {"T_gamma", "N", [](const P& p) { return p.t_gamma; }, "dissipated by friction by rolled distance"},
-      {"damage", "1", [](const P& p) { return p.damage; }, "of one passage"}};
+namespace {
+
+/// Of PatchFatigue and of what is derived from it.
+template <class P>
+constexpr std::array<ColumnOf<P>, 10> columns_of{
+    {{"s", "mm", "centre of pressure, arc length along the rail", [](const P& p) { return p.s; }},
+     {"y", "mm", "centre of pressure, track frame", [](const P& p) { return p.y; }},
+     {"Fn", "N", "sum of the pressure", [](const P& p) { return p.normal_force; }},
+     {"pmax", "MPa", "largest pressure", [](const P& p) { return p.pmax; }},
+     {"p0_over_k", "1", "largest pressure over the yield stress in shear",
+      [](const P& p) { return p.point.load; }},
+     {"mu_used", "1", "shear force over normal force", [](const P& p) { return p.point.traction; }},
+     {"FI_surf", "1", "mu used less k/p0: above 0 the surface fatigues",
+      [](const P& p) { return p.surface_index; }},
+     {"FI_worst_element", "1", "the same of the worst element", [](const P& p) { return p.largest_index; }},
+     {"T_gamma", "N", "dissipated by friction by rolled distance", [](const P& p) { return p.t_gamma; }},
+     {"damage", "1", "of one passage", [](const P& p) { return p.damage; }}}};
+
+} // namespace
+
+std::span<const ColumnOf<PatchFatigue>> patch_columns() {
+  return columns_of<PatchFatigue>;
+}
+
+CollectiveFatigue fatigue_of(const SweepFile& sweep, const FatigueProperties& properties,
+                             const std::atomic<bool>* stop) {
+  require_yield_shear(properties.yield_shear);
+  validate(properties.damage);
+  CollectiveFatigue out;
+  out.cases = sweep.size();
+  Sequence sequence({.displacements = false});
+  double weights = 0;
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    const SceneResult result = sequence.solve(sweep.scene(i), stop);
+    if (!result.result.converged)
+      throw ConvergenceError(fmt::format("Case {} has no certified result", i), sweep.describe(i),
+                             "Solve it alone to see why.");
+    const Fatigue f = fatigue_of(result, properties);
+    for (const PatchFatigue& patch : f.patches) {
+      out.patches.push_back({patch, i, static_cast<std::size_t>(&patch - f.patches.data()), sweep.weight(i),
+                             f.peaks.value_or(StressPeaks{})});
+      out.beyond += patch.surface_index > 0;
+      out.damage += sweep.weight(i) * patch.damage;
+    }
+    weights += sweep.weight(i);
+  }
+  out.damage /= weights;
+  return out;
+}
+
+std::span<const ColumnOf<CollectivePatch>> collective_columns() {
+  using P = CollectivePatch;
+  static const std::vector<ColumnOf<P>> columns = [] {
+    std::vector<ColumnOf<P>> all{
+        {"case", "1", "of the sweep, from 0", [](const P& p) { return double(p.index); }},
+        {"patch", "1", "of the case, from 0, the largest force first",
+         [](const P& p) { return double(p.patch); }},
+        {"weight", "1", "how often the case occurs", [](const P& p) { return p.weight; }}};
+    all.insert(all.end(), columns_of<P>.begin(), columns_of<P>.end());
+    all.insert(
+        all.end(),
+        {{"von_mises", "MPa", "largest below the surface of the case",
+          [](const P& p) { return p.peaks.von_mises.stress; }},
+         {"von_mises_depth", "mm", "where that is", [](const P& p) { return p.peaks.von_mises.depth; }},
+         {"tresca", "MPa", "largest shear stress below the surface of the case",
+          [](const P& p) { return p.peaks.tresca.stress; }},
+         {"tresca_depth", "mm", "where that is", [](const P& p) { return p.peaks.tresca.depth; }}});
+    return all;
+  }();
   return columns;
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "bem_contact/base/column.hpp"
 #include "bem_contact/uses/fatigue/stress_peaks.hpp"
 
+#include <atomic>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,7 +12,8 @@
 /// What rolling contact fatigue reads off a contact.
 namespace bem_contact {
 struct SceneResult;
-}
+struct SweepFile;
+} // namespace bem_contact
 
 namespace bem_contact::fatigue {
 
@@ -55,7 +59,6 @@ void validate(const DamageFunction& function);
 /// What the steel bears.
 struct FatigueProperties {
   double yield_shear = 300;   ///< k, MPa
-  double poisson = 0.28;      ///< of the rail, for stresses below the surface
   DamageFunction damage = {}; ///< of one passage
   bool stresses = true;       ///< search the largest stresses below the surface: most of the work
 
@@ -85,14 +88,32 @@ struct Fatigue {
 /// friction, or of a shift, T-gamma and damage are 0.
 Fatigue fatigue_of(const SceneResult& result, const FatigueProperties& properties = {});
 
-/// A number of each patch. The program's CSV and Python take names, units and values from here.
-struct PatchColumn {
-  const char* name;                     ///< as in the outputs
-  const char* unit;                     ///< "1" where it has none
-  double (*value)(const PatchFatigue&); ///< of one patch
-  const char* description;              ///< what it is, in words
+/// The numbers of a patch, in the order of the outputs. The program's tables and Python take names, units and
+/// values from here.
+std::span<const ColumnOf<PatchFatigue>> patch_columns();
+
+/// One patch of one case of a load collective.
+struct CollectivePatch : PatchFatigue {
+  std::size_t index = 0; ///< of the case in the sweep
+  std::size_t patch = 0; ///< of the case, the largest force first
+  double weight = 1;     ///< how often the case occurs
+  StressPeaks peaks;     ///< of the case; 0 where they are not asked for
 };
-/// All of them, in the order of the outputs.
-std::span<const PatchColumn> patch_columns();
+
+/// What a load collective does to the rail.
+struct CollectiveFatigue {
+  std::vector<CollectivePatch> patches; ///< case by case
+  std::size_t cases = 0;                ///< of the collective
+  std::size_t beyond = 0;               ///< patches beyond the limit of the surface
+  double damage = 0;                    ///< of one passage, mean over the collective, 1
+};
+
+/// Solves each case of a sweep. Throws InputError for properties that make no sense, ConvergenceError where a
+/// case has no certified result, and Stopped soon after another thread sets `stop`.
+CollectiveFatigue fatigue_of(const SweepFile& sweep, const FatigueProperties& properties,
+                             const std::atomic<bool>* stop = nullptr);
+
+/// The numbers of a patch with those of its case, in the order of the outputs.
+std::span<const ColumnOf<CollectivePatch>> collective_columns();
 
 } // namespace bem_contact::fatigue

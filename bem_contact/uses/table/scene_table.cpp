@@ -54,16 +54,12 @@ constexpr ColumnSource sources[] = {
     {"patch_wheel_y", "wheel_y", ScaleBy::length_range, false, true},
 };
 
-const PatchQuantity& patch_quantity(std::string_view name) {
-  return *std::ranges::find_if(patch_quantities(), [&](const PatchQuantity& q) { return q.name == name; });
-}
-
 Column column_of(const ColumnSource& source) {
   if (!source.patch) {
     const Quantity& q = quantity(source.of);
     return {.name = source.name, .unit = q.unit.rolling, .description = q.description};
   }
-  const PatchQuantity& q = patch_quantity(source.of);
+  const PatchQuantity& q = named(patch_quantities(), source.of);
   return {.name = source.name,
           .unit = q.unit.rolling,
           .description = fmt::format("of the patch with the largest force: {}", q.description)};
@@ -79,7 +75,7 @@ PointValues values_of(const SceneResult& r) {
     if (!source.patch)
       add(quantity(source.of));
     else if (!r.result.patches.empty())
-      add(patch_quantity(source.of), std::size_t{0});
+      add(named(patch_quantities(), source.of), std::size_t{0});
     else
       out.values.push_back(unknown_error), out.element_errors.push_back(unknown_error);
   }

@@ -55,6 +55,11 @@ double times_until(const std::vector<double>& now, const std::vector<double>& ra
   return std::max(0.0, least);
 }
 
+template <double WearRow::*member>
+constexpr WearColumn wear_column(const char* name, const char* unit, const char* description) {
+  return {{name, unit, description, [](const WearRow& row) { return row.*member; }}, member};
+}
+
 } // namespace
 
 double WornBody::largest() const {
@@ -175,6 +180,18 @@ void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& 
       throw InputError("The cases of the load collective have different wear maps",
                        "one law holds for all of them", "Sweep over other keys.");
   }
+}
+
+std::span<const WearColumn> wear_columns() {
+  static constexpr WearColumn columns[] = {
+      wear_column<&WearRow::step>("step", "1", "of the study, 0: unworn"),
+      wear_column<&WearRow::revolutions>("revolutions", "1", "of the wheel so far"),
+      wear_column<&WearRow::mileage>("mileage", "km", "that the wheel has run so far"),
+      wear_column<&WearRow::rail_depth>("rail_depth", "mm", "largest depth gone from the rail"),
+      wear_column<&WearRow::wheel_depth>("wheel_depth", "mm", "largest depth gone from the wheel"),
+      wear_column<&WearRow::rail_area>("rail_area", "mm2", "gone from the rail's section"),
+      wear_column<&WearRow::wheel_area>("wheel_area", "mm2", "gone from the wheel's section")};
+  return columns;
 }
 
 WearRow history_row(int step, const WornPair& pair, double wheel_radius) {

@@ -1,14 +1,15 @@
 #pragma once
 
+#include "bem_contact/base/column.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/uses/wear/kept_influence.hpp"
 #include "bem_contact/uses/wear/settings.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -88,18 +89,11 @@ struct WearRow {
 };
 
 /// A column of wear.csv, a dataset of wear.h5, an array of Python's wear().
-struct WearColumn {
-  const char* name;        ///< as in all outputs
-  const char* unit;        ///< "1" where it has none
-  double WearRow::*member; ///< what it has of a step
+struct WearColumn : ColumnOf<WearRow> {
+  double WearRow::*member; ///< where a row that is read has its value
 };
-inline constexpr std::array<WearColumn, 7> wear_columns{{{"step", "1", &WearRow::step},
-                                                         {"revolutions", "1", &WearRow::revolutions},
-                                                         {"mileage", "km", &WearRow::mileage},
-                                                         {"rail_depth", "mm", &WearRow::rail_depth},
-                                                         {"wheel_depth", "mm", &WearRow::wheel_depth},
-                                                         {"rail_area", "mm^2", &WearRow::rail_area},
-                                                         {"wheel_area", "mm^2", &WearRow::wheel_area}}};
+/// All of them, in the order of the outputs.
+std::span<const WearColumn> wear_columns();
 
 /// The row of a state after so many steps; the mileage is that of a wheel of this radius, mm.
 WearRow history_row(int step, const WornPair& pair, double wheel_radius);

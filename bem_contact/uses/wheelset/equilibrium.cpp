@@ -27,8 +27,7 @@ struct WheelsetStiffness {
 
 /// dFx over the longitudinal creepage, N.
 double creep_slope(const PatchSummary& p, const SceneResult& r, const SceneFile& scene) {
-  const double shear_modulus =
-      2 / (1 / scene.rail.material.shear_modulus + 1 / scene.wheel.material.shear_modulus);
+  const double shear_modulus = shear_modulus_of_pair(scene.rail.material, scene.wheel.material);
   const double bound = r.problem.largest_friction() * p.fn;
   const double used = std::min(1.0, std::hypot(p.fx, p.fs) / bound);
   return kalker_c11 * shear_modulus * p.area / std::numbers::pi *

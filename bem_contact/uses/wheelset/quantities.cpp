@@ -2,7 +2,9 @@
 
 #include "bem_contact/sequence/quantities.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace bem_contact {
@@ -42,9 +44,22 @@ template <std::size_t I> double sum_of_forces(const Result& r) {
   return r.state.sum().force[I];
 }
 
-double friction_power_of(const State& s, WheelSide side) {
-  const SceneResult& r = s.solved(side);
-  return r.problem.has_friction() ? friction_power(r.result, r.problem.element_area()) : 0.0;
+/// The name of one of quantities(), as an argument of a template.
+template <std::size_t size> struct Name {
+  consteval Name(const char (&from)[size]) { std::ranges::copy(from, text); }
+  char text[size];
+};
+/// A number of the wheel's own result, and its error.
+template <Name name> double own(const State& s, WheelSide side) {
+  return quantity(name.text).value(s.solved(side));
+}
+template <Name name> double own_error(const State& s, WheelSide side) {
+  return quantity(name.text).error(s.solved(side));
+}
+/// The same with the unit and the description that it has there.
+template <Name name> WheelQuantity as_in_result() {
+  const Quantity& q = quantity(name.text);
+  return {q.name, q.unit.rolling, q.description, own<name>, own_error<name>};
 }
 
 constexpr WheelsetQuantity of_wheelset[] = {
@@ -69,7 +84,8 @@ constexpr WheelsetQuantity of_wheelset[] = {
      [](const Result& r) { return r.state.torque(r.state.sum()); }},
     {"friction_power", "N", "dissipated per unit of rolled distance",
      [](const Result& r) {
-       return friction_power_of(r.state, WheelSide::right) + friction_power_of(r.state, WheelSide::left);
+       return own<"friction_power">(r.state, WheelSide::right) +
+              own<"friction_power">(r.state, WheelSide::left);
      }},
     {"residual", "1", "of the equilibrium, over wheelset.force", [](const Result& r) { return r.residual; }},
     {"lateral_residual", "1", "of the lateral force, over wheelset.force; nan: not given",
@@ -78,12 +94,12 @@ constexpr WheelsetQuantity of_wheelset[] = {
      [](const Result& r) { return static_cast<double>(r.contact_problems); }},
 };
 
-constexpr WheelQuantity of_wheel[] = {
+const WheelQuantity of_wheel[] = {
     {"share", "1", "of the vertical force",
      [](const State& s, WheelSide side) { return s.wrench(side).force[2] / s.sum().force[2]; }},
-    {"Fx", "N", "on the rail", force<0>},
-    {"Fy", "N", "on the rail, to the right", force<1>},
-    {"Fz", "N", "on the rail", force<2>},
+    {"Fx", "N", "on the rail", force<0>, own_error<"Fx">},
+    {"Fy", "N", "on the rail, to the right", force<1>, own_error<"Fy">},
+    {"Fz", "N", "on the rail", force<2>, own_error<"Fz">},
     {"Y_over_Q", "1", "|Fy| / Fz: derailment quotient",
      [](const State& s, WheelSide side) {
        return std::abs(s.wrench(side).force[1]) / s.wrench(side).force[2];
@@ -105,19 +121,13 @@ constexpr WheelQuantity of_wheel[] = {
     {"xi", "1", "longitudinal creepage", place<&PatchPlace::xi>},
     {"eta", "1", "lateral creepage, to the right", mirrored_place<&PatchPlace::eta>},
     {"phi", "1/mm", "spin creepage", mirrored_place<&PatchPlace::phi>},
-    {"approach", "mm", "of wheel and rail, vertically",
-     [](const State& s, WheelSide side) { return s.solved(side).result.approach; }},
-    {"pmax", "MPa", "largest pressure",
-     [](const State& s, WheelSide side) { return largest_pressure(s.solved(side).result); }},
-    {"area", "mm2", "in contact",
-     [](const State& s, WheelSide side) { return contact_area(s.solved(side).result); }},
-    {"patches", "1", "areas of contact",
-     [](const State& s, WheelSide side) {
-       return static_cast<double>(s.solved(side).result.patches.size());
-     }},
-    {"adhesion_share", "1", "of the area in contact that adheres",
-     [](const State& s, WheelSide side) { return adhesion_share(s.solved(side).result); }},
-    {"friction_power", "N", "dissipated per unit of rolled distance", friction_power_of},
+    as_in_result<"approach">(),
+    as_in_result<"pmax">(),
+    as_in_result<"area">(),
+    {"patches", "1", "connected areas in contact", own<"patch_count">},
+    as_in_result<"adhesion_share">(),
+    {"friction_power", "N", "dissipated per unit of rolled distance", own<"friction_power">,
+     own_error<"friction_power">},
 };
 
 } // namespace

@@ -17,11 +17,13 @@ using WheelsetQuantity = ColumnOf<WheelsetResult>;
 std::span<const WheelsetQuantity> wheelset_quantities();
 
 /// One number of each wheel. Place, inclination, radius and creepages are those of the patch that bears most.
+/// Errors are those that the wheel's own result states.
 struct WheelQuantity {
-  const char* name;                                      ///< as outputs have it
-  const char* unit;                                      ///< mm, N, MPa, rad
-  const char* description;                               ///< for readers of a file
-  double (*value)(const WheelsetState&, WheelSide side); ///< nan: not known
+  const char* name;                                                ///< as outputs have it
+  const char* unit;                                                ///< mm, N, MPa, rad
+  const char* description;                                         ///< for readers of a file
+  double (*value)(const WheelsetState&, WheelSide side);           ///< nan: not known
+  double (*error)(const WheelsetState&, WheelSide side) = nullptr; ///< null: it has none
 };
 /// All of them, in the order of the outputs.
 std::span<const WheelQuantity> wheel_quantities();
