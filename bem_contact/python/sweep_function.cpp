@@ -121,8 +121,7 @@ std::vector<SceneFile> scenes_of(const SweepFile& sweep, const std::string& mode
 }
 
 py::dict sweep(const py::object& scene, const py::object& model, const py::object& folder) {
-  const PythonScene given = scene_of(scene, folder);
-  const SweepFile file = parse_sweep_file(given.text, given.source, "sweep", given.folder);
+  const SweepFile file = parse_sweep_file(scene_of(scene, folder));
   const std::vector<Case> cases =
       stoppable([scenes = scenes_of(file, model_of(model))](const std::atomic<bool>* stop) {
         Sequence sequence({.displacements = false});

@@ -79,9 +79,8 @@ py::array_t<double> points_of(const States& states, wear::WornBody wear::WornPai
 py::dict wear_under(const py::object& scene, double depth, const std::string& law, double hardness,
                     double speed, const std::string& body, double cap, double smoothing, double passages,
                     double kept_turn, const py::object& model, const py::object& folder) {
-  const PythonScene given = scene_of(scene, folder);
   const std::vector<wear::CollectiveCase> cases =
-      wear::collective_of(parse_sweep_file(given.text, given.source, "sweep", given.folder), model_of(model));
+      wear::collective_of(parse_sweep_file(scene_of(scene, folder)), model_of(model));
   if (body != "both" && body != "rail" && body != "wheel")
     throw InputError(fmt::format("There is no body '{}'", body), "there are rail and wheel",
                      "Give both, rail or wheel.");

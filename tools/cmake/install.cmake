@@ -34,7 +34,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/bem_contact/c/conformal_contact.h
 # Those that a caller writes in a program, for Doxygen: doxygen build/Doxyfile makes build/reference/html.
 set(doxygen_input bem_contact/c/conformal_contact.h)
 foreach(header sequence/sequence sequence/quantities sequence/scene_result sequence/comparison sequence/describe_case sequence/lateral/lateral_force
-               sequence/stresses sequence/structural_result scene/scene_file scene/scene_reader scene/choices
+               sequence/stresses sequence/structural_result scene/scene_file scene/scene_text scene/scene_reader scene/choices
                contact/problem contact/result contact/work geometry/rigid_slip geometry/placement profile/contact_row
                halfspace/stress base/conventions base/error base/material base/provenance ${answers})
   list(APPEND doxygen_input bem_contact/${header}.hpp)
