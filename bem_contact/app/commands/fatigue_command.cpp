@@ -58,7 +58,7 @@ struct FatigueTable {
 
 FatigueTable empty_table() {
   FatigueTable out{.columns = {{"case", "1", "of the sweep, from 0"},
-                               {"patch", "1", "of the case, from 0, the largest force first"},
+                               {"patch", "1", "of the case, from 1, the largest force first"},
                                {"weight", "1", "how often the case occurs"}}};
   for (const fatigue::PatchColumn& c : fatigue::patch_columns())
     out.columns.push_back({c.name, c.unit, c.description});
@@ -74,7 +74,7 @@ FatigueTable empty_table() {
 void add_case(FatigueTable& table, std::size_t index, double weight, const fatigue::Fatigue& f) {
   const fatigue::StressPeaks peaks = f.peaks.value_or(fatigue::StressPeaks{});
   for (std::size_t k = 0; k < f.patches.size(); ++k) {
-    std::vector<double> row{double(index), double(k), weight};
+    std::vector<double> row{double(index), double(k + 1), weight};
     for (const fatigue::PatchColumn& column : fatigue::patch_columns())
       row.push_back(column.value(f.patches[k]));
     for (const fatigue::StressPeak& peak : {peaks.von_mises, peaks.tresca})
