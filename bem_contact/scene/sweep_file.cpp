@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <set>
 #include <toml++/toml.h>
 #include <utility>
 
@@ -252,6 +253,21 @@ SweepFile parse_sweep_file(SceneText given, std::string_view section) {
 
 SweepFile read_sweep_file(const std::filesystem::path& file) {
   return parse_sweep_file(read_scene_text(file));
+}
+
+void check_values(const SweepFile& sweep) {
+  std::set<std::size_t> cases{0};
+  if (sweep.zip)
+    for (std::size_t i = 0; i < sweep.size(); ++i)
+      cases.insert(i);
+  std::size_t stride = sweep.size();
+  for (const SweepFile::Axis& axis : sweep.axes) {
+    stride /= axis.values.size();
+    for (std::size_t k = 0; k < axis.values.size() && !sweep.zip; ++k)
+      cases.insert(k * stride);
+  }
+  for (const std::size_t index : cases)
+    sweep.scene(index);
 }
 
 std::string to_text(const SchemaValue& value) {

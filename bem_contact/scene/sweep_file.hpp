@@ -62,6 +62,10 @@ SweepFile read_sweep_file(const std::filesystem::path& file);
 /// `section`: the table that has the lists. "table" (bem_contact table) has lists alone, no mode or weight.
 SweepFile parse_sweep_file(SceneText given, std::string_view section = "sweep");
 
+/// Parses the scene of every value of every list, and all cases of a zip, so that wrong input is found before
+/// anything is computed. Throws InputError.
+void check_values(const SweepFile& sweep);
+
 /// As TOML writes it; numbers with the fewest digits that give them back.
 std::string to_text(const SchemaValue& value);
 

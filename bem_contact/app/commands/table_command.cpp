@@ -7,6 +7,7 @@
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/uses/sweep/sweep_case.hpp"
 #include "bem_contact/uses/table/creep_table.hpp"
 #include "bem_contact/uses/table/scene_table.hpp"
 #include "bem_contact/uses/table/table_file.hpp"

@@ -12,21 +12,6 @@
 
 namespace bem_contact::app {
 
-void check_values(const SweepFile& sweep) {
-  std::set<std::size_t> cases{0};
-  if (sweep.zip)
-    for (std::size_t i = 0; i < sweep.size(); ++i)
-      cases.insert(i);
-  std::size_t stride = sweep.size();
-  for (const SweepFile::Axis& axis : sweep.axes) {
-    stride /= axis.values.size();
-    for (std::size_t k = 0; k < axis.values.size() && !sweep.zip; ++k)
-      cases.insert(k * stride);
-  }
-  for (const std::size_t index : cases)
-    sweep.scene(index);
-}
-
 namespace {
 
 /// The table of cases, and the files that the lists name, with the key "rail.profile[1]" for the second of a
