@@ -15,7 +15,7 @@ struct SceneText {
 
   SceneText(std::convertible_to<std::string> auto text, std::string name = "text",
             std::filesystem::path start = {})
-      : toml(std::move(text)), source(std::move(name)), folder(std::move(start)) {}
+      : toml(std::move(text)), source(std::move(name)), folder(std::move(start)) {} ///< a text alone will do
 };
 
 /// A scene file, whose paths start in its own folder. It is read once, so it may be a pipe. Throws

@@ -10,7 +10,7 @@ set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/conformal_contact)
 set(answers uses/conicity/wheelset_conicity uses/curves/creep_curves uses/table/creep_table uses/table/scene_table
             uses/table/table_file uses/wear/wear_of_result uses/wear/evolution uses/fatigue/fatigue_of_result
             uses/wheelset/solve_wheelset
-            uses/wheelset/quantities uses/sweep/sweep_columns)
+            uses/wheelset/quantities uses/sweep/sweep_case uses/sweep/sweep_columns)
 set(public_headers)
 set(todo sequence/sequence sequence/quantities scene/scene_file scene/scene_reader base/error base/provenance contact/work
          ${answers})

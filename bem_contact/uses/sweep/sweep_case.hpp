@@ -14,6 +14,7 @@
 
 namespace bem_contact {
 
+/// How a case ended.
 enum class CaseStatus {
   missing = 0,       ///< not solved yet
   certified = 1,     ///< the certificate holds
@@ -28,12 +29,12 @@ template <> struct EnumNames<CaseStatus> {
 
 /// What is kept of one case of a sweep, but for its fields.
 struct SweepCase {
-  std::size_t index = 0;
-  CaseStatus status = CaseStatus::missing;
-  std::string reason = {};          ///< why it is not certified; a remark of the solver, warnings
-  double seconds = 0;               ///< wall clock
-  double cpu_seconds = 0;           ///< of the process
-  std::vector<double> summary = {}; ///< SweepColumns::cases; empty where there is no result
+  std::size_t index = 0;                   ///< from 0
+  CaseStatus status = CaseStatus::missing; ///< how it ended
+  std::string reason = {};                 ///< why it is not certified; a remark of the solver, warnings
+  double seconds = 0;                      ///< wall clock
+  double cpu_seconds = 0;                  ///< of the process
+  std::vector<double> summary = {};        ///< SweepColumns::cases; empty where there is no result
   std::vector<std::vector<double>> patches = {}; ///< SweepColumns::patches of each patch
 };
 
@@ -46,10 +47,12 @@ struct SweepSolver {
   std::shared_ptr<SequenceFiles> files; ///< of other chunks, too
   Sequence sequence;                    ///< solves contacts
 
+  /// `displacements`: results hold them, for fields.
   explicit SweepSolver(std::shared_ptr<SequenceFiles> shared, bool displacements = false)
       : files(std::move(shared)), sequence({.displacements = displacements}, files) {}
 };
 
+/// How cases are solved.
 struct SweepOptions {
   std::string model = {}; ///< instead of the scene's own; "": that
   bool strict = false;    ///< a case with a warning is refused

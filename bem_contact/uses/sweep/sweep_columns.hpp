@@ -12,7 +12,7 @@ namespace bem_contact {
 
 /// What stands in one column of a table.
 struct SweepColumn {
-  std::string name, unit, description;
+  std::string name, unit, description; ///< as all outputs give them
 };
 /// The columns of both tables of a sweep.
 ///
@@ -20,7 +20,7 @@ struct SweepColumn {
 /// Of scenes with [wheelset]: wheelset_quantities(), then wheel_quantities() and the model of the right wheel
 /// and of the left one, as right_Fy and left_Fy; no patches.
 struct SweepColumns {
-  std::vector<SweepColumn> cases;
+  std::vector<SweepColumn> cases;   ///< one number a case
   std::vector<SweepColumn> patches; ///< empty: it has no such table
 };
 /// Reads the scene of the first case, so ask once.
@@ -30,7 +30,7 @@ bool is_model(const SweepColumn& column);
 
 /// The numbers of a result, in the order of SweepColumns::cases.
 std::vector<double> summary_of(const SceneResult& result);
-std::vector<double> summary_of(const WheelsetResult& result);
+std::vector<double> summary_of(const WheelsetResult& result); ///< of both wheels
 
 /// Both tables, column by column.
 struct SweepNumbers {
@@ -39,6 +39,7 @@ struct SweepNumbers {
   std::vector<std::size_t> patch_rank;      ///< [patch]: 1: the largest force of its case
   std::vector<std::vector<double>> patches; ///< [column][patch]
 };
+/// `cases`: all of a sweep, in their order.
 SweepNumbers numbers_of(std::span<const SweepCase> cases, const SweepColumns& columns);
 
 } // namespace bem_contact
