@@ -17,15 +17,6 @@ BEM_CONTACT_TUNED(double, largest_table, 4.0);
 /// this along the strip. Chosen, not measured.
 BEM_CONTACT_TUNED(double, largest_variation, 0.01);
 
-// Sweeps, and points of tables.
-
-/// 1. One process solves a chunk of cases one after the other and starts each case from the one before. More
-/// chunks share the work better; longer chunks have fewer cold starts. Chosen, not measured.
-BEM_CONTACT_TUNED(std::size_t, chunks_of_a_sweep, 8);
-/// Cases. Smallest and largest chunk. Chosen, not measured.
-BEM_CONTACT_TUNED(std::size_t, smallest_chunk, 4);
-BEM_CONTACT_TUNED(std::size_t, largest_chunk, 32);
-
 // Result files.
 
 /// Bytes. A larger input is not kept in result files, only its digest. A measured profile has 100 kB; a step

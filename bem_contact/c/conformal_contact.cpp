@@ -1,6 +1,5 @@
 #include "bem_contact/c/conformal_contact.h"
 
-#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/c/calls.hpp"
 #include "bem_contact/c/result_values.hpp"
@@ -99,8 +98,9 @@ const char* conformal_version(void) {
 int conformal_open_file(const char* scene_file, conformal_contact** handle, char* message, int size) {
   return open(handle, message, size, [&] {
     require(scene_file, "the name of the scene file");
-    return SceneReader(read_text_file(scene_file, "scene file"), scene_file,
-                       std::filesystem::absolute(scene_file).parent_path());
+    SceneText given = read_scene_text(scene_file);
+    given.folder = std::filesystem::absolute(scene_file).parent_path();
+    return SceneReader(std::move(given));
   });
 }
 
@@ -108,7 +108,7 @@ int conformal_open_text(const char* toml, const char* folder, conformal_contact*
                         int size) {
   return open(handle, message, size, [&] {
     require(toml, "the text of the scene");
-    return SceneReader(toml, "text", std::filesystem::absolute(folder && *folder ? folder : "."));
+    return SceneReader({toml, "text", std::filesystem::absolute(folder && *folder ? folder : ".")});
   });
 }
 

@@ -54,10 +54,10 @@ py::dict dict_of(const table::ContactTable& t) {
 
 /// The lists of the scene's table [table], or those of the dict `axes` instead.
 table::SceneTable described(const py::object& scene, const py::object& axes, const py::object& folder) {
-  const PythonScene given = scene_of(scene, folder);
+  const SceneText given = scene_of(scene, folder);
   if (axes.is_none())
-    return table::parse_scene_table(given.text, given.source, given.folder);
-  table::SceneTable out{.text = given.text, .source = given.source, .folder = given.folder};
+    return table::parse_scene_table(given);
+  table::SceneTable out{given};
   for (const SceneChange& axis : changes_of(axes))
     if (const auto* numbers = std::get_if<std::vector<double>>(&axis.value))
       out.axes.push_back({axis.key, *numbers});

@@ -131,7 +131,7 @@ void refuse_type(const std::string& problem, const std::string& why, const std::
   throw py::type_error(Error(problem, why, what_to_do).what());
 }
 
-PythonScene scene_of(const py::object& scene, const py::object& folder) {
+SceneText scene_of(const py::object& scene, const py::object& folder) {
   const auto start = [&](const std::filesystem::path& own) {
     return std::filesystem::absolute(folder.is_none() ? own
                                                       : std::filesystem::path(path_of(folder, "folder")));
@@ -153,10 +153,7 @@ PythonScene scene_of(const py::object& scene, const py::object& folder) {
 
 SceneFile scene_file_of(const py::object& scene, const py::object& folder,
                         std::span<const SceneChange> changes) {
-  const PythonScene given = scene_of(scene, folder);
-  SceneFile file = parse_scene_file(given.text, given.source, changes);
-  file.folder = given.folder;
-  return file;
+  return parse_scene_file(scene_of(scene, folder), changes);
 }
 
 std::vector<SceneChange> changes_of(const py::object& changes) {

@@ -16,8 +16,8 @@ namespace bem_contact {
 
 /// A path of a scene file, the text of one (of more than one line), or a dict of its keys, nested or dotted.
 /// Relative paths start in `folder`; None: in the file's folder, of a text or a dict in the working
-/// directory.
-PythonScene scene_of(const pybind11::object& scene, const pybind11::object& folder);
+/// directory; the folder is absolute.
+SceneText scene_of(const pybind11::object& scene, const pybind11::object& folder);
 /// The same, read with changes of its keys.
 SceneFile scene_file_of(const pybind11::object& scene, const pybind11::object& folder,
                         std::span<const SceneChange> changes);

@@ -112,8 +112,7 @@ States worn_by(wear::Study study, const std::atomic<bool>* stop) {
 }
 
 SweepFile collective_of(const py::object& scene, const py::object& folder) {
-  const PythonScene given = scene_of(scene, folder);
-  return parse_sweep_file(given.text, given.source, "sweep", given.folder);
+  return parse_sweep_file(scene_of(scene, folder));
 }
 
 py::dict wear_under(const py::object& scene, double depth, const py::object& model, const py::object& folder,

@@ -43,19 +43,18 @@ struct SceneReader::State {
   SceneKeysAsRead read;
   Schema schema = scene_schema(file, read);
 
-  State(const SceneReader::Source& source, std::span<const SceneChange> changes) {
-    file.folder = source.folder;
+  State(const SceneText& given, std::span<const SceneChange> changes) {
+    file.folder = given.folder;
     schema.skip("sweep");
     schema.skip("table");
-    schema.read(source.toml, source.name);
+    schema.read(given.toml, given.source);
     for (const SceneChange& change : changes)
       schema.set(change.key, change.value, change.line);
   }
 };
 
-SceneReader::SceneReader(std::string_view toml, std::string_view source_name, std::filesystem::path folder)
-    : source_{std::string(toml), std::string(source_name), std::move(folder)},
-      state_(std::make_unique<State>(source_, changes_)) {}
+SceneReader::SceneReader(SceneText given)
+    : given_(std::move(given)), state_(std::make_unique<State>(given_, changes_)) {}
 
 SceneReader::~SceneReader() = default;
 SceneReader::SceneReader(SceneReader&&) noexcept = default;
@@ -64,7 +63,7 @@ void SceneReader::set(const SceneChange& change) {
   try {
     state_->schema.set(change.key, change.value, change.line);
   } catch (...) { // the schema may have taken half of it
-    state_ = std::make_unique<State>(source_, changes_);
+    state_ = std::make_unique<State>(given_, changes_);
     throw;
   }
   const auto known = std::ranges::find(changes_, change.key, &SceneChange::key);
@@ -90,18 +89,19 @@ SceneFile SceneReader::scene() const {
   return file;
 }
 
-SceneFile parse_scene_file(std::string_view toml, std::string_view source_name,
-                           std::span<const SceneChange> changes) {
-  SceneReader reader(toml, source_name, {});
+SceneText read_scene_text(const std::filesystem::path& file) {
+  return {read_text_file(file.string(), "scene file"), file.string(), file.parent_path()};
+}
+
+SceneFile parse_scene_file(SceneText given, std::span<const SceneChange> changes) {
+  SceneReader reader(std::move(given));
   for (const SceneChange& change : changes)
     reader.set(change);
   return reader.scene();
 }
 
-SceneFile read_scene_file(const std::filesystem::path& path, std::span<const SceneChange> changes) {
-  SceneFile file = parse_scene_file(read_text_file(path.string(), "scene file"), path.string(), changes);
-  file.folder = path.parent_path();
-  return file;
+SceneFile read_scene_file(const std::filesystem::path& file, std::span<const SceneChange> changes) {
+  return parse_scene_file(read_scene_text(file), changes);
 }
 
 SceneFile with_model(SceneFile scene, std::optional<Model> model) {

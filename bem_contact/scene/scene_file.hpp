@@ -4,6 +4,7 @@
 #include "bem_contact/base/schema.hpp"
 #include "bem_contact/profile/profile_reading.hpp"
 #include "bem_contact/scene/choices.hpp"
+#include "bem_contact/scene/scene_text.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -209,12 +210,10 @@ struct SceneChange {
 
 /// Read a scene; `changes` replace values of the file. Tables [sweep] and [table] are ignored
 /// (sweep_file.hpp reads them).
-/// Relative paths start at the file's folder; in a text, at the working directory. Both throw InputError,
-/// naming source, line and key, for what is no valid scene.
+/// Both throw InputError, naming source, line and key, for what is no valid scene.
 SceneFile read_scene_file(const std::filesystem::path& file, std::span<const SceneChange> changes = {});
 /// The same of a text.
-SceneFile parse_scene_file(std::string_view toml, std::string_view source_name = "text",
-                           std::span<const SceneChange> changes = {});
+SceneFile parse_scene_file(SceneText given, std::span<const SceneChange> changes = {});
 /// A scene file with every key: default, unit and meaning.
 std::string default_scene_file();
 /// The unit of a key of scenes, "" for none.

@@ -2,10 +2,8 @@
 
 #include "bem_contact/scene/scene_file.hpp"
 
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace bem_contact {
@@ -15,7 +13,7 @@ namespace bem_contact {
 class SceneReader {
 public:
   /// Throws InputError for a text that is no scene. Keys may still be missing that set() will give.
-  SceneReader(std::string_view toml, std::string_view source_name, std::filesystem::path folder);
+  explicit SceneReader(SceneText given);
   ~SceneReader();
   SceneReader(SceneReader&&) noexcept; ///< can be moved
 
@@ -32,13 +30,9 @@ public:
   SceneFile scene() const;
 
 private:
-  struct Source {
-    std::string toml, name;
-    std::filesystem::path folder;
-  };
   struct State;
 
-  Source source_;
+  SceneText given_;
   std::vector<SceneChange> changes_; ///< the last of each key
   std::unique_ptr<State> state_;
 };

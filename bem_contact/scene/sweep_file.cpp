@@ -1,7 +1,6 @@
 #include "bem_contact/scene/sweep_file.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/scene/case_table.hpp"
 
 #include <algorithm>
@@ -9,7 +8,9 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <set>
 #include <toml++/toml.h>
+#include <utility>
 
 namespace bem_contact {
 
@@ -32,7 +33,7 @@ struct Reader {
 
   [[noreturn]] void refuse(int line, const std::string& problem, const std::string& why,
                            const std::string& what_to_do) const {
-    throw InputError(fmt::format("{}:{}: {}", sweep.source, line, problem), why, what_to_do);
+    throw InputError(fmt::format("{}:{}: {}", sweep.text.source, line, problem), why, what_to_do);
   }
 
   void table(const toml::table& table, const std::string& prefix) {
@@ -70,7 +71,7 @@ struct Reader {
     if (!sweep.axes.empty() || !sweep.weights.empty() || mode_given)
       refuse(table_line, "sweep.table is given beside lists, weights or a mode",
              "its columns are the lists, its lines the cases", "Give either the table or lists.");
-    CaseTable cases = read_case_table(sweep.folder / sweep.table);
+    CaseTable cases = read_case_table(sweep.text.folder / sweep.table);
     for (CaseTable::Column& column : cases.columns)
       sweep.axes.push_back({std::move(column.key), std::move(column.values), table_line});
     sweep.weights = std::move(cases.weights);
@@ -187,9 +188,7 @@ std::vector<SceneChange> SweepFile::changes(std::size_t index) const {
 }
 
 SceneFile SweepFile::scene(std::size_t index) const {
-  SceneFile scene = parse_scene_file(text, source, changes(index));
-  scene.folder = folder;
-  return scene;
+  return parse_scene_file(text, changes(index));
 }
 
 std::string SweepFile::describe(std::size_t index) const {
@@ -199,25 +198,22 @@ std::string SweepFile::describe(std::size_t index) const {
   return out;
 }
 
-bool has_sweep(const std::filesystem::path& file) {
+bool has_sweep(const SceneText& given) {
   try {
-    return toml::parse(read_text_file(file.string(), "scene file")).contains("sweep");
+    return toml::parse(given.toml).contains("sweep");
   } catch (const toml::parse_error&) { // whoever reads the scene says what is wrong
     return false;
   }
 }
 
-SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name, std::string_view section,
-                           const std::filesystem::path& folder) {
-  SweepFile sweep;
-  sweep.folder = folder;
-  sweep.text = toml;
-  sweep.source = source_name;
+SweepFile parse_sweep_file(SceneText given, std::string_view section) {
+  SweepFile sweep{std::move(given)};
+  const std::string& source = sweep.text.source;
   toml::table root;
   try {
-    root = toml::parse(toml, source_name);
+    root = toml::parse(sweep.text.toml, source);
   } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: {}", source_name, error.source().begin.line, error.description()),
+    throw InputError(fmt::format("{}:{}: {}", source, error.source().begin.line, error.description()),
                      "the file is not valid TOML", "Correct the line.");
   }
   const toml::table* table = root[section].as_table();
@@ -228,7 +224,7 @@ SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name, 
     reader.cases_of_table(table->contains("mode"));
   if (sweep.axes.empty())
     throw InputError(
-        fmt::format("'{}' describes no {}", source_name, section),
+        fmt::format("'{}' describes no {}", source, section),
         fmt::format("it has no table [{}] with lists", section),
         fmt::format("Add one, for instance [{}] with position.lateral = {{ from = 6.2, to = 7.1, "
                     "step = 0.05 }} below it.",
@@ -238,26 +234,40 @@ SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name, 
   for (const SweepFile::Axis& axis : sweep.axes) {
     cases *= double(axis.values.size());
     if (std::ranges::count(sweep.axes, axis.key, &SweepFile::Axis::key) > 1)
-      throw InputError(fmt::format("{}:{}: {}.{} is given twice", source_name, axis.line, section, axis.key),
+      throw InputError(fmt::format("{}:{}: {}.{} is given twice", source, axis.line, section, axis.key),
                        "once as a dotted and once as a quoted key", "Remove one.");
     if (sweep.zip && axis.values.size() != sweep.axes.front().values.size())
-      throw InputError(fmt::format("{}:{}: the lists cannot be zipped", source_name, axis.line),
+      throw InputError(fmt::format("{}:{}: the lists cannot be zipped", source, axis.line),
                        fmt::format("{} has {} values and {} has {}", sweep.axes.front().key,
                                    sweep.axes.front().values.size(), axis.key, axis.values.size()),
                        "Give lists of equal lengths, or mode = \"product\".");
   }
   if (!sweep.zip && cases > double(most_cases))
-    throw InputError(fmt::format("'{}' has {:.3g} cases", source_name, cases),
+    throw InputError(fmt::format("'{}' has {:.3g} cases", source, cases),
                      fmt::format("at most {} are possible", most_cases), "Sweep over fewer values.");
   if (!sweep.weights.empty() && sweep.weights.size() != sweep.size())
-    throw InputError(fmt::format("'{}' has {} weights", source_name, sweep.weights.size()),
+    throw InputError(fmt::format("'{}' has {} weights", source, sweep.weights.size()),
                      fmt::format("it has {} cases", sweep.size()), "Give one weight for each case.");
   return sweep;
 }
 
 SweepFile read_sweep_file(const std::filesystem::path& file) {
-  return parse_sweep_file(read_text_file(file.string(), "scene file"), file.string(), "sweep",
-                          file.parent_path());
+  return parse_sweep_file(read_scene_text(file));
+}
+
+void check_values(const SweepFile& sweep) {
+  std::set<std::size_t> cases{0};
+  if (sweep.zip)
+    for (std::size_t i = 0; i < sweep.size(); ++i)
+      cases.insert(i);
+  std::size_t stride = sweep.size();
+  for (const SweepFile::Axis& axis : sweep.axes) {
+    stride /= axis.values.size();
+    for (std::size_t k = 0; k < axis.values.size() && !sweep.zip; ++k)
+      cases.insert(k * stride);
+  }
+  for (const std::size_t index : cases)
+    sweep.scene(index);
 }
 
 std::string to_text(const SchemaValue& value) {

@@ -31,14 +31,13 @@ struct SweepFile {
     int line = 0;
   };
 
-  std::string text, source; ///< of the file
-  std::filesystem::path folder;
-  std::vector<Axis> axes; ///< in the order of the file
+  SceneText text;              ///< with the table
+  std::vector<Axis> axes = {}; ///< in the order of the file
   /// sweep.weight: how often each case occurs compared with the others (a load collective); empty: alike. No
   /// result of a case depends on it.
-  std::vector<double> weights;
+  std::vector<double> weights = {};
   /// sweep.table: CSV file of lists and weights instead of those of the file (case_table.hpp); "": none.
-  std::string table;
+  std::string table = {};
   bool zip = false;
   bool fields = true; ///< keep the fields of each case, not only its totals
 
@@ -54,16 +53,18 @@ struct SweepFile {
   std::string describe(std::size_t index) const;
 };
 
-/// Whether a scene file has a table [sweep]. Throws InputError for a file that cannot be read.
-bool has_sweep(const std::filesystem::path& file);
+/// Whether a scene has a table [sweep].
+bool has_sweep(const SceneText& given);
 
 /// Throws InputError for a file without [sweep], an empty or endless range, a zip of lists of unequal
 /// lengths, or a key that no scene has.
 SweepFile read_sweep_file(const std::filesystem::path& file);
 /// `section`: the table that has the lists. "table" (bem_contact table) has lists alone, no mode or weight.
-/// A relative sweep.table starts at `folder`.
-SweepFile parse_sweep_file(std::string_view toml, std::string_view source_name = "text",
-                           std::string_view section = "sweep", const std::filesystem::path& folder = {});
+SweepFile parse_sweep_file(SceneText given, std::string_view section = "sweep");
+
+/// Parses the scene of every value of every list, and all cases of a zip, so that wrong input is found before
+/// anything is computed. Throws InputError.
+void check_values(const SweepFile& sweep);
 
 /// As TOML writes it; numbers with the fewest digits that give them back.
 std::string to_text(const SchemaValue& value);

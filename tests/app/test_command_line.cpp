@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
+#include <thread>
 
 namespace {
 
@@ -141,6 +143,15 @@ TEST_F(CommandLine, CheckSolvesNothing) {
   const Outcome r = run("check '" + write("s.toml", wheel_rail).string() + "'");
   EXPECT_EQ(r.code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("touch point"));
+}
+
+TEST_F(CommandLine, CheckReadsItsSceneOnceSoItMayBeAPipe) {
+  const std::filesystem::path file = write("s.toml", wheel_rail), pipe = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(pipe) << wheel_rail; });
+  const Outcome r = run("check '" + pipe.string() + "'");
+  writer.join();
+  EXPECT_EQ(r.out, run("check '" + file.string() + "'").out) << r.err;
 }
 
 TEST_F(CommandLine, ThePrintedDefaultIsAScene) {

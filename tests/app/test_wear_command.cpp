@@ -216,6 +216,7 @@ TEST_F(WearCommand, FatigueHasALineForEachPatch) {
   const nlohmann::json json = nlohmann::json::parse(both.out);
   const H5Table file = read_h5(path("f.h5"));
   EXPECT_EQ(json.at("cases"), 2);
+  EXPECT_EQ(json.at("patches").at("patch").at(0), 1);
   for (const auto& [name, values] : json.at("patches").items()) {
     EXPECT_EQ(file.datasets.at("patches/" + name).values, values.get<std::vector<double>>()) << name;
     EXPECT_EQ(file.datasets.at("patches/" + name).unit, json.at("units").at(name)) << name;

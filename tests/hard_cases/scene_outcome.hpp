@@ -16,8 +16,7 @@ namespace bem_contact::hard {
 /// failure for a number without a certificate, or for anything thrown that is not an Error.
 inline std::string outcome(const std::string& text, const std::filesystem::path& folder = {}) {
   try {
-    SceneFile scene = parse_scene_file(text, "scene.toml");
-    scene.folder = folder;
+    const SceneFile scene = parse_scene_file({text, "scene.toml", folder});
     const SceneResult solved = Sequence().solve(scene);
     const ContactResult& result = solved.result;
     EXPECT_EQ(result.converged, result.certificate.holds());

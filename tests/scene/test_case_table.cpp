@@ -27,8 +27,8 @@ const std::string wheel_rail =
 
 SweepFile sweep_of(const std::string& text, const std::string& more = "") {
   const std::filesystem::path file = csv(text);
-  return parse_sweep_file(wheel_rail + "table = \"" + file.filename().string() + "\"\n" + more, "s.toml",
-                          "sweep", file.parent_path());
+  return parse_sweep_file(
+      {wheel_rail + "table = \"" + file.filename().string() + "\"\n" + more, "s.toml", file.parent_path()});
 }
 
 TEST(CaseTable, HasPositionsLoadsFrictionAndWeights) {

@@ -17,7 +17,7 @@ using testing::IsEmpty;
 using testing::StartsWith;
 
 std::string refusal(const std::string& toml) {
-  return message_of([&] { parse_scene_file(toml, "scene.toml"); });
+  return message_of([&] { parse_scene_file({toml, "scene.toml"}); });
 }
 
 const std::string rolling = R"(
@@ -236,8 +236,8 @@ TEST(SceneFile, keys_without_effect_are_said) {
 
 TEST(SceneFile, a_sweep_changes_what_has_an_effect) {
   const std::vector<SceneChange> changes{{"motion.frictionless", SchemaValue(true), 3}};
-  EXPECT_THAT(parse_scene_file(flat + "motion.xi = 1e-3\n", "text", {}).unused, IsEmpty());
-  EXPECT_THAT(parse_scene_file(flat + "motion.xi = 1e-3\n", "text", changes).unused,
+  EXPECT_THAT(parse_scene_file(flat + "motion.xi = 1e-3\n").unused, IsEmpty());
+  EXPECT_THAT(parse_scene_file(flat + "motion.xi = 1e-3\n", changes).unused,
               ElementsAre(StartsWith("motion.xi: without effect")));
 }
 
@@ -294,7 +294,7 @@ TEST(SceneFile, ListsOfNumbers) {
   EXPECT_THAT(parse_scene_file(patch + "x = []").stresses.x, testing::IsEmpty());
   const auto refusal = [&](const std::string& line) {
     try {
-      parse_scene_file(patch + line, "scene.toml");
+      parse_scene_file({patch + line, "scene.toml"});
     } catch (const InputError& error) {
       return std::string(error.what());
     }

@@ -18,14 +18,14 @@ std::string refusal_of(SceneReader& reader, const SceneChange& change) {
 }
 
 TEST(SceneReader, GivesWhatReadingWithTheSameChangesGives) {
-  SceneReader reader(text, "text", "somewhere");
+  SceneReader reader({text, "text", "somewhere"});
   for (const double lateral : {1.0, 2.0, 3.0}) {
     const std::vector<SceneChange> changes{{"position.lateral", lateral},
                                            {"grid.elements", std::int64_t{200}},
                                            {"stresses.depths", std::vector<double>{0.5, lateral}}};
     for (const SceneChange& change : changes)
       reader.set(change);
-    const SceneFile kept = reader.scene(), read = parse_scene_file(text, "text", changes);
+    const SceneFile kept = reader.scene(), read = parse_scene_file(text, changes);
     EXPECT_EQ(kept.position.lateral, read.position.lateral);
     EXPECT_EQ(kept.grid.elements, read.grid.elements);
     EXPECT_EQ(kept.stresses.depths, read.stresses.depths);
@@ -35,7 +35,7 @@ TEST(SceneReader, GivesWhatReadingWithTheSameChangesGives) {
 }
 
 TEST(SceneReader, AKeyThatIsRefusedKeepsItsValue) {
-  SceneReader reader(text, "text", "");
+  SceneReader reader(text);
   reader.set({"position.lateral", 4.0});
   EXPECT_THAT(refusal_of(reader, {"position.lateral", std::string("far")}),
               HasSubstr("position.lateral is text"));
@@ -48,7 +48,7 @@ TEST(SceneReader, AKeyThatIsRefusedKeepsItsValue) {
 }
 
 TEST(SceneReader, NumbersBecomeWhatTheKeyWants) {
-  SceneReader reader(text, "text", "");
+  SceneReader reader(text);
   reader.set_number("grid.elements", 300);
   reader.set_number("grid.planar", 1);
   reader.set_number("position.lateral", 2);

@@ -61,7 +61,7 @@ TEST(SweepFile, WholeNumbersStayWhole) {
 
 TEST(SweepFile, WhatIsWrongIsSaidWithItsLine) {
   const auto message = [](const std::string& sweep, std::size_t index = 0) {
-    return message_of([&] { parse_sweep_file(scene + sweep, "s.toml").scene(index); });
+    return message_of([&] { parse_sweep_file({scene + sweep, "s.toml"}).scene(index); });
   };
   EXPECT_THAT(message("motion.xi = [0]\nload.forse = [1]\n"),
               HasSubstr("s.toml:14: unknown key 'load.forse'"));

@@ -11,7 +11,6 @@
 // With a table of `bem_contact table` instead of a scene: microseconds of one look-up, at points spread over
 // the axes.
 
-#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/c/conformal_contact.h"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/sequence/sequence.hpp"
@@ -103,8 +102,7 @@ private:
 std::vector<SceneFile> scenes_of(const char* file) {
   std::vector<SceneFile> scenes;
   for (int i = 0; i < different_forces; ++i) {
-    SceneReader reader(read_text_file(file, "scene file"), file,
-                       std::filesystem::absolute(file).parent_path());
+    SceneReader reader(read_scene_text(file));
     reader.set_number("load.force", force_of(i));
     for (const auto& [name, value] : few_elements)
       reader.set_number(name, value);

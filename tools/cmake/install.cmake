@@ -10,7 +10,7 @@ set(cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/conformal_contact)
 set(answers uses/conicity/wheelset_conicity uses/curves/creep_curves uses/table/creep_table uses/table/scene_table
             uses/table/table_file uses/wear/wear_of_result uses/wear/evolution uses/fatigue/fatigue_of_result
             uses/wheelset/solve_wheelset
-            uses/wheelset/quantities)
+            uses/wheelset/quantities uses/sweep/sweep_case uses/sweep/sweep_columns)
 set(public_headers)
 set(todo sequence/sequence sequence/shared_files sequence/quantities scene/scene_file scene/scene_reader base/error base/provenance contact/work
          ${answers})
@@ -34,7 +34,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/bem_contact/c/conformal_contact.h
 # Those that a caller writes in a program, for Doxygen: doxygen build/Doxyfile makes build/reference/html.
 set(doxygen_input bem_contact/c/conformal_contact.h)
 foreach(header sequence/sequence sequence/shared_files sequence/quantities sequence/scene_result sequence/comparison sequence/scene_description
-               sequence/stresses sequence/structural_result scene/scene_file scene/scene_reader scene/choices
+               sequence/stresses sequence/structural_result scene/scene_file scene/scene_text scene/scene_reader scene/choices
                contact/problem contact/result contact/work geometry/rigid_slip geometry/placement profile/contact_row
                halfspace/stress base/conventions base/error base/material base/provenance ${answers})
   list(APPEND doxygen_input bem_contact/${header}.hpp)

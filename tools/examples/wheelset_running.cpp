@@ -17,8 +17,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 namespace {
@@ -40,8 +38,7 @@ struct Forces {
 class Wheel {
 public:
   Wheel(const std::filesystem::path& file, bool left, bool warm)
-      : scene_(text_of(file), file.string(), file.parent_path()), sequence_(options(warm)),
-        sign_(left ? -1 : 1) {
+      : scene_(bem_contact::read_scene_text(file)), sequence_(options(warm)), sign_(left ? -1 : 1) {
     scene_.set({"position.side", std::string(left ? "left" : "right")});
   }
 
@@ -69,10 +66,6 @@ public:
   int solutions = 0;
 
 private:
-  static std::string text_of(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
   static bem_contact::SequenceOptions options(bool warm) {
     bem_contact::SequenceOptions out;
     out.ablation.keep_start = out.ablation.keep_numbers = out.ablation.learn = warm;

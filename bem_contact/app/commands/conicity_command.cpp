@@ -65,7 +65,7 @@ GivenScene given_scene(const ConicityArguments& arguments) {
           fmt::format("{} is not given", option), "without a scene it says what touches",
           fmt::format("Give a standard or a profile file, for instance {} {}.", option, example));
   const SceneFile scene = scene_without_file(arguments.changes);
-  return {"options", scene_with_defaults(scene), "", {}, scene, {}};
+  return {{scene_with_defaults(scene), "options"}, "", scene, {}};
 }
 
 std::vector<NamedFile> left_files(const LeftProfiles& left) {

@@ -231,10 +231,11 @@ struct Checked {
 
 ExitCode run_check(const SceneArguments& arguments) {
   Checked checked;
-  if (has_sweep(arguments.file))
-    checked.add(read_sweep_file(arguments.file));
+  const SceneText given = read_scene_text(arguments.file);
+  if (has_sweep(given))
+    checked.add(parse_sweep_file(given));
   else
-    checked.add(read_scene_file(arguments.file));
+    checked.add(parse_scene_file(given));
   for (const std::string& line : checked.lines)
     fmt::print("{}\n", line);
   if (arguments.strict)

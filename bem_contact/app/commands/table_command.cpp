@@ -4,10 +4,10 @@
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/app/sweep/sweep_workers.hpp"
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/uses/sweep/sweep_case.hpp"
 #include "bem_contact/uses/table/creep_table.hpp"
 #include "bem_contact/uses/table/scene_table.hpp"
 #include "bem_contact/uses/table/table_file.hpp"
@@ -157,15 +157,12 @@ Order creep_order(TableArguments& arguments) {
 }
 
 Order scene_order(TableArguments& arguments) {
-  const std::filesystem::path file = arguments.input;
-  table::SceneTable described = table::parse_scene_table(read_text_file(arguments.input, "scene file"),
-                                                         arguments.input, file.parent_path());
+  table::SceneTable described = table::parse_scene_table(read_scene_text(arguments.input));
   described.model = arguments.model;
   arguments.wanted.rescale = table::rescale;
   Order order{table::table_of(described), {}, {}};
   const SceneFile scene = table::first_scene(described);
-  order.given = GivenScene{described.source, described.text, described.model,
-                           described.folder, scene,          inputs_of(scene)};
+  order.given = GivenScene{described.text, described.model, scene, inputs_of(scene)};
   order.make_solver = [described] { return table::scene_point_solver(described); };
   return order;
 }

@@ -155,8 +155,8 @@ Repetition repeat_result(const fs::path& file, const fs::path& folder) {
   Repetition out;
   out.program = text_attribute(table, "program");
   out.commit = text_attribute(table, "commit");
-  SceneReader reader(table.texts.at("scene_with_defaults").text,
-                     fmt::format("scene_with_defaults of '{}'", file.string()), start);
+  SceneReader reader({table.texts.at("scene_with_defaults").text,
+                      fmt::format("scene_with_defaults of '{}'", file.string()), start});
   InputsAgain inputs(table, start);
   inputs.point_to(reader, out.warnings);
   out.result = Sequence().solve(reader.scene());

@@ -7,7 +7,6 @@
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
-#include "bem_contact/scene/scene_reader.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -29,13 +28,8 @@ std::string without_machine(const std::string& name) {
 
 GivenScene read_given_scene(const std::string& file, const std::string& model,
                             std::span<const SceneChange> changes) {
-  GivenScene out{
-      file, read_text_file(file, "scene file"), model, std::filesystem::path(file).parent_path(), {}, {}};
-  SceneReader reader(out.text, file, out.folder);
-  for (const SceneChange& change : changes)
-    reader.set(change);
-  out.scene = with_model(reader.scene(), model);
-  return out;
+  const SceneText text = read_scene_text(file);
+  return {text, model, with_model(parse_scene_file(text, changes), model), {}};
 }
 
 GivenScene read_given_scene_for(const std::vector<Output>& outputs, const std::string& file,
@@ -90,12 +84,12 @@ void add_scene(H5Table& table, const GivenScene& given, const std::filesystem::p
   auto& a = table.attributes;
   a["program"] = provenance("bem_contact");
   a["commit"] = std::string(commit());
-  a["scene"] = std::filesystem::path(given.source).filename().string();
+  a["scene"] = std::filesystem::path(given.text.source).filename().string();
   const auto target = std::filesystem::weakly_canonical(std::filesystem::absolute(output)).parent_path();
-  const auto folder = std::filesystem::weakly_canonical(std::filesystem::absolute(given.folder / "."));
+  const auto folder = std::filesystem::weakly_canonical(std::filesystem::absolute(given.text.folder / "."));
   a["scene_folder"] = folder.lexically_proximate(target).generic_string();
   a["model_option"] = given.model;
-  table.texts["scene_text"] = {given.text, "the scene as it was given (TOML)"};
+  table.texts["scene_text"] = {given.text.toml, "the scene as it was given (TOML)"};
   table.texts["scene_with_defaults"] = {scene_with_defaults(given.scene),
                                         "every key of the scene that was solved, with its value (TOML)"};
   const auto material = [&](const std::string& side, const Material& m) {

@@ -26,10 +26,8 @@ struct InputRecord {
 
 /// A scene as a command was given it.
 struct GivenScene {
-  std::string source;              ///< name of its file
-  std::string text;                ///< of the file
+  SceneText text;                  ///< of its file
   std::string model;               ///< of the option --model; "": none
-  std::filesystem::path folder;    ///< where the scene's relative paths start
   SceneFile scene;                 ///< with the model of the option
   std::vector<InputRecord> inputs; ///< inputs_of() the scene, before it is solved; empty: not recorded
 };

@@ -1,6 +1,7 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/result_file.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/app/sweep/sweep_journal.hpp"
 #include "bem_contact/app/sweep/sweep_output.hpp"
@@ -11,14 +12,10 @@
 #include "bem_contact/base/interrupt_note.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
-#include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/influence/h5_table.hpp"
-#include "bem_contact/sequence/result_warnings.hpp"
-#include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 
 #include <CLI/CLI.hpp>
-#include <ctime>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
@@ -79,44 +76,15 @@ bool is_complete(const std::filesystem::path& output, const std::string& digest)
   return top.attributes["missing"] == H5Attribute(0.0);
 }
 
-/// What a worker keeps from case to case.
-struct Solver {
-  std::shared_ptr<SequenceFiles> files;
-  Sequence sequence;
-
-  Solver(bool displacements, std::shared_ptr<SequenceFiles> shared)
-      : files(std::move(shared)), sequence({.displacements = displacements}, files) {}
-};
-
-CaseRecord solve_case(Solver& solver, const SweepFile& sweep, std::size_t index,
-                      const SweepRequest& request) {
-  const Stopwatch watch;
-  const std::clock_t cpu = std::clock();
-  CaseRecord record;
-  const auto failed = [&](CaseStatus status, const char* reason) {
-    record.index = index;
-    record.status = status;
-    record.reason = reason;
-  };
-  try {
-    const SceneFile scene = with_model(sweep.scene(index), request.model);
-    const auto kept = [&](const auto& result) {
-      if (request.strict)
-        refuse_warnings(result.warnings);
-      return case_record(index, result, sweep.fields);
+CaseRecord solved(SweepSolver& solver, const SweepFile& sweep, std::size_t index,
+                  const SweepRequest& request) {
+  H5Table fields;
+  SweepOptions options{.model = request.model, .strict = request.strict};
+  if (sweep.fields)
+    options.seen = [&](const std::string& group, const SceneResult& result) {
+      add_group(fields, group, to_case_table(result));
     };
-    record = scene.wheelset.force ? kept(solve_wheelset(scene, nullptr, solver.files))
-                                  : kept(solver.sequence.solve(scene));
-  } catch (const ConvergenceError& error) {
-    failed(CaseStatus::not_certified, error.what());
-  } catch (const InputError& error) {
-    failed(CaseStatus::refused, error.what());
-  } catch (const std::exception& error) {
-    failed(CaseStatus::not_certified, error.what());
-  }
-  record.seconds = watch.seconds();
-  record.cpu_seconds = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
-  return record;
+  return {solve_case(solver, sweep, index, options), std::move(fields)};
 }
 
 /// Here, so that messages about them come once and not from each process.
@@ -150,15 +118,12 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
   const auto files = shared_files(); // each worker fills its own copy
   read_first_profiles(sweep, *files);
   calls.make_solver = [&]() -> CaseSolver {
-    const auto solver = std::make_shared<Solver>(sweep.fields, files);
-    return [&, solver](std::size_t index) { return to_bytes(solve_case(*solver, sweep, index, request)); };
+    const auto solver = std::make_shared<SweepSolver>(files, sweep.fields);
+    return [&, solver](std::size_t index) { return to_bytes(solved(*solver, sweep, index, request)); };
   };
   calls.done = [&](std::size_t, std::string bytes) { keep(from_bytes(bytes), bytes); };
   calls.died = [&](std::size_t index, const std::string& reason) {
-    CaseRecord record;
-    record.index = index;
-    record.status = CaseStatus::died;
-    record.reason = reason;
+    const CaseRecord record{{.index = index, .status = CaseStatus::died, .reason = reason}};
     keep(record, to_bytes(record));
   };
   solve_in_processes(chunks, request.jobs, calls);
@@ -183,11 +148,12 @@ void write_file(const std::filesystem::path& file, const std::vector<std::filesy
   writer.finish();
 }
 
-void write_csv_of(const std::filesystem::path& csv, const H5Table& top, const SweepFile& sweep) {
+void write_csv_of(const std::filesystem::path& csv, const H5Table& top, const SweepFile& sweep,
+                  const SweepColumns& columns) {
   std::vector<std::string> reasons(sweep.size());
   for (std::size_t i = 0; i < sweep.size(); ++i)
     reasons[i] = text_attribute(top, fmt::format("cases/{:06}/reason", i));
-  write_csv(csv_files(csv), sweep, top, reasons);
+  write_csv(csv_files(csv), sweep, columns, top, reasons);
 }
 
 void check_outputs(const SweepFile& sweep, const SweepRequest& request,
@@ -202,9 +168,10 @@ void check_outputs(const SweepFile& sweep, const SweepRequest& request,
 }
 
 /// What is known from all journals, after this process has solved its part of the rest.
-SweepOutput results_of(const SweepFile& sweep, const SweepRequest& request, const Share& share,
-                       const std::filesystem::path& own_journal, const std::string& digest) {
-  SweepOutput results(sweep, digest);
+SweepOutput results_of(const SweepFile& sweep, const SweepColumns& columns, const SweepRequest& request,
+                       const Share& share, const std::filesystem::path& own_journal,
+                       const std::string& digest) {
+  SweepOutput results(sweep, columns, digest);
   const auto add = [&](const CaseRecord& record) { results.add(record); };
   for (const std::filesystem::path& journal : journals_of(request.output))
     if (request.merge || journal != own_journal)
@@ -229,6 +196,7 @@ SweepSummary run_sweep(const SweepRequest& request) {
   const SweepFile sweep = read_sweep_file(request.scene);
   const Share share = share_of(request.part);
   check_values(sweep);
+  const SweepColumns& columns = columns_of(sweep);
   const std::filesystem::path output = request.output;
   const std::filesystem::path own_journal = journal_name(output, share.part, share.parts);
   check_outputs(sweep, request, own_journal);
@@ -241,7 +209,7 @@ SweepSummary run_sweep(const SweepRequest& request) {
         std::filesystem::remove(journal);
   } else {
     const GivenScene given = given_sweep(sweep, request.model);
-    const SweepOutput results = results_of(sweep, request, share, own_journal, digest);
+    const SweepOutput results = results_of(sweep, columns, request, share, own_journal, digest);
     if (share.parts > 1)
       return summary_of(
           results.top(), share,
@@ -250,9 +218,9 @@ SweepSummary run_sweep(const SweepRequest& request) {
     if (results.count(CaseStatus::missing) == 0)
       remove_journals(output);
   }
-  const H5Table top = read_sweep_top(output, sweep);
+  const H5Table top = read_sweep_top(output, sweep, columns);
   if (!request.csv.empty())
-    write_csv_of(request.csv, top, sweep);
+    write_csv_of(request.csv, top, sweep, columns);
   return summary_of(top, share, head);
 }
 

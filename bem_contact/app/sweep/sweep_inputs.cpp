@@ -12,21 +12,6 @@
 
 namespace bem_contact::app {
 
-void check_values(const SweepFile& sweep) {
-  std::set<std::size_t> cases{0};
-  if (sweep.zip)
-    for (std::size_t i = 0; i < sweep.size(); ++i)
-      cases.insert(i);
-  std::size_t stride = sweep.size();
-  for (const SweepFile::Axis& axis : sweep.axes) {
-    stride /= axis.values.size();
-    for (std::size_t k = 0; k < axis.values.size() && !sweep.zip; ++k)
-      cases.insert(k * stride);
-  }
-  for (const std::size_t index : cases)
-    sweep.scene(index);
-}
-
 namespace {
 
 /// The table of cases, and the files that the lists name, with the key "rail.profile[1]" for the second of a
@@ -34,11 +19,11 @@ namespace {
 std::vector<NamedFile> files_of_lists(const SweepFile& sweep) {
   std::vector<NamedFile> out;
   if (!sweep.table.empty())
-    out.push_back({"sweep.table", sweep.table, sweep.folder / sweep.table});
+    out.push_back({"sweep.table", sweep.table, sweep.text.folder / sweep.table});
   for (const SweepFile::Axis& axis : sweep.axes)
     for (std::size_t k = 0; k < axis.values.size(); ++k)
       if (const auto* text = std::get_if<std::string>(&axis.values[k]))
-        for (NamedFile& named : files_of_key(axis.key, *text, sweep.folder))
+        for (NamedFile& named : files_of_key(axis.key, *text, sweep.text.folder))
           if (is_regular(named.file)) {
             named.key.insert(axis.key.size(), fmt::format("[{}]", k));
             out.push_back(std::move(named));
@@ -66,7 +51,7 @@ std::vector<std::filesystem::path> files_read(const std::filesystem::path& file,
 }
 
 GivenScene given_sweep(const SweepFile& sweep, const std::string& model) {
-  GivenScene out{sweep.source, sweep.text, model, sweep.folder, sweep.scene(0), {}};
+  GivenScene out{sweep.text, model, sweep.scene(0), {}};
   out.inputs = inputs_of(out.scene);
   std::ranges::move(records_of(files_of_lists(sweep)), std::back_inserter(out.inputs));
   out.scene = with_model(std::move(out.scene), model);
@@ -75,7 +60,7 @@ GivenScene given_sweep(const SweepFile& sweep, const std::string& model) {
 
 std::string digest_of(const SweepFile& sweep, const std::string& options) {
   std::string all = provenance("bem_contact") + "\n" + std::string(commit()) + "\n" + options + "\n" +
-                    sha256(sweep.text) + "\n";
+                    sha256(sweep.text.toml) + "\n";
   for (const std::string& name : input_paths(sweep))
     all += sha256(read_text_file(name, "input", std::numeric_limits<std::size_t>::max() / 4)) + "\n";
   return sha256(all);

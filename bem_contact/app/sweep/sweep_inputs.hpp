@@ -8,10 +8,6 @@
 
 namespace bem_contact::app {
 
-/// Parses the scene of every value of every list, and all cases of a zip, so that wrong input is found before
-/// anything is computed. Throws InputError.
-void check_values(const SweepFile& sweep);
-
 /// The files that the cases read, each once.
 std::set<std::string> input_paths(const SweepFile& sweep);
 

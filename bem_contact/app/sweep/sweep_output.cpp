@@ -40,29 +40,21 @@ std::string quoted(const std::string& text) {
   return out;
 }
 
-const SweepColumns& columns_of(const SweepFile& sweep) {
-  return is_of_wheelsets(sweep) ? wheelset_columns() : contact_columns();
-}
-
 } // namespace
 
-bool is_of_wheelsets(const SweepFile& sweep) {
-  return sweep.scene(0).wheelset.force.has_value();
-}
-
-SweepOutput::SweepOutput(const SweepFile& sweep, std::string digest)
-    : sweep_(&sweep), columns_(&columns_of(sweep)), digest_(std::move(digest)), cases_(sweep.size()) {
-  for (CaseRecord& missing : cases_)
+SweepOutput::SweepOutput(const SweepFile& sweep, const SweepColumns& columns, std::string digest)
+    : sweep_(&sweep), columns_(&columns), digest_(std::move(digest)), cases_(sweep.size()) {
+  for (SweepCase& missing : cases_)
     missing.seconds = missing.cpu_seconds = std::nan("");
 }
 
-void SweepOutput::add(const CaseRecord& r) {
+void SweepOutput::add(const SweepCase& r) {
   if (r.index < cases_.size() && status(r.index) == CaseStatus::missing)
-    cases_[r.index] = {r.index, r.status, {}, r.seconds, r.cpu_seconds, r.summary, r.patches, {}};
+    cases_[r.index] = {r.index, r.status, {}, r.seconds, r.cpu_seconds, r.summary, r.patches};
 }
 
 std::size_t SweepOutput::count(CaseStatus status) const {
-  return static_cast<std::size_t>(std::ranges::count(cases_, status, &CaseRecord::status));
+  return static_cast<std::size_t>(std::ranges::count(cases_, status, &SweepCase::status));
 }
 
 void SweepOutput::add_axes(H5Table& table, const std::string& group,
@@ -84,25 +76,18 @@ void SweepOutput::add_axes(H5Table& table, const std::string& group,
   }
 }
 
-void SweepOutput::add_patches(H5Table& table) const {
-  std::vector<std::size_t> cases;
-  std::vector<double> case_of, rank;
-  std::vector<std::vector<double>> columns(columns_->patches.size());
-  for (std::size_t i = 0; i < size(); ++i)
-    for (std::size_t patch = 0; patch < cases_[i].patches.size(); ++patch) {
-      cases.push_back(i);
-      case_of.push_back(static_cast<double>(i));
-      rank.push_back(static_cast<double>(patch + 1));
-      for (std::size_t k = 0; k < columns.size(); ++k)
-        columns[k].push_back(cases_[i].patches[patch].at(k));
-    }
-  const std::size_t n = cases.size();
-  table.datasets["patches/case"] = {{n}, std::move(case_of), "1", "the case, from 0"};
-  table.datasets["patches/patch"] = {{n}, std::move(rank), "1", "1: the largest force"};
-  add_axes(table, "patches/", cases);
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const Column& column = columns_->patches[k];
-    table.datasets["patches/" + column.name] = {{n}, std::move(columns[k]), column.unit, column.description};
+void SweepOutput::add_patches(H5Table& table, SweepNumbers& numbers) const {
+  const std::size_t n = numbers.patch_case.size();
+  const auto line = [&](const std::string& name, std::vector<double> values, const std::string& unit,
+                        const std::string& description) {
+    table.datasets["patches/" + name] = {{n}, std::move(values), unit, description};
+  };
+  line("case", {numbers.patch_case.begin(), numbers.patch_case.end()}, "1", "the case, from 0");
+  line("patch", {numbers.patch_rank.begin(), numbers.patch_rank.end()}, "1", "1: the largest force");
+  add_axes(table, "patches/", numbers.patch_case);
+  for (std::size_t k = 0; k < numbers.patches.size(); ++k) {
+    const SweepColumn& column = columns_->patches[k];
+    line(column.name, std::move(numbers.patches[k]), column.unit, column.description);
   }
 }
 
@@ -117,16 +102,16 @@ H5Table SweepOutput::top() const {
   std::vector<std::size_t> cases(n);
   std::iota(cases.begin(), cases.end(), std::size_t{0});
   add_axes(table, "", cases);
-  line("status", "1", status_description, [](const CaseRecord& r) { return static_cast<double>(r.status); });
-  line("seconds", "s", seconds_description, std::mem_fn(&CaseRecord::seconds));
-  line("cpu_seconds", "s", cpu_description, std::mem_fn(&CaseRecord::cpu_seconds));
-  for (std::size_t k = 0; k < columns_->cases.size(); ++k) {
-    const Column& column = columns_->cases[k];
-    line(column.name, column.unit, column.description,
-         [k](const CaseRecord& r) { return r.summary.empty() ? std::nan("") : r.summary.at(k); });
+  line("status", "1", status_description, [](const SweepCase& r) { return static_cast<double>(r.status); });
+  line("seconds", "s", seconds_description, std::mem_fn(&SweepCase::seconds));
+  line("cpu_seconds", "s", cpu_description, std::mem_fn(&SweepCase::cpu_seconds));
+  SweepNumbers numbers = numbers_of(cases_, *columns_);
+  for (std::size_t k = 0; k < numbers.cases.size(); ++k) {
+    const SweepColumn& column = columns_->cases[k];
+    table.datasets[column.name] = {{n}, std::move(numbers.cases[k]), column.unit, column.description};
   }
   if (!columns_->patches.empty())
-    add_patches(table);
+    add_patches(table, numbers);
   auto& a = table.attributes;
   a["format"] = std::string(sweep_format);
   a["digest"] = digest_;
@@ -153,13 +138,13 @@ void require_below(std::size_t count, const H5Table& table, const std::string& n
 
 } // namespace
 
-H5Table read_sweep_top(const std::filesystem::path& file, const SweepFile& sweep) {
+H5Table read_sweep_top(const std::filesystem::path& file, const SweepFile& sweep,
+                       const SweepColumns& columns) {
   H5Table top = read_h5_top(file, "patches");
-  const SweepColumns& columns = columns_of(sweep);
   for (const char* name : {"status", "seconds", "cpu_seconds"})
     dataset_of(top, name, file, sweep.size());
   require_below(EnumNames<CaseStatus>::names.size(), top, "status", file);
-  for (const Column& column : columns.cases) {
+  for (const SweepColumn& column : columns.cases) {
     dataset_of(top, column.name, file, sweep.size());
     if (is_model(column))
       require_below(EnumNames<Model>::names.size(), top, column.name, file, true);
@@ -171,7 +156,7 @@ H5Table read_sweep_top(const std::filesystem::path& file, const SweepFile& sweep
   for (const char* name : {"patches/case", "patches/patch"})
     dataset_of(top, name, file, rows);
   require_below(sweep.size(), top, "patches/case", file);
-  for (const Column& column : columns.patches)
+  for (const SweepColumn& column : columns.patches)
     dataset_of(top, "patches/" + column.name, file, rows);
   return top;
 }
@@ -202,7 +187,7 @@ std::string cell(const H5Table& table, const std::string& name, std::size_t i) {
   return std::isnan(value) ? std::string() : fmt::format("{}", value);
 }
 
-std::string cell(const H5Table& table, const Column& column, std::size_t i) {
+std::string cell(const H5Table& table, const SweepColumn& column, std::size_t i) {
   const double value = table.datasets.at(column.name).values[i];
   return is_model(column) && !std::isnan(value) ? std::string(name_of(static_cast<Model>(value)))
                                                 : cell(table, column.name, i);
@@ -228,31 +213,30 @@ void print_changes(std::ostream& out, const SweepFile& sweep, std::size_t i) {
     fmt::print(out, ",{}", sweep.weight(i));
 }
 
-void print_cases(std::ostream& out, const SweepFile& sweep, const H5Table& top,
-                 const std::vector<std::string>& reasons) {
-  const std::vector<Column>& columns = columns_of(sweep).cases;
+void print_cases(std::ostream& out, const SweepFile& sweep, const std::vector<SweepColumn>& columns,
+                 const H5Table& top, const std::vector<std::string>& reasons) {
   fmt::print(out, "case");
   print_axes(out, sweep);
   fmt::print(out, ",status,seconds,cpu_seconds");
-  for (const Column& column : columns)
+  for (const SweepColumn& column : columns)
     fmt::print(out, ",{}", column.name);
   fmt::print(out, ",reason\n");
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     fmt::print(out, "{}", i);
     print_changes(out, sweep, i);
     fmt::print(out, ",{},{},{}", status_of(top, i), cell(top, "seconds", i), cell(top, "cpu_seconds", i));
-    for (const Column& column : columns)
+    for (const SweepColumn& column : columns)
       fmt::print(out, ",{}", cell(top, column, i));
     fmt::print(out, ",{}\n", reasons[i].empty() ? "" : quoted(reasons[i]));
   }
 }
 
-void print_patches(std::ostream& out, const SweepFile& sweep, const H5Table& top) {
-  const std::vector<Column>& columns = columns_of(sweep).patches;
+void print_patches(std::ostream& out, const SweepFile& sweep, const std::vector<SweepColumn>& columns,
+                   const H5Table& top) {
   fmt::print(out, "case,patch");
   print_axes(out, sweep);
   fmt::print(out, ",status");
-  for (const Column& column : columns)
+  for (const SweepColumn& column : columns)
     fmt::print(out, ",{}", column.name);
   fmt::print(out, "\n");
   const std::vector<double>& cases = top.datasets.at("patches/case").values;
@@ -261,15 +245,14 @@ void print_patches(std::ostream& out, const SweepFile& sweep, const H5Table& top
     fmt::print(out, "{},{}", i, cell(top, "patches/patch", row));
     print_changes(out, sweep, i);
     fmt::print(out, ",{}", status_of(top, i));
-    for (const Column& column : columns)
+    for (const SweepColumn& column : columns)
       fmt::print(out, ",{}", cell(top, "patches/" + column.name, row));
     fmt::print(out, "\n");
   }
 }
 
-void print_units(std::ostream& out, const SweepFile& sweep) {
+void print_units(std::ostream& out, const SweepFile& sweep, const SweepColumns& columns) {
   fmt::print(out, "table,name,unit,description\n");
-  const SweepColumns& columns = columns_of(sweep);
   std::vector<const char*> tables{"cases"};
   if (!columns.patches.empty())
     tables.push_back("patches");
@@ -282,8 +265,8 @@ void print_units(std::ostream& out, const SweepFile& sweep) {
   fmt::print(out, "cases,status,1,{}\n", quoted(status_description));
   fmt::print(out, "cases,seconds,s,{}\ncases,cpu_seconds,s,{}\n", quoted(seconds_description),
              quoted(cpu_description));
-  const auto print = [&](const char* table, const std::vector<Column>& all) {
-    for (const Column& column : all)
+  const auto print = [&](const char* table, const std::vector<SweepColumn>& all) {
+    for (const SweepColumn& column : all)
       fmt::print(out, "{},{},{},{}\n", table, column.name, column.unit, quoted(column.description));
   };
   print("cases", columns.cases);
@@ -292,13 +275,13 @@ void print_units(std::ostream& out, const SweepFile& sweep) {
 
 } // namespace
 
-void write_csv(const CsvFiles& files, const SweepFile& sweep, const H5Table& top,
+void write_csv(const CsvFiles& files, const SweepFile& sweep, const SweepColumns& columns, const H5Table& top,
                const std::vector<std::string>& reasons) {
-  write_text(files.cases, [&](std::ostream& out) { print_cases(out, sweep, top, reasons); });
-  if (!files.patches.empty() && !is_of_wheelsets(sweep))
-    write_text(files.patches, [&](std::ostream& out) { print_patches(out, sweep, top); });
+  write_text(files.cases, [&](std::ostream& out) { print_cases(out, sweep, columns.cases, top, reasons); });
+  if (!files.patches.empty() && !columns.patches.empty())
+    write_text(files.patches, [&](std::ostream& out) { print_patches(out, sweep, columns.patches, top); });
   if (!files.units.empty())
-    write_text(files.units, [&](std::ostream& out) { print_units(out, sweep); });
+    write_text(files.units, [&](std::ostream& out) { print_units(out, sweep, columns); });
 }
 
 } // namespace bem_contact::app

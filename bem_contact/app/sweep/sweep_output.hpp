@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem_contact/app/sweep/sweep_record.hpp"
-#include "bem_contact/scene/sweep_file.hpp"
+#include "bem_contact/uses/sweep/sweep_columns.hpp"
 
 #include <filesystem>
 #include <string>
@@ -21,9 +21,9 @@ namespace bem_contact::app {
 /// status.
 class SweepOutput {
 public:
-  SweepOutput(const SweepFile& sweep, std::string digest);
+  SweepOutput(const SweepFile& sweep, const SweepColumns& columns, std::string digest);
 
-  void add(const CaseRecord& record); ///< the first record of a case counts; its fields are not kept
+  void add(const SweepCase& record); ///< the first record of a case counts; its reason is not kept
   std::size_t size() const { return cases_.size(); } ///< cases
   CaseStatus status(std::size_t index) const { return cases_[index].status; }
   std::size_t count(CaseStatus status) const;
@@ -33,20 +33,18 @@ public:
 
 private:
   void add_axes(H5Table& table, const std::string& group, const std::vector<std::size_t>& cases) const;
-  void add_patches(H5Table& table) const;
+  void add_patches(H5Table& table, SweepNumbers& numbers) const;
 
   const SweepFile* sweep_;
   const SweepColumns* columns_;
   std::string digest_;
-  std::vector<CaseRecord> cases_; ///< without their fields
+  std::vector<SweepCase> cases_; ///< without their reasons
 };
 
 /// The top of a sweep's file with its patches. Throws InputError unless it has every dataset of this sweep,
 /// each as long as the sweep has cases or the file has patches.
-H5Table read_sweep_top(const std::filesystem::path& file, const SweepFile& sweep);
-
-/// Whether the cases are solved by solve_wheelset().
-bool is_of_wheelsets(const SweepFile& sweep);
+H5Table read_sweep_top(const std::filesystem::path& file, const SweepFile& sweep,
+                       const SweepColumns& columns);
 
 /// The group of a case: its fields and its reason.
 H5Table group_of(const CaseRecord& record);
@@ -64,7 +62,7 @@ CsvFiles csv_files(const std::filesystem::path& csv);
 ///            not of wheelsets
 ///   units    a line a column of either: table, name, unit, description
 /// `top`: of read_sweep_top(). Throws what write_text() does (base/output_file.hpp).
-void write_csv(const CsvFiles& files, const SweepFile& sweep, const H5Table& top,
+void write_csv(const CsvFiles& files, const SweepFile& sweep, const SweepColumns& columns, const H5Table& top,
                const std::vector<std::string>& reasons);
 
 } // namespace bem_contact::app

@@ -1,6 +1,5 @@
 #include "bem_contact/app/sweep/sweep_workers.hpp"
 
-#include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 
 #include <poll.h>
@@ -207,10 +206,6 @@ private:
 };
 
 } // namespace
-
-std::size_t chunk_size(std::size_t cases) {
-  return std::clamp(cases / chunks_of_a_sweep, smallest_chunk, largest_chunk);
-}
 
 void solve_in_processes(std::vector<Chunk> chunks, int jobs, const WorkerCalls& calls) {
   const NoPipeSignal no_signal;

@@ -10,9 +10,6 @@ namespace bem_contact::app {
 /// Cases that one process solves one after the other, each from what it learnt of those before.
 using Chunk = std::vector<std::size_t>;
 
-/// How many cases make a chunk.
-std::size_t chunk_size(std::size_t cases);
-
 /// Solves one case and returns what to keep of it. Each chunk gets a new solver, in its own process.
 using CaseSolver = std::function<std::string(std::size_t index)>;
 

@@ -68,7 +68,7 @@ GridPlan without_far_elements(GridPlan plan, const GridSolution& solved) {
   std::ranges::for_each(solved.history, look);
   // One joined element more on each side, for what the rough solution is off by: one and a half from the
   // middle of the last that touches.
-  constexpr int beyond = 3 * trim_factor / 2;
+  const int beyond = 3 * trim_factor / 2;
   const int end = plan.first + plan.rows;
   if (first > 0)
     plan.first = std::clamp((rough.first + first) * trim_factor - beyond, plan.first, end);

@@ -48,7 +48,7 @@ WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
 }
 
 SceneFile scene_without_file(std::span<const SceneChange> changes) {
-  return parse_scene_file("load.force = 1.0\n", "options", changes);
+  return parse_scene_file({"load.force = 1.0\n", "options"}, changes);
 }
 
 WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplitudes& amplitudes,

@@ -90,17 +90,11 @@ public:
   Contact(Sequence& sequence, const SceneFile& scene, const std::atomic<bool>* stop)
       : sequence_(sequence), scene_(scene), stop_(stop) {
     first_ = sequence.solve(scene, stop);
-    scene_ = with_model(scene, first_.model);
-    scene_.grid.dx = first_.problem.grid.dx;
-    scene_.grid.ds = first_.problem.grid.ds;
-    scene_.grid.elements.reset();
-    scene_.grid.accuracy.reset();
+    scene_ = with_elements(with_model(scene, first_.model), first_.problem.grid.dx, first_.problem.grid.ds);
     scene_.stresses.depths.clear();
     scene_.motion.free_rolling = false;
-    if (scene.load.force_y) {
-      scene_.position.lateral = first_.lateral.value_or(scene.position.lateral);
-      scene_.load.force_y.reset();
-    }
+    if (scene.load.force_y)
+      scene_ = with_lateral(scene_, first_.lateral.value_or(scene.position.lateral));
     if (scene.motion.from_free_rolling) {
       scene_.motion.from_free_rolling = false;
       offset_ = first_.xi - scene.motion.xi;

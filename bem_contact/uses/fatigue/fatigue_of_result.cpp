@@ -148,9 +148,9 @@ CollectiveFatigue fatigue_of(const SweepFile& sweep, const FatigueProperties& pr
       throw ConvergenceError(fmt::format("Case {} has no certified result", i), sweep.describe(i),
                              "Solve it alone to see why.");
     const Fatigue f = fatigue_of(result, properties);
+    std::size_t number = 0;
     for (const PatchFatigue& patch : f.patches) {
-      out.patches.push_back({patch, i, static_cast<std::size_t>(&patch - f.patches.data()), sweep.weight(i),
-                             f.peaks.value_or(StressPeaks{})});
+      out.patches.push_back({patch, i, ++number, sweep.weight(i), f.peaks.value_or(StressPeaks{})});
       out.beyond += patch.surface_index > 0;
       out.damage += sweep.weight(i) * patch.damage;
     }
@@ -165,7 +165,7 @@ std::span<const ColumnOf<CollectivePatch>> collective_columns() {
   static const std::vector<ColumnOf<P>> columns = [] {
     std::vector<ColumnOf<P>> all{
         {"case", "1", "of the sweep, from 0", [](const P& p) { return double(p.index); }},
-        {"patch", "1", "of the case, from 0, the largest force first",
+        {"patch", "1", "of the case, from 1, the largest force first",
          [](const P& p) { return double(p.patch); }},
         {"weight", "1", "how often the case occurs", [](const P& p) { return p.weight; }}};
     all.insert(all.end(), columns_of<P>.begin(), columns_of<P>.end());

@@ -95,7 +95,7 @@ std::span<const ColumnOf<PatchFatigue>> patch_columns();
 /// One patch of one case of a load collective.
 struct CollectivePatch : PatchFatigue {
   std::size_t index = 0; ///< of the case in the sweep
-  std::size_t patch = 0; ///< of the case, the largest force first
+  std::size_t patch = 0; ///< of the case, from 1, the largest force first
   double weight = 1;     ///< how often the case occurs
   StressPeaks peaks;     ///< of the case; 0 where they are not asked for
 };

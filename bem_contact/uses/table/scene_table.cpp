@@ -13,6 +13,7 @@
 #include <fmt/ranges.h>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace bem_contact::table {
 
@@ -95,10 +96,6 @@ SceneFile scene_at(const SceneTable& described, SceneReader& reader, const Point
   return with_model(reader.scene(), described.model);
 }
 
-SceneReader reader_of(const SceneTable& described) {
-  return {described.text, described.source, described.folder};
-}
-
 /// Names that hold may have, and those that it has by itself.
 void mark_held(ContactTable& table, const SceneTable& described, const SceneFile& scene) {
   for (const std::string& name : described.hold)
@@ -115,10 +112,9 @@ void mark_held(ContactTable& table, const SceneTable& described, const SceneFile
 
 } // namespace
 
-SceneTable parse_scene_table(std::string_view toml, std::string_view source_name,
-                             const std::filesystem::path& folder) {
-  const SweepFile lists = parse_sweep_file(toml, source_name, "table");
-  SceneTable out{.text = lists.text, .source = lists.source, .folder = folder};
+SceneTable parse_scene_table(SceneText given) {
+  const SweepFile lists = parse_sweep_file(std::move(given), "table");
+  SceneTable out{lists.text};
   for (const SweepFile::Axis& axis : lists.axes) {
     SceneTable::KeyAxis numbers{axis.key, {}};
     for (const SchemaValue& value : axis.values) {
@@ -130,7 +126,7 @@ SceneTable parse_scene_table(std::string_view toml, std::string_view source_name
       else if (text && axis.key == "hold")
         out.hold.push_back(*text);
       else
-        throw InputError(fmt::format("{}:{}: table.{} is no axis", source_name, axis.line, axis.key),
+        throw InputError(fmt::format("{}:{}: table.{} is no axis", out.text.source, axis.line, axis.key),
                          "its list holds something that is no number",
                          "Give a list of numbers; make a table for each profile or model.");
     }
@@ -156,7 +152,7 @@ ContactTable table_of(const SceneTable& described) {
                      "Give lists for keys of the scene, such as position.lateral and load.force.");
   for (const ColumnSource& source : sources)
     table.columns.push_back(column_of(source));
-  SceneReader reader = reader_of(described);
+  SceneReader reader(described.text);
   Point last;
   for (const Axis& axis : table.axes)
     last.push_back(axis.points.back());
@@ -166,7 +162,7 @@ ContactTable table_of(const SceneTable& described) {
 }
 
 SceneFile first_scene(const SceneTable& described) {
-  SceneReader reader = reader_of(described);
+  SceneReader reader(described.text);
   Point first;
   for (const SceneTable::KeyAxis& axis : described.axes)
     first.push_back(axis.points.at(0));
@@ -178,7 +174,7 @@ PointSolver scene_point_solver(const SceneTable& described) {
     SceneReader reader;
     Sequence sequence{{.displacements = false}};
   };
-  return [described, solver = std::make_shared<Solver>(reader_of(described))](const Point& point) {
+  return [described, solver = std::make_shared<Solver>(SceneReader(described.text))](const Point& point) {
     const auto fail = [&](const std::string& why) {
       throw ConvergenceError(fmt::format("The table has no value at {}", text_of(described, point)), why,
                              "Solve this case alone to see more, or shorten an axis.");

@@ -3,9 +3,7 @@
 #include "bem_contact/scene/scene_file.hpp"
 #include "bem_contact/uses/table/refine.hpp"
 
-#include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace bem_contact::table {
@@ -25,16 +23,14 @@ struct SceneTable {
     std::vector<double> points; ///< rising, in the unit of the key
   };
 
-  std::string text, source;        ///< of the scene
-  std::filesystem::path folder;    ///< where its relative paths start
+  SceneText text;                  ///< with the table
   std::string model{};             ///< instead of the scene's own; "": that
   std::vector<KeyAxis> axes{};     ///< in the order of the table
   std::vector<std::string> hold{}; ///< columns; empty: the usual ones
 };
 
 /// Throws InputError for a scene without [table], with lists of texts, or with names that no column has.
-SceneTable parse_scene_table(std::string_view toml, std::string_view source_name,
-                             const std::filesystem::path& folder);
+SceneTable parse_scene_table(SceneText given);
 
 /// The axes with their first points, the columns without values. Every end of an axis is tried as a scene:
 /// throws InputError for values that no scene has.

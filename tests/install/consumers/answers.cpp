@@ -6,6 +6,7 @@
 #include <bem_contact/uses/conicity/wheelset_conicity.hpp>
 #include <bem_contact/uses/curves/creep_curves.hpp>
 #include <bem_contact/uses/fatigue/fatigue_of_result.hpp>
+#include <bem_contact/uses/sweep/sweep_columns.hpp>
 #include <bem_contact/uses/table/creep_table.hpp>
 #include <bem_contact/uses/table/table_file.hpp>
 #include <bem_contact/uses/wear/wear_of_result.hpp>
@@ -26,6 +27,9 @@ void answer(const std::filesystem::path& scenes) {
                   rolling = read_scene_file(scenes / "steady_rolling.toml");
   print("tan_gamma_3mm", wheelset_conicity(wheelset_of(axle)).values.at(2).motion.value().tan_gamma);
   print("axle_Fy", solve_wheelset(axle).state.sum().force[1]);
+  SweepSolver solver(std::make_shared<SequenceFiles>());
+  const SweepCase middle = solve_case(solver, read_sweep_file(scenes / "wheelset_sweep.toml"), 4, {});
+  print("case_status", static_cast<double>(middle.status));
 
   const CreepRange range{CreepKind::xi, {0, 1e-2}};
   const CreepCurves curves = creep_curves(rolling, {&range, 1});

@@ -4,15 +4,10 @@
 #include <bem_contact/sequence/sequence.hpp>
 
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 
 int main(int argc, char** argv) {
   try {
-    const std::filesystem::path file = argc > 1 ? argv[1] : "";
-    std::ifstream in(file);
-    bem_contact::SceneReader scene(std::string(std::istreambuf_iterator<char>(in), {}), file.string(),
-                                   file.parent_path());
+    bem_contact::SceneReader scene(bem_contact::read_scene_text(argc > 1 ? argv[1] : ""));
     bem_contact::Sequence sequence;
     for (int i = 1; i <= 3; ++i) {
       scene.set({"load.force", 1e5 / i});

@@ -15,11 +15,11 @@ using ::testing::HasSubstr;
 
 SceneTable described(const std::string& lists, const std::string& more = "") {
   return parse_scene_table(
-      "rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nsolver.model = \"halfspace\"\n"
-      "motion.xi = 1e-3\nmotion.free_rolling = false\n"
-      "grid.dx = 1\ngrid.ds = 1\nposition.cant = 0.025\n" +
-          more + "[table]\n" + lists,
-      "scene", {});
+      {"rail.profile = \"60E1\"\nwheel.profile = \"S1002\"\nsolver.model = \"halfspace\"\n"
+       "motion.xi = 1e-3\nmotion.free_rolling = false\n"
+       "grid.dx = 1\ngrid.ds = 1\nposition.cant = 0.025\n" +
+           more + "[table]\n" + lists,
+       "scene"});
 }
 
 /// Values are those of the scenes, and hold in between.

@@ -1,0 +1,90 @@
+#include "bem_contact/uses/sweep/sweep_case.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/stopped.hpp"
+#include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
+#include "bem_contact/uses/sweep/settings.hpp"
+#include "bem_contact/uses/sweep/sweep_columns.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+/// Adds to the reason of a case.
+void say(SweepCase& record, const std::string& text) {
+  if (!text.empty())
+    record.reason += (record.reason.empty() ? "" : "; ") + text;
+}
+
+SweepCase case_of(const SceneResult& result, const SweepOptions& options) {
+  SweepCase out;
+  const bool all = certified(result);
+  out.status = all ? CaseStatus::certified : CaseStatus::not_certified;
+  say(out, all ? result.result.remark : why_uncertified(result));
+  out.summary = summary_of(result);
+  for (std::size_t i = 0; i < result.result.patches.size(); ++i)
+    out.patches.push_back(values_of(patch_quantities(), result, i));
+  if (options.seen)
+    options.seen("", result);
+  return out;
+}
+
+SweepCase case_of(const WheelsetResult& result, const SweepOptions& options) {
+  SweepCase out;
+  out.status = result.state.certified() ? CaseStatus::certified : CaseStatus::not_certified;
+  out.summary = summary_of(result);
+  for (const WheelSide side : both_sides) {
+    const SceneResult& wheel = result.state.solved(side);
+    const std::string name(name_of(side));
+    if (!certified(wheel))
+      say(out, fmt::format("{} wheel: {}", name, why_uncertified(wheel)));
+    if (options.seen)
+      options.seen(name + "/", wheel);
+  }
+  return out;
+}
+
+} // namespace
+
+std::size_t chunk_size(std::size_t cases) {
+  return std::clamp(cases / chunks_of_a_sweep, smallest_chunk, largest_chunk);
+}
+
+SweepCase solve_case(SweepSolver& solver, const SweepFile& sweep, std::size_t index,
+                     const SweepOptions& options) {
+  const Stopwatch watch;
+  const std::clock_t cpu = std::clock();
+  SweepCase out;
+  try {
+    const SceneFile scene = with_model(sweep.scene(index), options.model);
+    const auto kept = [&](const auto& result) {
+      if (options.strict)
+        refuse_warnings(result.warnings);
+      SweepCase found = case_of(result, options);
+      for (const std::string& warning : result.warnings)
+        say(found, warning);
+      return found;
+    };
+    out = scene.wheelset.force ? kept(solve_wheelset(scene, options.stop, solver.files))
+                               : kept(solver.sequence.solve(scene, options.stop));
+  } catch (const Stopped&) {
+    throw;
+  } catch (const InputError& error) {
+    out = {.status = CaseStatus::refused, .reason = error.what()};
+  } catch (const std::exception& error) {
+    out = {.status = CaseStatus::not_certified, .reason = error.what()};
+  }
+  out.index = index;
+  out.seconds = watch.seconds();
+  out.cpu_seconds = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
+  return out;
+}
+
+} // namespace bem_contact

@@ -1,0 +1,97 @@
+#include "bem_contact/uses/sweep/sweep_columns.hpp"
+
+#include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/uses/wheelset/quantities.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace bem_contact {
+
+namespace {
+
+constexpr const char* model_column = "model";
+constexpr const char* of_model = "0 hertz, 1 halfspace, 2 tangent_plane, 3 fem; CSV: its name";
+
+/// Of a table of sequence/quantities.hpp.
+template <class Table> std::vector<SweepColumn> columns_of_table(const Table& table) {
+  std::vector<SweepColumn> all;
+  with_errors(table, [&](const std::string& name, const QuantityUnit& unit, auto, const char* description) {
+    all.push_back({name, unit.text(), description});
+  });
+  return all;
+}
+
+std::vector<SweepColumn> columns_of_contacts() {
+  std::vector<SweepColumn> all = columns_of_table(quantities());
+  all.push_back({model_column, "1", of_model});
+  return all;
+}
+
+std::vector<SweepColumn> columns_of_wheelsets() {
+  std::vector<SweepColumn> all;
+  for (const WheelsetQuantity& q : wheelset_quantities())
+    all.push_back({q.name, q.unit, q.description});
+  for (const WheelSide side : both_sides) {
+    const auto add = [&](const char* name, const char* unit, const char* description) {
+      all.push_back({fmt::format("{}_{}", name_of(side), name), unit,
+                     fmt::format("{} wheel: {}", name_of(side), description)});
+    };
+    for (const WheelQuantity& q : wheel_quantities())
+      add(q.name, q.unit, q.description);
+    add(model_column, "1", of_model);
+  }
+  all.push_back({"warning_count", "1", "warnings of both wheels"});
+  return all;
+}
+
+} // namespace
+
+const SweepColumns& columns_of(const SweepFile& sweep) {
+  static const SweepColumns contacts{columns_of_contacts(), columns_of_table(patch_quantities())},
+      wheelsets{columns_of_wheelsets(), {}};
+  return sweep.scene(0).wheelset.force ? wheelsets : contacts;
+}
+
+bool is_model(const SweepColumn& column) {
+  return column.name.ends_with(model_column);
+}
+
+std::vector<double> summary_of(const SceneResult& result) {
+  std::vector<double> values = values_of(quantities(), result);
+  values.push_back(static_cast<double>(result.model));
+  return values;
+}
+
+std::vector<double> summary_of(const WheelsetResult& result) {
+  std::vector<double> values;
+  for (const WheelsetQuantity& q : wheelset_quantities())
+    values.push_back(q.value(result));
+  for (const WheelSide side : both_sides) {
+    for (const WheelQuantity& q : wheel_quantities())
+      values.push_back(q.value(result.state, side));
+    values.push_back(static_cast<double>(result.state.solved(side).model));
+  }
+  values.push_back(static_cast<double>(result.warnings.size()));
+  return values;
+}
+
+SweepNumbers numbers_of(std::span<const SweepCase> cases, const SweepColumns& columns) {
+  SweepNumbers out;
+  out.cases.resize(columns.cases.size());
+  out.patches.resize(columns.patches.size());
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const SweepCase& one = cases[i];
+    for (std::size_t k = 0; k < out.cases.size(); ++k)
+      out.cases[k].push_back(one.summary.empty() ? std::nan("") : one.summary.at(k));
+    for (std::size_t patch = 0; patch < one.patches.size(); ++patch) {
+      out.patch_case.push_back(i);
+      out.patch_rank.push_back(patch + 1);
+      for (std::size_t k = 0; k < out.patches.size(); ++k)
+        out.patches[k].push_back(one.patches[patch].at(k));
+    }
+  }
+  return out;
+}
+
+} // namespace bem_contact

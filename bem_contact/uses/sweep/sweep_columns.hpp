@@ -1,0 +1,45 @@
+#pragma once
+
+#include "bem_contact/uses/sweep/sweep_case.hpp"
+#include "bem_contact/uses/wheelset/solve_wheelset.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bem_contact {
+
+/// What stands in one column of a table.
+struct SweepColumn {
+  std::string name, unit, description; ///< as all outputs give them
+};
+/// The columns of both tables of a sweep.
+///
+/// Of scenes of one contact: quantities() and patch_quantities(), errors after their numbers, and the model.
+/// Of scenes with [wheelset]: wheelset_quantities(), then wheel_quantities() and the model of the right wheel
+/// and of the left one, as right_Fy and left_Fy; no patches.
+struct SweepColumns {
+  std::vector<SweepColumn> cases;   ///< one number a case
+  std::vector<SweepColumn> patches; ///< empty: it has no such table
+};
+/// Reads the scene of the first case, so ask once.
+const SweepColumns& columns_of(const SweepFile& sweep);
+/// Whether a column holds a model: 0 hertz, 1 halfspace, 2 tangent_plane, 3 fem.
+bool is_model(const SweepColumn& column);
+
+/// The numbers of a result, in the order of SweepColumns::cases.
+std::vector<double> summary_of(const SceneResult& result);
+std::vector<double> summary_of(const WheelsetResult& result); ///< of both wheels
+
+/// Both tables, column by column.
+struct SweepNumbers {
+  std::vector<std::vector<double>> cases;   ///< [column][case]; nan where there is no result
+  std::vector<std::size_t> patch_case;      ///< [patch]: its case, from 0
+  std::vector<std::size_t> patch_rank;      ///< [patch]: 1: the largest force of its case
+  std::vector<std::vector<double>> patches; ///< [column][patch]
+};
+/// `cases`: all of a sweep, in their order.
+SweepNumbers numbers_of(std::span<const SweepCase> cases, const SweepColumns& columns);
+
+} // namespace bem_contact
