@@ -65,14 +65,16 @@ double area_error(const Region& r) {
 
 /// What no change shows of the error of a sum of shear tractions. `adhesion`: the share of what its elements
 /// in adhesion are off by.
-double local_error(const UncertainSum& sum, int contact, double adhesion = shear_adhesion) {
-  return shear_local * std::min(sum.size, shear_deviation * sum.deviation) / contact +
-         adhesion * std::sqrt(sum.adhering);
+double local_error(const UncertainSum& sum, const Region& r, double adhesion = shear_adhesion) {
+  return std::pow(r.elongation(), shear_elongation) *
+         (shear_local * std::min(sum.size, shear_deviation * sum.deviation) / r.contact +
+          adhesion * std::sqrt(sum.adhering));
 }
 
 /// Of such a sum that changed so much from the coarse result.
-double shear_error(double change, const UncertainSum& sum, int contact, double adhesion = shear_adhesion) {
-  return shear_change * std::abs(change) + local_error(sum, contact, adhesion);
+double shear_error(double change, const UncertainSum& sum, const Region& r,
+                   double adhesion = shear_adhesion) {
+  return shear_change * std::abs(change) + local_error(sum, r, adhesion);
 }
 
 /// What no change shows of the error of an approach, over that approach.
@@ -89,16 +91,16 @@ double local_normal_force(const Region& r) {
 /// missing in what slip dissipates. The driving power has no such part.
 double power_error(const Region& fine, const Region& coarse) {
   return std::abs(fine.driving_power.total - fine.friction_power) +
-         shear_error(fine.driving_power.total - coarse.driving_power.total, fine.driving_power, fine.contact,
+         shear_error(fine.driving_power.total - coarse.driving_power.total, fine.driving_power, fine,
                      shear_adhesion_x);
 }
 
 /// Of what friction does in a patch.
 void estimate_patch_shear(const Region& fine, const Region& coarse, PatchErrors& out) {
-  out.fx = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine.contact, shear_adhesion_x);
-  out.fs = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine.contact);
+  out.fx = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine, shear_adhesion_x);
+  out.fs = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine);
   out.moment_n = shear_change * std::abs(fine.moment.total - coarse.moment.total) +
-                 moment_share * local_error(fine.moment, fine.contact);
+                 moment_share * local_error(fine.moment, fine);
   out.friction_power = power_error(fine, coarse);
 }
 
@@ -115,23 +117,24 @@ PatchErrors patch_errors(const Region& fine, const Region& coarse, double roughn
 /// Of the normal force of a patch. Where the vertical force is prescribed, so is sum p_n dS + slope Fs but
 /// for what turns within the contact. `fs`: error of Fs.
 double normal_error(const Region& fine, const Region& coarse, const ShearEffects& effects, double fs,
-                    int contact) {
+                    const Region& contact) {
   const double change = fine.fn - coarse.fn + effects.slope * (fine.fs.total - coarse.fs.total);
   return std::hypot(effects.slope * fs, shear_error(change, effects.fn, contact, normal_adhesion));
 }
 
 /// Of Fy: by shear, and by the direction of the pressure. Where Fz and Fs are prescribed, nothing else can
 /// change it.
-double lateral_error(const ContactProblem& problem, double change, const ShearEffects& effects, int contact) {
+double lateral_error(const ContactProblem& problem, double change, const ShearEffects& effects,
+                     const Region& contact) {
   const bool prescribed = problem.load == LoadKind::force && problem.force_s;
   const double shear =
       prescribed ? shear_change * std::abs(change) : shear_error(change, effects.fy, contact);
-  return shear + direction_local * effects.turned / contact;
+  return shear + direction_local * effects.turned / contact.contact;
 }
 
-/// Of the patches; nan where the coarse result has other ones. `contact`: elements of all patches.
+/// Of the patches; nan where the coarse result has other ones. `contact`: all patches.
 void estimate_patches(const ContactProblem& problem, const std::vector<Region>& fine,
-                      const std::vector<Region>& coarse, const ShearEffects& effects, int contact,
+                      const std::vector<Region>& coarse, const ShearEffects& effects, const Region& contact,
                       double roughness, std::vector<PatchErrors>& errors) {
   const std::vector<Region> opposite = matched(fine, coarse);
   // Several patches share the force by how stiff they are at their common approach.
@@ -223,8 +226,8 @@ void estimate_creepages(const ContactProblem& problem, const ContactResult& resu
 void estimate_shear(const ContactProblem& problem, const ContactResult& result, const ContactResult& coarse,
                     const std::pair<Region, Region>& regions, TotalErrors& e) {
   const auto& [fine, rough] = regions;
-  e.Fx = problem.force_x ? 0 : shear_error(result.Fx - coarse.Fx, fine.fx, fine.contact, shear_adhesion_x);
-  e.Fs = problem.force_s ? 0 : shear_error(result.Fs - coarse.Fs, fine.fs, fine.contact);
+  e.Fx = problem.force_x ? 0 : shear_error(result.Fx - coarse.Fx, fine.fx, fine, shear_adhesion_x);
+  e.Fs = problem.force_s ? 0 : shear_error(result.Fs - coarse.Fs, fine.fs, fine);
   e.adhesion_share =
       adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
       (adhesion_local + adhesion_border * std::sqrt(double(fine.adhesion_border))) / fine.contact;
@@ -278,10 +281,10 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
                            fine.approach * local_approach(fine)
                      : 0;
   const ShearEffects effects = effects_of_shear(problem, result);
-  e.Fy = lateral_error(problem, result.Fy - coarse.Fy, effects, fine.contact);
-  e.Fz = force ? 0 : shear_error(result.Fz - coarse.Fz, effects.fz, fine.contact) + local_normal_force(fine);
-  out.local_moment = moment_share * local_error(fine.moment, fine.contact);
-  estimate_patches(problem, patches, patches_of(coarse_problem, coarse), effects, fine.contact, roughness,
+  e.Fy = lateral_error(problem, result.Fy - coarse.Fy, effects, fine);
+  e.Fz = force ? 0 : shear_error(result.Fz - coarse.Fz, effects.fz, fine) + local_normal_force(fine);
+  out.local_moment = moment_share * local_error(fine.moment, fine);
+  estimate_patches(problem, patches, patches_of(coarse_problem, coarse), effects, fine, roughness,
                    out.patches);
   estimate_track_forces(result, out);
 }

@@ -54,11 +54,14 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
   const double dS = problem.element_area();
   Region out;
   std::vector<Part> fx, fs;
+  std::vector<int> in_row(problem.grid.ms, 0);
   for (const int i : elements) {
     const int ix = i % problem.grid.mx, is = i / problem.grid.mx;
     const double fn = result.pn[i] * dS;
     const bool adheres = result.state[i] == ElementState::adhesion;
     ++out.contact;
+    out.rows += in_row[is] == 0;
+    out.longest = std::max(out.longest, ++in_row[is]);
     out.border += field.beside(ix, is, ElementState::exterior);
     out.adhesion += adheres;
     out.adhesion_border += adheres && field.beside(ix, is, ElementState::slip);

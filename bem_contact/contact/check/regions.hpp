@@ -3,6 +3,7 @@
 #include "bem_contact/contact/problem.hpp"
 #include "bem_contact/contact/result.hpp"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,7 @@ UncertainSum sum_of(std::span<const Part> parts);
 /// A set of elements in contact: all of them, or a patch.
 struct Region {
   int contact = 0, border = 0;           ///< elements; border: one beside it is exterior
+  int rows = 0, longest = 0;             ///< rows with such elements; elements of the longest of these rows
   int adhesion = 0, adhesion_border = 0; ///< border: one beside it slips
   double fn = 0;                         ///< sum of p_n dS, N
   UncertainSum fx, fs;                   ///< of p_x dS, p_s dS, N
@@ -53,6 +55,9 @@ struct Region {
   /// How far the pressure falls from its peak to the next elements, over the peak.
   double relative_fall() const { return curvature / pmax; }
   double adhesion_share() const { return double(adhesion) / contact; }
+  /// Elements across the region over those along it, at least 1: of two grids with as many elements in
+  /// contact, the one with longer elements shows less along x.
+  double elongation() const { return std::max(1.0, double(rows) / longest); }
 };
 
 /// The whole contact, which must not be empty.
