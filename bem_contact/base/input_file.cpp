@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
+#include <sstream>
 
 namespace bem_contact {
 
@@ -55,6 +56,14 @@ std::string read_text_file(const std::string& file, std::string_view what, std::
   if (in.bad())
     refuse(file, what, "reading it failed", "Check the disk, or copy the file.");
   return text;
+}
+
+std::vector<Point2> read_points(const std::filesystem::path& file) {
+  std::istringstream in(read_text_file(file.string(), "profile"));
+  std::vector<Point2> points;
+  for (Point2 p; in >> p.y >> p.z;)
+    points.push_back(p);
+  return points;
 }
 
 } // namespace bem_contact

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "bem_contact/base/conventions.hpp"
+
 #include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace bem_contact {
 
@@ -22,5 +25,8 @@ inline constexpr std::size_t largest_text = 1'000'000'000;
 /// The whole text of a file. Throws InputError when it cannot be read, or has more than `most` bytes; `what`
 /// names it there.
 std::string read_text_file(const std::string& file, std::string_view what, std::size_t most = largest_text);
+
+/// The points y z of a profile that this project wrote, one in each line.
+std::vector<Point2> read_points(const std::filesystem::path& file);
 
 } // namespace bem_contact

@@ -2,12 +2,12 @@
 #include "bem_contact/app/output/csv_name.hpp"
 #include "bem_contact/app/output/datasets.hpp"
 #include "bem_contact/app/output/error_text.hpp"
-#include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
 

@@ -1,11 +1,11 @@
 #include "bem_contact/app/output/repeat.hpp"
 
-#include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/scene/scene_reader.hpp"

@@ -1,5 +1,4 @@
 #include "bem_contact/app/command.hpp"
-#include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/app/sweep/sweep_journal.hpp"
@@ -12,6 +11,7 @@
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
