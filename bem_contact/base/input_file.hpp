@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,11 @@ bool is_regular(const std::filesystem::path& file);
 /// Throws InputError for what cannot be read to an end: nothing of that name, a folder, a device, a socket.
 /// Pipes may be read. `what` names the file in the message.
 void require_readable(const std::string& file, std::string_view what);
+
+/// Opens a file of bytes. Throws InputError where it cannot.
+std::ifstream open_input(const std::string& file, std::string_view what);
+/// Throws InputError where reading `in` to its end has failed.
+void require_read(const std::istream& in, const std::string& file, std::string_view what);
 
 /// bytes. A text for people is never larger: ten million points take 100 bytes each.
 inline constexpr std::size_t largest_text = 1'000'000'000;
