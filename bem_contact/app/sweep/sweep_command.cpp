@@ -154,7 +154,7 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
     return [&, solver](std::size_t index) { return to_bytes(solve_case(*solver, sweep, index, request)); };
   };
   calls.done = [&](std::size_t, std::string bytes) { keep(from_bytes(bytes), bytes); };
-  calls.died = [&](std::size_t index, const std::string& reason) {
+  calls.failed = [&](std::size_t index, CaseFailure, const std::string& reason) {
     CaseRecord record;
     record.index = index;
     record.status = CaseStatus::died;
