@@ -2,19 +2,16 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
-#include "bem_contact/base/temporary_file.hpp"
 #include "meshes/gmsh_session.hpp"
 #include "meshes/settings.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
 #include <map>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 namespace bem_contact::meshes {
 namespace {
@@ -146,34 +143,21 @@ bool add_comment(const std::string& body_digest, const std::filesystem::path& fi
   return out.good();
 }
 
-[[noreturn]] void fail(const std::filesystem::path& file, const std::string& why) {
-  throw Error(fmt::format("the mesh cannot be written to '{}'", file.string()), why,
-              "Make room, or give another file with -o.");
-}
-
 /// Gmsh makes a file of its own, which is renamed when complete, or copied into a device or a pipe.
 template <class Mesh> void write_checked(const Mesh& mesh, const std::filesystem::path& output) {
   const OutputTarget target = output_target(output, OutputForm::text);
   // Gmsh tells the format by the name's end.
-  const std::string ending = fmt::format(".{}.partial.msh", getpid());
-  const TemporaryFile temporary{target.stream
-                                    ? std::filesystem::temp_directory_path() / ("mesh_body" + ending)
-                                    : std::filesystem::path(target.file.string() + ending)};
-  write_with_gmsh(mesh, temporary.name.string());
-  if (!is_whole(temporary.name) || !add_curved_edges(mesh, temporary.name) ||
-      !add_comment(mesh.body_digest, temporary.name))
-    fail(output, "writing stopped early, the disk may be full");
-  if (target.stream) {
-    const std::ifstream in(temporary.name, std::ios::binary);
-    write_text(target.file, [&](std::ostream& out) { out << in.rdbuf(); });
-    return;
-  }
-  std::error_code error;
-  if (std::filesystem::exists(target.file))
-    std::filesystem::permissions(temporary.name, std::filesystem::status(target.file).permissions(), error);
-  std::filesystem::rename(temporary.name, target.file, error);
-  if (error)
-    fail(output, error.message());
+  const WholeFile whole(target.stream ? std::filesystem::temp_directory_path() / "mesh_body" : target.file,
+                        ".msh");
+  const std::filesystem::path& file = whole.temporary();
+  write_with_gmsh(mesh, file.string());
+  if (!is_whole(file) || !add_curved_edges(mesh, file) || !add_comment(mesh.body_digest, file))
+    throw Error(fmt::format("the mesh cannot be written to '{}'", output.string()),
+                "writing stopped early, the disk may be full", "Make room, or give another file with -o.");
+  if (!target.stream)
+    return whole.commit();
+  const std::ifstream in(file, std::ios::binary);
+  write_text(target.file, [&](std::ostream& out) { out << in.rdbuf(); });
 }
 
 } // namespace

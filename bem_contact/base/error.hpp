@@ -15,6 +15,8 @@ class Error : public std::runtime_error {
 public:
   /// The three parts of what(): "<problem> (<why>) <what to do>".
   Error(std::string_view problem, std::string_view why, std::string_view what_to_do);
+  /// What what() of another one said, perhaps in another process, and what it belongs to.
+  explicit Error(const std::string& whole) : std::runtime_error(whole) {}
 };
 
 /// The input is wrong: a file, a key, a value, or two inputs that do not fit. Programs exit with 2.

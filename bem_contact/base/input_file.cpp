@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
+#include <sstream>
 
 namespace bem_contact {
 
@@ -37,12 +38,22 @@ void require_readable(const std::string& file, std::string_view what) {
     refuse(file, what, "it is a device, which need not have an end", "Name a file.");
 }
 
-std::string read_text_file(const std::string& file, std::string_view what, std::size_t most) {
+std::ifstream open_input(const std::string& file, std::string_view what) {
   require_readable(file, what);
   std::ifstream in(file, std::ios::binary);
   if (!in)
     refuse(file, what, file_exists(file) ? "no permission" : "there is no such file",
            "Check the path; relative paths start in the folder of the file that names them.");
+  return in;
+}
+
+void require_read(const std::istream& in, const std::string& file, std::string_view what) {
+  if (in.bad())
+    refuse(file, what, "reading it failed", "Check the disk, or copy the file.");
+}
+
+std::string read_text_file(const std::string& file, std::string_view what, std::size_t most) {
+  std::ifstream in = open_input(file, what);
   constexpr std::size_t piece = 1 << 16;
   std::string text;
   for (std::size_t size = 0; in; text.resize(size)) {
@@ -52,9 +63,16 @@ std::string read_text_file(const std::string& file, std::string_view what, std::
     if (size > most)
       refuse(file, what, fmt::format("it has more than {} bytes", most), "Name a smaller file.");
   }
-  if (in.bad())
-    refuse(file, what, "reading it failed", "Check the disk, or copy the file.");
+  require_read(in, file, what);
   return text;
+}
+
+std::vector<Point2> read_points(const std::filesystem::path& file) {
+  std::istringstream in(read_text_file(file.string(), "profile"));
+  std::vector<Point2> points;
+  for (Point2 p; in >> p.y >> p.z;)
+    points.push_back(p);
+  return points;
 }
 
 } // namespace bem_contact

@@ -1,9 +1,13 @@
 #pragma once
 
+#include "bem_contact/base/conventions.hpp"
+
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace bem_contact {
 
@@ -16,11 +20,19 @@ bool is_regular(const std::filesystem::path& file);
 /// Pipes may be read. `what` names the file in the message.
 void require_readable(const std::string& file, std::string_view what);
 
+/// Opens a file of bytes. Throws InputError where it cannot.
+std::ifstream open_input(const std::string& file, std::string_view what);
+/// Throws InputError where reading `in` to its end has failed.
+void require_read(const std::istream& in, const std::string& file, std::string_view what);
+
 /// bytes. A text for people is never larger: ten million points take 100 bytes each.
 inline constexpr std::size_t largest_text = 1'000'000'000;
 
 /// The whole text of a file. Throws InputError when it cannot be read, or has more than `most` bytes; `what`
 /// names it there.
 std::string read_text_file(const std::string& file, std::string_view what, std::size_t most = largest_text);
+
+/// The points y z of a profile that this project wrote, one in each line.
+std::vector<Point2> read_points(const std::filesystem::path& file);
 
 } // namespace bem_contact

@@ -1,7 +1,6 @@
 #include "bem_contact/base/output_file.hpp"
 
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/base/temporary_file.hpp"
 
 #include <linux/magic.h>
 #include <sys/stat.h>
@@ -15,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace bem_contact {
 
@@ -118,22 +118,15 @@ void write_through(const fs::path& file, const std::function<void(std::ostream&)
 }
 
 void replace(const fs::path& file, const std::function<void(std::ostream&)>& write) {
-  struct stat before {};
-  const bool existed = stat(file.c_str(), &before) == 0;
-  const TemporaryFile temporary{file.string() + ".tmp" + std::to_string(getpid())};
+  const WholeFile whole(file);
   errno = 0;
-  std::ofstream out(temporary.name, std::ios::binary);
+  std::ofstream out(whole.temporary(), std::ios::binary);
   if (out)
     write(out);
   out.close();
   if (!out)
     fail(file, last_error("writing stopped early"));
-  if (existed)
-    chmod(temporary.name.c_str(), before.st_mode & 07777);
-  std::error_code failed;
-  fs::rename(temporary.name, file, failed);
-  if (failed)
-    fail(file, failed.message());
+  whole.commit();
 }
 
 } // namespace
@@ -177,6 +170,24 @@ OutputTarget output_target(const fs::path& output, OutputForm form) {
   if (!stream)
     require_folder(file, output);
   return {file, stream};
+}
+
+WholeFile::WholeFile(fs::path file, const std::string& ending)
+    : file_(std::move(file)), temporary_(fmt::format("{}.tmp{}{}", file_.string(), getpid(), ending)) {}
+
+WholeFile::~WholeFile() {
+  std::error_code ignored; // of a file that was committed nothing is left here
+  fs::remove(temporary_, ignored);
+}
+
+void WholeFile::commit() const {
+  struct stat before {};
+  if (stat(file_.c_str(), &before) == 0)
+    chmod(temporary_.c_str(), before.st_mode & 07777);
+  std::error_code failed;
+  fs::rename(temporary_, file_, failed);
+  if (failed)
+    fail(file_, failed.message());
 }
 
 void write_whole(const fs::path& file, const std::function<void(std::ostream&)>& write) {

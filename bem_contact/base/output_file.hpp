@@ -40,9 +40,28 @@ struct OutputTarget {
 /// whole file also a stream.
 OutputTarget output_target(const std::filesystem::path& output, OutputForm form);
 
-/// Writes a file that is whole or absent: under a temporary name beside it, and renamed when complete. A link
-/// is followed, and what it leads to is replaced. An existing file keeps its permissions. Throws InputError
-/// for a name that cannot be written to (output_target()), Error where writing fails, as on a full disk.
+/// A file that is whole or absent. It is written under a temporary name beside it, and commit() renames it.
+/// What was not committed is removed with the object.
+class WholeFile {
+public:
+  /// `file`: where a link leads to (output_target()). The temporary name ends with `ending`, for a writer
+  /// that tells the format by it.
+  explicit WholeFile(std::filesystem::path file, const std::string& ending = "");
+  ~WholeFile();
+  WholeFile(const WholeFile&) = delete;
+  WholeFile& operator=(const WholeFile&) = delete;
+
+  const std::filesystem::path& file() const { return file_; }
+  const std::filesystem::path& temporary() const { return temporary_; }
+  /// An existing file is replaced, and its permissions are kept. Throws Error where that fails.
+  void commit() const;
+
+private:
+  std::filesystem::path file_, temporary_;
+};
+
+/// Writes a WholeFile at once. A link is followed, and what it leads to is replaced. Throws InputError for a
+/// name that cannot be written to (output_target()), Error where writing fails, as on a full disk.
 void write_whole(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 /// The same for text, which a stream takes too.
 void write_text(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);

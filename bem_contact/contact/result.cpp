@@ -20,7 +20,7 @@ double Certificate::worst() const {
 
 double Discretisation::moment_error(const ContactResult& result, double x, double y) const {
   const double change = (result.Mz - coarse.Mz) + y * (result.Fx - coarse.Fx) - x * (result.Fy - coarse.Fy);
-  return contact::moment_share * contact::shear_change * std::abs(change) + local_moment;
+  return moment_change * std::abs(change) + local_moment;
 }
 
 Tractions tractions_of(const ContactResult& result) {

@@ -117,7 +117,8 @@ struct Discretisation {
   bool converges = true;
   /// Where it does not: the undeformed distance itself is rough, so that smaller elements hardly help.
   bool rough = false;
-  double local_moment = unknown_error; ///< the part of moment_error() that no change shows, N mm
+  double moment_change = unknown_error; ///< share of a change of the moment that counts in moment_error(), 1
+  double local_moment = unknown_error;  ///< the part of moment_error() that no change shows, N mm
 
   /// Absolute error of the moment about the vertical axis through x and y (mm, frame of the rows), N mm.
   /// `result`: the one that this estimate is of.

@@ -2,17 +2,9 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <initializer_list>
 #include <span>
-#include <string>
-#include <string_view>
 
 namespace bem_contact {
-
-/// SHA-256 of the pieces after each other, in lower-case hexadecimal.
-std::string sha256(std::initializer_list<std::span<const std::byte>> pieces);
-/// The same of one text.
-std::string sha256(std::string_view text);
 
 /// The seal of an influence file: its first 512 bytes (HDF5's "user block", which HDF5 programs skip). Text,
 /// then zeros:

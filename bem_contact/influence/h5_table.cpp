@@ -93,9 +93,23 @@ H5Table read_h5_top(const std::filesystem::path& file, const std::string& but) {
 }
 
 struct H5Writer::Impl {
-  std::filesystem::path file, temporary;
+  WholeFile whole;
   int descriptor = -1;
   hid_t root = -1;
+
+  explicit Impl(const std::filesystem::path& file)
+      : whole(output_target(file, OutputForm::whole_file).file) {}
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  ~Impl() {
+    const QuietHdf5 silence;
+    if (root >= 0)
+      H5Fclose(root);
+    if (descriptor >= 0)
+      close(descriptor);
+  }
+
+  void check(bool success, const std::string& what) const { check_writing(success, whole.file(), what); }
 
   /// Asks the file system for the space that `values` doubles in `objects` datasets and attributes may take:
   /// after a failed write to a full disk HDF5 can neither close its file nor end the process in order.
@@ -105,32 +119,21 @@ struct H5Writer::Impl {
       H5Fget_filesize(root, &used);
     const std::size_t bytes = table_bytes + object_bytes * objects + sizeof(double) * values;
     const int error = posix_fallocate(descriptor, static_cast<off_t>(used), static_cast<off_t>(bytes));
-    check_writing(error == 0, file, std::generic_category().message(error));
+    check(error == 0, std::generic_category().message(error));
   }
 };
 
-H5Writer::H5Writer(const std::filesystem::path& file) : impl_(std::make_unique<Impl>()) {
+H5Writer::H5Writer(const std::filesystem::path& file) : impl_(std::make_unique<Impl>(file)) {
   const QuietHdf5 silence;
-  impl_->file = output_target(file, OutputForm::whole_file).file;
-  impl_->temporary = impl_->file;
-  impl_->temporary += ".tmp";
+  const std::filesystem::path& temporary = impl_->whole.temporary();
   const H5Image empty(0, [](hid_t) {});
-  write_whole(impl_->temporary, [&](std::ostream& out) { out << empty; });
-  impl_->descriptor = open(impl_->temporary.c_str(), O_WRONLY | O_CLOEXEC);
-  impl_->root = H5Fopen(impl_->temporary.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  check_writing(impl_->descriptor >= 0 && impl_->root >= 0, impl_->file, "it cannot be created");
+  write_whole(temporary, [&](std::ostream& out) { out << empty; });
+  impl_->descriptor = open(temporary.c_str(), O_WRONLY | O_CLOEXEC);
+  impl_->root = H5Fopen(temporary.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  impl_->check(impl_->descriptor >= 0 && impl_->root >= 0, "it cannot be created");
 }
 
-H5Writer::~H5Writer() {
-  const QuietHdf5 silence;
-  if (impl_->root >= 0) {
-    H5Fclose(impl_->root);
-    std::error_code ignored;
-    std::filesystem::remove(impl_->temporary, ignored);
-  }
-  if (impl_->descriptor >= 0)
-    close(impl_->descriptor);
-}
+H5Writer::~H5Writer() = default;
 
 void H5Writer::add(const H5Table& table) {
   const QuietHdf5 silence;
@@ -143,16 +146,14 @@ void H5Writer::add(const H5Table& table) {
   for (const auto& [name, data] : table.texts)
     values += data.text.size() / sizeof(double) + 1;
   impl_->reserve(values, 3 * (table.datasets.size() + table.texts.size()) + table.attributes.size());
-  write_entries(impl_->root, table, impl_->file);
+  write_entries(impl_->root, table, impl_->whole.file());
 }
 
 void H5Writer::finish() {
   const QuietHdf5 silence;
-  check_writing(H5Fflush(impl_->root, H5F_SCOPE_GLOBAL) >= 0, impl_->file, "its contents cannot be flushed");
+  impl_->check(H5Fflush(impl_->root, H5F_SCOPE_GLOBAL) >= 0, "its contents cannot be flushed");
   H5Fclose(std::exchange(impl_->root, -1));
-  std::error_code failed;
-  std::filesystem::rename(impl_->temporary, impl_->file, failed);
-  check_writing(!failed, impl_->file, failed.message());
+  impl_->whole.commit();
 }
 
 } // namespace bem_contact

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bem_contact {
@@ -83,6 +85,17 @@ struct InfluenceFunction {
   std::size_t wavenumber_count() const { return wavenumber.size(); }
   bool is_table() const { return table_dx > 0; }
   std::size_t table_offsets() const { return table.size() / (9 * stations.size() * stations.size()); }
+
+  /// Both ends of the strip, arc length in mm.
+  std::pair<double, double> strip() const {
+    return {stations.front().s - 0.5 * station_width, stations.back().s + 0.5 * station_width};
+  }
+  /// The one whose centre is nearest to the arc length s, mm.
+  const Station& nearest_station(double s) const {
+    const double index = (s - stations.front().s) / station_width;
+    return stations[static_cast<std::size_t>(
+        std::lround(std::clamp(index, 0.0, static_cast<double>(stations.size() - 1))))];
+  }
 
   /// Numbers of the kernel for one wavenumber.
   std::size_t kernel_size() const { return lower_size(3 * stations.size()); }

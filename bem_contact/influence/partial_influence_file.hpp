@@ -15,10 +15,10 @@ namespace bem_contact {
 /// it.
 class PartialInfluenceFile {
 public:
-  /// Opens or creates. Throws what write_whole() does (base/output_file.hpp), and InputError if the file
-  /// holds finished wavenumbers of another `fingerprint` (another body): they are never thrown away.
-  PartialInfluenceFile(std::filesystem::path file, std::string fingerprint, std::size_t stations,
-                       std::span<const double> wavenumber);
+  /// Opens or creates. Throws what a SealedJournal does (base/sealed_journal.hpp). Another `fingerprint` is
+  /// another body.
+  PartialInfluenceFile(const std::filesystem::path& file, const std::string& fingerprint,
+                       std::size_t stations, std::span<const double> wavenumber);
   ~PartialInfluenceFile();
   bool has(std::size_t k) const;
   /// numbers: the kernel's lower triangle by rows, remote, remote_self, and errors of any meaning.

@@ -47,8 +47,7 @@ void require_order(const InfluenceFunction& lower, const InfluenceFunction& uppe
 }
 
 void require_strip(const InfluenceFunction& f, double s_from, double s_to) {
-  const double half = f.station_width / 2;
-  const double from = f.stations.front().s - half, to = f.stations.back().s + half;
+  const auto [from, to] = f.strip();
   const double rounding = strip_rounding * (std::abs(from) + std::abs(to) + f.station_width);
   // Negated, so that NaN is refused.
   if (!(s_from >= from - rounding && s_to <= to + rounding && s_from <= s_to))

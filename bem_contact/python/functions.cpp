@@ -4,6 +4,7 @@
 #include "bem_contact/python/result_object.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
+#include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/uses/conicity/wheelset_conicity.hpp"
 #include "bem_contact/uses/curves/creep_columns.hpp"

@@ -1,8 +1,10 @@
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/worn/like_standard.hpp"
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/values.hpp"
 #include "bem_contact/scene/scene_file.hpp"
+#include "bem_contact/uses/conicity/wheelset_conicity.hpp"
 
 #include <pybind11/numpy.h>
 

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 #include "bem_contact/report/settings.hpp"
 
@@ -26,22 +27,11 @@ namespace {
 
 using nlohmann::json;
 
-struct Kind {
-  const char *format, *name;
-};
-/// By the attribute "format" without its version.
-constexpr std::array kinds{
-    Kind{"bem_contact result", "result"},     Kind{"bem_contact comparison", "comparison"},
-    Kind{"bem_contact sweep", "sweep"},       Kind{"bem_contact creep curves", "creep curves"},
-    Kind{"bem_contact conicity", "conicity"}, Kind{"bem_contact wheelset", "wheelset"},
-    Kind{"bem_contact wear", "wear"}};
-
 std::string kind_of(const H5Table& table, const std::filesystem::path& file) {
-  const auto at = table.attributes.find("format");
-  const auto* format = at == table.attributes.end() ? nullptr : std::get_if<std::string>(&at->second);
-  for (const Kind& kind : kinds)
-    if (format && format->starts_with(kind.format))
-      return kind.name;
+  const std::string format = text_attribute(table, "format");
+  for (const FileKind& kind : file_kinds)
+    if (*kind.page && format.starts_with(fmt::format("bem_contact {}", kind.page))) // of any version
+      return kind.page;
   throw InputError(
       fmt::format("'{}' cannot be reported", file.string()),
       "it is HDF5, but no result, comparison, sweep, creep curves, conicity, wheelset or wear",
@@ -89,14 +79,6 @@ json tree_of(const H5Table& table) {
   return tree;
 }
 
-json points_of(const std::filesystem::path& file) {
-  std::istringstream in(read_text_file(file.string(), "worn profile"));
-  json points = json::array();
-  for (double y = 0, z = 0; in >> y >> z;)
-    points.push_back({y, z});
-  return points;
-}
-
 /// The profiles of steps spread evenly from the first to the last, where all of them lie beside the file.
 json worn_profiles(const std::filesystem::path& file, int last) {
   json out = json::array();
@@ -109,7 +91,9 @@ json worn_profiles(const std::filesystem::path& file, int last) {
       const auto profile = file.parent_path() / fmt::format("{}_{:04}.txt", body, step);
       if (!file_exists(profile))
         return json::array();
-      one[body] = points_of(profile);
+      one[body] = json::array();
+      for (const Point2& point : read_points(profile))
+        one[body].push_back({point.y, point.z});
     }
     out.push_back(std::move(one));
   }

@@ -52,7 +52,7 @@ void add_strip(const char* body, const Range& strip, std::vector<std::string>& l
 /// From the contact to the nearer end of a strip, mm. `row_s`: the rows of the solution on that body.
 double room_on(const InfluenceFunction& f, const std::vector<double>& row_s, const GridSolution& solved) {
   const ContactGrid& grid = solved.contact.problem.grid;
-  const auto [from, to] = strip_of(f);
+  const auto [from, to] = f.strip();
   double room = to - from;
   for (int i = 0; i < grid.size(); ++i)
     if (solved.result.state[i] != ElementState::exterior) {
@@ -207,7 +207,7 @@ std::string influence_text(const char* body, const std::shared_ptr<const Influen
   if (!f)
     return fmt::format("{}: no influence file", body);
   const Range rows = range_of(s, problem.grid.ds);
-  const auto [from, to] = strip_of(*f);
+  const auto [from, to] = f->strip();
   const double off = std::max(from - rows.from, rows.to - to);
   const bool leave = off > (0.5 - row_on_strip) * problem.grid.ds;
   return fmt::format(

@@ -1,11 +1,13 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/h5_table.hpp"
+#include "tests/base/message.hpp"
+#include "tests/base/temporary_folder.hpp"
 
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <string>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -81,6 +83,45 @@ TEST(H5Writer, AFullDiskIsAnErrorAndTheProcessEndsInOrder) {
   EXPECT_EQ(read_h5(folder / "out.h5").datasets.size(), 2000u);
   EXPECT_LT(std::filesystem::file_size(folder / "out.h5"), 12'000'000u); // what was reserved is given back
   std::filesystem::remove_all(folder);
+}
+
+TEST(H5Writer, KeepsThePermissionsOfTheFileThatItReplaces) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("out.h5", "old");
+  const auto own = std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
+  std::filesystem::permissions(file, own);
+  H5Writer(file).finish();
+  EXPECT_TRUE(read_h5(file).datasets.empty());
+  EXPECT_EQ(std::filesystem::status(file).permissions(), own);
+}
+
+TEST(H5Writer, LeavesNothingWhereTheFileCannotGetItsName) {
+  const TemporaryFolder folder;
+  {
+    H5Writer writer(folder / "out.h5");
+    folder.write("out.h5/taken", "a folder took the name");
+    EXPECT_THAT(fault_of([&] { writer.finish(); }), testing::HasSubstr("out.h5' cannot be written"));
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+/// One file may be open at a time, and the writer needs two. A process of its own keeps that limit.
+[[noreturn]] void write_with_one_open_file(const std::filesystem::path& file) {
+  const int first = dup(STDIN_FILENO); // the lowest that is free
+  close(first);
+  const rlimit one{static_cast<rlim_t>(first) + 1, static_cast<rlim_t>(first) + 1};
+  if (setrlimit(RLIMIT_NOFILE, &one) != 0)
+    std::exit(6);
+  const std::string said = fault_of([&] { H5Writer writer(file); });
+  std::fputs(said.c_str(), stderr);
+  std::exit(0);
+}
+
+TEST(H5Writer, LeavesNothingWhereItCannotOpenItsFile) {
+  const TemporaryFolder folder;
+  EXPECT_EXIT(write_with_one_open_file(folder / "out.h5"), ::testing::ExitedWithCode(0),
+              "out.h5' cannot be written .it cannot be created");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 } // namespace

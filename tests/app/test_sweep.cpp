@@ -1,6 +1,7 @@
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/app/sweep/sweep_journal.hpp"
 #include "bem_contact/app/sweep/sweep_workers.hpp"
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 #include "tests/app/run_program.hpp"
 
@@ -283,7 +284,10 @@ TEST(SweepWorkers, AProcessThatDiesCostsItsCaseAlone) {
     };
   };
   calls.done = [&](std::size_t index, std::string result) { done[index] = std::move(result); };
-  calls.died = [&](std::size_t index, const std::string& reason) { died[index] = reason; };
+  calls.failed = [&](std::size_t index, app::CaseFailure how, const std::string& reason) {
+    EXPECT_EQ(how, app::CaseFailure::died) << index;
+    died[index] = reason;
+  };
   app::solve_in_processes({{0, 1, 2, 3, 4, 5}, {6, 7, 8, 9, 10, 11}, {12, 13}}, 2, calls);
   ASSERT_EQ(died.size(), 4u);
   for (const std::size_t index : {3, 8, 13})
@@ -294,12 +298,46 @@ TEST(SweepWorkers, AProcessThatDiesCostsItsCaseAlone) {
     EXPECT_EQ(result, std::to_string(index * index));
 }
 
+/// The next case of the chunk is solved by the same process.
+TEST(SweepWorkers, WhatASolverThrowsComesBackByItsKind) {
+  using enum app::CaseFailure;
+  std::map<std::size_t, std::pair<app::CaseFailure, std::string>> failed;
+  std::size_t done = 0;
+  app::WorkerCalls calls;
+  calls.make_solver = [] {
+    return [](std::size_t index) {
+      if (index == 1)
+        throw InputError("Wrong", "one", "Mend it.");
+      if (index == 2)
+        throw ConvergenceError("Hard", "two", "Wait.");
+      if (index == 3)
+        throw Error("Full", "three", "Make room.");
+      if (index == 4)
+        throw std::bad_alloc();
+      return std::string("solved");
+    };
+  };
+  calls.done = [&](std::size_t, const std::string& result) { done += result == "solved"; };
+  calls.failed = [&](std::size_t index, app::CaseFailure how, const std::string& said) {
+    failed[index] = {how, said};
+  };
+  app::solve_in_processes({{0, 1, 2, 3, 4, 5}}, 1, calls);
+  EXPECT_EQ(done, 2u);
+  const decltype(failed) expected{{1, {refused, "Wrong (one) Mend it."}},
+                                  {2, {not_converged, "Hard (two) Wait."}},
+                                  {3, {fault, "Full (three) Make room."}},
+                                  {4, {fault, "std::bad_alloc"}}};
+  EXPECT_EQ(failed, expected);
+}
+
 TEST(SweepWorkers, EachChunkBeginsAnew) {
   std::map<std::size_t, std::string> done;
   app::WorkerCalls calls;
   calls.make_solver = [] { return [former = 0](std::size_t) mutable { return std::to_string(former++); }; };
   calls.done = [&](std::size_t index, std::string result) { done[index] = std::move(result); };
-  calls.died = [&](std::size_t index, const std::string& reason) { ADD_FAILURE() << index << reason; };
+  calls.failed = [&](std::size_t index, app::CaseFailure, const std::string& reason) {
+    ADD_FAILURE() << index << reason;
+  };
   app::solve_in_processes({{0, 1, 2}, {3, 4}, {5}, {6, 7}}, 2, calls);
   const std::map<std::size_t, std::string> expected{{0, "0"}, {1, "1"}, {2, "2"}, {3, "0"},
                                                     {4, "1"}, {5, "0"}, {6, "0"}, {7, "1"}};

@@ -80,13 +80,17 @@ class TableCommand(unittest.TestCase):
         self.assertIn("values/Fx", info)
         self.assertIn("motion.eta", self.run_table("info", "--scene", file).stdout)
 
-    def test_a_point_that_is_refused_is_named(self):
-        """With what its process said of it; it is not solved a second time."""
-        self.scene.write_text(SCENE.split("[table]")[0] + "[table]\nload.force = [1e3, 1e12]\n")
-        done = self.run_table("table", self.scene, "-o", self.folder / "t.h5", "--jobs", "1")
-        self.assertEqual(done.returncode, 3, done.stderr)
-        self.assertIn("The point (1e+12) of the table has no result (", done.stderr)
-        self.assertIn("far beyond elastic contact", done.stderr)
+    def test_a_point_that_fails_is_named_once_and_keeps_its_exit_code(self):
+        """After its name comes what its scene alone says."""
+        unlike = "solver.max_outer = 1\nwheel.material.shear_modulus = 800\nwheel.material.poisson = 0\n"
+        for force, more, problem, advice, code in (
+                (1e12, "", "The load is far beyond elastic contact", "Check load, lengths and moduli", 2),
+                (2e3, unlike, "The halfspace result is not a solution", "Coarsen the grid", 3)):
+            self.scene.write_text(more + SCENE.split("[table]")[0] + f"[table]\nload.force = [1e3, {force!r}]\n")
+            done = self.run_table("table", self.scene, "-o", self.folder / "t.h5", "--jobs", "1")
+            self.assertEqual(done.returncode, code, done.stderr)
+            self.assertRegex(done.stderr, rf"The table has no value at load\.force = [0-9e+]+: {problem} \(.*\) {advice}")
+            self.assertEqual(done.stderr.count("The table"), 1, done.stderr)
 
     def test_wrong_input(self):
         def refused(word, *arguments, code=2):

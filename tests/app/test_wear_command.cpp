@@ -71,6 +71,7 @@ TEST_F(WearCommand, RefusesAFolderOfAnotherWear) {
   EXPECT_EQ(other.code, 2);
   EXPECT_THAT(other.err, HasSubstr("exists and is not of this wear"));
   const H5Table state = read_h5(path("worn/wear.h5"));
+  EXPECT_THAT(run("info '" + path("worn/wear.h5") + "'").out, HasSubstr("Wear of a rail and a wheel"));
   for (const char* lost : {"rail/depth", "wheel/profile", "mileage", "step"}) {
     H5Table less = state;
     less.datasets.erase(lost);

@@ -64,6 +64,37 @@ TEST(OutputFile, LeavesNothingBehindWhereTheWriterThrows) {
   EXPECT_EQ(files_in(folder / ""), 1);
 }
 
+TEST(WholeFile, WhatIsNotCommittedLeavesNothing) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("a", "old");
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  {
+    const WholeFile whole(file, ".msh");
+    EXPECT_EQ(whole.temporary().extension(), ".msh");
+    EXPECT_EQ(whole.temporary().parent_path(), folder.path());
+    folder.write(whole.temporary().filename(), "half");
+  }
+  EXPECT_EQ(text_of(file), "old");
+  EXPECT_EQ(files_in(folder / ""), 1);
+  const WholeFile whole(file);
+  folder.write(whole.temporary().filename(), "new");
+  whole.commit();
+  EXPECT_EQ(text_of(file), "new");
+  EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(files_in(folder / ""), 1);
+}
+
+TEST(WholeFile, ARenameThatFailsLeavesNothing) {
+  const TemporaryFolder folder;
+  folder.write("a/b", "a folder took the name");
+  {
+    const WholeFile whole(folder / "a");
+    folder.write(whole.temporary().filename(), "new");
+    EXPECT_THAT(fault_of([&] { whole.commit(); }), HasSubstr("cannot be written"));
+  }
+  EXPECT_EQ(files_in(folder / ""), 1);
+}
+
 TEST(OutputFile, FollowsALinkAndReplacesItsTarget) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "far");

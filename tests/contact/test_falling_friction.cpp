@@ -1,5 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/flash_temperature.hpp"
+#include "tests/base/message.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <gmock/gmock.h>
@@ -28,12 +29,7 @@ ContactResult solved(const ContactProblem& problem, SolverOptions options = scen
 }
 
 std::string refusal(const ContactProblem& problem) {
-  try {
-    solve(problem, scenes::without_estimate);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "not refused";
+  return message_of([&] { solve(problem, scenes::without_estimate); });
 }
 
 TEST(FallingFriction, Laws) {

@@ -2,6 +2,7 @@
 #include "bem_contact/contact/operator/plane_operator.hpp"
 #include "bem_contact/contact/operator/strip_operator.hpp"
 #include "tests/contact/scenes.hpp"
+#include "tests/contact/textbook.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,16 +14,8 @@
 namespace bem_contact {
 namespace {
 
-double number(const ContactProblem& p, int target, int i, int load, int j, int ahead = 0) {
-  const int mx = p.grid.mx, m = target % mx + ahead - load % mx;
-  return (m < 0 ? parity(i, j) : 1) * p.numbers.at(std::abs(m), target / mx, i, load / mx, j);
-}
-
-/// Of the slip of steady rolling: two steps, from their definition.
-double step_number(const ContactProblem& p, int target, int i, int load, int j) {
-  return 1.5 * number(p, target, i, load, j) - 2 * number(p, target, i, load, j, 1) +
-         0.5 * number(p, target, i, load, j, 2);
-}
+using textbook::number;
+using textbook::step_number;
 
 /// Numbers with the symmetries and nothing else, positive definite by their diagonal; signs at random.
 ContactProblem random_problem(std::mt19937& random) {

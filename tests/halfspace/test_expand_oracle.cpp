@@ -4,6 +4,7 @@
 
 #include "steel.hpp"
 #include "strip_kernel.hpp"
+#include "tests/base/message.hpp"
 
 #include <gmock/gmock.h>
 
@@ -77,12 +78,7 @@ InfluenceFunction halfspace_table() {
 }
 
 std::string refusal(const InfluenceFunction& f, const ExpandOptions& options) {
-  try {
-    expand(f, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no InputError";
+  return message_of([&] { expand(f, options); });
 }
 
 } // namespace

@@ -137,6 +137,12 @@ TEST(PartialFile, AnotherRunTakesAFileWithNothingFinished) {
   EXPECT_EQ(run.done(other), 1);
 }
 
+TEST(PartialFile, HasOneWriter) {
+  const Computation run;
+  const PartialInfluenceFile first = run.open();
+  EXPECT_THAT(message_of([&] { run.open(); }), HasSubstr("a.h5.part' is in use"));
+}
+
 TEST(PartialFile, AStrangersFileIsNotWrittenOver) {
   const Computation run;
   std::ofstream(run.part) << "my notes";

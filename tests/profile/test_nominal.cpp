@@ -3,6 +3,7 @@
 #include "bem_contact/profile/worn/like_standard.hpp"
 #include "bem_contact/profile/worn/wear_depth.hpp"
 #include "sampled.hpp"
+#include "tests/base/message.hpp"
 #include "tests/base/temporary_folder.hpp"
 #include "warnings.hpp"
 
@@ -295,12 +296,7 @@ TEST(Nominal, IsAKeyOfBodyFiles) {
 
 std::string refusal(const Points& points, ProfileKind kind, const ProfileReading& reading) {
   const Warnings quiet;
-  try {
-    read(points, kind, reading);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "not refused";
+  return message_of([&] { read(points, kind, reading); });
 }
 
 TEST(Nominal, AnotherShapeIsRefusedWithItsFigures) {

@@ -1,11 +1,11 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/csv.hpp"
 #include "bem_contact/app/output/datasets.hpp"
-#include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/uses/conicity/wheelset_conicity.hpp"
 

@@ -3,10 +3,10 @@
 #include "bem_contact/app/number_list.hpp"
 #include "bem_contact/app/output/csv.hpp"
 #include "bem_contact/app/output/datasets.hpp"
-#include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/uses/curves/creep_columns.hpp"
 

@@ -2,11 +2,11 @@
 #include "bem_contact/app/output/csv.hpp"
 #include "bem_contact/app/output/datasets.hpp"
 #include "bem_contact/app/output/error_text.hpp"
-#include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
 
 #include <CLI/CLI.hpp>

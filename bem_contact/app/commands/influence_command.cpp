@@ -63,11 +63,7 @@ double middle_of(const InfluenceFunction& f) {
 
 /// Radius at the arc length s; 0 for a prismatic body.
 double radius_at(const InfluenceFunction& f, double s) {
-  if (f.invariance != Invariance::revolution)
-    return 0;
-  const double index = std::clamp((s - f.stations.front().s) / f.station_width, 0.0,
-                                  static_cast<double>(f.station_count() - 1));
-  return f.reference_radius + f.stations[static_cast<std::size_t>(std::lround(index))].position.z;
+  return f.invariance == Invariance::revolution ? f.reference_radius + f.nearest_station(s).position.z : 0;
 }
 
 /// `direction`: +1 if the rows ascend with the body's own s, -1 if they run against it.

@@ -1,8 +1,8 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/error_text.hpp"
-#include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/repeat.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
@@ -72,7 +72,7 @@ std::string describe_table(const H5Table& table, const std::string& title,
 }
 
 std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes) {
-  const double half = 0.5 * f.station_width;
+  const auto [from, to] = f.strip();
   std::string out = "Influence functions of one body\n";
   out += fmt::format("  body: {}; profile: {} (checksum {:016x})\n", f.body, f.profile, f.profile_digest);
   out += fmt::format("  material: shear modulus {:g} MPa, Poisson's ratio {:g}\n", f.material.shear_modulus,
@@ -84,8 +84,8 @@ std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes)
   out += fmt::format("  held: {}\n  method: {}\n", f.held, f.method);
   out += fmt::format(
       "  strip: {} stations {:g} mm wide, s = {:.3f} .. {:.3f} mm, inclination {:.2f} .. {:.2f} degrees\n",
-      f.station_count(), f.station_width, f.stations.front().s - half, f.stations.back().s + half,
-      degrees(f.stations.front().delta), degrees(f.stations.back().delta));
+      f.station_count(), f.station_width, from, to, degrees(f.stations.front().delta),
+      degrees(f.stations.back().delta));
   if (f.is_table())
     out += fmt::format(
         "  table of {} influence numbers along x, elements of {:g} mm and whole multiples of it\n",

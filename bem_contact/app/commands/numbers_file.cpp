@@ -1,9 +1,9 @@
 #include "bem_contact/app/commands/numbers_file.hpp"
 
-#include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 
 #include <algorithm>

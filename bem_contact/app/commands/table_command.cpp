@@ -13,7 +13,6 @@
 #include "bem_contact/uses/table/table_file.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -167,46 +166,17 @@ Order scene_order(TableArguments& arguments) {
   return order;
 }
 
-std::string to_bytes(const table::PointValues& point) {
-  std::string out(2 * sizeof(double) * point.values.size(), '\0');
-  std::memcpy(out.data(), point.values.data(), out.size() / 2);
-  std::memcpy(out.data() + out.size() / 2, point.element_errors.data(), out.size() / 2);
-  return out;
-}
-
-table::PointValues point_of(const std::string& bytes) {
-  table::PointValues out;
-  out.values.resize(bytes.size() / 2 / sizeof(double));
-  out.element_errors.resize(out.values.size());
-  std::memcpy(out.values.data(), bytes.data(), bytes.size() / 2);
-  std::memcpy(out.element_errors.data(), bytes.data() + bytes.size() / 2, bytes.size() / 2);
-  return out;
-}
-
-std::vector<Chunk> chunks_of(std::size_t points) {
-  const std::size_t length = chunk_size(points);
-  std::vector<Chunk> out;
-  for (std::size_t i = 0; i < points; ++i) {
-    if (i % length == 0)
-      out.emplace_back();
-    out.back().push_back(i);
-  }
-  return out;
-}
-
-// How the first byte of what a process hands back says how its point ended: values follow, or a message.
-constexpr char solved_point = 's', refused_point = 'r', uncertified_point = 'u', failed_point = 'f';
-
-/// Ends the table with what the process said of this point.
-[[noreturn]] void refuse_point(const table::Point& point, const std::string& bytes) {
+/// Ends the table: a solver's own words name the point.
+[[noreturn]] void refuse_point(const table::Point& point, CaseFailure how, const std::string& why) {
+  if (how == CaseFailure::refused)
+    throw InputError(why);
+  if (how == CaseFailure::not_converged)
+    throw ConvergenceError(why);
   const std::string problem =
-                        fmt::format("The point ({:.6g}) of the table has no result", fmt::join(point, ", ")),
-                    why = bytes.substr(1);
-  const char* advice = "Leave it out of the lists of [table], or mend what its message says.";
-  if (bytes.at(0) == refused_point)
-    throw InputError(problem, why, advice);
-  if (bytes.at(0) == uncertified_point)
-    throw ConvergenceError(problem, why, advice);
+      fmt::format("The point ({:.6g}) of the table has no result", fmt::join(point, ", "));
+  if (how == CaseFailure::died) // here it would end this process too
+    throw ConvergenceError(
+        problem, why, "If memory ran out, give a smaller --jobs; else solve this point alone to see why.");
   throw Error(problem, why, "The machine or the program is to blame: look for free memory, then report it.");
 }
 
@@ -221,27 +191,19 @@ table::PointsSolver side_by_side(std::function<table::PointSolver()> make, int j
     WorkerCalls calls;
     calls.make_solver = [&]() -> CaseSolver {
       return [&, solve = make()](std::size_t index) {
-        try {
-          return solved_point + to_bytes(solve(points[index]));
-        } catch (const InputError& error) {
-          return refused_point + std::string(error.what());
-        } catch (const ConvergenceError& error) {
-          return uncertified_point + std::string(error.what());
-        } catch (const std::exception& error) {
-          return failed_point + std::string(error.what());
-        }
+        const table::PointValues point = solve(points[index]);
+        std::string bytes;
+        json::to_cbor(json{point.values, point.element_errors}, bytes); // keeps every double to the last bit
+        return bytes;
       };
     };
-    calls.done = [&](std::size_t index, std::string bytes) {
-      if (bytes.at(0) != solved_point)
-        refuse_point(points[index], bytes);
-      out[index] = point_of(bytes.substr(1));
+    calls.done = [&](std::size_t index, const std::string& bytes) {
+      const json point = json::from_cbor(bytes);
+      out[index] = {point.at(0), point.at(1)};
       progress.step();
     };
-    calls.died = [&](std::size_t index, const std::string& reason) { // here it would end this process too
-      throw ConvergenceError(
-          fmt::format("The point ({:.6g}) of the table has no result", fmt::join(points[index], ", ")),
-          reason, "If memory ran out, give a smaller --jobs; else solve this point alone to see why.");
+    calls.failed = [&](std::size_t index, CaseFailure how, const std::string& why) {
+      refuse_point(points[index], how, why);
     };
     solve_in_processes(chunks_of(points.size()), jobs, calls);
     progress.finish();

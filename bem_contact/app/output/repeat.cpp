@@ -1,12 +1,12 @@
 #include "bem_contact/app/output/repeat.hpp"
 
-#include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
+#include "bem_contact/base/sha256.hpp"
 #include "bem_contact/base/temporary_folder.hpp"
-#include "bem_contact/influence/file_seal.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 #include "bem_contact/sequence/sequence.hpp"
@@ -61,7 +61,7 @@ void require_unchanged(const InputRecord& input, const fs::path& place) {
                      fmt::format("{} named it; its SHA-256 was {}, and there is no file '{}'", input.key,
                                  input.sha256, place.string()),
                      "Put it there, or say with --folder where the scene's relative paths start.");
-  const std::string now = record_of(NamedFile{input.key, input.name, place}).sha256;
+  const std::string now = sha256_of_file(place.string());
   if (now != input.sha256)
     throw InputError(fmt::format("The {} '{}' has changed since the result was made", what, place.string()),
                      fmt::format("{} named it; its SHA-256 was {} and is {}", input.key, input.sha256, now),
@@ -108,7 +108,7 @@ private:
                        "Copy the result file again from where it was whole.");
     const fs::path place = place_of(input, folder_);
     if (is_regular(place)) {
-      const std::string now = record_of(NamedFile{input.key, input.name, place}).sha256;
+      const std::string now = sha256_of_file(place.string());
       if (now != input.sha256)
         warnings.push_back(fmt::format(
             "'{}' ({}) has changed since: its SHA-256 was {} and is {}; the copy in the result file is used",

@@ -1,9 +1,9 @@
 #include "bem_contact/app/output/result_file.hpp"
 #include "bem_contact/app/output/datasets.hpp"
-#include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/contact/history.hpp"
 
 #include "bem_contact/app/output/asked_output.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 
 #include <cmath>

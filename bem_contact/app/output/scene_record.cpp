@@ -5,23 +5,33 @@
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
-#include "bem_contact/influence/file_seal.hpp"
+#include "bem_contact/base/sha256.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 namespace bem_contact::app {
 
 namespace {
 
-constexpr std::size_t any_size = std::numeric_limits<std::size_t>::max() / 4;
-
 /// No folders of this machine.
 std::string without_machine(const std::string& name) {
   const std::filesystem::path path(name);
   return path.is_absolute() ? path.filename().string() : name;
+}
+
+InputRecord record_of(const NamedFile& named) {
+  if (!is_regular(named.file))
+    return {named.key, without_machine(named.name), "not a regular file", {}};
+  const std::string file = named.file.string();
+  InputRecord out{named.key, without_machine(named.name), {}, {}};
+  if (!names_influence(named.key) && std::filesystem::file_size(named.file) <= largest_kept_input)
+    out.content = read_text_file(file, "input");
+  out.sha256 = out.content ? sha256(*out.content) : sha256_of_file(file);
+  if (out.content && out.content->find('\0') != std::string::npos) // a text in HDF5 ends there
+    out.content.reset();
+  return out;
 }
 
 } // namespace
@@ -40,19 +50,6 @@ GivenScene read_given_scene_for(const std::vector<Output>& outputs, const std::s
         return output.form == OutputForm::whole_file && !output.file.empty();
       }))
     out.inputs = inputs_of(out.scene);
-  return out;
-}
-
-InputRecord record_of(const NamedFile& named) {
-  if (!is_regular(named.file))
-    return {named.key, without_machine(named.name), "not a regular file", {}};
-  const std::string bytes = read_text_file(named.file.string(), "input", any_size);
-  InputRecord out{named.key, without_machine(named.name), sha256(bytes), {}};
-  // A text in HDF5 ends at its first NUL.
-  const bool kept = !names_influence(named.key) && bytes.size() <= largest_kept_input &&
-                    bytes.find('\0') == std::string::npos;
-  if (kept)
-    out.content = bytes;
   return out;
 }
 

@@ -42,9 +42,7 @@ GivenScene read_given_scene(const std::string& file, const std::string& model,
 GivenScene read_given_scene_for(const std::vector<Output>& outputs, const std::string& file,
                                 const std::string& model);
 
-/// A file as an input of that key. What is no regular file can be read only once, and is not read here.
-InputRecord record_of(const NamedFile& named);
-
+/// Files as inputs of their keys. What is no regular file can be read only once, and is not read here.
 std::vector<InputRecord> records_of(const std::vector<NamedFile>& files);
 
 /// All files and standard profiles of a scene.

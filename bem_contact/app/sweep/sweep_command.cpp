@@ -1,5 +1,4 @@
 #include "bem_contact/app/command.hpp"
-#include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/result_file.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
@@ -12,6 +11,7 @@
 #include "bem_contact/base/interrupt_note.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 
@@ -122,7 +122,7 @@ void solve_missing(const SweepFile& sweep, const SweepRequest& request, const Sh
     return [&, solver](std::size_t index) { return to_bytes(solved(*solver, sweep, index, request)); };
   };
   calls.done = [&](std::size_t, std::string bytes) { keep(from_bytes(bytes), bytes); };
-  calls.died = [&](std::size_t index, const std::string& reason) {
+  calls.failed = [&](std::size_t index, CaseFailure, const std::string& reason) {
     const CaseRecord record{{.index = index, .status = CaseStatus::died, .reason = reason}};
     keep(record, to_bytes(record));
   };

@@ -2,13 +2,12 @@
 
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
-#include "bem_contact/influence/file_seal.hpp"
+#include "bem_contact/base/sha256.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <iterator>
-#include <limits>
 
 namespace bem_contact::app {
 
@@ -62,7 +61,7 @@ std::string digest_of(const SweepFile& sweep, const std::string& options) {
   std::string all = provenance("bem_contact") + "\n" + std::string(commit()) + "\n" + options + "\n" +
                     sha256(sweep.text.toml) + "\n";
   for (const std::string& name : input_paths(sweep))
-    all += sha256(read_text_file(name, "input", std::numeric_limits<std::size_t>::max() / 4)) + "\n";
+    all += sha256_of_file(name) + "\n";
   return sha256(all);
 }
 

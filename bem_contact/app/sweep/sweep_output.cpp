@@ -1,8 +1,8 @@
 #include "bem_contact/app/sweep/sweep_output.hpp"
 
-#include "bem_contact/app/output/file_kinds.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 
 #include <algorithm>
 #include <cmath>

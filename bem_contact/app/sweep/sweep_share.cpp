@@ -29,18 +29,12 @@ bool belongs(std::size_t index, std::size_t cases, const Share& share) {
 }
 
 std::vector<Chunk> chunks_of(const SweepOutput& output, std::size_t cases, const Share& share) {
-  std::vector<Chunk> chunks;
-  const std::size_t size = chunk_size(cases);
-  for (std::size_t from = 0; from < cases; from += size) {
-    if (!belongs(from, cases, share))
-      continue;
-    Chunk chunk;
-    for (std::size_t i = from; i < std::min(cases, from + size); ++i)
-      if (output.status(i) == CaseStatus::missing)
-        chunk.push_back(i);
-    if (!chunk.empty())
-      chunks.push_back(std::move(chunk));
-  }
+  std::vector<Chunk> chunks = chunks_of(cases);
+  for (Chunk& chunk : chunks)
+    std::erase_if(chunk, [&](std::size_t i) {
+      return output.status(i) != CaseStatus::missing || !belongs(i, cases, share);
+    });
+  std::erase_if(chunks, [](const Chunk& chunk) { return chunk.empty(); });
   return chunks;
 }
 

@@ -1,6 +1,7 @@
 #include "bem_contact/app/sweep/sweep_workers.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/uses/sweep/sweep_case.hpp"
 
 #include <poll.h>
 #include <sys/prctl.h>
@@ -15,6 +16,7 @@
 #include <deque>
 #include <fmt/format.h>
 #include <iterator>
+#include <optional>
 #include <thread>
 
 namespace bem_contact::app {
@@ -46,6 +48,48 @@ bool write_bytes(int handle, const void* from, std::size_t count) {
   return transfer(write, handle, static_cast<const char*>(from), count);
 }
 
+/// What a worker says of a case.
+struct Answer {
+  std::uint64_t how = 0; ///< 0: it has a result; else a CaseFailure
+  std::string text;      ///< the result, or the message
+
+  Answer() = default;
+  Answer(CaseFailure failure, const char* message)
+      : how(static_cast<std::uint64_t>(failure)), text(message) {}
+};
+
+Answer answer_of(const CaseSolver& solver, std::size_t index) {
+  try {
+    Answer solved;
+    solved.text = solver(index);
+    return solved;
+  } catch (const InputError& error) {
+    return {CaseFailure::refused, error.what()};
+  } catch (const ConvergenceError& error) {
+    return {CaseFailure::not_converged, error.what()};
+  } catch (const std::exception& error) {
+    return {CaseFailure::fault, error.what()};
+  }
+}
+
+bool write_answer(const Answer& answer) {
+  const std::uint64_t head[] = {answer.how, answer.text.size()};
+  return write_bytes(answers, head, sizeof head) && write_bytes(answers, answer.text.data(), head[1]);
+}
+
+/// Nothing if the worker has died.
+std::optional<Answer> read_answer(int handle) {
+  std::uint64_t head[2];
+  if (!read_bytes(handle, head, sizeof head))
+    return std::nullopt;
+  Answer answer;
+  answer.how = head[0];
+  answer.text.resize(head[1]);
+  if (!read_bytes(handle, answer.text.data(), head[1]))
+    return std::nullopt;
+  return answer;
+}
+
 /// Never returns: takes a chunk, answers with its cases, until there are no more orders.
 [[noreturn]] void work(const WorkerCalls& calls) {
   for (std::uint64_t count = 0; read_bytes(orders, &count, sizeof count);) {
@@ -53,12 +97,9 @@ bool write_bytes(int handle, const void* from, std::size_t count) {
     if (!read_bytes(orders, chunk.data(), count * sizeof chunk[0]))
       _exit(1);
     const CaseSolver solver = calls.make_solver();
-    for (const std::size_t index : chunk) {
-      const std::string result = solver(index);
-      const std::uint64_t bytes = result.size();
-      if (!write_bytes(answers, &bytes, sizeof bytes) || !write_bytes(answers, result.data(), bytes))
+    for (const std::size_t index : chunk)
+      if (!write_answer(answer_of(solver, index)))
         _exit(1);
-    }
   }
   _exit(0);
 }
@@ -181,20 +222,17 @@ public:
 private:
   /// Of one case; if the worker has died, the case is lost, the rest of its chunk is not.
   void take_answer(Worker& w) {
-    std::uint64_t bytes = 0;
-    std::string result;
-    bool whole = read_bytes(w.answers, &bytes, sizeof bytes);
-    if (whole) {
-      result.resize(bytes);
-      whole = read_bytes(w.answers, result.data(), bytes);
-    }
-    if (whole) {
-      calls_.done(w.chunk[w.solved++], std::move(result));
+    if (std::optional<Answer> answer = read_answer(w.answers)) {
+      const std::size_t index = w.chunk[w.solved++];
+      if (answer->how == 0)
+        calls_.done(index, std::move(answer->text));
+      else
+        calls_.failed(index, static_cast<CaseFailure>(answer->how), answer->text);
       return;
     }
     const std::size_t lost = w.chunk[w.solved];
     Chunk rest(w.chunk.begin() + static_cast<std::ptrdiff_t>(w.solved) + 1, w.chunk.end());
-    calls_.died(lost, w.end());
+    calls_.failed(lost, CaseFailure::died, w.end());
     if (!rest.empty())
       open_.push_front(std::move(rest));
     w.start(calls_);
@@ -206,6 +244,17 @@ private:
 };
 
 } // namespace
+
+std::vector<Chunk> chunks_of(std::size_t cases) {
+  const std::size_t length = chunk_size(cases);
+  std::vector<Chunk> chunks;
+  for (std::size_t i = 0; i < cases; ++i) {
+    if (i % length == 0)
+      chunks.emplace_back();
+    chunks.back().push_back(i);
+  }
+  return chunks;
+}
 
 void solve_in_processes(std::vector<Chunk> chunks, int jobs, const WorkerCalls& calls) {
   const NoPipeSignal no_signal;

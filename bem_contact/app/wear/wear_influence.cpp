@@ -15,7 +15,6 @@
 #include <fmt/format.h>
 #include <ostream>
 #include <spawn.h>
-#include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,18 +22,10 @@ namespace bem_contact::app {
 
 namespace {
 
-std::vector<Point2> points_in(const std::filesystem::path& file) {
-  std::istringstream in(read_text_file(file.string(), "profile"));
-  std::vector<Point2> points;
-  for (Point2 p; in >> p.y >> p.z;)
-    points.push_back(p);
-  return points;
-}
-
 /// The body of these functions with another profile. Elements along x are the shortest that they serve.
 std::string body_file_text(const InfluenceFunction& f, const char* body, const std::string& standard,
                            const std::string& profile_file) {
-  const double half = f.station_width / 2;
+  const auto [from, to] = f.strip();
   std::string out = fmt::format("# A worn body, written by bem_contact wear. The body file of the unworn one "
                                 "may say more: copy its keys.\n"
                                 "[body]\nkind = \"{}\"\nprofile = \"{}\"\nprofile_z = \"down\"\n",
@@ -43,8 +34,8 @@ std::string body_file_text(const InfluenceFunction& f, const char* body, const s
     out += fmt::format("graft_onto = \"{}\"\ngraft_at = [0, 0]\ngraft_angle = 0\n", standard);
   out += fmt::format("\n[material]\nshear_modulus = {} # MPa\npoisson = {}\n", f.material.shear_modulus,
                      f.material.poisson);
-  out += fmt::format("\n[strip]\nfrom = {:.9g} # mm\nto = {:.9g}\nstation_width = {:.9g}\n",
-                     f.stations.front().s - half, f.stations.back().s + half, f.station_width);
+  out += fmt::format("\n[strip]\nfrom = {:.9g} # mm\nto = {:.9g}\nstation_width = {:.9g}\n", from, to,
+                     f.station_width);
   if (!f.is_table())
     out += fmt::format("\n[harmonic]\nshortest_dx = {:.6g} # mm\n", shortest_dx(f));
   return out;
@@ -90,7 +81,7 @@ void WearInfluence::take_newest(Side& side, wear::KeptInfluence& kept, int step)
     const ProfileCurve curve = named_profile(std::filesystem::absolute(profile).string(), side.kind, {},
                                              {.profile_z = ProfileZ::down});
     require_profile(read_influence_file(file), curve.name(), curve.digest());
-    kept = {file, points_in(profile)};
+    kept = {file, read_points(profile)};
     side.step = k;
     return;
   }

@@ -6,6 +6,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace bem_contact::app {
 
 namespace {
 
-constexpr const char *state_file = "wear.h5", *wear_format = "bem_contact wear";
+constexpr const char* state_file = "wear.h5";
 
 /// All of the state: the last row of the history has what WearState holds beside it.
 H5Table table_of(const WearState& state, const std::string& digest) {

@@ -66,15 +66,19 @@ double area_error(const Region& r) {
 /// What no change shows of the error of a sum of shear tractions. `adhesion`: the share of what its elements
 /// in adhesion are off by.
 double local_error(const UncertainSum& sum, const Region& r, double adhesion = shear_adhesion) {
-  return std::pow(r.elongation(), shear_elongation) *
-         (shear_local * std::min(sum.size, shear_deviation * sum.deviation) / r.contact +
-          adhesion * std::sqrt(sum.adhering));
+  return shear_local * std::min(sum.size, shear_deviation * sum.deviation) / r.contact +
+         adhesion * std::sqrt(sum.adhering);
+}
+
+/// By how much larger errors of such sums are on elements longer than wide.
+double growth(const Region& r) {
+  return std::pow(r.elongation(), shear_elongation);
 }
 
 /// Of such a sum that changed so much from the coarse result.
 double shear_error(double change, const UncertainSum& sum, const Region& r,
                    double adhesion = shear_adhesion) {
-  return shear_change * std::abs(change) + local_error(sum, r, adhesion);
+  return growth(r) * (shear_change * std::abs(change) + local_error(sum, r, adhesion));
 }
 
 /// What no change shows of the error of an approach, over that approach.
@@ -99,8 +103,8 @@ double power_error(const Region& fine, const Region& coarse) {
 void estimate_patch_shear(const Region& fine, const Region& coarse, PatchErrors& out) {
   out.fx = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine, shear_adhesion_x);
   out.fs = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine);
-  out.moment_n = shear_change * std::abs(fine.moment.total - coarse.moment.total) +
-                 moment_share * local_error(fine.moment, fine);
+  out.moment_n = growth(fine) * (shear_change * std::abs(fine.moment.total - coarse.moment.total) +
+                                 moment_share * local_error(fine.moment, fine));
   out.friction_power = power_error(fine, coarse);
 }
 
@@ -283,7 +287,8 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   const ShearEffects effects = effects_of_shear(problem, result);
   e.Fy = lateral_error(problem, result.Fy - coarse.Fy, effects, fine);
   e.Fz = force ? 0 : shear_error(result.Fz - coarse.Fz, effects.fz, fine) + local_normal_force(fine);
-  out.local_moment = moment_share * local_error(fine.moment, fine);
+  out.moment_change = growth(fine) * moment_share * shear_change;
+  out.local_moment = growth(fine) * moment_share * local_error(fine.moment, fine);
   estimate_patches(problem, patches, patches_of(coarse_problem, coarse), effects, fine, roughness,
                    out.patches);
   estimate_track_forces(result, out);

@@ -29,7 +29,7 @@ std::shared_ptr<const InfluenceFunction> read_side(const Body& body) {
 bool inside(const std::shared_ptr<const InfluenceFunction>& f, double s, double ds) {
   if (!f)
     return true;
-  const auto [from, to] = strip_of(*f);
+  const auto [from, to] = f->strip();
   return s - row_on_strip * ds >= from && s + row_on_strip * ds <= to;
 }
 
@@ -63,17 +63,12 @@ InfluenceNumbers rail_numbers(const std::shared_ptr<const InfluenceFunction>& fu
 /// Throws InputError where the file's surface turns otherwise than the rows do, by more than `tolerance`.
 void require_turn(const InfluenceFunction& f, const ContactOnGrid& contact, const std::vector<double>& row_s,
                   double tolerance) {
-  const auto delta_at = [&](double s) {
-    const double index = (s - f.stations.front().s) / f.station_width;
-    const auto last = static_cast<double>(f.stations.size() - 1);
-    return f.stations[static_cast<std::size_t>(std::lround(std::clamp(index, 0.0, last)))].delta;
-  };
   const std::vector<ContactRow>& rows = contact.problem.rows;
   const std::size_t middle = rows.size() / 2;
   const double station =
       std::abs(f.stations.back().delta - f.stations.front().delta) / static_cast<double>(f.stations.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double file_turn = delta_at(row_s[i]) - delta_at(row_s[middle]);
+    const double file_turn = f.nearest_station(row_s[i]).delta - f.nearest_station(row_s[middle]).delta;
     const double row_turn = rows[i].delta - rows[middle].delta;
     if (std::abs(file_turn - row_turn) > tolerance + station)
       throw InputError(
@@ -176,11 +171,6 @@ InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const Pair
   return model == Model::fem             ? fem_pair(setup, files, contact, known, threads)
          : model == Model::tangent_plane ? tangent_plane_pair(setup, contact)
                                          : halfspace_pair(setup, contact, known);
-}
-
-std::pair<double, double> strip_of(const InfluenceFunction& function) {
-  const double half = 0.5 * function.station_width;
-  return {function.stations.front().s - half, function.stations.back().s + half};
 }
 
 void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,

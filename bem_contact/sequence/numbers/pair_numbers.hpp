@@ -45,9 +45,6 @@ std::vector<double> radial_inclination(const ContactSetup& setup, const std::vec
 InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact,
                           NumbersParts* known = nullptr, int threads = 1);
 
-/// Both ends of the strip that an influence file covers, arc length in mm.
-std::pair<double, double> strip_of(const InfluenceFunction& function);
-
 /// Throws InputError unless the strip of either file covers every row of width ds at these stations, mm.
 void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,
                     const std::vector<double>& wheel_s);

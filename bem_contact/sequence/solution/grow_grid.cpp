@@ -43,7 +43,7 @@ Touched touched_edges(const GridSolution& solved) {
 }
 
 std::string strip_text(const InfluenceFunction& f) {
-  const auto [from, to] = strip_of(f);
+  const auto [from, to] = f.strip();
   return fmt::format("s = {:.2f} .. {:.2f} mm of '{}'", from, to, f.body);
 }
 

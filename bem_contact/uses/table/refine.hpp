@@ -17,7 +17,8 @@ struct PointValues {
   std::vector<double> values, element_errors; ///< one for each column
 };
 
-/// Solves one point. Throws ConvergenceError where there is no certified result.
+/// Solves one point. Throws InputError for one that is refused, ConvergenceError where there is no certified
+/// result.
 using PointSolver = std::function<PointValues(const Point&)>;
 /// Solves many, in any order; the answer has the order of the points.
 using PointsSolver = std::function<std::vector<PointValues>(std::span<const Point>)>;

@@ -5,6 +5,7 @@
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/uncertified.hpp"
 #include "bem_contact/uses/table/settings.hpp"
 
 #include <algorithm>
@@ -175,20 +176,19 @@ PointSolver scene_point_solver(const SceneTable& described) {
     Sequence sequence{{.displacements = false}};
   };
   return [described, solver = std::make_shared<Solver>(SceneReader(described.text))](const Point& point) {
-    const auto fail = [&](const std::string& why) {
-      throw ConvergenceError(fmt::format("The table has no value at {}", text_of(described, point)), why,
-                             "Solve this case alone to see more, or shorten an axis.");
+    const auto named = [&](const Error& error) {
+      return fmt::format("The table has no value at {}: {}", text_of(described, point), error.what());
     };
-    PointValues out;
     try {
       const SceneResult result = solver->sequence.solve(scene_at(described, solver->reader, point));
       if (!result.result.certificate.holds())
-        fail("its certificate does not hold");
-      out = values_of(result);
+        throw uncertified_error(result);
+      return values_of(result);
     } catch (const InputError& error) {
-      fail(error.what());
+      throw InputError(named(error));
+    } catch (const ConvergenceError& error) {
+      throw ConvergenceError(named(error));
     }
-    return out;
   };
 }
 

@@ -39,7 +39,8 @@ ContactTable table_of(const SceneTable& described);
 /// The scene of the first point.
 SceneFile first_scene(const SceneTable& described);
 
-/// Solves points of such a table; each call makes one that has a Sequence of its own.
+/// Solves points of such a table; each call makes one that has a Sequence of its own. What it throws names
+/// the point.
 PointSolver scene_point_solver(const SceneTable& described);
 
 /// What errors are relative to. Forces: the largest |Fz| of the table; moments: that times the radius of the

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/provenance.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

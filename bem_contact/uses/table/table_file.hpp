@@ -9,7 +9,6 @@
 namespace bem_contact::table {
 
 /// The attribute "format" of a table's file.
-inline constexpr const char* table_format = "bem_contact table 3";
 
 /// Datasets:
 ///     axes/NAME                 [n], with unit

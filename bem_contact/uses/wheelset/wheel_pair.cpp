@@ -1,5 +1,7 @@
 #include "bem_contact/uses/wheelset/wheel_pair.hpp"
 
+#include "bem_contact/geometry/contact_search.hpp"
+#include "bem_contact/scene/wheel_rail_geometry.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/wheelset/settings.hpp"
 

@@ -1,5 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
+#include "tests/base/message.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -39,21 +40,15 @@ TEST(Damage, TakesOtherNodes) {
   EXPECT_EQ(damage_of(f, 21), 0);
 }
 
-std::string message_of(const DamageFunction& f) {
-  try {
-    validate(f);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+std::string refusal(const DamageFunction& f) {
+  return message_of([&] { validate(f); });
 }
 
 TEST(Damage, RefusesNodesThatDoNotFit) {
-  EXPECT_EQ(message_of({}), "");
-  EXPECT_THAT(message_of({.t_gamma = {1}, .damage = {0}}), HasSubstr("1 values of T-gamma and 1 of damage"));
-  EXPECT_THAT(message_of({.t_gamma = {1, 2}, .damage = {0}}),
-              HasSubstr("2 values of T-gamma and 1 of damage"));
-  EXPECT_THAT(message_of({.t_gamma = {2, 2}, .damage = {0, 1}}),
+  EXPECT_EQ(refusal({}), "no error");
+  EXPECT_THAT(refusal({.t_gamma = {1}, .damage = {0}}), HasSubstr("1 values of T-gamma and 1 of damage"));
+  EXPECT_THAT(refusal({.t_gamma = {1, 2}, .damage = {0}}), HasSubstr("2 values of T-gamma and 1 of damage"));
+  EXPECT_THAT(refusal({.t_gamma = {2, 2}, .damage = {0, 1}}),
               HasSubstr("must be finite, not negative, and rise"));
 }
 

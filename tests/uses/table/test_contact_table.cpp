@@ -1,4 +1,5 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/uses/table/refine.hpp"
 #include "bem_contact/uses/table/table_file.hpp"
 

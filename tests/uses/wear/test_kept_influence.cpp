@@ -1,5 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/uses/wear/evolution.hpp"
+#include "tests/base/message.hpp"
 #include "tests/base/temporary_folder.hpp"
 #include "tests/uses/wear/area_between.hpp"
 
@@ -84,12 +85,7 @@ TEST(KeptInfluence, FemWearsLikeTheHalfSpace) {
 }
 
 std::string refusal(const WornPair& pair, const EvolutionOptions& options, const KeptPair& kept) {
-  try {
-    wear_step(pair, {corner("fem")}, options, 1, shared_folder(), kept);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return ::message_of([&] { wear_step(pair, {corner("fem")}, options, 1, shared_folder(), kept); });
 }
 
 TEST(KeptInfluence, IsRefusedForAnOutgrownShape) {

@@ -1,0 +1,114 @@
+#include "bem_contact/base/sealed_journal.hpp"
+
+#include "bem_contact/base/error.hpp"
+#include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/sha256.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace bem_contact {
+
+namespace {
+
+std::string header_of(const JournalKind& kind, const std::string& digest) {
+  return fmt::format("{}{}\n", kind.magic, digest);
+}
+
+[[noreturn]] void fail_writing(const std::filesystem::path& file) {
+  throw Error(fmt::format("The file '{}' cannot be written", file.string()), std::strerror(errno),
+              "Make room: the disk may be full. What was finished before is kept.");
+}
+
+} // namespace
+
+std::size_t read_journal(const std::filesystem::path& file, const JournalKind& kind,
+                         const std::string& digest, const RecordReader& seen) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in)
+    return 0;
+  const std::size_t size = std::filesystem::file_size(file);
+  const std::string header = header_of(kind, digest);
+  std::string found(header.size(), '\0');
+  in.read(found.data(), static_cast<std::streamsize>(found.size()));
+  found.resize(static_cast<std::size_t>(in.gcount()));
+  const bool ours = found.starts_with(kind.magic);
+  if (found != header) {
+    if (header.starts_with(found) || (ours && size <= header.size()))
+      return 0; // a kill left the header unfinished, or another run has finished nothing
+    throw InputError(fmt::format("The file '{}' belongs to another {}", file.string(), kind.owner),
+                     ours ? kind.of_another : kind.of_nobody, kind.what_to_do);
+  }
+  for (std::size_t good = header.size();;) {
+    std::uint64_t bytes = 0;
+    in.read(reinterpret_cast<char*>(&bytes), sizeof bytes);
+    if (!in || bytes > size - good) // nothing more, or a record that a kill left unfinished
+      return good;
+    std::string record(bytes, '\0'), seal(sha256_size, '\0');
+    in.read(record.data(), static_cast<std::streamsize>(bytes));
+    in.read(seal.data(), sha256_size);
+    if (!in || sha256(record) != seal)
+      return good;
+    seen(record);
+    good += sizeof bytes + bytes + sha256_size;
+  }
+}
+
+SealedJournal::SealedJournal(const std::filesystem::path& file, const JournalKind& kind,
+                             const std::string& digest, const RecordReader& seen)
+    : file_(output_target(file, OutputForm::whole_file).file) {
+  handle_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (handle_ < 0)
+    fail_writing(file_);
+  try {
+    // Some file systems of clusters have no locks: there nothing can be said.
+    if (flock(handle_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+      throw InputError(fmt::format("The file '{}' is in use", file_.string()), "another process writes it",
+                       kind.if_in_use);
+    const std::size_t good = read_journal(file_, kind, digest, seen);
+    if (ftruncate(handle_, static_cast<off_t>(good)) != 0 || lseek(handle_, 0, SEEK_END) < 0)
+      fail_writing(file_);
+    if (good == 0)
+      write(header_of(kind, digest));
+  } catch (...) {
+    close(handle_);
+    throw;
+  }
+}
+
+SealedJournal::~SealedJournal() {
+  close(handle_);
+}
+
+void SealedJournal::append(std::string_view record) {
+  const std::uint64_t bytes = record.size();
+  std::string out(reinterpret_cast<const char*>(&bytes), sizeof bytes);
+  out += record;
+  out += sha256(record);
+  write(out);
+}
+
+void SealedJournal::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(handle_, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR)
+      continue;
+    if (n <= 0)
+      fail_writing(file_);
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+}
+
+void SealedJournal::remove() {
+  std::error_code ignored;
+  std::filesystem::remove(file_, ignored);
+}
+
+} // namespace bem_contact
