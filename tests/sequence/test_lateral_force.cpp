@@ -23,6 +23,7 @@ using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::ThrowsMessage;
 
 /// All displacements that a search from 0 mm tells, ascending; the model's force is the rough one and
 /// `missed`.
@@ -132,12 +133,19 @@ TEST(LateralForce, TheForceIsMetFromAStartNearby) {
 
 TEST(LateralForce, AJumpOverTheForceIsNoSolution) {
   const LateralForce jump = [](double y) -> std::optional<double> { return y < 0.1 ? 0.0 : 1e4 + y; };
-  try {
-    solve_lateral_force(jump, 5e3, {0.05, 1e5}, 1);
-    FAIL() << "there is no such displacement";
-  } catch (const ConvergenceError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("No lateral displacement with a lateral force of 5000 N was found"));
-  }
+  EXPECT_THAT(
+      [&] {
+        solve_lateral_force(jump, 5e3, {0.05, 1e5}, 1);
+      },
+      ThrowsMessage<ConvergenceError>(
+          AllOf(HasSubstr("No lateral displacement with a lateral force of 5000 N was found"),
+                HasSubstr("5e+03 N are missing, and 1 N allowed"))));
+  const LateralForce none = [](double) { return std::optional<double>(); };
+  EXPECT_THAT(
+      [&] {
+        solve_lateral_force(none, 5e3, {0.05, 1e5}, 1);
+      },
+      ThrowsMessage<ConvergenceError>(HasSubstr("at 0.05 mm, where it should be, there is no solution")));
 }
 
 SceneFile rolling_at(double lateral, const std::string& more = "") {

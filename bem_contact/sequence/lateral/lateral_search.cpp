@@ -161,13 +161,15 @@ double LateralSearch::find(const LateralForce& force) {
     const double next = c ? next_after(*c, lateral_root_width * std::exp2(i)) : closest_approach();
     if (!c && curve_.exact().contains(next))
       return next;
-    if (!learn(force, next))
+    if (!learn(force, next)) {
+      last = {next, NAN};
       break;
+    }
     last = {next, curve_.exact().at(next).force};
     if (std::abs(last.force - question_.wanted) <= tolerance)
       return next;
   }
-  refuse_search(question_.wanted, last);
+  refuse_search(question_.wanted, last, tolerance);
 }
 
 /// dFy/dy by the nearest solutions of the model whose forces differ enough to tell, N/mm.
