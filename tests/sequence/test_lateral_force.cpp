@@ -100,6 +100,7 @@ TEST(LateralForce, AnExtremumHasTheWidthOverWhichItsForceIsAlike) {
   const LateralPosition said = search.describe(search.find(bowl), 20);
   EXPECT_GT(said.error, 0.9) << "the force is 20 N at 1 mm";
   EXPECT_LT(said.error, 2.0);
+  EXPECT_NEAR(std::abs(said.slope) * said.error, 20, 0.01) << "the slope that the error is made from";
 }
 
 TEST(LateralForce, ManyForcesOfOneSceneAreCheap) {
@@ -265,6 +266,24 @@ TEST(PrescribedLateralForce, TheReachableRangeIsTheSameWhateverWasWanted) {
   EXPECT_NEAR(reached("2e5"), most, 0.02 * most);
   EXPECT_NO_THROW(Sequence().solve(
       rolling_at(0, fmt::format("position.cant = 0.025\nload.force_y = {}\n", 0.98 * most))));
+}
+
+/// The model bears the forces that a refusal names, where it says so. On the tread rough ones miss more than
+/// it changes by.
+TEST(PrescribedLateralForce, TheReachableForcesAreThoseOfTheModel) {
+  const std::regex range("between about (\\S+) and (\\S+) N, at (\\S+) and (\\S+) mm");
+  const std::string cant = "position.cant = 0.025\n";
+  for (const double start : {-4.0, 0.0}) {
+    const std::string message =
+        message_of([&] { Sequence().solve(rolling_at(start, cant + "load.force_y = 3e5\n")); });
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(message, found, range)) << message;
+    const double least = std::stod(found[1]), most = std::stod(found[2]);
+    EXPECT_NEAR(Sequence().solve(rolling_at(std::stod(found[3]), cant)).result.Fy, least, 1);
+    EXPECT_NEAR(Sequence().solve(rolling_at(std::stod(found[4]), cant)).result.Fy, most, 1e-3 * most);
+    for (const double lateral : {-10, -8, -6, -4, 0, 2})
+      EXPECT_GE(Sequence().solve(rolling_at(lateral, cant)).result.Fy, least - 1) << lateral;
+  }
 }
 
 TEST(PrescribedLateralForce, WhatCannotBeIsRefused) {
