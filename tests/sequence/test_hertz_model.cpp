@@ -111,6 +111,23 @@ TEST(HertzModel, OfAWheelOnTheTreadAgreesWithTheHalfSpaceWhereItIsTaken) {
   EXPECT_NEAR(r.moment, solved.moment, 1e-3 * 3e3);
 }
 
+/// The force points along the normal at the ellipse's centre, wherever the rows lie.
+TEST(HertzModel, TheForcePointsAlongTheNormalAtTheCentre) {
+  for (const double ds : {0.1, 0.2, 0.4, 1.0}) {
+    SceneFile cylinder =
+        hertz(0, "force = 1e5", "[strip]\nradius = 300\n"); // its middle lies between two rows
+    cylinder.grid.ds = ds;
+    cylinder.grid.ms = 2 * static_cast<int>(std::lround(7.5 / ds));
+    EXPECT_NEAR(Sequence().solve(with_model(cylinder, Model::hertz)).result.Fy, 0, 1e-3) << ds;
+    SceneFile wheel =
+        parse_scene_file("rail.profile = '60E1'\nwheel.profile = 'S1002'\nposition.cant = 0.025\n"
+                         "position.lateral = -6\nload.force = 1e5\nmotion.frictionless = true\n"
+                         "[grid]\ndx = 0.2\nds = 0.1\n");
+    wheel.grid.ds = 0.5 * ds;
+    EXPECT_NEAR(Sequence().solve(with_model(wheel, Model::hertz)).result.Fy, 957, 1) << ds;
+  }
+}
+
 TEST(HertzModel, WithoutContactThereIsNoForce) {
   const SceneResult r = Sequence().solve(with_model(hertz(0, "approach = -0.1"), Model::hertz));
   EXPECT_TRUE(r.result.converged);

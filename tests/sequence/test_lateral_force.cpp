@@ -23,6 +23,7 @@ using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::ThrowsMessage;
 
 /// All displacements that a search from 0 mm tells, ascending; the model's force is the rough one and
 /// `missed`.
@@ -99,6 +100,7 @@ TEST(LateralForce, AnExtremumHasTheWidthOverWhichItsForceIsAlike) {
   const LateralPosition said = search.describe(search.find(bowl), 20);
   EXPECT_GT(said.error, 0.9) << "the force is 20 N at 1 mm";
   EXPECT_LT(said.error, 2.0);
+  EXPECT_NEAR(std::abs(said.slope) * said.error, 20, 0.01) << "the slope that the error is made from";
 }
 
 TEST(LateralForce, ManyForcesOfOneSceneAreCheap) {
@@ -132,12 +134,19 @@ TEST(LateralForce, TheForceIsMetFromAStartNearby) {
 
 TEST(LateralForce, AJumpOverTheForceIsNoSolution) {
   const LateralForce jump = [](double y) -> std::optional<double> { return y < 0.1 ? 0.0 : 1e4 + y; };
-  try {
-    solve_lateral_force(jump, 5e3, {0.05, 1e5}, 1);
-    FAIL() << "there is no such displacement";
-  } catch (const ConvergenceError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("No lateral displacement with a lateral force of 5000 N was found"));
-  }
+  EXPECT_THAT(
+      [&] {
+        solve_lateral_force(jump, 5e3, {0.05, 1e5}, 1);
+      },
+      ThrowsMessage<ConvergenceError>(
+          AllOf(HasSubstr("No lateral displacement with a lateral force of 5000 N was found"),
+                HasSubstr("5e+03 N are missing, and 1 N allowed"))));
+  const LateralForce none = [](double) { return std::optional<double>(); };
+  EXPECT_THAT(
+      [&] {
+        solve_lateral_force(none, 5e3, {0.05, 1e5}, 1);
+      },
+      ThrowsMessage<ConvergenceError>(HasSubstr("at 0.05 mm, where it should be, there is no solution")));
 }
 
 SceneFile rolling_at(double lateral, const std::string& more = "") {
@@ -257,6 +266,24 @@ TEST(PrescribedLateralForce, TheReachableRangeIsTheSameWhateverWasWanted) {
   EXPECT_NEAR(reached("2e5"), most, 0.02 * most);
   EXPECT_NO_THROW(Sequence().solve(
       rolling_at(0, fmt::format("position.cant = 0.025\nload.force_y = {}\n", 0.98 * most))));
+}
+
+/// The model bears the forces that a refusal names, where it says so. On the tread rough ones miss more than
+/// it changes by.
+TEST(PrescribedLateralForce, TheReachableForcesAreThoseOfTheModel) {
+  const std::regex range("between about (\\S+) and (\\S+) N, at (\\S+) and (\\S+) mm");
+  const std::string cant = "position.cant = 0.025\n";
+  for (const double start : {-4.0, 0.0}) {
+    const std::string message =
+        message_of([&] { Sequence().solve(rolling_at(start, cant + "load.force_y = 3e5\n")); });
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(message, found, range)) << message;
+    const double least = std::stod(found[1]), most = std::stod(found[2]);
+    EXPECT_NEAR(Sequence().solve(rolling_at(std::stod(found[3]), cant)).result.Fy, least, 1);
+    EXPECT_NEAR(Sequence().solve(rolling_at(std::stod(found[4]), cant)).result.Fy, most, 1e-3 * most);
+    for (const double lateral : {-10, -8, -6, -4, 0, 2})
+      EXPECT_GE(Sequence().solve(rolling_at(lateral, cant)).result.Fy, least - 1) << lateral;
+  }
 }
 
 TEST(PrescribedLateralForce, WhatCannotBeIsRefused) {

@@ -43,22 +43,26 @@ LateralSample narrow_lateral(const LateralForce& force, double wanted, const Lat
   return best;
 }
 
-void refuse_search(double wanted, const LateralSample& last) {
+void refuse_search(double wanted, const LateralSample& last, double tolerance) {
   throw ConvergenceError(
       fmt::format("No lateral displacement with a lateral force of {:g} N was found", wanted),
-      fmt::format("the search ended at {:.6f} mm with {:.6g} N", last.lateral, last.force),
-      "Give position.lateral near the displacement, or another load.force_y.");
+      std::isnan(last.force)
+          ? fmt::format("at {:.9g} mm, where it should be, there is no solution", last.lateral)
+          : fmt::format(
+                "the search ended at {:.9g} mm with {:.9g} N: {:.2g} N are missing, and {:.2g} N allowed",
+                last.lateral, last.force, std::abs(wanted - last.force), tolerance),
+      "Give position.lateral near the displacement, or another force_y.");
 }
 
 double solve_lateral_force(const LateralForce& force, double wanted, const LateralRoot& start,
                            double tolerance) {
-  const auto at = [&](double lateral, double last) {
+  const auto at = [&](double lateral) {
     const std::optional<double> there = force(lateral);
     if (!there)
-      refuse_search(wanted, {lateral, last});
+      refuse_search(wanted, {lateral, NAN}, tolerance);
     return LateralSample{lateral, *there};
   };
-  LateralSample here = at(start.lateral, wanted);
+  LateralSample here = at(start.lateral);
   double slope = start.slope;
   for (int i = 0; i < most_lateral_steps; ++i) {
     const double missing = wanted - here.force;
@@ -67,19 +71,19 @@ double solve_lateral_force(const LateralForce& force, double wanted, const Later
     // Beyond the force by a little, so that the next step brackets it.
     const double step =
         std::clamp(lateral_overshoot * missing / slope, -longest_lateral_step, +longest_lateral_step);
-    const LateralSample next = at(here.lateral + step, here.force);
+    const LateralSample next = at(here.lateral + step);
     if ((next.force - wanted) * missing >= 0) {
       const LateralBracket bracket = step > 0 ? LateralBracket{here, next} : LateralBracket{next, here};
       const LateralSample root = narrow_lateral(force, wanted, bracket, tolerance, narrowest_lateral);
       if (std::abs(root.force - wanted) <= tolerance)
         return root.lateral;
-      refuse_search(wanted, root);
+      refuse_search(wanted, root, tolerance);
     }
     const double secant = (next.force - here.force) / step;
     slope = secant * slope > 0 ? secant : slope; // a search that turned round would end on another branch
     here = next;
   }
-  refuse_search(wanted, here);
+  refuse_search(wanted, here, tolerance);
 }
 
 void refuse_lateral_force(double wanted, const std::vector<LateralSample>& samples) {

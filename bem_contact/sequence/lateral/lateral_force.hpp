@@ -39,8 +39,9 @@ struct LateralRoot {
 double solve_lateral_force(const LateralForce& force, double wanted, const LateralRoot& start,
                            double tolerance);
 
-/// Throws ConvergenceError: the search for `wanted` ended at `last`.
-[[noreturn]] void refuse_search(double wanted, const LateralSample& last);
+/// Throws ConvergenceError: the search for `wanted` ended at `last` (force nan: no solution there), which
+/// misses it by more than `tolerance`, N.
+[[noreturn]] void refuse_search(double wanted, const LateralSample& last, double tolerance);
 
 /// Throws InputError: no displacement gives the force that is wanted, and what the samples reach.
 [[noreturn]] void refuse_lateral_force(double wanted, const std::vector<LateralSample>& samples);

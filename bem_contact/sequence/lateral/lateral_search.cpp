@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace bem_contact {
 
@@ -65,7 +66,7 @@ double LateralSearch::next_after(const Crossing& crossing, double least) {
 
 /// Where the curve falls least short of a force that it does not pass. Throws InputError where the model has
 /// been solved there, and misses the force by more than forces scatter from element to element.
-double LateralSearch::closest_approach() {
+double LateralSearch::closest_approach(const LateralForce& force) {
   std::vector<Point> points = curve_.points(question_.wanted);
   std::erase_if(points, [](const Point& p) { return !p.force; });
   const auto short_of = [&](const Point& p) { return std::abs(*p.force - question_.wanted); };
@@ -78,24 +79,41 @@ double LateralSearch::closest_approach() {
   for (const Point& p : points)
     if (p.exact && short_of(p) <= lateral_scatter * question_.resultant)
       return p.lateral;
-  refuse_lateral_force(question_.wanted, reached());
+  refuse_lateral_force(question_.wanted, reached(force));
 }
 
 /// The curve, known well where its force is least and most: what can be reached must not depend on what was
-/// wanted.
-std::vector<LateralSample> LateralSearch::reached() {
+/// wanted. There the model is solved, because on a tread rough forces miss more than it changes by.
+std::vector<LateralSample> LateralSearch::reached(const LateralForce& force) {
   std::vector<LateralSample> out;
+  std::ranges::minmax_result<LateralSample> ends;
   const auto look = [&](double wanted) {
     out.clear();
     for (const Point& p : curve_.points(wanted))
       if (p.force)
         out.push_back({p.lateral, *p.force});
+    if (!out.empty())
+      ends = std::ranges::minmax(out, {}, &LateralSample::force);
   };
   look(question_.wanted);
   for (int i = 0; i < extremum_rounds && !out.empty(); ++i) {
-    const auto [least, most] = std::ranges::minmax(out, {}, &LateralSample::force);
+    const auto [least, most] = ends;
     look(least.force);
     look(most.force);
+  }
+  std::set<double> tried;
+  const auto may_be_extreme = [&](const LateralSample& p) {
+    const double even = even_lateral_force * question_.resultant;
+    return (p.force <= ends.min.force + even || p.force >= ends.max.force - even) &&
+           !curve_.exact().contains(p.lateral) && !tried.contains(p.lateral);
+  };
+  for (int i = 0; i < most_lateral_steps; ++i) {
+    const auto next = std::ranges::find_if(out, may_be_extreme);
+    if (next == out.end())
+      break;
+    tried.insert(next->lateral);
+    if (try_at(force, next->lateral))
+      look(question_.wanted);
   }
   return out;
 }
@@ -158,16 +176,18 @@ double LateralSearch::find(const LateralForce& force) {
         return last.lateral;
       break;
     }
-    const double next = c ? next_after(*c, lateral_root_width * std::exp2(i)) : closest_approach();
+    const double next = c ? next_after(*c, lateral_root_width * std::exp2(i)) : closest_approach(force);
     if (!c && curve_.exact().contains(next))
       return next;
-    if (!learn(force, next))
+    if (!learn(force, next)) {
+      last = {next, NAN};
       break;
+    }
     last = {next, curve_.exact().at(next).force};
     if (std::abs(last.force - question_.wanted) <= tolerance)
       return next;
   }
-  refuse_search(question_.wanted, last);
+  refuse_search(question_.wanted, last, tolerance);
 }
 
 /// dFy/dy by the nearest solutions of the model whose forces differ enough to tell, N/mm.
@@ -192,9 +212,10 @@ LateralPosition LateralSearch::describe(double found, double error) {
       question_.resultant * (std::isnan(error) ? telling_lateral_force : lateral_tolerance);
   const double within = std::isnan(error) ? allowed : std::max(error, allowed);
   const LateralSample low = curve_.leaves(here, within, -1), high = curve_.leaves(here, within, +1);
+  const LateralSample& far = high.lateral - found > found - low.lateral ? high : low;
   LateralPosition out{.lateral = found,
-                      .slope = (high.force - low.force) / (high.lateral - low.lateral),
-                      .error = std::max(high.lateral - found, found - low.lateral),
+                      .slope = (far.force - here.force) / (far.lateral - found),
+                      .error = std::abs(far.lateral - found),
                       .others = {}};
   const std::optional<double> slope = slope_beside(found);
   if (slope && out.error < unsure_lateral) {

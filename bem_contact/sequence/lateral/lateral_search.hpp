@@ -54,8 +54,8 @@ private:
   std::optional<Crossing> nearest_crossing();
   double on_curve(const Crossing& crossing, double width);
   double next_after(const Crossing& crossing, double least);
-  double closest_approach();
-  std::vector<LateralSample> reached();
+  double closest_approach(const LateralForce& force);
+  std::vector<LateralSample> reached(const LateralForce& force);
   std::vector<double> beside_start(const LateralForce& force);
   bool try_at(const LateralForce& force, double lateral);
   bool learn(const LateralForce& force, double lateral);

@@ -60,13 +60,8 @@ bool fit_quadratic(const ContactProblem& problem, const std::vector<int>& window
   return true;
 }
 
-/// Inclination of the row next to s.
-double inclination_at(const ContactProblem& problem, double s) {
-  return std::ranges::min(problem.rows, {}, [s](const ContactRow& row) { return std::abs(row.s - s); }).delta;
-}
-
 void press(const ContactProblem& problem, HertzModel& model) {
-  model.delta = inclination_at(problem, model.s);
+  model.delta = row_at(problem, model.s).delta;
   const double cosine = std::cos(model.delta);
   model.contact = {};
   if (problem.load == LoadKind::force && problem.force > 0)

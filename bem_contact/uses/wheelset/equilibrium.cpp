@@ -5,6 +5,7 @@
 #include "bem_contact/uses/wheelset/settings.hpp"
 
 #include <Eigen/LU>
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -238,20 +239,29 @@ bool slides(const WheelsetState& s) {
 } // namespace
 
 WheelsetPose stand(WheelPair& wheels, double lateral, const EquilibriumStart& start) {
-  const auto heights = [&](double roll) {
-    return std::pair(wheels.lowered(WheelSide::right, lateral, roll) + start.right,
-                     wheels.lowered(WheelSide::left, lateral, roll) + start.left);
+  double right = 0, left = 0;
+  const auto lean = [&](double roll) { // by how much the right wheel stands lower than the left one
+    right = wheels.lowered(WheelSide::right, lateral, roll) + start.right;
+    left = wheels.lowered(WheelSide::left, lateral, roll) + start.left;
+    return right - left;
   };
-  double roll = start.roll;
-  auto [right, left] = heights(roll);
   // Roll lowers the right wheel and lifts the left one: their heights differ by so much less.
-  double slope = -wheels.scene().position.gauge;
-  for (int i = 0; i < stand_steps && std::abs(right - left) > stand_tolerance; ++i) {
-    const double before = right - left, step = -before / slope;
+  double slope = -wheels.scene().position.gauge, roll = start.roll, here = lean(roll);
+  std::optional<double> low, high; // rolls between which they are equal
+  for (int i = 0; i < stand_steps && std::abs(here) > stand_tolerance; ++i) {
+    (here > 0 ? low : high) = roll;
+    const double before = here, step = -before / slope;
     roll += step;
-    std::tie(right, left) = heights(roll);
-    if (const double secant = (right - left - before) / step; secant < 0)
+    here = lean(roll);
+    if (const double secant = (here - before) / step; secant < 0)
       slope = secant;
+  }
+  // Where the contact goes from tread to flange, the slope changes eightfold and secants run to and fro.
+  if (std::abs(here) > stand_tolerance && low && high) {
+    const auto met = [&](double, double) { return std::abs(here) <= stand_tolerance; };
+    std::uintmax_t calls = most_stand_calls;
+    boost::math::tools::toms748_solve([&](double at) { return here = lean(roll = at); }, *low, *high, met,
+                                      calls);
   }
   return {lateral, 0.5 * (right + left), roll, start.rolling_radius};
 }

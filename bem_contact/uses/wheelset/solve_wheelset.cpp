@@ -18,16 +18,23 @@ namespace bem_contact {
 namespace {
 
 /// Narrows an interval at whose ends the force is on different sides of `wanted`: where the line between
-/// both meets it, but not too near to an end, because on a flange the force is no line.
+/// both meets it, but not too near to an end, because on a flange the force is no line. Where no equilibrium
+/// is found, nearer to `a`: an equilibrium leads to those beside it.
 LateralRoot narrow(const LateralForce& force, LateralSample a, LateralSample b, double wanted) {
   const double first_slope = (b.force - a.force) / (b.lateral - a.lateral);
   const auto met = [&] { return (wanted - a.force) / (b.force - a.force); };
+  double reach = 1; // share of the way to b that leads to an equilibrium
   while (std::abs(b.lateral - a.lateral) > rough_lateral_width) {
-    const double share = std::clamp(met(), least_narrowing, 1 - least_narrowing);
+    const double share = reach * std::clamp(met(), least_narrowing, 1 - least_narrowing);
     const double between = a.lateral + share * (b.lateral - a.lateral);
     const std::optional<double> there = force(between);
-    if (!there)
-      break;
+    if (!there) {
+      reach *= 0.5;
+      if (reach * std::abs(b.lateral - a.lateral) < least_lateral_step)
+        break;
+      continue;
+    }
+    reach = std::min(1.0, 2 * reach);
     ((*there - wanted) * (a.force - wanted) > 0 ? a : b) = {between, *there};
   }
   const double slope = (b.force - a.force) / (b.lateral - a.lateral);
@@ -47,12 +54,32 @@ struct FailedSearch {
   const bool more = f.best.force < f.wanted;
   throw InputError(
       fmt::format("No lateral displacement gives the wheelset a lateral force of {:g} N", f.wanted),
-      fmt::format("from {:g} mm on, the rails bear {} {:.4g} N, at {:.2f} mm; beyond that {}", f.start,
-                  more ? "up to" : "down to", f.best.force, f.best.lateral,
-                  f.lifts ? "a wheel lifts from its rail" : "the flange climbs the rail"),
+      fmt::format(
+          "by a search with larger elements, from {:g} mm on the rails bear {} about {:.1e} N, at about "
+          "{:.1f} mm; beyond that {}",
+          f.start, more ? "up to" : "down to", f.best.force, f.best.lateral,
+          f.lifts ? "a wheel lifts from its rail" : "the flange climbs the rail"),
       fmt::format("Give a wheelset.force_y {} that, {}, or another position.lateral.",
                   more ? "below" : "above",
                   f.lifts && f.roll_moment != 0 ? "a wheelset.roll_moment nearer to 0" : "less friction"));
+}
+
+/// Moves `best` to where the force is largest (side -1: least) around it, or to the first one that reaches
+/// `wanted`. The last displacement that is tried lies beyond it.
+void climb(const LateralForce& force, double side, double wanted, LateralSample& best) {
+  for (double step = 0.5 * largest_lateral_step; step > least_lateral_step;) {
+    const double before = best.lateral;
+    for (const double way : {-side, side}) {
+      const double at = before + way * step;
+      const std::optional<double> there = force(at);
+      if (there && side * (*there - best.force) > 0)
+        best = {at, *there};
+      if (side * (best.force - wanted) >= 0)
+        return;
+    }
+    if (best.lateral == before)
+      step *= 0.5;
+  }
 }
 
 /// The first displacement from `start` on at which the lateral forces on both rails add up to about
@@ -63,7 +90,8 @@ struct FailedSearch {
 std::optional<LateralRoot> search_lateral(const LateralForce& force, const LateralSample& start,
                                           double wanted, LateralSample& best) {
   const double side = start.force < wanted ? 1 : -1;
-  LateralSample here = best = start;
+  LateralSample here = start, before = start; // before the best one
+  best = start;
   double step = first_lateral_step;
   while (std::abs(here.lateral - start.lateral) < lateral_search_reach) {
     const double at = here.lateral + side * step;
@@ -76,12 +104,16 @@ std::optional<LateralRoot> search_lateral(const LateralForce& force, const Later
         break;
       continue;
     }
+    if (side * (*there - best.force) > 0) {
+      before = here;
+      best = {at, *there};
+    }
     here = {at, *there};
-    if (side * (here.force - best.force) > 0)
-      best = here;
     step = std::min(lateral_step_growth * step, largest_lateral_step);
   }
-  return std::nullopt;
+  climb(force, side, wanted, best);
+  return side * (best.force - wanted) >= 0 ? std::optional(narrow(force, before, best, wanted))
+                                           : std::nullopt;
 }
 
 /// Whether the rolling radius of the axle follows from its torque.

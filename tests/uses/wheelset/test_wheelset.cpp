@@ -185,6 +185,17 @@ TEST(Wheelset, FindsTheDisplacementOfALateralForce) {
              found.contact_problems, found.seconds, there.contact_problems, there.seconds);
 }
 
+/// On the flange, from beside it and from the tread: there a wheel's height bends sharply over the roll, and
+/// far from a known equilibrium none is found.
+TEST(Wheelset, FindsTheDisplacementOfAForceOnTheFlange) {
+  for (const auto& [force, from] : {std::pair{1.2e5, 6.3}, {2e5, 0.0}, {2.8e5, 0.0}}) {
+    const WheelsetResult r =
+        solve_wheelset(standard(fmt::format("wheelset.force_y = {}\nposition.lateral = {}\n", force, from)));
+    EXPECT_NEAR(of_wheelset(r, "Fy"), force, 0.4);
+    EXPECT_LT(r.state.pose.lateral, 6.5) << "before the wheelset climbs";
+  }
+}
+
 /// Naming the left side's profiles changes nothing if they are the right side's; its friction is its own.
 TEST(Wheelset, TheLeftSideMayDiffer) {
   const std::string yawed = "position.yaw = 6e-3\n"; // both wheels slip
