@@ -3,6 +3,7 @@
 #include <bem_contact/base/error.hpp>
 #include <bem_contact/scene/scene_file.hpp>
 #include <bem_contact/sequence/sequence.hpp>
+#include <bem_contact/sequence/shared_files.hpp>
 #include <bem_contact/uses/conicity/wheelset_conicity.hpp>
 #include <bem_contact/uses/curves/creep_curves.hpp>
 #include <bem_contact/uses/fatigue/fatigue_of_result.hpp>
@@ -27,7 +28,7 @@ void answer(const std::filesystem::path& scenes) {
                   rolling = read_scene_file(scenes / "steady_rolling.toml");
   print("tan_gamma_3mm", wheelset_conicity(wheelset_of(axle)).values.at(2).motion.value().tan_gamma);
   print("axle_Fy", solve_wheelset(axle).state.sum().force[1]);
-  SweepSolver solver(std::make_shared<SequenceFiles>());
+  SweepSolver solver(bem_contact::shared_files());
   const SweepCase middle = solve_case(solver, read_sweep_file(scenes / "wheelset_sweep.toml"), 4, {});
   print("case_status", static_cast<double>(middle.status));
 
