@@ -77,8 +77,12 @@ struct PartialInfluenceFile::Impl {
   }
   void read(std::string_view record) {
     std::uint64_t k = 0;
+    if (record.size() < sizeof k + numbers() * sizeof(double))
+      return; // sealed, but no record of these stations: it counts as missing
     std::vector<double> values(record.size() / sizeof(double) - 1);
     std::memcpy(&k, record.data(), sizeof k);
+    if (k >= wavenumber.size() || values.size() > numbers() + most_errors)
+      return;
     std::memcpy(values.data(), record.data() + sizeof k, values.size() * sizeof(double));
     keep(k, std::move(values));
   }

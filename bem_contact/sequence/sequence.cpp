@@ -20,6 +20,7 @@
 #include <mutex>
 #include <optional>
 #include <tuple>
+
 namespace bem_contact {
 
 namespace {

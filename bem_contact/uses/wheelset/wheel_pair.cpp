@@ -6,6 +6,7 @@
 #include "bem_contact/uses/wheelset/settings.hpp"
 
 #include <cmath>
+
 namespace bem_contact {
 
 Wrench& Wrench::operator+=(const Wrench& other) {
