@@ -179,4 +179,10 @@ private:
   std::vector<std::string> kinds_;
 };
 
+/// 0.025 of "1/40" and "1:40", which TOML does not know; nothing of any other text.
+std::optional<double> fraction_of(std::string_view text);
+
+/// Throws InputError where a file that should be a `what` (TOML) is an HDF5 file.
+void require_text(std::string_view toml, std::string_view source_name, std::string_view what);
+
 } // namespace bem_contact

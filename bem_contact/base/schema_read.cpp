@@ -24,12 +24,8 @@ std::string_view line_of(std::string_view text, std::size_t number) {
 
 /// The value of "key = 1/40", if the line is like that.
 std::optional<double> fraction_in(std::string_view line) {
-  static const std::regex form(R"(^[^=]*=\s*([-+]?[0-9.]+)\s*/\s*([0-9.]+)\s*(#.*)?$)");
-  std::match_results<std::string_view::const_iterator> found;
-  if (!std::regex_match(line.begin(), line.end(), found, form))
-    return std::nullopt;
-  const double value = std::stod(found[1].str()) / std::stod(found[2].str());
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+  const std::size_t sign = line.find('=');
+  return sign == line.npos ? std::nullopt : fraction_of(line.substr(sign + 1, line.find('#') - sign - 1));
 }
 
 std::string type_of(const toml::node& node) {
@@ -185,13 +181,26 @@ private:
   }
 };
 
+std::optional<double> fraction_of(std::string_view text) {
+  static const std::regex form(R"(^\s*([-+]?[0-9][0-9.]*)\s*[/:]\s*([0-9][0-9.]*)\s*$)");
+  std::match_results<std::string_view::const_iterator> found;
+  if (!std::regex_match(text.begin(), text.end(), found, form))
+    return std::nullopt;
+  const double value = std::stod(found[1].str()) / std::stod(found[2].str());
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+void require_text(std::string_view toml, std::string_view source_name, std::string_view what) {
+  if (toml.starts_with("\x89HDF"))
+    throw InputError(fmt::format("{} is no {}", source_name, what),
+                     "it is an HDF5 file: a result file, or an influence file",
+                     fmt::format("bem_contact info {} says what is in it.", source_name));
+}
+
 void Schema::read(std::string_view toml, std::string_view source_name) {
   source_ = source_name;
   lines_.clear();
-  if (toml.starts_with("\x89HDF"))
-    throw InputError(fmt::format("{} is no {}", source_name, title_),
-                     "it is an HDF5 file: a result file, or an influence file",
-                     fmt::format("bem_contact info {} says what is in it.", source_name));
+  require_text(toml, source_name, title_);
   try {
     SchemaReader(*this).table(toml::parse(toml, source_name), "");
   } catch (const toml::parse_error& error) {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstring>
+#include <fmt/format.h>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -22,9 +23,11 @@ std::ifstream open_file(const std::filesystem::path& file) {
                      "Name a file that fem_influence wrote.");
   std::ifstream in(file, std::ios::binary);
   if (!in)
-    throw InputError("the influence file '" + file.string() + "' cannot be opened",
-                     file_exists(file) ? "no permission to read it" : "there is no such file",
-                     "Check its name, or compute it with tools/influence.");
+    throw InputError(
+        "the influence file '" + file.string() + "' cannot be opened",
+        file_exists(file) ? "no permission to read it" : "there is no such file",
+        fmt::format("Check its name, or compute it from the body file: tools/influence BODY.toml {}",
+                    file.string()));
   return in;
 }
 

@@ -171,7 +171,8 @@ py::dict fatigue_under(const py::object& scene, double yield_shear, NumberList n
   py::dict patches;
   for (const auto& column : fatigue::collective_columns())
     patches[column.name] = array_of(column.values(found.patches));
-  return py::dict("cases"_a = found.cases, "beyond_surface_limit"_a = found.beyond, "damage"_a = found.damage,
+  return py::dict("cases"_a = found.cases, "beyond_surface_limit"_a = found.beyond_surface,
+                  "beyond_limit_below"_a = found.beyond_below, "damage"_a = found.damage,
                   "patches"_a = patches);
 }
 
@@ -210,7 +211,8 @@ void add_wear_functions(py::module_& module) {
              "nodes"_a = steel.damage.t_gamma, "damage"_a = steel.damage.damage,
              "wear_is_negative"_a = steel.damage.wear_is_negative, "folder"_a = py::none(),
              "The same of each case of a scene's table [sweep], as `bem_contact fatigue` has it: `cases`, "
-             "`beyond_surface_limit`, `damage` (of one passage, mean over the collective), and `patches`, a "
+             "`beyond_surface_limit` (patches), `beyond_limit_below` (others), `damage` (of one passage, "
+             "mean over the collective), and `patches`, a "
              "dict of arrays with one entry for each patch of each case.");
 }
 

@@ -209,6 +209,7 @@ bool has_sweep(const SceneText& given) {
 SweepFile parse_sweep_file(SceneText given, std::string_view section) {
   SweepFile sweep{std::move(given)};
   const std::string& source = sweep.text.source;
+  require_text(sweep.text.toml, source, fmt::format("scene with a table [{}]", section));
   toml::table root;
   try {
     root = toml::parse(sweep.text.toml, source);

@@ -77,6 +77,13 @@ std::optional<Point2> flange_tip_below(const WheelRailGeometry& placed) {
 
 } // namespace
 
+std::string looks_like_kilonewtons(const char* key, double force, int wheels) {
+  if (!(force > 0 && force < wheels * least_wheel_load))
+    return "";
+  return fmt::format("{} looks like kN ({:g} N on {}) Give it in N.", key, force,
+                     wheels == 1 ? "a wheel" : "an axle");
+}
+
 std::string inclined_twice(double rail_inclination, double cant) {
   if (rail_inclination == 0 || cant == 0)
     return "";
@@ -101,9 +108,9 @@ std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSet
     out.push_back(
         fmt::format("motion.speed = {:g} mm/s is below walking pace: give it in mm/s", motion.speed));
   if (const WheelRailGeometry* placed = setup.wheel_rail()) {
-    if (setup.load.kind == LoadKind::force && setup.load.force > 0 && setup.load.force < least_wheel_load)
-      out.push_back(
-          fmt::format("load.force looks like kN ({:g} N on a wheel) Give it in N.", setup.load.force));
+    if (setup.load.kind == LoadKind::force)
+      if (std::string small = looks_like_kilonewtons("load.force", setup.load.force, 1); !small.empty())
+        out.push_back(std::move(small));
     if (std::string twice = inclined_twice(placed->rail_inclination, scene.position.cant); !twice.empty())
       out.push_back(std::move(twice));
     look_at_low_modulus(scene.rail.material, "rail.material", out);

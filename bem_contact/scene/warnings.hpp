@@ -11,6 +11,9 @@ namespace bem_contact {
 /// wheel that stands on its flange, keys that have no effect. `setup`: of the scene.
 std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSetup& setup);
 
+/// What is wrong with a vertical force on so many wheels that is probably in kN; "": nothing.
+std::string looks_like_kilonewtons(const char* key, double force, int wheels);
+
 /// What is wrong with inclining a rail by `cant` (rad) that its file has inclined already; "": nothing.
 std::string inclined_twice(double rail_inclination, double cant);
 

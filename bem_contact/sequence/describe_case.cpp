@@ -1,5 +1,6 @@
 #include "bem_contact/sequence/describe_case.hpp"
 
+#include "bem_contact/base/fixed_text.hpp"
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/scene/warnings.hpp"
 #include "bem_contact/sequence/numbers/settings.hpp"
@@ -112,21 +113,22 @@ void add_touch_points(const ContactSetup& setup, const ContactEstimate& estimate
                       std::vector<std::string>& lines) {
   for (const TouchPoint& p : setup.wheel_rail()->touch)
     if (p.distance < described_distance)
-      lines.push_back(fmt::format("touch point: rail s = {:.3f} mm, wheel s = {:.3f} mm, x = {:.3f} mm, y = "
-                                  "{:.3f} mm, z = {:.3f} mm, "
-                                  "inclination {:.2f} degrees, vertical distance {:.4f} mm",
-                                  p.rail_s, p.wheel_s, p.x, p.position.y, p.position.z, degrees(p.delta),
-                                  p.distance));
+      lines.push_back(fmt::format("touch point: rail s = {} mm, wheel s = {} mm, x = {} mm, y = "
+                                  "{} mm, z = {} mm, "
+                                  "inclination {} degrees, vertical distance {:.4f} mm",
+                                  fixed_text(p.rail_s, 3), fixed_text(p.wheel_s, 3), fixed_text(p.x, 3),
+                                  fixed_text(p.position.y, 3), fixed_text(p.position.z, 3),
+                                  fixed_text(degrees(p.delta), 2), p.distance));
   for (const PotentialArea& area : potential_areas(estimate))
     lines.push_back(fmt::format("potential contact: s = {:.2f} .. {:.2f} mm, x = {:.2f} .. {:.2f} mm",
                                 area.s_from, area.s_to, area.x_from, area.x_to));
   lines.push_back(fmt::format("estimate: approach {:.4f} mm, vertical force {:.0f} N", estimate.approach,
                               estimate.force));
   const ReferencePoint reference = setup.reference();
-  lines.push_back(fmt::format("reference point: s = {:.3f} mm, x = {:.3f} mm, inclination {:.2f} degrees; "
+  lines.push_back(fmt::format("reference point: s = {} mm, x = {} mm, inclination {} degrees; "
                               "rolling radius {:.3f} mm",
-                              reference.s, reference.x, degrees(reference.delta),
-                              setup.motion.creepage.rolling_radius));
+                              fixed_text(reference.s, 3), fixed_text(reference.x, 3),
+                              fixed_text(degrees(reference.delta), 2), setup.motion.creepage.rolling_radius));
 }
 
 std::string load_text(const ContactLoad& load) {
@@ -150,12 +152,12 @@ std::string grid_text(const SceneFile& scene, const ContactProblem& problem, boo
     return fmt::format("grid: dx and ds are chosen for an error of {:g} %", 100 * *asked.accuracy);
   if (asked.elements)
     return fmt::format("grid: dx and ds are chosen for {} elements in contact", *asked.elements);
-  return fmt::format("{}grid: {} x {} elements of {:g} x {:g} mm, s = {:.3f} .. {:.3f} mm, inclination "
-                     "{:.2f} .. {:.2f} degrees{}",
-                     on_rail ? "first " : "", problem.grid.mx, problem.grid.ms, problem.grid.dx,
-                     problem.grid.ds, problem.rows.front().s, problem.rows.back().s,
-                     degrees(problem.rows.front().delta), degrees(problem.rows.back().delta),
-                     on_rail ? later_grid_text(trimmed) : "");
+  return fmt::format(
+      "{}grid: {} x {} elements of {:g} x {:g} mm, s = {:.3f} .. {:.3f} mm, inclination "
+      "{} .. {} degrees{}",
+      on_rail ? "first " : "", problem.grid.mx, problem.grid.ms, problem.grid.dx, problem.grid.ds,
+      problem.rows.front().s, problem.rows.back().s, fixed_text(degrees(problem.rows.front().delta), 2),
+      fixed_text(degrees(problem.rows.back().delta), 2), on_rail ? later_grid_text(trimmed) : "");
 }
 
 std::string friction_text(const Motion& motion, const ContactProblem& problem) {

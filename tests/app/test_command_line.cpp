@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sys/stat.h>
 #include <thread>
 
@@ -83,7 +84,8 @@ TEST_F(CommandLine, InfluenceFilesAreOpenedOnlyIfTheyAreNeeded) {
   const Outcome chosen = run("solve '" + file + "' --json");
   ASSERT_EQ(chosen.code, 0) << chosen.err;
   EXPECT_NE(json::parse(chosen.out)["model"], "fem");
-  refused(run("solve '" + file + "' --model fem"), {"no_rail.h5", "there is no such file"});
+  refused(run("solve '" + file + "' --model fem"),
+          {"no_rail.h5", "there is no such file", "from the body file: tools/influence BODY.toml"});
 }
 
 /// In steady state friction dissipates what the creepages supply, xi Fx + eta Fy + phi Mz (V = 1).
@@ -265,6 +267,26 @@ TEST_F(CommandLine, ReportSaysWhatItTakes) {
           {"fatigue.csv", "report takes what solve, compare", "spreadsheet"});
 }
 
+/// A shift is a length; each number has at least the digits of its error, and there is no -0.
+TEST_F(CommandLine, AShiftAndItsForcesHaveTheDigitsOfTheirErrors) {
+  const std::string out = run("solve '" CONFORMAL_SOURCE_DIR "/data/scenes/cattaneo.toml'").out;
+  EXPECT_THAT(out, HasSubstr("shift found for the shear forces: along x +0.0081"));
+  EXPECT_THAT(out, ::testing::ContainsRegex("along x [+]0[.][0-9]* [+]- 0[.][0-9]* mm, along s [+]0 mm"));
+  EXPECT_THAT(out, ::testing::Not(::testing::ContainsRegex("-0[.]0* ")));
+  int checked = 0;
+  const std::regex form(R"(([0-9.]+) \+- ([0-9]+\.[0-9]+)( |;))");
+  for (auto found = std::sregex_iterator(out.begin(), out.end(), form); found != std::sregex_iterator();
+       ++found) {
+    const auto decimals = [&](int group) {
+      const std::string text = (*found)[group];
+      return text.find('.') == text.npos ? 0 : text.size() - text.find('.') - 1;
+    };
+    EXPECT_GE(decimals(1), decimals(2)) << found->str();
+    ++checked;
+  }
+  EXPECT_GE(checked, 5) << out;
+}
+
 /// At most one digit more than the error has.
 TEST_F(CommandLine, NumbersHaveNoMoreDigitsThanTheirErrorAllows) {
   std::string scene = wheel_rail;
@@ -392,6 +414,22 @@ TEST_F(CommandLine, NamesOfOtherKindsOfFilesAreRefused) {
   refused(run("solve '" + scene + "' -o a.csv"),
           {"a.csv' of --output would have a misleading name", "an HDF5 file", "ends with .h5"});
   refused(run("solve '" + scene + "' --vtk a.vtk"), {"in XML", "ends with .vts"});
+  refused(run("conicity --wheel S1002 --rail 60E1 --csv c.xlsx"),
+          {"c.xlsx' of --csv would have a misleading name", "ends with .csv"});
+  refused(run("profile S1002 --csv p.h5"), {"p.h5' of --csv", "ends with .csv"});
+  refused(run("profile S1002 --plot p.pdf"), {"p.pdf' of --plot", "ends with .html"});
+  const std::string file = (folder_ / "r.h5").string();
+  ASSERT_EQ(run("solve '" + scene + "' -o '" + file + "'").code, 0);
+  refused(run("report '" + file + "' -o r.pdf"), {"r.pdf' of --output", "a page (HTML)", "ends with .html"});
+}
+
+TEST_F(CommandLine, AResultIsNoScene) {
+  const std::string file = (folder_ / "r.h5").string();
+  ASSERT_EQ(run("solve '" + write("s.toml", hertz).string() + "' -o '" + file + "'").code, 0);
+  for (const char* command : {"fatigue", "check", "wheelset", "conicity"})
+    refused(run(std::string(command) + " '" + file + "'"),
+            {"is no scene", "HDF5 file: a result file", "bem_contact info"});
+  EXPECT_THAT(run("fatigue '" + file + "'").err, HasSubstr("is no scene with a table [sweep]"));
 }
 
 TEST_F(CommandLine, AFolderIsNoOutputAndNothingIsLeftBesideIt) {

@@ -133,6 +133,8 @@ TEST_F(ConicityCommand, SaysWhatIsMissingOrWrong) {
   refused("--wheel S1002 --rail 60E9", "60E1");
   refused("--wheel S1002 --rail 60E1 --to 60", "at most 45 mm");
   refused("--wheel S1002 --rail 60E1 --step 0", "above 0");
+  refused("--wheel S1002 --rail 60E1 --cant 1:40", "1:40 is a fraction: write 0.025");
+  refused("--wheel S1002 --rail 60E1 --cant 1/20", "write 0.05");
   refused("--wheel S1002 --rail 60E1 --wheel-radius -5", "wheel_radius");
   const std::string profile = cone();
   refused("--rail 60E1 --wheel '" + profile + "' --csv '" + profile + "'", "cone.txt");

@@ -224,6 +224,15 @@ TEST_F(WearCommand, FatigueHasALineForEachPatch) {
   }
   const auto& index = file.datasets.at("patches/FI_surf").values;
   EXPECT_EQ(std::ranges::count_if(index, [](double f) { return f > 0; }), json.at("beyond_surface_limit"));
+  const auto& load = file.datasets.at("patches/p0_over_k").values;
+  const auto& limit = file.datasets.at("patches/p0_over_k_limit").values;
+  int below = 0;
+  for (std::size_t i = 0; i < load.size(); ++i)
+    below += load[i] > limit[i] && index[i] <= 0;
+  EXPECT_EQ(json.at("beyond_limit_below"), below);
+  for (const char* count : {"beyond_surface_limit", "beyond_limit_below"})
+    EXPECT_EQ(file.datasets.at(count).values.at(0), json.at(count).get<double>());
+  EXPECT_THAT(done.out, HasSubstr(std::to_string(below) + " beyond that below the surface alone"));
   EXPECT_EQ(std::ranges::count(text("f.csv"), '\n'), std::ptrdiff_t(index.size()) + 1);
   EXPECT_THAT(run("info " + path("f.h5")).out, HasSubstr("Fatigue of each patch"));
   const Outcome nodes = run("fatigue " + path("scene.toml") + " --nodes 20 10 --damage 0 1");

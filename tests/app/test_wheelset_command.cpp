@@ -53,6 +53,18 @@ TEST_F(WheelsetCommand, TextJsonHdf5AndVtkAgreeAndThePagesAreRight) {
   EXPECT_THAT(repeated.err, HasSubstr("give it to bem_contact wheelset"));
 }
 
+TEST_F(WheelsetCommand, AForceInKilonewtonsIsSaid) {
+  const std::string text = "rail.profile = '60E1'\nwheel.profile = 'S1002'\nposition.cant = 0.025\n"
+                           "motion.friction = 0.3\nwheelset.force = ";
+  for (const char* command : {"check", "wheelset"}) {
+    const std::string small = write("small.toml", text + "200\n").string();
+    const Outcome r = run(std::string(command) + " '" + small + "'");
+    EXPECT_THAT(r.out + r.err, HasSubstr("wheelset.force looks like kN (200 N on an axle) Give it in N."));
+  }
+  EXPECT_THAT(run("check '" + write("usual.toml", text + "2e5\n").string() + "'").out,
+              ::testing::Not(HasSubstr("kN")));
+}
+
 TEST_F(WheelsetCommand, SaysWhatIsWrong) {
   const Outcome one = run("wheelset '" CONFORMAL_SOURCE_DIR "/data/scenes/conformal_small.toml'");
   EXPECT_EQ(one.code, 2);

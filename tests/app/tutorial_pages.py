@@ -129,13 +129,16 @@ class Pages(unittest.TestCase):
         return said.getvalue()
 
     def run_page(self, page, checked=True):
+        self.run_text(page.name, page.read_text(), checked)
+
+    def run_text(self, name, page, checked=True):
         printed, left_out, text, waiting = [], set(), "", False
-        for kind, content in blocks_of(page.read_text()):
+        for kind, content in blocks_of(page):
             if kind == "text":
                 text = " ".join(content)
             elif kind == "file":
-                for name in re.findall(r"[Ss]ave this as `(demo/\S+)`", text)[-1:]:
-                    Path(name).write_text("\n".join(content) + "\n")
+                for file in re.findall(r"[Ss]ave this as `(demo/\S+)`", text)[-1:]:
+                    Path(file).write_text("\n".join(content) + "\n")
             elif kind == "python":
                 with contextlib.redirect_stdout(io.StringIO()):
                     exec("\n".join(content), {"bem_contact": bem_contact})
@@ -152,7 +155,7 @@ class Pages(unittest.TestCase):
             elif not waiting and checked:
                 for line in content:
                     if line.strip() != "..." and not any(same_line(line, found) for found in printed):
-                        self.fail(f"{page.name}: no command has printed\n{line}\nbut\n" + "\n".join(printed))
+                        self.fail(f"{name}: no command has printed\n{line}\nbut\n" + "\n".join(printed))
 
     def test_every_page_is_as_it_says(self):
         for page in self.pages:
@@ -162,6 +165,11 @@ class Pages(unittest.TestCase):
                 commands, pictures = (now - then for now, then in zip(seconds(), before))
                 self.assertEqual({name: found for name, found in self.pictures.items() if found}, {})
                 print(f"{page.stem:14} {commands:5.1f} s and {pictures:.1f} s for pictures")
+
+    def test_the_tutorial_up_to_influence_files_is_as_it_says(self):
+        page = (ROOT / "data" / "TUTORIAL.md").read_text()
+        steps = page[page.index("## 2 "):page.index("## 4 ")]
+        self.run_text("TUTORIAL.md", steps.replace("../../data", str(ROOT / "data")).replace("scene.toml", "demo/tutorial.toml"))
 
     def test_the_scenes_are_as_their_page_says(self):
         self.run_page(ROOT / "data" / "scenes" / "README.md")

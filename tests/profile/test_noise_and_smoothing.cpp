@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 namespace bem_contact {
@@ -184,6 +185,16 @@ std::string said(const Points& points, const ProfileReading& reading = {}) {
   const Warnings warnings;
   parse_profile(as_columns(points), "p.txt", ProfileKind::wheel, reading);
   return warnings.text();
+}
+
+TEST(NoisyFile, APointThatZigZagsIsDroppedWithAWarningThatSaysWhere) {
+  Points points = sampled_curve(standard_profile("S1002"), 0.25);
+  Point2& moved = points[points.size() / 2];
+  moved.z += 1;
+  EXPECT_THAT(said(points),
+              HasSubstr(fmt::format("warning: p.txt: 1 point dropped where the profile zig-zags, at "
+                                    "y = {:.4g}, z = {:.4g} mm of the file",
+                                    moved.y, moved.z)));
 }
 
 TEST(NoisyFile, IsWarnedOfWithFiguresAndTheSmoothingToUse) {

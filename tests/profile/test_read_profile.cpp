@@ -161,7 +161,7 @@ TEST_P(Repaired, to_the_profile_it_was_and_said) {
   const ProfileCurve curve = parse_profile(mishap.text, "p.txt", kind);
   EXPECT_LT(deviation(curve, mishap.standard), sampling);
   // Points that say nothing more are dropped by the way; all else may change the shape.
-  const std::string level = mishap.warning.find("dropped") == std::string::npos ? "warning" : "info";
+  const std::string level = mishap.warning.find("doubled") == std::string::npos ? "warning" : "info";
   EXPECT_THAT(warnings.text(), mishap.warning.empty() ? testing::Matcher<std::string>(IsEmpty())
                                                       : HasSubstr(level + ": p.txt: " + mishap.warning));
 }

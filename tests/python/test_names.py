@@ -5,6 +5,7 @@ import csv
 import json
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -16,6 +17,8 @@ import bem_contact
 
 ROOT = Path(__file__).resolve().parents[2]
 SCENES = ROOT / "data" / "scenes"
+sys.path.insert(0, str(ROOT / "tools"))
+from plotting import shakedown  # noqa: E402
 CORNER = SCENES / "conformal_small.toml"
 
 
@@ -234,11 +237,13 @@ gap = { a = 1e-3, b = 1e-3 }
             asked = [os.environ["BEM_CONTACT"], "fatigue", scene, "--json"]
             told = json.loads(subprocess.run(asked, check=True, stdout=subprocess.PIPE).stdout)
             found = bem_contact.fatigue(scene)
-            for name in ("cases", "beyond_surface_limit", "damage"):
+            for name in ("cases", "beyond_surface_limit", "beyond_limit_below", "damage"):
                 self.assertEqual(found[name], told[name], name)
             self.assertEqual(set(found["patches"]), set(told["patches"]))
             for name, values in told["patches"].items():
                 np.testing.assert_array_equal(found["patches"][name], values, name)
+            for mu, limit in zip(*(told["patches"][name] for name in ("mu_used", "p0_over_k_limit"))):
+                self.assertAlmostEqual(limit, shakedown.shakedown_limit(mu), 9, "the line of the picture")
         for case, xi in enumerate((2e-3, 4e-3)):
             one = bem_contact.fatigue(bem_contact.solve(self.SCENE, {"motion.xi": xi}))
             for name in ("von_mises", "tresca"):

@@ -13,12 +13,12 @@ LARGEST_DAMAGE = 1e-5  # of the usual damage function, for an axis where there i
 def draw_diagram(axis, t):
     """Each patch by p0/k and the friction that it uses, and up to where the steel shakes down."""
     mu, load, surface = t["mu_used"], t["p0_over_k"], t["FI_surf"] > 0
-    below = ~surface & (load > [shakedown.shakedown_limit(m) for m in mu])
+    below = ~surface & (load > t["p0_over_k_limit"])
     top, limits = max(6.0, 1.15 * load.max()), [shakedown.shakedown_limit(m) for m in MU]
     axis.fill_between(MU, np.minimum(limits, top), top, color=style.BOUND, alpha=0.15, linewidth=0)
-    axis.plot(MU, 1 / MU, color=style.BOUND, linestyle=(0, (2, 2)), label="limit of the surface, p0/k = 1/μ")
+    axis.plot(MU, 1 / MU, color=style.BOUND, linestyle=(0, (2, 2)), label="shakedown limit of the surface, p0/k = 1/μ")
     under = np.array(limits) < 0.999 / MU
-    axis.plot(MU[under], np.array(limits)[under], color=style.INK, linestyle="-.", label="limit below the surface, of a long contact")
+    axis.plot(MU[under], np.array(limits)[under], color=style.INK, linestyle="-.", label="shakedown limit below the surface, of a long contact")
     axis.plot(MU, [shakedown.elastic_limit(m) for m in MU], color=style.INK, linestyle=":", linewidth=1.2,
               label="elastic limit of a long contact: below it nothing flows")
     for shown, mark, name in ((~surface & ~below, "o", "within both limits"), (below, "s", "beyond the limit below the surface"),

@@ -1,5 +1,6 @@
 """Limits of the shakedown diagram: what p0/k does a surface bear where the used friction is mu?
 
+The room fatigue has the limit below the surface of each patch (`uses/fatigue/shakedown.hpp`); here are the lines of the picture.
 Below the surface they are those of a long contact (a Hertz line contact that slips all over), where they follow from the
 stresses in closed form (McEwen 1949; Johnson 1985, eqs. 4.49 and 7.8). The steel is elastic and perfectly plastic.
 A patch as wide as it is long bears more, by a sixth without friction (4.7: Ponter, Hearle and Johnson 1985).

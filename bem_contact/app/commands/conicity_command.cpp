@@ -183,17 +183,21 @@ void add_keys(CLI::App& line, const std::shared_ptr<ConicityArguments>& argument
   profile("--rail", "rail.profile", "Standard or profile file of the rails");
   const auto number = [&](const char* option, const char* key, const char* what) {
     line.add_option_function<double>(
-        option,
-        [=](const double& value) {
-          arguments->changes.push_back({key, value});
-        },
-        what);
+            option,
+            [=](const double& value) {
+              arguments->changes.push_back({key, value});
+            },
+            what)
+        ->check([](const std::string& text) {
+          const std::optional<double> fraction = fraction_of(text);
+          return fraction ? fmt::format("{} is a fraction: write {:.6g}", text, *fraction) : std::string();
+        });
   };
   number("--gauge", "position.gauge", "Track gauge, mm");
   number("--gauge-height", "position.gauge_height",
          "Depth below the top of the rail where the gauge is measured, mm");
   number("--cant", "position.cant",
-         "Inclination of the rails towards the track's centre, rad (1:40 is 0.025)");
+         "Inclination of the rails towards the track's centre, rad (1:40 is 0.025; not superelevation)");
   number("--back-to-back", "position.back_to_back", "Distance of the flange backs, mm");
   number("--wheel-radius", "position.wheel_radius", "At the tape circle, mm");
 }

@@ -27,7 +27,7 @@ constexpr const char* fatigue_help =
 used), FI_surf of the patch and of its worst element, T-gamma, and the damage of one passage. Each case has the largest von
 Mises and Tresca stress below the surface with its depth. Example:
     bem_contact fatigue data/scenes/wear_collective.toml --csv fatigue.csv
-You should see how many patches lie beyond the limit of the surface. Your own steel: --nodes 20 65 175 --damage 0 1e-5 0.
+You should see how many patches lie beyond the shakedown limits of the surface and below it. Your own steel: --nodes 20 65 175 --damage 0 1e-5 0.
 
 More, and how to draw it: data/tutorial/fatigue.md.)";
 
@@ -39,7 +39,10 @@ struct FatigueArguments {
 
 /// "patches": a list for each column.
 json json_of(const fatigue::CollectiveFatigue& table) {
-  json out = {{"cases", table.cases}, {"beyond_surface_limit", table.beyond}, {"damage", table.damage}};
+  json out = {{"cases", table.cases},
+              {"beyond_surface_limit", table.beyond_surface},
+              {"beyond_limit_below", table.beyond_below},
+              {"damage", table.damage}};
   for (const auto& c : fatigue::collective_columns()) {
     out["patches"][c.name] = c.values(table.patches);
     out["units"][c.name] = c.unit;
@@ -54,6 +57,10 @@ H5Table h5_of(const fatigue::CollectiveFatigue& table, const FatigueArguments& a
   for (const auto& c : fatigue::collective_columns())
     out.datasets[std::string("patches/") + c.name] = line(c.values(table.patches), c.unit, c.description);
   out.datasets["damage"] = single(table.damage, "1", "of one passage, mean over the collective");
+  out.datasets["beyond_surface_limit"] = single(static_cast<double>(table.beyond_surface), "1",
+                                                "patches beyond the shakedown limit of the surface");
+  out.datasets["beyond_limit_below"] = single(static_cast<double>(table.beyond_below), "1",
+                                              "other patches beyond the shakedown limit below the surface");
   out.attributes["yield_shear_MPa"] = arguments.properties.yield_shear;
   return out;
 }
@@ -77,9 +84,11 @@ ExitCode run(const FatigueArguments& arguments) {
   }
   if (arguments.csv.empty() && arguments.output.empty())
     write(std::cout);
-  fmt::print("{}, {}, {} of them beyond the limit of the surface (FI_surf > 0)\n",
+  fmt::print("{}, {}: {} beyond the shakedown limit of the surface (FI_surf > 0), {} beyond that below the "
+             "surface alone\n",
              counted(static_cast<int>(table.cases), "case", "cases"),
-             counted(static_cast<int>(table.patches.size()), "patch", "patches"), table.beyond);
+             counted(static_cast<int>(table.patches.size()), "patch", "patches"), table.beyond_surface,
+             table.beyond_below);
   fmt::print("damage of one passage, mean over the collective: {:.4g}\n", table.damage);
   return success;
 }

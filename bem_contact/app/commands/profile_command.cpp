@@ -1,4 +1,5 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -167,8 +168,8 @@ ExitCode run(ProfileArguments arguments, bool flange_back_given) {
   arguments.reading.profile_z = choice<ProfileZ>(arguments.profile_z);
   if (flange_back_given)
     arguments.reading.flange_back = arguments.flange_back;
-  require_outputs(paths_of(files_of_key("file.profile", arguments.name, {})),
-                  {{"--csv", arguments.csv}, {"--plot", arguments.plot}});
+  require_named_outputs(paths_of(files_of_key("file.profile", arguments.name, {})),
+                        {{"--csv", arguments.csv}, {"--plot", arguments.plot}});
   const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
   const MeasuredProfile profile = described_profile(arguments.name, kind, arguments.reading);
   if (!arguments.csv.empty())

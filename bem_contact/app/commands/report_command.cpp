@@ -1,4 +1,5 @@
 #include "bem_contact/app/command.hpp"
+#include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/repeat.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
@@ -41,6 +42,7 @@ Command add_report(CLI::App& program) {
                   "it is no HDF5 file; report takes what solve, compare, sweep, creep-curves, conicity and "
                   "wheelset wrote with -o, and the wear.h5 of wear",
                   "Give one of these; open a CSV file in a spreadsheet, or draw it with tools/plot.");
+            require_page_name({.option = "--output", .file = arguments->output});
             report::write_report(arguments->file, arguments->output);
             return success;
           }};

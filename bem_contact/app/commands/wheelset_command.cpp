@@ -48,19 +48,21 @@ struct WheelsetArguments {
   bool json = false, strict = false;
 };
 
-/// Newtons to the last, all else with five digits.
-std::string number(double value) {
+/// Newtons to the last, all else with five digits; more where the error asks for it.
+std::string number(double value, double error = unknown_error) {
   const double size = std::abs(value);
-  return size >= 1e4 && size < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.5g}", value);
+  return size >= 1e4 && size < 1e7 ? fixed_fine(value, error, 0) : digits_fine(value, error, 5);
+}
+
+double error_of(const WheelQuantity& q, const WheelsetResult& r, WheelSide side) {
+  return q.error ? q.error(r.state, side) : unknown_error;
 }
 
 /// The stated errors below a line of the table; "" where there are none.
 std::string errors_of(const WheelQuantity& q, const WheelsetResult& r) {
-  if (!q.error)
-    return "";
   std::string out = fmt::format("  {:>22}", "+-"), cells;
   for (const WheelSide side : both_sides)
-    cells += fmt::format(" {:>13}", two_digits(q.error(r.state, side)));
+    cells += fmt::format(" {:>13}", two_digits(error_of(q, r, side)));
   return cells.find_first_not_of(' ') == std::string::npos ? "" : out + cells + "\n";
 }
 
@@ -68,7 +70,7 @@ std::string errors_of(const WheelQuantity& q, const WheelsetResult& r) {
 std::string line_of(const WheelQuantity& q, const WheelsetResult& r) {
   std::string out = fmt::format("  {:16} {:5}", q.name, q.unit);
   for (const WheelSide side : both_sides)
-    out += fmt::format(" {:>13}", number(q.value(r.state, side)));
+    out += fmt::format(" {:>13}", number(q.value(r.state, side), error_of(q, r, side)));
   for (const WheelsetQuantity& sum : wheelset_quantities())
     if (std::string_view(sum.name) == q.name)
       out += fmt::format(" {:>13}", number(sum.value(r)));

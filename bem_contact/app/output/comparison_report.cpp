@@ -84,14 +84,14 @@ Value difference(const ComparedQuantity& q, const SceneResult& model, const Scen
 }
 
 /// `rounding`: what is smaller is zero.
-std::string text_of(Value value, double rounding) {
+std::string text_of(Value value, double error, double rounding) {
   if (!value)
     return "-";
   const double size = std::abs(*value);
   return size <= rounding  ? "0"
-         : size >= 99999.5 ? fmt::format("{:.0f}", *value)
-         : size >= 10      ? fmt::format("{:.2f}", *value)
-                           : fmt::format("{:.5g}", *value);
+         : size >= 99999.5 ? fixed_fine(*value, error, 0)
+         : size >= 10      ? fixed_fine(*value, error, 2)
+                           : digits_fine(*value, error, 5);
 }
 
 std::string difference_text(const ComparedQuantity& q, Value difference) {
@@ -142,12 +142,9 @@ std::string errors_line(const std::vector<double>& errors) {
   return any ? out + '\n' : "";
 }
 
-std::string errors_line(const ComparedQuantity& q, const std::vector<SceneResult>& results) {
-  std::vector<double> errors;
+double error_of(const ComparedQuantity& q, const SceneResult& r) {
   const auto error = quantity(q.name).error;
-  for (const SceneResult& r : results)
-    errors.push_back(error && q.of(r) ? error(r) : unknown_error);
-  return errors_line(errors);
+  return error && q.of(r) ? error(r) : unknown_error;
 }
 
 /// A column for each model, then one for each difference.
@@ -164,14 +161,16 @@ std::string table(const Comparison& c, const std::vector<SceneResult>& results) 
     if (std::ranges::none_of(results, [&](const SceneResult& r) { return q.of(r).has_value(); }))
       continue;
     out += row_label(q.label, q.unit);
-    for (const SceneResult& r : results)
-      out += cell(text_of(q.of(r), q.scale == Scale::plain || q.scale == Scale::own
-                                       ? 0
-                                       : rounding * scale_of(q.scale, 0, r)));
+    std::vector<double> errors;
+    for (const SceneResult& r : results) {
+      errors.push_back(error_of(q, r));
+      const bool plain = q.scale == Scale::plain || q.scale == Scale::own;
+      out += cell(text_of(q.of(r), errors.back(), plain ? 0 : rounding * scale_of(q.scale, 0, r)));
+    }
     for (std::size_t i = 0; i < results.size(); ++i)
       if (i != c.reference)
         out += cell(difference_text(q, difference(q, results[i], reference)));
-    out += '\n' + errors_line(q, results);
+    out += '\n' + errors_line(errors);
   }
   const auto add = [&](const char* name, const char* unit, const auto& of) {
     out += row_label(name, unit);
@@ -218,11 +217,11 @@ std::string creep_text(const Comparison& c) {
     std::string differences;
     std::vector<double> errors;
     for (std::size_t i = 0; i < c.models.size(); ++i) {
-      out += cell(text_of(forces.Fx[i][k], 0));
+      errors.push_back(forces.Fx_error[i][k]);
+      out += cell(text_of(forces.Fx[i][k], errors.back(), 0));
       if (i != c.reference)
         differences +=
             cell(fmt::format("{:+.2f} %", 100 * (forces.Fx[c.reference][k] - forces.Fx[i][k]) / scale));
-      errors.push_back(forces.Fx_error[i][k]);
     }
     out += differences + '\n' + errors_line(errors);
   }
@@ -273,10 +272,11 @@ std::string to_text(const Comparison& c) {
   const SceneResult& shown = c.leading()[c.reference];
   const ContactGrid& grid = shown.problem.grid;
   std::string out = reference_text(shown);
-  out += fmt::format("elements of {:g} x {:g} mm; differences: {} less the other, of Fx over the sum of mu "
-                     "p_n dS, of Fy and "
-                     "Fz over their resultant\n\n",
-                     grid.dx, grid.ds, title_of(c.models[c.reference]));
+  out += fmt::format(
+      "elements of {:g} x {:g} mm; differences: {} less the other, in %: of Fx over the sum of mu "
+      "p_n dS, of Fy and Fz over their resultant, of Mz over that sum times sqrt(area / pi), "
+      "of pmax, area and friction power over the other's value\n\n",
+      grid.dx, grid.ds, title_of(c.models[c.reference]));
   if (!c.at_forces.empty())
     out += forces_title(c) + table(c, c.at_forces) + datum_text(c, c.at_forces);
   if (!c.creep_forces.empty())

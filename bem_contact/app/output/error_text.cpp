@@ -1,5 +1,6 @@
 #include "bem_contact/app/output/error_text.hpp"
 
+#include "bem_contact/base/fixed_text.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 
 #include <algorithm>
@@ -8,35 +9,50 @@
 
 namespace bem_contact::app {
 
-std::string two_digits(double error) {
-  if (!(error > 0))
-    return "";
-  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 9);
-  return decimals < 7 ? fmt::format("{:.{}f}", error, decimals) : fmt::format("{:.1e}", error);
-}
-
 namespace {
 
-/// Decimals of one digit more than two_digits(), which may be negative.
-int decimals_within(double error) {
-  return 2 - static_cast<int>(std::floor(std::log10(error)));
+/// 1. More digits of a number than this are rounding, whatever its error.
+constexpr int most_digits = 10;
+
+/// Digits before the decimal point; 0 and less where there are zeros after it. 1 of zero.
+int digits_before(double value) {
+  return value == 0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+}
+
+/// Decimals of two digits of an error, which may be negative.
+int decimals_of(double error) {
+  return 2 - digits_before(error);
 }
 
 } // namespace
 
-std::string fixed_within(double value, double error, int decimals) {
+std::string two_digits(double error) {
+  if (!(error > 0))
+    return "";
+  const int decimals = std::clamp(decimals_of(error), 0, 9);
+  return decimals < 7 ? fmt::format("{:.{}f}", error, decimals) : fmt::format("{:.1e}", error);
+}
+
+std::string fixed_fine(double value, double error, int decimals) {
   if (error > 0)
-    decimals = std::clamp(decimals_within(error), 0, decimals);
-  const double unit = std::pow(10.0, -decimals);
-  return fmt::format("{:.{}f}", std::abs(value) < 0.5 * unit ? 0.0 : value, decimals);
+    decimals =
+        std::clamp(decimals_of(error), decimals, std::max(decimals, most_digits - digits_before(value)));
+  return fixed_text(value, std::max(decimals, 0));
+}
+
+std::string fixed_within(double value, double error, int decimals) {
+  return fixed_fine(value, error, error > 0 ? std::min(decimals, decimals_of(error) + 1) : decimals);
+}
+
+std::string digits_fine(double value, double error, int digits) {
+  const int decimals = digits - digits_before(value);
+  return error > 0 || decimals < 0 ? fixed_fine(value, error, decimals)
+                                   : fmt::format("{:.{}g}", value, digits);
 }
 
 std::string digits_within(double value, double error, int digits) {
-  if (error > 0 && value != 0) {
-    const int before = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
-    digits = std::clamp(before + decimals_within(error), 1, digits);
-  }
-  return fmt::format("{:.{}g}", value, digits);
+  const int most = error > 0 ? decimals_of(error) + 1 + digits_before(value) : digits;
+  return digits_fine(value, error, std::min(digits, most));
 }
 
 std::string counted(int count, const char* one, const char* many) {

@@ -16,10 +16,14 @@ std::string plus_minus(double error);
 /// "1 patch", "2 patches".
 std::string counted(int count, const char* one, const char* many);
 
-/// A number with at most so many decimals, and at most one digit more than its stated error prints. Never
+/// A number with so many decimals, or with as many as two_digits() has of its error if these are more. Never
 /// "-0.0".
+std::string fixed_fine(double value, double error, int decimals);
+/// The same with so many digits; without a known error as "{:g}" prints numbers, but large ones in full.
+std::string digits_fine(double value, double error, int digits);
+
+/// The same, and no finer than one digit more than two_digits() has.
 std::string fixed_within(double value, double error, int decimals);
-/// The same with at most so many digits, as "{:g}" prints numbers.
 std::string digits_within(double value, double error, int digits);
 
 /// The number of this name (quantities()), as plus_minus() has its error.

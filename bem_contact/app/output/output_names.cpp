@@ -24,6 +24,10 @@ void require_ending(const Output& output, const char* what, std::vector<std::str
 
 } // namespace
 
+void require_page_name(const Output& output) {
+  require_ending(output, "a page (HTML)", {".html"});
+}
+
 void require_named_outputs(const std::vector<std::filesystem::path>& inputs,
                            const std::vector<Output>& outputs) {
   require_outputs(inputs, outputs);
@@ -32,6 +36,10 @@ void require_named_outputs(const std::vector<std::filesystem::path>& inputs,
       require_ending(output, "an HDF5 file", {".h5", ".hdf5"});
     else if (output.option == "--vtk")
       require_ending(output, "a surface for ParaView in XML", {".vts"});
+    else if (output.option == "--csv")
+      require_ending(output, "a table in CSV", {".csv", ".txt"});
+    else if (output.option == "--plot")
+      require_page_name(output);
 }
 
 } // namespace bem_contact::app

@@ -4,8 +4,12 @@
 
 namespace bem_contact::app {
 
-/// require_outputs(), and refuses HDF5 files and surfaces for ParaView (--vtk) whose names have the ending of
-/// another kind of file: programs that trust it would misread them. Other endings are the user's own.
+/// Refuses a page whose name has the ending of another kind of file: programs that trust it would misread
+/// it. Other endings are the user's own.
+void require_page_name(const Output& output);
+
+/// require_outputs(), and refuses such names of HDF5 files, tables (--csv), surfaces for ParaView (--vtk) and
+/// pages (--plot).
 void require_named_outputs(const std::vector<std::filesystem::path>& inputs,
                            const std::vector<Output>& outputs);
 

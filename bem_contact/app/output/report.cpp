@@ -2,6 +2,7 @@
 
 #include "bem_contact/app/output/asked_output.hpp"
 #include "bem_contact/app/output/error_text.hpp"
+#include "bem_contact/base/fixed_text.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 
@@ -68,13 +69,13 @@ int decimals_of(double largest) {
   return largest > 0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(largest))), 1, 9) : 1;
 }
 
-/// "-289.6 +- 12": a quantity with so many decimals at most.
+/// "-289.6 +- 12": a quantity with so many decimals, unless its error says more or less.
 std::string fixed(const SceneResult& r, const char* name, int decimals) {
   const Quantity& q = quantity(name);
   const double error = q.error ? q.error(r) : unknown_error;
   return fixed_within(q.value(r), error, decimals) + plus_minus(error);
 }
-/// "191.5 +- 4.2": with so many digits at most.
+/// "191.5 +- 4.2": with so many digits, unless its error says more or less.
 std::string digits(const SceneResult& r, const char* name, int most) {
   const Quantity& q = quantity(name);
   const double error = q.error ? q.error(r) : unknown_error;
@@ -166,10 +167,11 @@ json patches_json(const SceneResult& r) {
 /// "pmax 437.0 +- 4.2 MPa, area ..." in one line, with what each stands for.
 std::string pressure_text(const SceneResult& r) {
   const auto& estimate = r.result.discretisation;
+  const double error = estimate ? 100 * estimate->errors.adhesion_share : unknown_error;
   std::string out = fmt::format("pmax {} MPa, area {} mm2", fixed(r, "pmax", 1), digits(r, "area", 4));
   if (r.problem.has_friction())
-    out += fmt::format(", {:.1f}{} % of it in adhesion", 100 * adhesion_share(r.result),
-                       estimate ? plus_minus(100 * estimate->errors.adhesion_share) : "");
+    out += fmt::format(", {}{} % of it in adhesion", fixed_within(100 * adhesion_share(r.result), error, 1),
+                       plus_minus(error));
   return out + "\n";
 }
 
@@ -221,7 +223,9 @@ std::string totals_text(const SceneResult& r, double force) {
     out += fmt::format("flash temperature: rail at most {}, wheel {} degrees C\n", fixed(r, "Tmax_rail", 1),
                        fixed(r, "Tmax_wheel", 1));
   if (r.problem.force_x || r.problem.force_s)
-    out += fmt::format("creepages found for the shear forces: xi {}, eta {}\n",
+    out += fmt::format(fmt::runtime(r.problem.motion == MotionKind::shift
+                                        ? "shift found for the shear forces: along x {} mm, along s {} mm\n"
+                                        : "creepages found for the shear forces: xi {}, eta {}\n"),
                        signed_digits(r, "creepage_x", 6), signed_digits(r, "creepage_s", 6));
   return out;
 }
@@ -251,10 +255,10 @@ json solvers_json(const ContactResult& result) {
 } // namespace
 
 std::string reference_text(const SceneResult& r) {
-  return fmt::format(
-      "{}reference point: s = {:.3f} mm, y = {:.3f} mm, z = {:.3f} mm, inclination {:.2f} degrees\n",
-      r.left ? "left wheel: y, s, Fy, Fs, Mz, eta and phi are counted to the left\n" : "", r.reference.s,
-      r.reference.position.y, r.reference.position.z, degrees(r.reference.delta));
+  return fmt::format("{}reference point: s = {} mm, y = {} mm, z = {} mm, inclination {} degrees\n",
+                     r.left ? "left wheel: y, s, Fy, Fs, Mz, eta and phi are counted to the left\n" : "",
+                     fixed_text(r.reference.s, 3), fixed_text(r.reference.position.y, 3),
+                     fixed_text(r.reference.position.z, 3), fixed_text(degrees(r.reference.delta), 2));
 }
 
 json to_json(const SceneResult& r) {

@@ -123,7 +123,7 @@ void drop_crowded(std::vector<Point2>& points, const std::string& source) {
 
 /// Drops single stray points, each the one whose absence shortens the walk most.
 bool drop_stray(std::vector<Point2>& points, const std::string& source) {
-  std::vector<Point2> mended = points;
+  std::vector<Point2> mended = points, stray;
   const auto most =
       static_cast<std::size_t>(std::max(1.0, repairable_share * static_cast<double>(points.size())));
   while (const auto at = first_zig_zag(mended)) {
@@ -142,10 +142,15 @@ bool drop_stray(std::vector<Point2>& points, const std::string& source) {
         drop = i;
       }
     }
+    stray.push_back(mended[drop]);
     mended.erase(mended.begin() + static_cast<std::ptrdiff_t>(drop));
   }
-  const std::size_t dropped = points.size() - mended.size();
-  messages()->info("{}: {} {} dropped where the profile zig-zags", source, dropped, points_text(dropped));
+  std::string places;
+  for (std::size_t i = 0; i < std::min(stray.size(), most_named_outliers); ++i)
+    places += fmt::format("{}y = {:.4g}, z = {:.4g}", i > 0 ? "; " : "", stray[i].y, stray[i].z);
+  messages()->warn("{}: {} {} dropped where the profile zig-zags, at {}{} mm of the file", source,
+                   stray.size(), points_text(stray.size()), places,
+                   stray.size() > most_named_outliers ? "; ..." : "");
   points = std::move(mended);
   return true;
 }

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/uses/fatigue/shakedown.hpp"
 
 #include <algorithm>
 #include <array>
@@ -70,6 +71,7 @@ PatchFatigue fatigue_of_patch(const PatchSummary& patch, double largest_index, b
   out.normal_force = patch.fn;
   out.pmax = patch.pmax;
   out.point = {patch.pmax / properties.yield_shear, std::hypot(patch.fx, patch.fs) / patch.fn};
+  out.limit_below = limit_below(out.point.traction);
   out.surface_index = surface_index(out.point);
   out.largest_index = largest_index;
   out.t_gamma = power ? patch.friction_power : 0.0;
@@ -114,7 +116,7 @@ namespace {
 
 /// Of PatchFatigue and of what is derived from it.
 template <class P>
-constexpr std::array<ColumnOf<P>, 10> columns_of{
+constexpr std::array<ColumnOf<P>, 11> columns_of{
     {{"s", "mm", "centre of pressure, arc length along the rail", [](const P& p) { return p.s; }},
      {"y", "mm", "centre of pressure, track frame", [](const P& p) { return p.y; }},
      {"Fn", "N", "sum of the pressure", [](const P& p) { return p.normal_force; }},
@@ -125,6 +127,8 @@ constexpr std::array<ColumnOf<P>, 10> columns_of{
      {"FI_surf", "1", "mu used less k/p0: above 0 the surface fatigues",
       [](const P& p) { return p.surface_index; }},
      {"FI_worst_element", "1", "the same of the worst element", [](const P& p) { return p.largest_index; }},
+     {"p0_over_k_limit", "1", "shakedown limit below the surface with this mu used, of a long contact",
+      [](const P& p) { return p.limit_below; }},
      {"T_gamma", "N", "dissipated by friction by rolled distance", [](const P& p) { return p.t_gamma; }},
      {"damage", "1", "of one passage", [](const P& p) { return p.damage; }}}};
 
@@ -151,7 +155,8 @@ CollectiveFatigue fatigue_of(const SweepFile& sweep, const FatigueProperties& pr
     std::size_t number = 0;
     for (const PatchFatigue& patch : f.patches) {
       out.patches.push_back({patch, i, ++number, sweep.weight(i), f.peaks.value_or(StressPeaks{})});
-      out.beyond += patch.surface_index > 0;
+      out.beyond_surface += patch.beyond_surface();
+      out.beyond_below += patch.beyond_below() && !patch.beyond_surface();
       out.damage += sweep.weight(i) * patch.damage;
     }
     weights += sweep.weight(i);

@@ -71,10 +71,14 @@ struct PatchFatigue {
   double normal_force = 0;  ///< N: sum p_n dS
   double pmax = 0;          ///< MPa
   ShakedownPoint point;     ///< with the largest pressure of the patch as p0
+  double limit_below = 0;   ///< of p0/k, where so much friction is used: limit_below() of shakedown.hpp
   double surface_index = 0; ///< FI_surf of that point
   double largest_index = 0; ///< of its elements
   double t_gamma = 0;       ///< what friction dissipates by rolled distance, spin included, N
   double damage = 0;        ///< by passage, 1
+
+  bool beyond_surface() const { return surface_index > 0; }
+  bool beyond_below() const { return point.load > limit_below; } ///< also where beyond_surface()
 };
 
 /// What one contact does to the rail.
@@ -104,7 +108,8 @@ struct CollectivePatch : PatchFatigue {
 struct CollectiveFatigue {
   std::vector<CollectivePatch> patches; ///< case by case
   std::size_t cases = 0;                ///< of the collective
-  std::size_t beyond = 0;               ///< patches beyond the limit of the surface
+  std::size_t beyond_surface = 0;       ///< patches beyond the shakedown limit of the surface
+  std::size_t beyond_below = 0;         ///< others beyond that below the surface
   double damage = 0;                    ///< of one passage, mean over the collective, 1
 };
 

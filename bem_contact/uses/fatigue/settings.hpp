@@ -18,4 +18,10 @@ BEM_CONTACT_TUNED(double, last_step, 0.02);
 /// 1. Bound of its steps.
 BEM_CONTACT_TUNED(int, most_search_steps, 200);
 
+/// 1 (half width of a long contact). Where limit_below() looks for the largest shear: it lies between the
+/// edges, and at most 0.5 deep.
+BEM_CONTACT_TUNED(double, shakedown_extent, 1.5);
+/// 1. Step of that search: with a tenth of it limits fall by less than 1e-4 of themselves.
+BEM_CONTACT_TUNED(double, shakedown_step, 0.01);
+
 } // namespace bem_contact::fatigue

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/scene/warnings.hpp"
 #include "bem_contact/sequence/asked_error.hpp"
 #include "bem_contact/sequence/lateral/lateral_curve.hpp"
 #include "bem_contact/sequence/lateral/lateral_force.hpp"
@@ -248,12 +249,18 @@ bool too_coarse(const SceneFile& scene, const WheelsetState& s) {
   return scene.grid.accuracy && (coarse(s.right) || coarse(s.left));
 }
 
+void warn_of_kilonewtons(const SceneFile& scene, std::vector<std::string>& warnings) {
+  if (std::string small = looks_like_kilonewtons("wheelset.force", *scene.wheelset.force, 2); !small.empty())
+    warnings.push_back(std::move(small));
+}
+
 void add_warnings(const SceneFile& scene, WheelsetResult& out) {
   std::vector<PlacedWarning> all;
   for (const WheelSide side : both_sides)
     for (const std::string& warning : out.state.solved(side).warnings)
       all.push_back({fmt::format("{} wheel", name_of(side)), warning});
   out.warnings = once_each(all);
+  warn_of_kilonewtons(scene, out.warnings);
   if (too_coarse(scene, out.state))
     out.warnings.push_back("the accuracy asked for was not reached: the equilibrium is found on the elements "
                            "that were chosen near it");
@@ -272,7 +279,10 @@ WheelsetDescription check_wheelset(const SceneFile& scene) {
   require_wheelset(scene);
   WheelPair wheels(scene);
   const WheelsetPose pose = stand(wheels, scene.position.lateral, first_guess(scene));
-  return {pose.lateral, pose.roll, wheels.check(WheelSide::right, pose), wheels.check(WheelSide::left, pose)};
+  WheelsetDescription out{pose.lateral, pose.roll, wheels.check(WheelSide::right, pose),
+                          wheels.check(WheelSide::left, pose)};
+  warn_of_kilonewtons(scene, out.right.warnings);
+  return out;
 }
 
 WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop,

@@ -1,4 +1,5 @@
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/uses/fatigue/shakedown.hpp"
 #include "tests/base/message.hpp"
 #include "tests/uses/fatigue/hertz_patch.hpp"
 
@@ -31,6 +32,17 @@ TEST(Shakedown, IndexVanishesOnTheLimit) {
     EXPECT_LT(surface_index({0.99 / mu, mu}), 0);
   }
   EXPECT_LT(surface_index({1e9, 0}), 0) << "there is no limit without traction";
+}
+
+/// 4 without friction: the shear along the surface is p0/4 at most. The surface takes over at 0.367 (Johnson
+/// and Jefferis 1963).
+TEST(Shakedown, LimitBelowTheSurface) {
+  EXPECT_NEAR(limit_below(0), 4, 1e-3);
+  EXPECT_LT(limit_below(0.365), 0.999 / 0.365);
+  for (const double mu : {0.368, 0.4, 0.6})
+    EXPECT_NEAR(limit_below(mu), 1 / mu, 1e-9);
+  for (double mu = 0; mu < 0.6; mu += 0.05)
+    EXPECT_LT(limit_below(mu + 0.05), limit_below(mu));
 }
 
 TEST(Shakedown, IndexOfElements) {
