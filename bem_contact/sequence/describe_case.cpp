@@ -136,6 +136,14 @@ std::string load_text(const ContactLoad& load) {
                                       : fmt::format("load: approach {:g} mm", load.approach);
 }
 
+/// Nothing is searched for here: the rest of the description holds where the search of solve begins.
+std::string lateral_force_text(double force_y, double lateral) {
+  return fmt::format(
+      "lateral force {:g} N: solve looks for the lateral displacement that bears it, beginning at "
+      "position.lateral = {:g} mm; everything else here is said of that position",
+      force_y, lateral);
+}
+
 /// What solve makes of the first grid of a wheel on a rail. `trimmed`: it does not keep all of it
 /// (trim_plan.hpp).
 std::string later_grid_text(bool trimmed) {
@@ -230,6 +238,8 @@ SceneDescription describe_case(const ContactCase& asked) {
   if (asked.estimate)
     add_touch_points(asked.setup, *asked.estimate, lines);
   lines.push_back(load_text(asked.setup.load));
+  if (scene.load.force_y)
+    lines.push_back(lateral_force_text(*scene.load.force_y, scene.position.lateral));
   const FitOnStrips fit = fit_on_strips(asked);
   const std::optional<Model> asked_for = scene.solver.model;
   std::optional<ModelChoice> choice;

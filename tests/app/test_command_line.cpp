@@ -223,6 +223,18 @@ TEST_F(CommandLine, SecondsNameFreeRollingAndSearch) {
               ::testing::ContainsRegex("free rolling [0-9.]+, search of the displacement [0-9.]+, total"));
 }
 
+/// check searches for nothing, so it says which position its description is of.
+TEST_F(CommandLine, CheckSaysWhereTheSearchOfALateralForceBegins) {
+  const std::string without = run("check '" + write("s.toml", wheel_rail).string() + "'").out;
+  EXPECT_THAT(without, ::testing::Not(HasSubstr("lateral force")));
+  const std::string with =
+      run("check '" + write("f.toml", "load.force_y = 2e3\nposition.lateral = 1.5\n" + wheel_rail).string() +
+          "'")
+          .out;
+  EXPECT_THAT(with, HasSubstr("lateral force 2000 N: solve looks for the lateral displacement"));
+  EXPECT_THAT(with, HasSubstr("position.lateral = 1.5 mm"));
+}
+
 TEST_F(CommandLine, CheckTakesSweepsAndWheelsets) {
   const std::string sweep = "\n[sweep]\nposition.lateral = [ 0.0, 3.0, 6.0 ]\n";
   const Outcome r = run("check '" + write("s.toml", wheel_rail + sweep).string() + "' --strict");
