@@ -71,8 +71,8 @@ double local_error(const UncertainSum& sum, const Region& r, double adhesion = s
 }
 
 /// By how much larger errors of such sums are on elements longer than wide.
-double growth(const Region& r) {
-  return std::pow(r.elongation(), shear_elongation);
+double growth(const Region& r, double power = shear_elongation) {
+  return std::pow(r.elongation(), power);
 }
 
 /// Of such a sum that changed so much from the coarse result.
@@ -103,8 +103,9 @@ double power_error(const Region& fine, const Region& coarse) {
 void estimate_patch_shear(const Region& fine, const Region& coarse, PatchErrors& out) {
   out.fx = shear_error(fine.fx.total - coarse.fx.total, fine.fx, fine, shear_adhesion_x);
   out.fs = shear_error(fine.fs.total - coarse.fs.total, fine.fs, fine);
-  out.moment_n = growth(fine) * (shear_change * std::abs(fine.moment.total - coarse.moment.total) +
-                                 moment_share * local_error(fine.moment, fine));
+  out.moment_n =
+      growth(fine, moment_elongation) * (shear_change * std::abs(fine.moment.total - coarse.moment.total) +
+                                         moment_share * local_error(fine.moment, fine));
   out.friction_power = power_error(fine, coarse);
 }
 
@@ -287,8 +288,8 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   const ShearEffects effects = effects_of_shear(problem, result);
   e.Fy = lateral_error(problem, result.Fy - coarse.Fy, effects, fine);
   e.Fz = force ? 0 : shear_error(result.Fz - coarse.Fz, effects.fz, fine) + local_normal_force(fine);
-  out.moment_change = growth(fine) * moment_share * shear_change;
-  out.local_moment = growth(fine) * moment_share * local_error(fine.moment, fine);
+  out.moment_change = growth(fine, moment_elongation) * moment_share * shear_change;
+  out.local_moment = growth(fine, moment_elongation) * moment_share * local_error(fine.moment, fine);
   estimate_patches(problem, patches, patches_of(coarse_problem, coarse), effects, fine, roughness,
                    out.patches);
   estimate_track_forces(result, out);
