@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
+#include "bem_contact/sequence/asked_error.hpp"
 #include "bem_contact/sequence/describe_case.hpp"
 #include "bem_contact/sequence/lateral/lateral_search.hpp"
 #include "bem_contact/sequence/numbers/sequence_files.hpp"
@@ -215,6 +216,7 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
   SceneFile asked = scene;
   asked.load.force_y.reset();
   std::optional<SceneResult> chosen;
+  std::string limit = "all displacements are tried on the elements of the first one";
   if (!scene.solver.model || scene.grid.elements ||
       scene.grid.accuracy) { // the same model and elements all the way
     SceneTask choosing = task;
@@ -222,6 +224,8 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
     chosen = solve_at_position(with_lateral(scene, search.guess()), choosing);
     const ContactGrid& grid = chosen->problem.grid;
     asked = with_elements(with_model(std::move(asked), chosen->model), grid.dx, grid.ds);
+    if (scene.grid.accuracy && asked_error(scene.grid, *chosen) > *scene.grid.accuracy)
+      limit = element_size_.limit(grid.dx);
   }
   SceneFile on_the_way = asked;
   on_the_way.motion.free_rolling = false;
@@ -240,7 +244,7 @@ SceneResult Sequence::Impl::solve_at_lateral_force(const SceneFile& scene, const
     take_choice(*chosen, out);
   const double error = out.result.discretisation ? out.result.discretisation->errors.Fy : unknown_error;
   out.found_lateral = search.describe(lateral, error);
-  warn_of_accuracy(scene.grid, "all displacements are tried on the elements of the first one", out);
+  warn_of_accuracy(scene.grid, limit, out);
   warn_of_lateral(scene, search.force_at_start(), out);
   return out;
 }

@@ -1,3 +1,4 @@
+#include "bem_contact/sequence/asked_error.hpp"
 #include "bem_contact/sequence/lateral/lateral_force.hpp"
 
 #include "bem_contact/base/error.hpp"
@@ -266,6 +267,16 @@ TEST(PrescribedLateralForce, TheReachableRangeIsTheSameWhateverWasWanted) {
   EXPECT_NEAR(reached("2e5"), most, 0.02 * most);
   EXPECT_NO_THROW(Sequence().solve(
       rolling_at(0, fmt::format("position.cant = 0.025\nload.force_y = {}\n", 0.98 * most))));
+}
+
+/// Where even the most elements that are tried miss the accuracy, the warning says so.
+TEST(PrescribedLateralForce, TheWarningOfAMissedAccuracyNamesTheLimit) {
+  SceneFile scene = rolling_at(6, "load.force_y = 1.6e5\n");
+  scene.grid = {};
+  scene.grid.accuracy = 0.02;
+  const SceneResult found = Sequence().solve(scene);
+  EXPECT_GT(asked_error(scene.grid, found), 0.02);
+  EXPECT_THAT(found.warnings, Contains(HasSubstr("elements in contact; at most 1400 are tried)")));
 }
 
 /// The model bears the forces that a refusal names, where it says so. On the tread rough ones miss more than
