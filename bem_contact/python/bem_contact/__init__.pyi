@@ -1,6 +1,6 @@
 from collections.abc import Mapping, Sequence as _List
 from os import PathLike
-from typing import Any, Literal, overload
+from typing import Any, Final, Literal, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,200 +22,105 @@ class Result:
     """One scene solved with one model. Arrays are copies. Can be copied and pickled."""
 
     # Numbers; `units` has their units. An error is absolute; None: not known.
-    @property
-    def Fx(self) -> float: ...
-    @property
-    def Fy(self) -> float: ...
-    @property
-    def Fz(self) -> float: ...
-    @property
-    def Fs(self) -> float: ...
-    @property
-    def Mz(self) -> float: ...
-    @property
-    def approach(self) -> float: ...
-    @property
-    def pmax(self) -> float: ...
-    @property
-    def area(self) -> float: ...
-    @property
-    def adhesion_share(self) -> float: ...
-    @property
-    def friction_power(self) -> float: ...
-    @property
-    def xi(self) -> float: ...
-    @property
-    def eta(self) -> float: ...
-    @property
-    def phi(self) -> float: ...
-    @property
-    def creepage_x(self) -> float: ...
-    @property
-    def creepage_s(self) -> float: ...
-    @property
-    def patch_count(self) -> float: ...
-    @property
-    def contact(self) -> float: ...
-    @property
-    def adhesion(self) -> float: ...
-    @property
-    def slip(self) -> float: ...
-    @property
-    def mx(self) -> float: ...
-    @property
-    def ms(self) -> float: ...
-    @property
-    def dx(self) -> float: ...
-    @property
-    def ds(self) -> float: ...
-    @property
-    def reference_s(self) -> float: ...
-    @property
-    def reference_y(self) -> float: ...
-    @property
-    def reference_z(self) -> float: ...
-    @property
-    def reference_delta(self) -> float: ...
-    @property
-    def certificate(self) -> float: ...
-    @property
-    def outer_iterations(self) -> float: ...
-    @property
-    def normal_iterations(self) -> float: ...
-    @property
-    def tangential_iterations(self) -> float: ...
-    @property
-    def warning_count(self) -> float: ...
-    @property
-    def Fn_2(self) -> float: ...
-    @property
-    def lateral(self) -> float | None: ...
-    @property
-    def Tmax_rail(self) -> float | None: ...
-    @property
-    def Tmax_rail_error(self) -> float | None: ...
-    @property
-    def Tmax_wheel(self) -> float | None: ...
-    @property
-    def Tmax_wheel_error(self) -> float | None: ...
-    @property
-    def free_rolling_xi(self) -> float | None: ...
-    @property
-    def free_rolling_xi_error(self) -> float | None: ...
-    @property
-    def free_rolling_radius(self) -> float | None: ...
-    @property
-    def free_rolling_radius_error(self) -> float | None: ...
-    @property
-    def discretisation(self) -> float | None: ...
-    @property
-    def Fx_error(self) -> float | None: ...
-    @property
-    def Fy_error(self) -> float | None: ...
-    @property
-    def Fz_error(self) -> float | None: ...
-    @property
-    def Fs_error(self) -> float | None: ...
-    @property
-    def Mz_error(self) -> float | None: ...
-    @property
-    def approach_error(self) -> float | None: ...
-    @property
-    def pmax_error(self) -> float | None: ...
-    @property
-    def area_error(self) -> float | None: ...
-    @property
-    def adhesion_share_error(self) -> float | None: ...
-    @property
-    def friction_power_error(self) -> float | None: ...
-    @property
-    def xi_error(self) -> float | None: ...
-    @property
-    def eta_error(self) -> float | None: ...
-    @property
-    def creepage_x_error(self) -> float | None: ...
-    @property
-    def creepage_s_error(self) -> float | None: ...
-    @property
-    def Fn_2_error(self) -> float | None: ...
+    Fx: Final[float]
+    Fy: Final[float]
+    Fz: Final[float]
+    Fs: Final[float]
+    Mz: Final[float]
+    approach: Final[float]
+    pmax: Final[float]
+    area: Final[float]
+    adhesion_share: Final[float]
+    friction_power: Final[float]
+    xi: Final[float]
+    eta: Final[float]
+    phi: Final[float]
+    creepage_x: Final[float]
+    creepage_s: Final[float]
+    patch_count: Final[float]
+    contact: Final[float]
+    adhesion: Final[float]
+    slip: Final[float]
+    mx: Final[float]
+    ms: Final[float]
+    dx: Final[float]
+    ds: Final[float]
+    reference_s: Final[float]
+    reference_y: Final[float]
+    reference_z: Final[float]
+    reference_delta: Final[float]
+    certificate: Final[float]
+    outer_iterations: Final[float]
+    normal_iterations: Final[float]
+    tangential_iterations: Final[float]
+    warning_count: Final[float]
+    Fn_2: Final[float]
+    lateral: Final[float | None]
+    Tmax_rail: Final[float | None]
+    Tmax_rail_error: Final[float | None]
+    Tmax_wheel: Final[float | None]
+    Tmax_wheel_error: Final[float | None]
+    free_rolling_xi: Final[float | None]
+    free_rolling_xi_error: Final[float | None]
+    free_rolling_radius: Final[float | None]
+    free_rolling_radius_error: Final[float | None]
+    discretisation: Final[float | None]
+    Fx_error: Final[float | None]
+    Fy_error: Final[float | None]
+    Fz_error: Final[float | None]
+    Fs_error: Final[float | None]
+    Mz_error: Final[float | None]
+    approach_error: Final[float | None]
+    pmax_error: Final[float | None]
+    area_error: Final[float | None]
+    adhesion_share_error: Final[float | None]
+    friction_power_error: Final[float | None]
+    xi_error: Final[float | None]
+    eta_error: Final[float | None]
+    creepage_x_error: Final[float | None]
+    creepage_s_error: Final[float | None]
+    Fn_2_error: Final[float | None]
     # Parts.
-    @property
-    def patches(self) -> list[dict[str, float | None]]: ...
-    @property
-    def history(self) -> dict[str, _Array]: ...
-    @property
-    def units(self) -> dict[str, str]: ...
-    @property
-    def stresses(self) -> dict[str, Any] | None: ...
-    @property
-    def structure(self) -> dict[str, Any] | None: ...
-    @property
-    def other_laterals(self) -> list[float]: ...
-    @property
-    def lateral_slope(self) -> float | None: ...
-    @property
-    def lateral_error(self) -> float | None: ...
-    @property
-    def approach_datum(self) -> str: ...
+    patches: Final[list[dict[str, float | None]]]
+    history: Final[dict[str, _Array]]
+    units: Final[dict[str, str]]
+    stresses: Final[dict[str, Any] | None]
+    structure: Final[dict[str, Any] | None]
+    other_laterals: Final[list[float]]
+    lateral_slope: Final[float | None]
+    lateral_error: Final[float | None]
+    approach_datum: Final[str]
     # Elements [ms][mx].
-    @property
-    def p_x(self) -> _Array: ...
-    @property
-    def p_s(self) -> _Array: ...
-    @property
-    def p_n(self) -> _Array: ...
-    @property
-    def T_rail(self) -> _Array: ...
-    @property
-    def T_wheel(self) -> _Array: ...
-    @property
-    def slip_x(self) -> _Array: ...
-    @property
-    def slip_s(self) -> _Array: ...
-    @property
-    def u_x(self) -> _Array: ...
-    @property
-    def u_s(self) -> _Array: ...
-    @property
-    def u_n(self) -> _Array: ...
-    @property
-    def work_rate(self) -> _Array: ...
-    @property
-    def element_power(self) -> _Array: ...
-    @property
-    def deformed_distance(self) -> _Array: ...
-    @property
-    def gap(self) -> _Array: ...
-    @property
-    def state(self) -> _Array: ...
+    p_x: Final[_Array]
+    p_s: Final[_Array]
+    p_n: Final[_Array]
+    T_rail: Final[_Array]
+    T_wheel: Final[_Array]
+    slip_x: Final[_Array]
+    slip_s: Final[_Array]
+    u_x: Final[_Array]
+    u_s: Final[_Array]
+    u_n: Final[_Array]
+    work_rate: Final[_Array]
+    element_power: Final[_Array]
+    deformed_distance: Final[_Array]
+    gap: Final[_Array]
+    state: Final[_Array]
     # Columns [mx] and rows [ms].
-    @property
-    def x(self) -> _Array: ...
-    @property
-    def s(self) -> _Array: ...
-    @property
-    def y(self) -> _Array: ...
-    @property
-    def z(self) -> _Array: ...
-    @property
-    def delta(self) -> _Array: ...
-    @property
-    def wheel_s(self) -> _Array: ...
+    x: Final[_Array]
+    s: Final[_Array]
+    y: Final[_Array]
+    z: Final[_Array]
+    delta: Final[_Array]
+    wheel_s: Final[_Array]
     # Trust.
-    @property
-    def model(self) -> str: ...
-    @property
-    def reason(self) -> str: ...
-    @property
-    def why_no_errors(self) -> str: ...
-    @property
-    def warnings(self) -> list[str]: ...
-    @property
-    def certified(self) -> bool: ...
-    @property
-    def converges_with_elements(self) -> bool | None: ...
-    @property
-    def seconds(self) -> float: ...
+    model: Final[str]
+    reason: Final[str]
+    why_no_errors: Final[str]
+    warnings: Final[list[str]]
+    certified: Final[bool]
+    converges_with_elements: Final[bool | None]
+    seconds: Final[float]
 
 class Sequence:
     def __init__(
@@ -323,14 +228,14 @@ def table(
 class Table:
     """A table to look up in; its members are what the dict of table() holds."""
 
-    axes: dict[str, NDArray[Any]]
-    first: dict[str, NDArray[Any]]
-    values: dict[str, NDArray[Any]]
-    errors: dict[str, dict[str, Any]]
-    units: dict[str, str]
-    creep_scale: dict[str, NDArray[Any]] | None
-    tolerance: float
-    solved: int
+    axes: Final[dict[str, NDArray[Any]]]
+    first: Final[dict[str, NDArray[Any]]]
+    values: Final[dict[str, NDArray[Any]]]
+    errors: Final[dict[str, dict[str, Any]]]
+    units: Final[dict[str, str]]
+    creep_scale: Final[dict[str, NDArray[Any]] | None]
+    tolerance: Final[float]
+    solved: Final[int]
 
     def look_up(self, at: _List[float] | NDArray[Any]) -> dict[str, Any]:
         """Each column at a point, or at an array of points; InputError outside the axes."""
