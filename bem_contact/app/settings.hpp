@@ -23,7 +23,11 @@ BEM_CONTACT_TUNED(double, largest_variation, 0.01);
 /// table of 100000 rows has 5 MB. Chosen.
 BEM_CONTACT_TUNED(std::size_t, largest_kept_input, 10'000'000);
 
-// Messages.
+// Numbers and messages.
+
+/// Digits of a value whose error is far below it. Without a limit, an error of 1e-14 would print as many
+/// digits as a double has. Chosen.
+BEM_CONTACT_TUNED(int, most_digits, 10);
 
 /// Characters. So much of a message is said again where it came more than once: enough to know it. Chosen.
 BEM_CONTACT_TUNED(int, repeated_length, 60);

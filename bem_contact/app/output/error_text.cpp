@@ -1,5 +1,6 @@
 #include "bem_contact/app/output/error_text.hpp"
 
+#include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/fixed_text.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 
@@ -10,9 +11,6 @@
 namespace bem_contact::app {
 
 namespace {
-
-/// 1. More digits of a number than this are rounding, whatever its error.
-constexpr int most_digits = 10;
 
 /// Digits before the decimal point; 0 and less where there are zeros after it. 1 of zero.
 int digits_before(double value) {

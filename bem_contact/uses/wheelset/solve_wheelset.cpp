@@ -137,11 +137,11 @@ EquilibriumStart first_guess(const SceneFile& scene) {
   return {approach, approach, 0, {}};
 }
 
-/// The start for the equations, from a solution at the guess: elements are chosen there and kept.
-EquilibriumStart begin(WheelPair& wheels, double lateral) {
+/// The start for the equations, from a solution at the guess: elements are chosen there and kept, `factor`
+/// times as large.
+EquilibriumStart begin(WheelPair& wheels, double lateral, double factor = 1) {
   EquilibriumStart start = first_guess(wheels.scene());
-  const WheelsetState s = wheels.at(stand(wheels, lateral, start));
-  wheels.fix_elements(s);
+  const WheelsetState s = wheels.choose_elements(stand(wheels, lateral, start), factor);
   start.roll = s.pose.roll;
   const double half = 0.5 * *wheels.scene().wheelset.force;
   const auto nearer = [&](const SceneResult& r) {
@@ -217,9 +217,8 @@ struct RoughPlace {
 RoughPlace search_roughly(const SceneFile& scene, const std::atomic<bool>* stop,
                           const std::shared_ptr<SequenceFiles>& files) {
   WheelPair wheels(rough_scene(scene), stop, files);
-  Follower follower(wheels, scene.position.lateral, begin(wheels, scene.position.lateral), rough_tolerance);
-  wheels.scale_elements(rough_elements);
   const double start = scene.position.lateral, wanted = *scene.wheelset.force_y;
+  Follower follower(wheels, start, begin(wheels, start, rough_elements), rough_tolerance);
   LateralSample best;
   const std::optional<LateralRoot> guess = search_lateral(
       [&](double y) { return follower.force(y); }, {start, follower.required_force(start)}, wanted, best);
@@ -295,7 +294,7 @@ WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* s
   RoughPlace rough{{scene.position.lateral, 0}, {}, {}};
   if (scene.wheelset.force_y) {
     rough = search_roughly(scene, stop, files);
-    wheels.fix_elements(wheels.at(rough.pose));
+    wheels.choose_elements(rough.pose);
   } else {
     rough.start = begin(wheels, scene.position.lateral);
   }
@@ -306,8 +305,7 @@ WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* s
                 : find_equilibrium(wheels, rough.guess.lateral, rough.start, equilibrium_tolerance);
     if (round == most_element_rounds || !too_coarse(scene, found->state))
       break;
-    wheels.free_elements();
-    wheels.fix_elements(wheels.at(found->state.pose));
+    wheels.choose_elements(found->state.pose);
     rough.start = found->start();
     rough.guess.lateral = found->state.pose.lateral;
   }

@@ -52,8 +52,9 @@ double dot(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-SceneFile with_elements_of(const SceneFile& scene, const SceneResult& like) {
-  return with_elements(with_model(scene, like.model), like.problem.grid.dx, like.problem.grid.ds);
+SceneFile with_elements_of(const SceneFile& scene, const SceneResult& like, double factor) {
+  const auto& grid = like.problem.grid;
+  return with_elements(with_model(scene, like.model), factor * grid.dx, factor * grid.ds);
 }
 
 } // namespace
@@ -104,14 +105,12 @@ SceneDescription WheelPair::check(WheelSide side, const WheelsetPose& pose) {
   return (side == WheelSide::right ? right_ : left_).check(wheel_scene(side, pose));
 }
 
-void WheelPair::fix_elements(const WheelsetState& like) {
-  right_scene_ = with_elements_of(right_scene_, like.right);
-  left_scene_ = with_elements_of(left_scene_, like.left);
-}
-
-void WheelPair::scale_elements(double factor) {
-  for (SceneFile* scene : {&right_scene_, &left_scene_})
-    *scene = with_elements(*scene, factor * scene->grid.dx, factor * scene->grid.ds);
+WheelsetState WheelPair::choose_elements(const WheelsetPose& pose, double factor) {
+  free_elements();
+  WheelsetState out = at(pose);
+  right_scene_ = with_elements_of(right_scene_, out.right, factor);
+  left_scene_ = with_elements_of(left_scene_, out.left, factor);
+  return out;
 }
 
 void WheelPair::free_elements() {

@@ -67,12 +67,9 @@ public:
   WheelsetState at(const WheelsetPose& pose);
   /// What would be solved of one wheel. Throws what Sequence::check() throws.
   SceneDescription check(WheelSide side, const WheelsetPose& pose);
-  /// From here on both wheels are solved with these models and elements.
-  void fix_elements(const WheelsetState& like);
-  /// From here on elements are so many times as long and wide as fix_elements() made them.
-  void scale_elements(double factor);
-  /// From here on elements and model are those that the scene asks for.
-  void free_elements();
+  /// As at(), with the elements and models that the scene asks for. From here on the models found here are
+  /// kept, and the elements, `factor` times as long and wide.
+  WheelsetState choose_elements(const WheelsetPose& pose, double factor = 1);
   /// By how much the wheelset is lowered until that wheel touches its rail, from where vertical is 0, mm.
   /// Throws InputError where it does not.
   double lowered(WheelSide side, double lateral, double roll);
@@ -81,6 +78,7 @@ public:
   int contact_problems() const; ///< solutions so far
 
 private:
+  void free_elements(); ///< elements and models are those that the scene asks for
   SceneFile wheel_scene(WheelSide side, const WheelsetPose& pose) const;
 
   SceneFile scene_;
