@@ -48,7 +48,7 @@ CoarseMesh collect(int surface, int boundary_points) {
   for (int i = 1; i <= boundary_points; ++i) {
     gmsh::model::mesh::getNodes(tags, x, parameters, 0, i);
     if (tags.size() != 1)
-      throw Error("the section could not be meshed", "gmsh lost a vertex of the outline",
+      throw Error("The section could not be meshed", "gmsh lost a vertex of the outline",
                   "Report it with the body file.");
     index[tags[0]] = i - 1;
     mesh.points.push_back({x[0], x[1]});

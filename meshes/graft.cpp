@@ -153,7 +153,7 @@ std::vector<Piece> graft(const ProfileCurve& measured, const Loop& base, const s
   };
   if (!fits(first) || !fits(last))
     throw InputError(
-        fmt::format("the profile {} does not fit the body of {}", measured.name(), base_name),
+        fmt::format("The profile {} does not fit the body of {}", measured.name(), base_name),
         fmt::format("{}; {}; up to {} mm and {} rad are blended", figures(first), figures(last),
                     largest_joint_distance, largest_joint_slope),
         "Move the body with [body] graft_at and graft_angle (a measured rail is often inclined), "
@@ -173,7 +173,7 @@ std::vector<Piece> graft(const ProfileCurve& measured, const Loop& base, const s
   const double before = area(Section{"", std::vector<Loop>{base}}),
                after = area(Section{"", std::vector<Loop>{whole}});
   if (!(std::abs(after / before - 1) <= largest_area_change))
-    throw InputError(fmt::format("the profile {} does not fit the body of {}", measured.name(), base_name),
+    throw InputError(fmt::format("The profile {} does not fit the body of {}", measured.name(), base_name),
                      fmt::format("the section would have {:.0f} mm^2 instead of {:.0f}", after, before),
                      "Check the profile's frame, unit and walking order.");
   return pieces;

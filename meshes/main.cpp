@@ -112,7 +112,7 @@ int run_program(int argc, char** argv) {
       return 0;
     }
     if (body_file.empty() || output.empty())
-      throw InputError("nothing to mesh", "a body file and -o OUT.msh are needed", "See mesh_body --help.");
+      throw InputError("Nothing to mesh", "a body file and -o OUT.msh are needed", "See mesh_body --help.");
     return run(body_file, output, solid, report);
   } catch (const CLI::ParseError& error) {
     return exit_code_of(app, error);

@@ -116,7 +116,7 @@ void refuse_odd_strip_at_corner(const Section& section, int strip_edges) {
   const Loop& loop = section.loops.front();
   if (strip_edges % 2 == 1 && corner_between(loop[0], loop[1]))
     throw InputError(
-        fmt::format("the strip of {} ends at a corner after {} element edges", section.name, strip_edges),
+        fmt::format("The strip of {} ends at a corner after {} element edges", section.name, strip_edges),
         "up to a corner their number must be even",
         "Make [mesh] elements_per_station even, or end the strip before the corner.");
 }
@@ -196,7 +196,7 @@ void refuse_misplaced_holes(const std::vector<VertexLoop>& loops, const std::str
       const bool other_is_outer = area(loops[other]) > 0;
       const Point2 p = loops[hole].front().position;
       if (hole != other && area(loops[hole]) < 0 && within(loops[other], p) != other_is_outer)
-        throw InputError(fmt::format("a hole of {} lies {}", name,
+        throw InputError(fmt::format("A hole of {} lies {}", name,
                                      other_is_outer ? "outside the body" : "in another hole"),
                          fmt::format("near y = {:.3f}, z = {:.3f} mm", p.y, p.z), "Move or remove it.");
     }
@@ -215,7 +215,7 @@ void refuse_crossings(const Outline& outline, const std::string& name) {
       if (edges[a].loop == edges[b].loop && (apart == 1 || apart + 1 == edges[a].loop_size))
         continue;
       if (cross_or_touch(edges[a], edges[b]))
-        throw InputError(fmt::format("the outline of {} crosses itself", name),
+        throw InputError(fmt::format("The outline of {} crosses itself", name),
                          fmt::format("near y = {:.3f}, z = {:.3f} mm", edges[a].from.y, edges[a].from.z),
                          "Check the profile and the body's dimensions.");
     }

@@ -28,12 +28,12 @@ struct Running {
 
 Running cut_at_strip(const ProfileCurve& curve, const BodyFile::Strip& strip) {
   if (!(strip.from < strip.to) || !(strip.station_width > 0))
-    throw InputError(fmt::format("the strip from {} to {} mm with stations of {} mm is empty", strip.from,
+    throw InputError(fmt::format("The strip from {} to {} mm with stations of {} mm is empty", strip.from,
                                  strip.to, strip.station_width),
                      "[strip] from must be less than to and station_width positive", "Correct the strip.");
   if (strip.from < curve.s_begin() - profile_slack || strip.to > curve.s_end() + profile_slack)
     throw InputError(
-        fmt::format("the strip from {} to {} mm is not on profile {}", strip.from, strip.to, curve.name()),
+        fmt::format("The strip from {} to {} mm is not on profile {}", strip.from, strip.to, curve.name()),
         fmt::format("the profile runs from {:.3f} to {:.3f} mm", curve.s_begin(), curve.s_end()),
         "Change [strip] from and to.");
   const double from = std::max(strip.from, curve.s_begin()), to = std::min(strip.to, curve.s_end());
@@ -190,7 +190,7 @@ Section make_section(const BodyFile& file) {
   if (body.kind == BodyKind::block || body.kind == BodyKind::bore)
     require_positive(body.size, "size");
   if (body.kind == BodyKind::bore && body.radius >= body.size)
-    throw InputError(fmt::format("a bore of radius {} mm does not fit into a block of half width {} mm",
+    throw InputError(fmt::format("A bore of radius {} mm does not fit into a block of half width {} mm",
                                  body.radius, body.size),
                      "it would cut the block's outer boundary",
                      "Raise [body] size, best to 10 radii or more.");

@@ -15,7 +15,7 @@ int strip_edges(const BodyFile& body) {
   const double stations = (body.strip.to - body.strip.from) / body.strip.station_width;
   const double whole = std::round(stations);
   if (!(std::abs(stations - whole) < whole_stations_slack) || whole < 1 || whole > most_stations)
-    throw InputError(fmt::format("the strip from {} to {} mm has {} stations of {} mm", body.strip.from,
+    throw InputError(fmt::format("The strip from {} to {} mm has {} stations of {} mm", body.strip.from,
                                  body.strip.to, stations, body.strip.station_width),
                      "their number must be whole", "Change [strip] to or station_width.");
   const auto& mesh = body.mesh;
@@ -35,7 +35,7 @@ void check_area(const QuadMesh& mesh, double area, const std::string& name) {
     twice += cross(a, b);
   }
   if (!(std::abs(area - twice / 2) < area_slack * area))
-    throw Error(fmt::format("the mesh of {} does not fill its outline", name),
+    throw Error(fmt::format("The mesh of {} does not fill its outline", name),
                 fmt::format("the quadrilaterals have {:.6f} mm^2, the outline {:.6f} mm^2", area, twice / 2),
                 "Report it with the body file.");
 }
@@ -47,7 +47,7 @@ void check_strip(const QuadMesh& mesh, const Piece& strip, int edges, const std:
     const Point2 p = mesh.points[static_cast<std::size_t>(vertex)];
     const Point2 wanted = strip.at(strip.from + (strip.to - strip.from) * i / edges);
     if (edge.group != Group::contact || !(norm(p - wanted) < strip_slack))
-      throw Error(fmt::format("vertex {} of the strip of {} is not where it should be", i, name),
+      throw Error(fmt::format("Vertex {} of the strip of {} is not where it should be", i, name),
                   fmt::format("it is {:.3e} mm away", norm(p - wanted)), "Report it with the body file.");
   }
 }
@@ -69,7 +69,7 @@ QuadMesh mesh_section(const BodyFile& body, double edge_angle) {
 
   const Quality report = quality(mesh);
   if (report.quads == 0 || !(report.smallest >= refused_quality))
-    throw Error(fmt::format("the mesh of {} is too distorted", section.name),
+    throw Error(fmt::format("The mesh of {} is too distorted", section.name),
                 fmt::format("smallest scaled Jacobian {:.3f} < {} near y = {:.3f}, z = {:.3f} mm",
                             report.smallest, refused_quality, report.worst.y, report.worst.z),
                 "Lower [mesh] grading or [strip] station_width, or move the strip's ends.");

@@ -79,7 +79,7 @@ std::vector<double> layers_of(const BodyFile& body) {
   double first = (body.solid.dx > 0 ? body.solid.dx : body.strip.station_width) / 2;
   if (4 * first > length)
     throw InputError(
-        fmt::format("an element of {} mm is too long for a body of {} mm", 2 * first, 2 * length),
+        fmt::format("An element of {} mm is too long for a body of {} mm", 2 * first, 2 * length),
         "loads lie in its middle", "Lower solid.dx or raise harmonic.half_period.");
   while (2 * first <= std::min(body.solid.size, length / 2))
     first *= 2;

@@ -33,7 +33,7 @@ std::vector<Piece> wheel_body(Point2 profile_end, Point2 profile_begin, std::str
   const double chamfer_front = profile_begin.z - (front - profile_begin.y);
   if (profile_end.y > middle || profile_begin.y < middle || std::min(chamfer_back, chamfer_front) < rim / 2)
     throw InputError(
-        fmt::format("the wheel profile from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f}) mm does not fit the rim",
+        fmt::format("The wheel profile from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f}) mm does not fit the rim",
                     profile_begin.y, profile_begin.z, profile_end.y, profile_end.z),
         fmt::format("the rim reaches from y = {} to {} mm and z = 0 is the tape circle", wheel.rim_back,
                     wheel.rim_front),

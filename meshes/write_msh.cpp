@@ -152,7 +152,7 @@ template <class Mesh> void write_checked(const Mesh& mesh, const std::filesystem
   const std::filesystem::path& file = whole.temporary();
   write_with_gmsh(mesh, file.string());
   if (!is_whole(file) || !add_curved_edges(mesh, file) || !add_comment(mesh.body_digest, file))
-    throw Error(fmt::format("the mesh cannot be written to '{}'", output.string()),
+    throw Error(fmt::format("The mesh cannot be written to '{}'", output.string()),
                 "writing stopped early, the disk may be full", "Make room, or give another file with -o.");
   if (!target.stream)
     return whole.commit();

@@ -43,7 +43,7 @@ void refuse_unknown_command(const CLI::App& cli, const std::string& word) {
   if (word.empty() || word.front() == '-' || std::ranges::count(commands, word) > 0)
     return;
   const auto like = nearest_names(word, commands, 1);
-  throw InputError(fmt::format("there is no command '{}'", word),
+  throw InputError(fmt::format("There is no command '{}'", word),
                    fmt::format("the commands are {}", fmt::join(commands, ", ")),
                    file_exists(word) ? fmt::format("Did you mean bem_contact solve {}?", word)
                    : like.empty()    ? "See bem_contact --help."

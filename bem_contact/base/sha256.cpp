@@ -34,8 +34,8 @@ public:
 private:
   static void check(bool good) {
     if (!good)
-      throw Error("a checksum cannot be computed", "OpenSSL's SHA-256 failed",
-                  "check the OpenSSL installation");
+      throw Error("A checksum cannot be computed", "OpenSSL's SHA-256 failed",
+                  "Check the OpenSSL installation.");
   }
   std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_{EVP_MD_CTX_new(), EVP_MD_CTX_free};
 };

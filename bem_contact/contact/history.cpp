@@ -12,7 +12,7 @@ std::vector<ContactResult> solve_history(ContactProblem problem, int steps,
   if (!options.workspace)
     options.workspace = &own; // the numbers stay the same
   if (problem.motion == MotionKind::steady)
-    throw InputError("steady rolling has no steps", "it is the state that steps lead to",
+    throw InputError("Steady rolling has no steps", "it is the state that steps lead to",
                      "Solve it as one problem, or choose a shift or transient rolling.");
   const std::size_t kept = problem.motion == MotionKind::transient ? 2 : 1;
   std::vector<ContactResult> results;

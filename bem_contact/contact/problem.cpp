@@ -13,13 +13,13 @@ void require(bool holds, const std::string& problem, const std::string& why, con
 }
 
 void require_field(const std::vector<double>& field, const ContactGrid& grid, const std::string& name) {
-  require(field.size() == static_cast<std::size_t>(grid.size()), "the " + name + " does not fit the grid",
+  require(field.size() == static_cast<std::size_t>(grid.size()), "The " + name + " does not fit the grid",
           std::to_string(field.size()) + " values for " + std::to_string(grid.mx) + " x " +
               std::to_string(grid.ms) + " elements",
-          "give one value for each element, x fastest");
+          "Give one value for each element, x fastest.");
   const auto bad = std::find_if(field.begin(), field.end(), [](double v) { return !std::isfinite(v); });
-  require(bad == field.end(), "the " + name + " is not a number everywhere",
-          "element " + std::to_string(bad - field.begin()), "give finite values");
+  require(bad == field.end(), "The " + name + " is not a number everywhere",
+          "element " + std::to_string(bad - field.begin()), "Give finite values.");
 }
 
 bool agree(double a, double b) {
@@ -29,33 +29,33 @@ bool agree(double a, double b) {
 void validate_numbers(const ContactProblem& problem) {
   const auto& [offsets, rows, dx, ds, values, translational] = problem.numbers;
   const ContactGrid& grid = problem.grid;
-  require(rows == grid.ms, "the influence numbers do not fit the grid",
+  require(rows == grid.ms, "The influence numbers do not fit the grid",
           std::to_string(rows) + " rows of numbers for " + std::to_string(grid.ms) + " rows of elements",
-          "compute them for the rows of the grid");
-  require(agree(ds, grid.ds), "the influence numbers do not fit the grid",
+          "Compute them for the rows of the grid.");
+  require(agree(ds, grid.ds), "The influence numbers do not fit the grid",
           "their ds is " + std::to_string(ds) + " mm, the grid's " + std::to_string(grid.ds),
-          "compute them for the elements of the grid");
+          "Compute them for the elements of the grid.");
   if (problem.plane_strain()) {
-    require(grid.mx == 1 && offsets == 1, "plane strain has one element along x", "numbers with dx = 0",
-            "set mx = 1 and offsets = 1");
-    require(!problem.has_friction(), "rolling needs elements along x",
+    require(grid.mx == 1 && offsets == 1, "Plane strain has one element along x",
+            "the influence numbers have dx = 0", "Set mx = 1 and offsets = 1.");
+    require(!problem.has_friction(), "Rolling needs elements along x",
             "the influence numbers are of plane strain",
-            "set tangential = false, or use numbers with dx > 0");
+            "Set tangential = false, or use numbers with dx > 0.");
   } else {
-    require(agree(dx, grid.dx), "the influence numbers do not fit the grid",
+    require(agree(dx, grid.dx), "The influence numbers do not fit the grid",
             "their dx is " + std::to_string(dx) + " mm, the grid's " + std::to_string(grid.dx),
-            "compute them for the elements of the grid");
-    require(offsets > grid.mx + 1, "the influence numbers do not reach across the grid",
+            "Compute them for the elements of the grid.");
+    require(offsets > grid.mx + 1, "The influence numbers do not reach across the grid",
             std::to_string(offsets) + " offsets for " + std::to_string(grid.mx) + " columns",
-            "compute mx + 2 offsets");
+            "Compute mx + 2 offsets.");
   }
-  require(values.size() == problem.numbers.expected_values(), "the influence numbers are incomplete",
+  require(values.size() == problem.numbers.expected_values(), "The influence numbers are incomplete",
           std::to_string(values.size()) + " values",
-          translational ? "give offsets x (2 rows - 1) x 9 of them"
-                        : "give offsets x (3 rows) x (3 rows) of them");
+          translational ? "Give offsets x (2 rows - 1) x 9 of them."
+                        : "Give offsets x (3 rows) x (3 rows) of them.");
   require(std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }),
-          "an influence number is not finite", "NaN or infinity among them",
-          "recompute the influence numbers");
+          "An influence number is not finite", "NaN or infinity among them",
+          "Recompute the influence numbers.");
   // Positive definiteness itself is too dear to check; these two are what breaks it in practice.
   double largest = 0, asymmetry = 0;
   const InfluenceNumbers& numbers = problem.numbers;
@@ -64,17 +64,17 @@ void validate_numbers(const ContactProblem& problem) {
       for (int j = 0; j < 3; ++j) {
         const double value = numbers.at(0, row_i, i, row_j, j);
         if (row_i == row_j && i == j) {
-          require(value > 0, "a self influence number is not positive",
+          require(value > 0, "A self influence number is not positive",
                   "row " + std::to_string(row_i) + ", component " + std::to_string(i),
-                  "check the sign convention: u = -A p with A positive definite");
+                  "Check the sign convention: u = -A p with A positive definite.");
           largest = std::max(largest, value);
         }
         asymmetry = std::max(asymmetry, std::abs(value - parity(i, j) * numbers.at(0, row_j, j, row_i, i)));
       }
-  require(asymmetry <= 1e-6 * largest, "the influence numbers violate Maxwell-Betti",
+  require(asymmetry <= 1e-6 * largest, "The influence numbers violate Maxwell-Betti",
           "asymmetry " + std::to_string(asymmetry / largest) +
               " of the largest influence number of an element on itself",
-          "use displacements averaged over the element");
+          "Use displacements averaged over the element.");
 }
 
 bool is_share(double v) {
@@ -88,38 +88,38 @@ bool conducts(const ThermalBody& body) {
 
 void validate_heating(const ContactProblem& problem) {
   const Heating& heating = *problem.heating;
-  require(problem.motion == MotionKind::steady, "flash temperatures are those of steady rolling",
-          "the heat of former steps is not known", "set motion = steady, or leave out the heating");
-  require(conducts(heating.rail) && conducts(heating.wheel), "a body does not conduct heat",
-          "conductivity, heat capacity and density must be above 0", "give those of the material");
+  require(problem.motion == MotionKind::steady, "Flash temperatures are those of steady rolling",
+          "the heat of former steps is not known", "Set motion = steady, or leave out the heating.");
+  require(conducts(heating.rail) && conducts(heating.wheel), "A body does not conduct heat",
+          "conductivity, heat capacity and density must be above 0", "Give those of the material.");
   require(!heating.rail_share || (*heating.rail_share >= 0 && *heating.rail_share <= 1),
-          "the rail's share of the heat is no share", std::to_string(heating.rail_share.value_or(0)),
-          "give a number from 0 to 1, or none");
+          "The rail's share of the heat is not between 0 and 1",
+          std::to_string(heating.rail_share.value_or(0)), "Give a number from 0 to 1, or none.");
   require(!heating.friction ||
               (is_share(heating.friction->ratio) && heating.friction->from < heating.friction->to),
-          "friction does not fall with temperature",
-          "its ratio must lie above 0 and at most at 1, its temperatures must ascend", "correct them");
+          "Friction does not fall with temperature",
+          "its ratio must lie above 0 and at most at 1, its temperatures must ascend", "Correct them.");
 }
 
 /// Of mu over slip velocity and temperature.
 void validate_friction_law(const ContactProblem& problem) {
   require(problem.falling.size() <= 1 || problem.falling.size() == static_cast<std::size_t>(problem.grid.ms),
-          "the laws of friction do not fit the grid",
+          "The laws of friction do not fit the grid",
           std::to_string(problem.falling.size()) + " for " + std::to_string(problem.grid.ms) + " rows",
-          "give one for each row, or one for all");
+          "Give one for each row, or one for all.");
   for (const FallingFriction& law : problem.falling)
     require(is_share(law.ratio) && std::isfinite(law.scale) && law.scale > 0,
-            "friction does not fall with the slip velocity",
+            "Friction does not fall with the slip velocity",
             "its ratio is " + std::to_string(law.ratio) + ", its velocity " + std::to_string(law.scale) +
                 " mm/s",
-            "give a ratio above 0 and at most 1, and a velocity above 0");
+            "Give a ratio above 0 and at most 1, and a velocity above 0.");
   const bool needs_speed = problem.friction_falls() || problem.heating;
-  require(!needs_speed || (std::isfinite(problem.speed) && problem.speed > 0), "the rolling speed is missing",
-          "slip velocity and heat are proportional to it", "give it in mm/s");
-  require(!problem.friction_falls() || problem.motion != MotionKind::shift, "a shift has no slip velocity",
-          "friction falls with it", "choose rolling, or leave out the law");
-  require(problem.kinetic == 1 || !problem.friction_varies(), "there are two laws of friction",
-          "kinetic is below 1, and friction falls with slip velocity or temperature", "leave out one");
+  require(!needs_speed || (std::isfinite(problem.speed) && problem.speed > 0), "The rolling speed is missing",
+          "slip velocity and heat are proportional to it", "Give it in mm/s.");
+  require(!problem.friction_falls() || problem.motion != MotionKind::shift, "A shift has no slip velocity",
+          "friction falls with it", "Choose rolling, or leave out the law.");
+  require(problem.kinetic == 1 || !problem.friction_varies(), "There are two laws of friction",
+          "kinetic is below 1, and friction falls with slip velocity or temperature", "Leave out one.");
   if (problem.heating)
     validate_heating(problem);
 }
@@ -128,14 +128,15 @@ void validate_friction(const ContactProblem& problem) {
   const auto is_friction = [](double mu) { return std::isfinite(mu) && mu >= 0; };
   require(is_friction(problem.friction) &&
               std::all_of(problem.friction_rows.begin(), problem.friction_rows.end(), is_friction),
-          "the friction coefficient is not one", std::to_string(problem.friction), "give mu >= 0");
+          "A friction coefficient is negative or not finite",
+          "that of the grid is " + std::to_string(problem.friction), "Give mu >= 0, in each row too.");
   require(problem.friction_rows.empty() ||
               problem.friction_rows.size() == static_cast<std::size_t>(problem.grid.ms),
-          "the friction coefficients do not fit the grid",
+          "The friction coefficients do not fit the grid",
           std::to_string(problem.friction_rows.size()) + " for " + std::to_string(problem.grid.ms) + " rows",
-          "give one for each row");
-  require(problem.kinetic > 0 && problem.kinetic <= 1, "friction in slip is not below that in adhesion",
-          "their ratio is " + std::to_string(problem.kinetic), "give a ratio above 0 and at most 1");
+          "Give one for each row.");
+  require(problem.kinetic > 0 && problem.kinetic <= 1, "Friction in slip is not below that in adhesion",
+          "their ratio is " + std::to_string(problem.kinetic), "Give a ratio above 0 and at most 1.");
   validate_friction_law(problem);
   require_field(problem.slip_x, problem.grid, "rigid slip along x");
   require_field(problem.slip_s, problem.grid, "rigid slip along s");
@@ -143,10 +144,10 @@ void validate_friction(const ContactProblem& problem) {
     for (const std::vector<double>* field : {&former.px, &former.ps, &former.pn})
       require_field(*field, problem.grid, "traction of a former step");
   for (const auto& force : {problem.force_x, problem.force_s}) {
-    require(!force || std::isfinite(*force), "the shear force prescribed is not finite", "NaN or infinity",
-            "give it in N");
-    require(!force || problem.has_friction(), "no shear force can be carried", "there is no friction",
-            "give a friction coefficient, or no shear force");
+    require(!force || std::isfinite(*force), "The shear force prescribed is not finite", "NaN or infinity",
+            "Give it in N.");
+    require(!force || problem.has_friction(), "No shear force can be carried", "there is no friction",
+            "Give a friction coefficient, or no shear force.");
   }
 }
 
@@ -168,31 +169,31 @@ ContactRow row_at(const ContactProblem& problem, double s) {
 
 void validate(const ContactProblem& problem) {
   const ContactGrid& grid = problem.grid;
-  require(grid.mx > 0 && grid.ms > 0, "the grid is empty",
-          std::to_string(grid.mx) + " x " + std::to_string(grid.ms) + " elements", "set mx and ms above 0");
+  require(grid.mx > 0 && grid.ms > 0, "The grid is empty",
+          std::to_string(grid.mx) + " x " + std::to_string(grid.ms) + " elements", "Set mx and ms above 0.");
   require(std::isfinite(grid.ds) && grid.ds > 0 && std::isfinite(grid.dx) && std::isfinite(grid.x0) &&
               (grid.dx > 0 || problem.plane_strain()),
-          "the elements have no size", "dx, ds must be above 0 and x0 finite", "set dx and ds in mm");
-  require(problem.rows.size() == static_cast<std::size_t>(grid.ms), "the rows do not fit the grid",
+          "The elements have no size", "dx, ds must be above 0 and x0 finite", "Set dx and ds in mm.");
+  require(problem.rows.size() == static_cast<std::size_t>(grid.ms), "The rows do not fit the grid",
           std::to_string(problem.rows.size()) + " rows for ms = " + std::to_string(grid.ms),
-          "give the middle of each row");
+          "Give the middle of each row.");
   for (const ContactRow& row : problem.rows)
     require(std::isfinite(row.s) && std::isfinite(row.position.y) && std::isfinite(row.position.z) &&
                 std::isfinite(row.delta),
-            "a row of the grid is not finite", "row " + std::to_string(&row - problem.rows.data()),
-            "give finite s, position and inclination");
+            "A row of the grid is not finite", "row " + std::to_string(&row - problem.rows.data()),
+            "Give finite s, position and inclination.");
   validate_numbers(problem);
   require_field(problem.gap, grid, "undeformed distance");
   if (problem.load == LoadKind::approach)
-    require(std::isfinite(problem.approach), "the approach is not finite", "NaN or infinity",
-            "give it in mm");
+    require(std::isfinite(problem.approach), "The approach is not finite", "NaN or infinity",
+            "Give it in mm.");
   else {
-    require(std::isfinite(problem.force) && problem.force >= 0, "the force is not a force",
-            std::to_string(problem.force) + " N", "give Fz >= 0 in N");
+    require(std::isfinite(problem.force) && problem.force >= 0, "The force is negative or not finite",
+            std::to_string(problem.force) + " N", "Give a vertical force of 0 or more, in N.");
     require(std::any_of(problem.rows.begin(), problem.rows.end(),
                         [](const ContactRow& row) { return std::cos(row.delta) > 1e-6; }),
-            "no row can carry a vertical force", "every row is inclined by 90 degrees or more",
-            "prescribe the approach, or turn the frame");
+            "No row can carry a vertical force", "every row is inclined by 90 degrees or more",
+            "Prescribe the approach, or turn the frame.");
   }
   if (problem.tangential)
     validate_friction(problem);

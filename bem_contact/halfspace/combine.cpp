@@ -14,8 +14,8 @@ InfluenceNumbers combine(const InfluenceNumbers& lower, InfluenceNumbers upper) 
   };
   if (lower.offsets != upper.offsets || lower.rows != upper.rows || !same(lower.dx, upper.dx) ||
       !same(lower.ds, upper.ds))
-    throw InputError("the influence numbers of two bodies cannot be added", "they belong to different grids",
-                     "expand both for the same grid");
+    throw InputError("The influence numbers of two bodies cannot be added", "they belong to different grids",
+                     "Expand both for the same grid.");
   if (lower.translational != upper.translational)
     return combine(spelled_out(lower), spelled_out(upper));
   // Either form has threes [j] of a row after each other, and three or more such rows [i].

@@ -14,9 +14,9 @@ InfluenceNumbers numbers(const Material& material, double dx, double ds, int off
   require_size(dx, "length dx");
   require_size(ds, "width ds");
   if (offsets < 1 || rows < 1)
-    throw InputError("an influence table without elements was asked for",
+    throw InputError("An influence table without elements was asked for",
                      std::to_string(offsets) + " offsets, " + std::to_string(rows) + " rows",
-                     "ask for at least one of each");
+                     "Ask for at least one of each.");
   InfluenceNumbers result{offsets, rows, dx, ds, {}, true};
   result.values.resize(result.expected_values());
   LineStore only_now;
@@ -37,8 +37,8 @@ InfluenceNumbers numbers(const Material& material, double dx, double ds, int off
 InfluenceNumbers plane_strain_numbers(const Material& material, double ds, int rows,
                                       double reference_distance) {
   if (rows < 1)
-    throw InputError("an influence table without elements was asked for", std::to_string(rows) + " rows",
-                     "ask for at least one row");
+    throw InputError("An influence table without elements was asked for", std::to_string(rows) + " rows",
+                     "Ask for at least one row.");
   InfluenceNumbers result{1, rows, 0, ds, {}};
   result.values.resize(9 * static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows));
   for (int d = 1 - rows; d < rows; ++d) {

@@ -27,9 +27,9 @@ Matrix3 assemble(const Material& material, const Kernels& k) {
 void require_size(double value, const char* name) {
   constexpr double least = 1e-30, most = 1e30; // their cubes and ratios stay numbers
   if (!(value >= least && value <= most))
-    throw InputError(std::string("the element's ") + name + " is not a positive number",
+    throw InputError(std::string("The element's ") + name + " is not a positive number",
                      value > 0 ? "it lies outside 1e-30 .. 1e30 mm" : std::to_string(value) + " mm",
-                     "give a positive length in mm");
+                     "Give a positive length in mm.");
 }
 
 } // namespace bem_contact::halfspace

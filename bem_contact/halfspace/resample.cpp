@@ -19,14 +19,14 @@ namespace {
 
 void check_rows(const InfluenceFunction& function, std::span<const double> row_s, double ds) {
   if (row_s.empty() || !(std::isfinite(ds) && ds > 0))
-    throw InputError("influence numbers cannot be resampled",
+    throw InputError("Influence numbers cannot be resampled",
                      std::to_string(row_s.size()) + " rows of " + std::to_string(ds) + " mm",
-                     "give at least one row and a width above 0");
+                     "Give at least one row and a width above 0.");
   for (std::size_t i = 1; i < row_s.size(); ++i)
     if (!((row_s[i] - row_s[i - 1]) * (row_s[row_s.size() - 1] - row_s[0]) > 0))
-      throw InputError("influence numbers cannot be resampled",
+      throw InputError("Influence numbers cannot be resampled",
                        "the rows are not in the order of the arc length",
-                       "give ascending or descending rows");
+                       "Give ascending or descending rows.");
   const auto [low, high] = std::minmax(row_s.front(), row_s.back());
   require_strip(function, low - required_half_row * ds, high + required_half_row * ds);
 }

@@ -79,10 +79,10 @@ std::array<Stress, 3> rectangle_stress(double poisson, double x, double s, doubl
   require_size(2 * a, "length 2a");
   require_size(2 * b, "width 2b");
   if (!(std::isfinite(x) && std::isfinite(s) && std::isfinite(n) && n > 0))
-    throw InputError("there is no stress below the surface at this point",
+    throw InputError("There is no stress below the surface at this point",
                      "(x, s, n) = (" + std::to_string(x) + ", " + std::to_string(s) + ", " +
                          std::to_string(n) + ")",
-                     "give finite coordinates and a depth above 0");
+                     "Give finite coordinates and a depth above 0.");
   Potentials d;
   d.add_corner(1, x + a, s + b, n);
   d.add_corner(-1, x - a, s + b, n);

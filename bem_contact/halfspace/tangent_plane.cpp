@@ -59,8 +59,8 @@ InfluenceNumbers tangent_plane_numbers(const Material& material, const StripGrid
                                        std::span<const StripRow> rows) {
   const int n = static_cast<int>(rows.size());
   if (n < 1 || grid.offsets < 1)
-    throw InputError("an influence table without elements was asked for", std::to_string(n) + " rows",
-                     "ask for at least one row and one offset");
+    throw InputError("An influence table without elements was asked for", std::to_string(n) + " rows",
+                     "Ask for at least one row and one offset.");
   const bool plane_strain = grid.dx == 0;
   InfluenceNumbers out;
   out.offsets = plane_strain ? 1 : grid.offsets;

@@ -129,18 +129,18 @@ void expand_kernel(const InfluenceFunction& f, const ExpandOptions& o, StationRa
 /// How many elements of the table make one that is asked for: whole multiples alone are served.
 int checked_parts(const InfluenceFunction& f, const ExpandOptions& o, const Scaling& scaling) {
   if (o.structural != StructuralCompliance::included)
-    throw InputError("the structural compliance of '" + f.body + "' cannot be removed",
+    throw InputError("The structural compliance of '" + f.body + "' cannot be removed",
                      "its file is a table of influence numbers and knows no remote section",
                      "Use structural compliance 'included'.");
   const double parts = scaling.dx / f.table_dx;
   if (!(parts >= 1 - whole_ratio_slack) || std::abs(parts - std::round(parts)) > whole_ratio_slack * parts)
-    throw InputError("the influence numbers of '" + f.body + "' do not serve dx = " + std::to_string(o.dx) +
+    throw InputError("The influence numbers of '" + f.body + "' do not serve dx = " + std::to_string(o.dx) +
                          " mm",
                      "they are a table of elements " + std::to_string(f.table_dx * scaling.load) +
                          " mm long at this radius",
                      "Use that length or a whole multiple of it, or compute them with another solid.dx.");
   if (o.offsets * parts > static_cast<double>(f.table_offsets()) + 0.5)
-    throw InputError("the patch is longer than the table of influence numbers of '" + f.body + "'",
+    throw InputError("The patch is longer than the table of influence numbers of '" + f.body + "'",
                      std::to_string(o.offsets) + " elements of " + std::to_string(o.dx) +
                          " mm, the table has " + std::to_string(f.table_offsets()) + " of " +
                          std::to_string(f.table_dx * scaling.load) + " mm",
@@ -176,7 +176,7 @@ StationRange checked_range(const InfluenceFunction& f, const ExpandOptions& o) {
   const auto total = static_cast<int>(f.station_count());
   const int count = o.stations < 0 ? total - o.first_station : o.stations;
   if (o.first_station < 0 || count < 1 || o.first_station > total - count)
-    throw InputError("stations were asked for that the influence functions of '" + f.body + "' do not have",
+    throw InputError("Stations were asked for that the influence functions of '" + f.body + "' do not have",
                      std::to_string(count) + " from number " + std::to_string(o.first_station) + " on, of " +
                          std::to_string(total),
                      "Ask for stations on the strip.");
@@ -185,11 +185,11 @@ StationRange checked_range(const InfluenceFunction& f, const ExpandOptions& o) {
 
 Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
   if (!(std::isfinite(o.dx) && o.dx >= 0) || o.offsets < 1)
-    throw InputError("influence numbers cannot be expanded",
+    throw InputError("Influence numbers cannot be expanded",
                      "dx = " + std::to_string(o.dx) + " mm, " + std::to_string(o.offsets) + " offsets",
                      "Give dx >= 0 and at least one offset.");
   if (!(std::isfinite(o.contact_radius) && o.contact_radius >= 0))
-    throw InputError("influence numbers cannot be expanded",
+    throw InputError("Influence numbers cannot be expanded",
                      "contact radius " + std::to_string(o.contact_radius) + " mm", "Give a radius above 0.");
   Scaling scaling{o.dx, 1};
   if (f.invariance == Invariance::revolution && o.contact_radius > 0) {
@@ -200,19 +200,19 @@ Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
     return scaling;
   if (o.dx == 0) {
     if (o.offsets != 1)
-      throw InputError("plane strain has no offsets along x", std::to_string(o.offsets) + " were asked for",
+      throw InputError("Plane strain has no offsets along x", std::to_string(o.offsets) + " were asked for",
                        "Ask for one offset, or give dx.");
     return scaling;
   }
   const double largest = f.wavenumber.back();
   if (f.wavenumber_count() < 3 || largest * scaling.dx / 2 < least_half_element_phase * (1 - phase_slack))
-    throw InputError("the influence functions of '" + f.body +
+    throw InputError("The influence functions of '" + f.body +
                          "' are too coarse along x for dx = " + std::to_string(o.dx) + " mm",
                      largest > 0 ? "they serve dx >= " + std::to_string(shortest_dx(f) * scaling.load) + " mm"
                                  : "they hold plane strain only",
                      "Use longer elements, or compute them with a smaller harmonic.shortest_dx.");
   if (o.offsets * scaling.dx > f.half_period)
-    throw InputError("the patch is longer than the half period of the influence functions of '" + f.body +
+    throw InputError("The patch is longer than the half period of the influence functions of '" + f.body +
                          "'",
                      std::to_string(o.offsets) + " elements of " + std::to_string(o.dx) +
                          " mm, half period " + std::to_string(f.half_period) + " mm",

@@ -24,7 +24,7 @@ std::ifstream open_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in)
     throw InputError(
-        "the influence file '" + file.string() + "' cannot be opened",
+        "The influence file '" + file.string() + "' cannot be opened",
         file_exists(file) ? "no permission to read it" : "there is no such file",
         fmt::format("Check its name, or compute it from the body file: tools/influence BODY.toml {}",
                     file.string()));
@@ -74,19 +74,19 @@ void check_seal(const std::filesystem::path& file, int format_major) {
   std::size_t size = 0;
   head >> word >> major >> dot >> minor >> word >> size;
   if (!head)
-    throw InputError("the influence file " + name + " is damaged", "its first 512 bytes cannot be read",
+    throw InputError("The influence file " + name + " is damaged", "its first 512 bytes cannot be read",
                      again);
   if (major != format_major)
-    throw InputError("the influence file " + name + " has format version " + std::to_string(major) + "." +
+    throw InputError("The influence file " + name + " has format version " + std::to_string(major) + "." +
                          std::to_string(minor),
                      "this program reads version " + std::to_string(format_major),
                      "Compute it again with the fem_influence of this version.");
   if (found < size || found < seal_size)
-    throw InputError("the influence file " + name + " is truncated",
+    throw InputError("The influence file " + name + " is truncated",
                      "it holds " + std::to_string(found) + " of " + std::to_string(size) + " bytes", again);
   const auto expected = make_seal(major, minor, found, sha256_of_rest(in));
   if (std::memcmp(expected.data(), first.data(), seal_size) != 0)
-    throw InputError("the influence file " + name + " was altered", "its checksum does not hold", again);
+    throw InputError("The influence file " + name + " was altered", "its checksum does not hold", again);
 }
 
 } // namespace bem_contact

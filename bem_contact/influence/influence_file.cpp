@@ -82,7 +82,7 @@ InfluenceFunction read_contents(const std::filesystem::path& file) {
   std::string invariance;
   read(root, "invariance", invariance);
   if (invariance != prismatic_name && invariance != revolution_name)
-    throw InputError("the influence file '" + file.string() + "' has the invariance '" + invariance + "'",
+    throw InputError("The influence file '" + file.string() + "' has the invariance '" + invariance + "'",
                      "there are 'prismatic' and 'revolution'", "Compute it again.");
   f.invariance = invariance == revolution_name ? Invariance::revolution : Invariance::prismatic;
   const std::vector<double> stations = read_table(root, "stations", {0, 4});

@@ -11,7 +11,7 @@ namespace bem_contact {
 namespace {
 
 [[noreturn]] void refuse(const std::string& problem, const std::string& why) {
-  throw InputError("the influence function is not valid: " + problem, why,
+  throw InputError("The influence function is not valid: " + problem, why,
                    "Compute the influence file again.");
 }
 
@@ -28,7 +28,8 @@ void require_length(std::span<const double> values, std::size_t expected, const 
 void require_finite(std::span<const double> values, const std::string& name) {
   const auto bad = std::find_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); });
   if (bad != values.end())
-    refuse(name + " is not finite", "entry " + std::to_string(bad - values.begin()));
+    refuse(name + " is not finite",
+           "its entry " + std::to_string(bad - values.begin()) + " is NaN or infinite");
 }
 
 void validate_metadata(const InfluenceFunction& f) {
@@ -39,7 +40,8 @@ void validate_metadata(const InfluenceFunction& f) {
   require(std::isfinite(f.half_period) && f.half_period > 0, "its half period is not positive",
           std::to_string(f.half_period) + " mm");
   require(std::isfinite(f.betti_error) && std::isfinite(f.reaction_error) && std::isfinite(f.estimated_error),
-          "one of its error estimates is not finite", "betti, reaction or estimated error");
+          "one of its error estimates is not finite",
+          "the Betti, reaction and estimated errors must be numbers");
   if (f.invariance == Invariance::revolution) {
     require(std::isfinite(f.reference_radius) && f.reference_radius > 0,
             "its reference radius is not positive", std::to_string(f.reference_radius) + " mm");

@@ -101,8 +101,8 @@ bool PartialInfluenceFile::has(std::size_t k) const {
 void PartialInfluenceFile::write(std::size_t k, std::vector<double> numbers) {
   const std::size_t needed = impl_->numbers();
   if (k >= impl_->wavenumber.size() || numbers.size() < needed || numbers.size() > needed + most_errors)
-    throw Error("a wavenumber's numbers do not fit the partial influence file", "wrong index or size",
-                "report this as a bug");
+    throw Error("A wavenumber's numbers do not fit the partial influence file", "wrong index or size",
+                "Report this as a bug.");
   const std::uint64_t number = k;
   std::string record;
   append(record, std::span(&number, 1));
@@ -114,7 +114,7 @@ void PartialInfluenceFile::write(std::size_t k, std::vector<double> numbers) {
 void PartialInfluenceFile::take_into(InfluenceFunction& function, std::vector<double>& errors) {
   const std::size_t count = impl_->wavenumber.size();
   if (impl_->in_order < count)
-    throw InputError("the influence functions are not complete",
+    throw InputError("The influence functions are not complete",
                      "wavenumber " + std::to_string(impl_->in_order) + " of " + std::to_string(count) +
                          " is missing in '" + impl_->journal.file().string() + "'",
                      "Run fem_influence again: it goes on where it stopped.");

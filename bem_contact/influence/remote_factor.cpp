@@ -26,7 +26,7 @@ RowMajor remote_factor(const InfluenceFunction& f, StationRange range, Eigen::In
       return factor;
     }
   }
-  throw InputError("the structural compliance of '" + f.body + "' cannot be removed",
+  throw InputError("The structural compliance of '" + f.body + "' cannot be removed",
                    "the remote section's own compliance is not positive definite at wavenumber " +
                        std::to_string(f.wavenumber[static_cast<std::size_t>(k)]) + " 1/mm",
                    "Use structural compliance 'included', or compute the file again.");

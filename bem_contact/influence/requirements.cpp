@@ -20,14 +20,14 @@ template <class... Parts> std::string text(const Parts&... parts) {
 void require_profile(const InfluenceFunction& f, const std::string& profile, std::uint64_t digest) {
   if (f.profile_digest != digest)
     throw InputError(
-        text("the influence functions of '", f.body, "' do not belong to the profile '", profile, "'"),
+        text("The influence functions of '", f.body, "' do not belong to the profile '", profile, "'"),
         text("they were computed for the profile '", f.profile, "', whose geometry differs"),
         "Compute the influence functions of this profile, or name their own profile.");
 }
 
 void require_material(const InfluenceFunction& f, const Material& material) {
   if (!(f.material == material))
-    throw InputError(text("the influence functions of '", f.body, "' do not belong to this material"),
+    throw InputError(text("The influence functions of '", f.body, "' do not belong to this material"),
                      text("they hold for G = ", f.material.shear_modulus, " MPa, nu = ", f.material.poisson,
                           ", not G = ", material.shear_modulus, " MPa, nu = ", material.poisson),
                      "Compute them for this material, or give the body theirs.");
@@ -38,7 +38,7 @@ void require_order(const InfluenceFunction& lower, const InfluenceFunction& uppe
     return std::cos(f.stations[f.stations.size() / 2].delta) < 0;
   };
   if (faces_down(lower) && !faces_down(upper))
-    throw InputError("the two influence files are exchanged",
+    throw InputError("The two influence files are exchanged",
                      text("the material of '", lower.body,
                           "', which is given as the rail, lies above its surface; "
                           "that of '",
@@ -52,7 +52,7 @@ void require_strip(const InfluenceFunction& f, double s_from, double s_to) {
   // Negated, so that NaN is refused.
   if (!(s_from >= from - rounding && s_to <= to + rounding && s_from <= s_to))
     throw OffStripError(
-        text("the patch from s = ", s_from, " to ", s_to, " mm leaves the contact strip of '", f.body, "'"),
+        text("The patch from s = ", s_from, " to ", s_to, " mm leaves the contact strip of '", f.body, "'"),
         text("its influence functions cover s = ", from, " to ", to, " mm"),
         "Compute them for a wider strip, or move the patch.");
 }

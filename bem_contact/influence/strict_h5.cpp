@@ -28,7 +28,7 @@ OpenTable open_table(hid_t at, const char* name, Shape shape) {
     if (shape[i] == 0 && found[i] > 0 && found[i] < most_extent)
       shape[i] = found[i];
   if (!fits || found != shape)
-    throw InputError("the influence file's table '" + std::string(name) + "' has the wrong shape or type",
+    throw InputError("The influence file's table '" + std::string(name) + "' has the wrong shape or type",
                      "it does not fit the file's stations and wavenumbers",
                      "Compute the influence file again.");
   return {std::move(set), std::move(shape)};
@@ -39,7 +39,7 @@ OpenTable open_table(hid_t at, const char* name, Shape shape) {
 Handle::Handle(hid_t id, herr_t (*close)(hid_t), std::string_view what) : H5Handle(id, close) {
   if (id < 0)
     throw InputError("HDF5 failed at " + std::string(what),
-                     "see data/INFLUENCE_FORMAT.md for what is expected",
+                     "what data/INFLUENCE_FORMAT.md asks for is missing or of another type",
                      "Compute the influence file again.");
 }
 
@@ -54,9 +54,9 @@ Handle open_scalar(hid_t at, const char* name, H5T_class_t wanted) {
   const Handle space(H5Aget_space(attribute), H5Sclose, name);
   const Handle type(H5Aget_type(attribute), H5Tclose, name);
   if (H5Sget_simple_extent_npoints(space) != 1 || H5Tget_class(type) != wanted)
-    throw InputError("the influence file's attribute '" + std::string(name) +
-                         "' is not one value of the right type",
-                     "see data/INFLUENCE_FORMAT.md", "Compute the influence file again.");
+    throw InputError(
+        "The influence file's attribute '" + std::string(name) + "' is not one value of the right type",
+        "data/INFLUENCE_FORMAT.md says which type it must have", "Compute the influence file again.");
   return attribute;
 }
 

@@ -52,7 +52,7 @@ double length_to_axis(const std::vector<CurvePiece>& pieces) {
 
 ProfileCurve ProfileCurve::from_pieces(std::string name, std::vector<CurvePiece> pieces) {
   if (pieces.empty())
-    throw InputError(fmt::format("profile '{}' is empty", name), "a curve needs at least one piece",
+    throw InputError(fmt::format("Profile '{}' is empty", name), "a curve needs at least one piece",
                      "Give its pieces.");
   // The chord tells which way the curve is walked, hence the branch of delta: near 0 on a rail, near pi on
   // a wheel.
@@ -98,14 +98,14 @@ ProfileCurve ProfileCurve::through_points(std::string name, std::span<const Poin
 ProfileCurve ProfileCurve::through_points(std::string name, std::span<const Point2> points,
                                           std::span<const std::size_t> corners) {
   if (points.size() < 3)
-    throw InputError(fmt::format("profile '{}' has {} points", name, points.size()),
+    throw InputError(fmt::format("Profile '{}' has {} points", name, points.size()),
                      "a curve needs at least 3", "Give more points.");
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!(std::isfinite(points[i].y) && std::isfinite(points[i].z)))
-      throw InputError(fmt::format("point {} of profile '{}' is not a number", i + 1, name),
+      throw InputError(fmt::format("Point {} of profile '{}' is not a number", i + 1, name),
                        "coordinates must be finite", "Remove or mend the point.");
     if (i > 0 && norm(points[i] - points[i - 1]) < coinciding_points)
-      throw InputError(fmt::format("points {} and {} of profile '{}' coincide", i, i + 1, name),
+      throw InputError(fmt::format("Points {} and {} of profile '{}' coincide", i, i + 1, name),
                        "a curve has no direction there", "Remove one of them.");
   }
   std::vector<CurvePiece> pieces;
@@ -134,7 +134,7 @@ const CurvePiece& ProfileCurve::piece_at(double s) const {
 
 CurvePoint ProfileCurve::at(double s) const {
   if (!(s >= s_begin_ - end_slack && s <= s_end_ + end_slack))
-    throw InputError(fmt::format("arc length s = {} mm is off the profile '{}'", s, name_),
+    throw InputError(fmt::format("Arc length s = {} mm is off the profile '{}'", s, name_),
                      fmt::format("the profile runs from {:.6g} to {:.6g} mm", s_begin_, s_end_),
                      "Ask for a point on the profile.");
   s = std::clamp(s, s_begin_, s_end_);
@@ -145,7 +145,7 @@ CurvePoint ProfileCurve::at(double s) const {
 
 CurvePoint ProfileCurve::nearest(Point2 p) const {
   if (!(std::isfinite(p.y) && std::isfinite(p.z)))
-    throw InputError(fmt::format("no point of the profile '{}' is nearest to ({}, {})", name_, p.y, p.z),
+    throw InputError(fmt::format("No point of the profile '{}' is nearest to ({}, {})", name_, p.y, p.z),
                      "coordinates must be finite", "Check where they come from.");
   // |p - middle| bounds the distance to a piece from above, |p - middle| - length/2 from below.
   const auto squared = [&](const CurvePiece& piece) { return dot(p - piece.middle, p - piece.middle); };

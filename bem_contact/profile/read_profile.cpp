@@ -36,13 +36,13 @@ ProfileCurve profile_of_body(const std::filesystem::path& file, ProfileKind kind
   ProfileCurve curve = body_profile(body);
   const double delta = curve.at((curve.s_begin() + curve.s_end()) / 2).delta;
   if ((std::cos(delta) > 0) != (kind == ProfileKind::rail))
-    throw InputError(fmt::format("the body in {} is {} body", file.string(),
+    throw InputError(fmt::format("The body in {} is {} body", file.string(),
                                  kind == ProfileKind::rail ? "an upper" : "a lower"),
                      fmt::format("a {} is asked for", name_of(kind)),
                      "Walk its contact surface the other way round, the material on the other side.");
   if (kind == ProfileKind::rail && body.body.kind == BodyKind::outline && body.body.reference_radius > 0)
     throw InputError(
-        fmt::format("the body in {} is no rail: it is curved along x, about an axle {:g} mm above",
+        fmt::format("The body in {} is no rail: it is curved along x, about an axle {:g} mm above",
                     file.string(), body.body.reference_radius),
         "the distance of the surfaces is that to a straight rail",
         "Use kind = \"patch\": gap.a has the curvatures along x, and influence files of rings serve there.");
@@ -140,7 +140,7 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
   if (text.starts_with("\xef\xbb\xbf")) // a byte order mark
     text.remove_prefix(3);
   if (std::ranges::count(text, '\n') > most_points)
-    throw InputError(fmt::format("the profile {} has more than {} points", source, most_points),
+    throw InputError(fmt::format("The profile {} has more than {} points", source, most_points),
                      "a measured profile has some thousands", "Take fewer of its points.");
   MeasuredPoints measured = points_of(text, source, kind, part, reading.mirror);
   ProfileReading how = reading;
@@ -227,7 +227,7 @@ ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::f
     const auto like =
         uic ? std::vector{fmt::format("{}E1 (its name in EN 13674-1)", name.substr(name.size() - 2))}
             : nearest_names(name, standard_profile_names());
-    throw InputError(fmt::format("unknown profile '{}'", name),
+    throw InputError(fmt::format("Unknown profile '{}'", name),
                      fmt::format("it is none of the standards {} and there is no file {}",
                                  fmt::join(standard_profile_names(), ", "), file.string()),
                      like.empty() ? "Check the name or the path."

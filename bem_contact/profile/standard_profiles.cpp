@@ -163,7 +163,7 @@ ProfileCurve standard_profile(std::string_view name) {
   if (is_standard_profile(name))
     return rail_head_profile(name);
   const auto like = nearest_names(name, standard_profile_names());
-  throw InputError(fmt::format("unknown profile '{}'", name),
+  throw InputError(fmt::format("Unknown profile '{}'", name),
                    fmt::format("built in are {}", fmt::join(standard_profile_names(), ", ")),
                    like.empty() ? "Use one of these or the path of a profile file."
                                 : fmt::format("Did you mean {}?", fmt::join(like, " or ")));
@@ -193,7 +193,7 @@ std::string graft_base(const BodyFile::Body& body) {
                            : body.kind == BodyKind::rail ? "60E1"
                                                          : "S1002";
   if (!is_standard_profile(base) || (base == "S1002") != (body.kind == BodyKind::wheel))
-    throw InputError(fmt::format("a {} cannot be grafted onto '{}'", name_of(body.kind), base),
+    throw InputError(fmt::format("A {} cannot be grafted onto '{}'", name_of(body.kind), base),
                      "bodies are known of the standard profiles only",
                      body.kind == BodyKind::rail ? "Use 60E1, 60E2, 54E1 or 46E3." : "Use S1002.");
   return base;

@@ -33,7 +33,7 @@ std::unique_ptr<PythonSequence> sequence_of(const py::object& scene, const py::a
                                             const py::kwargs& unknown) {
   refuse_unknown("Sequence", {"scene", "folder", "threads"}, more, unknown);
   if (threads < 1 || threads > most_threads)
-    throw InputError("a Sequence cannot have " + std::to_string(threads) + " threads",
+    throw InputError("A Sequence cannot have " + std::to_string(threads) + " threads",
                      "it takes 1 to " + std::to_string(most_threads),
                      "Give as many as the machine has cores.");
   return std::make_unique<PythonSequence>(scene_of(scene, folder), threads);

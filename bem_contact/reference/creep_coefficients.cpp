@@ -124,10 +124,10 @@ MatrixXd leading_edge(const Monomials& basis) {
 
 CreepCoefficients creep_coefficients(double a_over_b, double poisson, int degree) {
   if (!(a_over_b >= 0.1 && a_over_b <= 10 && poisson >= 0 && poisson <= 0.5 && degree >= 2 && degree <= 20))
-    throw InputError("no creep coefficients of such an ellipse",
+    throw InputError("No creep coefficients of such an ellipse",
                      "a/b is " + std::to_string(a_over_b) + ", Poisson's ratio " + std::to_string(poisson) +
                          ", the degree " + std::to_string(degree),
-                     "give a/b of .1 to 10, a ratio of 0 to .5 and a degree of 2 to 20");
+                     "Give a/b of .1 to 10, a ratio of 0 to .5 and a degree of 2 to 20.");
   const double a = std::sqrt(a_over_b), b = 1 / a; // c = 1
   const Monomials basis{degree};
   const Eigen::Index n = basis.size(), free = degree + 1;

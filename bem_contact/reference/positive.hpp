@@ -13,9 +13,9 @@ namespace bem_contact::reference {
 inline void require_positive(std::initializer_list<std::pair<const char*, double>> values) {
   for (const auto& [name, value] : values)
     if (!(std::isfinite(value) && value > 0))
-      throw InputError(std::string("a closed form cannot be evaluated: the ") + name + " is " +
+      throw InputError(std::string("A closed form cannot be evaluated: the ") + name + " is " +
                            std::to_string(value),
-                       "it has to be a number above 0", "give a positive value");
+                       "it has to be a number above 0", "Give a positive value.");
 }
 
 } // namespace bem_contact::reference

@@ -36,7 +36,7 @@ std::optional<AssembledSystem> MachineSystem::take() {
     return std::exchange(assembled_, std::nullopt);
   if (!group_.wait())
     throw Error("There are no matrices", "the process that assembles them for all of this machine failed",
-                "see its own message");
+                "See its own message.");
   system_.op.block = blocks_;
   return AssembledSystem{std::move(system_), {order_.begin(), order_.end()}};
 }

@@ -34,7 +34,7 @@ std::vector<int> nested_dissection(std::size_t nodes, const Elements& elements) 
                               of_vertex.data()) == METIS_OK;
   if (!fine)
     throw Error("The unknowns could not be ordered", "METIS refused the mesh's graph",
-                "report this as a bug");
+                "Report this as a bug.");
   for (std::size_t a = 0; a < nodes; ++a)
     place[a] = vertex[a] < 0 ? count++ : static_cast<int>(of_vertex[static_cast<std::size_t>(vertex[a])]);
   return place;

@@ -37,9 +37,9 @@ struct MumpsSolver::Impl {
                        "Check that the mesh's group 'held' holds the body and that no element is inverted.");
     if (id.infog[0] == -13 || id.infog[0] == -9 || id.infog[0] == -8)
       throw Error(std::string("MUMPS ran out of memory in the ") + what, codes,
-                  "use a coarser mesh, a lower degree or fewer processes");
+                  "Use a coarser mesh, a lower degree or fewer processes.");
     throw Error(std::string("MUMPS failed in the ") + what, codes,
-                "look the code up in the MUMPS users' guide");
+                "Look the code up in the MUMPS users' guide.");
   }
 };
 

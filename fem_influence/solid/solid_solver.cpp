@@ -34,7 +34,7 @@ void require_memory(const MumpsSolver& solver, int unknowns) {
         "The 3-D mesh is too large for this machine",
         std::to_string(unknowns) + " unknowns need about " + std::to_string(needed) + " GiB, and " +
             std::to_string(there) + " GiB are free",
-        "raise solid.grading, or lower solid.loads_at_once, solid.elements_per_load or the mesh's own size");
+        "Raise solid.grading, or lower solid.loads_at_once, solid.elements_per_load or the mesh's own size.");
 }
 
 /// Products of each column with a solution.

@@ -354,7 +354,7 @@ TEST_F(CommandLine, WrongArgumentsAreTwo) {
   refused(run("influence expand --centr 3"), {"(bem_contact influence expand has others)", "--centre"});
   refused(run("solve x.toml --threads 0"), {"(--threads: Value 0 not in range 1 to 64)"});
   refused(run("conicity --wheel S1002"), {"--rail is not given", "--rail 60E1"});
-  refused(run("dissolve x.toml"), {"there is no command 'dissolve'", "Did you mean solve?"});
+  refused(run("dissolve x.toml"), {"There is no command 'dissolve'", "Did you mean solve?"});
   const std::string scene = write("s.toml", hertz).string();
   refused(run("'" + scene + "'"), {"Did you mean bem_contact solve " + scene});
   EXPECT_EQ(run("solve x.toml --model magic").code, 2);

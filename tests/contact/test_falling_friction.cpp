@@ -187,25 +187,25 @@ TEST(FallingFriction, WithTemperature) {
 TEST(FallingFriction, WrongOnesAreRefused) {
   ContactProblem problem = locomotive(1e-3, 8, 8);
   problem.falling = {{1.5, 100}};
-  EXPECT_THAT(refusal(problem), HasSubstr("friction does not fall with the slip velocity"));
+  EXPECT_THAT(refusal(problem), HasSubstr("Friction does not fall with the slip velocity"));
   problem.falling = {falling, falling};
-  EXPECT_THAT(refusal(problem), HasSubstr("the laws of friction do not fit the grid"));
+  EXPECT_THAT(refusal(problem), HasSubstr("The laws of friction do not fit the grid"));
   problem.falling = {falling};
   problem.kinetic = 0.5;
-  EXPECT_THAT(refusal(problem), HasSubstr("there are two laws of friction"));
+  EXPECT_THAT(refusal(problem), HasSubstr("There are two laws of friction"));
   problem.kinetic = 1;
   problem.motion = MotionKind::shift;
-  EXPECT_THAT(refusal(problem), HasSubstr("a shift has no slip velocity"));
+  EXPECT_THAT(refusal(problem), HasSubstr("A shift has no slip velocity"));
   problem.motion = MotionKind::steady;
   problem.speed = 0;
-  EXPECT_THAT(refusal(problem), HasSubstr("the rolling speed is missing"));
+  EXPECT_THAT(refusal(problem), HasSubstr("The rolling speed is missing"));
   problem.speed = 1e4;
   problem.heating.emplace().rail_share = 1.5;
-  EXPECT_THAT(refusal(problem), HasSubstr("share of the heat is no share"));
+  EXPECT_THAT(refusal(problem), HasSubstr("share of the heat is not between 0 and 1"));
   problem.heating.emplace().friction = HotFriction{0.5, 100, 50};
-  EXPECT_THAT(refusal(problem), HasSubstr("friction does not fall with temperature"));
+  EXPECT_THAT(refusal(problem), HasSubstr("Friction does not fall with temperature"));
   problem.heating.emplace().wheel.conductivity = 0;
-  EXPECT_THAT(refusal(problem), HasSubstr("a body does not conduct heat"));
+  EXPECT_THAT(refusal(problem), HasSubstr("A body does not conduct heat"));
 }
 
 /// Larger elements have the same law.

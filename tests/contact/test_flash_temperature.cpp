@@ -155,7 +155,7 @@ TEST(FlashTemperature, OfASlidingContact) {
     solve(problem);
     ADD_FAILURE();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("the rolling speed is missing"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("The rolling speed is missing"));
   }
 }
 

@@ -176,7 +176,7 @@ TEST(Loads, ForcesThatFrictionCannotCarryAreRefused) {
       solve(problem);
       FAIL() << "accepted";
     } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr("the shear force prescribed cannot be carried"));
+      EXPECT_THAT(error.what(), testing::HasSubstr("The shear force prescribed cannot be carried"));
       EXPECT_THAT(error.what(), testing::HasSubstr("sum mu p_n dS = 4500 N"));
     }
   }
@@ -197,7 +197,7 @@ TEST(Loads, ForcesThatSlipDoesNotCarryAreFoundOrRefused) {
     solve(problem);
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("the shear force prescribed was not reached"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("The shear force prescribed was not reached"));
     EXPECT_THAT(error.what(), testing::HasSubstr("full slip carries 3150 N"));
   }
 }

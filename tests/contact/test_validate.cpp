@@ -34,10 +34,10 @@ TEST_P(Validate, IsRefusedWithItsMessage) {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 const BadInput bad_inputs[] = {
-    {"EmptyGrid", [](ContactProblem& p) { p.grid.mx = 0; }, "the grid is empty"},
-    {"NoSize", [](ContactProblem& p) { p.grid.dx = 0; }, "the elements have no size"},
-    {"Rows", [](ContactProblem& p) { p.rows.pop_back(); }, "the rows do not fit the grid"},
-    {"RowNaN", [](ContactProblem& p) { p.rows[2].delta = nan; }, "a row of the grid is not finite"},
+    {"EmptyGrid", [](ContactProblem& p) { p.grid.mx = 0; }, "The grid is empty"},
+    {"NoSize", [](ContactProblem& p) { p.grid.dx = 0; }, "The elements have no size"},
+    {"Rows", [](ContactProblem& p) { p.rows.pop_back(); }, "The rows do not fit the grid"},
+    {"RowNaN", [](ContactProblem& p) { p.rows[2].delta = nan; }, "A row of the grid is not finite"},
     {"NumbersRows", [](ContactProblem& p) { p.numbers.rows = 4; }, "do not fit the grid"},
     {"NumbersDx", [](ContactProblem& p) { p.numbers.dx = 0.6; }, "their dx is"},
     {"Offsets", [](ContactProblem& p) { p.numbers.offsets = 6; }, "do not reach across the grid"},
@@ -45,31 +45,32 @@ const BadInput bad_inputs[] = {
     {"NumberNaN", [](ContactProblem& p) { p.numbers.values[7] = nan; }, "is not finite"},
     {"NegativeSelf", [](ContactProblem& p) { p.numbers.at(0, 1, 2, 1, 2) *= -1; }, "is not positive"},
     {"Betti", [](ContactProblem& p) { p.numbers.at(0, 1, 2, 2, 2) *= 1.1; }, "violate Maxwell-Betti"},
-    {"GapSize", [](ContactProblem& p) { p.gap.pop_back(); }, "the undeformed distance does not fit"},
-    {"GapNaN", [](ContactProblem& p) { p.gap[3] = nan; }, "the undeformed distance is not a number"},
-    {"ForceNaN", [](ContactProblem& p) { p.force = nan; }, "the force is not a force"},
-    {"ForceNegative", [](ContactProblem& p) { p.force = -1; }, "the force is not a force"},
+    {"GapSize", [](ContactProblem& p) { p.gap.pop_back(); }, "The undeformed distance does not fit"},
+    {"GapNaN", [](ContactProblem& p) { p.gap[3] = nan; }, "The undeformed distance is not a number"},
+    {"ForceNaN", [](ContactProblem& p) { p.force = nan; }, "The force is negative or not finite"},
+    {"ForceNegative", [](ContactProblem& p) { p.force = -1; }, "The force is negative or not finite"},
     {"Approach",
      [](ContactProblem& p) {
        p.load = LoadKind::approach;
        p.approach = nan;
      },
-     "the approach is not finite"},
+     "The approach is not finite"},
     {"AllVertical",
      [](ContactProblem& p) {
        for (auto& row : p.rows)
          row.delta = -std::numbers::pi / 2;
      },
-     "no row can carry a vertical force"},
-    {"Friction", [](ContactProblem& p) { p.friction = -0.1; }, "the friction coefficient is not one"},
-    {"SlipSize", [](ContactProblem& p) { p.slip_s.clear(); }, "the rigid slip along s does not fit"},
+     "No row can carry a vertical force"},
+    {"Friction", [](ContactProblem& p) { p.friction = -0.1; },
+     "A friction coefficient is negative or not finite"},
+    {"SlipSize", [](ContactProblem& p) { p.slip_s.clear(); }, "The rigid slip along s does not fit"},
     {"PlaneStrainRolling",
      [](ContactProblem& p) {
        p = scenes::flat(scenes::steel, scenes::steel, 1, 5, 0.5, 0.4, 1e-3, 1e-3);
        p.numbers = halfspace::plane_strain_numbers(scenes::steel, 0.4, 5, 100);
        p.tangential = true;
      },
-     "rolling needs elements along x"}};
+     "Rolling needs elements along x"}};
 
 INSTANTIATE_TEST_SUITE_P(Inputs, Validate, testing::ValuesIn(bad_inputs),
                          [](const auto& test) { return test.param.name; });

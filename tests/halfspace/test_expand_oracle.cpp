@@ -108,6 +108,6 @@ TEST(ExpandTable, RefusesOtherLengthsAndWhatItDoesNotKnow) {
   for (const double dx : {0.3, 0.125, 0.0})
     EXPECT_THAT(refusal(f, {.dx = dx, .structural = included}), HasSubstr("a whole multiple of it")) << dx;
   EXPECT_THAT(refusal(f, {.dx = 0.5, .offsets = 13, .structural = included}),
-              HasSubstr("the patch is longer than the table"));
+              HasSubstr("The patch is longer than the table"));
   EXPECT_THAT(refusal(f, {.dx = 0.25}), HasSubstr("Use structural compliance 'included'"));
 }

@@ -153,13 +153,13 @@ TEST(Expand, RefusesWhatTheFileDoesNotServe) {
   EXPECT_THAT(refusal(options_for(0.24, 2)),
               testing::AllOf(HasSubstr("too coarse along x"), HasSubstr("0.25")));
   EXPECT_THAT(refusal(options_for(0.5, 41)), HasSubstr("longer than the half period"));
-  EXPECT_THAT(refusal(options_for(0, 2)), HasSubstr("plane strain has no offsets"));
+  EXPECT_THAT(refusal(options_for(0, 2)), HasSubstr("Plane strain has no offsets"));
   EXPECT_THAT(refusal(options_for(std::nan(""), 2)), HasSubstr("cannot be expanded"));
   EXPECT_THAT(refusal(options_for(0.5, 0)), HasSubstr("cannot be expanded"));
   ExpandOptions options = options_for(0.5, 2);
   options.first_station = 2;
   options.stations = 2;
-  EXPECT_THAT(refusal(options), HasSubstr("stations were asked for"));
+  EXPECT_THAT(refusal(options), HasSubstr("Stations were asked for"));
   options = options_for(0.5, 2);
   options.contact_radius = -1;
   EXPECT_THAT(refusal(options), HasSubstr("contact radius"));

@@ -56,6 +56,6 @@ TEST(RequireOrder, ALowerBodyIsTheRail) {
   EXPECT_NO_THROW(require_order(rail, wheel));
   EXPECT_NO_THROW(require_order(rail, rail)) << "one block serves as both";
   EXPECT_THAT(message_of([&] { require_order(wheel, rail); }),
-              testing::AllOf(testing::HasSubstr("the two influence files are exchanged"),
+              testing::AllOf(testing::HasSubstr("The two influence files are exchanged"),
                              testing::HasSubstr("'a wheel', which is given as the rail, lies above")));
 }

@@ -110,7 +110,7 @@ TEST_F(Graft, AStepAtTheJointIsBlendedSmoothly) {
 TEST_F(Graft, WhatDoesNotFitIsRefusedWithBothFigures) {
   BodyFile body = worn(BodyKind::rail, "60E1", {.depth = 0, .noise = 0, .cut_end = 20}, {-45, -17, 0.25});
   body.body.graft_at = {3, 0};
-  EXPECT_THAT(refusal(body), AllOf(HasSubstr("the profile worn.txt does not fit the body of 60E1"),
+  EXPECT_THAT(refusal(body), AllOf(HasSubstr("The profile worn.txt does not fit the body of 60E1"),
                                    HasSubstr("mm off it, inclined by"), HasSubstr("up to 2 mm and 0.7 rad"),
                                    HasSubstr("graft_at and graft_angle")));
   body.body.graft_at.reset();
@@ -120,7 +120,7 @@ TEST_F(Graft, WhatDoesNotFitIsRefusedWithBothFigures) {
   body.body.graft_onto = "46E3"; // 30 mm lower and narrower
   EXPECT_NE(refusal(body), "no error");
   body.body.graft_onto = "S1002";
-  EXPECT_THAT(refusal(body), HasSubstr("a rail cannot be grafted onto 'S1002'"));
+  EXPECT_THAT(refusal(body), HasSubstr("A rail cannot be grafted onto 'S1002'"));
   body.body.graft_onto = "60E3";
   EXPECT_THAT(refusal(body), AllOf(HasSubstr("cannot be grafted onto '60E3'"), HasSubstr("Use 60E1")));
 }
@@ -192,7 +192,7 @@ TEST_F(Graft, AMissingProfileIsNamed) {
   body.folder = folder.path();
   body.body.profile = "missing.ban";
   EXPECT_THAT(refusal(body),
-              AllOf(HasSubstr("unknown profile 'missing.ban'"), HasSubstr("there is no file")));
+              AllOf(HasSubstr("Unknown profile 'missing.ban'"), HasSubstr("there is no file")));
 }
 
 TEST_F(Graft, PublishedSampleFilesFit) {

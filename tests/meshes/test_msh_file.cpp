@@ -162,7 +162,7 @@ TEST_F(Program, PrintsADefaultThatItReads) {
 
 TEST_F(Program, ExitsWithTwoForWrongInput) {
   EXPECT_EQ(run(""), 2);
-  EXPECT_THAT(text(folder / "err"), HasSubstr("nothing to mesh (a body file and -o OUT.msh are needed)"));
+  EXPECT_THAT(text(folder / "err"), HasSubstr("Nothing to mesh (a body file and -o OUT.msh are needed)"));
   EXPECT_EQ(run("missing.toml -o a.msh"), 2);
   EXPECT_THAT(text(folder / "err"), HasSubstr("missing.toml"));
   EXPECT_EQ(run("--wrong-option"), 2);

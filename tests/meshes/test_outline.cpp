@@ -96,7 +96,7 @@ TEST(Crossings, AreRefused) {
     refuse_crossings(outline, "the bow");
     FAIL() << "the bow was accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("the outline of the bow crosses itself"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("The outline of the bow crosses itself"));
     EXPECT_THAT(error.what(), testing::HasSubstr("near y = "));
     EXPECT_THAT(error.what(), testing::HasSubstr("Check the profile"));
   }

@@ -44,12 +44,12 @@ TEST(OwnBody, HolesAreLeftOut) {
 
 TEST(OwnBody, HolesThatAreNotWithinTheBodyAreRefused) {
   EXPECT_THAT(own_refusal(block({{{50, 10}, 3}})),
-              AllOf(HasSubstr("a hole of plate lies outside the body"), HasSubstr("Move or remove it.")));
+              AllOf(HasSubstr("A hole of plate lies outside the body"), HasSubstr("Move or remove it.")));
   EXPECT_THAT(own_refusal(block({{{0, 10}, 5}, {{0, 10}, 2}})),
-              HasSubstr("a hole of plate lies in another hole"));
-  EXPECT_THAT(own_refusal(block({{{0, 18}, 5}})), HasSubstr("the outline of plate crosses itself"));
+              HasSubstr("A hole of plate lies in another hole"));
+  EXPECT_THAT(own_refusal(block({{{0, 18}, 5}})), HasSubstr("The outline of plate crosses itself"));
   EXPECT_THAT(own_refusal(block({{{0, 10}, 4}, {{3, 10}, 4}})),
-              HasSubstr("the outline of plate crosses itself"));
+              HasSubstr("The outline of plate crosses itself"));
 }
 
 TEST(OwnBody, ASelfCrossingOutlineIsRefused) {
@@ -60,7 +60,7 @@ TEST(OwnBody, ASelfCrossingOutlineIsRefused) {
                        {{-5, -5}},
                        {{-20, 30}, 0, PieceGroup::held}};
   EXPECT_THAT(own_refusal(file),
-              AllOf(HasSubstr("the outline of plate crosses itself"), HasSubstr("near y = ")));
+              AllOf(HasSubstr("The outline of plate crosses itself"), HasSubstr("near y = ")));
 }
 
 TEST(OwnBody, AStripOffTheContactSurfaceIsRefused) {

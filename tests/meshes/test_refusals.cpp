@@ -39,7 +39,7 @@ TEST(Refusals, UnknownProfile) {
 TEST(Refusals, StripOffTheProfile) {
   BodyFile body = body_of(BodyKind::block);
   body.body.size = 4;
-  EXPECT_THAT(refusal(body), AllOf(HasSubstr("the strip from -5 to 5 mm is not on profile block"),
+  EXPECT_THAT(refusal(body), AllOf(HasSubstr("The strip from -5 to 5 mm is not on profile block"),
                                    HasSubstr("the profile runs from -4.000 to 4.000 mm"),
                                    HasSubstr("Change [strip] from and to.")));
   body = body_of(BodyKind::rail);
@@ -84,7 +84,7 @@ TEST(Refusals, OddStripUpToACorner) {
   body.body.size = 5;
   body.strip.station_width = 2;
   body.mesh.elements_per_station = 1;
-  EXPECT_THAT(refusal(body), AllOf(HasSubstr("the strip of block 5 ends at a corner after 5 element edges"),
+  EXPECT_THAT(refusal(body), AllOf(HasSubstr("The strip of block 5 ends at a corner after 5 element edges"),
                                    HasSubstr("Make [mesh] elements_per_station even")));
 }
 
@@ -92,7 +92,7 @@ TEST(Refusals, BoreThatDoesNotFitItsBlock) {
   BodyFile body = body_of(BodyKind::bore);
   body.body.size = 10;
   EXPECT_THAT(refusal(body),
-              HasSubstr("a bore of radius 10 mm does not fit into a block of half width 10 mm"));
+              HasSubstr("A bore of radius 10 mm does not fit into a block of half width 10 mm"));
 }
 
 } // namespace

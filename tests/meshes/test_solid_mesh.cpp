@@ -159,7 +159,7 @@ TEST(SolidMesh, RefusesAnElementLongerThanTheBody) {
     mesh_solid(body);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("an element of 100 mm is too long for a body of 240 mm"));
+    EXPECT_THAT(error.what(), HasSubstr("An element of 100 mm is too long for a body of 240 mm"));
     EXPECT_THAT(error.what(), HasSubstr("Lower solid.dx or raise harmonic.half_period."));
   }
 }

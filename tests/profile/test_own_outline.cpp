@@ -90,23 +90,23 @@ TEST(OwnOutline, a_half_circle_is_the_disc_and_the_bore) {
 
 TEST(OwnOutline, what_is_no_closed_smooth_outline_is_refused) {
   EXPECT_THAT(outline_refusal(toml("")),
-              AllOf(HasSubstr("the outline of part has 0 pieces"), HasSubstr("{ to = [y, z] }")));
+              AllOf(HasSubstr("The outline of part has 0 pieces"), HasSubstr("{ to = [y, z] }")));
   EXPECT_THAT(outline_refusal(toml("{to = [0, 0], group = 'contact'},\n{to = [9, 0], group = 'held'},\n")),
-              HasSubstr("the outline of part has 2 pieces"));
+              HasSubstr("The outline of part has 2 pieces"));
   EXPECT_THAT(outline_refusal(toml("{to = [-10, 10]},\n" + corner)),
-              AllOf(HasSubstr("piece 2 of the outline of part from (-10, 10) to (-10, 10) mm has no length"),
+              AllOf(HasSubstr("Piece 2 of the outline of part from (-10, 10) to (-10, 10) mm has no length"),
                     HasSubstr("the loop is closed")));
   EXPECT_THAT(outline_refusal(
                   toml("{to = [0, 0]},\n{to = [20, 0], radius = -9.9, group = 'contact'},\n{to = [20, 50], "
                        "group = 'held'},\n{to = [0, 50]},\n")),
-              AllOf(HasSubstr("piece 2"), HasSubstr("is no arc"),
+              AllOf(HasSubstr("Piece 2"), HasSubstr("is no arc"),
                     HasSubstr("its ends are 20 mm apart, more than twice its radius of 9.9 mm")));
   const std::string head = "{to = [0, 0]},\n{to = [20, 0], group = 'contact'},\n";
   EXPECT_THAT(outline_refusal(toml(head + "{to = [20, 50]},\n{to = [0, 50]},\n")),
-              AllOf(HasSubstr("nothing holds part"), HasSubstr("group = \"held\"")));
+              AllOf(HasSubstr("Nothing holds part"), HasSubstr("group = \"held\"")));
   EXPECT_THAT(
       outline_refusal(toml(head + "{to = [40, 2], group = 'contact'},\n{to = [0, 50], group = 'held'},\n")),
-      AllOf(HasSubstr("the contact surface of part has a corner at (20, 0) mm"),
+      AllOf(HasSubstr("The contact surface of part has a corner at (20, 0) mm"),
             HasSubstr("meet at 0.09967 rad, at most 0.01")));
   EXPECT_THAT(outline_refusal(toml(head + "{to = [20, 50]},\n{to = [0, 50], group = 'contact'},\n")),
               HasSubstr("form 2 separate runs"));

@@ -126,7 +126,7 @@ TEST(RailHead, of_46E3_is_73_72_wide_where_its_corner_ends) {
 
 TEST(RailSection, says_what_it_does_not_know) {
   EXPECT_THAT(message_of([&] { rail_section("60E3"); }),
-              testing::HasSubstr("unknown rail '60E3' (known are 60E1, 60E2, 54E1 and 46E3)"));
+              testing::HasSubstr("Unknown rail '60E3' (known are 60E1, 60E2, 54E1 and 46E3)"));
 }
 
 } // namespace

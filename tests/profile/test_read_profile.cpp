@@ -273,7 +273,7 @@ TEST(NamedProfile, of_the_right_kind) {
   EXPECT_THROW(named_profile("S1002", ProfileKind::rail), InputError);
   EXPECT_THROW(named_profile("60E1", ProfileKind::wheel), InputError);
   EXPECT_THAT(message_of([&] { named_profile("60F1", ProfileKind::rail, "somewhere"); }),
-              AllOf(HasSubstr("unknown profile '60F1'"), HasSubstr("there is no file somewhere/60F1"),
+              AllOf(HasSubstr("Unknown profile '60F1'"), HasSubstr("there is no file somewhere/60F1"),
                     HasSubstr("Did you mean 60E1")));
 }
 

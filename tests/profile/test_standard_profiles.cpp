@@ -111,7 +111,7 @@ TEST(StandardProfile, an_unknown_name_is_answered_with_the_nearest) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "unknown profile 'S1oo2' (built in are 60E1, 60E2, 54E1, 46E3, S1002) Did you mean S1002?");
+                 "Unknown profile 'S1oo2' (built in are 60E1, 60E2, 54E1, 46E3, S1002) Did you mean S1002?");
   }
 }
 

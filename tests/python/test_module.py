@@ -328,7 +328,7 @@ sweep.position.lateral = { from = 0, to = 2, count = 1000 }
         np.testing.assert_array_equal(by_map["depth"], bem_contact.wear(r, "archard")["depth"])
         with self.assertRaisesRegex(bem_contact.InputError, "2 regions, and it has 1 coefficients"):
             bem_contact.wear(r, "archard", map=([200], [], [[1e-4]]))
-        with self.assertRaisesRegex(bem_contact.InputError, "there is no wear law 'x'"):
+        with self.assertRaisesRegex(bem_contact.InputError, "There is no wear law 'x'"):
             bem_contact.wear(r, "x")
         with self.assertRaisesRegex(bem_contact.InputError, "solved here"):
             bem_contact.wear(pickle.loads(pickle.dumps(r)))

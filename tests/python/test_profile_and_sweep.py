@@ -57,7 +57,7 @@ class Profile(unittest.TestCase):
 
     def test_wrong_input(self):
         for words, arguments in (("neither its name nor its ending", (HOLLOW,)), ("no kind of profiles 'axle'", (HOLLOW, "axle")),
-                                 ("unknown profile 'no_such.txt'", ("no_such.txt", "rail")),
+                                 ("Unknown profile 'no_such.txt'", ("no_such.txt", "rail")),
                                  ("wheel.smoothing", (HOLLOW, "wheel", {"smoothing": -1})),
                                  ("unknown key 'wheel.smoothin'", (HOLLOW, "wheel", {"smoothin": 1}))):
             with self.assertRaisesRegex(bem_contact.InputError, words):

@@ -137,7 +137,7 @@ TEST(CreepCoefficients, AgreeWithAnExtrapolatedBoundaryElementMethod) {
 
 TEST(CreepCoefficients, OfWhatIsNoEllipseAreRefused) {
   const auto message = testing::Throws<InputError>(
-      testing::Property(&InputError::what, testing::HasSubstr("no creep coefficients of such an ellipse")));
+      testing::Property(&InputError::what, testing::HasSubstr("No creep coefficients of such an ellipse")));
   for (const double a_over_b : {0.0, -1.0, 0.05, 11.0, std::nan("")})
     EXPECT_THAT([=] { creep_coefficients(a_over_b, 0.25); }, message) << a_over_b;
   for (const double poisson : {-0.1, 0.51, std::nan("")})

@@ -66,9 +66,9 @@ double shear_imbalance(const ContactProblem& problem, const ContactResult& resul
 void require_fields(const ContactProblem& problem, const ContactResult& result) {
   const std::size_t n = problem.grid.size();
   if (result.px.size() != n || result.ps.size() != n || result.pn.size() != n)
-    throw InputError("the result does not belong to the problem",
+    throw InputError("The result does not belong to the problem",
                      "its fields have another size than the grid",
-                     "certify a result with the problem that it solves");
+                     "Certify a result with the problem that it solves.");
 }
 
 /// u = -A p without the columns ahead of the grid.

@@ -186,7 +186,7 @@ void require_capacity(const ContactProblem& problem, const FoundCreepage& creepa
   const double wanted = std::hypot(problem.force_x.value_or(0), problem.force_s.value_or(0));
   if (creepage.beyond)
     throw InputError(
-        "the shear force prescribed cannot be carried",
+        "The shear force prescribed cannot be carried",
         fmt::format("|F| = {:g} N where friction carries less than sum mu p_n dS = {:g} N", wanted,
                     creepage.capacity),
         problem.friction_varies()
@@ -196,7 +196,7 @@ void require_capacity(const ContactProblem& problem, const FoundCreepage& creepa
   const double slipping = problem.kinetic * creepage.capacity;
   if (!creepage.reached && problem.kinetic < 1 && wanted >= slipping)
     throw InputError(
-        "the shear force prescribed was not reached",
+        "The shear force prescribed was not reached",
         fmt::format("|F| = {:g} N where full slip carries {:g} N, and at no creepage tried does what "
                     "sticks carry the rest",
                     wanted, slipping),

@@ -22,14 +22,14 @@ std::vector<OwnOutline::Piece> joined(const BodyFile::Body& body) {
   const auto& outline = body.outline;
   const auto is_arc = [](const auto& piece) { return piece.radius != 0; };
   if (outline.size() < 2 || (outline.size() == 2 && std::none_of(outline.begin(), outline.end(), is_arc)))
-    throw InputError(fmt::format("the outline of {} has {} pieces", body.name, outline.size()),
+    throw InputError(fmt::format("The outline of {} has {} pieces", body.name, outline.size()),
                      "a closed loop needs at least 3 lines, or 2 pieces one of which is an arc",
                      "Give them in [body] outline = [{ to = [y, z] }, ...].");
   std::vector<OwnOutline::Piece> pieces;
   Point2 from = outline.back().to;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const auto& piece = outline[i];
-    const std::string name = fmt::format("piece {} of the outline of {} from {} to {} mm", i + 1, body.name,
+    const std::string name = fmt::format("Piece {} of the outline of {} from {} to {} mm", i + 1, body.name,
                                          text(from), text(piece.to));
     const double chord = norm(piece.to - from);
     if (chord < shortest_outline_piece)
@@ -57,11 +57,11 @@ OwnOutline split(const std::vector<OwnOutline::Piece>& pieces, const std::string
       begin = i;
     }
   if (runs == 0)
-    throw InputError(fmt::format("the outline of {} has {} contact piece", name, contact(0) ? "only" : "no"),
+    throw InputError(fmt::format("The outline of {} has {} contact piece", name, contact(0) ? "only" : "no"),
                      "the contact surface is a run of neighbouring pieces with two ends",
                      "Give group = \"contact\" to some pieces, not to all.");
   if (runs > 1)
-    throw InputError(fmt::format("the contact pieces of the outline of {} form {} separate runs", name, runs),
+    throw InputError(fmt::format("The contact pieces of the outline of {} form {} separate runs", name, runs),
                      "the contact surface is one curve",
                      "Give group = \"contact\" to neighbouring pieces only.");
   OwnOutline outline;
@@ -76,7 +76,7 @@ void require_smooth(const std::vector<OwnOutline::Piece>& contact, const std::st
     const double turn = after.delta0 - point_on(before, before.length).delta;
     if (const double angle = std::abs(std::remainder(turn, 2 * std::numbers::pi)); angle > tangent_slack)
       throw InputError(
-          fmt::format("the contact surface of {} has a corner at {} mm", name, text(contact[i].shape.from)),
+          fmt::format("The contact surface of {} has a corner at {} mm", name, text(contact[i].shape.from)),
           fmt::format("its pieces meet at {:.4g} rad, at most {} are taken as smooth", angle, tangent_slack),
           "Let the pieces be tangent there, or put a small arc between them.");
   }
@@ -113,11 +113,11 @@ OwnOutline own_outline(const BodyFile::Body& body) {
   const auto held = [](const auto& part) { return part.group == decltype(part.group)::held; };
   if (std::none_of(pieces.begin(), pieces.end(), held) &&
       std::none_of(body.holes.begin(), body.holes.end(), held))
-    throw InputError(fmt::format("nothing holds {}", body.name),
+    throw InputError(fmt::format("Nothing holds {}", body.name),
                      "a body that can move as a whole has no displacement",
                      "Give group = \"held\" to a piece or a hole away from the contact surface.");
   if (!(area_within(pieces) > 0))
-    throw InputError(fmt::format("the outline of {} is walked the wrong way round", body.name),
+    throw InputError(fmt::format("The outline of {} is walked the wrong way round", body.name),
                      "drawn with y to the right and z down the material must be on the right hand",
                      "Reverse the order of the pieces and the signs of their radii.");
   for (const auto& piece : pieces)

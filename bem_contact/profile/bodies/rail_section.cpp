@@ -116,7 +116,7 @@ const RailData& rail_data(std::string_view name) {
       return rail;
   const std::vector<std::string> known{"60E1", "60E2", "54E1", "46E3"};
   const auto like = nearest_names(name, known);
-  throw InputError(fmt::format("unknown rail '{}'", name), "known are 60E1, 60E2, 54E1 and 46E3",
+  throw InputError(fmt::format("Unknown rail '{}'", name), "known are 60E1, 60E2, 54E1 and 46E3",
                    like.empty() ? "Use one of these." : fmt::format("Did you mean {}?", like.front()));
 }
 

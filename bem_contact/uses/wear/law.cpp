@@ -79,7 +79,7 @@ Law law_named(std::string_view name, double hardness, double rolling_speed,
   if (name == law_names[1])
     return ArchardLaw{
         .hardness = hardness, .rolling_speed = rolling_speed, .map = map.value_or(kth_map(hardness))};
-  throw InputError(fmt::format("there is no wear law '{}'", name),
+  throw InputError(fmt::format("There is no wear law '{}'", name),
                    fmt::format("known are {}", fmt::join(law_names, " and ")), "Use one of these.");
 }
 
