@@ -77,7 +77,7 @@ template <auto surface> double highest_temperature(const SceneResult& r) {
   return has_temperatures(r) ? std::ranges::max((*r.result.temperatures).*surface) : none;
 }
 
-constexpr Quantity all[] = {
+constexpr Quantity known_quantities[] = {
     {"Fx", newton, Kind::force, "on the rail", of_result<&ContactResult::Fx>, total<&TotalErrors::Fx>},
     {"Fy", newton, Kind::force, "on the rail, to the right (left wheel: to the left)",
      of_result<&ContactResult::Fy>, total<&TotalErrors::Fy>},
@@ -212,7 +212,7 @@ constexpr PatchQuantity all_of_patches[] = {
 /// The number of that name, of one step.
 constexpr StepQuantity of_each_step(std::string_view name,
                                     double (*value)(const SceneResult&, const ContactResult&)) {
-  const Quantity& q = named(all, name);
+  const Quantity& q = named(known_quantities, name);
   return {q.name, q.unit, q.description, value};
 }
 
@@ -292,7 +292,7 @@ constexpr ElementQuantity all_of_elements[] = {
 } // namespace
 
 std::span<const Quantity> quantities() {
-  return all;
+  return known_quantities;
 }
 
 std::span<const PatchQuantity> patch_quantities() {

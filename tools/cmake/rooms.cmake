@@ -75,6 +75,8 @@ function(conformal_test name)
     set_source_files_properties(${ARG_SOLVERS} PROPERTIES
       COMPILE_OPTIONS $<$<CONFIG:Release>:-O3> SKIP_PRECOMPILE_HEADERS ON)
   endif()
+  # Few at once: helpers of one room's tests may have the same names further apart.
+  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 8)
   target_precompile_headers(${name} REUSE_FROM conformal_test_headers)
   target_link_libraries(${name} PRIVATE conformal_options ${ARG_ROOMS} ${ARG_LIBRARIES}
                         conformal_test_options fmt::fmt GTest::gmock GTest::gtest_main)

@@ -65,7 +65,7 @@ json history_json(const SceneResult& r) {
 }
 
 /// Decimals that leave five digits of `largest`, at least one.
-int decimals_of(double largest) {
+int decimals_for_five(double largest) {
   return largest > 0 ? std::clamp(4 - static_cast<int>(std::floor(std::log10(largest))), 1, 9) : 1;
 }
 
@@ -179,7 +179,7 @@ std::string pressure_text(const SceneResult& r) {
 std::string patches_text(const SceneResult& r, double force) {
   const bool friction = r.problem.has_friction(),
              errors = r.result.discretisation && r.result.discretisation->converges;
-  const int decimals = decimals_of(force);
+  const int decimals = decimals_for_five(force);
   const auto line = [](const auto&... cells) {
     return fmt::format("{:>5} {:>11} {:>11} {:>11} {:>10} {:>9} {:>9}", cells...);
   };
@@ -191,7 +191,8 @@ std::string patches_text(const SceneResult& r, double force) {
     out +=
         line(i + 1, fixed_within(p.fn, e.fn, decimals), fixed_within(p.fx, e.fx, decimals),
              fixed_within(p.fs, e.fs, decimals), fixed_within(p.approach, e.approach, 5),
-             fixed_within(p.pmax, e.pmax, decimals_of(1e1 * p.pmax)), digits_within(p.area, e.area, 5)) +
+             fixed_within(p.pmax, e.pmax, decimals_for_five(1e1 * p.pmax)),
+             digits_within(p.area, e.area, 5)) +
         fmt::format(" {:>8}{}\n", p.contact, friction ? fmt::format(" {:>8} {:>6}", p.adhesion, p.slip) : "");
     if (errors)
       out += line("+-", two_digits(e.fn), two_digits(e.fx), two_digits(e.fs), two_digits(e.approach),
@@ -209,7 +210,7 @@ std::string friction_power_text(const SceneResult& r) {
 /// Each total with its error. `force`: the largest, whose digits all have.
 std::string totals_text(const SceneResult& r, double force) {
   const ContactResult& c = r.result;
-  const int decimals = decimals_of(force);
+  const int decimals = decimals_for_five(force);
   std::string out = fmt::format("on the rail{}: Fx {} N, Fy {} N, Fz {} N, Mz {} N mm; approach {} mm\n",
                                 r.problem.plane_strain() ? ", forces and area per mm of x" : "",
                                 fixed(r, "Fx", decimals), fixed(r, "Fy", decimals), fixed(r, "Fz", decimals),

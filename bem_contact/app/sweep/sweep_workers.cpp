@@ -41,11 +41,11 @@ bool transfer(const auto& call, int handle, auto* at, std::size_t count) {
 }
 
 bool read_bytes(int handle, void* to, std::size_t count) {
-  return transfer(read, handle, static_cast<char*>(to), count);
+  return transfer(::read, handle, static_cast<char*>(to), count);
 }
 
 bool write_bytes(int handle, const void* from, std::size_t count) {
-  return transfer(write, handle, static_cast<const char*>(from), count);
+  return transfer(::write, handle, static_cast<const char*>(from), count);
 }
 
 /// What a worker says of a case.
