@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace bem_contact {
 
@@ -24,6 +26,14 @@ concept NamedEnum = std::is_enum_v<E> && requires {
 
 template <NamedEnum E> constexpr std::string_view name_of(E value) {
   return EnumNames<E>::names[static_cast<std::size_t>(value)];
+}
+
+/// "red, green"
+template <NamedEnum E> std::string names_of(const std::vector<E>& values) {
+  std::string out;
+  for (const E value : values)
+    out.append(out.empty() ? "" : ", ").append(name_of(value));
+  return out;
 }
 
 } // namespace bem_contact

@@ -65,16 +65,12 @@ std::string Schema::unit(std::string_view path) const {
   return key ? key->rule.unit : "";
 }
 
-std::string Schema::name_of_choice(const Key& key) {
-  const NamedChoice& choice = std::get<NamedChoice>(key.target);
-  return choice.names[choice.get()];
-}
-
 bool Schema::belongs(const Key& key) const {
   const Key* kind = kind_path_.empty() ? nullptr : find(kind_path_);
   if (!kind || key.rule.kinds.empty())
     return true;
-  return std::count(key.rule.kinds.begin(), key.rule.kinds.end(), name_of_choice(*kind)) > 0;
+  return std::count(key.rule.kinds.begin(), key.rule.kinds.end(),
+                    std::get<NamedChoice>(kind->target).text()) > 0;
 }
 
 std::string Schema::where(std::string_view path) const {
@@ -170,7 +166,7 @@ void Schema::require_needed() const {
 void Schema::require_kind(const Key& key) const {
   if (!has(key.path) || belongs(key))
     return;
-  const std::string kind = name_of_choice(*find(kind_path_));
+  const std::string kind = std::get<NamedChoice>(find(kind_path_)->target).text();
   refuse(key.path,
          fmt::format("the key has no meaning where {} is \"{}\", only where it is {}", kind_path_, kind,
                      fmt::join(key.rule.kinds, " or ")),

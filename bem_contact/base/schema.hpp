@@ -41,11 +41,13 @@ struct TableList {
   std::string example; ///< a list as TOML, for messages and print()
 };
 
-/// A key with a fixed set of names, bound to an enum: `get` returns and `set` takes an index into `names`.
+/// A key with a fixed set of names, bound to an enum or a list of them: `text` is as the file writes it,
+/// `set` takes indices into `names`.
 struct NamedChoice {
   std::vector<std::string> names;
-  std::function<std::size_t()> get;
-  std::function<void(std::size_t)> set;
+  std::function<std::string()> text;
+  std::function<void(const std::vector<std::size_t>&)> set;
+  bool several = false; ///< one name or more, with commas between
 };
 
 /// What a key is bound to. An optional is empty if the file does not have the key (KeyRule::zero_is_none).
@@ -76,17 +78,31 @@ public:
     const auto& names = EnumNames<E>::names;
     add_key(std::move(path),
             NamedChoice{{names.begin(), names.end()},
-                        [&value] { return static_cast<std::size_t>(value); },
-                        [&value](std::size_t i) { value = static_cast<E>(i); }},
+                        [&value] { return std::string(name_of(value)); },
+                        [&value](const auto& at) { value = static_cast<E>(at.front()); }},
+            std::move(doc), std::move(rule));
+  }
+  template <NamedEnum E>
+  void add(std::string path, std::vector<E>& values, std::string doc, KeyRule rule = {}) {
+    const auto& names = EnumNames<E>::names;
+    const auto set = [&values](const auto& at) {
+      values.clear();
+      for (const std::size_t i : at)
+        values.push_back(static_cast<E>(i));
+    };
+    add_key(std::move(path),
+            NamedChoice{{names.begin(), names.end()}, [&values] { return names_of(values); }, set, true},
             std::move(doc), std::move(rule));
   }
   /// `none`: what the file writes for the empty optional.
   template <NamedEnum E>
   void add(std::string path, std::optional<E>& value, std::string none, std::string doc, KeyRule rule = {}) {
-    NamedChoice choice{
-        {std::move(none)},
-        [&value] { return value ? static_cast<std::size_t>(*value) + 1 : 0; },
-        [&value](std::size_t i) { value = i > 0 ? std::optional(static_cast<E>(i - 1)) : std::nullopt; }};
+    NamedChoice choice{{none},
+                       [&value, none] { return value ? std::string(name_of(*value)) : none; },
+                       [&value](const auto& at) {
+                         value =
+                             at.front() > 0 ? std::optional(static_cast<E>(at.front() - 1)) : std::nullopt;
+                       }};
     choice.names.insert(choice.names.end(), EnumNames<E>::names.begin(), EnumNames<E>::names.end());
     add_key(std::move(path), std::move(choice), std::move(doc), std::move(rule));
   }
@@ -135,7 +151,6 @@ private:
   };
   void add_key(std::string path, SchemaTarget target, std::string doc, KeyRule rule);
   const Key* find(std::string_view path) const;
-  static std::string name_of_choice(const Key& key);
   bool belongs(const Key& key) const;
   void require_kind(const Key& key) const;
   void check(const Key& key) const;

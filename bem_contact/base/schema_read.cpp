@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 #include <regex>
+#include <sstream>
 
 namespace bem_contact {
 
@@ -40,6 +41,15 @@ std::string type_of(const toml::node& node) {
   if (node.is_table())
     return "a table";
   return node.is_array() ? "a list" : "a date or time";
+}
+
+/// What stands between commas, without the blanks around it; one text at least.
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in >> std::ws, part, ',');)
+    parts.push_back(part.substr(0, part.find_last_not_of(" \t\r\n") + 1));
+  return parts.empty() ? std::vector<std::string>{""} : parts;
 }
 
 } // namespace
@@ -159,13 +169,20 @@ private:
   void take(const Schema::Key& key, const toml::node& node, const NamedChoice& choice) {
     std::string text;
     take(key, node, text);
-    const auto found = std::ranges::find(choice.names, text);
-    if (found != choice.names.end())
-      return choice.set(found - choice.names.begin());
-    const auto like = nearest_names(text, choice.names, 1);
-    throw InputError(fmt::format("{}{} = {}", schema.where(key.path), key.path, toml_text(text)),
-                     fmt::format("known are {}", fmt::join(choice.names, ", ")),
-                     like.empty() ? "Use one of these." : fmt::format("Did you mean \"{}\"?", like.front()));
+    std::vector<std::size_t> chosen;
+    for (const std::string& name : choice.several ? split_at_commas(text) : std::vector{text}) {
+      const auto found = std::ranges::find(choice.names, name);
+      if (found == choice.names.end()) {
+        const auto like = nearest_names(name, choice.names, 1);
+        throw InputError(
+            fmt::format("{}{} = {}", schema.where(key.path), key.path, toml_text(text)),
+            fmt::format("{}known are {}{}", choice.several ? "'" + name + "' is unknown; " : "",
+                        fmt::join(choice.names, ", "), choice.several ? ", with commas between" : ""),
+            like.empty() ? "Use one of these." : fmt::format("Did you mean \"{}\"?", like.front()));
+      }
+      chosen.push_back(found - choice.names.begin());
+    }
+    choice.set(chosen);
   }
 
   void take(const Schema::Key& key, const toml::node& node, const TableList& list) {

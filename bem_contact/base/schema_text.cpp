@@ -31,7 +31,7 @@ struct Print {
     const T value = v->value_or(T{});
     return (*this)(&value);
   }
-  std::string operator()(const NamedChoice& choice) const { return toml_text(choice.names[choice.get()]); }
+  std::string operator()(const NamedChoice& choice) const { return toml_text(choice.text()); }
   std::string operator()(const TableList& list) const { return list.example; }
 };
 
@@ -91,7 +91,7 @@ std::string range_text(const SchemaTarget& target, const KeyRule& rule) {
     parts.push_back(fmt::format("< {}", rule.below));
   if (std::isfinite(rule.at_most))
     parts.push_back(fmt::format("<= {}", rule.at_most));
-  if (const auto* choice = std::get_if<NamedChoice>(&target))
+  if (const auto* choice = std::get_if<NamedChoice>(&target); choice && !choice->several)
     parts.push_back(fmt::format("{}", fmt::join(choice->names, " | ")));
   return fmt::format("{}", fmt::join(parts, " and "));
 }

@@ -61,6 +61,20 @@ template <> struct EnumNames<Model> {
   static constexpr std::array<std::string_view, 4> names{"hertz", "halfspace", "tangent_plane", "fem"};
 };
 
+/// What grid.accuracy may be about. `forces`: forces, moment and approach (Discretisation::worst()).
+enum class AccuracyOf { forces, pmax, area, adhesion, approach, creepages, friction_power };
+template <> struct EnumNames<AccuracyOf> {
+  static constexpr std::array<std::string_view, 7> names{"forces",   "pmax",      "area",          "adhesion",
+                                                         "approach", "creepages", "friction_power"};
+};
+
+/// What solver.model_tolerance may be about. `creepages`: those that are found for prescribed shear forces;
+/// not that of free rolling, which comes along.
+enum class ModelErrorOf { forces, pmax, creepages, friction_power };
+template <> struct EnumNames<ModelErrorOf> {
+  static constexpr std::array<std::string_view, 4> names{"forces", "pmax", "creepages", "friction_power"};
+};
+
 /// The name of an empty choice of model: the cheapest model that is accurate enough.
 inline constexpr std::string_view automatic_model = "auto";
 

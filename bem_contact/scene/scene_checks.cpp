@@ -1,4 +1,3 @@
-#include "bem_contact/scene/accuracy_of.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 
 #include <fmt/format.h>
@@ -151,7 +150,6 @@ void check_patch(const SceneFile& f, const Schema& s) {
 }
 
 void check_wheel_rail(const SceneFile& f, const Schema& s) {
-  accuracy_of(f.grid.accuracy_of);
   if (f.rail.profile.empty())
     s.refuse("rail.profile", "a wheel on a rail needs the rail's profile",
              "Give for instance profile = \"60E1\".");
@@ -249,7 +247,6 @@ void check_keys(const SceneFile& f, const Schema& s) {
   check_motion(f, s);
   check_steps(f, s);
   check_friction(f, s);
-  model_tolerance_of(f.solver.model_tolerance_of);
   if (f.kind == SceneKind::patch)
     check_patch(f, s);
   else

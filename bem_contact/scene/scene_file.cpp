@@ -4,7 +4,6 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
-#include "bem_contact/scene/accuracy_of.hpp"
 #include "bem_contact/scene/scene_keys.hpp"
 #include "bem_contact/scene/scene_reader.hpp"
 

@@ -123,10 +123,11 @@ struct SceneFile {
     std::optional<int> mx, ms;      ///< patch: size; wheel_rail: empty = from the undeformed distance
     std::optional<int> elements;    ///< wheel_rail: wanted in contact, instead of dx and ds
     std::optional<double> accuracy; ///< wheel_rail: discretisation error wanted, instead of dx and ds
-    std::string accuracy_of = "forces, pmax"; ///< what `accuracy` is about (accuracy_of.hpp)
-    bool plane_strain = false;                ///< patch: mx = 1, infinitely long along x, forces per mm
-    std::optional<RowRange> rows;             ///< wheel_rail: keys s_from and s_to, on the rail's arc length
-    bool planar = false; ///< wheel_rail: all rows in the tangent plane at the reference point
+    /// What `accuracy` is about; one at least.
+    std::vector<AccuracyOf> accuracy_of{AccuracyOf::forces, AccuracyOf::pmax};
+    bool plane_strain = false;    ///< patch: mx = 1, infinitely long along x, forces per mm
+    std::optional<RowRange> rows; ///< wheel_rail: keys s_from and s_to, on the rail's arc length
+    bool planar = false;          ///< wheel_rail: all rows in the tangent plane at the reference point
 
     bool operator==(const Grid&) const = default;
   } grid; ///< [grid]
@@ -186,8 +187,9 @@ struct SceneFile {
   struct Solver {
     std::optional<Model> model;    ///< empty: the cheapest that is accurate enough
     double model_tolerance = 0.01; ///< relative, for auto
-    /// What `model_tolerance` is about (accuracy_of.hpp).
-    std::string model_tolerance_of = "forces, pmax, creepages, friction_power";
+    /// What `model_tolerance` is about; one at least.
+    std::vector<ModelErrorOf> model_tolerance_of{ModelErrorOf::forces, ModelErrorOf::pmax,
+                                                 ModelErrorOf::creepages, ModelErrorOf::friction_power};
     double tolerance = 1e-8; ///< relative, of the iterations
     int max_outer = 50;      ///< outer iterations
     /// What structural motion does to the geometry.

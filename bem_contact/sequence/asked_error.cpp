@@ -1,7 +1,5 @@
 #include "bem_contact/sequence/asked_error.hpp"
 
-#include "bem_contact/scene/accuracy_of.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -50,7 +48,7 @@ double asked_error(const SceneFile::Grid& grid, const SceneResult& out) {
                : std::max(forces, relative(pmax - estimate->coarse_pmax, pmax));
   };
   double largest = 0;
-  for (const AccuracyOf what : accuracy_of(grid.accuracy_of))
+  for (const AccuracyOf what : grid.accuracy_of)
     largest = std::max(largest, error(what));
   return largest;
 }

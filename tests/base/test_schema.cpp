@@ -14,6 +14,7 @@ template <> struct EnumNames<Colour> {
 namespace {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -50,6 +51,26 @@ TEST(Schema, AnEmptyChoiceHasANameOfItsOwn) {
   EXPECT_EQ(read("frame = 'same'").frame, std::nullopt);
   EXPECT_EQ(read("frame = 'red'").frame, Colour::red);
   EXPECT_THAT(message_of([] { read("frame = 'blue'"); }), HasSubstr("known are same, red, green"));
+}
+
+std::vector<Colour> stripes_of(const std::string& toml) {
+  std::vector<Colour> stripes{Colour::green, Colour::red};
+  Schema s("flag file");
+  s.add("stripes", stripes, "From above");
+  EXPECT_THAT(s.print(), HasSubstr("\nstripes = \"green, red\"\n"));
+  s.read(toml, "flag.toml");
+  return stripes;
+}
+
+TEST(Schema, AListOfEnumsIsReadByNamesWithCommasBetween) {
+  EXPECT_THAT(stripes_of(""), ElementsAre(Colour::green, Colour::red));
+  EXPECT_THAT(stripes_of("stripes = ' red,green , red'"),
+              ElementsAre(Colour::red, Colour::green, Colour::red));
+  EXPECT_THAT(message_of([] { stripes_of("\nstripes = 'red, gren'"); }),
+              HasSubstr("flag.toml:2: stripes = \"red, gren\" ('gren' is unknown; known are red, green, with "
+                        "commas between) Did you mean \"green\"?"));
+  for (const char* wrong : {"''", "' '", "'red,,green'", "'red green'"})
+    EXPECT_THROW(stripes_of(std::string("stripes = ") + wrong), InputError) << wrong;
 }
 
 TEST(Schema, AnOptionalIsEmptyIfTheFileDoesNotHaveItsKey) {

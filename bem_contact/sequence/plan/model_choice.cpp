@@ -4,7 +4,6 @@
 #include "bem_contact/sequence/plan/settings.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <utility>
 
 namespace bem_contact {
@@ -36,13 +35,6 @@ Told told_by(const ContactTraits& traits, const ModelRequest& request) {
   for (const ModelErrorOf what : request.of)
     (there.of(what) > here.of(what) ? out.unknown : out.known).push_back(what);
   return out;
-}
-
-std::string names_of(const std::vector<ModelErrorOf>& quantities) {
-  std::vector<std::string_view> names;
-  for (const ModelErrorOf what : quantities)
-    names.push_back(name_of(what));
-  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 /// "Hertz's closed form is predicted to miss pmax by up to 0.2 %: within the 1 % allowed, and a costlier
@@ -79,7 +71,7 @@ double predicted_error(const HertzModel& model) {
 
 ModelRequest request_of(const ContactCase& asked) {
   const SceneFile::Solver& solver = asked.scene.solver;
-  return {solver.model_tolerance, model_tolerance_of(solver.model_tolerance_of), names_bodies(asked)};
+  return {solver.model_tolerance, solver.model_tolerance_of, names_bodies(asked)};
 }
 
 ModelChoice choose_hertz(const HertzModel& model, const ContactTraits& traits, const ModelRequest& request) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/result.hpp"
-#include "bem_contact/scene/accuracy_of.hpp"
+#include "bem_contact/scene/choices.hpp"
 #include "bem_contact/sequence/plan/contact_case.hpp"
 
 #include <span>

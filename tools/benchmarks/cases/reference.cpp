@@ -47,7 +47,7 @@ std::vector<Reference> references(const SweepFile& sweep, const SweepFile& by, i
     SceneFile scene = sweep.scene(i);
     const SceneFile::Grid asked = scene.grid;
     scene.grid.accuracy = 0.02;
-    scene.grid.accuracy_of = "forces";
+    scene.grid.accuracy_of = {AccuracyOf::forces};
     if (i % every == 0)
       try {
         const ContactGrid chosen = sequence.solve(scene).problem.grid;
