@@ -29,16 +29,17 @@ BEM_CONTACT_TUNED(std::size_t, largest_kept_input, 10'000'000);
 /// digits as a double has. Chosen.
 BEM_CONTACT_TUNED(int, most_digits, 10);
 
-/// Characters. So much of a message is said again where it came more than once: enough to know it. Chosen.
+/// Characters. A message that came several times is counted at the end, and quoted up to this length: enough
+/// to recognise it. Chosen.
 BEM_CONTACT_TUNED(int, repeated_length, 60);
 
 // Profiles in words.
 
-/// mm. Length of the stretches whose mean radius is printed: a table of 30 lines for a wheel.
+/// mm. `profile` prints one mean radius for each stretch of this length. A wheel has about 30 of them.
 BEM_CONTACT_TUNED(double, radius_stretch, 5.0);
 /// mm. A larger radius is printed as straight. Chosen.
 BEM_CONTACT_TUNED(double, straight_radius, 20000.0);
-/// mm. Step of the table of a profile: that of the contact search.
+/// mm. Step of the points that `profile --csv` writes. It is the step of the contact search.
 BEM_CONTACT_TUNED(double, profile_csv_step, 0.1);
 
 } // namespace bem_contact::app

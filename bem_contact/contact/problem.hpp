@@ -58,8 +58,8 @@ struct ContactProblem {
   double friction = 0.3;             ///< Coulomb's mu of adhesion (static friction)
   std::vector<double> friction_rows; ///< mu of each row instead; empty: the same everywhere
   double kinetic = 1;                ///< mu of slip over mu of adhesion, in (0, 1]
-  /// How mu, then that of vanishing slip, falls with the slip velocity: of each row, or one for all rows;
-  /// empty: it does not. Not for shifts, nor beside kinetic < 1.
+  /// How mu falls with the slip velocity: one law for each row, or one for all rows; empty: it does not fall.
+  /// `friction` is then mu without slip. Laws exclude motion == shift and kinetic < 1.
   std::vector<FallingFriction> falling;
   double speed = 0;                   ///< of rolling, mm/s; above 0 with `falling` or `heating`
   std::optional<Heating> heating;     ///< flash temperatures are asked for; steady rolling
@@ -78,13 +78,13 @@ struct ContactProblem {
   /// dx = 0, no friction. Forces are per mm of length.
   bool plane_strain() const { return numbers.dx == 0; }
   double element_area() const { return plane_strain() ? grid.ds : grid.dx * grid.ds; } ///< mm^2
-  /// Coulomb's mu of a row.
+  /// Coulomb's mu of a row, without slip.
   double friction_of(int row) const { return friction_rows.empty() ? friction : friction_rows[row]; }
-  /// Of all rows.
+  /// The largest mu of all rows.
   double largest_friction() const {
     return friction_rows.empty() ? friction : *std::max_element(friction_rows.begin(), friction_rows.end());
   }
-  /// mu of a row at a slip velocity (mm/s) over mu at none.
+  /// mu of a row at a slip velocity (mm/s), divided by mu of the same row without slip.
   double falling_factor(int row, double slip_velocity) const {
     return falling.empty() ? 1 : falling[falling.size() == 1 ? 0 : row].factor(slip_velocity);
   }
@@ -92,11 +92,11 @@ struct ContactProblem {
   bool friction_falls() const {
     return std::any_of(falling.begin(), falling.end(), [](const auto& law) { return law.ratio != 1; });
   }
-  /// Whether it depends on the temperature of the surfaces.
+  /// Whether mu depends on the temperature of the surfaces.
   bool friction_falls_with_heat() const {
     return heating && heating->friction && heating->friction->ratio != 1;
   }
-  /// Whether it depends on either.
+  /// Whether mu depends on slip velocity or temperature.
   bool friction_varies() const { return friction_falls() || friction_falls_with_heat(); }
   /// Coulomb's law with one mu for adhesion and slip.
   bool is_coulomb() const { return kinetic == 1 && !friction_varies(); }
@@ -106,8 +106,8 @@ struct ContactProblem {
   double lateral_share(int row) const { return std::cos(rows[row].delta - reference_delta); }
 };
 
-/// Where on the rows an arc length lies: 1.5 is half way between the second row and the third. Beyond the
-/// ends it is the first or the last row.
+/// The place of an arc length (mm) among the rows, counted from 0: 1.5 is half way between the second row and
+/// the third. Beyond the ends it is the first or the last row.
 double row_index(const ContactProblem& problem, double s);
 /// Position and inclination there, linear between the rows.
 ContactRow row_at(const ContactProblem& problem, double s);

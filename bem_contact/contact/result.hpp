@@ -10,7 +10,7 @@
 
 namespace bem_contact {
 
-/// Of one element: outside the contact, or in contact without or with sliding.
+/// An element lies outside the contact, or it is in contact and sticks (adhesion) or slides (slip).
 enum class ElementState : unsigned char { exterior, adhesion, slip };
 
 /// How far a result violates the equations. It is computed from the tractions alone, by code that shares
@@ -50,7 +50,7 @@ struct Certificate {
   bool holds() const { return worst() <= tolerance; }
 };
 
-/// Of an error that is not known.
+/// Stands for an error that is not known.
 inline constexpr double unknown_error = std::numeric_limits<double>::quiet_NaN();
 
 /// Some totals of a ContactResult, as it has them.
@@ -118,7 +118,7 @@ struct Discretisation {
   /// Where it does not: the undeformed distance itself is rough, so that smaller elements hardly help.
   bool rough = false;
   double moment_change = unknown_error; ///< share of a change of the moment that counts in moment_error(), 1
-  double local_moment = unknown_error;  ///< the part of moment_error() that no change shows, N mm
+  double local_moment = unknown_error;  ///< the local part of moment_error() (error_estimates.hpp), N mm
 
   /// Absolute error of the moment about the vertical axis through x and y (mm, frame of the rows), N mm.
   /// `result`: the one that this estimate is of.
@@ -178,8 +178,8 @@ struct ContactResult {
   double Mz = 0;                         ///< about the z axis of that frame, not about the contact, N mm
   double Fs = 0;                         ///< sum p_s cos(delta - reference_delta) dS, N
   double creepage_x = 0, creepage_s = 0; ///< found for force_x, force_s (shift: mm); part of the slip above
-  /// What a unit of force_x changes of creepage_x, and force_s of creepage_s, with the pressure held: 1/N
-  /// (shift: mm/N). nan where the force is not prescribed, or where no Newton step told it.
+  /// Derivatives of creepage_x by force_x and of creepage_s by force_s, while the pressure does not change:
+  /// 1/N (shift: mm/N). nan if the force is not prescribed, or if no Newton step computed them.
   double compliance_x = unknown_error, compliance_s = unknown_error;
   std::vector<PatchSummary> patches;            ///< largest force first
   Certificate certificate;                      ///< look at it first

@@ -86,28 +86,35 @@ BEM_CONTACT_TUNED(double, area_border, 0.16);     ///< 1. Share of the area of t
 BEM_CONTACT_TUNED(double, adhesion_change, 0.25); ///< 1. Share of the change of the adhesive share,
 BEM_CONTACT_TUNED(double, adhesion_local, 1.2);   ///< 1. elements whose state is in doubt anyway,
 BEM_CONTACT_TUNED(double, adhesion_border, 1.05); ///< 1. and for the root of the border of adhesion.
-/// 1. Fx, Fs, Fy, Mz and those of patches are sums over elements. Share of the change of the sum,
+/// 1. Fx, Fs, Fy, Mz and those of patches are sums over elements. Their error is the sum of three parts. The
+/// first is this share of the change of the sum.
 BEM_CONTACT_TUNED(double, shear_change, 0.475);
-/// 1. of the mean of the elements' absolute values: the contact is off by parts of an element,
+/// 1. The second is this share of the mean absolute value of an element: the border of the contact is known
+/// to a part of an element only.
 BEM_CONTACT_TUNED(double, shear_local, 0.85);
-/// 1. but no more than of so many times their mean deviation from parts in proportion to the pressure,
+/// 1. The second part is bounded. Compare the shear of each element with the share of the sum that its
+/// pressure would give it: the bound takes this many times the mean deviation in place of the mean absolute
+/// value.
 BEM_CONTACT_TUNED(double, shear_deviation, 6.0);
-/// 1. and of the root of the sum of squares over the elements in adhesion: each is off by chance.
+/// 1. The third is this share of the root of the sum of squares over the elements in adhesion, because the
+/// errors of these elements are taken as independent.
 BEM_CONTACT_TUNED(double, shear_adhesion, 0.5);
-/// 1. The same for Fx. Spin adds to Fs what is a difference of tractions, and is off by as much as these; its
-/// part of p_x is opposite on both sides of the contact and cancels.
+/// 1. The third part of Fx. It is smaller: the p_x that spin causes has opposite signs on both sides of the
+/// contact and cancels. In Fs spin leaves a difference of tractions, whose error is as large as theirs.
 BEM_CONTACT_TUNED(double, shear_adhesion_x, 0.3);
 /// 1. The errors of these sums grow with this power of Region::elongation(). On elements longer than wide, as
 /// scenes without [grid] have them, 88 to 94 % of 100 cases were within errors without it (seed 191).
 BEM_CONTACT_TUNED(double, shear_elongation, 0.75);
 /// 1. The same for the moment about the normal: with the power above 92 % of 100 cases were within.
 BEM_CONTACT_TUNED(double, moment_elongation, 0.95);
-/// 1. The same for what the normal force of a patch owes to normals that turn within the contact.
+/// 1. The third part of the normal force of a patch. Shear changes this force where normals turn within the
+/// contact.
 BEM_CONTACT_TUNED(double, normal_adhesion, 0.6);
-/// 1. Fy: share of the pressure beside its mean direction, over the elements in contact, because the contact
-/// is off by parts of an element.
+/// 1. Fy has an error from the direction of the pressure too: this share of the pressure beside its mean
+/// direction, divided by the number of elements in contact. The border of the contact is known to a part of
+/// an element only.
 BEM_CONTACT_TUNED(double, direction_local, 0.5);
-/// 1. So much of that for Mz: it is off by less than forces.
+/// 1. The local part of Mz is this share of the same formula: moments have smaller errors than forces.
 BEM_CONTACT_TUNED(double, moment_share, 0.87);
 BEM_CONTACT_TUNED(double, temperature_change, 0.17); ///< 1. Share of the change of the highest temperature,
 BEM_CONTACT_TUNED(double, temperature_peak, 0.11);   ///< 1. of how far it falls beside its peak,
@@ -118,17 +125,18 @@ BEM_CONTACT_TUNED(double, approach_peak, 0.018); ///< 1. and of it times the rel
 BEM_CONTACT_TUNED(double, overlap_change, 0.11); ///< 1. Approach of a patch: the same.
 BEM_CONTACT_TUNED(double, overlap_local, 0.9);   ///< 1. As above.
 BEM_CONTACT_TUNED(double, overlap_peak, 0.034);  ///< 1. As above.
-/// 1. Share of the change of a creepage found,
+/// 1. The error of a creepage that is found is the sum of three parts. The first is this share of its change.
 BEM_CONTACT_TUNED(double, creepage_change, 0.36);
-/// 1. and, both times the creepage under a unit of the force, of the force that larger elements carry
-/// elsewhere,
+/// 1. The second is this share of the force that larger elements carry elsewhere, times the creepage per unit
+/// of force.
 BEM_CONTACT_TUNED(double, creepage_moved, 0.058);
-/// 1. and of the force of the elements in adhesion over the root of their number.
+/// 1. The third is this share of the force of the elements in adhesion, divided by the root of their number,
+/// times the creepage per unit of force.
 BEM_CONTACT_TUNED(double, creepage_adhesion, 0.2);
-/// 1. So much of all that for the creepage of a prescribed Fs,
+/// 1. The creepage of a prescribed Fs has this share of all three,
 BEM_CONTACT_TUNED(double, creepage_s_share, 0.82);
-/// 1. and so much of the change of the rigid slip w_s from one element to the next: under spin the contact's
-/// front, off by parts of an element, meets another w_s.
+/// 1. and this share of the change of the rigid slip w_s from one element to the next. The front of the
+/// contact is known to a part of an element only, and under spin another place has another w_s.
 BEM_CONTACT_TUNED(double, creepage_turn, 0.088);
 
 // Where no error is stated. On smooth profiles the first two stay below 0.15 and 0.2 and the third below 0.4;

@@ -8,12 +8,12 @@
 
 namespace bem_contact {
 
-/// A change of the rigid slip w, per unit of what changes it; fields.
+/// The derivative of the rigid slip w by some quantity, such as a creepage; fields.
 struct SlipChange {
   std::vector<double> x, s;
 };
 
-/// What it changes of the shear tractions, MPa per the same unit; fields.
+/// The derivative of the shear tractions by the same quantity, MPa per its unit; fields.
 struct ShearChange {
   std::vector<double> px, ps;
 };

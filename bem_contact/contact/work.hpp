@@ -14,7 +14,7 @@ namespace bem_contact {
 class WorkBudget {
 public:
   WorkBudget(); ///< settings.hpp: most_work
-  /// So many units.
+  /// A budget of this many units.
   explicit WorkBudget(double most) : most_(most) {}
   /// The usual budget, which ends when another thread sets `stop`. Null: nobody does.
   explicit WorkBudget(const std::atomic<bool>* stop);

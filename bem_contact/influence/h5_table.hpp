@@ -13,16 +13,19 @@ namespace bem_contact {
 
 /// One dataset of doubles, row-major. Attributes "unit" and "description" say what it is.
 struct H5Dataset {
-  std::vector<std::size_t> shape;
-  std::vector<double> values;
-  std::string unit, description;
+  std::vector<std::size_t> shape; ///< length of each dimension; empty: a single number
+  std::vector<double> values;     ///< as many as the product of the lengths, the last dimension fastest
+  std::string unit;               ///< of the values: mm, N, MPa ...; "1": none
+  std::string description;        ///< in a few words
 };
 
+/// An attribute of a file or of a group: a text or a number.
 using H5Attribute = std::variant<std::string, double>;
 
 /// One text, which may be long: an attribute holds at most 64 kB.
 struct H5Text {
-  std::string text, description;
+  std::string text;        ///< UTF-8
+  std::string description; ///< in a few words
 
   bool operator==(const H5Text&) const = default;
 };
@@ -30,9 +33,9 @@ struct H5Text {
 /// A whole small HDF5 file. Names are paths ("fem/p_n"); groups come into being with them. The attribute
 /// "fem/model" is the attribute "model" of the group "fem", "model" one of the file.
 struct H5Table {
-  std::map<std::string, H5Dataset> datasets;
-  std::map<std::string, H5Attribute> attributes;
-  std::map<std::string, H5Text> texts; ///< datasets of one text (UTF-8)
+  std::map<std::string, H5Dataset> datasets;     ///< of numbers, by path
+  std::map<std::string, H5Attribute> attributes; ///< by path; those of datasets are in H5Dataset
+  std::map<std::string, H5Text> texts;           ///< datasets of one text (UTF-8)
 };
 
 /// Adds all of `members` as a group, "right/" say.

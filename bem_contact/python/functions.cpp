@@ -133,8 +133,10 @@ void add_range(std::vector<CreepRange>& ranges, CreepKind kind, const py::object
   const std::string key(name_of(kind));
   py::dict one;
   one[py::str(key)] = values;
-  const SchemaValue value = changes_of(one).front().value;
-  if (const auto* numbers = std::get_if<std::vector<double>>(&value); numbers && !numbers->empty())
+  const std::vector<SceneChange> given = changes_of(one);
+  const bool one_value = given.size() == 1 && given.front().key == key; // not if `values` is a dict
+  const auto* numbers = one_value ? std::get_if<std::vector<double>>(&given.front().value) : nullptr;
+  if (numbers && !numbers->empty())
     ranges.push_back({kind, *numbers});
   else
     refuse_type("The values of " + key + " cannot be used", "they are no list of numbers",

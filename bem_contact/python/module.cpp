@@ -268,7 +268,8 @@ PYBIND11_MODULE(_core, m) {
       "`scene`: the path of a scene file; the text of one (more than one line of TOML); or a dict, as "
       "{\"load\": {\"force\": 1e5}, \"rail.profile\": \"60E1\"}. Relative paths start in the file's folder, "
       "of a text or a dict in `folder` (None: the working directory). `changes`: values of the scene's keys "
-      "instead of the file's, as {\"position.lateral\": 6.6}; numbers and arrays may be NumPy's. `model`: "
+      "instead of the file's, as {\"position.lateral\": 6.6} or {\"position\": {\"lateral\": 6.6}}; numbers "
+      "and arrays may be NumPy's. `model`: "
       "auto, hertz, halfspace, tangent_plane or fem; \"\" takes the scene's own. Raises InputError (a "
       "ValueError) for wrong input. `strict`: warnings are errors. Lack of convergence is in the result.";
   m.def("solve", solve_one, "scene"_a = py::none(), "changes"_a = py::none(), "model"_a = py::none(),

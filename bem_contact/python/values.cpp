@@ -125,6 +125,22 @@ void add_table(const py::object& table, const std::string& prefix, std::string& 
   }
 }
 
+/// One change for each entry of the dict and of those in it: {'load': {'force': 1e5}} is {'load.force': 1e5}.
+void add_changes(const py::object& changes, const std::string& prefix, std::vector<SceneChange>& list) {
+  for (const py::handle item : changes.attr("items")()) {
+    const auto [key, value] = py::cast<std::pair<py::object, py::object>>(item);
+    if (!py::isinstance<py::str>(key))
+      refuse_type("The changes cannot be used",
+                  fmt::format("one of their keys is of type {}", type_name(key)),
+                  "Name the keys of a scene, as {'position.lateral': 6.6}.");
+    const std::string path = prefix + key.cast<std::string>();
+    if (py::hasattr(value, "items") && py::len(value) > 0)
+      add_changes(value, path + ".", list);
+    else
+      list.push_back({path, value_of(path, value)});
+  }
+}
+
 } // namespace
 
 void refuse_type(const std::string& problem, const std::string& why, const std::string& what_to_do) {
@@ -163,15 +179,7 @@ std::vector<SceneChange> changes_of(const py::object& changes) {
   if (!py::hasattr(changes, "items"))
     refuse_type("The changes cannot be used", fmt::format("their type is {}", type_name(changes)),
                 "Give a dict, as {'position.lateral': 6.6}.");
-  for (const py::handle item : changes.attr("items")()) {
-    const auto [key, value] = py::cast<std::pair<py::object, py::object>>(item);
-    if (!py::isinstance<py::str>(key))
-      refuse_type("The changes cannot be used",
-                  fmt::format("one of their keys is of type {}", type_name(key)),
-                  "Name the keys of a scene, as {'position.lateral': 6.6}.");
-    const auto name = key.cast<std::string>();
-    list.push_back({name, value_of(name, value)});
-  }
+  add_changes(changes, "", list);
   return list;
 }
 

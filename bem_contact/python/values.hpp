@@ -21,7 +21,8 @@ SceneText scene_of(const pybind11::object& scene, const pybind11::object& folder
 /// The same, read with changes of its keys.
 SceneFile scene_file_of(const pybind11::object& scene, const pybind11::object& folder,
                         std::span<const SceneChange> changes);
-/// A dict of keys and values, or None. Values are numbers and arrays of any type of NumPy, too.
+/// A dict of keys and values, with dots or of dicts, or None. Values are numbers and arrays of any type of
+/// NumPy, too.
 std::vector<SceneChange> changes_of(const pybind11::object& changes);
 /// None and "": the scene's own.
 std::string model_of(const pybind11::object& model);

@@ -48,11 +48,7 @@ CaseTable columns_of(const std::filesystem::path& file, const CsvLine& head) {
 }
 
 void add_case(const std::filesystem::path& file, const CsvLine& head, const CsvLine& line, CaseTable& table) {
-  if (line.cells.size() != head.cells.size())
-    refuse_line(
-        file, line,
-        fmt::format("it has {} cells, and {} columns have names", line.cells.size(), head.cells.size()),
-        "Give each line one cell for each column.");
+  require_cells(file, line, head.cells.size());
   for (std::size_t i = 0; i < line.cells.size(); ++i) {
     const std::string &name = head.cells[i].text, &text = line.cells[i].text;
     const auto column = std::ranges::find(table.columns, name, &CaseTable::Column::key);

@@ -4,6 +4,7 @@
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/formats/text_lines.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -49,6 +50,13 @@ std::vector<CsvLine> lines_of_numbers(const std::filesystem::path& file) {
   return lines;
 }
 
+/// Outside quotes.
+bool has_semicolon(const CsvLine& line) {
+  return std::ranges::any_of(line.cells, [](const CsvCell& cell) {
+    return !cell.quoted && cell.text.find(';') != std::string::npos;
+  });
+}
+
 std::vector<std::string> texts_of(const CsvLine& line) {
   std::vector<std::string> texts;
   for (const CsvCell& cell : line.cells)
@@ -67,6 +75,9 @@ std::vector<CsvLine> csv_lines(const std::filesystem::path& file) {
     if (line.cells.size() > 1 || !line.cells.front().text.empty())
       lines.push_back(std::move(line));
   }
+  if (!lines.empty() && has_semicolon(lines.front()))
+    refuse_line(file, lines.front(), "semicolons separate its names",
+                "Separate cells by commas, and write numbers with a decimal point.");
   return lines;
 }
 
@@ -74,6 +85,19 @@ void refuse_line(const std::filesystem::path& file, const CsvLine& line, const s
                  const std::string& what_to_do) {
   throw InputError(fmt::format("Line {} of the table '{}' is wrong", line.number, file.string()), why,
                    what_to_do);
+}
+
+void require_cells(const std::filesystem::path& file, const CsvLine& line, std::size_t columns) {
+  if (line.cells.size() == columns)
+    return;
+  const std::string why =
+      fmt::format("it has {} cells, and {} columns have names", line.cells.size(), columns);
+  const std::string give = "Give each line one cell for each column";
+  if (has_semicolon(line))
+    refuse_line(file, line, why, give + ", separated by commas, not semicolons.");
+  if (line.cells.size() > columns)
+    refuse_line(file, line, why, give + "; numbers have a decimal point, because a comma separates cells.");
+  refuse_line(file, line, why, give + ".");
 }
 
 std::vector<std::string> csv_columns(const std::filesystem::path& file) {
@@ -95,6 +119,7 @@ std::vector<std::vector<double>> read_csv(const std::filesystem::path& file,
                      fmt::format("Begin it with '{}'.", header));
   std::vector<std::vector<double>> rows;
   for (const CsvLine& line : lines | std::views::drop(1)) {
+    require_cells(file, line, columns.size());
     std::vector<double> row;
     for (const CsvCell& cell : line.cells) {
       const std::optional<double> value = parse_number(cell.text);
@@ -102,8 +127,6 @@ std::vector<std::vector<double>> read_csv(const std::filesystem::path& file,
         refuse_line(file, line, fmt::format("'{}' is not a finite number", cell.text), give);
       row.push_back(*value);
     }
-    if (row.size() != columns.size())
-      refuse_line(file, line, fmt::format("it has {} values", row.size()), give);
     rows.push_back(std::move(row));
   }
   if (rows.empty())

@@ -18,12 +18,16 @@ struct CsvLine {
 };
 
 /// The lines of a CSV file (RFC 4180, but no line break within quotes) that are not empty. '#' outside quotes
-/// starts a comment. Throws InputError for a file that cannot be read.
+/// starts a comment. Throws InputError for a file that cannot be read, and for semicolons between its names.
 std::vector<CsvLine> csv_lines(const std::filesystem::path& file);
 
 /// Throws InputError that names file and line.
 [[noreturn]] void refuse_line(const std::filesystem::path& file, const CsvLine& line, const std::string& why,
                               const std::string& what_to_do);
+
+/// Throws InputError unless the line has one cell for each column. It names the likely cause: semicolons
+/// between the cells, or decimal commas.
+void require_cells(const std::filesystem::path& file, const CsvLine& line, std::size_t columns);
 
 /// The names in the first line of a table of numbers. Throws InputError for a file that cannot be read or is
 /// empty.

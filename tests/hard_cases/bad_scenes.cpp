@@ -158,7 +158,8 @@ TEST_F(BadTables, OfGaps) {
   EXPECT_THAT(with_table("gap.table", sound), testing::HasSubstr("element (2, 1) is missing"));
   EXPECT_THAT(with_table("gap.table", sound + "2,1,nan\n"), testing::HasSubstr("not a finite number"));
   EXPECT_THAT(with_table("gap.table", sound + "2,1,1e999\n"), testing::HasSubstr("not a finite number"));
-  EXPECT_THAT(with_table("gap.table", sound + "2,1\n"), testing::HasSubstr("it has 2 values"));
+  EXPECT_THAT(with_table("gap.table", sound + "2,1\n"),
+              testing::HasSubstr("it has 2 cells, and 3 columns have names"));
   EXPECT_THAT(with_table("gap.table", sound + "0,0,1\n"), testing::HasSubstr("given twice"));
   EXPECT_THAT(with_table("gap.table", sound + "1e300,1,1\n"), testing::HasSubstr("not one of it"));
   EXPECT_THAT(with_table("gap.table", sound + "2.5,1,1\n"), testing::HasSubstr("not one of it"));

@@ -12,6 +12,7 @@
 namespace {
 
 using namespace bem_contact;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -80,6 +81,16 @@ TEST(CaseTable, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_THAT(message("position.lateral,weight\n0,1\n1\n"),
               HasSubstr("csv' is wrong (it has 1 cells, and 2 columns have names) Give each line one cell"));
   EXPECT_THAT(message("position.lateral,weight\n0,1\n1\n"), HasSubstr("Line 3 of the table"));
+  EXPECT_THAT(
+      message("position.lateral;weight\n0,5;1\n"),
+      AllOf(HasSubstr("Line 1 of the table"), HasSubstr("(semicolons separate its names) Separate cells by "
+                                                        "commas, and write numbers with a decimal point.")));
+  EXPECT_THAT(message("position.lateral,weight\n0.5;1\n"),
+              HasSubstr("(it has 1 cells, and 2 columns have names) Give each line one cell for each column, "
+                        "separated by commas, not semicolons."));
+  EXPECT_THAT(message("position.lateral,weight\n0,5,1\n"),
+              HasSubstr("(it has 3 cells, and 2 columns have names) Give each line one cell for each column; "
+                        "numbers have a decimal point, because a comma separates cells."));
   EXPECT_THAT(message("position.lateral,weight\n0,0\n"), HasSubstr("the weight '0' is not positive"));
   EXPECT_THAT(message("position.lateral,weight\n0,often\n"), HasSubstr("'often' is no value of weight"));
   EXPECT_THAT(message("position.lateral\nnan\n"), HasSubstr("'nan' is no value of position.lateral"));

@@ -109,7 +109,7 @@ TEST_F(Tables, AreRefusedWithTheirFault) {
   EXPECT_THAT(refusal(with_gap("ix, is, h\n0, 0, 1\n")), HasSubstr("element (1, 0) is missing"));
   EXPECT_THAT(refusal(with_gap("ix, is, h\n0, 0, 1\n0, 0, 1\n")), HasSubstr("given twice"));
   EXPECT_THAT(refusal(with_gap("ix, is, h\n5, 0, 1\n")), HasSubstr("is not one of it"));
-  EXPECT_THAT(refusal(with_gap("ix, is, h\n0, 0\n")), HasSubstr("it has 2 values"));
+  EXPECT_THAT(refusal(with_gap("ix, is, h\n0, 0\n")), HasSubstr("it has 2 cells, and 3 columns have names"));
   EXPECT_THAT(refusal(with_gap("")), HasSubstr("is empty"));
   SceneFile scene = patch(1, 1);
   scene.gap.table = "nowhere.csv";

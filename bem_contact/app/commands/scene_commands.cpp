@@ -197,7 +197,11 @@ struct Checked {
 
   void add(const SceneDescription& description) {
     lines.insert(lines.end(), description.lines.begin(), description.lines.end());
-    for (const std::string& warning : description.warnings)
+    warn_of(description.warnings);
+  }
+
+  void warn_of(const std::vector<std::string>& found) {
+    for (const std::string& warning : found)
       if (std::ranges::find(warnings, warning) == warnings.end())
         warnings.push_back(warning);
   }
@@ -212,6 +216,7 @@ struct Checked {
         fmt::format("wheelset: the search for its equilibrium begins at a lateral displacement of "
                     "{:g} mm and a roll of {:.3g} rad",
                     both.lateral, both.roll));
+    warn_of(both.warnings);
     lines.push_back("right wheel");
     add(both.right);
     lines.push_back("left wheel (y, s to the left)");

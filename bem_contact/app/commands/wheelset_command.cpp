@@ -48,7 +48,8 @@ struct WheelsetArguments {
   bool json = false, strict = false;
 };
 
-/// Newtons to the last, all else with five digits; more where the error asks for it.
+/// Numbers from 1e4 to 1e7, such as forces in N, are printed without decimals, all others with five digits. A
+/// number with a smaller error gets more digits.
 std::string number(double value, double error = unknown_error) {
   const double size = std::abs(value);
   return size >= 1e4 && size < 1e7 ? fixed_fine(value, error, 0) : digits_fine(value, error, 5);

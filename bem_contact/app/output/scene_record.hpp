@@ -12,7 +12,8 @@
 
 namespace bem_contact::app {
 
-/// Why work that was begun does not go on with what is there: its digest is another one.
+/// Why a command does not continue the work that it finds in a file: it was begun with other input, as its
+/// digest shows.
 inline constexpr const char* digest_changed =
     "the scene, a file that it names, an option or this program (version or commit) has changed since";
 

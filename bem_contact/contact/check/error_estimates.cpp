@@ -63,8 +63,9 @@ double area_error(const Region& r) {
   return area_border * r.area * r.border / r.contact;
 }
 
-/// What no change shows of the error of a sum of shear tractions. `adhesion`: the share of what its elements
-/// in adhesion are off by.
+/// The local part of the error of a sum of shear tractions. It is there even if larger elements give the same
+/// sum, because the two may agree by chance. `adhesion` is the factor of the part that comes from the
+/// elements in adhesion.
 double local_error(const UncertainSum& sum, const Region& r, double adhesion = shear_adhesion) {
   return shear_local * std::min(sum.size, shear_deviation * sum.deviation) / r.contact +
          adhesion * std::sqrt(sum.adhering);
@@ -75,18 +76,19 @@ double growth(const Region& r, double power = shear_elongation) {
   return std::pow(r.elongation(), power);
 }
 
-/// Of such a sum that changed so much from the coarse result.
+/// The error of such a sum. `change` is its difference from the coarse result.
 double shear_error(double change, const UncertainSum& sum, const Region& r,
                    double adhesion = shear_adhesion) {
   return growth(r) * (shear_change * std::abs(change) + local_error(sum, r, adhesion));
 }
 
-/// What no change shows of the error of an approach, over that approach.
+/// The local part of the error of an approach, relative to the approach.
 double local_approach(const Region& r) {
   return approach_local / r.contact + approach_peak * r.relative_fall();
 }
 
-/// The same of the normal force at a given approach, N. Hertz's grows as approach^1.5.
+/// The local part of the error of the normal force at a given approach, N. Hertz's force grows as
+/// approach^1.5, so the relative error is 1.5 times that of the approach.
 double local_normal_force(const Region& r) {
   return 1.5 * r.fn * local_approach(r);
 }

@@ -41,9 +41,9 @@ struct Region {
   UncertainSum fx, fs;                   ///< of p_x dS, p_s dS, N
   UncertainSum moment;                   ///< of both about the centre of pressure, N mm
   double friction_power = 0;             ///< N (shift: N mm)
-  /// Steady rolling: what the motion of the bodies does, sum (p_t w + p_n dh/dx) dS, w with creepages found.
-  /// By the law of energy it is the power of friction on vanishing elements (THEORY.md, section 13).
-  /// Otherwise that power itself.
+  /// In steady rolling: the power that drives the bodies, sum (p_t w + p_n dh/dx) dS; w includes the
+  /// creepages found. By conservation of energy it is the power of friction on elements of vanishing size
+  /// (THEORY.md, section 13). In other motions: the power of friction itself.
   UncertainSum driving_power;
   double pmax = 0;      ///< MPa
   double curvature = 0; ///< at the peak: how far p_n falls to its neighbours, twice the mean
@@ -52,7 +52,7 @@ struct Region {
   double area = 0;      ///< mm^2
   double x = 0, s = 0;  ///< centre of pressure, mm
 
-  /// How far the pressure falls from its peak to the next elements, over the peak.
+  /// How far the pressure falls from its peak to the next elements, relative to the peak.
   double relative_fall() const { return curvature / pmax; }
   double adhesion_share() const { return double(adhesion) / contact; }
   /// Elements across the region over those along it, at least 1: of two grids with as many elements in
@@ -67,8 +67,8 @@ std::vector<Region> patches_of(const ContactProblem& problem, const ContactResul
 /// Coarse patches that lie where the fine ones do; empty where their numbers differ.
 std::vector<Region> matched(const std::vector<Region>& fine, std::vector<Region> coarse);
 
-/// What an error in the shear tractions changes besides Fx, Fs and the moment. Where the vertical force is
-/// prescribed, the pressure makes up for what the shear tractions bear of it.
+/// The other results that an error in the shear tractions changes, besides Fx, Fs and the moment. If the
+/// vertical force is prescribed, the pressure bears what the shear tractions do not bear of it.
 struct ShearEffects {
   UncertainSum fy, fz; ///< N
   double slope = 0;    ///< what sum p_n dS falls by with Fs: tan of the pressure's mean direction

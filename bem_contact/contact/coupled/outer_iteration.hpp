@@ -23,7 +23,8 @@ struct Shear {
 /// One contact problem with its operators: what stays the same over the outer iterations. `problem` and
 /// `operators` outlive it.
 struct CoupledSystem {
-  /// `negligible`: relative change of displacements and forces that needs no second outer iteration.
+  /// `negligible`: if displacements and forces change by less than this (relative), one outer iteration is
+  /// enough.
   CoupledSystem(const ContactProblem& problem, ContactOperators& operators, double negligible,
                 WorkBudget& work);
 

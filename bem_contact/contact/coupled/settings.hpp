@@ -29,8 +29,9 @@ BEM_CONTACT_TUNED(double, largest_force_step, 4);
 /// 1. The largest pressure force that is tried, over the prescribed force. If it does not carry the force
 /// nothing does: friction pulls the bodies together as hard as they press each other apart. Chosen.
 BEM_CONTACT_TUNED(double, largest_force_ratio, 30);
-/// 1. A start tells how the vertical force of pressure and shear together compares with that of its pressure
-/// alone. The first pressure force is the prescribed force over this ratio, which is at most this. Chosen.
+/// 1. In a start, the vertical force of pressure and shear together has some ratio to that of the pressure
+/// alone. The first pressure force tried is the prescribed force divided by this ratio. The ratio is bounded
+/// by this number. Chosen.
 BEM_CONTACT_TUNED(double, largest_start_share, 4);
 /// 1. Relative error of the sums of forces of loosely solved problems: loose_tolerance.
 BEM_CONTACT_TUNED(double, noise_of_sums, 1e-4);
@@ -53,8 +54,8 @@ BEM_CONTACT_TUNED(double, largest_shear_growth, 10);
 /// displacements one element apart, which would have less rounding.
 BEM_CONTACT_TUNED(double, slip_rounding, 1e-12);
 BEM_CONTACT_TUNED(double, shift_slip_floor, 1e3);
-/// Elements of the grid, and across it. Smaller problems are as quickly solved from nothing as from larger
-/// elements.
+/// Elements of the grid, and across it. Problems with fewer elements are solved as quickly without a start as
+/// from a solution on larger elements.
 BEM_CONTACT_TUNED(int, few_elements, 800);
 BEM_CONTACT_TUNED(int, few_across, 16);
 /// 1. Tolerance on the larger elements of a start: their own error is larger.

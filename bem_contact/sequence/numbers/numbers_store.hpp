@@ -14,7 +14,7 @@
 
 namespace bem_contact {
 
-/// Everything that a pair's influence numbers depend on; two equal ones have the same numbers.
+/// Everything that the influence numbers of a pair depend on. If two of these are equal, so are the numbers.
 struct NumbersSource {
   Model model = Model::halfspace;
   Body rail, wheel;
@@ -66,7 +66,8 @@ struct NumbersParts {
 /// The pair's influence numbers on the grids met last.
 class NumbersStore {
 public:
-  /// Those of `source`, computed by `compute` unless they are kept. They are the caller's until keep().
+  /// The numbers of `source`: those that are kept, or else new ones from `compute`. The caller owns them
+  /// until it gives them back with keep().
   InfluenceNumbers take(const NumbersSource& source, const std::function<InfluenceNumbers()>& compute);
   void keep(const NumbersSource& source, InfluenceNumbers numbers);
 

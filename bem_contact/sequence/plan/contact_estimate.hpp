@@ -11,7 +11,7 @@ namespace bem_contact {
 /// (1996): the contact is where they would overlap at 0.55 of the approach.
 struct ContactEstimate {
   std::vector<RailSlice> slices; ///< the whole head of the rail
-  /// One for each slice: vertical force of pressure and shear, over that of the pressure alone.
+  /// One for each slice: the vertical force of pressure and shear together, divided by that of the pressure.
   std::vector<double> lift;
   double approach = 0; ///< mm
   double force = 0;    ///< vertical, N

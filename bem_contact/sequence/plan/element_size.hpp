@@ -24,7 +24,8 @@ public:
   int wanted() const { return wanted_; }
   /// No more than this is tried: what 99 of 100 contacts need for this accuracy is less.
   int most() const { return most_; }
-  /// For a case that is nothing like the one before: no more elements than are usual.
+  /// Call it for a case that is not like the one before: the number of elements falls back to the usual one
+  /// if it is larger.
   void forget();
   /// After a case with `contact` elements and an estimated error (< 0: too few to estimate). True where the
   /// case is to be solved again with wanted(), which is larger then.

@@ -14,11 +14,10 @@ double largest(const ModelErrors& errors, const ModelRequest& request) {
   return errors.of(errors.worst(request.of));
 }
 
-/// "half-space theory is predicted to miss pmax by up to 0.2 %"
-std::string miss_text(const char* model, const ModelErrors& errors, const std::vector<ModelErrorOf>& of) {
+/// "half-space theory is 0.2 % in pmax"
+std::string error_text(const char* model, const ModelErrors& errors, const std::vector<ModelErrorOf>& of) {
   const ModelErrorOf worst = errors.worst(of);
-  return fmt::format("{} predicted to miss {} by up to {:.1f} %", model, name_of(worst),
-                     100 * errors.of(worst));
+  return fmt::format("{} {:.1f} % in {}", model, 100 * errors.of(worst), name_of(worst));
 }
 
 /// The quantities asked for, by whether the influence files of both bodies would add to their errors: how the
@@ -37,26 +36,24 @@ Told told_by(const ContactTraits& traits, const ModelRequest& request) {
   return out;
 }
 
-/// "Hertz's closed form is predicted to miss pmax by up to 0.2 %: within the 1 % allowed, and a costlier
-/// model would change forces, pmax by no more than that"
-std::string within_text(const std::string& miss, const ModelRequest& request, const char* dearer,
-                        const std::vector<ModelErrorOf>& of) {
-  return fmt::format("{}: within the {:g} % allowed, and {} would change {} by no more than that", miss,
-                     100 * request.tolerance, dearer, names_of(of));
+/// "the largest predicted error of half-space theory is 0.2 % in pmax: within the 1 % allowed". `errors`: of
+/// the models, by error_text().
+std::string judged(const std::string& errors, bool within, const ModelRequest& request) {
+  return fmt::format("the largest predicted error of {}: {} the {:g} % allowed", errors,
+                     within ? "within" : "more than", 100 * request.tolerance);
 }
 
-/// Why a model without the bodies' influence functions is enough. `misses`: what is said of the models.
-std::string enough_text(const std::string& misses, const ModelRequest& request, const Told& told) {
-  std::string out = told.known.empty() ? misses : within_text(misses, request, "finite elements", told.known);
+/// Why a model without the bodies' influence functions is enough. `errors`: as judged() takes them.
+std::string enough_text(const std::string& errors, const ModelRequest& request, const Told& told) {
+  std::string out = told.known.empty() ? "" : judged(errors, true, request);
   if (!told.unknown.empty())
-    out += fmt::format("{}how much finite elements would change {} is not known without influence files of "
-                       "both bodies, which say how these roll freely",
-                       told.known.empty() ? "" : "; ", names_of(told.unknown));
+    out += fmt::format("{} in {} are not known without influence files of both bodies",
+                       told.known.empty() ? "errors" : ". Errors", names_of(told.unknown));
   return out;
 }
 
 std::string turn_text(double turn) {
-  return fmt::format("the normal turns by {:.1f} degrees within the patch; ", degrees(turn));
+  return fmt::format("the normal turns by {:.1f} degrees; ", degrees(turn));
 }
 
 } // namespace
@@ -84,8 +81,8 @@ ModelChoice choose_hertz(const HertzModel& model, const ContactTraits& traits, c
       Model::hertz,
       fmt::format("no friction, the undeformed distance is a quadratic within {:.1g} of the approach, {}{}",
                   model.deviation, turn_text(model.turn),
-                  within_text(miss_text("Hertz's closed form is", errors, request.of), request,
-                              "a costlier model", request.of)),
+                  judged(error_text("Hertz's closed form is", errors, request.of),
+                         largest(errors, request) <= request.tolerance, request)),
       largest(errors, request) <= request.tolerance};
 }
 
@@ -96,18 +93,17 @@ ModelChoice choose_model(const ContactTraits& traits, const ModelRequest& reques
   const std::string turn =
       traits.prescribed.structures ? "the structures' motion is included; " : turn_text(traits.turn);
   const Told told = told_by(traits, request);
-  const auto misses = [&](const std::vector<ModelErrorOf>& of, bool both) {
+  const auto errors = [&](const std::vector<ModelErrorOf>& of, bool both) {
     if (of.empty())
       return std::string();
-    const std::string first = miss_text("half-space theory is", halfspace, of);
-    return both ? first + ", " + miss_text("tangent planes are", tangent_plane, of) : first;
+    const std::string first = error_text("half-space theory is", halfspace, of);
+    return both ? first + ", of " + error_text("tangent planes", tangent_plane, of) : first;
   };
   for (const auto& [model, error] :
        {std::pair{Model::halfspace, by_halfspace}, {Model::tangent_plane, by_planes}})
     if (error <= request.tolerance)
-      return {model, turn + enough_text(misses(told.known, model == Model::tangent_plane), request, told)};
-  const std::string reason = fmt::format("{}{}: more than the {:g} % allowed", turn, misses(request.of, true),
-                                         100 * request.tolerance);
+      return {model, turn + enough_text(errors(told.known, model == Model::tangent_plane), request, told)};
+  const std::string reason = turn + judged(errors(request.of, true), false, request);
   if (request.fem)
     return {Model::fem, reason};
   return {by_planes < by_halfspace ? Model::tangent_plane : Model::halfspace,

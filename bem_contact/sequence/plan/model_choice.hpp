@@ -18,8 +18,7 @@ struct ModelRequest {
 };
 ModelRequest request_of(const ContactCase& asked);
 
-/// The cheapest model that is predicted to be within the tolerance, why, and what a costlier one would
-/// change.
+/// The cheapest model that is predicted to be within the tolerance, and why: two short sentences at most.
 struct ModelChoice {
   Model model;
   std::string reason;

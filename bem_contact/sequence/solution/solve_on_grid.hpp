@@ -11,7 +11,7 @@
 
 namespace bem_contact {
 
-/// What solving a case may draw on. All of it belongs to the caller.
+/// What may be used to solve a case. All of it belongs to the caller.
 struct SolveResources {
   WorkBudget& work;                ///< of the case
   SequenceFiles* files = nullptr;  ///< where fem finds influence files that are not read; null: they are
@@ -23,7 +23,7 @@ struct SolveResources {
   bool displacements = true;             ///< the result holds them
   int threads = 1; ///< share the influence numbers; `operators` have a number of their own
 
-  /// For another solution on the way, with a budget and a start of its own.
+  /// The same for a further solution of this case, with its own work budget and its own start.
   SolveResources with(WorkBudget& budget, const FormerSolution* from) const {
     return {budget, files, numbers, operators, from, coarse_start, totals_only, displacements, threads};
   }

@@ -36,8 +36,8 @@ bool is_placed_by_contact(const SceneFile& scene);
 /// The approach less the structural motion at the contact, mm; without structural motion the approach itself.
 double local_approach(const ContactCase& asked, const GridSolution& solved);
 
-/// The largest distance along s, mm, by which surfaces in contact move past each other beyond what the
-/// geometry of the solution knows.
+/// The surfaces in contact slide past each other along s as the bodies approach. This is the largest
+/// distance, mm, that is not yet part of the geometry with which the case was solved.
 double unseen_slide(const ContactCase& asked, const GridSolution& solved);
 
 /// SceneResult::approach_datum.

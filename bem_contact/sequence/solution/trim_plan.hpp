@@ -8,7 +8,7 @@ namespace bem_contact {
 /// scene leaves it open which rows and columns are solved.
 bool has_large_numbers(const ContactCase& asked, const GridPlan& plan, Model model);
 
-/// A plan without what the contact does not need, and what it took to know that.
+/// A plan without the rows and columns that the contact does not need, and the work that found them.
 struct TrimmedPlan {
   GridPlan plan;
   PhaseSeconds seconds;

@@ -8,13 +8,13 @@ namespace bem_contact {
 
 namespace {
 
-/// Of two intervals' shorter one, how much lies in the other.
+/// The share of the shorter of two intervals that lies within the other one.
 double overlap(double a_from, double a_to, double b_from, double b_to) {
   const double common = std::min(a_to, b_to) - std::max(a_from, b_from) + least_extent;
   return common / (std::min(a_to - a_from, b_to - b_from) + least_extent);
 }
 
-/// Takes [from, to] to [to_from, to_to].
+/// Maps interval a to interval b: middle to middle, and length to length.
 struct Stretch {
   double from, to_from, factor;
 
@@ -30,8 +30,9 @@ class FormerFields {
 public:
   explicit FormerFields(const FormerSolution& former) : former_(former) {}
 
-  /// Moves to a place in rows and columns of its grid; false outside, and where most elements around it were
-  /// not in contact: or the start would have an element more all around.
+  /// Moves to a place, given as row and column of the former grid. Returns false outside that grid, and where
+  /// most of the elements around the place were not in contact: otherwise the start would be larger than the
+  /// former contact by one element on every side.
   bool move_to(double row, double column) {
     const ContactGrid& grid = former_.grid;
     if (!(row > 0 && row < grid.ms - 1) || !(column > 0 && column < grid.mx - 1))

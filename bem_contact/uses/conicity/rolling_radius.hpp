@@ -14,8 +14,9 @@ namespace bem_contact {
 /// wheel_radius, rail_origin, wheel_origin. Its side, lateral displacement, roll, yaw and deviations of the
 /// rail are not used.
 struct WheelsetOnTrack {
-  TabulatedProfile right_rail, right_wheel, left_rail, left_wheel;
-  WheelsetPosition position;
+  TabulatedProfile right_rail, right_wheel; ///< each in its own frame, mm
+  TabulatedProfile left_rail, left_wheel;   ///< likewise, mirrored as above
+  WheelsetPosition position;                ///< of both sides, mm and rad
   /// The wheelset rolls until both wheels stand on their rails. False, as the reference results of EN 15302
   /// have it: the wheelset stays upright, and each wheel touches at a height of its own.
   bool rolls = false;
@@ -25,28 +26,30 @@ struct WheelsetOnTrack {
 
 /// Where one wheel touches. Both points are in the frame of their section: y to the field side, z down, mm.
 struct WheelTouch {
-  double rail_s = 0, wheel_s = 0; ///< arc length, mm
-  Point2 rail, wheel;
+  double rail_s = 0, wheel_s = 0; ///< arc length on each profile, mm
+  Point2 rail, wheel;             ///< (y, z) of the point on each profile, mm
   double delta = 0;  ///< inclination of the rail's surface there, in the track frame of this side, rad
   double radius = 0; ///< of the wheel there, mm
 };
 
 /// The wheelset at one lateral displacement.
 struct WheelsetStand {
-  double lateral = 0; ///< mm, to the right
-  double roll = 0;    ///< rad, right side down
-  WheelTouch right, left;
+  double lateral = 0;     ///< mm, to the right
+  double roll = 0;        ///< rad, right side down
+  WheelTouch right, left; ///< in the frames of their sides
 
   /// Rolling radius difference, mm: right less left.
   double difference() const { return right.radius - left.radius; }
 };
 
-/// Throws InputError where a wheel finds no touch point on its rail.
+/// The wheelset at a lateral displacement, mm to the right. Throws InputError where a wheel finds no touch
+/// point on its rail.
 WheelsetStand stand(const WheelsetOnTrack& wheelset, double lateral);
 
-/// The wheelset from -reach to reach, in steps of at most lateral_step, and finer where a contact point moves
-/// fast or jumps (settings.hpp). Ends earlier on a side where a wheel finds no touch point. Throws InputError
-/// where it finds none at 0, and unless 0 < reach <= 50 mm; Stopped soon after another thread sets `stop`.
+/// The wheelset at lateral displacements from -reach to reach (mm), ascending, in steps of at most
+/// lateral_step, and finer where a contact point moves fast or jumps (settings.hpp). Ends earlier on a side
+/// where a wheel finds no touch point. Throws InputError where it finds none at 0, and unless 0 < reach <= 50
+/// mm; Stopped soon after another thread sets `stop`.
 std::vector<WheelsetStand> rolling_radius_difference(const WheelsetOnTrack& wheelset, double reach,
                                                      const std::atomic<bool>* stop = nullptr);
 

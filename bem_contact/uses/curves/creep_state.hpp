@@ -7,14 +7,15 @@
 
 namespace bem_contact {
 
-/// The three creepages, in the order of every array here.
+/// The three creepages, in the order of every array here: longitudinal xi and lateral eta (1), spin phi
+/// (1/mm). Signs: base/conventions.hpp.
 enum class CreepKind { xi, eta, phi };
 template <> struct EnumNames<CreepKind> {
   static constexpr std::array<std::string_view, 3> names{"xi", "eta", "phi"};
 };
 
-/// The three forces that answer them, on the rail: Fx (N), Fs along the tangent at the reference point (N),
-/// Mz about the vertical through it (N mm).
+/// The three forces on the rail that they cause: Fx along x (N), Fs along the tangent e_s at the reference
+/// point (N), and the moment Mz about the vertical through that point (N mm).
 enum class CreepForce { Fx, Fs, Mz };
 template <> struct EnumNames<CreepForce> {
   static constexpr std::array<std::string_view, 3> names{"Fx", "Fs", "Mz"};
@@ -24,11 +25,12 @@ template <> struct EnumNames<CreepForce> {
 using Creepages = std::array<double, 3>;
 /// Indexed by CreepForce: N, N, N mm.
 using CreepForceValues = std::array<double, 3>;
-/// [CreepForce][CreepKind]: derivatives of forces.
+/// [CreepForce][CreepKind]: derivatives of forces by creepages. Fx, Fs: N, N, N mm; Mz: N mm, N mm, N mm^2.
 using CreepMatrix = std::array<std::array<double, 3>, 3>;
 
+/// The forces of a result.
 CreepForceValues forces_of(const SceneResult& result);
-/// Absolute errors that the size of the elements is estimated to cause; nan: not known.
+/// Their absolute errors (N, N, N mm) that the size of the elements is estimated to cause; nan: not known.
 CreepForceValues force_errors_of(const SceneResult& result);
 
 /// The creepages whose rigid slip is nearest to that of the result, in the mean square over the contact,

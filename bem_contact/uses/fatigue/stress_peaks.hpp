@@ -7,21 +7,23 @@ namespace bem_contact::fatigue {
 
 /// The largest stress of one kind below the surface, and where it is.
 struct StressPeak {
-  double stress = 0;   ///< MPa
-  double x = 0, s = 0; ///< mm; s on the rail's arc length
-  double depth = 0;    ///< along n, mm
+  double stress = 0; ///< MPa
+  double x = 0,
+         s = 0;     ///< of the point above it on the surface, mm; x of the grid, s on the rail's arc length
+  double depth = 0; ///< below that point along the normal n, mm
 };
 
 /// In the rail (a patch: in the lower body).
 struct StressPeaks {
-  StressPeak von_mises;
-  StressPeak tresca; ///< largest shear stress, half the difference of the outer principal stresses
+  StressPeak von_mises; ///< equivalent stress of von Mises
+  StressPeak tresca;    ///< largest shear stress, half the difference of the outer principal stresses
 };
 
 /// Searches the half-space's stresses under the tractions (sequence/stresses.hpp) below the whole contact: on
 /// a coarse lattice first, then from the largest value in steps that become smaller. Depths begin at one
 /// element's side: nearer to the surface the elements' edges show, and element_index() tells about the
-/// surface itself. Zero without contact.
+/// surface itself. `poisson`: Poisson's ratio of the rail (a patch: of the lower body). All zero without
+/// contact.
 StressPeaks stress_peaks(const ContactProblem& problem, const ContactResult& result, double poisson);
 
 } // namespace bem_contact::fatigue

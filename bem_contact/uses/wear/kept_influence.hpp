@@ -17,14 +17,18 @@ namespace bem_contact::wear {
 /// turn of the surface that says how far they still serve, and they are used at the same arc lengths.
 struct KeptInfluence {
   std::filesystem::path file; ///< empty: none
-  std::vector<Point2> shape;  ///< the profile that they are of; as many points as the body has now, mm
+  /// The profile that they are of: (y, z) of its points in walking order, in the profile's own frame, mm. As
+  /// many points as the body has now.
+  std::vector<Point2> shape;
 };
 
+/// Those of both bodies.
 struct KeptPair {
-  KeptInfluence rail, wheel;
+  KeptInfluence rail, wheel; ///< each has a file, or none
 };
 
-/// Largest angle between an edge of one polygon and the same edge of the other, rad.
+/// Largest angle between an edge of one polygon and the same edge of the other, rad. Both are (y, z) of
+/// profile points, mm, in the same frame, and equally many.
 double turn_between(std::span<const Point2> before, std::span<const Point2> after);
 
 /// Throws InputError: the surface of `body` ("rail" or "wheel") has turned by `turn`, rad, more than the
@@ -33,7 +37,8 @@ double turn_between(std::span<const Point2> before, std::span<const Point2> afte
 [[noreturn]] void refuse_outgrown(std::string_view body, double turn, double limit, std::string_view since,
                                   const std::string& advice);
 
-/// Throws InputError where there is a file and the shape has turned by more than `limit`, rad.
+/// Throws InputError if there is a file and the shape has turned by more than `limit`, rad, or has another
+/// number of points. `body`: "rail" or "wheel". `now`: its present shape, as KeptInfluence::shape.
 void require_kept(std::string_view body, const KeptInfluence& influence, std::span<const Point2> now,
                   double limit);
 

@@ -280,7 +280,7 @@ WheelsetDescription check_wheelset(const SceneFile& scene) {
   const WheelsetPose pose = stand(wheels, scene.position.lateral, first_guess(scene));
   WheelsetDescription out{pose.lateral, pose.roll, wheels.check(WheelSide::right, pose),
                           wheels.check(WheelSide::left, pose)};
-  warn_of_kilonewtons(scene, out.right.warnings);
+  warn_of_kilonewtons(scene, out.warnings);
   return out;
 }
 

@@ -29,9 +29,10 @@ struct WheelsetResult {
 /// Both wheels where the search for the equilibrium begins: at position.lateral, each with the approach of
 /// about half of the vertical force.
 struct WheelsetDescription {
-  double lateral = 0, roll = 0; ///< mm; rad
-  SceneDescription right;       ///< the wheel to the right of the rolling direction, as asked
-  SceneDescription left;        ///< the other one, y and s to the left
+  double lateral = 0, roll = 0;           ///< mm; rad
+  SceneDescription right;                 ///< the wheel to the right of the rolling direction, as asked
+  SceneDescription left;                  ///< the other one, y and s to the left
+  std::vector<std::string> warnings = {}; ///< of the wheelset, beside those of either wheel
 };
 /// Solves no equilibrium. Throws what solve_wheelset() would throw before it solves.
 WheelsetDescription check_wheelset(const SceneFile& scene);
