@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 using namespace bem_contact;
 
@@ -51,10 +50,6 @@ double largest_difference(const InfluenceNumbers& first, const InfluenceNumbers&
   for (std::size_t i = 0; i < std::min(a.values.size(), b.values.size()); ++i)
     error = std::max(error, std::abs(a.values[i] - b.values[i]));
   return error / b.at(0, 0, 2, 0, 2);
-}
-
-std::string message_of(const std::function<void()>& call) {
-  return message_of([&] { call(); });
 }
 
 } // namespace
