@@ -42,6 +42,17 @@ void expect_same(const SceneResult& a, const SceneResult& b) {
   EXPECT_EQ(in_contact(a), in_contact(b));
 }
 
+/// A file cannot say so; a program can.
+TEST(Sequence, AnAccuracyOfNothingIsRefused) {
+  SceneFile no_error = rolling(0), no_model = rolling(0);
+  no_error.grid.accuracy_of.clear();
+  no_model.solver.model_tolerance_of.clear();
+  EXPECT_THAT(message_of([&] { Sequence().solve(no_error); }),
+              HasSubstr("grid.accuracy_of is empty (an accuracy is of something)"));
+  EXPECT_THAT(message_of([&] { Sequence().solve(no_model); }),
+              HasSubstr("solver.model_tolerance_of is empty (an accuracy is of something)"));
+}
+
 TEST(Sequence, FindsWhatEachCaseAloneIs) {
   Sequence sequence;
   for (const double lateral : {0.0, 0.4, 0.8, 1.2, 4.0, 6.6})

@@ -53,9 +53,18 @@ bool foresees_fem(const ContactCase& asked) {
          choose_model(traits_of(asked, *asked.estimate), request_of(asked)).model == Model::fem;
 }
 
+/// Files cannot leave these lists empty; a program can.
+void require_quantities(const char* key, std::size_t named) {
+  if (named == 0)
+    throw InputError(fmt::format("{} is empty", key), "an accuracy is of something",
+                     "Name one quantity or more, for instance forces.");
+}
+
 } // namespace
 
 ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, PrepareOptions options) {
+  require_quantities("grid.accuracy_of", scene.grid.accuracy_of.size());
+  require_quantities("solver.model_tolerance_of", scene.solver.model_tolerance_of.size());
   if (scene.wheelset.force)
     throw InputError("This scene is one of both wheels of a wheelset", "wheelset.force is given",
                      "Solve it with bem_contact wheelset (Python: wheelset), or give load.force instead.");
