@@ -107,15 +107,26 @@ std::string toml_of(SchemaValue value) {
   return to_text(value);
 }
 
-/// One line `a.b.c = value` for each entry of the dict and of those in it.
-void add_table(const py::object& table, const std::string& prefix, std::string& text) {
-  for (const py::handle item : table.attr("items")()) {
+/// The entries of a dict whose keys are texts. `cannot`, `whose` and `example` are for the error of other
+/// keys.
+std::vector<std::pair<std::string, py::object>> entries_of(const py::object& dict, const char* cannot,
+                                                           const char* whose, const char* example) {
+  std::vector<std::pair<std::string, py::object>> out;
+  for (const py::handle item : dict.attr("items")()) {
     const auto [key, value] = py::cast<std::pair<py::object, py::object>>(item);
     if (!py::isinstance<py::str>(key))
-      refuse_type("The scene cannot be used", fmt::format("one of its keys is of type {}", type_name(key)),
-                  "Name the keys of a scene, as {'load': {'force': 1e5}}.");
-    const std::string name = key_text(key.cast<std::string>()),
-                      path = prefix.empty() ? name : prefix + "." + name;
+      refuse_type(cannot, fmt::format("one of {} keys is of type {}", whose, type_name(key)),
+                  fmt::format("Name the keys of a scene, as {}.", example));
+    out.emplace_back(key.cast<std::string>(), value);
+  }
+  return out;
+}
+
+/// One line `a.b.c = value` for each entry of the dict and of those in it.
+void add_table(const py::object& table, const std::string& prefix, std::string& text) {
+  for (const auto& [key, value] :
+       entries_of(table, "The scene cannot be used", "its", "{'load': {'force': 1e5}}")) {
+    const std::string name = key_text(key), path = prefix.empty() ? name : prefix + "." + name;
     if (path == "sweep") // as in a file: for sweeps alone
       continue;
     if (py::hasattr(value, "items"))
@@ -127,13 +138,9 @@ void add_table(const py::object& table, const std::string& prefix, std::string& 
 
 /// One change for each entry of the dict and of those in it: {'load': {'force': 1e5}} is {'load.force': 1e5}.
 void add_changes(const py::object& changes, const std::string& prefix, std::vector<SceneChange>& list) {
-  for (const py::handle item : changes.attr("items")()) {
-    const auto [key, value] = py::cast<std::pair<py::object, py::object>>(item);
-    if (!py::isinstance<py::str>(key))
-      refuse_type("The changes cannot be used",
-                  fmt::format("one of their keys is of type {}", type_name(key)),
-                  "Name the keys of a scene, as {'position.lateral': 6.6}.");
-    const std::string path = prefix + key.cast<std::string>();
+  for (const auto& [key, value] :
+       entries_of(changes, "The changes cannot be used", "their", "{'position.lateral': 6.6}")) {
+    const std::string path = prefix + key;
     if (py::hasattr(value, "items") && py::len(value) > 0)
       add_changes(value, path + ".", list);
     else
