@@ -290,8 +290,9 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   const ShearEffects effects = effects_of_shear(problem, result);
   e.Fy = lateral_error(problem, result.Fy - coarse.Fy, effects, fine);
   e.Fz = force ? 0 : shear_error(result.Fz - coarse.Fz, effects.fz, fine) + local_normal_force(fine);
-  out.moment_change = growth(fine, moment_elongation) * moment_share * shear_change;
-  out.local_moment = growth(fine, moment_elongation) * moment_share * local_error(fine.moment, fine);
+  const double moment = growth(fine, moment_elongation) * moment_share;
+  out.moment_change = moment * shear_change;
+  out.local_moment = moment * local_error(fine.moment, fine);
   estimate_patches(problem, patches, patches_of(coarse_problem, coarse), effects, fine, roughness,
                    out.patches);
   estimate_track_forces(result, out);
