@@ -59,6 +59,30 @@ TEST(ErrorEstimates, SayWhyThereAreNone) {
   EXPECT_NE(solve(ellipse(1e-3, 1e-3, 20, 0, 0), options).unestimated, "");
 }
 
+/// In one row of elements there is no border that averages out: against Carter 1926.
+TEST(ErrorEstimates, HoldOnRows) {
+  const double radius = 500, mu = 0.3, length = 4e4;
+  const double fn = std::numbers::pi * 82000 / (4 * radius * (1 - 0.28)); // N/mm, for a half width of 1 mm
+  Tally fx, pmax, area;
+  for (double across = 16.3; across <= 100; across += 2.61) // the ends of the contact lie within elements
+    for (const double adhering : {0.2, 0.4, 0.6, 0.8}) {
+      ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, static_cast<int>(1.2 * across), 1,
+                                            2 / across, length, 0.5 / radius, 0);
+      problem.force = fn * length;
+      scenes::set_creepage(problem, mu, mu * (1 - adhering) / radius, 0, 0);
+      const ContactResult result = solve(problem);
+      ASSERT_TRUE(result.converged && result.discretisation) << across;
+      const TotalErrors& errors = result.discretisation->errors;
+      fx.add(errors.Fx, result.Fx, (1 - adhering * adhering) * mu * fn * length);
+      pmax.add(errors.pmax, largest_pressure(result), 2 * fn / std::numbers::pi);
+      area.add(errors.area, contact_area(result), 2 * length);
+    }
+  for (Tally* tally : {&fx, &pmax, &area}) {
+    EXPECT_GE(tally->share(), 0.95);
+    EXPECT_LE(tally->median(), 5);
+  }
+}
+
 /// What the numbers are said to mean, against Hertz (Johnson 1985, chapter 4).
 TEST(ErrorEstimates, HoldOnHertzContacts) {
   const double modulus = 82000 / (1 - 0.28);

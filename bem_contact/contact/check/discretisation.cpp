@@ -79,7 +79,7 @@ double largest_approach(const ContactResult& result) {
 } // namespace
 
 std::string why_not_compared(const ContactProblem& coarse_problem, const ContactResult& coarse) {
-  const bool line = coarse_problem.grid.mx == 1 || coarse_problem.grid.ms == 1;
+  const bool line = coarse_problem.grid.is_line();
   const int least = line ? least_companion_line : least_companion;
   const int contact = count_elements(coarse).contact;
   if (contact < least)

@@ -11,7 +11,7 @@
 namespace bem_contact::contact {
 namespace {
 
-constexpr double rounding = 1e-9; ///< 1. A smaller relative error is one of rounding.
+constexpr double rounding = 1e-7; ///< 1. A smaller relative error is one of the solvers' tolerance.
 
 /// Root mean square of the fourth differences of the undeformed distance from element to element within the
 /// contact, as the pressure on one element that moves its surface so far, MPa. Where the distance is smooth
@@ -56,19 +56,21 @@ bool converges(const Region& fine, const Region& coarse, double roughness) {
 
 /// `roughness`: as converges() takes it, MPa.
 double pmax_error(const Region& r, const Region& coarse, double roughness) {
-  return pmax_change * std::abs(r.pmax - coarse.pmax) + pmax_local * r.curvature + pmax_rough * roughness;
+  return pmax_change * std::abs(r.pmax - coarse.pmax) +
+         (r.line ? line_pmax_local : pmax_local) * r.curvature + pmax_rough * roughness;
 }
 
 double area_error(const Region& r) {
-  return area_border * r.area * r.border / r.contact;
+  return (r.line ? line_border : area_border) * r.area * r.border / r.contact;
 }
 
 /// The local part of the error of a sum of shear tractions. It is there even if larger elements give the same
 /// sum, because the two may agree by chance. `adhesion` is the factor of the part that comes from the
 /// elements in adhesion.
 double local_error(const UncertainSum& sum, const Region& r, double adhesion = shear_adhesion) {
-  return shear_local * std::min(sum.size, shear_deviation * sum.deviation) / r.contact +
-         adhesion * std::sqrt(sum.adhering);
+  const double local = shear_local * std::min(sum.size, shear_deviation * sum.deviation) / r.contact +
+                       adhesion * std::sqrt(sum.adhering);
+  return r.line ? line_shear * local : local;
 }
 
 /// By how much larger errors of such sums are on elements longer than wide.
@@ -84,7 +86,14 @@ double shear_error(double change, const UncertainSum& sum, const Region& r,
 
 /// The local part of the error of an approach, relative to the approach.
 double local_approach(const Region& r) {
-  return approach_local / r.contact + approach_peak * r.relative_fall();
+  return r.line ? line_approach_peak * r.relative_fall()
+                : approach_local / r.contact + approach_peak * r.relative_fall();
+}
+
+/// The same of a patch, which is approach - gap where the bodies overlap most.
+double local_overlap(const Region& r) {
+  return r.line ? line_overlap_peak * r.relative_fall()
+                : overlap_local / r.contact + overlap_peak * r.relative_fall();
 }
 
 /// The local part of the error of the normal force at a given approach, N. Hertz's force grows as
@@ -115,8 +124,8 @@ PatchErrors patch_errors(const Region& fine, const Region& coarse, double roughn
   PatchErrors out;
   out.pmax = pmax_error(fine, coarse, roughness);
   out.area = area_error(fine);
-  out.approach = overlap_change * std::abs(fine.approach - coarse.approach) +
-                 fine.approach * (overlap_local / fine.contact + overlap_peak * fine.relative_fall());
+  out.approach =
+      overlap_change * std::abs(fine.approach - coarse.approach) + fine.approach * local_overlap(fine);
   estimate_patch_shear(fine, coarse, out);
   return out;
 }
@@ -235,9 +244,10 @@ void estimate_shear(const ContactProblem& problem, const ContactResult& result, 
   const auto& [fine, rough] = regions;
   e.Fx = problem.force_x ? 0 : shear_error(result.Fx - coarse.Fx, fine.fx, fine, shear_adhesion_x);
   e.Fs = problem.force_s ? 0 : shear_error(result.Fs - coarse.Fs, fine.fs, fine);
-  e.adhesion_share =
-      adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
-      (adhesion_local + adhesion_border * std::sqrt(double(fine.adhesion_border))) / fine.contact;
+  e.adhesion_share = adhesion_change * std::abs(fine.adhesion_share() - rough.adhesion_share()) +
+                     (fine.line ? line_adhesion : 1.0) *
+                         (adhesion_local + adhesion_border * std::sqrt(double(fine.adhesion_border))) /
+                         fine.contact;
   e.friction_power = power_error(fine, rough);
 }
 

@@ -53,6 +53,7 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
   const Field field{problem, result};
   const double dS = problem.element_area();
   Region out;
+  out.line = problem.grid.is_line();
   std::vector<Part> fx, fs;
   std::vector<int> in_row(problem.grid.ms, 0);
   for (const int i : elements) {

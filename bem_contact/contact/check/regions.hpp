@@ -34,6 +34,7 @@ UncertainSum sum_of(std::span<const Part> parts);
 
 /// A set of elements in contact: all of them, or a patch.
 struct Region {
+  bool line = false;                     ///< the grid has one row or one column: the border is two elements
   int contact = 0, border = 0;           ///< elements; border: one beside it is exterior
   int rows = 0, longest = 0;             ///< rows with such elements; elements of the longest of these rows
   int adhesion = 0, adhesion_border = 0; ///< border: one beside it slips
@@ -56,8 +57,8 @@ struct Region {
   double relative_fall() const { return curvature / pmax; }
   double adhesion_share() const { return double(adhesion) / contact; }
   /// Elements across the region over those along it, at least 1: of two grids with as many elements in
-  /// contact, the one with longer elements shows less along x.
-  double elongation() const { return std::max(1.0, double(rows) / longest); }
+  /// contact, the one with longer elements shows less along x. A line has one direction alone: 1.
+  double elongation() const { return line ? 1.0 : std::max(1.0, double(rows) / longest); }
 };
 
 /// The whole contact, which must not be empty.

@@ -33,7 +33,8 @@ Extent extent_of(const SceneResult& r) {
   return {(x1 - x0 + 1) * grid.dx, (s1 - s0 + 1) * grid.ds};
 }
 
-/// Makes a patch's grid a quarter larger than its contact, with the number of elements that it has.
+/// Makes a patch's grid a quarter larger than its contact, with the number of elements that it has. One row
+/// or column keeps its width.
 void fit_grid(SceneFile& scene) {
   for (int round = 0; round < 4 && scene.kind == SceneKind::patch; ++round) {
     const SceneResult r = Sequence().solve(scene);
@@ -42,19 +43,24 @@ void fit_grid(SceneFile& scene) {
     const auto fitted = [&](double length, int count, double element) {
       return std::max(0.3 * element, reserve * length / count);
     };
-    scene.grid.dx = fitted(contact.x, *scene.grid.mx, scene.grid.dx);
-    scene.grid.ds = fitted(contact.s, *scene.grid.ms, scene.grid.ds);
+    if (*scene.grid.mx > 1)
+      scene.grid.dx = fitted(contact.x, *scene.grid.mx, scene.grid.dx);
+    if (*scene.grid.ms > 1)
+      scene.grid.ds = fitted(contact.s, *scene.grid.ms, scene.grid.ds);
   }
 }
 
+/// One row or one column stays one.
 SceneFile on_finer_grid(SceneFile scene, const ContactGrid& grid) {
+  const int along = grid.mx == 1 ? 1 : finer, across = grid.ms == 1 ? 1 : finer;
   scene.grid.elements.reset();
   scene.grid.accuracy.reset();
-  scene.grid.dx = grid.dx / finer;
-  scene.grid.ds = grid.ds / finer;
-  for (std::optional<int>* count : {&scene.grid.mx, &scene.grid.ms})
-    if (*count)
-      **count *= finer;
+  scene.grid.dx = grid.dx / along;
+  scene.grid.ds = grid.ds / across;
+  if (scene.grid.mx)
+    *scene.grid.mx *= along;
+  if (scene.grid.ms)
+    *scene.grid.ms *= across;
   return scene;
 }
 
