@@ -1,11 +1,11 @@
 #include "bem_contact/base/error.hpp"
-#include "bem_contact/halfspace/rectangle.hpp"
 #include "bem_contact/influence/expand.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "fem_influence/harmonic/harmonic_run.hpp"
 #include "fem_influence/harmonic/run_plan.hpp"
 #include "section_meshes.hpp"
 #include "tests/base/message.hpp"
+#include "tests/halfspace/rectangle_oracle.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
