@@ -188,6 +188,14 @@ ProfileCurve body_profile(const BodyFile& file) {
                                    {line_piece({-body.size, 0}, {0, 0}), line_piece({0, 0}, {body.size, 0})});
 }
 
+void require_strip_on_profile(const BodyFile::Strip& strip, const ProfileCurve& profile) {
+  if (strip.from < profile.s_begin() - end_slack || strip.to > profile.s_end() + end_slack)
+    throw InputError(
+        fmt::format("The strip from {} to {} mm is not on profile {}", strip.from, strip.to, profile.name()),
+        fmt::format("the profile runs from {:.3f} to {:.3f} mm", profile.s_begin(), profile.s_end()),
+        "Change [strip] from and to.");
+}
+
 std::string graft_base(const BodyFile::Body& body) {
   const std::string base = !body.graft_onto.empty()      ? body.graft_onto
                            : body.kind == BodyKind::rail ? "60E1"

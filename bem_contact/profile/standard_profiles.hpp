@@ -35,6 +35,8 @@ ProfileKind kind_of_standard(std::string_view name);
 ///   block: the line z = 0 from y = -size to size, material below
 ///   outline: its contact pieces (own_outline.hpp)
 ProfileCurve body_profile(const BodyFile& body);
+/// Throws InputError unless the strip lies on the profile, but for rounding.
+void require_strip_on_profile(const BodyFile::Strip& strip, const ProfileCurve& profile);
 
 /// The profile file that a body names; empty where it names a standard or nothing.
 std::filesystem::path profile_file_of(const BodyFile& body);

@@ -13,10 +13,6 @@
 namespace bem_contact::fem {
 
 std::vector<double> wavenumber_samples(double half_period, double shortest_dx, int samples_per_decade) {
-  if (!(half_period > 0) || !(shortest_dx > 0) || samples_per_decade < 1)
-    throw InputError("The wavenumbers cannot be chosen",
-                     "half_period, shortest_dx and samples_per_decade must be positive",
-                     "Correct [harmonic] of the body file.");
   const double unit = std::numbers::pi / half_period,
                largest = settings::largest_wavenumber_times_dx / shortest_dx;
   std::vector<double> k{0};
