@@ -103,25 +103,6 @@ void validate_table(const InfluenceFunction& f) {
 
 } // namespace
 
-InfluenceFunction without_numbers(const InfluenceFunction& f) {
-  InfluenceFunction out;
-  out.body = f.body;
-  out.profile = f.profile;
-  out.profile_digest = f.profile_digest;
-  out.material = f.material;
-  out.held = f.held;
-  out.method = f.method;
-  out.invariance = f.invariance;
-  out.reference_radius = f.reference_radius;
-  out.half_period = f.half_period;
-  out.station_width = f.station_width;
-  out.table_dx = f.table_dx;
-  out.betti_error = f.betti_error;
-  out.reaction_error = f.reaction_error;
-  out.estimated_error = f.estimated_error;
-  return out;
-}
-
 void validate(const InfluenceFunction& f) {
   validate_metadata(f);
   validate_stations(f);

@@ -34,13 +34,11 @@ std::vector<double> wavenumber_samples(double half_period, double shortest_dx, i
 namespace {
 
 CompanionPlan plan_companion(const BodyFile& body, const InfluenceFunction& function) {
-  CompanionPlan companion{body, compared_stations(function.station_count()), function};
+  CompanionPlan companion{body, compared_stations(function.station_count()), without_numbers(function)};
   --companion.body.harmonic.degree;
   companion.body.harmonic.border_levels = std::max(0, body.harmonic.border_levels - 1);
-  companion.function.stations.clear();
   for (const std::size_t J : companion.stations)
     companion.function.stations.push_back(function.stations[J]);
-  companion.function.wavenumber.clear();
   for (const std::size_t k : companion_samples(function.wavenumber_count()))
     companion.function.wavenumber.push_back(function.wavenumber[k]);
   return companion;
