@@ -134,19 +134,6 @@ ProfileCurve lower_half_circle(std::string name, double radius, bool upper_body)
 
 } // namespace
 
-double s1002_height(double y) {
-  if (!(y >= zone_h.to && y <= zone_a.from))
-    throw InputError(fmt::format("y = {} mm is off the profile S1002", y), "it runs from -70 to 60 mm",
-                     "Ask for a point on the profile.");
-  for (const PolynomialZone& zone : {zone_a, zone_b, zone_c, zone_e})
-    if (y >= zone.to && y <= zone.from)
-      return height(zone, y);
-  for (const ArcZone& zone : {zone_d, zone_f, zone_g})
-    if (y >= zone.to && y <= zone.from)
-      return height(zone, y);
-  return height(zone_h, y);
-}
-
 std::span<const std::string> standard_profile_names() {
   static const std::array<std::string, 5> names{"60E1", "60E2", "54E1", "46E3", "S1002"};
   return names;

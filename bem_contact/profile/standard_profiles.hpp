@@ -20,9 +20,6 @@ namespace bem_contact {
 ProfileCurve standard_profile(std::string_view name);
 bool is_standard_profile(std::string_view name);
 std::span<const std::string> standard_profile_names();
-/// z(y) of S1002 by the formulas of EN 13715 as they stand, -70 <= y <= 60; at a joint the zone on the field
-/// side.
-double s1002_height(double y);
 /// Rail or wheel, of one of these names.
 ProfileKind kind_of_standard(std::string_view name);
 
