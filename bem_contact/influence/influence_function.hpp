@@ -3,6 +3,7 @@
 #include "bem_contact/base/conventions.hpp"
 #include "bem_contact/base/material.hpp"
 #include "bem_contact/influence/lower_triangle.hpp"
+#include "bem_contact/profile/contact_row.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,12 +23,9 @@ enum class Invariance { prismatic, revolution };
 ///   removed:  every section's remote part (`remote`) has no mean displacement and no mean rotation.
 enum class StructuralCompliance { removed, included };
 
-/// One station: an element of the contact strip, `width` long along s, infinitely long along x.
-struct Station {
-  double s = 0;     ///< arc length of its centre on the profile, mm
-  Point2 position;  ///< of its centre, section frame, mm
-  double delta = 0; ///< inclination at its centre, rad, body's own frame
-};
+/// One station: an element of the contact strip, `station_width` long along s, infinitely long along x. Its
+/// centre in the frame of the body's section.
+using Station = ContactRow;
 
 /// What an influence function says beside its numbers: of which body it is, and how good it is.
 struct InfluenceDescription {
