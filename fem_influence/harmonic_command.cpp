@@ -49,8 +49,7 @@ void harmonic_command(const std::string& body_file, const std::string& mesh, con
                     {{"--output", output, OutputForm::whole_file}});
     curve = body_profile(*body);
   });
-  const auto stations = std::lround((body->strip.to - body->strip.from) / body->strip.station_width);
-  ProgressBar bar(fmt::format("{} stations, wavenumbers", stations));
+  ProgressBar bar(fmt::format("{} stations, wavenumbers", body->strip.stations()));
   std::optional<InterruptNote> note;
   if (process_rank() == 0)
     note.emplace(

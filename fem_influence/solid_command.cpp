@@ -31,14 +31,12 @@ InfluenceFunction as_table(const BodyFile& body, const ProfileCurve& curve, cons
   const std::size_t stations = numbers.stations.size(), n = 3 * stations;
   if (numbers.loads.size() != stations)
     throw InputError("The table of influence numbers would not be complete",
-                     std::to_string(numbers.loads.size()) + " of " + std::to_string(stations) +
-                         " stations were loaded",
+                     fmt::format("{} of {} stations were loaded", numbers.loads.size(), stations),
                      "Load all of them.");
   InfluenceFunction f = describe(body, curve);
   f.held = "all three displacements are zero on the mesh's group 'held' (physical surface 2)";
-  f.method = "solid3d, degree " + std::to_string(body.solid.degree) + ", up to " +
-             std::to_string(numbers.report.cells) + " hexahedra, " +
-             std::to_string(body.solid.elements_per_load) + " along each side of the loaded element";
+  f.method = fmt::format("solid3d, degree {}, up to {} hexahedra, {} along each side of the loaded element",
+                         body.solid.degree, numbers.report.cells, body.solid.elements_per_load);
   f.table_dx = numbers.dx;
   f.table.assign(static_cast<std::size_t>(numbers.offsets) * n * n, 0.0);
   for (int m = 0; m < numbers.offsets; ++m)

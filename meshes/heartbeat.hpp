@@ -1,9 +1,7 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <iosfwd>
-#include <mutex>
 #include <string>
 #include <thread>
 
@@ -14,15 +12,9 @@ namespace bem_contact::meshes {
 class Heartbeat {
 public:
   Heartbeat(std::string label, std::chrono::milliseconds every, std::ostream& out);
-  ~Heartbeat();
-  Heartbeat(const Heartbeat&) = delete;
-  Heartbeat& operator=(const Heartbeat&) = delete;
 
 private:
-  std::mutex mutex_;
-  std::condition_variable ended_;
-  bool over_ = false;
-  std::thread thread_;
+  std::jthread thread_;
 };
 
 } // namespace bem_contact::meshes

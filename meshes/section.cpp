@@ -1,6 +1,5 @@
 #include "meshes/section.hpp"
 
-#include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/bodies/own_outline.hpp"
 #include "bem_contact/profile/bodies/rail_section.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
@@ -27,15 +26,7 @@ struct Running {
 };
 
 Running cut_at_strip(const ProfileCurve& curve, const BodyFile::Strip& strip) {
-  if (!(strip.from < strip.to) || !(strip.station_width > 0))
-    throw InputError(fmt::format("The strip from {} to {} mm with stations of {} mm is empty", strip.from,
-                                 strip.to, strip.station_width),
-                     "[strip] from must be less than to and station_width positive", "Correct the strip.");
-  if (strip.from < curve.s_begin() - profile_slack || strip.to > curve.s_end() + profile_slack)
-    throw InputError(
-        fmt::format("The strip from {} to {} mm is not on profile {}", strip.from, strip.to, curve.name()),
-        fmt::format("the profile runs from {:.3f} to {:.3f} mm", curve.s_begin(), curve.s_end()),
-        "Change [strip] from and to.");
+  require_strip_on_profile(strip, curve);
   const double from = std::max(strip.from, curve.s_begin()), to = std::min(strip.to, curve.s_end());
   Running running{along(curve, from, to, Group::contact), {}, {}};
   if (curve.s_end() - to > profile_slack)
@@ -117,12 +108,6 @@ std::vector<Piece> below_profile(const BodyFile::Body& body, const ProfileCurve&
   return {loop.begin() + head, loop.end() - head};
 }
 
-void require_positive(double value, const char* key) {
-  if (!(value > 0) || !std::isfinite(value))
-    throw InputError(fmt::format("[body] {} = {} is no size of a body", key, value), "it must be positive",
-                     "Give it in mm.");
-}
-
 template <class Name> Group group_of(Name group) {
   return group == Name::held ? Group::held : Group::free;
 }
@@ -184,19 +169,9 @@ Piece along(const ProfileCurve& curve, double from, double to, Group group) {
 }
 
 Section make_section(const BodyFile& file) {
-  const auto& body = file.body;
-  if (body.kind == BodyKind::disc || body.kind == BodyKind::bore)
-    require_positive(body.radius, "radius");
-  if (body.kind == BodyKind::block || body.kind == BodyKind::bore)
-    require_positive(body.size, "size");
-  if (body.kind == BodyKind::bore && body.radius >= body.size)
-    throw InputError(fmt::format("A bore of radius {} mm does not fit into a block of half width {} mm",
-                                 body.radius, body.size),
-                     "it would cut the block's outer boundary",
-                     "Raise [body] size, best to 10 radii or more.");
   const ProfileCurve profile = body_profile(file);
   Section section{body_name(file), {}, {}};
-  section.loops = loops_of(body, profile, cut_at_strip(profile, file.strip), section.note);
+  section.loops = loops_of(file.body, profile, cut_at_strip(profile, file.strip), section.note);
   return section;
 }
 

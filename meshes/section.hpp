@@ -45,8 +45,8 @@ struct Section {
   std::string note = {}; ///< what the user should know of it: where a graft was found
 };
 
-/// The section of the body, its profile from body_profile. Throws InputError when the kind is unknown,
-/// the strip is not on the profile, or no whole section is known for the profile.
+/// The section of a body that parse_body_file() accepts, its profile from body_profile. Throws InputError
+/// when the strip is not on the profile, or no whole section is known for the profile.
 Section make_section(const BodyFile& body);
 
 /// Area enclosed, mm^2, by the trapezoidal rule on `samples` points a piece.

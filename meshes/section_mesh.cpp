@@ -11,21 +11,6 @@
 namespace bem_contact::meshes {
 namespace {
 
-int strip_edges(const BodyFile& body) {
-  const double stations = (body.strip.to - body.strip.from) / body.strip.station_width;
-  const double whole = std::round(stations);
-  if (!(std::abs(stations - whole) < whole_stations_slack) || whole < 1 || whole > most_stations)
-    throw InputError(fmt::format("The strip from {} to {} mm has {} stations of {} mm", body.strip.from,
-                                 body.strip.to, stations, body.strip.station_width),
-                     "their number must be whole", "Change [strip] to or station_width.");
-  const auto& mesh = body.mesh;
-  if (mesh.elements_per_station < 1 || !(mesh.grading > 0) || !(mesh.largest > 0))
-    throw InputError(fmt::format("[mesh] elements_per_station = {}, grading = {}, largest = {} is no mesh",
-                                 mesh.elements_per_station, mesh.grading, mesh.largest),
-                     "all three must be positive", "Correct [mesh].");
-  return static_cast<int>(whole) * mesh.elements_per_station;
-}
-
 /// The quads must fill the outline exactly: no hole, no overlap.
 void check_area(const QuadMesh& mesh, double area, const std::string& name) {
   double twice = 0;
@@ -56,7 +41,7 @@ void check_strip(const QuadMesh& mesh, const Piece& strip, int edges, const std:
 
 QuadMesh mesh_section(const BodyFile& body, double edge_angle) {
   const Section section = make_section(body);
-  const int edges = strip_edges(body);
+  const int edges = body.strip.stations() * body.mesh.elements_per_station;
   const Outline outline = divide(section, edges, body.mesh, edge_angle);
   refuse_crossings(outline, section.name);
 

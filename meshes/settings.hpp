@@ -23,10 +23,6 @@ BEM_CONTACT_TUNED(double, least_gain, 1e-6);
 BEM_CONTACT_TUNED(double, strip_slack, 1e-9);
 /// 1 (share of the area). How far the quads' area may be off that of the outline: rounding.
 BEM_CONTACT_TUNED(double, area_slack, 1e-9);
-/// 1. How far the number of stations on the strip may be from a whole number: rounding of a body file.
-BEM_CONTACT_TUNED(double, whole_stations_slack, 1e-6);
-/// 1. More stations are a mistake of the body file.
-BEM_CONTACT_TUNED(int, most_stations, 100000);
 
 // Outlines and element sizes.
 
@@ -66,7 +62,8 @@ BEM_CONTACT_TUNED(double, same_level, 1e-9);
 
 // Sections.
 
-/// mm. How far a strip may reach beyond its profile, and the shortest rest of a profile: rounding.
+/// mm. How far the strip of a coarse mesh may reach beyond its profile, and the shortest rest of a profile:
+/// rounding.
 BEM_CONTACT_TUNED(double, profile_slack, 1e-9);
 /// 1 (share of its radius). Hole of a disc, which must be held somewhere. Its effect is removed as structure.
 BEM_CONTACT_TUNED(double, hole_of_disc, 0.05);

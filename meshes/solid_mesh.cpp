@@ -21,7 +21,7 @@ namespace {
 /// for by whole stations; nothing where the profile is too short for it.
 std::optional<BodyFile> bundled(const BodyFile& body, const ProfileCurve& curve, int bundle) {
   const double ds = body.strip.station_width;
-  const auto stations = static_cast<int>(std::lround((body.strip.to - body.strip.from) / ds));
+  const int stations = body.strip.stations();
   const int edges = 2 * ((stations + 2 * bundle - 1) / (2 * bundle)), more = edges * bundle - stations;
   BodyFile coarse = body;
   coarse.strip.station_width = bundle * ds;

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 
+#include <fmt/format.h>
 #include <string>
 
 namespace bem_contact {
@@ -14,12 +15,11 @@ void require(bool holds, const std::string& problem, const std::string& why, con
 
 void require_field(const std::vector<double>& field, const ContactGrid& grid, const std::string& name) {
   require(field.size() == static_cast<std::size_t>(grid.size()), "The " + name + " does not fit the grid",
-          std::to_string(field.size()) + " values for " + std::to_string(grid.mx) + " x " +
-              std::to_string(grid.ms) + " elements",
+          fmt::format("{} values for {} x {} elements", field.size(), grid.mx, grid.ms),
           "Give one value for each element, x fastest.");
   const auto bad = std::find_if(field.begin(), field.end(), [](double v) { return !std::isfinite(v); });
   require(bad == field.end(), "The " + name + " is not a number everywhere",
-          "element " + std::to_string(bad - field.begin()), "Give finite values.");
+          fmt::format("element {}", bad - field.begin()), "Give finite values.");
 }
 
 bool agree(double a, double b) {
@@ -30,10 +30,10 @@ void validate_numbers(const ContactProblem& problem) {
   const auto& [offsets, rows, dx, ds, values, translational] = problem.numbers;
   const ContactGrid& grid = problem.grid;
   require(rows == grid.ms, "The influence numbers do not fit the grid",
-          std::to_string(rows) + " rows of numbers for " + std::to_string(grid.ms) + " rows of elements",
+          fmt::format("{} rows of numbers for {} rows of elements", rows, grid.ms),
           "Compute them for the rows of the grid.");
   require(agree(ds, grid.ds), "The influence numbers do not fit the grid",
-          "their ds is " + std::to_string(ds) + " mm, the grid's " + std::to_string(grid.ds),
+          fmt::format("their ds is {} mm, the grid's {}", ds, grid.ds),
           "Compute them for the elements of the grid.");
   if (problem.plane_strain()) {
     require(grid.mx == 1 && offsets == 1, "Plane strain has one element along x",
@@ -43,14 +43,13 @@ void validate_numbers(const ContactProblem& problem) {
             "Set tangential = false, or use numbers with dx > 0.");
   } else {
     require(agree(dx, grid.dx), "The influence numbers do not fit the grid",
-            "their dx is " + std::to_string(dx) + " mm, the grid's " + std::to_string(grid.dx),
+            fmt::format("their dx is {} mm, the grid's {}", dx, grid.dx),
             "Compute them for the elements of the grid.");
     require(offsets > grid.mx + 1, "The influence numbers do not reach across the grid",
-            std::to_string(offsets) + " offsets for " + std::to_string(grid.mx) + " columns",
-            "Compute mx + 2 offsets.");
+            fmt::format("{} offsets for {} columns", offsets, grid.mx), "Compute mx + 2 offsets.");
   }
   require(values.size() == problem.numbers.expected_values(), "The influence numbers are incomplete",
-          std::to_string(values.size()) + " values",
+          fmt::format("{} values", values.size()),
           translational ? "Give offsets x (2 rows - 1) x 9 of them."
                         : "Give offsets x (3 rows) x (3 rows) of them.");
   require(std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }),
@@ -65,15 +64,15 @@ void validate_numbers(const ContactProblem& problem) {
         const double value = numbers.at(0, row_i, i, row_j, j);
         if (row_i == row_j && i == j) {
           require(value > 0, "A self influence number is not positive",
-                  "row " + std::to_string(row_i) + ", component " + std::to_string(i),
+                  fmt::format("row {}, component {}", row_i, i),
                   "Check the sign convention: u = -A p with A positive definite.");
           largest = std::max(largest, value);
         }
         asymmetry = std::max(asymmetry, std::abs(value - parity(i, j) * numbers.at(0, row_j, j, row_i, i)));
       }
   require(asymmetry <= 1e-6 * largest, "The influence numbers violate Maxwell-Betti",
-          "asymmetry " + std::to_string(asymmetry / largest) +
-              " of the largest influence number of an element on itself",
+          fmt::format("asymmetry {:.3g} of the largest influence number of an element on itself",
+                      asymmetry / largest),
           "Use displacements averaged over the element.");
 }
 
@@ -94,7 +93,7 @@ void validate_heating(const ContactProblem& problem) {
           "conductivity, heat capacity and density must be above 0", "Give those of the material.");
   require(!heating.rail_share || (*heating.rail_share >= 0 && *heating.rail_share <= 1),
           "The rail's share of the heat is not between 0 and 1",
-          std::to_string(heating.rail_share.value_or(0)), "Give a number from 0 to 1, or none.");
+          fmt::to_string(heating.rail_share.value_or(0)), "Give a number from 0 to 1, or none.");
   require(!heating.friction ||
               (is_share(heating.friction->ratio) && heating.friction->from < heating.friction->to),
           "Friction does not fall with temperature",
@@ -105,13 +104,12 @@ void validate_heating(const ContactProblem& problem) {
 void validate_friction_law(const ContactProblem& problem) {
   require(problem.falling.size() <= 1 || problem.falling.size() == static_cast<std::size_t>(problem.grid.ms),
           "The laws of friction do not fit the grid",
-          std::to_string(problem.falling.size()) + " for " + std::to_string(problem.grid.ms) + " rows",
+          fmt::format("{} for {} rows", problem.falling.size(), problem.grid.ms),
           "Give one for each row, or one for all.");
   for (const FallingFriction& law : problem.falling)
     require(is_share(law.ratio) && std::isfinite(law.scale) && law.scale > 0,
             "Friction does not fall with the slip velocity",
-            "its ratio is " + std::to_string(law.ratio) + ", its velocity " + std::to_string(law.scale) +
-                " mm/s",
+            fmt::format("its ratio is {}, its velocity {} mm/s", law.ratio, law.scale),
             "Give a ratio above 0 and at most 1, and a velocity above 0.");
   const bool needs_speed = problem.friction_falls() || problem.heating;
   require(!needs_speed || (std::isfinite(problem.speed) && problem.speed > 0), "The rolling speed is missing",
@@ -129,14 +127,14 @@ void validate_friction(const ContactProblem& problem) {
   require(is_friction(problem.friction) &&
               std::all_of(problem.friction_rows.begin(), problem.friction_rows.end(), is_friction),
           "A friction coefficient is negative or not finite",
-          "that of the grid is " + std::to_string(problem.friction), "Give mu >= 0, in each row too.");
+          fmt::format("that of the grid is {}", problem.friction), "Give mu >= 0, in each row too.");
   require(problem.friction_rows.empty() ||
               problem.friction_rows.size() == static_cast<std::size_t>(problem.grid.ms),
           "The friction coefficients do not fit the grid",
-          std::to_string(problem.friction_rows.size()) + " for " + std::to_string(problem.grid.ms) + " rows",
+          fmt::format("{} for {} rows", problem.friction_rows.size(), problem.grid.ms),
           "Give one for each row.");
   require(problem.kinetic > 0 && problem.kinetic <= 1, "Friction in slip is not below that in adhesion",
-          "their ratio is " + std::to_string(problem.kinetic), "Give a ratio above 0 and at most 1.");
+          fmt::format("their ratio is {}", problem.kinetic), "Give a ratio above 0 and at most 1.");
   validate_friction_law(problem);
   require_field(problem.slip_x, problem.grid, "rigid slip along x");
   require_field(problem.slip_s, problem.grid, "rigid slip along s");
@@ -169,18 +167,17 @@ ContactRow row_at(const ContactProblem& problem, double s) {
 
 void validate(const ContactProblem& problem) {
   const ContactGrid& grid = problem.grid;
-  require(grid.mx > 0 && grid.ms > 0, "The grid is empty",
-          std::to_string(grid.mx) + " x " + std::to_string(grid.ms) + " elements", "Set mx and ms above 0.");
+  require(grid.mx > 0 && grid.ms > 0, "The grid is empty", fmt::format("{} x {} elements", grid.mx, grid.ms),
+          "Set mx and ms above 0.");
   require(std::isfinite(grid.ds) && grid.ds > 0 && std::isfinite(grid.dx) && std::isfinite(grid.x0) &&
               (grid.dx > 0 || problem.plane_strain()),
           "The elements have no size", "dx, ds must be above 0 and x0 finite", "Set dx and ds in mm.");
   require(problem.rows.size() == static_cast<std::size_t>(grid.ms), "The rows do not fit the grid",
-          std::to_string(problem.rows.size()) + " rows for ms = " + std::to_string(grid.ms),
-          "Give the middle of each row.");
+          fmt::format("{} rows for ms = {}", problem.rows.size(), grid.ms), "Give the middle of each row.");
   for (const ContactRow& row : problem.rows)
     require(std::isfinite(row.s) && std::isfinite(row.position.y) && std::isfinite(row.position.z) &&
                 std::isfinite(row.delta),
-            "A row of the grid is not finite", "row " + std::to_string(&row - problem.rows.data()),
+            "A row of the grid is not finite", fmt::format("row {}", &row - problem.rows.data()),
             "Give finite s, position and inclination.");
   validate_numbers(problem);
   require_field(problem.gap, grid, "undeformed distance");
@@ -189,7 +186,7 @@ void validate(const ContactProblem& problem) {
             "Give it in mm.");
   else {
     require(std::isfinite(problem.force) && problem.force >= 0, "The force is negative or not finite",
-            std::to_string(problem.force) + " N", "Give a vertical force of 0 or more, in N.");
+            fmt::format("{} N", problem.force), "Give a vertical force of 0 or more, in N.");
     require(std::any_of(problem.rows.begin(), problem.rows.end(),
                         [](const ContactRow& row) { return std::cos(row.delta) > 1e-6; }),
             "No row can carry a vertical force", "every row is inclined by 90 degrees or more",

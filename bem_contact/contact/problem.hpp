@@ -46,31 +46,35 @@ struct Tractions {
   std::vector<double> px, ps, pn; ///< along x and s, pressure
 };
 
-/// One contact problem. Signs: base/conventions.hpp.
-struct ContactProblem {
-  ContactGrid grid;             ///< the potential contact
-  std::vector<ContactRow> rows; ///< ms of them
-  InfluenceNumbers numbers;     ///< of the pair, at least grid.mx + 2 offsets (plane strain: 1), grid.ms rows
-  std::vector<double> gap;      ///< undeformed distance along n at approach 0, mm; field
-  LoadKind load = LoadKind::force;   ///< whether approach or force below counts
-  double approach = 0;               ///< q along z, mm (load == approach)
-  double force = 0;                  ///< Fz, N (load == force); per mm of length in plane strain
-  bool tangential = true;            ///< false: frictionless
-  double friction = 0.3;             ///< Coulomb's mu of adhesion (static friction)
-  std::vector<double> friction_rows; ///< mu of each row instead; empty: the same everywhere
-  double kinetic = 1;                ///< mu of slip over mu of adhesion, in (0, 1]
-  /// How mu falls with the slip velocity: one law for each row, or one for all rows; empty: it does not fall.
-  /// `friction` is then mu without slip. Laws exclude motion == shift and kinetic < 1.
-  std::vector<FallingFriction> falling;
-  double speed = 0;                   ///< of rolling, mm/s; above 0 with `falling` or `heating`
-  std::optional<Heating> heating;     ///< flash temperatures are asked for; steady rolling
-  std::vector<double> slip_x, slip_s; ///< rigid slip w, per unit of rolled distance (shift: mm); fields
+/// What is asked of a contact problem, however fine its elements are. Signs: base/conventions.hpp.
+struct ContactQuestion {
+  LoadKind load = LoadKind::force; ///< whether approach or force below counts
+  double approach = 0;             ///< q along z, mm (load == approach)
+  double force = 0;                ///< Fz, N (load == force); per mm of length in plane strain
+  bool tangential = true;          ///< false: frictionless
+  double friction = 0.3;           ///< Coulomb's mu of adhesion (static friction)
+  double kinetic = 1;              ///< mu of slip over mu of adhesion, in (0, 1]
   /// Prescribed shear forces on the rail, N: sum p_x dS and sum p_s cos(delta - reference_delta) dS. For each
   /// of them solve() finds a creepage (shift: mm) and adds it to the rigid slip: ContactResult::creepage_x to
   /// w_x, creepage_s cos(delta - reference_delta) to w_s.
   std::optional<double> force_x, force_s;
   double reference_delta = 0;             ///< rad
   MotionKind motion = MotionKind::steady; ///< what the rigid slip is a motion of
+};
+
+/// One contact problem: the question, and what belongs to the elements.
+struct ContactProblem : ContactQuestion {
+  ContactGrid grid;             ///< the potential contact
+  std::vector<ContactRow> rows; ///< ms of them
+  InfluenceNumbers numbers;     ///< of the pair, at least grid.mx + 2 offsets (plane strain: 1), grid.ms rows
+  std::vector<double> gap;      ///< undeformed distance along n at approach 0, mm; field
+  std::vector<double> friction_rows; ///< mu of each row instead; empty: `friction` everywhere
+  /// How mu falls with the slip velocity: one law for each row, or one for all rows; empty: it does not fall.
+  /// `friction` is then mu without slip. Laws exclude motion == shift and kinetic < 1.
+  std::vector<FallingFriction> falling;
+  double speed = 0;                   ///< of rolling, mm/s; above 0 with `falling` or `heating`
+  std::optional<Heating> heating;     ///< flash temperatures are asked for; steady rolling
+  std::vector<double> slip_x, slip_s; ///< rigid slip w, per unit of rolled distance (shift: mm); fields
   /// Tractions of former steps, the latest first. Transient: one and two rolling steps ago, as slip_step.hpp
   /// weights both. Shift: one load step ago. If there are fewer, the bodies were at rest before, unloaded.
   std::vector<Tractions> previous;

@@ -175,10 +175,6 @@ std::vector<TouchPoint> touch_points(const WheelOnRail& pair, const ContactLocus
 
 } // namespace
 
-std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair) {
-  return touch_points(pair, ContactLocus(pair));
-}
-
 std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair) {
   ContactLocus locus(pair);
   return lower_to_touch(pair, locus);

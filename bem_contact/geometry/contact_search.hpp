@@ -19,14 +19,12 @@ struct TouchPoint {
   double s_from = 0, s_to = 0;
 };
 
-/// All local minima of the vertical distance between the surfaces over the track's (x, y), smallest first:
-/// those of the contact locus over the profile of the rail. Where a vertical line meets the rail twice, the
-/// upper point counts. Throws InputError when no part of the wheel is above the rail, and when the smallest
-/// distance is at the end of a profile or of the locus (a yaw too large for so steep a flange).
-std::vector<TouchPoint> find_touch_points(const WheelOnRail& pair);
-
 /// Moves the wheel along z until it just touches; returns the touch points then (the first has distance 0).
-/// Throws InputError as find_touch_points() does, and if there is no touch point.
+/// They are all local minima of the vertical distance between the surfaces over the track's (x, y), smallest
+/// first: those of the contact locus over the profile of the rail. Where a vertical line meets the rail
+/// twice, the upper point counts. Throws InputError when no part of the wheel is above the rail, when the
+/// smallest distance is at the end of a profile or of the locus (a yaw too large for so steep a flange), and
+/// if there is no touch point.
 std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair);
 /// The same with the locus of the pair, which is lowered with the wheel.
 std::vector<TouchPoint> lower_to_touch(WheelOnRail& pair, ContactLocus& locus);

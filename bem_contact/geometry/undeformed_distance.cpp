@@ -250,11 +250,6 @@ std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const
   return gap;
 }
 
-std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const ContactRow> rows,
-                                        std::span<const double> x) {
-  return undeformed_distance(pair, rows_on_locus(ContactLocus(pair), rows), rows, x);
-}
-
 std::vector<double> wheel_stations(const ContactLocus& locus, std::span<const ContactRow> rows) {
   const std::vector<int> nearest = NearestNodes(locus).of(rows);
   std::vector<double> out;

@@ -28,11 +28,9 @@ std::vector<RowOnLocus> rows_on_locus(const ContactLocus& locus, std::span<const
 /// field [rows][x]. An element whose normal misses the wheel gets excluded_gap. So does every element of a
 /// row that misses the locus or is farther than farthest_row from it (rows_on_locus()). At x the rolled and
 /// yawed wheel is cut by the plane x = const, and the normal intersected with that section (no quadratic
-/// approximation). `on_locus`: rows_on_locus() of the same rows, else computed here.
+/// approximation). `on_locus`: rows_on_locus() of the same rows.
 std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const RowOnLocus> on_locus,
                                         std::span<const ContactRow> rows, std::span<const double> x);
-std::vector<double> undeformed_distance(const WheelOnRail& pair, std::span<const ContactRow> rows,
-                                        std::span<const double> x);
 
 /// Arc length of the point of the wheel's profile whose locus, seen along x, is nearest to each row, mm.
 std::vector<double> wheel_stations(const ContactLocus& locus, std::span<const ContactRow> rows);

@@ -1,9 +1,15 @@
 #pragma once
 
-#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/base/conventions.hpp"
+#include "bem_contact/base/material.hpp"
 
-/// Private to this room: what a single element and a line of elements share.
+#include <array>
+
+/// What the room's closed forms share.
 namespace bem_contact::halfspace {
+
+/// 3 x 3, row i = displacement, column j = traction, mm/MPa.
+using Matrix3 = std::array<std::array<double, 3>, 3>;
 
 // The closed forms are differences of large numbers; extended precision keeps elements of a large aspect
 // ratio exact where double would lose (r^2 / (4 a b))^2 digits.
@@ -16,15 +22,6 @@ struct Kernels {
   double xs_r3 = 0; ///< x s / r^3
   double x_r2 = 0;  ///< x / r^2
   double s_r2 = 0;  ///< s / r^2
-
-  Kernels& add(double weight, const Kernels& k) {
-    xx_r3 += weight * k.xx_r3;
-    ss_r3 += weight * k.ss_r3;
-    xs_r3 += weight * k.xs_r3;
-    x_r2 += weight * k.x_r2;
-    s_r2 += weight * k.s_r2;
-    return *this;
-  }
 };
 
 /// Influence number of one body from the kernels (Boussinesq-Cerruti; Kalker 1990, appendix E).

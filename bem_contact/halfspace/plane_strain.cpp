@@ -1,7 +1,5 @@
 #include "bem_contact/halfspace/plane_strain.hpp"
 
-#include "bem_contact/halfspace/kernels.hpp"
-
 #include <cmath>
 #include <numbers>
 

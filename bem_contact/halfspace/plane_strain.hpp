@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem_contact/halfspace/rectangle.hpp"
+#include "bem_contact/halfspace/kernels.hpp"
 
 namespace bem_contact::halfspace {
 

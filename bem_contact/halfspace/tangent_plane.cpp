@@ -12,13 +12,13 @@ namespace bem_contact::halfspace {
 namespace {
 
 /// Signed along s.
-double chord(const StripRow& from, const StripRow& to) {
+double chord(const ContactRow& from, const ContactRow& to) {
   const Point2 d = to.position - from.position;
   return std::copysign(norm(d), dot(d, tangent_of(0.5 * (from.delta + to.delta))));
 }
 
 /// Whether each row lies to the next as the first does to the second.
-bool turns_evenly(std::span<const StripRow> rows) {
+bool turns_evenly(std::span<const ContactRow> rows) {
   if (rows.size() < 3)
     return true;
   const double turn = rows[1].delta - rows[0].delta, step = chord(rows[0], rows[1]);
@@ -44,7 +44,7 @@ Matrix3 turned(const Matrix3& h, double turn) {
 }
 
 /// -u_n under a unit pressure from the uniform tension of Flamant's stress on a circle (tangent_plane.hpp).
-double uniform_tension(const Material& material, const StripGrid& grid, std::span<const StripRow> rows) {
+double uniform_tension(const Material& material, const StripGrid& grid, std::span<const ContactRow> rows) {
   const double turn = rows.back().delta - rows.front().delta;
   if (!(std::abs(turn) > flat_turn))
     return 0;
@@ -56,7 +56,7 @@ double uniform_tension(const Material& material, const StripGrid& grid, std::spa
 } // namespace
 
 InfluenceNumbers tangent_plane_numbers(const Material& material, const StripGrid& grid,
-                                       std::span<const StripRow> rows) {
+                                       std::span<const ContactRow> rows) {
   const int n = static_cast<int>(rows.size());
   if (n < 1 || grid.offsets < 1)
     throw InputError("An influence table without elements was asked for", std::to_string(n) + " rows",

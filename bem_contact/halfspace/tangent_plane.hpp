@@ -3,16 +3,11 @@
 #include "bem_contact/base/material.hpp"
 #include "bem_contact/halfspace/settings.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
+#include "bem_contact/profile/contact_row.hpp"
 
 #include <span>
 
 namespace bem_contact::halfspace {
-
-/// The middle of a row of elements on a curved strip, in the body's own frame (n into the body).
-struct StripRow {
-  Point2 position;
-  double delta = 0; ///< inclination, rad
-};
 
 /// Grid of a curved strip; dx = 0: plane strain (offsets = 1).
 struct StripGrid {
@@ -21,7 +16,8 @@ struct StripGrid {
   double reference_distance = plane_strain_reference; ///< plane strain, mm: averaged_plane_strain()
 };
 
-/// Influence numbers of one body on a curved strip, without finite elements.
+/// Influence numbers of one body on a curved strip, without finite elements. The rows are in the body's own
+/// frame (n into the body); their arc length is not used.
 ///
 /// Each number is that of a half-space at the distance of the two rows along their chord |P_I - P_J| (not
 /// along the arc), turned into the frames at both ends. Let H be the half-space's number and Q the turn from
@@ -38,6 +34,6 @@ struct StripGrid {
 /// If each row lies to the next as the first to the second, the result is translational in s.
 /// Source: THEORY.md, section 5. Throws InputError for an empty strip.
 InfluenceNumbers tangent_plane_numbers(const Material& material, const StripGrid& grid,
-                                       std::span<const StripRow> rows);
+                                       std::span<const ContactRow> rows);
 
 } // namespace bem_contact::halfspace

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -134,16 +135,14 @@ int checked_parts(const InfluenceFunction& f, const ExpandOptions& o, const Scal
                      "Use structural compliance 'included'.");
   const double parts = scaling.dx / f.table_dx;
   if (!(parts >= 1 - whole_ratio_slack) || std::abs(parts - std::round(parts)) > whole_ratio_slack * parts)
-    throw InputError("The influence numbers of '" + f.body + "' do not serve dx = " + std::to_string(o.dx) +
-                         " mm",
-                     "they are a table of elements " + std::to_string(f.table_dx * scaling.load) +
-                         " mm long at this radius",
-                     "Use that length or a whole multiple of it, or compute them with another solid.dx.");
+    throw InputError(
+        fmt::format("The influence numbers of '{}' do not serve dx = {:.9g} mm", f.body, o.dx),
+        fmt::format("they are a table of elements {:.9g} mm long at this radius", f.table_dx * scaling.load),
+        "Use that length or a whole multiple of it, or compute them with another solid.dx.");
   if (o.offsets * parts > static_cast<double>(f.table_offsets()) + 0.5)
     throw InputError("The patch is longer than the table of influence numbers of '" + f.body + "'",
-                     std::to_string(o.offsets) + " elements of " + std::to_string(o.dx) +
-                         " mm, the table has " + std::to_string(f.table_offsets()) + " of " +
-                         std::to_string(f.table_dx * scaling.load) + " mm",
+                     fmt::format("{} elements of {:g} mm, the table has {} of {:g} mm", o.offsets, o.dx,
+                                 f.table_offsets(), f.table_dx * scaling.load),
                      "Use a shorter patch, or compute it with more solid.offsets.");
   return static_cast<int>(std::lround(parts));
 }
@@ -177,8 +176,7 @@ StationRange checked_range(const InfluenceFunction& f, const ExpandOptions& o) {
   const int count = o.stations < 0 ? total - o.first_station : o.stations;
   if (o.first_station < 0 || count < 1 || o.first_station > total - count)
     throw InputError("Stations were asked for that the influence functions of '" + f.body + "' do not have",
-                     std::to_string(count) + " from number " + std::to_string(o.first_station) + " on, of " +
-                         std::to_string(total),
+                     fmt::format("{} from number {} on, of {}", count, o.first_station, total),
                      "Ask for stations on the strip.");
   return {o.first_station, count};
 }
@@ -186,11 +184,11 @@ StationRange checked_range(const InfluenceFunction& f, const ExpandOptions& o) {
 Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
   if (!(std::isfinite(o.dx) && o.dx >= 0) || o.offsets < 1)
     throw InputError("Influence numbers cannot be expanded",
-                     "dx = " + std::to_string(o.dx) + " mm, " + std::to_string(o.offsets) + " offsets",
+                     fmt::format("dx = {} mm, {} offsets", o.dx, o.offsets),
                      "Give dx >= 0 and at least one offset.");
   if (!(std::isfinite(o.contact_radius) && o.contact_radius >= 0))
     throw InputError("Influence numbers cannot be expanded",
-                     "contact radius " + std::to_string(o.contact_radius) + " mm", "Give a radius above 0.");
+                     fmt::format("contact radius {} mm", o.contact_radius), "Give a radius above 0.");
   Scaling scaling{o.dx, 1};
   if (f.invariance == Invariance::revolution && o.contact_radius > 0) {
     scaling.load = o.contact_radius / f.reference_radius;
@@ -200,23 +198,22 @@ Scaling checked_scaling(const InfluenceFunction& f, const ExpandOptions& o) {
     return scaling;
   if (o.dx == 0) {
     if (o.offsets != 1)
-      throw InputError("Plane strain has no offsets along x", std::to_string(o.offsets) + " were asked for",
+      throw InputError("Plane strain has no offsets along x", fmt::format("{} were asked for", o.offsets),
                        "Ask for one offset, or give dx.");
     return scaling;
   }
   const double largest = f.wavenumber.back();
   if (f.wavenumber_count() < 3 || largest * scaling.dx / 2 < least_half_element_phase * (1 - phase_slack))
-    throw InputError("The influence functions of '" + f.body +
-                         "' are too coarse along x for dx = " + std::to_string(o.dx) + " mm",
-                     largest > 0 ? "they serve dx >= " + std::to_string(shortest_dx(f) * scaling.load) + " mm"
+    throw InputError(fmt::format("The influence functions of '{}' are too coarse along x for dx = {:.9g} mm",
+                                 f.body, o.dx),
+                     largest > 0 ? fmt::format("they serve dx >= {:.9g} mm", shortest_dx(f) * scaling.load)
                                  : "they hold plane strain only",
                      "Use longer elements, or compute them with a smaller harmonic.shortest_dx.");
   if (o.offsets * scaling.dx > f.half_period)
-    throw InputError("The patch is longer than the half period of the influence functions of '" + f.body +
-                         "'",
-                     std::to_string(o.offsets) + " elements of " + std::to_string(o.dx) +
-                         " mm, half period " + std::to_string(f.half_period) + " mm",
-                     "Use a shorter patch, or compute them with a larger harmonic.half_period.");
+    throw InputError(
+        "The patch is longer than the half period of the influence functions of '" + f.body + "'",
+        fmt::format("{} elements of {:g} mm, half period {:g} mm", o.offsets, o.dx, f.half_period),
+        "Use a shorter patch, or compute them with a larger harmonic.half_period.");
   return scaling;
 }
 

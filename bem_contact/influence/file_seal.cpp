@@ -32,11 +32,8 @@ std::ifstream open_file(const std::filesystem::path& file) {
 }
 
 std::array<char, seal_size> make_seal(int major, int minor, std::size_t bytes, const std::string& hash) {
-  std::ostringstream text;
-  text << title << "\nformat " << major << '.' << minor << "\nbytes " << bytes << "\nsha256 " << hash << '\n';
   std::array<char, seal_size> seal{};
-  const std::string s = text.str();
-  std::memcpy(seal.data(), s.data(), s.size());
+  fmt::format_to(seal.data(), "{}\nformat {}.{}\nbytes {}\nsha256 {}\n", title, major, minor, bytes, hash);
   return seal;
 }
 
@@ -77,13 +74,12 @@ void check_seal(const std::filesystem::path& file, int format_major) {
     throw InputError("The influence file " + name + " is damaged", "its first 512 bytes cannot be read",
                      again);
   if (major != format_major)
-    throw InputError("The influence file " + name + " has format version " + std::to_string(major) + "." +
-                         std::to_string(minor),
-                     "this program reads version " + std::to_string(format_major),
+    throw InputError(fmt::format("The influence file {} has format version {}.{}", name, major, minor),
+                     fmt::format("this program reads version {}", format_major),
                      "Compute it again with the fem_influence of this version.");
   if (found < size || found < seal_size)
     throw InputError("The influence file " + name + " is truncated",
-                     "it holds " + std::to_string(found) + " of " + std::to_string(size) + " bytes", again);
+                     fmt::format("it holds {} of {} bytes", found, size), again);
   const auto expected = make_seal(major, minor, found, sha256_of_rest(in));
   if (std::memcmp(expected.data(), first.data(), seal_size) != 0)
     throw InputError("The influence file " + name + " was altered", "its checksum does not hold", again);

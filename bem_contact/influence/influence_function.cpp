@@ -4,6 +4,7 @@
 #include "bem_contact/influence/settings.hpp"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 #include <span>
 
@@ -22,66 +23,63 @@ void require(bool holds, const std::string& problem, const std::string& why) {
 
 void require_length(std::span<const double> values, std::size_t expected, const std::string& name) {
   require(values.size() == expected, name + " has the wrong size",
-          std::to_string(values.size()) + " numbers where its tables ask for " + std::to_string(expected));
+          fmt::format("{} numbers where its tables ask for {}", values.size(), expected));
 }
 
 void require_finite(std::span<const double> values, const std::string& name) {
   const auto bad = std::find_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); });
   if (bad != values.end())
-    refuse(name + " is not finite",
-           "its entry " + std::to_string(bad - values.begin()) + " is NaN or infinite");
+    refuse(name + " is not finite", fmt::format("its entry {} is NaN or infinite", bad - values.begin()));
 }
 
 void validate_metadata(const InfluenceFunction& f) {
   require(std::isfinite(f.material.shear_modulus) && f.material.shear_modulus > 0,
-          "its shear modulus is not positive", std::to_string(f.material.shear_modulus) + " MPa");
+          "its shear modulus is not positive", fmt::format("{} MPa", f.material.shear_modulus));
   require(f.material.poisson >= 0 && f.material.poisson < 0.5, "its Poisson ratio is outside [0, 0.5)",
-          std::to_string(f.material.poisson));
+          fmt::to_string(f.material.poisson));
   require(std::isfinite(f.half_period) && f.half_period > 0, "its half period is not positive",
-          std::to_string(f.half_period) + " mm");
+          fmt::format("{} mm", f.half_period));
   require(std::isfinite(f.betti_error) && std::isfinite(f.reaction_error) && std::isfinite(f.estimated_error),
           "one of its error estimates is not finite",
           "the Betti, reaction and estimated errors must be numbers");
   if (f.invariance == Invariance::revolution) {
     require(std::isfinite(f.reference_radius) && f.reference_radius > 0,
-            "its reference radius is not positive", std::to_string(f.reference_radius) + " mm");
+            "its reference radius is not positive", fmt::format("{} mm", f.reference_radius));
     const double half_turn = std::numbers::pi * f.reference_radius;
     require(std::abs(f.half_period - half_turn) <= half_turn_slack * half_turn,
             "the half period of a body of revolution is not half a turn",
-            std::to_string(f.half_period) + " mm, pi times its reference radius is " +
-                std::to_string(half_turn));
+            fmt::format("{:.9g} mm, pi times its reference radius is {:.9g}", f.half_period, half_turn));
   }
 }
 
 void validate_stations(const InfluenceFunction& f) {
   require(!f.stations.empty(), "it has no stations", "the strip is empty");
   require(std::isfinite(f.station_width) && f.station_width > 0, "its station width is not positive",
-          std::to_string(f.station_width) + " mm");
+          fmt::format("{} mm", f.station_width));
   for (std::size_t i = 0; i < f.stations.size(); ++i) {
     const Station& station = f.stations[i];
-    const std::string name = "station " + std::to_string(i);
+    const std::string name = fmt::format("station {}", i);
     const std::array<double, 4> values = {station.s, station.position.y, station.position.z, station.delta};
     require_finite(values, name);
     const double expected = f.stations.front().s + static_cast<double>(i) * f.station_width;
     require(std::abs(station.s - expected) <= station_spacing_slack * f.station_width,
             "its stations are not equally spaced",
-            name + " is at s = " + std::to_string(station.s) + " mm, not " + std::to_string(expected));
+            fmt::format("{} is at s = {:.9g} mm, not {:.9g}", name, station.s, expected));
   }
 }
 
 void validate_kernel(const InfluenceFunction& f) {
   const std::size_t n = 3 * f.station_count();
-  for (std::size_t k = 0; k < f.wavenumber_count(); ++k) {
-    const std::string at = "at wavenumber " + std::to_string(f.wavenumber[k]) + " 1/mm";
+  for (std::size_t k = 0; k < f.wavenumber_count(); ++k)
     for (std::size_t row = 0; row < n; ++row)
-      require(f.kernel[f.kernel_index(k, row, row)] > 0, "its kernel's diagonal is not positive",
-              at + ", row " + std::to_string(row));
-  }
+      if (!(f.kernel[f.kernel_index(k, row, row)] > 0))
+        refuse("its kernel's diagonal is not positive",
+               fmt::format("at wavenumber {} 1/mm, row {}", f.wavenumber[k], row));
 }
 
 void validate_table(const InfluenceFunction& f) {
   require(std::isfinite(f.table_dx) && f.table_dx > 0, "the element length of its table is not positive",
-          std::to_string(f.table_dx) + " mm");
+          fmt::format("{} mm", f.table_dx));
   require(f.wavenumber.empty() && f.kernel.empty() && f.remote.empty() && f.remote_self.empty(),
           "it has both a kernel and a table", "one of them says all");
   require(f.table_offsets() > 0, "its table is empty", "no offsets");
@@ -89,38 +87,17 @@ void validate_table(const InfluenceFunction& f) {
   require_length(f.table, f.table_offsets() * n * n, "its table");
   require_finite(f.table, "its table");
   for (std::size_t row = 0; row < n; ++row)
-    require(f.table[row * n + row] > 0, "its table's diagonal is not positive", "row " + std::to_string(row));
+    require(f.table[row * n + row] > 0, "its table's diagonal is not positive", fmt::format("row {}", row));
   for (std::size_t m = 0; m < f.table_offsets(); ++m)
     for (std::size_t row = 0; row < n; ++row)
       for (std::size_t column = 0; column <= row; ++column) {
         const double a = f.table[(m * n + row) * n + column], b = f.table[(m * n + column) * n + row];
         if (a != parity(static_cast<int>(row % 3), static_cast<int>(column % 3)) * b)
-          require(false, "its table is not reciprocal",
-                  "offset " + std::to_string(m) + ", row " + std::to_string(row) + ", column " +
-                      std::to_string(column));
+          refuse("its table is not reciprocal", fmt::format("offset {}, row {}, column {}", m, row, column));
       }
 }
 
 } // namespace
-
-InfluenceFunction without_numbers(const InfluenceFunction& f) {
-  InfluenceFunction out;
-  out.body = f.body;
-  out.profile = f.profile;
-  out.profile_digest = f.profile_digest;
-  out.material = f.material;
-  out.held = f.held;
-  out.method = f.method;
-  out.invariance = f.invariance;
-  out.reference_radius = f.reference_radius;
-  out.half_period = f.half_period;
-  out.station_width = f.station_width;
-  out.table_dx = f.table_dx;
-  out.betti_error = f.betti_error;
-  out.reaction_error = f.reaction_error;
-  out.estimated_error = f.estimated_error;
-  return out;
-}
 
 void validate(const InfluenceFunction& f) {
   validate_metadata(f);
@@ -131,10 +108,10 @@ void validate(const InfluenceFunction& f) {
   require(!f.wavenumber.empty(), "it has no wavenumbers", "the kernel is empty");
   require_finite(f.wavenumber, "its wavenumber table");
   require(f.wavenumber.front() == 0, "its first wavenumber is not 0",
-          std::to_string(f.wavenumber.front()) + " 1/mm");
+          fmt::format("{} 1/mm", f.wavenumber.front()));
   for (std::size_t k = 1; k < f.wavenumber.size(); ++k)
     require(f.wavenumber[k] > f.wavenumber[k - 1], "its wavenumbers do not ascend",
-            "entry " + std::to_string(k));
+            fmt::format("entry {}", k));
   const std::size_t n = 3 * f.station_count(), nk = f.wavenumber_count();
   require_length(f.kernel, nk * f.kernel_size(), "its kernel");
   require_length(f.remote, nk * 6 * n, "its table of remote motions");

@@ -3,6 +3,7 @@
 #include "bem_contact/base/conventions.hpp"
 #include "bem_contact/base/material.hpp"
 #include "bem_contact/influence/lower_triangle.hpp"
+#include "bem_contact/profile/contact_row.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,11 +23,30 @@ enum class Invariance { prismatic, revolution };
 ///   removed:  every section's remote part (`remote`) has no mean displacement and no mean rotation.
 enum class StructuralCompliance { removed, included };
 
-/// One station: an element of the contact strip, `width` long along s, infinitely long along x.
-struct Station {
-  double s = 0;     ///< arc length of its centre on the profile, mm
-  Point2 position;  ///< of its centre, section frame, mm
-  double delta = 0; ///< inclination at its centre, rad, body's own frame
+/// One station: an element of the contact strip, `station_width` long along s, infinitely long along x. Its
+/// centre in the frame of the body's section.
+using Station = ContactRow;
+
+/// What an influence function says beside its numbers: of which body it is, and how good it is.
+struct InfluenceDescription {
+  std::string body;    ///< name of the body, e.g. "rail 60E1"
+  std::string profile; ///< name of the profile curve
+  std::uint64_t profile_digest = 0;
+  Material material;
+  std::string held;   ///< how the body is held, in words
+  std::string method; ///< "harmonic" or "solid3d", with degree and mesh in words
+  Invariance invariance = Invariance::prismatic;
+  double reference_radius = 0; ///< R_ref, mm (revolution only)
+  double half_period = 0;      ///< L, mm: the series has the multiples of pi / L (revolution: L = pi R_ref)
+  double station_width = 0;    ///< ds, mm
+  double table_dx = 0;         ///< mm, element length of the table; 0: the function is given by its kernel
+
+  /// What the file says of its own error: the largest that was found. The first and the last are relative to
+  /// self numbers, the second to the load.
+  double betti_error = 0;    ///< asymmetry as computed; what is stored is symmetric
+  double reaction_error = 0; ///< | reaction - load | / load at k = 0
+  double estimated_error =
+      0; ///< from the wavenumber sampling and a coarser companion run; < 0: not estimated
 };
 
 /// The influence function of one body: the kernel g_ij(k; s_I, s_J).
@@ -49,37 +69,18 @@ struct Station {
 ///   remote_self[NK][6][6]   has them under station_width times each unit generalised load on the remote
 ///                           section itself (mm/MPa, and per mm for each rotation).
 /// `removed` is g - remote^T remote_self^-1 remote, again symmetric and positive.
-struct InfluenceFunction {
-  std::string body;    ///< name of the body, e.g. "rail 60E1"
-  std::string profile; ///< name of the profile curve
-  std::uint64_t profile_digest = 0;
-  Material material;
-  std::string held;   ///< how the body is held, in words
-  std::string method; ///< "harmonic" or "solid3d", with degree and mesh in words
-  Invariance invariance = Invariance::prismatic;
-  double reference_radius = 0; ///< R_ref, mm (revolution only)
-  double half_period = 0;      ///< L, mm: the series has the multiples of pi / L (revolution: L = pi R_ref)
+struct InfluenceFunction : InfluenceDescription {
+  std::vector<Station> stations = {}; ///< NS of them, equally spaced, ascending in s
 
-  double station_width = 0;      ///< ds, mm
-  std::vector<Station> stations; ///< NS of them, equally spaced, ascending in s
-
-  std::vector<double> wavenumber;  ///< NK values, 1/mm, ascending, the first is 0
-  std::vector<double> kernel;      ///< NK x 3NS (3NS + 1) / 2
-  std::vector<double> remote;      ///< NK x 6 x 3NS
-  std::vector<double> remote_self; ///< NK x 6 x 6
+  std::vector<double> wavenumber = {};  ///< NK values, 1/mm, ascending, the first is 0
+  std::vector<double> kernel = {};      ///< NK x 3NS (3NS + 1) / 2
+  std::vector<double> remote = {};      ///< NK x 6 x 3NS
+  std::vector<double> remote_self = {}; ///< NK x 6 x 6
 
   /// Instead of the four above: influence numbers of elements table_dx long at x = 0, table_dx, .., all
   /// compliance included. table[m][3 I + i][3 J + j] as InfluenceNumbers::values, Maxwell-Betti to the last
   /// bit; on a body of revolution x and the unit load are those of the reference radius.
-  double table_dx = 0; ///< mm; 0: the function is given by its kernel
-  std::vector<double> table;
-
-  /// What the file says of its own error: the largest that was found. The first and the last are relative to
-  /// self numbers, the second to the load.
-  double betti_error = 0;    ///< asymmetry as computed; what is stored is symmetric
-  double reaction_error = 0; ///< | reaction - load | / load at k = 0
-  double estimated_error =
-      0; ///< from the wavenumber sampling and a coarser companion run; < 0: not estimated
+  std::vector<double> table = {};
 
   std::size_t station_count() const { return stations.size(); }
   std::size_t wavenumber_count() const { return wavenumber.size(); }
@@ -106,7 +107,9 @@ struct InfluenceFunction {
 };
 
 /// The same body without stations, wavenumbers and numbers: to fill it with others.
-InfluenceFunction without_numbers(const InfluenceFunction& function);
+inline InfluenceFunction without_numbers(const InfluenceDescription& description) {
+  return {description};
+}
 
 /// Throws InputError unless sizes agree, all numbers are finite, stations and wavenumbers ascend, the
 /// kernel's diagonal is positive, or a table's, which must be reciprocal as well.

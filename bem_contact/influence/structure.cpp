@@ -14,7 +14,8 @@ namespace bem_contact {
 
 namespace {
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>; // as SixBySix lies in memory
+using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Eigen::MatrixXd;
 
 /// Displacements of one section, in the order of its columns: u_x = 1, y, z; then u of the section as it
@@ -90,20 +91,14 @@ private:
   std::vector<Matrix6> numbers_;
 };
 
-SixBySix array_of(const Matrix6& m) {
-  SixBySix out{};
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      out[i][j] = m(i, j);
+SixBySix symmetric_part(const Matrix6& m) {
+  SixBySix out;
+  Eigen::Map<Matrix6>(out.front().data()) = 0.5 * (m + m.transpose());
   return out;
 }
 
-Matrix6 matrix_of(const SixBySix& a) {
-  Matrix6 out;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      out(i, j) = a[i][j];
-  return out;
+Eigen::Map<const Matrix6> matrix_of(const SixBySix& a) {
+  return Eigen::Map<const Matrix6>(a.front().data());
 }
 
 } // namespace
@@ -130,28 +125,26 @@ std::optional<SixBySix> structural_compliance(const InfluenceFunction& f, Point2
   // Tractions that follow the six motions have the resultants size * area times their amplitudes.
   const Matrix6 inverted = size.llt().solve(Matrix6::Identity());
   const Matrix6 out = inverted * energy * inverted.transpose() / (dx * f.station_width);
-  return array_of(0.5 * (out + out.transpose()));
+  return symmetric_part(out);
 }
 
 std::optional<SixBySix> inverse(const SixBySix& matrix) {
-  const Matrix6 a = matrix_of(matrix);
-  const Eigen::Matrix<double, 6, 1> diagonal = a.diagonal();
+  const auto a = matrix_of(matrix);
+  const Vector6 diagonal = a.diagonal();
   if (!(diagonal.minCoeff() > 0))
     return std::nullopt;
-  const Eigen::Matrix<double, 6, 1> scale = diagonal.cwiseSqrt().cwiseInverse();
+  const Vector6 scale = diagonal.cwiseSqrt().cwiseInverse();
   const Matrix6 scaled = scale.asDiagonal() * a * scale.asDiagonal();
   const Eigen::LLT<Matrix6> cholesky(scaled);
   if (cholesky.info() != Eigen::Success || cholesky.rcond() < least_structure_condition)
     return std::nullopt;
   const Matrix6 out = scale.asDiagonal() * cholesky.solve(Matrix6::Identity()) * scale.asDiagonal();
-  return array_of(0.5 * (out + out.transpose()));
+  return symmetric_part(out);
 }
 
 SixNumbers product(const SixBySix& matrix, const SixNumbers& vector) {
-  SixNumbers out{};
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      out[i] += matrix[i][j] * vector[j];
+  SixNumbers out;
+  Eigen::Map<Vector6>(out.data()) = matrix_of(matrix) * Eigen::Map<const Vector6>(vector.data());
   return out;
 }
 

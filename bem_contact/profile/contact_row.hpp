@@ -4,10 +4,10 @@
 
 namespace bem_contact {
 
-/// The middle of one row of elements on the rail's surface (track frame; a patch: its own frame, origin in
-/// the middle of the grid).
+/// The middle of one row of elements. Where nothing else is said, it lies on the rail's surface (track frame;
+/// a patch: its own frame, origin in the middle of the grid).
 struct ContactRow {
-  double s = 0;     ///< arc length along the rail's profile, mm
+  double s = 0;     ///< arc length along the profile, mm
   Point2 position;  ///< (y, z), mm
   double delta = 0; ///< inclination, rad
 };

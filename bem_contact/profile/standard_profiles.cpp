@@ -134,19 +134,6 @@ ProfileCurve lower_half_circle(std::string name, double radius, bool upper_body)
 
 } // namespace
 
-double s1002_height(double y) {
-  if (!(y >= zone_h.to && y <= zone_a.from))
-    throw InputError(fmt::format("y = {} mm is off the profile S1002", y), "it runs from -70 to 60 mm",
-                     "Ask for a point on the profile.");
-  for (const PolynomialZone& zone : {zone_a, zone_b, zone_c, zone_e})
-    if (y >= zone.to && y <= zone.from)
-      return height(zone, y);
-  for (const ArcZone& zone : {zone_d, zone_f, zone_g})
-    if (y >= zone.to && y <= zone.from)
-      return height(zone, y);
-  return height(zone_h, y);
-}
-
 std::span<const std::string> standard_profile_names() {
   static const std::array<std::string, 5> names{"60E1", "60E2", "54E1", "46E3", "S1002"};
   return names;
@@ -186,6 +173,14 @@ ProfileCurve body_profile(const BodyFile& file) {
     return lower_half_circle(fmt::format("bore R {}", body.radius), body.radius, false);
   return ProfileCurve::from_pieces(fmt::format("block {}", body.size),
                                    {line_piece({-body.size, 0}, {0, 0}), line_piece({0, 0}, {body.size, 0})});
+}
+
+void require_strip_on_profile(const BodyFile::Strip& strip, const ProfileCurve& profile) {
+  if (strip.from < profile.s_begin() - end_slack || strip.to > profile.s_end() + end_slack)
+    throw InputError(
+        fmt::format("The strip from {} to {} mm is not on profile {}", strip.from, strip.to, profile.name()),
+        fmt::format("the profile runs from {:.3f} to {:.3f} mm", profile.s_begin(), profile.s_end()),
+        "Change [strip] from and to.");
 }
 
 std::string graft_base(const BodyFile::Body& body) {

@@ -20,9 +20,6 @@ namespace bem_contact {
 ProfileCurve standard_profile(std::string_view name);
 bool is_standard_profile(std::string_view name);
 std::span<const std::string> standard_profile_names();
-/// z(y) of S1002 by the formulas of EN 13715 as they stand, -70 <= y <= 60; at a joint the zone on the field
-/// side.
-double s1002_height(double y);
 /// Rail or wheel, of one of these names.
 ProfileKind kind_of_standard(std::string_view name);
 
@@ -35,6 +32,8 @@ ProfileKind kind_of_standard(std::string_view name);
 ///   block: the line z = 0 from y = -size to size, material below
 ///   outline: its contact pieces (own_outline.hpp)
 ProfileCurve body_profile(const BodyFile& body);
+/// Throws InputError unless the strip lies on the profile, but for rounding.
+void require_strip_on_profile(const BodyFile::Strip& strip, const ProfileCurve& profile);
 
 /// The profile file that a body names; empty where it names a standard or nothing.
 std::filesystem::path profile_file_of(const BodyFile& body);

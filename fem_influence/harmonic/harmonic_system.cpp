@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <string>
 
 namespace bem_contact::fem {
@@ -59,9 +60,8 @@ void require_covered(std::span<const double> covered, std::span<const Station> s
   for (std::size_t J = 0; J < stations.size(); ++J)
     if (std::abs(covered[J] - width) > 2 * settings::edge_beyond_station * width)
       throw InputError("The mesh does not match the strip",
-                       "station " + std::to_string(J) + " at s = " + std::to_string(stations[J].s) +
-                           " mm is covered by " + std::to_string(covered[J]) + " mm of edges instead of " +
-                           std::to_string(width),
+                       fmt::format("station {} at s = {:g} mm is covered by {:g} mm of edges instead of {:g}",
+                                   J, stations[J].s, covered[J], width),
                        "Mesh the body file that is used here.");
 }
 
@@ -82,10 +82,11 @@ SparseColumns station_functionals(const Section& section, const ProfileCurve& cu
     if (station < 0 || station >= static_cast<double>(stations.size()))
       return; // the group may reach beyond the strip
     if (first < station - settings::edge_beyond_station || last > station + 1 + settings::edge_beyond_station)
-      throw InputError("The mesh does not match the strip",
-                       "an edge of the group 'contact' at s = " + std::to_string(range.low()) + " .. " +
-                           std::to_string(range.high()) + " mm crosses the border of a station",
-                       "Mesh the body file that is used here.");
+      throw InputError(
+          "The mesh does not match the strip",
+          fmt::format("an edge of the group 'contact' at s = {:g} .. {:g} mm crosses the border of a station",
+                      range.low(), range.high()),
+          "Mesh the body file that is used here.");
     const auto J = static_cast<std::size_t>(station);
     covered[J] += std::abs(range.b - range.a);
     add_edge(columns, J, edge, range, curve);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -61,8 +62,8 @@ void require_cells_beyond(double limit, const Section& section, std::span<const 
   for (const Point2 p : section.node_positions())
     largest = std::max(largest, distance_from_strip(p, stations));
   if (limit >= largest)
-    throw InputError("No cell is farther than " + std::to_string(limit) + " mm from the strip",
-                     "the largest distance is " + std::to_string(largest) + " mm",
+    throw InputError(fmt::format("No cell is farther than {:g} mm from the strip", limit),
+                     fmt::format("the largest distance is {:g} mm", largest),
                      "Lower harmonic.remote_distance, or give 0 for the default.");
 }
 
@@ -79,8 +80,7 @@ void weigh(std::vector<RemoteCell>& cells, double limit) {
     return std::none_of(cell.weight.begin(), cell.weight.end(), [](double w) { return w > 0; });
   });
   if (cells.empty())
-    throw InputError("No cell lies between " + std::to_string(limit) + " .. " + std::to_string(2 * limit) +
-                         " mm from the strip",
+    throw InputError(fmt::format("No cell lies between {:g} .. {:g} mm from the strip", limit, 2 * limit),
                      "the mesh is too coarse there, and the remote section would be empty",
                      "Change harmonic.remote_distance, or give 0 for the default.");
 }

@@ -13,10 +13,6 @@
 namespace bem_contact::fem {
 
 std::vector<double> wavenumber_samples(double half_period, double shortest_dx, int samples_per_decade) {
-  if (!(half_period > 0) || !(shortest_dx > 0) || samples_per_decade < 1)
-    throw InputError("The wavenumbers cannot be chosen",
-                     "half_period, shortest_dx and samples_per_decade must be positive",
-                     "Correct [harmonic] of the body file.");
   const double unit = std::numbers::pi / half_period,
                largest = settings::largest_wavenumber_times_dx / shortest_dx;
   std::vector<double> k{0};
@@ -38,13 +34,11 @@ std::vector<double> wavenumber_samples(double half_period, double shortest_dx, i
 namespace {
 
 CompanionPlan plan_companion(const BodyFile& body, const InfluenceFunction& function) {
-  CompanionPlan companion{body, compared_stations(function.station_count()), function};
+  CompanionPlan companion{body, compared_stations(function.station_count()), without_numbers(function)};
   --companion.body.harmonic.degree;
   companion.body.harmonic.border_levels = std::max(0, body.harmonic.border_levels - 1);
-  companion.function.stations.clear();
   for (const std::size_t J : companion.stations)
     companion.function.stations.push_back(function.stations[J]);
-  companion.function.wavenumber.clear();
   for (const std::size_t k : companion_samples(function.wavenumber_count()))
     companion.function.wavenumber.push_back(function.wavenumber[k]);
   return companion;

@@ -10,8 +10,7 @@
 /// What both methods take from a body file.
 namespace bem_contact::fem {
 
-/// The stations of the strip, ascending in s. Throws InputError where the strip is empty, leaves the curve or
-/// is not a whole number of stations.
+/// The stations of the strip, ascending in s. Throws InputError where the strip leaves the curve.
 std::vector<Station> make_stations(const BodyFile::Strip& strip, const ProfileCurve& curve);
 
 /// What an influence function says of the body: names, material, invariance, stations. It has no numbers yet,

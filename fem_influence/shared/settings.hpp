@@ -35,12 +35,6 @@ BEM_CONTACT_TUNED(double, edge_off_profile, 0.1);
 /// 1, of the edge's length. Two vertices that are nearer are one (the ends of an arc that mesh_body names).
 BEM_CONTACT_TUNED(double, same_vertex, 1e-6);
 
-/// 1, of the number of stations. The strip is a whole number of stations within the round-off of its keys.
-BEM_CONTACT_TUNED(double, whole_stations, 1e-6);
-
-/// mm. The strip may leave the profile by round-off.
-BEM_CONTACT_TUNED(double, strip_end, 1e-9);
-
 /// 1. Shapes of nodes that are not on a face or edge vanish there, up to round-off.
 BEM_CONTACT_TUNED(double, vanishing_shape, 1e-12);
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <string>
 #include <vector>
@@ -59,11 +60,11 @@ void require_on_profile(const Face& face, const ContactSurface& surface, const s
     const Vector3 p = plain(face->vertex(v)), on = surface.position(surface.nearest(p));
     if (const double off = face->vertex(v).distance(point(on));
         off > settings::vertex_off_profile * face->diameter())
-      throw InputError("The mesh '" + name + "' does not fit the profile '" + surface.curve().name() + "'",
-                       "a vertex of the group 'contact' at (" + std::to_string(p[0]) + ", " +
-                           std::to_string(p[1]) + ", " + std::to_string(p[2]) + ") lies " +
-                           std::to_string(off) + " mm off it",
-                       "Put the body file's profile and the mesh into one frame: x along, z down.");
+      throw InputError(
+          "The mesh '" + name + "' does not fit the profile '" + surface.curve().name() + "'",
+          fmt::format("a vertex of the group 'contact' at ({:g}, {:g}, {:g}) lies {:g} mm off it", p[0], p[1],
+                      p[2], off),
+          "Put the body file's profile and the mesh into one frame: x along, z down.");
   }
 }
 
@@ -72,8 +73,7 @@ void require_across_x(const Face& face, const std::string& name) {
   for (const auto v : face->vertex_indices())
     if (std::abs(face->vertex(v)[0] - x) > settings::same_plane * face->diameter())
       throw InputError("A face of the group 'symmetry' of '" + name + "' is not normal to x",
-                       "its corners lie at x = " + std::to_string(face->vertex(v)[0]) + " and around " +
-                           std::to_string(x) + " mm",
+                       fmt::format("its corners lie at x = {:g} and around {:g} mm", face->vertex(v)[0], x),
                        "Give the number 4 only to the planes the body is mirrored at.");
 }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <map>
 #include <span>
 #include <string>
@@ -22,8 +23,7 @@ namespace bem_contact::fem {
 namespace {
 
 std::string place(const SurfacePatch& p) {
-  return "s = " + std::to_string(p.s_from) + " .. " + std::to_string(p.s_to) +
-         ", x = " + std::to_string(p.x_from) + " .. " + std::to_string(p.x_to) + " mm";
+  return fmt::format("s = {:g} .. {:g}, x = {:g} .. {:g} mm", p.s_from, p.s_to, p.x_from, p.x_to);
 }
 
 /// Functionals f(v) = integral over the patch of v . e_j ds dx with the surface's own frame: column 3 P + j,
@@ -54,8 +54,8 @@ SparseColumns patch_functionals(const SolidBody& body, const ContactSurface& sur
   for (std::size_t p = 0; p < patches.size(); ++p)
     if (std::abs(covered[p] - patches[p].area()) > settings::uncovered * patches[p].area())
       throw InputError("The mesh's group 'contact' does not cover the strip",
-                       "of the element at " + place(patches[p]) + " it has " + std::to_string(covered[p]) +
-                           " of " + std::to_string(patches[p].area()) + " mm^2",
+                       fmt::format("of the element at {} it has {:g} of {:g} mm^2", place(patches[p]),
+                                   covered[p], patches[p].area()),
                        "Widen the group, or change [strip] or solid.offsets.");
   SparseColumns columns;
   for (const auto& column : of_node) {
@@ -111,8 +111,8 @@ SolidNumbers empty_numbers(const BodyFile& body, const ProfileCurve& curve, std:
   std::sort(loads.begin(), loads.end());
   for (const int load : loads)
     if (load < 0 || load >= count)
-      throw InputError("There is no station " + std::to_string(load) + " to load",
-                       "the strip has " + std::to_string(count) + ", counted from 0", "Choose another one.");
+      throw InputError(fmt::format("There is no station {} to load", load),
+                       fmt::format("the strip has {}, counted from 0", count), "Choose another one.");
   numbers.loads = std::move(loads);
   numbers.values.assign(
       numbers.loads.size() * 9 * static_cast<std::size_t>(numbers.offsets) * numbers.stations.size(), 0.0);

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <iterator>
 #include <string>
 
@@ -32,8 +33,7 @@ void require_memory(const MumpsSolver& solver, int unknowns) {
   if (needed > there)
     throw Error(
         "The 3-D mesh is too large for this machine",
-        std::to_string(unknowns) + " unknowns need about " + std::to_string(needed) + " GiB, and " +
-            std::to_string(there) + " GiB are free",
+        fmt::format("{} unknowns need about {:.1f} GiB, and {:.1f} GiB are free", unknowns, needed, there),
         "Raise solid.grading, or lower solid.loads_at_once, solid.elements_per_load or the mesh's own size.");
 }
 

@@ -16,19 +16,18 @@ ContactProblem pin_in_hole(double half_angle, int count) {
   ContactProblem problem;
   const double ds = 2.7 * half_angle * groove / count;
   problem.grid = {1, count, 0, ds, 0};
-  std::vector<halfspace::StripRow> hole, pin;
+  std::vector<ContactRow> pin;
   for (int i = 0; i < count; ++i) {
     const double s = (i - 0.5 * (count - 1)) * ds, t = s / groove;
     const Point2 position{groove * std::sin(t), -groove * (1 - std::cos(t))};
     problem.rows.push_back({s, position, -t});
-    hole.push_back({position, -t});
-    pin.push_back({-1.0 * position, -t});
+    pin.push_back({s, -1.0 * position, -t});
     const double r = groove - clearance;
     problem.gap.push_back(groove - clearance * std::cos(t) -
                           std::sqrt(r * r - std::pow(clearance * std::sin(t), 2)));
   }
   const halfspace::StripGrid grid{0, ds, 1, groove};
-  problem.numbers = halfspace::combine(halfspace::tangent_plane_numbers(scenes::steel, grid, hole),
+  problem.numbers = halfspace::combine(halfspace::tangent_plane_numbers(scenes::steel, grid, problem.rows),
                                        halfspace::tangent_plane_numbers(scenes::steel, grid, pin));
   problem.force =
       reference::plane_strain_modulus(scenes::steel) * clearance / reference::persson_clearance(half_angle);

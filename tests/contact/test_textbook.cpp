@@ -64,20 +64,19 @@ void disturb(InfluenceNumbers& a) {
 void bend(ContactProblem& problem, const Material& lower, const Material& upper) {
   const ContactGrid& grid = problem.grid;
   const double turn = uniform(-0.3, 0.3), more = uniform(-0.1, 0.1); // rad a row
-  std::vector<halfspace::StripRow> rail, wheel;
+  std::vector<ContactRow> wheel;
   double delta = uniform(-0.5, 0.5);
   Point2 position{};
   for (int is = 0; is < grid.ms; ++is) {
     problem.rows[is].delta = delta;
     problem.rows[is].position = position;
-    rail.push_back({position, delta});
-    wheel.push_back({-1.0 * position, delta});
+    wheel.push_back({0, -1.0 * position, delta});
     const double next = delta + turn + more * is;
     position = position + grid.ds * tangent_of(0.5 * (delta + next));
     delta = next;
   }
   const halfspace::StripGrid strip{grid.dx, grid.ds, grid.mx + 2};
-  problem.numbers = halfspace::combine(halfspace::tangent_plane_numbers(lower, strip, rail),
+  problem.numbers = halfspace::combine(halfspace::tangent_plane_numbers(lower, strip, problem.rows),
                                        halfspace::tangent_plane_numbers(upper, strip, wheel));
 }
 

@@ -4,6 +4,7 @@
 #include "bem_contact/base/error.hpp"
 #include "tests/geometry/brute_force.hpp"
 #include "tests/geometry/shapes.hpp"
+#include "tests/geometry/with_own_locus.hpp"
 #include "tests/profile/curves.hpp"
 
 #include <gmock/gmock.h>

@@ -5,6 +5,7 @@
 #include "bem_contact/geometry/rail_rows.hpp"
 #include "bem_contact/profile/read_profile.hpp"
 #include "tests/geometry/shapes.hpp"
+#include "tests/geometry/with_own_locus.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/halfspace/element_line.hpp"
 #include "bem_contact/halfspace/flat_strip.hpp"
-#include "bem_contact/halfspace/rectangle.hpp"
 
 #include "quadrature.hpp"
+#include "rectangle_oracle.hpp"
 #include "steel.hpp"
 
 #include <gmock/gmock.h>
@@ -251,8 +251,11 @@ TEST(Rectangle, ElementsThatAreNoneAreRefused) {
     }
     return std::string("no error");
   };
-  EXPECT_THAT(message([] { averaged(steel, 0, 0, 0, 1); }), testing::HasSubstr("not a positive number"));
-  EXPECT_THAT(message([] { at_point(steel, 0, 0, 1, -1); }), testing::HasSubstr("width 2b"));
+  std::vector<Matrix3> line(1);
+  EXPECT_THAT(message([&] { halfspace::averaged_line(steel, 0, 0, 1, line); }),
+              testing::HasSubstr("not a positive number"));
+  EXPECT_THAT(message([&] { halfspace::averaged_line(steel, 0, 1, -1, line); }),
+              testing::HasSubstr("width ds"));
   EXPECT_THAT(message([] { halfspace::numbers(steel, 1, std::numeric_limits<double>::quiet_NaN(), 1, 1); }),
               testing::HasSubstr("not a positive number"));
   EXPECT_THAT(message([] { halfspace::numbers(steel, 1, 1, 0, 1); }), testing::HasSubstr("without elements"));

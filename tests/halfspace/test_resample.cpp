@@ -3,9 +3,9 @@
 #include "bem_contact/halfspace/flat_strip.hpp"
 #include "bem_contact/halfspace/near_field.hpp"
 #include "bem_contact/halfspace/plane_strain.hpp"
-#include "bem_contact/halfspace/rectangle.hpp"
 #include "bem_contact/halfspace/resample.hpp"
 
+#include "rectangle_oracle.hpp"
 #include "steel.hpp"
 #include "strip_kernel.hpp"
 #include "tests/base/message.hpp"

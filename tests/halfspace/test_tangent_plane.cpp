@@ -15,19 +15,19 @@ namespace bem_contact::halfspace {
 namespace {
 
 /// Rows ds wide about s = 0 on a circle; radius > 0 convex, < 0 concave.
-std::vector<StripRow> arc(double radius, double ds, int count) {
-  std::vector<StripRow> rows;
+std::vector<ContactRow> arc(double radius, double ds, int count) {
+  std::vector<ContactRow> rows;
   for (int i = 0; i < count; ++i) {
     const double angle = (i - 0.5 * (count - 1)) * ds / radius;
-    rows.push_back({{radius * std::sin(angle), radius * (1 - std::cos(angle))}, angle});
+    rows.push_back({0, {radius * std::sin(angle), radius * (1 - std::cos(angle))}, angle});
   }
   return rows;
 }
 
 TEST(TangentPlane, OnAFlatStripIsTheHalfSpace) {
-  std::vector<StripRow> rows;
+  std::vector<ContactRow> rows;
   for (int i = 0; i < 5; ++i)
-    rows.push_back({{0.3 * i, 0}, 0});
+    rows.push_back({0, {0.3 * i, 0}, 0});
   const InfluenceNumbers flat = numbers(steel, 0.5, 0.3, 4, 5);
   const InfluenceNumbers plane = plane_strain_numbers(steel, 0.3, 5, 100);
   const InfluenceNumbers a = tangent_plane_numbers(steel, {0.5, 0.3, 4}, rows);
@@ -48,11 +48,11 @@ TEST(TangentPlane, OnAFlatStripIsTheHalfSpace) {
 /// The turn of the whole strip in its section changes nothing, and rows of a circle are translational: the
 /// same rows, the last inclined by a hair more, are not, and give the same numbers.
 TEST(TangentPlane, DependsOnRelativePositionsOnly) {
-  const std::vector<StripRow> rows = arc(10, 0.8, 7);
-  std::vector<StripRow> turned = rows, nearly = rows;
+  const std::vector<ContactRow> rows = arc(10, 0.8, 7);
+  std::vector<ContactRow> turned = rows, nearly = rows;
   const double angle = 0.7;
-  for (StripRow& row : turned)
-    row = {row.position.y * tangent_of(angle) + row.position.z * normal_of(angle), row.delta + angle};
+  for (ContactRow& row : turned)
+    row = {0, row.position.y * tangent_of(angle) + row.position.z * normal_of(angle), row.delta + angle};
   nearly.back().delta += 1e-9;
   const InfluenceNumbers a = tangent_plane_numbers(steel, {0.5, 0.8, 3}, rows);
   const InfluenceNumbers b = tangent_plane_numbers(steel, {0.5, 0.8, 3}, turned);
@@ -75,9 +75,9 @@ TEST(TangentPlane, MichellsPair) {
   const double radius = 10;
   const int count = 360;
   const double ds = 2 * std::numbers::pi * radius / count;
-  const std::vector<StripRow> hole = arc(-radius, ds, count);
-  std::vector<StripRow> disc = hole; // the upper body's own frame is turned by pi about x
-  for (StripRow& row : disc)
+  const std::vector<ContactRow> hole = arc(-radius, ds, count);
+  std::vector<ContactRow> disc = hole; // the upper body's own frame is turned by pi about x
+  for (ContactRow& row : disc)
     row.position = -1.0 * row.position;
   const InfluenceNumbers pair = combine(tangent_plane_numbers(steel, {0, ds, 1, radius}, hole),
                                         tangent_plane_numbers(steel, {0, ds, 1, radius}, disc));

@@ -6,8 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
-
 namespace bem_contact::meshes {
 namespace {
 
@@ -47,38 +45,6 @@ TEST(Refusals, StripOffTheProfile) {
   EXPECT_THAT(refusal(body), HasSubstr("is not on profile 60E1"));
 }
 
-TEST(Refusals, EmptyStripAndNoNumbers) {
-  BodyFile body = body_of(BodyKind::block);
-  body.strip.to = -5;
-  EXPECT_THAT(refusal(body), HasSubstr("is empty"));
-  body.strip.to = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(refusal(body), HasSubstr("is empty"));
-  body = body_of(BodyKind::disc);
-  body.body.radius = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(refusal(body), HasSubstr("[body] radius = nan is no size of a body"));
-  body = body_of(BodyKind::block);
-  body.body.size = -1;
-  EXPECT_THAT(refusal(body), HasSubstr("[body] size = -1 is no size of a body"));
-}
-
-TEST(Refusals, StationsThatDoNotFillTheStrip) {
-  BodyFile body = body_of(BodyKind::block);
-  body.strip.station_width = 0.3;
-  EXPECT_THAT(refusal(body), AllOf(HasSubstr("stations of 0.3 mm"), HasSubstr("their number must be whole")));
-}
-
-TEST(Refusals, MeshNumbersThatMakeNoMesh) {
-  BodyFile body = body_of(BodyKind::block);
-  body.mesh.elements_per_station = 0;
-  EXPECT_THAT(refusal(body), HasSubstr("elements_per_station = 0"));
-  body = body_of(BodyKind::block);
-  body.mesh.grading = -0.1;
-  EXPECT_THAT(refusal(body), HasSubstr("grading = -0.1"));
-  body = body_of(BodyKind::block);
-  body.mesh.largest = 0;
-  EXPECT_THAT(refusal(body), HasSubstr("all three must be positive"));
-}
-
 TEST(Refusals, OddStripUpToACorner) {
   BodyFile body = body_of(BodyKind::block);
   body.body.size = 5;
@@ -86,13 +52,6 @@ TEST(Refusals, OddStripUpToACorner) {
   body.mesh.elements_per_station = 1;
   EXPECT_THAT(refusal(body), AllOf(HasSubstr("The strip of block 5 ends at a corner after 5 element edges"),
                                    HasSubstr("Make [mesh] elements_per_station even")));
-}
-
-TEST(Refusals, BoreThatDoesNotFitItsBlock) {
-  BodyFile body = body_of(BodyKind::bore);
-  body.body.size = 10;
-  EXPECT_THAT(refusal(body),
-              HasSubstr("A bore of radius 10 mm does not fit into a block of half width 10 mm"));
 }
 
 } // namespace

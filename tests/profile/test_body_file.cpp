@@ -196,6 +196,18 @@ TEST(BodyFile, wrong_types_ranges_and_values_name_line_and_key) {
                     HasSubstr("Did you mean \"wheel\"?")));
 }
 
+TEST(BodyFile, sizes_and_numbers_of_a_mesh_are_positive) {
+  EXPECT_THAT(body_refusal("[body]\nkind = 'disc'\nradius = nan"),
+              StartsWith("body.toml:3: body.radius = nan (the value must be finite)"));
+  EXPECT_THAT(body_refusal("[body]\nkind = 'block'\nsize = -1"),
+              StartsWith("body.toml:3: body.size = -1.0 (out of range) Give a value > 0 mm."));
+  for (const char* line :
+       {"strip.station_width = 0", "mesh.elements_per_station = 0", "mesh.grading = -0.1", "mesh.largest = 0",
+        "harmonic.half_period = 0", "harmonic.shortest_dx = 0", "harmonic.samples_per_decade = 0"})
+    EXPECT_THAT(body_refusal(line), AllOf(StartsWith(std::string("body.toml:1: ") + line),
+                                          HasSubstr("(out of range) Give a value ")));
+}
+
 TEST(BodyFile, what_is_not_toml_names_the_line) {
   EXPECT_THAT(body_refusal("[strip]\nfrom = = 3"),
               AllOf(StartsWith("body.toml:2: "), HasSubstr("(the file is not valid TOML)")));
@@ -210,6 +222,9 @@ TEST(BodyFile, the_station_width_divides_the_strip) {
   EXPECT_NO_THROW(parse_body_file("[strip]\nfrom = -10\nto = 0\nstation_width = 0.303030303"));
   EXPECT_THAT(body_refusal("[strip]\nstation_width = 0.001"), HasSubstr("25000 stations"));
   EXPECT_THAT(body_refusal("[strip]\nfrom = 10"), HasSubstr("Give strip.to greater than strip.from."));
+  EXPECT_THAT(body_refusal("[strip]\nfrom = -5\nto = -5"),
+              AllOf(StartsWith("body.toml:3: strip.to"), HasSubstr("the strip runs from -5 to -5 mm")));
+  EXPECT_THAT(body_refusal("[strip]\nto = nan"), HasSubstr("strip.to = nan (the value must be finite)"));
 }
 
 TEST(BodyFile, the_strip_lies_on_the_body) {
@@ -220,6 +235,8 @@ TEST(BodyFile, the_strip_lies_on_the_body) {
               StartsWith("body.toml:6: strip.to = 6.0"));
   EXPECT_THAT(body_refusal("[body]\nkind='bore'\nsize=5\nradius=6\n[strip]\nfrom=-4\nto=4"),
               HasSubstr("does not fit into the block"));
+  EXPECT_THAT(body_refusal("[body]\nkind='bore'\nsize=10\nradius=10\n[strip]\nfrom=-5\nto=5"),
+              StartsWith("body.toml:3: body.size = 10.0 (the bore of radius 10 mm does not fit into"));
 }
 
 TEST(BodyFile, an_axle_below_the_contact_surface_is_refused_with_the_way_round_it) {

@@ -1,6 +1,7 @@
 // The published files of the Manchester contact benchmark, where they are at hand.
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "tests/profile/curves.hpp"
+#include "tests/profile/s1002_formula.hpp"
 #include "warnings.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,6 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "tests/profile/s1002_formula.hpp"
 
 #include <gmock/gmock.h>
 
@@ -34,7 +35,6 @@ TEST(S1002, known_points) {
   EXPECT_NEAR(s1002_height(-55), 28, 1e-12);       // the tip of the flange
   EXPECT_NEAR(s1002_height(60), -2.6356764, 5e-8); // published point list
   EXPECT_NEAR(s1002_height(-70), 9.519259302, 1e-12);
-  EXPECT_THROW(s1002_height(61), InputError);
 }
 
 TEST(S1002, the_formulas_jump_by_what_the_reference_says) {

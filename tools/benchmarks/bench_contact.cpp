@@ -112,13 +112,11 @@ ContactProblem scene(const Size& size, Numbers numbers, Kind kind) {
   if (numbers == Numbers::file) {
     problem.numbers = numbers_of_files(problem.grid);
   } else if (fem) {
-    std::vector<halfspace::StripRow> rail, wheel;
-    for (const ContactRow& row : problem.rows) {
-      rail.push_back({row.position, row.delta});
-      wheel.insert(wheel.begin(), {{-row.position.y, -row.position.z}, row.delta});
-    }
+    std::vector<ContactRow> wheel;
+    for (const ContactRow& row : problem.rows)
+      wheel.insert(wheel.begin(), {row.s, -1.0 * row.position, row.delta});
     const halfspace::StripGrid grid{dx, ds, size.mx + 2};
-    problem.numbers = pair(spelled_out(halfspace::tangent_plane_numbers(steel, grid, rail)),
+    problem.numbers = pair(spelled_out(halfspace::tangent_plane_numbers(steel, grid, problem.rows)),
                            spelled_out(halfspace::tangent_plane_numbers(steel, grid, wheel)));
   } else {
     const InfluenceNumbers body = halfspace::numbers(steel, dx, ds, size.mx + 2, size.ms);

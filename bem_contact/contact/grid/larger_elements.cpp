@@ -13,19 +13,9 @@
 namespace bem_contact::contact {
 namespace {
 
-/// What is asked stays the same on larger elements: load, forces, friction, motion.
-ContactProblem same_question(const ContactProblem& problem) {
+ContactProblem same_question(const ContactQuestion& question) {
   ContactProblem coarse;
-  coarse.load = problem.load;
-  coarse.approach = problem.approach;
-  coarse.force = problem.force;
-  coarse.tangential = problem.tangential;
-  coarse.friction = problem.friction;
-  coarse.kinetic = problem.kinetic;
-  coarse.force_x = problem.force_x;
-  coarse.force_s = problem.force_s;
-  coarse.reference_delta = problem.reference_delta;
-  coarse.motion = problem.motion;
+  static_cast<ContactQuestion&>(coarse) = question;
   return coarse;
 }
 

@@ -66,7 +66,6 @@ public:
           TransformPool* pool = nullptr);
 
   const Boxes& boxes() const { return boxes_; }
-  const std::array<double, 3>& present() const { return present_; }
   int size() const { return boxes_.size(); } ///< of one component
 
   /// out = B in

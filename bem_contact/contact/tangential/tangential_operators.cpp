@@ -16,36 +16,42 @@ const StripOperator& TangentialOperators::whole(const ContactProblem& problem, W
   return *whole_;
 }
 
-const StepNumbers& TangentialOperators::step_numbers(const ContactProblem& problem,
-                                                     const std::array<double, 3>& present) {
-  if (!step_numbers_ || step_numbers_->present != present) {
+TangentialOperators& TangentialOperators::use(const std::array<double, 3>& present) {
+  if (present_ != present) {
+    present_ = present;
+    step_numbers_.reset();
+    box_.reset();
+    matrix_.reset();
+  }
+  return *this;
+}
+
+const StepNumbers& TangentialOperators::step_numbers(const ContactProblem& problem) {
+  if (!step_numbers_) {
     std::vector<int> rows(problem.numbers.rows);
     std::iota(rows.begin(), rows.end(), 0);
-    step_numbers_.emplace(
-        NumbersOfStep{present, StepNumbers(problem.numbers, rows, problem.grid.mx, present)});
+    step_numbers_.emplace(problem.numbers, rows, problem.grid.mx, present_);
   }
-  return step_numbers_->numbers;
+  return *step_numbers_;
 }
 
 TangentialOperators::BoxWithScratch TangentialOperators::box_around(const std::vector<int>& contact,
                                                                     const ContactProblem& problem,
-                                                                    const std::array<double, 3>& present,
                                                                     WorkBudget& work) {
   const Boxes needed = boxes_around(contact, problem.grid, 0, !problem.numbers.translational);
-  if (!box_ || !serve(box_->boxes(), needed, contact, problem.grid.mx) || box_->present() != present) {
+  if (!box_ || !serve(box_->boxes(), needed, contact, problem.grid.mx)) {
     work.spend(spectra_work(problem.numbers.translational, 4, needed.rows(), needed.mx()));
     scratch_.reset();
-    box_.emplace(problem.numbers, needed, present, pool_.get());
+    box_.emplace(problem.numbers, needed, present_, pool_.get());
     scratch_.emplace(*box_);
   }
   return {*box_, *scratch_};
 }
 
 const Eigen::MatrixXd& TangentialOperators::matrix_of(const std::vector<int>& contact,
-                                                      const ContactProblem& problem,
-                                                      const std::array<double, 3>& present) {
-  if (!matrix_ || matrix_->contact != contact || matrix_->present != present)
-    matrix_.emplace(MatrixOfContact{contact, present, step_matrix(problem, present, contact)});
+                                                      const ContactProblem& problem) {
+  if (!matrix_ || matrix_->contact != contact)
+    matrix_.emplace(MatrixOfContact{contact, step_matrix(problem, present_, contact)});
   return matrix_->matrix;
 }
 

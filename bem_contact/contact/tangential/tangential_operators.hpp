@@ -14,40 +14,36 @@
 namespace bem_contact::contact {
 
 /// What is prepared of the tangential influence numbers of one grid. Every call gives a problem with the same
-/// numbers and grid; the weights of its step (SlipStep::present) may differ. Each operator is made when it is
-/// first asked for; it is complete then and stays as it is. Serves one thread at a time.
+/// numbers and grid. Each operator is made when it is first asked for; it is complete then and stays as it
+/// is. Serves one thread at a time.
 class TangentialOperators {
 public:
   explicit TangentialOperators(std::shared_ptr<TransformPool> pool = std::make_shared<TransformPool>());
 
   /// A_tt on the whole grid.
   const StripOperator& whole(const ContactProblem& problem, WorkBudget& work);
-  const StepNumbers& step_numbers(const ContactProblem& problem, const std::array<double, 3>& present);
+  /// The weights of the step (SlipStep::present) that B below has; what belongs to others is given up.
+  TangentialOperators& use(const std::array<double, 3>& present);
 
+  const StepNumbers& step_numbers(const ContactProblem& problem);
   /// B on boxes around the contact and scratch for it. The former boxes are used again while they serve.
   struct BoxWithScratch {
     const StepBox& box;
     StepBoxScratch& scratch;
   };
-  BoxWithScratch box_around(const std::vector<int>& contact, const ContactProblem& problem,
-                            const std::array<double, 3>& present, WorkBudget& work);
+  BoxWithScratch box_around(const std::vector<int>& contact, const ContactProblem& problem, WorkBudget& work);
   /// B of a few elements; the former matrix is used again for the same ones.
-  const Eigen::MatrixXd& matrix_of(const std::vector<int>& contact, const ContactProblem& problem,
-                                   const std::array<double, 3>& present);
+  const Eigen::MatrixXd& matrix_of(const std::vector<int>& contact, const ContactProblem& problem);
 
 private:
-  struct NumbersOfStep {
-    std::array<double, 3> present;
-    StepNumbers numbers;
-  };
   struct MatrixOfContact {
     std::vector<int> contact;
-    std::array<double, 3> present;
     Eigen::MatrixXd matrix;
   };
   std::shared_ptr<TransformPool> pool_;
   std::optional<StripOperator> whole_;
-  std::optional<NumbersOfStep> step_numbers_;
+  std::array<double, 3> present_{};
+  std::optional<StepNumbers> step_numbers_;
   std::optional<StepBox> box_;
   std::optional<StepBoxScratch> scratch_;
   std::optional<MatrixOfContact> matrix_;

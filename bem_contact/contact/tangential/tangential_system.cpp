@@ -42,7 +42,7 @@ VectorXd TangentialSystem::step(const VectorXd& p, WorkBudget& work) const {
 }
 
 const StepNumbers& TangentialSystem::step_numbers() const {
-  return operators_->step_numbers(*problem, rule.present);
+  return operators_->use(rule.present).step_numbers(*problem);
 }
 
 double TangentialSystem::product_work(int rows) const {
@@ -51,11 +51,11 @@ double TangentialSystem::product_work(int rows) const {
 
 TangentialOperators::BoxWithScratch TangentialSystem::box_around(const std::vector<int>& contact,
                                                                  WorkBudget& work) const {
-  return operators_->box_around(contact, *problem, rule.present, work);
+  return operators_->use(rule.present).box_around(contact, *problem, work);
 }
 
 const Eigen::MatrixXd& TangentialSystem::matrix_of(const std::vector<int>& contact) const {
-  return operators_->matrix_of(contact, *problem, rule.present);
+  return operators_->use(rule.present).matrix_of(contact, *problem);
 }
 
 namespace {

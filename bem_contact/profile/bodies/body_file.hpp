@@ -5,6 +5,7 @@
 #include "bem_contact/base/material.hpp"
 #include "bem_contact/profile/profile_reading.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -72,6 +73,7 @@ struct BodyFile {
     double from = -45; ///< arc length on the profile, mm
     double to = -20;
     double station_width = 0.2; ///< mm; (to - from) / station_width must be whole
+    int stations() const { return static_cast<int>(std::lround((to - from) / station_width)); }
   } strip;
   /// The error asked for, of the influence number itself. Keys of [mesh] and [harmonic] that a file does not
   /// give follow from it; the values below are those of 1e-3.

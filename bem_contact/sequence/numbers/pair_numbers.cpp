@@ -122,15 +122,14 @@ InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& 
 InfluenceNumbers tangent_plane_pair(const ContactSetup& setup, const ContactOnGrid& contact) {
   const ContactGrid& grid = contact.problem.grid;
   const bool plane_strain = contact.problem.plane_strain();
-  std::vector<halfspace::StripRow> rail, wheel; // the wheel's own frame is turned by pi about x
-  for (const ContactRow& row : contact.problem.rows) {
-    rail.push_back({row.position, row.delta});
-    wheel.push_back({-1.0 * row.position, row.delta});
-  }
+  std::vector<ContactRow> wheel = contact.problem.rows; // the wheel's own frame is turned by pi about x
+  for (ContactRow& row : wheel)
+    row.position = -1.0 * row.position;
   const halfspace::StripGrid strip{plane_strain ? 0.0 : grid.dx, grid.ds, plane_strain ? 1 : grid.mx + 2,
                                    setup.reference_distance()};
-  return halfspace::combine(halfspace::tangent_plane_numbers(setup.rail.material, strip, rail),
-                            halfspace::tangent_plane_numbers(setup.wheel.material, strip, wheel));
+  return halfspace::combine(
+      halfspace::tangent_plane_numbers(setup.rail.material, strip, contact.problem.rows),
+      halfspace::tangent_plane_numbers(setup.wheel.material, strip, wheel));
 }
 
 InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, const ContactOnGrid& contact,

@@ -5,14 +5,12 @@
     demo/             influence files of the bodies that the scenes name, made by the program's own mesh_body and fem_influence
 """
 
-import argparse
 import importlib.machinery
 import importlib.util
 import os
 import re
 import shutil
 import subprocess
-import tomllib
 
 BODIES = {"rail_60E1": "rail_60E1_gauge_corner", "wheel_S1002": "wheel_S1002_flange_root"}  # as tools/demo names them
 RANDOM_CASES, SEED, CASES_A_FILE = 500, 1, 100
@@ -26,21 +24,11 @@ def write_random_cases(root, scenes):
     loader = importlib.machinery.SourceFileLoader("random_cases", str(root / "tools" / "benchmarks" / "random_cases"))
     module = importlib.util.module_from_spec(importlib.util.spec_from_loader("random_cases", loader))
     loader.exec_module(module)
-    text = module.scene(argparse.Namespace(seed=SEED, number=RANDOM_CASES, accuracy=ACCURACY))
-    text = re.sub(r'"[^"]*/data/bodies/', '"../bodies/', text)  # no path of this machine
-    head, lists = text.split("[sweep]\n")
-    tables = tomllib.loads(text)["sweep"]
-
-    def flat(table, prefix=""):
-        for key, value in table.items():
-            if isinstance(value, dict):
-                yield from flat(value, f"{prefix}{key}.")
-            elif isinstance(value, list):
-                yield prefix + key, [float(v) if isinstance(v, int) else v for v in value]
-
+    lists = module.random_lists(SEED, RANDOM_CASES)
     for start in range(0, RANDOM_CASES, CASES_A_FILE):
-        part = "".join(f"{key} = {module.values(numbers[start:start + CASES_A_FILE])}\n" for key, numbers in flat(tables))
-        (scenes / f"random_{start:03d}.toml").write_text(f'{head}[sweep]\nmode = "zip"\nfields = true\n{part}')
+        part = {key: values[start:start + CASES_A_FILE] for key, values in lists.items()}
+        text = re.sub(r'"[^"]*/data/bodies/', '"../bodies/', module.scene(part, ACCURACY, "true"))  # no path of this machine
+        (scenes / f"random_{start:03d}.toml").write_text(text)
 
 
 def write_variants(scenes):

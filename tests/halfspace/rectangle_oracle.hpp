@@ -1,14 +1,9 @@
 #pragma once
 
-#include "bem_contact/base/conventions.hpp"
-#include "bem_contact/base/material.hpp"
+#include "bem_contact/halfspace/kernels.hpp"
 
-#include <array>
-
+/// A slow way to the half-space's influence numbers, one element at a time, with which tests compare.
 namespace bem_contact::halfspace {
-
-/// 3 x 3, row i = displacement, column j = traction, mm/MPa.
-using Matrix3 = std::array<std::array<double, 3>, 3>;
 
 /// Displacement at the surface point (x, s) under unit uniform traction on the rectangle 2a x 2b about the
 /// origin, of the half-space n > 0 (n into the body). Boussinesq-Cerruti: Love 1929; Kalker 1990, app. E.

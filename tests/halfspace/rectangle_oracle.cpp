@@ -1,7 +1,6 @@
-#include "bem_contact/halfspace/rectangle.hpp"
+#include "rectangle_oracle.hpp"
 
 #include "bem_contact/halfspace/gauss.hpp"
-#include "bem_contact/halfspace/kernels.hpp"
 #include "bem_contact/halfspace/settings.hpp"
 
 #include <algorithm>
@@ -70,6 +69,14 @@ Kernels difference(Real x, Real y, const std::array<Real, N>& step_x, const std:
   return k;
 }
 
+void add(Kernels& sum, double weight, const Kernels& k) {
+  sum.xx_r3 += weight * k.xx_r3;
+  sum.ss_r3 += weight * k.ss_r3;
+  sum.xs_r3 += weight * k.xs_r3;
+  sum.x_r2 += weight * k.x_r2;
+  sum.s_r2 += weight * k.s_r2;
+}
+
 Kernels point_kernels(double x, double y) {
   const double r2 = x * x + y * y, r3 = r2 * std::sqrt(r2);
   return {x * x / r3, y * y / r3, x * y / r3, x / r2, y / r2};
@@ -95,7 +102,7 @@ template <std::size_t N> Kernels quadrature(double x, double y, double a, double
   Kernels sum;
   for (std::size_t p = 0; p < 2 * N; ++p)
     for (std::size_t q = 0; q < 2 * N; ++q)
-      sum.add(hat_x.weight[p] * hat_y.weight[q], point_kernels(x + hat_x.point[p], y + hat_y.point[q]));
+      add(sum, hat_x.weight[p] * hat_y.weight[q], point_kernels(x + hat_x.point[p], y + hat_y.point[q]));
   return sum;
 }
 
@@ -105,8 +112,9 @@ Kernels average_kernels(double x, double y, double a, double b) {
   const double distance = std::hypot(x, y) / std::max(a, b);
   if (distance < closed_form_radius) {
     const Real ra = 2 * Real(a), rb = 2 * Real(b);
-    const Kernels sum = difference<Fourth, 3>(x, y, {-ra, 0, ra}, {-rb, 0, rb}, {1, -2, 1});
-    return Kernels{}.add(1 / (4 * a * b), sum);
+    Kernels mean;
+    add(mean, 1 / (4 * a * b), difference<Fourth, 3>(x, y, {-ra, 0, ra}, {-rb, 0, rb}, {1, -2, 1}));
+    return mean;
   }
   return distance < four_point_radius ? quadrature<6>(x, y, a, b) : quadrature<3>(x, y, a, b);
 }
@@ -123,8 +131,6 @@ template <class Function> Kernels by_parity(double x, double s, Function&& funct
 } // namespace
 
 Matrix3 at_point(const Material& material, double x, double s, double a, double b) {
-  require_size(2 * a, "length 2a");
-  require_size(2 * b, "width 2b");
   return assemble(material, by_parity(x, s, [&](double px, double ps) {
                     // The load's element covers (-a, a) x (-b, b): the kernel is integrated over x - xi, s -
                     // eta.
@@ -133,8 +139,6 @@ Matrix3 at_point(const Material& material, double x, double s, double a, double 
 }
 
 Matrix3 averaged(const Material& material, double x, double s, double a, double b) {
-  require_size(2 * a, "length 2a");
-  require_size(2 * b, "width 2b");
   return assemble(material,
                   by_parity(x, s, [&](double px, double ps) { return average_kernels(px, ps, a, b); }));
 }
