@@ -2,7 +2,6 @@
 
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/fixed_text.hpp"
-#include "bem_contact/sequence/quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,11 +59,6 @@ std::string counted(int count, const char* one, const char* many) {
 std::string plus_minus(double error) {
   const std::string text = two_digits(error);
   return text.empty() ? "" : " +- " + text;
-}
-
-std::string plus_minus(const SceneResult& result, const char* name) {
-  const Quantity& number = quantity(name);
-  return number.error ? plus_minus(number.error(result)) : "";
 }
 
 } // namespace bem_contact::app

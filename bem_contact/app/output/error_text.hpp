@@ -1,7 +1,5 @@
 #pragma once
 
-#include "bem_contact/sequence/scene_result.hpp"
-
 #include <string>
 
 namespace bem_contact::app {
@@ -25,8 +23,5 @@ std::string digits_fine(double value, double error, int digits);
 /// The same, and no finer than one digit more than two_digits() has.
 std::string fixed_within(double value, double error, int decimals);
 std::string digits_within(double value, double error, int digits);
-
-/// The number of this name (quantities()), as plus_minus() has its error.
-std::string plus_minus(const SceneResult& result, const char* name);
 
 } // namespace bem_contact::app

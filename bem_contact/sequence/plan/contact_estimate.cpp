@@ -117,10 +117,8 @@ double approach_under(const ContactEstimate& estimate, double force, double comp
 }
 
 void set_approach(ContactEstimate& estimate, double q, double compliance) {
-  const Borne borne = borne_at(estimate, q, compliance);
   estimate.approach = q;
-  estimate.force = borne.force;
-  estimate.turn = borne.contact.turn;
+  estimate.force = borne_at(estimate, q, compliance).force;
 }
 
 /// Of the slices that can touch, where each is nearest to the wheel.
