@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace bem_contact {
 
@@ -86,17 +87,9 @@ void add_creepage(const ContactTraits& traits, double xi, ModelErrors& out) {
 } // namespace
 
 double ModelErrors::of(ModelErrorOf what) const {
-  switch (what) {
-  case ModelErrorOf::forces:
-    return forces;
-  case ModelErrorOf::pmax:
-    return pmax;
-  case ModelErrorOf::creepages:
-    return creepages;
-  case ModelErrorOf::friction_power:
-    break;
-  }
-  return friction_power;
+  const double all[] = {forces, pmax, creepages, friction_power};
+  static_assert(std::size(all) == EnumNames<ModelErrorOf>::names.size());
+  return all[static_cast<std::size_t>(what)];
 }
 
 ModelErrorOf ModelErrors::worst(std::span<const ModelErrorOf> named) const {
