@@ -248,18 +248,13 @@ bool too_coarse(const SceneFile& scene, const WheelsetState& s) {
   return scene.grid.accuracy && (coarse(s.right) || coarse(s.left));
 }
 
-void warn_of_kilonewtons(const SceneFile& scene, std::vector<std::string>& warnings) {
-  if (std::string small = looks_like_kilonewtons("wheelset.force", *scene.wheelset.force, 2); !small.empty())
-    warnings.push_back(std::move(small));
-}
-
 void add_warnings(const SceneFile& scene, WheelsetResult& out) {
   std::vector<PlacedWarning> all;
   for (const WheelSide side : both_sides)
     for (const std::string& warning : out.state.solved(side).warnings)
       all.push_back({fmt::format("{} wheel", name_of(side)), warning});
   out.warnings = once_each(all);
-  warn_of_kilonewtons(scene, out.warnings);
+  warn_of_kilonewtons("wheelset.force", *scene.wheelset.force, 2, out.warnings);
   if (too_coarse(scene, out.state))
     out.warnings.push_back("the accuracy asked for was not reached: the equilibrium is found on the elements "
                            "that were chosen near it");
@@ -280,7 +275,7 @@ WheelsetDescription check_wheelset(const SceneFile& scene) {
   const WheelsetPose pose = stand(wheels, scene.position.lateral, first_guess(scene));
   WheelsetDescription out{pose.lateral, pose.roll, wheels.check(WheelSide::right, pose),
                           wheels.check(WheelSide::left, pose)};
-  warn_of_kilonewtons(scene, out.warnings);
+  warn_of_kilonewtons("wheelset.force", *scene.wheelset.force, 2, out.warnings);
   return out;
 }
 
