@@ -101,8 +101,9 @@ std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSet
         fmt::format("motion.friction = {:g}: hardly any bodies have more than {:g} (it is no percentage)",
                     scene.motion.friction, highest_friction));
   const Motion& motion = setup.motion;
-  const bool speed_counts = motion.falling || motion.polach || motion.heating;
-  if (speed_counts && motion.speed < least_speed)
+  const FrictionCoefficients& c = motion.coefficients;
+  const bool speed_counts = c.falling_friction || c.polach_a || motion.temperature.flash;
+  if (motion.tangential && speed_counts && motion.speed < least_speed)
     out.push_back(
         fmt::format("motion.speed = {:g} mm/s is below walking pace: give it in mm/s", motion.speed));
   if (const WheelRailGeometry* placed = setup.wheel_rail()) {

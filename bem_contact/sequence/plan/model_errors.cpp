@@ -35,7 +35,7 @@ double edge_distance(const ContactCase& asked, const EstimatedContact& contact) 
 /// for a circle, and Johnson and Vermeulen's saturation.
 void set_creep(const ContactCase& asked, const EstimatedContact& contact, ContactTraits& traits) {
   const Motion& motion = asked.setup.motion;
-  const double limit = motion.friction * traits.normal;
+  const double limit = motion.coefficients.friction * traits.normal;
   if (!motion.tangential || motion.kind == MotionKind::shift || limit <= 0)
     return;
   const RigidSlip slip =
