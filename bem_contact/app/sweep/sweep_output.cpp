@@ -214,7 +214,7 @@ void print_changes(std::ostream& out, const SweepFile& sweep, std::size_t i) {
 }
 
 void print_cases(std::ostream& out, const SweepFile& sweep, const std::vector<SweepColumn>& columns,
-                 const H5Table& top, const std::vector<std::string>& reasons) {
+                 const H5Table& top) {
   fmt::print(out, "case");
   print_axes(out, sweep);
   fmt::print(out, ",status,seconds,cpu_seconds");
@@ -227,7 +227,8 @@ void print_cases(std::ostream& out, const SweepFile& sweep, const std::vector<Sw
     fmt::print(out, ",{},{},{}", status_of(top, i), cell(top, "seconds", i), cell(top, "cpu_seconds", i));
     for (const SweepColumn& column : columns)
       fmt::print(out, ",{}", cell(top, column, i));
-    fmt::print(out, ",{}\n", reasons[i].empty() ? "" : quoted(reasons[i]));
+    const std::string reason = text_attribute(top, fmt::format("cases/{:06}/reason", i));
+    fmt::print(out, ",{}\n", reason.empty() ? "" : quoted(reason));
   }
 }
 
@@ -275,9 +276,9 @@ void print_units(std::ostream& out, const SweepFile& sweep, const SweepColumns& 
 
 } // namespace
 
-void write_csv(const CsvFiles& files, const SweepFile& sweep, const SweepColumns& columns, const H5Table& top,
-               const std::vector<std::string>& reasons) {
-  write_text(files.cases, [&](std::ostream& out) { print_cases(out, sweep, columns.cases, top, reasons); });
+void write_csv(const CsvFiles& files, const SweepFile& sweep, const SweepColumns& columns,
+               const H5Table& top) {
+  write_text(files.cases, [&](std::ostream& out) { print_cases(out, sweep, columns.cases, top); });
   if (!files.patches.empty() && !columns.patches.empty())
     write_text(files.patches, [&](std::ostream& out) { print_patches(out, sweep, columns.patches, top); });
   if (!files.units.empty())
