@@ -32,10 +32,10 @@ Range range_of(const std::vector<double>& s, double ds) {
 }
 
 /// Whole millimetres, which every usual station width divides, with room for what friction changes; not
-/// beyond the profile.
+/// beyond the profile. The sum with 0 makes 0 of -0.
 Range strip_for(const Range& rows, const TabulatedProfile& profile) {
-  return {std::max(std::floor(rows.from - strip_reserve), std::ceil(profile.s_begin())),
-          std::min(std::ceil(rows.to + strip_reserve), std::floor(profile.s_end()))};
+  return {std::max(std::floor(rows.from - strip_reserve), std::ceil(profile.s_begin())) + 0.0,
+          std::min(std::ceil(rows.to + strip_reserve), std::floor(profile.s_end())) + 0.0};
 }
 
 /// The frictionless contact on the grid that it ends with.
@@ -176,10 +176,9 @@ std::string friction_text(const Motion& motion, const ContactProblem& problem) {
       fmt::format("{}{}", problem.friction_falls() ? ", falls with the slip velocity" : "",
                   problem.friction_falls_with_heat() ? ", falls with temperature" : "");
   return fmt::format("friction: {:g}{}, {}", problem.largest_friction(), falls,
-                     motion.kind == MotionKind::steady ? std::string("steady rolling")
-                     : motion.kind == MotionKind::shift
-                         ? fmt::format("shift in {} steps", steps)
-                         : fmt::format("transient rolling, {} steps of dx", steps));
+                     motion.kind == MotionKind::steady  ? std::string("steady rolling")
+                     : motion.kind == MotionKind::shift ? fmt::format("shift in {} steps", steps)
+                                                        : fmt::format("transient rolling, {} steps of dx", steps));
 }
 
 /// `choice`: of auto; nothing where it was not looked for.
