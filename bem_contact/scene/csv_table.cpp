@@ -1,5 +1,6 @@
 #include "bem_contact/scene/csv_table.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/formats/text_lines.hpp"
@@ -90,8 +91,8 @@ void refuse_line(const std::filesystem::path& file, const CsvLine& line, const s
 void require_cells(const std::filesystem::path& file, const CsvLine& line, std::size_t columns) {
   if (line.cells.size() == columns)
     return;
-  const std::string why =
-      fmt::format("it has {} cells, and {} columns have names", line.cells.size(), columns);
+  const std::string why = fmt::format("it has {}, and {}", counted(line.cells.size(), "cell", "cells"),
+                                      counted(columns, "column has a name", "columns have names"));
   const std::string give = "Give each line one cell for each column";
   if (has_semicolon(line))
     refuse_line(file, line, why, give + ", separated by commas, not semicolons.");

@@ -4,6 +4,7 @@
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
@@ -87,9 +88,8 @@ ExitCode run(const FatigueArguments& arguments) {
     write(std::cout);
   fmt::print("{}, {}: {} beyond the shakedown limit of the surface (FI_surf > 0), {} beyond that below the "
              "surface alone\n",
-             counted(static_cast<int>(table.cases), "case", "cases"),
-             counted(static_cast<int>(table.patches.size()), "patch", "patches"), table.beyond_surface,
-             table.beyond_below);
+             counted(table.cases, "case", "cases"), counted(table.patches.size(), "patch", "patches"),
+             table.beyond_surface, table.beyond_below);
   fmt::print("damage of one passage, mean over the collective: {:.4g}\n", table.damage);
   return success;
 }

@@ -1,5 +1,7 @@
 #include "bem_contact/app/output/asked_output.hpp"
 
+#include "bem_contact/base/counted.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -73,9 +75,9 @@ std::string stresses_text(const std::optional<StressesBelow>& stresses) {
   const std::size_t nd = b.depths.size(), ns = b.s.size();
   return fmt::format(
       "below the surface: largest shear stress {:.1f} MPa (von Mises {:.1f}) at x = {:g}, s = {:g}, "
-      "depth {:g} mm, of {} points\n",
+      "depth {:g} mm, of {}\n",
       b.largest_shear[at], b.von_mises[at], b.x[at / nd / ns], b.s[at / nd % ns], b.depths[at % nd],
-      b.largest_shear.size());
+      counted(b.largest_shear.size(), "point", "points"));
 }
 
 void add_stresses(H5Table& table, const std::string& group, const StressesBelow& b) {
@@ -117,10 +119,11 @@ std::string structure_text(const std::optional<StructuralResult>& structure) {
                         *structure->aside)
           : "";
   return bodies + aside +
-         (structure->placed ? fmt::format("the bodies stand where their motion takes them, to {:.1e} mm "
-                                          "after {} solutions\n",
-                                          structure->change, structure->solutions)
-                            : "the geometry is that of the bodies before this motion\n");
+         (structure->placed
+              ? fmt::format("the bodies stand where their motion takes them, to {:.1e} mm "
+                            "after {}\n",
+                            structure->change, counted(structure->solutions, "solution", "solutions"))
+              : "the geometry is that of the bodies before this motion\n");
 }
 
 void add_structure(H5Table& table, const std::string& group, const StructuralResult& structure) {

@@ -52,10 +52,6 @@ std::string digits_within(double value, double error, int digits) {
   return digits_fine(value, error, std::min(digits, most));
 }
 
-std::string counted(int count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 std::string plus_minus(double error) {
   const std::string text = two_digits(error);
   return text.empty() ? "" : " +- " + text;

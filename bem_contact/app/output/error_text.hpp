@@ -11,9 +11,6 @@ std::string two_digits(double error);
 /// " +- 4.2", or "" where two_digits() are.
 std::string plus_minus(double error);
 
-/// "1 patch", "2 patches".
-std::string counted(int count, const char* one, const char* many);
-
 /// A number with so many decimals, or with as many as two_digits() has of its error if these are more. Never
 /// "-0.0".
 std::string fixed_fine(double value, double error, int decimals);
