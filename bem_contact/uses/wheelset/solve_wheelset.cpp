@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace bem_contact {
 
@@ -268,6 +269,20 @@ void require_wheelset(const SceneFile& scene) {
 }
 
 } // namespace
+
+SceneDescription WheelsetDescription::whole() const {
+  SceneDescription out{
+      {fmt::format("wheelset: the search for its equilibrium begins at a lateral displacement "
+                   "of {:g} mm and a roll of {:.3g} rad",
+                   lateral, roll)},
+      warnings};
+  for (const auto& [title, wheel] :
+       {std::pair{"right wheel", &right}, std::pair{"left wheel (y, s to the left)", &left}}) {
+    out.lines.push_back(title);
+    out.add(*wheel);
+  }
+  return out;
+}
 
 WheelsetDescription check_wheelset(const SceneFile& scene) {
   require_wheelset(scene);
