@@ -6,6 +6,7 @@
 #include <openssl/evp.h>
 
 #include <array>
+#include <fmt/format.h>
 #include <fstream>
 #include <memory>
 #include <vector>
@@ -23,12 +24,7 @@ public:
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
     unsigned int size = 0;
     check(EVP_DigestFinal_ex(context_.get(), digest.data(), &size) == 1);
-    std::string text;
-    for (unsigned int i = 0; i < size; ++i) {
-      text += "0123456789abcdef"[digest[i] >> 4];
-      text += "0123456789abcdef"[digest[i] & 15];
-    }
-    return text;
+    return fmt::format("{:02x}", fmt::join(digest.begin(), digest.begin() + size, ""));
   }
 
 private:

@@ -1,5 +1,6 @@
 #include "bem_contact/c/result_values.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 
@@ -108,9 +109,10 @@ void copy_array(const SceneResult& result, int which, std::span<double> to) {
                      "See CONFORMAL_X and the following in conformal_contact.h.");
   const int size = which == CONFORMAL_X ? grid.mx : which <= CONFORMAL_DELTA ? grid.ms : grid.size();
   if (to.size() != static_cast<std::size_t>(size))
-    throw InputError(fmt::format("The array {} does not fit into {} values", which, to.size()),
-                     fmt::format("it has {}: the grid is mx = {} by ms = {}", size, grid.mx, grid.ms),
-                     "Ask conformal_grid() after each solution.");
+    throw InputError(
+        fmt::format("The array {} does not fit into {}", which, counted(to.size(), "value", "values")),
+        fmt::format("it has {}: the grid is mx = {} by ms = {}", size, grid.mx, grid.ms),
+        "Ask conformal_grid() after each solution.");
   const char* name = array_names[static_cast<std::size_t>(which)];
   if (which == CONFORMAL_X) {
     for (int ix = 0; ix < grid.mx; ++ix)

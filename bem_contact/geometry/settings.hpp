@@ -58,6 +58,12 @@ BEM_CONTACT_TUNED(int, crossing_halving_period, 8); ///< 1. As above.
 BEM_CONTACT_TUNED(double, crossing_width, 1e-14);
 BEM_CONTACT_TUNED(double, crossing_distance, 1e-13); ///< mm. As above.
 
+// Roll of a wheelset.
+
+/// 1. Steps to the roll at which both wheels stand on their rails. Each is a secant step; 3 or 4 are usual. A
+/// bound.
+BEM_CONTACT_TUNED(int, roll_steps, 40);
+
 // Slices and planar rows.
 
 /// mm. Width of the slices of the rail's head: 30 of them lie in a contact of 6 mm.

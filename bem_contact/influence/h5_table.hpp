@@ -1,11 +1,14 @@
 #pragma once
 
+#include "bem_contact/base/conventions.hpp"
+
 #include <cstddef>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -17,6 +20,28 @@ struct H5Dataset {
   std::vector<double> values;     ///< as many as the product of the lengths, the last dimension fastest
   std::string unit;               ///< of the values: mm, N, MPa ...; "1": none
   std::string description;        ///< in a few words
+
+  static H5Dataset single(double value, std::string unit, std::string description) {
+    return {{}, {value}, std::move(unit), std::move(description)};
+  }
+  static H5Dataset line(std::vector<double> values, std::string unit, std::string description) {
+    const std::size_t n = values.size();
+    return {{n}, std::move(values), std::move(unit), std::move(description)};
+  }
+  /// Rows of equal length, one or more.
+  template <class Rows> static H5Dataset matrix(const Rows& rows, std::string unit, std::string description) {
+    H5Dataset out{{rows.size(), rows.front().size()}, {}, std::move(unit), std::move(description)};
+    for (const auto& row : rows)
+      out.values.insert(out.values.end(), row.begin(), row.end());
+    return out;
+  }
+  /// [point][y, z]
+  static H5Dataset points(const std::vector<Point2>& all, std::string description) {
+    H5Dataset out{{all.size(), 2}, {}, "mm", std::move(description)};
+    for (const Point2& p : all)
+      out.values.insert(out.values.end(), {p.y, p.z});
+    return out;
+  }
 };
 
 /// An attribute of a file or of a group: a text or a number.

@@ -1,5 +1,6 @@
 #include "bem_contact/profile/profile_curve.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/fnv1a.hpp"
 #include "bem_contact/profile/spline.hpp"
@@ -98,7 +99,7 @@ ProfileCurve ProfileCurve::through_points(std::string name, std::span<const Poin
 ProfileCurve ProfileCurve::through_points(std::string name, std::span<const Point2> points,
                                           std::span<const std::size_t> corners) {
   if (points.size() < 3)
-    throw InputError(fmt::format("Profile '{}' has {} points", name, points.size()),
+    throw InputError(fmt::format("Profile '{}' has {}", name, counted(points.size(), "point", "points")),
                      "a curve needs at least 3", "Give more points.");
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!(std::isfinite(points[i].y) && std::isfinite(points[i].z)))

@@ -4,6 +4,7 @@
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/sweep/sweep_columns.hpp"
+#include "bem_contact/uses/wheelset/solve_wheelset.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -27,8 +28,9 @@ using namespace py::literals;
 py::dict check(const py::object& scene, const py::object& changes, const py::object& model,
                const py::object& folder) {
   const SceneFile file = with_model(scene_file_of(scene, folder, changes_of(changes)), model_of(model));
-  const SceneDescription found =
-      stoppable([file](const std::atomic<bool>*) { return Sequence().check(file); });
+  const SceneDescription found = stoppable([file](const std::atomic<bool>*) {
+    return file.wheelset.force ? check_wheelset(file).whole() : Sequence().check(file);
+  });
   return py::dict("lines"_a = found.lines, "warnings"_a = found.warnings);
 }
 
@@ -120,8 +122,8 @@ void add_check_and_sweep(py::module_& module) {
       "check", &check, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),
       "folder"_a = py::none(),
       "What would be solved, and whether the influence files suffice; nothing is solved. `scene`, `changes`, "
-      "`model`: as solve() takes them. A dict: `lines`, the text that `bem_contact check` prints, and "
-      "`warnings`. Raises InputError where solve() would before it solves.");
+      "`model`: as solve() takes them, or as wheelset() does. A dict: `lines`, the text that `bem_contact "
+      "check` prints, and `warnings`. Raises InputError where solve() or wheelset() would before it solves.");
   module.def(
       "sweep", &sweep, "scene"_a, "model"_a = py::none(), py::kw_only(), "folder"_a = py::none(),
       "Solves a scene for the lists of its table [sweep], as `bem_contact sweep` does. "

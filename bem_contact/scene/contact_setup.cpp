@@ -133,12 +133,6 @@ RigidSlip ContactSetup::rigid_slip(const MotionStep& step, const std::vector<Con
                                  rows_before(*placed.structure, rows), x);
 }
 
-ContactSetup ContactSetup::under(const ContactLoad& other) const {
-  ContactSetup out = *this;
-  out.load = other;
-  return out;
-}
-
 ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& profiles) {
   if (scene.load.approach)
     require_small_approach(*scene.load.approach);

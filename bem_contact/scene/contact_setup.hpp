@@ -60,9 +60,6 @@ struct ContactSetup {
   /// Rigid slip of elements of a wheel on a rail, or of a patch on its own grid.
   RigidSlip rigid_slip(const MotionStep& step, const std::vector<ContactRow>& rows,
                        const std::vector<double>& x) const;
-
-  /// The same contact under another load.
-  ContactSetup under(const ContactLoad& other) const;
 };
 
 /// A `wheel_rail` scene. With position.vertical the approach is how far the wheelset stands below the height

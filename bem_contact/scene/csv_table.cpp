@@ -1,5 +1,6 @@
 #include "bem_contact/scene/csv_table.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/profile/formats/text_lines.hpp"
@@ -90,8 +91,8 @@ void refuse_line(const std::filesystem::path& file, const CsvLine& line, const s
 void require_cells(const std::filesystem::path& file, const CsvLine& line, std::size_t columns) {
   if (line.cells.size() == columns)
     return;
-  const std::string why =
-      fmt::format("it has {} cells, and {} columns have names", line.cells.size(), columns);
+  const std::string why = fmt::format("it has {}, and {}", counted(line.cells.size(), "cell", "cells"),
+                                      counted(columns, "column has a name", "columns have names"));
   const std::string give = "Give each line one cell for each column";
   if (has_semicolon(line))
     refuse_line(file, line, why, give + ", separated by commas, not semicolons.");
@@ -142,48 +143,46 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN(); // not given ye
   throw InputError(fmt::format("The table '{}' does not fit the grid", file.string()), why, give);
 }
 
+/// `by_row`: without the column ix, one value for each row.
+std::vector<std::vector<double>> read_once_each(const std::filesystem::path& file, const ContactGrid& grid,
+                                                const std::vector<std::string>& names, bool by_row) {
+  const int mx = by_row ? 1 : grid.mx;
+  std::vector<std::string> columns =
+      by_row ? std::vector<std::string>{"is"} : std::vector<std::string>{"ix", "is"};
+  const std::size_t first = columns.size();
+  columns.insert(columns.end(), names.begin(), names.end());
+  const std::string give = fmt::format("Give each of {}is = 0 .. {} once.",
+                                       by_row ? "" : fmt::format("ix = 0 .. {}, ", mx - 1), grid.ms - 1);
+  const auto named = [&](double ix, double is) {
+    return by_row ? fmt::format("row {}", is) : fmt::format("element ({}, {})", ix, is);
+  };
+  std::vector<std::vector<double>> fields(names.size(), std::vector<double>(mx * grid.ms, nan));
+  for (const std::vector<double>& row : read_csv(file, columns)) {
+    const double ix = by_row ? 0 : row[0], is = row[first - 1];
+    const bool known =
+        ix == std::floor(ix) && is == std::floor(is) && ix >= 0 && ix < mx && is >= 0 && is < grid.ms;
+    const std::size_t at = known ? static_cast<std::size_t>(is * mx + ix) : 0;
+    if (!known || !std::isnan(fields[0][at]))
+      refuse(file, fmt::format("{} is {}", named(ix, is), known ? "given twice" : "not one of it"), give);
+    for (std::size_t k = 0; k < names.size(); ++k)
+      fields[k][at] = row[first + k];
+  }
+  for (int i = 0; i < mx * grid.ms; ++i)
+    if (std::isnan(fields[0][i]))
+      refuse(file, fmt::format("{} is missing", named(i % mx, i / mx)), give);
+  return fields;
+}
+
 } // namespace
 
 std::vector<std::vector<double>> read_fields(const std::filesystem::path& file, const ContactGrid& grid,
                                              const std::vector<std::string>& names) {
-  std::vector<std::string> columns{"ix", "is"};
-  columns.insert(columns.end(), names.begin(), names.end());
-  const std::string give =
-      fmt::format("Give each of ix = 0 .. {}, is = 0 .. {} once.", grid.mx - 1, grid.ms - 1);
-  std::vector<std::vector<double>> fields(names.size(), std::vector<double>(grid.size(), nan));
-  for (const std::vector<double>& row : read_csv(file, columns)) {
-    const bool whole = row[0] == std::floor(row[0]) && row[1] == std::floor(row[1]);
-    const bool inside = row[0] >= 0 && row[0] < grid.mx && row[1] >= 0 && row[1] < grid.ms;
-    const std::size_t at = whole && inside ? static_cast<std::size_t>(row[1] * grid.mx + row[0]) : 0;
-    if (!whole || !inside || !std::isnan(fields[0][at]))
-      refuse(file,
-             fmt::format("element ({}, {}) is {}", row[0], row[1],
-                         whole && inside ? "given twice" : "not one of it"),
-             give);
-    for (std::size_t k = 0; k < names.size(); ++k)
-      fields[k][at] = row[2 + k];
-  }
-  for (int i = 0; i < grid.size(); ++i)
-    if (std::isnan(fields[0][i]))
-      refuse(file, fmt::format("element ({}, {}) is missing", i % grid.mx, i / grid.mx), give);
-  return fields;
+  return read_once_each(file, grid, names, false);
 }
 
 std::vector<double> read_row_values(const std::filesystem::path& file, const ContactGrid& grid,
                                     const std::string& name) {
-  const std::string give = fmt::format("Give each of is = 0 .. {} once.", grid.ms - 1);
-  std::vector<double> values(grid.ms, nan);
-  for (const std::vector<double>& row : read_csv(file, {"is", name})) {
-    const bool known = row[0] == std::floor(row[0]) && row[0] >= 0 && row[0] < grid.ms;
-    const std::size_t at = known ? static_cast<std::size_t>(row[0]) : 0;
-    if (!known || !std::isnan(values[at]))
-      refuse(file, fmt::format("row {} is {}", row[0], known ? "given twice" : "not one of it"), give);
-    values[at] = row[1];
-  }
-  for (int i = 0; i < grid.ms; ++i)
-    if (std::isnan(values[i]))
-      refuse(file, fmt::format("row {} is missing", i), give);
-  return values;
+  return read_once_each(file, grid, {name}, true).front();
 }
 
 } // namespace bem_contact

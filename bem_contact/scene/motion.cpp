@@ -56,17 +56,18 @@ double ratio_of(double coefficient, double adhesion, const char* key) {
 }
 
 std::vector<FallingFriction> laws_of(const Motion& motion, const ContactProblem& problem) {
+  const FrictionCoefficients& c = motion.coefficients;
   std::vector<FallingFriction> laws;
   if (!motion.friction_table.empty() && motion.friction_table.front().half > 0) {
     for (const ContactRow& row : problem.rows) {
       const Motion::Friction at = friction_at(motion.friction_table, row.s);
       laws.push_back(exponential_friction(at.falling, at.mu - at.falling, at.half));
     }
-  } else if (motion.falling) {
-    const double ratio = ratio_of(*motion.falling, problem.largest_friction(), "motion.falling_friction");
-    laws.push_back(exponential_friction(ratio, 1 - ratio, motion.half_slip_velocity));
-  } else if (motion.polach)
-    laws.push_back(*motion.polach);
+  } else if (c.falling_friction) {
+    const double ratio = ratio_of(*c.falling_friction, problem.largest_friction(), "motion.falling_friction");
+    laws.push_back(exponential_friction(ratio, 1 - ratio, c.half_slip_velocity.value_or(0)));
+  } else if (c.polach_a && c.polach_b)
+    laws.push_back(polach_friction(*c.polach_a, *c.polach_b));
   return laws;
 }
 
@@ -134,11 +135,14 @@ Creepage creepage_of_scene(const SceneFile& scene) {
   return creepage;
 }
 
-/// Without its law of friction.
-std::optional<Heating> heating_of(const SceneFile::Temperature& asked) {
+std::optional<Heating> heating_of(const SceneFile::Temperature& asked, double adhesion) {
   if (!asked.flash)
     return std::nullopt;
-  return Heating{asked.rail, asked.wheel, asked.rail_share, std::nullopt};
+  Heating out{asked.rail, asked.wheel, asked.rail_share, std::nullopt};
+  if (asked.hot_friction)
+    out.friction = HotFriction{ratio_of(*asked.hot_friction, adhesion, "temperature.hot_friction"),
+                               asked.falls_from, asked.falls_to};
+  return out;
 }
 
 } // namespace
@@ -153,7 +157,7 @@ Creepage Motion::creepage_of(const MotionStep& step) const {
 
 Motion read_motion(const SceneFile& scene) {
   Motion motion;
-  motion.friction = scene.motion.friction;
+  motion.coefficients = scene.motion;
   motion.tangential = !scene.motion.frictionless && scene.motion.friction > 0;
   motion.creepage = creepage_of_scene(scene);
   if (!motion.tangential)
@@ -163,30 +167,21 @@ Motion read_motion(const SceneFile& scene) {
   motion.steps = read_steps(scene);
   if (!scene.motion.friction_table.empty())
     motion.friction_table = read_friction(scene.folder / scene.motion.friction_table);
-  motion.kinetic = scene.motion.kinetic_friction;
   motion.speed = scene.motion.speed.value_or(0);
-  motion.falling = scene.motion.falling_friction;
-  motion.half_slip_velocity = scene.motion.half_slip_velocity.value_or(0);
-  if (scene.motion.polach_a && scene.motion.polach_b)
-    motion.polach = polach_friction(*scene.motion.polach_a, *scene.motion.polach_b);
   const bool by_row = !motion.friction_table.empty() && motion.friction_table.front().half > 0;
-  if (by_row && (motion.falling || motion.polach))
+  if (by_row && (scene.motion.falling_friction || scene.motion.polach_a))
     throw InputError("There are two laws of falling friction",
                      fmt::format("motion.friction_table has one for each row, and motion.{} is given",
-                                 motion.falling ? "falling_friction" : "polach_a"),
+                                 scene.motion.falling_friction ? "falling_friction" : "polach_a"),
                      "Leave out one of the two.");
-  motion.heating = heating_of(scene.temperature);
-  if (motion.heating && scene.temperature.hot_friction)
-    motion.hot = scene.temperature.hot_friction;
-  motion.hot_from = scene.temperature.falls_from;
-  motion.hot_to = scene.temperature.falls_to;
+  motion.temperature = scene.temperature;
   motion.force_x = scene.load.force_x;
   motion.force_s = scene.load.force_s;
   return motion;
 }
 
 void apply_motion(const Motion& motion, double reference_delta, ContactProblem& problem) {
-  problem.friction = motion.friction;
+  problem.friction = motion.coefficients.friction;
   problem.tangential = motion.tangential;
   if (!motion.tangential)
     return;
@@ -196,14 +191,11 @@ void apply_motion(const Motion& motion, double reference_delta, ContactProblem& 
     for (const ContactRow& row : problem.rows)
       problem.friction_rows.push_back(friction_at(motion.friction_table, row.s).mu);
   const double largest = problem.largest_friction();
-  if (motion.kinetic)
-    problem.kinetic = ratio_of(*motion.kinetic, largest, "motion.kinetic_friction");
+  if (const auto& kinetic = motion.coefficients.kinetic_friction)
+    problem.kinetic = ratio_of(*kinetic, largest, "motion.kinetic_friction");
   problem.speed = motion.speed;
   problem.falling = laws_of(motion, problem);
-  problem.heating = motion.heating;
-  if (motion.hot)
-    problem.heating->friction = HotFriction{ratio_of(*motion.hot, largest, "temperature.hot_friction"),
-                                            motion.hot_from, motion.hot_to};
+  problem.heating = heating_of(motion.temperature, largest);
   problem.force_x = motion.force_x;
   problem.force_s = motion.force_s;
 }

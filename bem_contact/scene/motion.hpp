@@ -25,17 +25,11 @@ struct Motion {
   };
 
   MotionKind kind = MotionKind::steady;
-  bool tangential = true;               ///< false: frictionless
-  double friction = 0.3;                ///< coefficient of adhesion
-  std::vector<Friction> friction_table; ///< instead, by ascending s; empty: the same everywhere
-  std::optional<double> kinetic;        ///< coefficient of slip, not its ratio to `friction`; empty: the same
-  std::optional<double> falling;        ///< mu at high slip velocity; empty: Polach's law, or no fall
-  double half_slip_velocity = 0;        ///< mm/s, for `falling`
-  std::optional<FallingFriction> polach;
-  double speed = 0;                       ///< of rolling, mm/s; 0: not given
-  std::optional<Heating> heating;         ///< its law of friction is set where the rows are known
-  std::optional<double> hot;              ///< mu where it is hot, from hot_to on; empty: the same
-  double hot_from = 0, hot_to = 1;        ///< degrees C, for `hot`
+  bool tangential = true; ///< false: frictionless
+  FrictionCoefficients coefficients;
+  std::vector<Friction> friction_table; ///< instead of `friction`, by ascending s; empty: the same everywhere
+  double speed = 0;                     ///< of rolling, mm/s; 0: not given
+  SceneFile::Temperature temperature;
   std::optional<double> force_x, force_s; ///< prescribed shear forces, N
   Creepage creepage;
   bool radial_displacement = true; ///< fem, steady: the wheel's surface is faster by u_r / R

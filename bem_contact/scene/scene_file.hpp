@@ -15,6 +15,17 @@
 
 namespace bem_contact {
 
+/// Coefficients of friction, and how they fall with the slip velocity.
+struct FrictionCoefficients {
+  double friction = 0.3;                  ///< Coulomb's mu
+  std::optional<double> kinetic_friction; ///< of what slips; empty: the same
+  /// mu that friction falls to at high slip velocity, and the slip velocity at which half of the difference
+  /// is left, mm/s; or Polach's A and B (s/m). They need motion.speed.
+  std::optional<double> falling_friction, half_slip_velocity, polach_a, polach_b;
+
+  bool operator==(const FrictionCoefficients&) const = default;
+};
+
 /// A scene file (TOML). Two kinds: "wheel_rail" (profiles, positions, forces) and "patch" (one contact
 /// problem given directly). Keys and members have the same names. Paths are relative to the file's folder.
 /// An optional member is empty if the file does not have its key.
@@ -74,14 +85,9 @@ struct SceneFile {
   } wheelset; ///< [wheelset]
 
   /// [motion]; creepages at the contact reference point
-  struct Motion {
-    MotionKind kind = MotionKind::steady;   ///< rolling, or shifts
-    bool frictionless = false;              ///< the normal problem alone
-    double friction = 0.3;                  ///< Coulomb's mu
-    std::optional<double> kinetic_friction; ///< of what slips; empty: the same
-    /// mu that friction falls to at high slip velocity, and the slip velocity at which half of the difference
-    /// is left, mm/s; or Polach's A and B (s/m). They need `speed`.
-    std::optional<double> falling_friction, half_slip_velocity, polach_a, polach_b;
+  struct Motion : FrictionCoefficients {
+    MotionKind kind = MotionKind::steady; ///< rolling, or shifts
+    bool frictionless = false;            ///< the normal problem alone
     /// CSV file with columns s (mm), mu instead of friction; and falling_friction, half_slip_velocity by row.
     std::string friction_table;
     int steps = 1; ///< of transient rolling (dx each) or of shifts

@@ -1,5 +1,6 @@
 #include "bem_contact/scene/sweep_file.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/case_table.hpp"
 
@@ -141,8 +142,10 @@ struct Reader {
       refuse(line, fmt::format("the range of {}.{} never ends", section, key),
              fmt::format("a step of {} does not lead from {} to {}", *step, *from, *to), "Correct the step.");
     if (count && (*count < 1 || *count > std::int64_t(most_cases) || (*count == 1 && *from != *to)))
-      refuse(line, fmt::format("the range of {}.{} cannot have {} values", section, key, *count),
-             fmt::format("at least 2 and at most {} lie between two ends", most_cases), "Correct the count.");
+      refuse(
+          line,
+          fmt::format("the range of {}.{} cannot have {}", section, key, counted(*count, "value", "values")),
+          fmt::format("at least 2 and at most {} lie between two ends", most_cases), "Correct the count.");
     const bool whole = t["from"].is_integer() && t["step"].is_integer();
     // `to` belongs to the range if a step hits it up to rounding.
     const std::int64_t n =
@@ -239,16 +242,17 @@ SweepFile parse_sweep_file(SceneText given, std::string_view section) {
                        "once as a dotted and once as a quoted key", "Remove one.");
     if (sweep.zip && axis.values.size() != sweep.axes.front().values.size())
       throw InputError(fmt::format("{}:{}: the lists cannot be zipped", source, axis.line),
-                       fmt::format("{} has {} values and {} has {}", sweep.axes.front().key,
-                                   sweep.axes.front().values.size(), axis.key, axis.values.size()),
+                       fmt::format("{} has {} and {} has {}", sweep.axes.front().key,
+                                   counted(sweep.axes.front().values.size(), "value", "values"), axis.key,
+                                   axis.values.size()),
                        "Give lists of equal lengths, or mode = \"product\".");
   }
   if (!sweep.zip && cases > double(most_cases))
     throw InputError(fmt::format("'{}' has {:.3g} cases", source, cases),
                      fmt::format("at most {} are possible", most_cases), "Sweep over fewer values.");
   if (!sweep.weights.empty() && sweep.weights.size() != sweep.size())
-    throw InputError(fmt::format("'{}' has {} weights", source, sweep.weights.size()),
-                     fmt::format("it has {} cases", sweep.size()), "Give one weight for each case.");
+    throw InputError(fmt::format("'{}' has {}", source, counted(sweep.weights.size(), "weight", "weights")),
+                     "it has " + counted(sweep.size(), "case", "cases"), "Give one weight for each case.");
   return sweep;
 }
 

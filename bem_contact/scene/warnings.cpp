@@ -7,24 +7,24 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <utility>
 
 namespace bem_contact {
 
 namespace {
 
-void look_at_material(const Material& material, const char* key, std::vector<std::string>& out) {
-  if (material.young() > stiffest_modulus)
-    out.push_back(
-        fmt::format("{}: a Young's modulus of {:.3g} MPa is above that of diamond (the unit is MPa)", key,
-                    material.young()));
-}
-
-/// Of wheels and rails: patches may be of anything.
-void look_at_low_modulus(const Material& material, const char* key, std::vector<std::string>& out) {
-  if (material.young() < softest_modulus)
-    out.push_back(
-        fmt::format("{}: a Young's modulus of {:g} MPa is below that of hard plastics (the unit is MPa)", key,
-                    material.young()));
+/// `on_rail`: wheels and rails are not as soft as patches may be.
+void look_at_materials(const SceneFile& scene, bool on_rail, std::vector<std::string>& out) {
+  for (const auto& [key, body] :
+       {std::pair{"rail.material", &scene.rail}, std::pair{"wheel.material", &scene.wheel}}) {
+    const double young = body->material.young();
+    if (young > stiffest_modulus)
+      out.push_back(fmt::format(
+          "{}: a Young's modulus of {:.3g} MPa is above that of diamond (the unit is MPa)", key, young));
+    if (on_rail && young < softest_modulus)
+      out.push_back(fmt::format(
+          "{}: a Young's modulus of {:g} MPa is below that of hard plastics (the unit is MPa)", key, young));
+  }
 }
 
 /// The other wheel is not computed: does its flange stand on its rail?
@@ -77,11 +77,10 @@ std::optional<Point2> flange_tip_below(const WheelRailGeometry& placed) {
 
 } // namespace
 
-std::string looks_like_kilonewtons(const char* key, double force, int wheels) {
-  if (!(force > 0 && force < wheels * least_wheel_load))
-    return "";
-  return fmt::format("{} looks like kN ({:g} N on {}) Give it in N.", key, force,
-                     wheels == 1 ? "a wheel" : "an axle");
+void warn_of_kilonewtons(const char* key, double force, int wheels, std::vector<std::string>& warnings) {
+  if (force > 0 && force < wheels * least_wheel_load)
+    warnings.push_back(fmt::format("{} looks like kN ({:g} N on {}) Give it in N.", key, force,
+                                   wheels == 1 ? "a wheel" : "an axle"));
 }
 
 std::string inclined_twice(double rail_inclination, double cant) {
@@ -95,26 +94,23 @@ std::string inclined_twice(double rail_inclination, double cant) {
 
 std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSetup& setup) {
   std::vector<std::string> out = scene.unused;
-  look_at_material(scene.rail.material, "rail.material", out);
-  look_at_material(scene.wheel.material, "wheel.material", out);
+  look_at_materials(scene, setup.wheel_rail() != nullptr, out);
   if (!scene.motion.frictionless && scene.motion.friction_table.empty() &&
       scene.motion.friction > highest_friction)
     out.push_back(
         fmt::format("motion.friction = {:g}: hardly any bodies have more than {:g} (it is no percentage)",
                     scene.motion.friction, highest_friction));
   const Motion& motion = setup.motion;
-  const bool speed_counts = motion.falling || motion.polach || motion.heating;
-  if (speed_counts && motion.speed < least_speed)
+  const FrictionCoefficients& c = motion.coefficients;
+  const bool speed_counts = c.falling_friction || c.polach_a || motion.temperature.flash;
+  if (motion.tangential && speed_counts && motion.speed < least_speed)
     out.push_back(
         fmt::format("motion.speed = {:g} mm/s is below walking pace: give it in mm/s", motion.speed));
   if (const WheelRailGeometry* placed = setup.wheel_rail()) {
     if (setup.load.kind == LoadKind::force)
-      if (std::string small = looks_like_kilonewtons("load.force", setup.load.force, 1); !small.empty())
-        out.push_back(std::move(small));
+      warn_of_kilonewtons("load.force", setup.load.force, 1, out);
     if (std::string twice = inclined_twice(placed->rail_inclination, scene.position.cant); !twice.empty())
       out.push_back(std::move(twice));
-    look_at_low_modulus(scene.rail.material, "rail.material", out);
-    look_at_low_modulus(scene.wheel.material, "wheel.material", out);
     look_at_lateral(scene, out);
     look_at_motion(scene, setup.motion.creepage.rolling_radius, out);
     if (scene.position.wheel_radius > largest_wheel_radius)

@@ -11,8 +11,8 @@ namespace bem_contact {
 /// wheel that stands on its flange, keys that have no effect. `setup`: of the scene.
 std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSetup& setup);
 
-/// What is wrong with a vertical force on so many wheels that is probably in kN; "": nothing.
-std::string looks_like_kilonewtons(const char* key, double force, int wheels);
+/// Of a vertical force on so many wheels that is probably in kN.
+void warn_of_kilonewtons(const char* key, double force, int wheels, std::vector<std::string>& warnings);
 
 /// What is wrong with inclining a rail by `cant` (rad) that its file has inclined already; "": nothing.
 std::string inclined_twice(double rail_inclination, double cant);

@@ -1,5 +1,6 @@
 #include "bem_contact/sequence/describe_case.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/fixed_text.hpp"
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/scene/warnings.hpp"
@@ -32,10 +33,10 @@ Range range_of(const std::vector<double>& s, double ds) {
 }
 
 /// Whole millimetres, which every usual station width divides, with room for what friction changes; not
-/// beyond the profile.
+/// beyond the profile. The sum with 0 makes 0 of -0.
 Range strip_for(const Range& rows, const TabulatedProfile& profile) {
-  return {std::max(std::floor(rows.from - strip_reserve), std::ceil(profile.s_begin())),
-          std::min(std::ceil(rows.to + strip_reserve), std::floor(profile.s_end()))};
+  return {std::max(std::floor(rows.from - strip_reserve), std::ceil(profile.s_begin())) + 0.0,
+          std::min(std::ceil(rows.to + strip_reserve), std::floor(profile.s_end())) + 0.0};
 }
 
 /// The frictionless contact on the grid that it ends with.
@@ -171,15 +172,14 @@ std::string grid_text(const SceneFile& scene, const ContactProblem& problem, boo
 std::string friction_text(const Motion& motion, const ContactProblem& problem) {
   if (!problem.tangential)
     return "friction: none";
-  const std::size_t steps = motion.steps.size();
+  const std::string steps = counted(motion.steps.size(), "step", "steps");
   const std::string falls =
       fmt::format("{}{}", problem.friction_falls() ? ", falls with the slip velocity" : "",
                   problem.friction_falls_with_heat() ? ", falls with temperature" : "");
   return fmt::format("friction: {:g}{}, {}", problem.largest_friction(), falls,
-                     motion.kind == MotionKind::steady ? std::string("steady rolling")
-                     : motion.kind == MotionKind::shift
-                         ? fmt::format("shift in {} steps", steps)
-                         : fmt::format("transient rolling, {} steps of dx", steps));
+                     motion.kind == MotionKind::steady  ? std::string("steady rolling")
+                     : motion.kind == MotionKind::shift ? fmt::format("shift in {}", steps)
+                                                        : fmt::format("transient rolling, {} of dx", steps));
 }
 
 /// `choice`: of auto; nothing where it was not looked for.

@@ -81,6 +81,7 @@ TEST(ThroughPoints, refuses_what_is_no_curve) {
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   refuse({}, "Profile 'bad' has 0 points (a curve needs at least 3)");
+  refuse({{0, 0}}, "has 1 point (");
   refuse({{0, 0}, {1, 0}}, "has 2 points");
   refuse({{0, 0}, {nan, 0}, {2, 0}}, "Point 2 of profile 'bad' is not a number");
   refuse({{0, 0}, {1, 1}, {1, 1}, {2, 0}}, "Points 2 and 3 of profile 'bad' coincide");

@@ -68,10 +68,15 @@ class Profile(unittest.TestCase):
 
 class Check(unittest.TestCase):
     def test_is_what_the_program_says(self):
-        for file in (SCENES / "conformal_small.toml", SCENES / "steady_rolling.toml"):
+        for file in (SCENES / "conformal_small.toml", SCENES / "steady_rolling.toml", SCENES / "wheelset.toml"):
             found = bem_contact.check(file)
             said = program("check", file)
             self.assertEqual("".join(line + "\n" for line in found["lines"]) + "".join(f"warning: {w}\n" for w in found["warnings"]), said)
+
+    def test_says_where_the_search_for_a_wheelset_begins(self):
+        lines = bem_contact.check(SCENES / "wheelset.toml", {"position.lateral": 1.5})["lines"]
+        self.assertRegex(lines[0], "^wheelset: .* lateral displacement of 1.5 mm")
+        self.assertLess(lines.index("right wheel"), lines.index("left wheel (y, s to the left)"))
 
     def test_changes_count(self):
         lines = bem_contact.check(SCENES / "conformal_small.toml", {"position.lateral": 0.0}, "halfspace")["lines"]

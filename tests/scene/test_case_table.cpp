@@ -79,15 +79,17 @@ TEST(CaseTable, WhatIsWrongIsSaidWithItsLine) {
     return message_of([&] { read_case_table(csv(text)); });
   };
   EXPECT_THAT(message("position.lateral,weight\n0,1\n1\n"),
-              HasSubstr("csv' is wrong (it has 1 cells, and 2 columns have names) Give each line one cell"));
+              HasSubstr("csv' is wrong (it has 1 cell, and 2 columns have names) Give each line one cell"));
   EXPECT_THAT(message("position.lateral,weight\n0,1\n1\n"), HasSubstr("Line 3 of the table"));
   EXPECT_THAT(
       message("position.lateral;weight\n0,5;1\n"),
       AllOf(HasSubstr("Line 1 of the table"), HasSubstr("(semicolons separate its names) Separate cells by "
                                                         "commas, and write numbers with a decimal point.")));
   EXPECT_THAT(message("position.lateral,weight\n0.5;1\n"),
-              HasSubstr("(it has 1 cells, and 2 columns have names) Give each line one cell for each column, "
+              HasSubstr("(it has 1 cell, and 2 columns have names) Give each line one cell for each column, "
                         "separated by commas, not semicolons."));
+  EXPECT_THAT(message("position.lateral\n0,5\n"),
+              HasSubstr("(it has 2 cells, and 1 column has a name) Give each line one cell for each column"));
   EXPECT_THAT(message("position.lateral,weight\n0,5,1\n"),
               HasSubstr("(it has 3 cells, and 2 columns have names) Give each line one cell for each column; "
                         "numbers have a decimal point, because a comma separates cells."));

@@ -78,13 +78,14 @@ TEST(SweepFile, WhatIsWrongIsSaidWithItsLine) {
   EXPECT_THAT(message("load.force = {from = 1, to = 2, step = 0}\n"), HasSubstr("never ends"));
   EXPECT_THAT(message("load.force = {from = 1, to = 2, step = 1e-12}\n"), HasSubstr("never ends"));
   EXPECT_THAT(message("load.force = {from = 1, to = inf, count = 3}\n"), HasSubstr("finite"));
-  EXPECT_THAT(message("load.force = {from = 1, to = 2, count = 1}\n"), HasSubstr("cannot have 1 values"));
+  EXPECT_THAT(message("load.force = {from = 1, to = 2, count = 1}\n"), HasSubstr("cannot have 1 value ("));
+  EXPECT_THAT(message("load.force = {from = 1, to = 2, count = -3}\n"), HasSubstr("cannot have -3 values"));
   EXPECT_THAT(message("load.force = {from = 1, to = 2, stepp = 1}\n"), HasSubstr("unknown key 'stepp'"));
   EXPECT_THAT(message("mode = \"zipp\"\nload.force = [1]\n"), HasSubstr("known are product and zip"));
   EXPECT_THAT(message("mode = \"zip\"\nload.force = [1, 2]\nmotion.xi = [0]\n"),
               HasSubstr("load.force has 2 values and motion.xi has 1"));
   EXPECT_THAT(message("load.force = [1]\n\"load.force\" = [2]\n"), HasSubstr("given twice"));
-  EXPECT_THAT(message("load.force = [1, 2]\nweight = [1]\n"), HasSubstr("has 1 weights (it has 2 cases)"));
+  EXPECT_THAT(message("load.force = [1, 2]\nweight = [1]\n"), HasSubstr("has 1 weight (it has 2 cases)"));
   EXPECT_THAT(message("load.force = [1]\nweight = [-1]\n"), HasSubstr("weights are positive numbers"));
   EXPECT_THAT(message("load.force = [1]\nweight = 2\n"), HasSubstr("sweep.weight is no list"));
   EXPECT_THAT(message(""), HasSubstr("no table [sweep]"));

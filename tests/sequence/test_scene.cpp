@@ -279,6 +279,15 @@ TEST(Scene, CheckSaysWhatWouldBeSolved) {
   EXPECT_THAT(lines, ::testing::Contains(HasSubstr("rail: no influence file")));
 }
 
+/// A strip that ends at 0 does not end at -0.
+TEST(Scene, CheckHasNoMinusZero) {
+  SceneFile scene = wheel_on_rail(2.35, 1e5);
+  scene.position.cant = 0.025;
+  const std::vector<std::string> lines = Sequence().check(scene).lines;
+  EXPECT_THAT(lines, ::testing::Contains(HasSubstr("to = 0\n")));
+  EXPECT_THAT(lines, ::testing::Not(::testing::Contains(HasSubstr("= -0\n"))));
+}
+
 /// Where influence numbers are large, solve trims the grid that check shows (trim_plan.hpp).
 TEST(Scene, CheckSaysThatTheGridIsTrimmed) {
   SceneFile scene = with_elements(wheel_on_rail(6.4, 1e5), 0.08, 0.08);

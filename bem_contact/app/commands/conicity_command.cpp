@@ -1,6 +1,5 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/csv.hpp"
-#include "bem_contact/app/output/datasets.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
@@ -131,7 +130,8 @@ H5Table conicity_table(const WheelsetConicity& c, const WheelsetOnTrack& w, cons
   H5Table table = file_of(conicity_format, given, output);
   const auto add = [&](const std::string& group, const auto& columns, const auto& rows) {
     for (const auto& column : columns)
-      table.datasets[group + column.name] = line(column.values(rows), column.unit, column.description);
+      table.datasets[group + column.name] =
+          H5Dataset::line(column.values(rows), column.unit, column.description);
   };
   add("function/", stand_columns(), c.stands);
   add("conicity/", conicity_columns(), c.values);

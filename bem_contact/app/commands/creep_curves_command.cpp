@@ -2,7 +2,6 @@
 
 #include "bem_contact/app/number_list.hpp"
 #include "bem_contact/app/output/csv.hpp"
-#include "bem_contact/app/output/datasets.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -161,13 +160,13 @@ H5Table curves_table(const CreepCurves& c, const GivenScene& given, const std::f
   for (const CreepMatrixEntry& entry : creep_matrices())
     if (const CreepMatrix* values = entry.of(c))
       d[entry.name] =
-          matrix(*values, "Fx, Fs: N (by phi: N mm); Mz: N mm (by phi: N mm2)", entry.description);
+          H5Dataset::matrix(*values, "Fx, Fs: N (by phi: N mm); Mz: N mm (by phi: N mm2)", entry.description);
   for (const CreepCurve& curve : c.curves) {
     const std::string group = fmt::format("{}/", name_of(curve.which));
-    d[group + "creepage"] =
-        line(creepages_of(curve), unit_of(curve.which), "varied; the other two as the scene has them");
+    d[group + "creepage"] = H5Dataset::line(creepages_of(curve), unit_of(curve.which),
+                                            "varied; the other two as the scene has them");
     for (const CreepColumn& column : creep_columns())
-      d[group + column.name] = line(column.values(curve.points), column.unit, column.description);
+      d[group + column.name] = H5Dataset::line(column.values(curve.points), column.unit, column.description);
   }
   auto& a = table.attributes;
   a["model"] = std::string(name_of(c.solution.model));

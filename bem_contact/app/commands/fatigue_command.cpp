@@ -1,10 +1,10 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/csv.hpp"
-#include "bem_contact/app/output/datasets.hpp"
 #include "bem_contact/app/output/error_text.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
@@ -55,12 +55,14 @@ H5Table h5_of(const fatigue::CollectiveFatigue& table, const FatigueArguments& a
               const SweepFile& sweep) {
   H5Table out = file_of(fatigue_format, given_sweep(sweep, ""), arguments.output);
   for (const auto& c : fatigue::collective_columns())
-    out.datasets[std::string("patches/") + c.name] = line(c.values(table.patches), c.unit, c.description);
-  out.datasets["damage"] = single(table.damage, "1", "of one passage, mean over the collective");
-  out.datasets["beyond_surface_limit"] = single(static_cast<double>(table.beyond_surface), "1",
-                                                "patches beyond the shakedown limit of the surface");
-  out.datasets["beyond_limit_below"] = single(static_cast<double>(table.beyond_below), "1",
-                                              "other patches beyond the shakedown limit below the surface");
+    out.datasets[std::string("patches/") + c.name] =
+        H5Dataset::line(c.values(table.patches), c.unit, c.description);
+  out.datasets["damage"] = H5Dataset::single(table.damage, "1", "of one passage, mean over the collective");
+  out.datasets["beyond_surface_limit"] = H5Dataset::single(
+      static_cast<double>(table.beyond_surface), "1", "patches beyond the shakedown limit of the surface");
+  out.datasets["beyond_limit_below"] =
+      H5Dataset::single(static_cast<double>(table.beyond_below), "1",
+                        "other patches beyond the shakedown limit below the surface");
   out.attributes["yield_shear_MPa"] = arguments.properties.yield_shear;
   return out;
 }
@@ -86,9 +88,8 @@ ExitCode run(const FatigueArguments& arguments) {
     write(std::cout);
   fmt::print("{}, {}: {} beyond the shakedown limit of the surface (FI_surf > 0), {} beyond that below the "
              "surface alone\n",
-             counted(static_cast<int>(table.cases), "case", "cases"),
-             counted(static_cast<int>(table.patches.size()), "patch", "patches"), table.beyond_surface,
-             table.beyond_below);
+             counted(table.cases, "case", "cases"), counted(table.patches.size(), "patch", "patches"),
+             table.beyond_surface, table.beyond_below);
   fmt::print("damage of one passage, mean over the collective: {:.4g}\n", table.damage);
   return success;
 }

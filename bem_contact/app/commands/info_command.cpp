@@ -4,6 +4,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/influence/file_seal.hpp"
+#include "bem_contact/influence/h5_table.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/requirements.hpp"
 #include "bem_contact/sequence/quantities.hpp"

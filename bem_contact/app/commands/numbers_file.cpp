@@ -75,9 +75,11 @@ void write_numbers_h5(const std::filesystem::path& file, const PlainNumbers& pla
   std::vector<double> x;
   for (int m = 0; m < a.offsets; ++m)
     x.push_back(m * a.dx);
-  table.datasets["offset"] = {{mx}, x, "mm", "x of the displaced element less x of the loaded one"};
+  table.datasets["offset"] =
+      H5Dataset::line(std::move(x), "mm", "x of the displaced element less x of the loaded one");
   for (const auto& [name, values] : plain.rows)
-    table.datasets[name] = {{my}, values, "mm", "arc length of the rows' centres on that body's profile"};
+    table.datasets[name] =
+        H5Dataset::line(values, "mm", "arc length of the rows' centres on that body's profile");
   table.attributes["format"] = std::string(numbers_format);
   table.attributes["dx"] = a.dx;
   table.attributes["ds"] = a.ds;

@@ -37,7 +37,7 @@ More, and how to draw it: data/tutorial/profile.md.)";
 struct ProfileArguments {
   std::string name, kind, unit = "found", profile_z = "as stated", csv, plot;
   ProfileReading reading;
-  double flange_back = 0, step = profile_csv_step;
+  double step = profile_csv_step;
 };
 
 template <NamedEnum E> E choice(const std::string& name) {
@@ -163,11 +163,9 @@ std::vector<report::DrawnProfile> drawn_profiles(const ProfileArguments& argumen
   return out;
 }
 
-ExitCode run(ProfileArguments arguments, bool flange_back_given) {
+ExitCode run(ProfileArguments arguments) {
   arguments.reading.unit = choice<ProfileUnit>(arguments.unit);
   arguments.reading.profile_z = choice<ProfileZ>(arguments.profile_z);
-  if (flange_back_given)
-    arguments.reading.flange_back = arguments.flange_back;
   require_named_outputs(paths_of(files_of_key("file.profile", arguments.name, {})),
                         {{"--csv", arguments.csv}, {"--plot", arguments.plot}});
   const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
@@ -210,9 +208,8 @@ Command add_profile(CLI::App& program) {
       ->check(CLI::IsMember(choices<ProfileZ>()));
   line->add_flag("--mirror", arguments->reading.mirror,
                  "y of the file points to the gauge side: turn it, y is to point to the field side");
-  const CLI::Option* back =
-      line->add_option("--flange-back", arguments->flange_back,
-                       "Wheel: y of the back of the flange in the file, mm. It places the wheel laterally");
+  line->add_option("--flange-back", arguments->reading.flange_back,
+                   "Wheel: y of the back of the flange in the file, mm. It places the wheel laterally");
   line->add_flag("--keep-origin", arguments->reading.keep_origin,
                  "Keep y and z as the file has them (a scene: place = \"absolute\")");
   line->add_option("--csv", arguments->csv, "Write arc length, y, z, inclination and curvature to this file");
@@ -221,7 +218,7 @@ Command add_profile(CLI::App& program) {
   line->add_option("--step", arguments->step, "Longest step of table and page, mm")
       ->check(CLI::Range(1e-3, 100.0));
   line->footer(profile_help);
-  return {line, [arguments, back] { return run(*arguments, back->count() > 0); }};
+  return {line, [arguments] { return run(*arguments); }};
 }
 
 } // namespace bem_contact::app

@@ -191,61 +191,31 @@ ExitCode run_compare(const SceneArguments& arguments) {
   return worst;
 }
 
-/// What check prints; each warning once.
-struct Checked {
-  std::vector<std::string> lines, warnings;
+SceneDescription checked(const SceneFile& scene) {
+  return scene.wheelset.force ? check_wheelset(scene).whole() : Sequence().check(scene);
+}
 
-  void add(const SceneDescription& description) {
-    lines.insert(lines.end(), description.lines.begin(), description.lines.end());
-    warn_of(description.warnings);
+/// The first and the last case; the values of all lists are read.
+SceneDescription checked(const SweepFile& sweep) {
+  check_values(sweep);
+  SceneDescription out;
+  const std::size_t last = sweep.size() - 1;
+  for (const std::size_t i : last > 0 ? std::vector<std::size_t>{0, last} : std::vector<std::size_t>{0}) {
+    out.lines.push_back(fmt::format("case {} of {}: {}", i + 1, sweep.size(), sweep.describe(i)));
+    out.add(checked(sweep.scene(i)));
   }
-
-  void warn_of(const std::vector<std::string>& found) {
-    for (const std::string& warning : found)
-      if (std::ranges::find(warnings, warning) == warnings.end())
-        warnings.push_back(warning);
-  }
-
-  void add(const SceneFile& scene) {
-    if (!scene.wheelset.force) {
-      add(Sequence().check(scene));
-      return;
-    }
-    const WheelsetDescription both = check_wheelset(scene);
-    lines.push_back(
-        fmt::format("wheelset: the search for its equilibrium begins at a lateral displacement of "
-                    "{:g} mm and a roll of {:.3g} rad",
-                    both.lateral, both.roll));
-    warn_of(both.warnings);
-    lines.push_back("right wheel");
-    add(both.right);
-    lines.push_back("left wheel (y, s to the left)");
-    add(both.left);
-  }
-
-  /// The first and the last case; the values of all lists are read.
-  void add(const SweepFile& sweep) {
-    check_values(sweep);
-    const std::size_t last = sweep.size() - 1;
-    for (const std::size_t i : last > 0 ? std::vector<std::size_t>{0, last} : std::vector<std::size_t>{0}) {
-      lines.push_back(fmt::format("case {} of {}: {}", i + 1, sweep.size(), sweep.describe(i)));
-      add(sweep.scene(i));
-    }
-  }
-};
+  return out;
+}
 
 ExitCode run_check(const SceneArguments& arguments) {
-  Checked checked;
   const SceneText given = read_scene_text(arguments.file);
-  if (has_sweep(given))
-    checked.add(parse_sweep_file(given));
-  else
-    checked.add(parse_scene_file(given));
-  for (const std::string& line : checked.lines)
+  const SceneDescription found =
+      has_sweep(given) ? checked(parse_sweep_file(given)) : checked(parse_scene_file(given));
+  for (const std::string& line : found.lines)
     fmt::print("{}\n", line);
   if (arguments.strict)
-    refuse_warnings(checked.warnings);
-  for (const std::string& warning : checked.warnings)
+    refuse_warnings(found.warnings);
+  for (const std::string& warning : found.warnings)
     fmt::print("warning: {}\n", warning);
   return success;
 }

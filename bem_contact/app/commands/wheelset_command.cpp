@@ -1,5 +1,4 @@
 #include "bem_contact/app/command.hpp"
-#include "bem_contact/app/output/datasets.hpp"
 #include "bem_contact/app/output/error_text.hpp"
 #include "bem_contact/app/output/report.hpp"
 #include "bem_contact/app/output/result_file.hpp"
@@ -151,13 +150,13 @@ H5Table wheelset_table(const WheelsetResult& r, const GivenScene& given,
                        const std::filesystem::path& output) {
   H5Table table = file_of(wheelset_format, given, output);
   for (const WheelsetQuantity& q : wheelset_quantities())
-    table.datasets[fmt::format("wheelset/{}", q.name)] = single(q.value(r), q.unit, q.description);
+    table.datasets[fmt::format("wheelset/{}", q.name)] = H5Dataset::single(q.value(r), q.unit, q.description);
   for (const WheelSide side : both_sides) {
     const std::string group = fmt::format("{}/", name_of(side));
-    with_errors(wheel_quantities(),
-                [&](const std::string& name, const char* unit, auto value, const char* description) {
-                  table.datasets[group + "track/" + name] = single(value(r.state, side), unit, description);
-                });
+    with_errors(wheel_quantities(), [&](const std::string& name, const char* unit, auto value,
+                                        const char* description) {
+      table.datasets[group + "track/" + name] = H5Dataset::single(value(r.state, side), unit, description);
+    });
     add_whole_result(table, group, r.state.solved(side));
   }
   return table;

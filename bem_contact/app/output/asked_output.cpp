@@ -1,6 +1,7 @@
 #include "bem_contact/app/output/asked_output.hpp"
 
-#include "bem_contact/app/output/datasets.hpp"
+#include "bem_contact/base/counted.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -34,17 +35,18 @@ std::string body_text(const char* name, const std::optional<BodyMotion>& body) {
 
 void add_body(H5Table& table, const std::string& group, const BodyMotion& body) {
   auto& d = table.datasets;
-  d[group + "before"] =
-      line({body.before.y, body.before.z}, "mm", "point of the body where the scene puts it: y, z");
-  d[group + "after"] =
-      line({body.after.y, body.after.z}, "mm", "the same point where the contact was solved: y, z");
-  d[group + "force"] = line({body.force.begin(), body.force.end()}, "N, N mm",
-                            "of the contact on the body, along and about x, y, z at `after`");
-  d[group + "motion"] = line({body.motion.begin(), body.motion.end()}, "mm, rad",
-                             "compliance times force: along and about x, y, z");
-  d[group + "compliance"] = matrix(body.compliance, "mm, N, rad", "motion under each unit force or moment");
+  d[group + "before"] = H5Dataset::line({body.before.y, body.before.z}, "mm",
+                                        "point of the body where the scene puts it: y, z");
+  d[group + "after"] = H5Dataset::line({body.after.y, body.after.z}, "mm",
+                                       "the same point where the contact was solved: y, z");
+  d[group + "force"] = H5Dataset::line({body.force.begin(), body.force.end()}, "N, N mm",
+                                       "of the contact on the body, along and about x, y, z at `after`");
+  d[group + "motion"] = H5Dataset::line({body.motion.begin(), body.motion.end()}, "mm, rad",
+                                        "compliance times force: along and about x, y, z");
+  d[group + "compliance"] =
+      H5Dataset::matrix(body.compliance, "mm, N, rad", "motion under each unit force or moment");
   if (body.stiffness)
-    d[group + "stiffness"] = matrix(*body.stiffness, "mm, N, rad", "inverse of compliance");
+    d[group + "stiffness"] = H5Dataset::matrix(*body.stiffness, "mm, N, rad", "inverse of compliance");
 }
 
 } // namespace
@@ -73,15 +75,16 @@ std::string stresses_text(const std::optional<StressesBelow>& stresses) {
   const std::size_t nd = b.depths.size(), ns = b.s.size();
   return fmt::format(
       "below the surface: largest shear stress {:.1f} MPa (von Mises {:.1f}) at x = {:g}, s = {:g}, "
-      "depth {:g} mm, of {} points\n",
+      "depth {:g} mm, of {}\n",
       b.largest_shear[at], b.von_mises[at], b.x[at / nd / ns], b.s[at / nd % ns], b.depths[at % nd],
-      b.largest_shear.size());
+      counted(b.largest_shear.size(), "point", "points"));
 }
 
 void add_stresses(H5Table& table, const std::string& group, const StressesBelow& b) {
-  table.datasets[group + "x"] = line(b.x, "mm", "x of the points");
-  table.datasets[group + "s"] = line(b.s, "mm", "arc length of the points along the rail");
-  table.datasets[group + "depths"] = line(b.depths, "mm", "depth of the points below the surface, along n");
+  table.datasets[group + "x"] = H5Dataset::line(b.x, "mm", "x of the points");
+  table.datasets[group + "s"] = H5Dataset::line(b.s, "mm", "arc length of the points along the rail");
+  table.datasets[group + "depths"] =
+      H5Dataset::line(b.depths, "mm", "depth of the points below the surface, along n");
   const std::vector<std::size_t> shape{b.x.size(), b.s.size(), b.depths.size()};
   table.datasets[group + "von_mises"] = {shape, b.von_mises, "MPa", "von Mises' stress [x][s][depth]"};
   table.datasets[group + "largest_shear"] = {shape, b.largest_shear, "MPa", "largest shear stress"};
@@ -116,10 +119,11 @@ std::string structure_text(const std::optional<StructuralResult>& structure) {
                         *structure->aside)
           : "";
   return bodies + aside +
-         (structure->placed ? fmt::format("the bodies stand where their motion takes them, to {:.1e} mm "
-                                          "after {} solutions\n",
-                                          structure->change, structure->solutions)
-                            : "the geometry is that of the bodies before this motion\n");
+         (structure->placed
+              ? fmt::format("the bodies stand where their motion takes them, to {:.1e} mm "
+                            "after {}\n",
+                            structure->change, counted(structure->solutions, "solution", "solutions"))
+              : "the geometry is that of the bodies before this motion\n");
 }
 
 void add_structure(H5Table& table, const std::string& group, const StructuralResult& structure) {

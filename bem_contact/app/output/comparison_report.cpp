@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -22,19 +23,12 @@ using nlohmann::json;
 enum class Scale { own, resultant, friction, friction_moment, plain };
 
 double scale_of(Scale scale, double own, const SceneResult& r) {
-  switch (scale) {
-  case Scale::own:
-    return std::abs(own);
-  case Scale::resultant:
-    return std::hypot(r.result.Fy, r.result.Fz);
-  case Scale::friction:
-    return friction_bound(r.problem, r.result);
-  case Scale::friction_moment:
-    return friction_bound(r.problem, r.result) * std::sqrt(contact_area(r.result) / std::numbers::pi);
-  case Scale::plain:
-    break;
-  }
-  return 1;
+  return scale == Scale::own         ? std::abs(own)
+         : scale == Scale::resultant ? std::hypot(r.result.Fy, r.result.Fz)
+         : scale == Scale::friction  ? friction_bound(r.problem, r.result)
+         : scale == Scale::friction_moment
+             ? friction_bound(r.problem, r.result) * std::sqrt(contact_area(r.result) / std::numbers::pi)
+             : 1;
 }
 
 using Value = std::optional<double>;
@@ -115,17 +109,9 @@ std::string row_label(const std::string& name, const std::string& unit) {
 }
 
 std::string title_of(Model model) {
-  switch (model) {
-  case Model::hertz:
-    return "Hertz";
-  case Model::halfspace:
-    return "half-space";
-  case Model::tangent_plane:
-    return "tangent plane";
-  case Model::fem:
-    break;
-  }
-  return "FEM";
+  constexpr const char* titles[] = {"Hertz", "half-space", "tangent plane", "FEM"};
+  static_assert(std::size(titles) == EnumNames<Model>::names.size());
+  return titles[static_cast<std::size_t>(model)];
 }
 
 std::string discretisation_text(const SceneResult& r) {

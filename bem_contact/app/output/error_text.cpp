@@ -2,7 +2,6 @@
 
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/fixed_text.hpp"
-#include "bem_contact/sequence/quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,18 +52,9 @@ std::string digits_within(double value, double error, int digits) {
   return digits_fine(value, error, std::min(digits, most));
 }
 
-std::string counted(int count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 std::string plus_minus(double error) {
   const std::string text = two_digits(error);
   return text.empty() ? "" : " +- " + text;
-}
-
-std::string plus_minus(const SceneResult& result, const char* name) {
-  const Quantity& number = quantity(name);
-  return number.error ? plus_minus(number.error(result)) : "";
 }
 
 } // namespace bem_contact::app

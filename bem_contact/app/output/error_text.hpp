@@ -1,7 +1,5 @@
 #pragma once
 
-#include "bem_contact/sequence/scene_result.hpp"
-
 #include <string>
 
 namespace bem_contact::app {
@@ -13,9 +11,6 @@ std::string two_digits(double error);
 /// " +- 4.2", or "" where two_digits() are.
 std::string plus_minus(double error);
 
-/// "1 patch", "2 patches".
-std::string counted(int count, const char* one, const char* many);
-
 /// A number with so many decimals, or with as many as two_digits() has of its error if these are more. Never
 /// "-0.0".
 std::string fixed_fine(double value, double error, int decimals);
@@ -25,8 +20,5 @@ std::string digits_fine(double value, double error, int digits);
 /// The same, and no finer than one digit more than two_digits() has.
 std::string fixed_within(double value, double error, int decimals);
 std::string digits_within(double value, double error, int digits);
-
-/// The number of this name (quantities()), as plus_minus() has its error.
-std::string plus_minus(const SceneResult& result, const char* name);
 
 } // namespace bem_contact::app

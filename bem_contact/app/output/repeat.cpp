@@ -168,7 +168,6 @@ Repetition repeat_result(const fs::path& file, const fs::path& folder) {
       before[name.substr(at + group.size())] = data.values.front();
       out.model = name.substr(0, at);
     }
-  out.compared = before.size();
   out.differences = differing_quantities(before, out.result);
   if (out.model != name_of(out.result.model))
     out.others.push_back(fmt::format("the model was {} and is {}", out.model, name_of(out.result.model)));

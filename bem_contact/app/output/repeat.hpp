@@ -15,7 +15,6 @@ bool is_hdf5(const std::filesystem::path& file);
 struct Repetition {
   std::string program, commit;                 ///< that made the file
   std::string model;                           ///< of the file
-  std::size_t compared = 0;                    ///< quantities
   std::vector<QuantityDifference> differences; ///< beyond what two certified solutions may differ by
   std::vector<std::string> others;             ///< other differences, in sentences
   std::vector<std::string> warnings;           ///< inputs that are other files today

@@ -1,5 +1,4 @@
 #include "bem_contact/app/output/result_file.hpp"
-#include "bem_contact/app/output/datasets.hpp"
 #include "bem_contact/contact/history.hpp"
 
 #include "bem_contact/app/output/asked_output.hpp"
@@ -41,7 +40,7 @@ void add_history(H5Table& table, const std::string& group, const SceneResult& r)
   fields("slip_x", &ContactResult::slip_x, shift ? "mm" : "1");
   fields("slip_s", &ContactResult::slip_s, shift ? "mm" : "1");
   for (const StepQuantity& q : step_quantities())
-    table.datasets[group + q.name] = line(q.values(r), q.unit.of(r), q.description);
+    table.datasets[group + q.name] = H5Dataset::line(q.values(r), q.unit.of(r), q.description);
 }
 
 /// One line [patch] for each number of the patches, and for its error.
@@ -53,14 +52,14 @@ void add_patches(H5Table& table, const std::string& group, const SceneResult& r)
                   std::vector<double> values;
                   for (std::size_t i = 0; i < count; ++i)
                     values.push_back(value(r, i));
-                  table.datasets[group + name] = line(std::move(values), unit.of(r), description);
+                  table.datasets[group + name] = H5Dataset::line(std::move(values), unit.of(r), description);
                 });
 }
 
 void add_quantities(H5Table& table, const std::string& group, const SceneResult& r) {
   with_errors(quantities(),
               [&](const std::string& name, const QuantityUnit& unit, auto value, const char* description) {
-                table.datasets[group + name] = single(value(r), unit.of(r), description);
+                table.datasets[group + name] = H5Dataset::single(value(r), unit.of(r), description);
               });
 }
 
@@ -108,15 +107,16 @@ void add_coordinates(H5Table& table, const std::string& group, const SceneResult
   const ContactProblem& problem = r.problem;
   const std::string side = r.left ? "left" : "right";
   auto& d = table.datasets;
-  d[group + "x"] = line(problem.grid.columns(), "mm", "middle of the columns, rolling direction");
+  d[group + "x"] = H5Dataset::line(problem.grid.columns(), "mm", "middle of the columns, rolling direction");
   for (const RowQuantity& q : row_quantities()) {
     std::vector<double> values = q.values(r);
     if (!std::isnan(values.front()))
-      d[group + q.name] = line(std::move(values), q.unit.of(r), q.description);
+      d[group + q.name] = H5Dataset::line(std::move(values), q.unit.of(r), q.description);
   }
   d[group + "gap"] = field(problem.grid, problem.gap, "mm", "undeformed distance along the rail's normal");
-  d[group + "rail_profile"] = points(r.rail_profile, "rail, fine near the contact: y, z");
-  d[group + "wheel_profile"] = points(r.wheel_profile, "wheel at approach 0, fine near the contact: y, z");
+  d[group + "rail_profile"] = H5Dataset::points(r.rail_profile, "rail, fine near the contact: y, z");
+  d[group + "wheel_profile"] =
+      H5Dataset::points(r.wheel_profile, "wheel at approach 0, fine near the contact: y, z");
   auto& a = table.attributes;
   a[group + "frame"] = "x rolling direction, y " + side + ", z down; s along the rail, n into the rail";
   a[group + "dx_mm"] = problem.grid.dx;
@@ -138,14 +138,14 @@ void add_creep_forces(H5Table& table, const Comparison& c) {
   if (c.creep_forces.empty())
     return;
   auto& d = table.datasets;
-  d["creep_forces/xi_from_free_rolling"] =
-      line(c.creep_forces.creepage, "1",
-           "longitudinal creepage beyond free rolling; each model has its own creepage of free rolling");
+  d["creep_forces/xi_from_free_rolling"] = H5Dataset::line(
+      c.creep_forces.creepage, "1",
+      "longitudinal creepage beyond free rolling; each model has its own creepage of free rolling");
   for (std::size_t m = 0; m < c.models.size(); ++m) {
     const std::string model(name_of(c.models[m]));
-    d["creep_forces/Fx/" + model] =
-        line(c.creep_forces.Fx[m], "N", "longitudinal force on the rail, at the place of equal_forces");
-    d["creep_forces/Fx_error/" + model] = line(c.creep_forces.Fx_error[m], "N", error_description);
+    d["creep_forces/Fx/" + model] = H5Dataset::line(
+        c.creep_forces.Fx[m], "N", "longitudinal force on the rail, at the place of equal_forces");
+    d["creep_forces/Fx_error/" + model] = H5Dataset::line(c.creep_forces.Fx_error[m], "N", error_description);
   }
 }
 

@@ -1,6 +1,5 @@
 #include "bem_contact/app/output/scene_record.hpp"
 
-#include "bem_contact/app/output/datasets.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/input_file.hpp"
@@ -90,8 +89,8 @@ void add_scene(H5Table& table, const GivenScene& given, const std::filesystem::p
   table.texts["scene_with_defaults"] = {scene_with_defaults(given.scene),
                                         "every key of the scene that was solved, with its value (TOML)"};
   const auto material = [&](const std::string& side, const Material& m) {
-    table.datasets["materials/" + side + "_shear_modulus"] = single(m.shear_modulus, "MPa", "G");
-    table.datasets["materials/" + side + "_poisson"] = single(m.poisson, "1", "Poisson's ratio");
+    table.datasets["materials/" + side + "_shear_modulus"] = H5Dataset::single(m.shear_modulus, "MPa", "G");
+    table.datasets["materials/" + side + "_poisson"] = H5Dataset::single(m.poisson, "1", "Poisson's ratio");
   };
   material("rail", given.scene.rail.material);
   material("wheel", given.scene.wheel.material);

@@ -148,14 +148,6 @@ void write_file(const std::filesystem::path& file, const std::vector<std::filesy
   writer.finish();
 }
 
-void write_csv_of(const std::filesystem::path& csv, const H5Table& top, const SweepFile& sweep,
-                  const SweepColumns& columns) {
-  std::vector<std::string> reasons(sweep.size());
-  for (std::size_t i = 0; i < sweep.size(); ++i)
-    reasons[i] = text_attribute(top, fmt::format("cases/{:06}/reason", i));
-  write_csv(csv_files(csv), sweep, columns, top, reasons);
-}
-
 void check_outputs(const SweepFile& sweep, const SweepRequest& request,
                    const std::filesystem::path& own_journal) {
   const CsvFiles csv = csv_files(request.csv);
@@ -220,7 +212,7 @@ SweepSummary run_sweep(const SweepRequest& request) {
   }
   const H5Table top = read_sweep_top(output, sweep, columns);
   if (!request.csv.empty())
-    write_csv_of(request.csv, top, sweep, columns);
+    write_csv(csv_files(request.csv), sweep, columns, top);
   return summary_of(top, share, head);
 }
 

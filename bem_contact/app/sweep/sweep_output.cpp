@@ -71,23 +71,22 @@ void SweepOutput::add_axes(H5Table& table, const std::string& group,
     for (const SchemaValue& value : axis.values)
       if (text)
         description.append(" ").append(to_text(value));
-    table.datasets[group + axis.key] = {
-        {cases.size()}, std::move(values), unit_of_key(axis.key), std::move(description)};
+    table.datasets[group + axis.key] =
+        H5Dataset::line(std::move(values), unit_of_key(axis.key), std::move(description));
   }
 }
 
 void SweepOutput::add_patches(H5Table& table, SweepNumbers& numbers) const {
-  const std::size_t n = numbers.patch_case.size();
-  const auto line = [&](const std::string& name, std::vector<double> values, const std::string& unit,
-                        const std::string& description) {
-    table.datasets["patches/" + name] = {{n}, std::move(values), unit, description};
-  };
-  line("case", {numbers.patch_case.begin(), numbers.patch_case.end()}, "1", "the case, from 0");
-  line("patch", {numbers.patch_rank.begin(), numbers.patch_rank.end()}, "1", "1: the largest force");
+  auto& d = table.datasets;
+  d["patches/case"] =
+      H5Dataset::line({numbers.patch_case.begin(), numbers.patch_case.end()}, "1", "the case, from 0");
+  d["patches/patch"] =
+      H5Dataset::line({numbers.patch_rank.begin(), numbers.patch_rank.end()}, "1", "1: the largest force");
   add_axes(table, "patches/", numbers.patch_case);
   for (std::size_t k = 0; k < numbers.patches.size(); ++k) {
     const SweepColumn& column = columns_->patches[k];
-    line(column.name, std::move(numbers.patches[k]), column.unit, column.description);
+    d["patches/" + column.name] =
+        H5Dataset::line(std::move(numbers.patches[k]), column.unit, column.description);
   }
 }
 
@@ -95,9 +94,9 @@ H5Table SweepOutput::top() const {
   H5Table table;
   const std::size_t n = size();
   const auto line = [&](const std::string& name, std::string unit, std::string description, auto value) {
-    H5Dataset& data = table.datasets[name];
-    data = {{n}, std::vector<double>(n), std::move(unit), std::move(description)};
-    std::ranges::transform(cases_, data.values.begin(), value);
+    std::vector<double> values(n);
+    std::ranges::transform(cases_, values.begin(), value);
+    table.datasets[name] = H5Dataset::line(std::move(values), std::move(unit), std::move(description));
   };
   std::vector<std::size_t> cases(n);
   std::iota(cases.begin(), cases.end(), std::size_t{0});
@@ -108,7 +107,8 @@ H5Table SweepOutput::top() const {
   SweepNumbers numbers = numbers_of(cases_, *columns_);
   for (std::size_t k = 0; k < numbers.cases.size(); ++k) {
     const SweepColumn& column = columns_->cases[k];
-    table.datasets[column.name] = {{n}, std::move(numbers.cases[k]), column.unit, column.description};
+    table.datasets[column.name] =
+        H5Dataset::line(std::move(numbers.cases[k]), column.unit, column.description);
   }
   if (!columns_->patches.empty())
     add_patches(table, numbers);
@@ -214,7 +214,7 @@ void print_changes(std::ostream& out, const SweepFile& sweep, std::size_t i) {
 }
 
 void print_cases(std::ostream& out, const SweepFile& sweep, const std::vector<SweepColumn>& columns,
-                 const H5Table& top, const std::vector<std::string>& reasons) {
+                 const H5Table& top) {
   fmt::print(out, "case");
   print_axes(out, sweep);
   fmt::print(out, ",status,seconds,cpu_seconds");
@@ -227,7 +227,8 @@ void print_cases(std::ostream& out, const SweepFile& sweep, const std::vector<Sw
     fmt::print(out, ",{},{},{}", status_of(top, i), cell(top, "seconds", i), cell(top, "cpu_seconds", i));
     for (const SweepColumn& column : columns)
       fmt::print(out, ",{}", cell(top, column, i));
-    fmt::print(out, ",{}\n", reasons[i].empty() ? "" : quoted(reasons[i]));
+    const std::string reason = text_attribute(top, fmt::format("cases/{:06}/reason", i));
+    fmt::print(out, ",{}\n", reason.empty() ? "" : quoted(reason));
   }
 }
 
@@ -275,9 +276,9 @@ void print_units(std::ostream& out, const SweepFile& sweep, const SweepColumns& 
 
 } // namespace
 
-void write_csv(const CsvFiles& files, const SweepFile& sweep, const SweepColumns& columns, const H5Table& top,
-               const std::vector<std::string>& reasons) {
-  write_text(files.cases, [&](std::ostream& out) { print_cases(out, sweep, columns.cases, top, reasons); });
+void write_csv(const CsvFiles& files, const SweepFile& sweep, const SweepColumns& columns,
+               const H5Table& top) {
+  write_text(files.cases, [&](std::ostream& out) { print_cases(out, sweep, columns.cases, top); });
   if (!files.patches.empty() && !columns.patches.empty())
     write_text(files.patches, [&](std::ostream& out) { print_patches(out, sweep, columns.patches, top); });
   if (!files.units.empty())

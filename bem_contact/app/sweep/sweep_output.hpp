@@ -62,7 +62,7 @@ CsvFiles csv_files(const std::filesystem::path& csv);
 ///            not of wheelsets
 ///   units    a line a column of either: table, name, unit, description
 /// `top`: of read_sweep_top(). Throws what write_text() does (base/output_file.hpp).
-void write_csv(const CsvFiles& files, const SweepFile& sweep, const SweepColumns& columns, const H5Table& top,
-               const std::vector<std::string>& reasons);
+void write_csv(const CsvFiles& files, const SweepFile& sweep, const SweepColumns& columns,
+               const H5Table& top);
 
 } // namespace bem_contact::app

@@ -1,5 +1,6 @@
 #include "bem_contact/app/sweep/sweep_share.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ SweepSummary summary_of(const H5Table& top, const Share& share, const std::strin
   }
   for (const auto& [name, number] : counts)
     out.text += fmt::format("{} {}, ", number, name);
-  out.text += fmt::format("of {} cases\n", cases);
+  out.text += fmt::format("of {}\n", counted(cases, "case", "cases"));
   if (warned > 0)
     out.text += fmt::format("{} of them have warnings (column warning_count; reason says which)\n", warned);
   if (!times.empty()) {

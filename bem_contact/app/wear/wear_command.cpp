@@ -3,6 +3,7 @@
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/app/wear/wear_influence.hpp"
 #include "bem_contact/app/wear/wear_state.hpp"
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
@@ -90,7 +91,7 @@ ExitCode run(const WearArguments& arguments) {
       });
   const int steps = state.step() - before;
   fmt::print("{}, {}, {}\n", counted(steps, "step", "steps"),
-             counted(steps * static_cast<int>(study.cases.size()), "contact problem", "contact problems"),
+             counted(steps * study.cases.size(), "contact problem", "contact problems"),
              duration_text(watch.seconds()));
   return success;
 }

@@ -1,7 +1,6 @@
 #include "bem_contact/app/wear/wear_state.hpp"
 
 #include "bem_contact/app/output/csv.hpp"
-#include "bem_contact/app/output/datasets.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
@@ -23,10 +22,12 @@ constexpr const char* state_file = "wear.h5";
 H5Table table_of(const WearState& state, const std::string& digest) {
   H5Table table;
   for (const wear::WearColumn& column : wear::wear_columns())
-    table.datasets[column.name] = line(column.values(state.history), column.unit, column.description);
+    table.datasets[column.name] =
+        H5Dataset::line(column.values(state.history), column.unit, column.description);
   const auto body = [&](const std::string& name, const wear::WornBody& worn) {
-    table.datasets[name + "/profile"] = points(worn.points, "worn profile (y, z), own frame, z down");
-    table.datasets[name + "/depth"] = line(worn.depth, "mm", "taken off along the normals");
+    table.datasets[name + "/profile"] =
+        H5Dataset::points(worn.points, "worn profile (y, z), own frame, z down");
+    table.datasets[name + "/depth"] = H5Dataset::line(worn.depth, "mm", "taken off along the normals");
   };
   body("rail", state.pair.rail);
   body("wheel", state.pair.wheel);

@@ -1,5 +1,6 @@
 #include "bem_contact/profile/bodies/own_outline.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/bodies/settings.hpp"
 #include "bem_contact/profile/settings.hpp"
@@ -22,9 +23,10 @@ std::vector<OwnOutline::Piece> joined(const BodyFile::Body& body) {
   const auto& outline = body.outline;
   const auto is_arc = [](const auto& piece) { return piece.radius != 0; };
   if (outline.size() < 2 || (outline.size() == 2 && std::none_of(outline.begin(), outline.end(), is_arc)))
-    throw InputError(fmt::format("The outline of {} has {} pieces", body.name, outline.size()),
-                     "a closed loop needs at least 3 lines, or 2 pieces one of which is an arc",
-                     "Give them in [body] outline = [{ to = [y, z] }, ...].");
+    throw InputError(
+        fmt::format("The outline of {} has {}", body.name, counted(outline.size(), "piece", "pieces")),
+        "a closed loop needs at least 3 lines, or 2 pieces one of which is an arc",
+        "Give them in [body] outline = [{ to = [y, z] }, ...].");
   std::vector<OwnOutline::Piece> pieces;
   Point2 from = outline.back().to;
   for (std::size_t i = 0; i < outline.size(); ++i) {

@@ -1,5 +1,6 @@
 #include "bem_contact/profile/formats/profile_formats.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/formats/text_lines.hpp"
 #include "bem_contact/profile/messages.hpp"
@@ -138,7 +139,7 @@ MeasuredPoints miniprof_points(std::string_view text, const std::string& source,
                      "Say which behind the file's name: #1 for the first.");
   const Part& chosen = parts[static_cast<std::size_t>(std::max(part, 1) - 1)];
   if (chosen.header.points >= 0 && static_cast<double>(chosen.points.size()) != *chosen.header.points)
-    throw InputError(fmt::format("{} has {} points", source, chosen.points.size()),
+    throw InputError(fmt::format("{} has {}", source, counted(chosen.points.size(), "point", "points")),
                      fmt::format("its header says XYPoints={}; the file is truncated or was altered",
                                  *chosen.header.points),
                      "Export it anew, or correct XYPoints.");

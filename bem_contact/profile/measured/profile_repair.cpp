@@ -1,5 +1,6 @@
 #include "bem_contact/profile/measured/profile_repair.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/profile/measured/profile_orientation.hpp"
 #include "bem_contact/profile/measured/settings.hpp"
@@ -246,7 +247,8 @@ std::vector<Point2> repaired(MeasuredPoints measured, const std::string& source,
   std::vector<Point2>& points = measured.points;
   const auto require_some = [&] {
     if (points.size() < 3)
-      throw InputError(fmt::format("{} has {} points", source, points.size()), "a profile needs at least 3",
+      throw InputError(fmt::format("{} has {}", source, counted(points.size(), "point", "points")),
+                       "a profile needs at least 3",
                        points.empty() ? "The file is empty or holds no numbers." : "Give more points.");
   };
   require_some();

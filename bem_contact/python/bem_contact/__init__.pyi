@@ -152,7 +152,10 @@ def compare(
 def check(
     scene: _Scene, changes: _Changes = None, model: _Model = None, *, folder: str | PathLike[str] | None = None
 ) -> dict[str, list[str]]:
-    """What would be solved, and whether the influence files suffice: "lines" and "warnings". Nothing is solved."""
+    """What would be solved, and whether the influence files suffice: "lines" and "warnings". Nothing is solved.
+
+    A scene with a table [wheelset] is described as wheelset() would begin to solve it.
+    """
 
 def sweep(
     scene: _Scene, model: _Model = None, *, folder: str | PathLike[str] | None = None

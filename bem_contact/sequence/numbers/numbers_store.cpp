@@ -1,5 +1,6 @@
 #include "bem_contact/sequence/numbers/numbers_store.hpp"
 
+#include "bem_contact/sequence/numbers/keep_newest.hpp"
 #include "bem_contact/sequence/numbers/settings.hpp"
 
 #include <algorithm>
@@ -25,19 +26,6 @@ double megabytes_of(const InfluenceNumbers& numbers) {
   return 1e-6 * sizeof(double) * static_cast<double>(numbers.values.size());
 }
 
-/// Those kept last are in front; the first of them stays whatever its size.
-template <class Kept, class NumbersOf> void discard_old(std::deque<Kept>& kept, const NumbersOf& numbers_of) {
-  double megabytes = 0;
-  std::size_t count = 0;
-  while (count < std::min<std::size_t>(kept.size(), numbers_kept)) {
-    megabytes += megabytes_of(numbers_of(kept[count]));
-    if (count > 0 && megabytes > largest_kept_numbers)
-      break;
-    ++count;
-  }
-  kept.resize(count);
-}
-
 } // namespace
 
 InfluenceNumbers RailNumbersStore::get(const BodyNumbersSource& source, const std::vector<double>& row_s,
@@ -51,7 +39,9 @@ InfluenceNumbers RailNumbersStore::get(const BodyNumbersSource& source, const st
   InfluenceNumbers numbers = compute();
   if (megabytes_of(numbers) <= largest_kept_numbers) {
     kept_.push_front({source, row_s, numbers});
-    discard_old(kept_, [](const Kept& kept) -> const InfluenceNumbers& { return kept.numbers; });
+    keep_newest(
+        kept_, [](const Kept& kept) { return megabytes_of(kept.numbers); }, largest_kept_numbers,
+        numbers_kept);
   }
   return numbers;
 }
@@ -70,7 +60,8 @@ InfluenceNumbers NumbersStore::take(const NumbersSource& source,
 
 void NumbersStore::keep(const NumbersSource& source, InfluenceNumbers numbers) {
   kept_.emplace_front(source, std::move(numbers));
-  discard_old(kept_, [](const auto& kept) -> const InfluenceNumbers& { return kept.second; });
+  keep_newest(
+      kept_, [](const auto& kept) { return megabytes_of(kept.second); }, largest_kept_numbers, numbers_kept);
 }
 
 } // namespace bem_contact

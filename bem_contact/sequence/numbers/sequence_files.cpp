@@ -1,5 +1,7 @@
 #include "bem_contact/sequence/numbers/sequence_files.hpp"
 
+#include "bem_contact/sequence/numbers/keep_newest.hpp"
+
 #include <algorithm>
 
 namespace bem_contact {
@@ -14,8 +16,8 @@ double size_of_files(const PairFiles& files) {
   return 1e-6 * sizeof(double) * numbers;
 }
 
-/// What is kept for `key`, made by `make` if there is none. It is put in front; of the others, those used
-/// last stay whose sizes sum up to no more than `most`.
+/// What is kept for `key`, made by `make` if there is none. It is put in front; of the others, those
+/// stay that keep_newest() keeps.
 template <class Key, class Value, class Make, class SizeOf>
 Value take(std::deque<std::pair<Key, Value>>& all, const Key& key, const Make& make, const SizeOf& size_of,
            double most) {
@@ -24,15 +26,8 @@ Value take(std::deque<std::pair<Key, Value>>& all, const Key& key, const Make& m
     std::rotate(all.begin(), found, found + 1);
   else
     all.emplace_front(key, make());
-  double size = 0;
-  std::size_t count = 0;
-  for (const auto& [name, value] : all) {
-    size += size_of(value);
-    if (count > 0 && size > most)
-      break;
-    ++count;
-  }
-  all.erase(all.begin() + static_cast<std::ptrdiff_t>(count), all.end());
+  keep_newest(
+      all, [&](const auto& entry) { return size_of(entry.second); }, most);
   return all.front().second;
 }
 

@@ -16,13 +16,6 @@ struct ContactCase {
   std::optional<ContactEstimate> estimate; ///< of a wheel on a rail
   bool own_shape = true;                   ///< influence files must be of the scene's own profiles
   bool lateral_force = false;              ///< the lateral displacement is found for a force, and not given
-
-  /// The same case under another load, on the same estimate.
-  ContactCase under(const ContactLoad& load) const {
-    ContactCase out = *this;
-    out.setup = setup.under(load);
-    return out;
-  }
 };
 
 struct PrepareOptions {

@@ -117,10 +117,8 @@ double approach_under(const ContactEstimate& estimate, double force, double comp
 }
 
 void set_approach(ContactEstimate& estimate, double q, double compliance) {
-  const Borne borne = borne_at(estimate, q, compliance);
   estimate.approach = q;
-  estimate.force = borne.force;
-  estimate.turn = borne.contact.turn;
+  estimate.force = borne_at(estimate, q, compliance).force;
 }
 
 /// Of the slices that can touch, where each is nearest to the wheel.
@@ -132,8 +130,8 @@ void set_lift(const ContactSetup& setup, ContactEstimate& estimate) {
     const CurvePoint p = setup.wheel_rail()->pair.rail_at(c.s);
     const RigidSlip slip = setup.rigid_slip({}, {{c.s, p.position, p.delta}}, {c.x});
     const double along_s = slip.s[0] / std::hypot(slip.x[0], slip.s[0], half_slip_creepage);
-    estimate.lift[i] =
-        std::clamp(1 + setup.motion.friction * along_s * std::tan(c.delta), least_lift, most_lift);
+    estimate.lift[i] = std::clamp(1 + setup.motion.coefficients.friction * along_s * std::tan(c.delta),
+                                  least_lift, most_lift);
   }
 }
 

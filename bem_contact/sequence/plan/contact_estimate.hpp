@@ -15,7 +15,6 @@ struct ContactEstimate {
   std::vector<double> lift;
   double approach = 0; ///< mm
   double force = 0;    ///< vertical, N
-  double turn = 0;     ///< turn of the normal within the largest area of contact, rad
 };
 
 /// Without shear. `compliance`: contact_compliance() of the pair.

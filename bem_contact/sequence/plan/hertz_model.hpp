@@ -17,7 +17,6 @@ struct HertzModel {
   double curvature_x = 0, curvature_s = 0; ///< of the undeformed distance, along the principal axes, 1/mm
   double delta = 0;                        ///< inclination there, rad
   double modulus = 0;                      ///< E* of the pair, MPa
-  double normal_force = 0, approach = 0;   ///< along the normal there, N, mm
   reference::HertzContact contact;         ///< force 0: no contact
   double deviation = 0; ///< largest distance of the undeformed distance from the quadratic within the
                         ///< contact, over the approach

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace bem_contact {
 
@@ -34,7 +35,7 @@ double edge_distance(const ContactCase& asked, const EstimatedContact& contact) 
 /// for a circle, and Johnson and Vermeulen's saturation.
 void set_creep(const ContactCase& asked, const EstimatedContact& contact, ContactTraits& traits) {
   const Motion& motion = asked.setup.motion;
-  const double limit = motion.friction * traits.normal;
+  const double limit = motion.coefficients.friction * traits.normal;
   if (!motion.tangential || motion.kind == MotionKind::shift || limit <= 0)
     return;
   const RigidSlip slip =
@@ -86,17 +87,9 @@ void add_creepage(const ContactTraits& traits, double xi, ModelErrors& out) {
 } // namespace
 
 double ModelErrors::of(ModelErrorOf what) const {
-  switch (what) {
-  case ModelErrorOf::forces:
-    return forces;
-  case ModelErrorOf::pmax:
-    return pmax;
-  case ModelErrorOf::creepages:
-    return creepages;
-  case ModelErrorOf::friction_power:
-    break;
-  }
-  return friction_power;
+  const double all[] = {forces, pmax, creepages, friction_power};
+  static_assert(std::size(all) == EnumNames<ModelErrorOf>::names.size());
+  return all[static_cast<std::size_t>(what)];
 }
 
 ModelErrorOf ModelErrors::worst(std::span<const ModelErrorOf> named) const {

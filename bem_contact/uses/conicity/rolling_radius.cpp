@@ -3,13 +3,13 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopped.hpp"
 #include "bem_contact/geometry/contact_search.hpp"
+#include "bem_contact/geometry/level_roll.hpp"
 #include "bem_contact/profile/wheel_datum.hpp"
 #include "bem_contact/uses/conicity/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <optional>
 
 namespace bem_contact {
 
@@ -43,35 +43,16 @@ Lowered lowered(const WheelsetOnTrack& wheelset, WheelSide side, double lateral,
            p.wheel_radius + wheel.z}};
 }
 
-struct Both {
-  Lowered right, left;
-  double unequal() const { return right.down - left.down; } ///< mm
-};
-
-/// The roll at which both wheels ask for the same height of the axle. Roll lowers the right wheel by half the
-/// distance of the contacts and lifts the left one, so that `unequal` falls by that distance; the secant
-/// knows it better from the second step on. A kink, where a contact jumps, is bracketed.
+/// At the roll at which both wheels ask for the same height of the axle.
 WheelsetStand rolled(const WheelsetOnTrack& wheelset, double lateral) {
-  const auto at = [&](double roll) {
-    return Both{lowered(wheelset, WheelSide::right, lateral, roll),
-                lowered(wheelset, WheelSide::left, lateral, roll)};
+  Lowered right, left;
+  const auto unequal = [&](double roll) {
+    right = lowered(wheelset, WheelSide::right, lateral, roll);
+    left = lowered(wheelset, WheelSide::left, lateral, roll);
+    return right.down - left.down;
   };
-  double roll = 0, slope = -wheelset.contact_distance();
-  Both both = at(roll);
-  std::optional<double> above, below; // rolls where the right side asks to be lowered more, and less
-  for (int i = 0; i < roll_steps && std::abs(both.unequal()) > height_difference; ++i) {
-    const double value = both.unequal(), before = roll;
-    (value > 0 ? above : below) = roll;
-    roll -= value / slope;
-    if (above && below && !(roll > *above && roll < *below))
-      roll = 0.5 * (*above + *below);
-    if (roll == before)
-      break;
-    both = at(roll);
-    if (const double secant = (both.unequal() - value) / (roll - before); secant < 0)
-      slope = secant;
-  }
-  return {lateral, roll, both.right.touch, both.left.touch};
+  const double roll = level_roll(unequal, 0, wheelset.contact_distance(), height_difference);
+  return {lateral, roll, right.touch, left.touch};
 }
 
 double move(const WheelTouch& a, const WheelTouch& b) {

@@ -19,8 +19,6 @@ BEM_CONTACT_TUNED(double, smallest_lateral_step, 2e-3);
 BEM_CONTACT_TUNED(double, beyond_amplitude, 2.0);
 /// mm. Both wheels stand on their rails when the heights of the axle that they ask for differ by less.
 BEM_CONTACT_TUNED(double, height_difference, 1e-9);
-/// 1. Steps to the roll at which they do. Each is a secant step; 4 are usual. A bound.
-BEM_CONTACT_TUNED(int, roll_steps, 40);
 /// mm. A motion whose width differs by more from the one asked for stands at a jump of the width: there is
 /// none of this amplitude.
 BEM_CONTACT_TUNED(double, width_tolerance, 1e-6);

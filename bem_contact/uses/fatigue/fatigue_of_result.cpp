@@ -1,5 +1,6 @@
 #include "bem_contact/uses/fatigue/fatigue_of_result.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/sweep_file.hpp"
 #include "bem_contact/sequence/sequence.hpp"
@@ -53,7 +54,8 @@ void validate(const DamageFunction& f) {
                      "Give rising values of T-gamma, and one damage for each.");
   };
   if (f.t_gamma.size() < 2 || f.t_gamma.size() != f.damage.size())
-    refuse(fmt::format("there are {} values of T-gamma and {} of damage", f.t_gamma.size(), f.damage.size()));
+    refuse(fmt::format("it has {} of T-gamma and {} of damage", counted(f.t_gamma.size(), "value", "values"),
+                       f.damage.size()));
   if (!std::ranges::all_of(f.t_gamma, finite) || !std::ranges::all_of(f.damage, finite) ||
       f.t_gamma.front() < 0 ||
       std::ranges::adjacent_find(f.t_gamma, std::greater_equal<>()) != f.t_gamma.end())

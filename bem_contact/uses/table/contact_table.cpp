@@ -1,5 +1,6 @@
 #include "bem_contact/uses/table/contact_table.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/uses/table/settings.hpp"
 
@@ -115,8 +116,9 @@ const Column& ContactTable::column(std::string_view name) const {
 
 std::vector<PointWeight> weights_at(const ContactTable& table, std::span<const double> at) {
   if (at.size() != table.axes.size())
-    throw InputError(fmt::format("A point with {} coordinates is not in the table", at.size()),
-                     fmt::format("it has {} axes", table.axes.size()), "Give one for each axis.");
+    throw InputError(
+        fmt::format("A point with {} is not in the table", counted(at.size(), "coordinate", "coordinates")),
+        "it has " + counted(table.axes.size(), "axis", "axes"), "Give one for each axis.");
   std::vector<PointWeight> out{{0, 1}};
   for (std::size_t a = 0; a < at.size(); ++a) {
     std::vector<PointWeight> finer;

@@ -208,23 +208,12 @@ void rescale(ContactTable& table) {
         low = std::fmin(low, value), high = std::fmax(high, value);
       return std::max(high - low, shortest);
     };
-    switch (sources[c].scale) {
-    case ScaleBy::force:
-      column.scale = force;
-      break;
-    case ScaleBy::moment:
-      column.scale = force * radius;
-      break;
-    case ScaleBy::length_range:
-      column.scale = range(shortest_range);
-      break;
-    case ScaleBy::angle_range:
-      column.scale = range(smallest_turn);
-      break;
-    case ScaleBy::largest:
-      column.scale = largest(column.name);
-      break;
-    }
+    const ScaleBy by = sources[c].scale;
+    column.scale = by == ScaleBy::force          ? force
+                   : by == ScaleBy::moment       ? force * radius
+                   : by == ScaleBy::length_range ? range(shortest_range)
+                   : by == ScaleBy::angle_range  ? range(smallest_turn)
+                                                 : largest(column.name);
     if (!(column.scale > 0))
       column.scale = 1; // all of it is zero
   }

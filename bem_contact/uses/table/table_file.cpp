@@ -26,10 +26,6 @@ std::string held_of(const ContactTable& table) {
   return names_of(held);
 }
 
-H5Dataset curve(const std::vector<double>& values, const char* description) {
-  return {{values.size()}, values, "1", description};
-}
-
 /// One blank-separated list of names.
 std::vector<std::string> words(const H5Table& file, const char* attribute) {
   std::istringstream in(std::get<std::string>(file.attributes.at(attribute)));
@@ -89,25 +85,21 @@ H5Table to_h5(const ContactTable& table) {
   std::vector<std::size_t> shape;
   for (const Axis& axis : table.axes) {
     shape.push_back(axis.points.size());
-    out.datasets["axes/" + axis.name] = {{axis.points.size()}, axis.points, axis.unit, axis.description};
+    out.datasets["axes/" + axis.name] = H5Dataset::line(axis.points, axis.unit, axis.description);
     if (!axis.first.empty())
-      out.datasets["first/" + axis.name] = {{axis.first.size()},
-                                            {axis.first.begin(), axis.first.end()},
-                                            "1",
-                                            "where the points begin that belong to each point before"};
+      out.datasets["first/" + axis.name] =
+          H5Dataset::line({axis.first.begin(), axis.first.end()}, "1",
+                          "where the points begin that belong to each point before");
   }
   if (table.nested())
     shape = {table.size()};
   for (const Column& c : table.columns) {
-    const auto one = [&](double value, const char* description) {
-      return H5Dataset{{}, {value}, c.unit, description};
-    };
     out.datasets["values/" + c.name] = {shape, c.values, c.unit, c.description};
-    out.datasets["interpolation_error/" + c.name] =
-        one(c.interpolation_error, "largest difference from a solution in the middle of any cell");
-    out.datasets["element_error/" + c.name] =
-        one(c.element_error, "largest error by the size of the elements that a point states");
-    out.datasets["scale/" + c.name] = one(c.scale, "what the tolerance is relative to");
+    out.datasets["interpolation_error/" + c.name] = H5Dataset::single(
+        c.interpolation_error, c.unit, "largest difference from a solution in the middle of any cell");
+    out.datasets["element_error/" + c.name] = H5Dataset::single(
+        c.element_error, c.unit, "largest error by the size of the elements that a point states");
+    out.datasets["scale/" + c.name] = H5Dataset::single(c.scale, c.unit, "what the tolerance is relative to");
   }
   auto& a = out.attributes;
   a["format"] = std::string(table_format);
@@ -122,9 +114,11 @@ H5Table to_h5(const ContactTable& table) {
   a["solved"] = static_cast<double>(table.solved);
   a["checked"] = static_cast<double>(table.checked);
   if (const auto& s = table.scale) {
-    out.datasets["creep_scale/log10_a_over_b"] = curve(s->log10_a_over_b, "of the coefficients");
-    out.datasets["creep_scale/C11"] = curve(s->c11, "Kalker's; xi' = G a b C11 xi / (3 mu N)");
-    out.datasets["creep_scale/C22"] = curve(s->c22, "Kalker's; eta' = G a b C22 eta / (3 mu N)");
+    out.datasets["creep_scale/log10_a_over_b"] =
+        H5Dataset::line(s->log10_a_over_b, "1", "of the coefficients");
+    out.datasets["creep_scale/C11"] = H5Dataset::line(s->c11, "1", "Kalker's; xi' = G a b C11 xi / (3 mu N)");
+    out.datasets["creep_scale/C22"] =
+        H5Dataset::line(s->c22, "1", "Kalker's; eta' = G a b C22 eta / (3 mu N)");
     a["spin"] = std::string("phi' = G a b sqrt(C11 C22) R phi / (3 mu N), R = sqrt((a^2 + b^2)/2)");
     a["poisson"] = s->poisson;
     a["symmetry"] = std::string("the sign of xi turns Fx; the signs of eta and phi together turn Fy and Mz");

@@ -1,11 +1,11 @@
 #include "bem_contact/uses/wheelset/equilibrium.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/geometry/level_roll.hpp"
 #include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/uses/wheelset/settings.hpp"
 
 #include <Eigen/LU>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -245,24 +245,7 @@ WheelsetPose stand(WheelPair& wheels, double lateral, const EquilibriumStart& st
     left = wheels.lowered(WheelSide::left, lateral, roll) + start.left;
     return right - left;
   };
-  // Roll lowers the right wheel and lifts the left one: their heights differ by so much less.
-  double slope = -wheels.scene().position.gauge, roll = start.roll, here = lean(roll);
-  std::optional<double> low, high; // rolls between which they are equal
-  for (int i = 0; i < stand_steps && std::abs(here) > stand_tolerance; ++i) {
-    (here > 0 ? low : high) = roll;
-    const double before = here, step = -before / slope;
-    roll += step;
-    here = lean(roll);
-    if (const double secant = (here - before) / step; secant < 0)
-      slope = secant;
-  }
-  // Where the contact goes from tread to flange, the slope changes eightfold and secants run to and fro.
-  if (std::abs(here) > stand_tolerance && low && high) {
-    const auto met = [&](double, double) { return std::abs(here) <= stand_tolerance; };
-    std::uintmax_t calls = most_stand_calls;
-    boost::math::tools::toms748_solve([&](double at) { return here = lean(roll = at); }, *low, *high, met,
-                                      calls);
-  }
+  const double roll = level_roll(lean, start.roll, wheels.scene().position.gauge, stand_tolerance);
   return {lateral, 0.5 * (right + left), roll, start.rolling_radius};
 }
 

@@ -43,8 +43,6 @@ BEM_CONTACT_TUNED(double, creepage_scale, 0.05);
 BEM_CONTACT_TUNED(double, largest_creepage_step, 3e-3);
 /// mm. Heights of both wheels on their rails, before anything is solved, agree within this.
 BEM_CONTACT_TUNED(double, stand_tolerance, 1e-4);
-BEM_CONTACT_TUNED(int, stand_steps, 8);       ///< 1. Secant steps to that roll: 3 are usual.
-BEM_CONTACT_TUNED(int, most_stand_calls, 40); ///< 1. Then poses that narrow a bracket. A bound.
 
 /// mm. First step of the lateral search, and factor by which the next one is longer as long as the force is
 /// not passed.

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace bem_contact {
 
@@ -248,18 +249,13 @@ bool too_coarse(const SceneFile& scene, const WheelsetState& s) {
   return scene.grid.accuracy && (coarse(s.right) || coarse(s.left));
 }
 
-void warn_of_kilonewtons(const SceneFile& scene, std::vector<std::string>& warnings) {
-  if (std::string small = looks_like_kilonewtons("wheelset.force", *scene.wheelset.force, 2); !small.empty())
-    warnings.push_back(std::move(small));
-}
-
 void add_warnings(const SceneFile& scene, WheelsetResult& out) {
   std::vector<PlacedWarning> all;
   for (const WheelSide side : both_sides)
     for (const std::string& warning : out.state.solved(side).warnings)
       all.push_back({fmt::format("{} wheel", name_of(side)), warning});
   out.warnings = once_each(all);
-  warn_of_kilonewtons(scene, out.warnings);
+  warn_of_kilonewtons("wheelset.force", *scene.wheelset.force, 2, out.warnings);
   if (too_coarse(scene, out.state))
     out.warnings.push_back("the accuracy asked for was not reached: the equilibrium is found on the elements "
                            "that were chosen near it");
@@ -274,13 +270,27 @@ void require_wheelset(const SceneFile& scene) {
 
 } // namespace
 
+SceneDescription WheelsetDescription::whole() const {
+  SceneDescription out{
+      {fmt::format("wheelset: the search for its equilibrium begins at a lateral displacement "
+                   "of {:g} mm and a roll of {:.3g} rad",
+                   lateral, roll)},
+      warnings};
+  for (const auto& [title, wheel] :
+       {std::pair{"right wheel", &right}, std::pair{"left wheel (y, s to the left)", &left}}) {
+    out.lines.push_back(title);
+    out.add(*wheel);
+  }
+  return out;
+}
+
 WheelsetDescription check_wheelset(const SceneFile& scene) {
   require_wheelset(scene);
   WheelPair wheels(scene);
   const WheelsetPose pose = stand(wheels, scene.position.lateral, first_guess(scene));
   WheelsetDescription out{pose.lateral, pose.roll, wheels.check(WheelSide::right, pose),
                           wheels.check(WheelSide::left, pose)};
-  warn_of_kilonewtons(scene, out.warnings);
+  warn_of_kilonewtons("wheelset.force", *scene.wheelset.force, 2, out.warnings);
   return out;
 }
 

@@ -33,6 +33,8 @@ struct WheelsetDescription {
   SceneDescription right;                 ///< the wheel to the right of the rolling direction, as asked
   SceneDescription left;                  ///< the other one, y and s to the left
   std::vector<std::string> warnings = {}; ///< of the wheelset, beside those of either wheel
+
+  SceneDescription whole() const; ///< all lines, and each warning once
 };
 /// Solves no equilibrium. Throws what solve_wheelset() would throw before it solves.
 WheelsetDescription check_wheelset(const SceneFile& scene);

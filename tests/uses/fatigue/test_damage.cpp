@@ -46,7 +46,7 @@ std::string refusal(const DamageFunction& f) {
 
 TEST(Damage, RefusesNodesThatDoNotFit) {
   EXPECT_EQ(refusal({}), "no error");
-  EXPECT_THAT(refusal({.t_gamma = {1}, .damage = {0}}), HasSubstr("1 values of T-gamma and 1 of damage"));
+  EXPECT_THAT(refusal({.t_gamma = {1}, .damage = {0}}), HasSubstr("1 value of T-gamma and 1 of damage"));
   EXPECT_THAT(refusal({.t_gamma = {1, 2}, .damage = {0}}), HasSubstr("2 values of T-gamma and 1 of damage"));
   EXPECT_THAT(refusal({.t_gamma = {2, 2}, .damage = {0, 1}}),
               HasSubstr("must be finite, not negative, and rise"));
