@@ -19,10 +19,10 @@ struct ContactGrid {
   double dx = 0, ds = 0; ///< mm
   double x0 = 0;         ///< centre of the first column, mm
 
-  int size() const { return mx * ms; } ///< elements
-  bool is_line() const { return mx == 1 || ms == 1; }
-  double x(int ix) const { return x0 + ix * dx; } ///< middle of a column, mm
-  std::vector<double> columns() const {           ///< x of each, mm
+  int size() const { return mx * ms; }                ///< elements
+  bool is_line() const { return mx == 1 || ms == 1; } ///< one column or one row
+  double x(int ix) const { return x0 + ix * dx; }     ///< middle of a column, mm
+  std::vector<double> columns() const {               ///< x of each, mm
     std::vector<double> all(mx);
     for (int ix = 0; ix < mx; ++ix)
       all[ix] = x(ix);

@@ -123,11 +123,11 @@ class Module(unittest.TestCase):
                 self.assertEqual(list(r.p_n.shape), [expected["grid"]["ms"], expected["grid"]["mx"]], grid)
 
     def test_changes_may_be_dicts_of_dicts(self):
-        wanted = {"load.force": 2e4, "grid.dx": 0.08, "grid.mx": 30, "motion.xi": 1e-4}
-        nested = {"load": {"force": 2e4}, "grid": {"dx": 0.08, "mx": 30}, "motion.xi": 1e-4}
+        wanted = {"load.force": 2e5, "grid.dx": 0.08, "grid.mx": 30, "motion.xi": 1e-4}
+        nested = {"load": {"force": 2e5}, "grid": {"dx": 0.08, "mx": 30}, "motion.xi": 1e-4}
         carter = SCENES / "carter.toml"
         expected = bem_contact.solve(carter, wanted)
-        self.assertAlmostEqual(expected.Fz, 2e4, delta=0.1)
+        self.assertAlmostEqual(expected.Fz, 2e5, delta=0.1)
         for r in (bem_contact.solve(carter, nested), bem_contact.Sequence(carter).solve(nested)):
             self.assertEqual((r.Fz, r.Fx, r.pmax), (expected.Fz, expected.Fx, expected.pmax))
         for changes, words in (({"load": {"forse": 1e5}}, "load.forse.*Did you mean load.force"),
