@@ -11,7 +11,7 @@
 namespace bem_contact::contact {
 namespace {
 
-constexpr double rounding = 1e-7; ///< 1. A smaller relative error is one of the solvers' tolerance.
+constexpr double rounding = 1e-9; ///< 1. A smaller relative error is one of rounding.
 
 /// Root mean square of the fourth differences of the undeformed distance from element to element within the
 /// contact, as the pressure on one element that moves its surface so far, MPa. Where the distance is smooth
