@@ -1,7 +1,6 @@
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
-#include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/sweep/sweep_columns.hpp"
 #include "bem_contact/uses/wheelset/solve_wheelset.hpp"
@@ -28,9 +27,7 @@ using namespace py::literals;
 py::dict check(const py::object& scene, const py::object& changes, const py::object& model,
                const py::object& folder) {
   const SceneFile file = with_model(scene_file_of(scene, folder, changes_of(changes)), model_of(model));
-  const SceneDescription found = stoppable([file](const std::atomic<bool>*) {
-    return file.wheelset.force ? check_wheelset(file).whole() : Sequence().check(file);
-  });
+  const SceneDescription found = stoppable([file](const std::atomic<bool>*) { return describe_scene(file); });
   return py::dict("lines"_a = found.lines, "warnings"_a = found.warnings);
 }
 

@@ -191,18 +191,14 @@ ExitCode run_compare(const SceneArguments& arguments) {
   return worst;
 }
 
-SceneDescription checked(const SceneFile& scene) {
-  return scene.wheelset.force ? check_wheelset(scene).whole() : Sequence().check(scene);
-}
-
-/// The first and the last case; the values of all lists are read.
-SceneDescription checked(const SweepFile& sweep) {
+/// Of the first and the last case; the values of all lists are read.
+SceneDescription describe_sweep(const SweepFile& sweep) {
   check_values(sweep);
   SceneDescription out;
   const std::size_t last = sweep.size() - 1;
   for (const std::size_t i : last > 0 ? std::vector<std::size_t>{0, last} : std::vector<std::size_t>{0}) {
     out.lines.push_back(fmt::format("case {} of {}: {}", i + 1, sweep.size(), sweep.describe(i)));
-    out.add(checked(sweep.scene(i)));
+    out.add(describe_scene(sweep.scene(i)));
   }
   return out;
 }
@@ -210,7 +206,7 @@ SceneDescription checked(const SweepFile& sweep) {
 ExitCode run_check(const SceneArguments& arguments) {
   const SceneText given = read_scene_text(arguments.file);
   const SceneDescription found =
-      has_sweep(given) ? checked(parse_sweep_file(given)) : checked(parse_scene_file(given));
+      has_sweep(given) ? describe_sweep(parse_sweep_file(given)) : describe_scene(parse_scene_file(given));
   for (const std::string& line : found.lines)
     fmt::print("{}\n", line);
   if (arguments.strict)

@@ -7,6 +7,7 @@
 #include "bem_contact/sequence/lateral/lateral_curve.hpp"
 #include "bem_contact/sequence/lateral/lateral_force.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
+#include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/wheelset/equilibrium.hpp"
 #include "bem_contact/uses/wheelset/settings.hpp"
@@ -270,20 +271,6 @@ void require_wheelset(const SceneFile& scene) {
 
 } // namespace
 
-SceneDescription WheelsetDescription::whole() const {
-  SceneDescription out{
-      {fmt::format("wheelset: the search for its equilibrium begins at a lateral displacement "
-                   "of {:g} mm and a roll of {:.3g} rad",
-                   lateral, roll)},
-      warnings};
-  for (const auto& [title, wheel] :
-       {std::pair{"right wheel", &right}, std::pair{"left wheel (y, s to the left)", &left}}) {
-    out.lines.push_back(title);
-    out.add(*wheel);
-  }
-  return out;
-}
-
 WheelsetDescription check_wheelset(const SceneFile& scene) {
   require_wheelset(scene);
   WheelPair wheels(scene);
@@ -291,6 +278,23 @@ WheelsetDescription check_wheelset(const SceneFile& scene) {
   WheelsetDescription out{pose.lateral, pose.roll, wheels.check(WheelSide::right, pose),
                           wheels.check(WheelSide::left, pose)};
   warn_of_kilonewtons("wheelset.force", *scene.wheelset.force, 2, out.warnings);
+  return out;
+}
+
+SceneDescription describe_scene(const SceneFile& scene) {
+  if (!scene.wheelset.force)
+    return Sequence().check(scene);
+  const WheelsetDescription both = check_wheelset(scene);
+  SceneDescription out{
+      {fmt::format("wheelset: the search for its equilibrium begins at a lateral displacement "
+                   "of {:g} mm and a roll of {:.3g} rad",
+                   both.lateral, both.roll)},
+      both.warnings};
+  for (const auto& [title, wheel] :
+       {std::pair{"right wheel", &both.right}, std::pair{"left wheel (y, s to the left)", &both.left}}) {
+    out.lines.push_back(title);
+    out.add(*wheel);
+  }
   return out;
 }
 

@@ -33,11 +33,12 @@ struct WheelsetDescription {
   SceneDescription right;                 ///< the wheel to the right of the rolling direction, as asked
   SceneDescription left;                  ///< the other one, y and s to the left
   std::vector<std::string> warnings = {}; ///< of the wheelset, beside those of either wheel
-
-  SceneDescription whole() const; ///< all lines, and each warning once
 };
 /// Solves no equilibrium. Throws what solve_wheelset() would throw before it solves.
 WheelsetDescription check_wheelset(const SceneFile& scene);
+/// What can be said of any scene before it is solved: Sequence::check(), and of a wheelset all lines of both
+/// wheels and each warning once.
+SceneDescription describe_scene(const SceneFile& scene);
 
 /// Throws InputError for a scene without [wheelset], wrong input, a wheel that lifts, and a lateral force
 /// that no displacement gives; ConvergenceError where no equilibrium was found. `stop`: as Sequence::solve().
