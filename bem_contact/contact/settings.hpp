@@ -139,8 +139,9 @@ BEM_CONTACT_TUNED(double, creepage_s_share, 0.82);
 /// contact is known to a part of an element only, and under spin another place has another w_s.
 BEM_CONTACT_TUNED(double, creepage_turn, 0.088);
 
-// On one row or one column of elements these stand in place of the numbers above. They are fitted to 400
-// lines of 20 to 120 elements (tools/benchmarks/estimates, kinds "one row" and "one column").
+// On one row or one column of elements these stand in place of the numbers above. They are fitted to 720
+// lines of 20 to 120 elements (kinds "one row", "one row, forces" and "one column" of
+// tools/benchmarks/estimates).
 /// 1. Of pmax_local.
 BEM_CONTACT_TUNED(double, line_pmax_local, 0.22);
 /// 1. Of area_border. Each of the two ends may be off by half an element, and they do not cancel.
@@ -149,7 +150,7 @@ BEM_CONTACT_TUNED(double, line_border, 0.62);
 BEM_CONTACT_TUNED(double, line_shear, 0.34);
 /// 1. The same of those of the adhesive share.
 BEM_CONTACT_TUNED(double, line_adhesion, 0.42);
-/// 1. Of approach_peak and overlap_peak. The parts that count elements vanish: they were 100 times the error.
+/// 1. Of approach_peak and overlap_peak. The parts that count elements vanish: they were 300 times the error.
 BEM_CONTACT_TUNED(double, line_approach_peak, 0.034);
 BEM_CONTACT_TUNED(double, line_overlap_peak, 0.062);
 
