@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <memory>
-#include <vector>
 
 namespace bem_contact {
 namespace {
@@ -51,7 +50,7 @@ std::string sha256(std::string_view text) {
 
 std::string sha256_of_rest(std::istream& in) {
   Sha256 hash;
-  std::vector<char> part(1 << 20);
+  std::array<char, 1 << 16> part; // fresh memory for larger ones costs more than their hash
   while (in.read(part.data(), static_cast<std::streamsize>(part.size())) || in.gcount() > 0)
     hash.add(std::as_bytes(std::span(part).first(static_cast<std::size_t>(in.gcount()))));
   return hash.hex();
