@@ -27,13 +27,35 @@ double rolling_radius_of(const SceneFile::Motion& motion, double free) {
                                : free;
 }
 
+template <class Geometry> auto share(Geometry geometry) {
+  return std::make_shared<const std::variant<WheelRailGeometry, PatchGeometry>>(std::move(geometry));
+}
+
+/// The wheel of a pair, lowered until it touches.
+struct Touching {
+  WheelOnRail pair;
+  double from = pair.wheel_pose.origin.z;
+  ContactLocus locus{pair};
+  std::vector<TouchPoint> touch = lower_to_touch(pair, locus);
+
+  double drop() const { return pair.wheel_pose.origin.z - from; }
+};
+
+/// Where the bodies come from: WheelRailGeometry's members of these names.
+struct Origin {
+  double lowered = 0;
+  double rail_inclination = 0;
+  std::optional<StructuralPlacement> structure = {};
+};
+
 /// All that follows from where the bodies stand as they touch.
-ContactSetup set_up_touching(const SceneFile& scene, WheelOnRail pair, ContactLocus locus,
-                             std::vector<TouchPoint> touch, double lowered, const ContactLoad& load) {
-  std::vector<RailSlice> slices = slice_rail(pair, locus);
+ContactSetup set_up_touching(const SceneFile& scene, Touching bodies, const ContactLoad& load,
+                             const Origin& origin) {
+  const WheelOnRail& pair = bodies.pair;
+  std::vector<RailSlice> slices = slice_rail(pair, bodies.locus);
   const std::optional<ContactCentre> centre = contact_centre(
-      slices, locus.frame(), contact_compliance(scene.rail.material, scene.wheel.material), load);
-  const TouchPoint& deepest = touch.front();
+      slices, bodies.locus.frame(), contact_compliance(scene.rail.material, scene.wheel.material), load);
+  const TouchPoint& deepest = bodies.touch.front();
   ReferencePoint reference{deepest.position, deepest.rail_s, deepest.delta, deepest.x};
   double free_radius = pair.wheel_radius + pair.wheel.at(deepest.wheel_s).position.z;
   if (centre) {
@@ -46,8 +68,16 @@ ContactSetup set_up_touching(const SceneFile& scene, WheelOnRail pair, ContactLo
   // A smooth function of the position: not that of the deepest point.
   const double contact_radius = centre ? centre->rolling_radius : pair.wheel_radius;
   return {body_of(scene.rail, scene.folder), body_of(scene.wheel, scene.folder), load, std::move(motion),
-          WheelRailGeometry{std::move(pair), std::move(locus), std::move(touch), std::move(slices), lowered,
-                            scene.grid.planar, reference, contact_radius}};
+          share(WheelRailGeometry{.pair = std::move(bodies.pair),
+                                   .locus = std::move(bodies.locus),
+                                   .touch = std::move(bodies.touch),
+                                   .slices = std::move(slices),
+                                   .lowered = origin.lowered,
+                                   .planar = scene.grid.planar,
+                                   .reference = reference,
+                                   .contact_radius = contact_radius,
+                                   .rail_inclination = origin.rail_inclination,
+                                   .structure = origin.structure})};
 }
 
 /// Rows as seen from the wheel before its structure moved it.
@@ -136,42 +166,34 @@ RigidSlip ContactSetup::rigid_slip(const MotionStep& step, const std::vector<Con
 ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& profiles) {
   if (scene.load.approach)
     require_small_approach(*scene.load.approach);
-  WheelOnRail pair = place(scene.position, profiles.rail, profiles.wheel);
-  const double before = pair.wheel_pose.origin.z;
-  ContactLocus locus(pair);
-  std::vector<TouchPoint> touch = lower_to_touch(pair, locus);
-  const double lowered = pair.wheel_pose.origin.z - before;
+  Touching bodies(place(scene.position, profiles.rail, profiles.wheel));
+  const double lowered = bodies.drop();
   const ContactLoad load = load_of(scene, scene.position.vertical ? *scene.position.vertical - lowered
                                                                   : scene.load.approach.value_or(0));
-  ContactSetup out =
-      set_up_touching(scene, std::move(pair), std::move(locus), std::move(touch), lowered, load);
-  std::get<WheelRailGeometry>(out.geometry).rail_inclination = profiles.rail_inclination;
-  return out;
+  return set_up_touching(scene, std::move(bodies), load,
+                         {.lowered = lowered, .rail_inclination = profiles.rail_inclination});
 }
 
 ContactSetup moved(const SceneFile& scene, const ContactSetup& setup, StructuralPlacement by) {
   const WheelRailGeometry& before = *setup.wheel_rail();
-  WheelOnRail pair = moved(before.pair, by);
-  const double height = pair.wheel_pose.origin.z;
-  ContactLocus locus(pair);
-  std::vector<TouchPoint> touch = lower_to_touch(pair, locus);
-  by.lowered = pair.wheel_pose.origin.z - height;
+  Touching bodies(moved(before.pair, by));
+  by.lowered = bodies.drop();
   ContactLoad load = setup.load;
   load.approach -= load.kind == LoadKind::approach ? by.lowered : 0.0;
-  ContactSetup out =
-      set_up_touching(scene, std::move(pair), std::move(locus), std::move(touch), before.lowered, load);
+  ContactSetup out = set_up_touching(
+      scene, std::move(bodies), load,
+      {.lowered = before.lowered, .rail_inclination = before.rail_inclination, .structure = by});
   // What is prescribed need not be the scene's: free rolling is solved with force_x = 0.
   const double rolling_radius = out.motion.creepage.rolling_radius;
   out.motion = setup.motion;
   out.motion.creepage.rolling_radius = rolling_radius;
-  std::get<WheelRailGeometry>(out.geometry).structure = by;
-  std::get<WheelRailGeometry>(out.geometry).rail_inclination = before.rail_inclination;
   return out;
 }
 
 ContactSetup set_up_patch(const SceneFile& scene) {
   ContactSetup out{body_of(scene.rail, scene.folder), body_of(scene.wheel, scene.folder),
-                   load_of(scene, scene.load.approach.value_or(0)), read_motion(scene), read_patch(scene)};
+                   load_of(scene, scene.load.approach.value_or(0)), read_motion(scene),
+                   share(read_patch(scene))};
   require_bearable(out);
   return out;
 }

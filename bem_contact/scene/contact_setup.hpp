@@ -7,6 +7,7 @@
 #include "bem_contact/scene/wheel_rail_geometry.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -36,15 +37,15 @@ struct ContactOnGrid {
 };
 
 /// What a scene asks: who the bodies are, what presses them together, how they move, and how far apart they
-/// are. Both kinds of scene become one; it is complete when it is made.
+/// are. Both kinds of scene become one; it is complete when it is made. Cheap to copy: copies share geometry.
 struct ContactSetup {
   Body rail, wheel; ///< the lower and the upper body
   ContactLoad load;
   Motion motion;
-  std::variant<WheelRailGeometry, PatchGeometry> geometry;
+  std::shared_ptr<const std::variant<WheelRailGeometry, PatchGeometry>> geometry;
 
-  const WheelRailGeometry* wheel_rail() const { return std::get_if<WheelRailGeometry>(&geometry); }
-  const PatchGeometry* patch() const { return std::get_if<PatchGeometry>(&geometry); }
+  const WheelRailGeometry* wheel_rail() const { return std::get_if<WheelRailGeometry>(geometry.get()); }
+  const PatchGeometry* patch() const { return std::get_if<PatchGeometry>(geometry.get()); }
   /// Where creepages and moments refer to; of a patch: the middle of the grid.
   ReferencePoint reference() const { return wheel_rail() ? wheel_rail()->reference : ReferencePoint{}; }
   /// For plane strain, where displacements are only known up to a constant: they vanish at this distance from

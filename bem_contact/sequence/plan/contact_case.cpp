@@ -73,13 +73,15 @@ ContactCase prepare_case(const SceneFile& scene, SequenceFiles& files, PrepareOp
   ContactCase out{scene,
                   patch ? set_up_patch(scene) : set_up_contact(scene, files.profiles(scene)),
                   {},
-                  std::nullopt,
+                  nullptr,
                   options.own_shape,
                   options.lateral_force};
   if (!patch)
-    out.estimate = estimate_contact(out.setup, options.foresee_shear);
-  const bool needed = options.read_influence || scene.solver.model == Model::fem || foresees_fem(out);
-  return needed ? with_influence(std::move(out), files) : out;
+    out.estimate =
+        std::make_shared<const ContactEstimate>(estimate_contact(out.setup, options.foresee_shear));
+  if (options.read_influence || scene.solver.model == Model::fem || foresees_fem(out))
+    return with_influence(std::move(out), files);
+  return out;
 }
 
 ContactCase with_influence(ContactCase asked, SequenceFiles& files) {

@@ -4,18 +4,18 @@
 #include "bem_contact/sequence/numbers/sequence_files.hpp"
 #include "bem_contact/sequence/plan/contact_estimate.hpp"
 
-#include <optional>
+#include <memory>
 
 namespace bem_contact {
 
-/// A scene with all that has to be known before a grid is planned. Complete when it is made.
+/// A scene with all that has to be known before a grid is planned. Complete when it is made, cheap to copy.
 struct ContactCase {
   SceneFile scene;
   ContactSetup setup;
   PairFiles files;
-  std::optional<ContactEstimate> estimate; ///< of a wheel on a rail
-  bool own_shape = true;                   ///< influence files must be of the scene's own profiles
-  bool lateral_force = false;              ///< the lateral displacement is found for a force, and not given
+  std::shared_ptr<const ContactEstimate> estimate; ///< of a wheel on a rail
+  bool own_shape = true;                           ///< influence files must be of the scene's own profiles
+  bool lateral_force = false; ///< the lateral displacement is found for a force, and not given
 };
 
 struct PrepareOptions {

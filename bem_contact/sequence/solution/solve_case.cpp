@@ -151,8 +151,10 @@ FirstContact first_contact(const ContactCase& asked, Model model, const SceneFil
 /// By the estimate; in plane strain, which has none, by the normal problem with half-space numbers.
 ContactTraits foreseen_traits(const ContactCase& asked, const ContactOnGrid& contact,
                               const SolveResources& resources) {
+  if (asked.estimate)
+    return traits_of(asked, *asked.estimate);
   const double compliance = contact_compliance(asked.setup.rail.material, asked.setup.wheel.material);
-  if (const auto estimate = asked.estimate ? asked.estimate : estimate_contact(contact.problem, compliance))
+  if (const auto estimate = estimate_contact(contact.problem, compliance))
     return traits_of(asked, *estimate);
   const GridSolution normal =
       solve_on_growing_grid(asked, contact, {Model::halfspace, true}, resources, false);

@@ -150,7 +150,7 @@ double change_between(const StructuralResult& a, const StructuralResult& b) {
 ContactCase placed_case(const ContactCase& asked, const StructuralPlacement& by) {
   ContactCase out = asked;
   out.setup = moved(asked.scene, asked.setup, by);
-  out.estimate = estimate_contact(out.setup, true);
+  out.estimate = std::make_shared<const ContactEstimate>(estimate_contact(out.setup, true));
   out.setup.load = asked.setup.load; // the approach is counted from where the scene puts the bodies
   return out;
 }
