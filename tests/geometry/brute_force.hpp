@@ -35,7 +35,8 @@ public:
   std::vector<Minimum> search(const WheelsetPosition& position, const WheelOnRail& pair, double band) {
     stand(position, pair);
     const int n = static_cast<int>(profile_.size());
-    std::vector<double> h(static_cast<std::size_t>(n) * angles, infinite);
+    std::vector<double>& h = raster_;
+    h.assign(static_cast<std::size_t>(n) * angles, infinite);
     double lowest = infinite;
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < angles; ++j) {
@@ -100,9 +101,9 @@ private:
     roll_ = side * position.roll, yaw_ = side * position.yaw, lateral_ = side * position.lateral;
     arm_ = position.back_to_back / 2 + 70, radius_ = position.wheel_radius;
     // As a height on a regular raster of y, from the points that are seen from above.
-    std::vector<Point2> p;
-    for (const Point2& q : rail_)
-      p.push_back(pair.rail_pose.to_track(q));
+    std::vector<Point2>& p = placed_;
+    p.resize(rail_.size());
+    std::ranges::transform(rail_, p.begin(), [&](const Point2& q) { return pair.rail_pose.to_track(q); });
     const auto [lo, hi] = std::ranges::minmax(p, {}, &Point2::y);
     y0_ = lo.y;
     height_.assign(static_cast<std::size_t>((hi.y - lo.y) / dy) + 1, infinite);
@@ -166,6 +167,9 @@ private:
   std::vector<CurvePoint> profile_;
   double roll_ = 0, yaw_ = 0, lateral_ = 0, arm_ = 0, radius_ = 0, y0_ = 0;
   std::vector<double> height_;
+  // Scratch, kept: they are large, and fresh memory is dear.
+  std::vector<Point2> placed_;
+  std::vector<double> raster_;
 };
 
 } // namespace bem_contact

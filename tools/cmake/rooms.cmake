@@ -65,11 +65,20 @@ if(CONFORMAL_TESTS)
     <algorithm> <cmath> <filesystem> <fstream> <string> <vector> <fmt/format.h> <gmock/gmock.h>)
 endif()
 
-# conformal_test(<name> SOURCES ... [SOLVERS ...] ROOMS ... [LIBRARIES ...]): one GoogleTest program a room.
+# Tests that start the program hundreds of times with what it refuses. Leaks are looked for where it goes on: the
+# search takes two fifths of a start.
+function(conformal_many_starts)
+  if(CONFORMAL_SANITIZE)
+    set_property(TEST ${ARGN} APPEND PROPERTY ENVIRONMENT_MODIFICATION ASAN_OPTIONS=set:detect_leaks=0)
+  endif()
+endfunction()
+
+# conformal_test(<name> [TOGETHER] SOURCES ... [SOLVERS ...] ROOMS ... [LIBRARIES ...]): one GoogleTest program a room.
+#   TOGETHER   all its tests in one process: loading deal.II or gmsh for each takes 0.4 s
 #   SOLVERS    sources that compute much themselves. The others are hardly optimised: they call the rooms,
 #              and compile in two thirds of the time.
 function(conformal_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;SOLVERS;ROOMS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "TOGETHER" "" "SOURCES;SOLVERS;ROOMS;LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES} ${ARG_SOLVERS})
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   if(ARG_SOLVERS)
@@ -84,8 +93,8 @@ function(conformal_test name)
   target_compile_definitions(${name} PRIVATE
     CONFORMAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     CONFORMAL_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  if(CONFORMAL_SANITIZE AND CONFORMAL_SANITIZERS MATCHES "address")
-    # One process for all tests of a program: starting one for each took a third of the time of these tests.
+  if(ARG_TOGETHER OR (CONFORMAL_SANITIZE AND CONFORMAL_SANITIZERS MATCHES "address"))
+    # Under sanitizers starting a process for each test took a third of the time of these tests.
     # COST: those with many sources take long and begin first, so that none runs alone at the end.
     list(LENGTH ARG_SOURCES cost)
     add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
