@@ -69,15 +69,15 @@ ContactSetup set_up_touching(const SceneFile& scene, Touching bodies, const Cont
   const double contact_radius = centre ? centre->rolling_radius : pair.wheel_radius;
   return {body_of(scene.rail, scene.folder), body_of(scene.wheel, scene.folder), load, std::move(motion),
           share(WheelRailGeometry{.pair = std::move(bodies.pair),
-                                   .locus = std::move(bodies.locus),
-                                   .touch = std::move(bodies.touch),
-                                   .slices = std::move(slices),
-                                   .lowered = origin.lowered,
-                                   .planar = scene.grid.planar,
-                                   .reference = reference,
-                                   .contact_radius = contact_radius,
-                                   .rail_inclination = origin.rail_inclination,
-                                   .structure = origin.structure})};
+                                  .locus = std::move(bodies.locus),
+                                  .touch = std::move(bodies.touch),
+                                  .slices = std::move(slices),
+                                  .lowered = origin.lowered,
+                                  .planar = scene.grid.planar,
+                                  .reference = reference,
+                                  .contact_radius = contact_radius,
+                                  .rail_inclination = origin.rail_inclination,
+                                  .structure = origin.structure})};
 }
 
 /// Rows as seen from the wheel before its structure moved it.
