@@ -110,6 +110,9 @@ BEM_CONTACT_TUNED(double, moment_elongation, 0.95);
 /// 1. The third part of the normal force of a patch. Shear changes this force where normals turn within the
 /// contact.
 BEM_CONTACT_TUNED(double, normal_adhesion, 0.6);
+/// 1. The pressure changes it there too: by this share of what its sum exceeds its resultant by, divided by
+/// the number of elements in contact.
+BEM_CONTACT_TUNED(double, normal_bent, 0.15);
 /// 1. Fy has an error from the direction of the pressure too: this share of the pressure beside its mean
 /// direction, divided by the number of elements in contact. The border of the contact is known to a part of
 /// an element only.

@@ -67,6 +67,23 @@ TEST_P(Persson, ByTangentPlaneNumbers) {
 INSTANTIATE_TEST_SUITE_P(HalfAngles, Persson, testing::Values(10, 20, 30, 45, 60),
                          [](const auto& test) { return std::to_string(static_cast<int>(test.param)); });
 
+/// The vertical force is prescribed, and the normal force is larger: the more the normals turn.
+TEST(Conformal, TheStatedErrorOfTheNormalForceHolds) {
+  int cases = 0, held = 0;
+  for (const double half_angle : {0.2, 0.5, 0.9})
+    for (int count = 54; count <= 126; count += 6) {
+      const ContactResult result = solve(pin_in_hole(half_angle, count));
+      const ContactResult fine =
+          solve(pin_in_hole(half_angle, 4 * count), {.estimate_discretisation = false});
+      ASSERT_TRUE(result.converged && result.discretisation && fine.converged) << count;
+      const double error = result.discretisation->patches.at(0).fn;
+      EXPECT_LT(error, 1e-3 * result.patches[0].fn) << count;
+      ++cases;
+      held += std::abs(result.patches[0].fn - fine.patches[0].fn) <= error;
+    }
+  EXPECT_GE(held, 0.95 * cases) << cases;
+}
+
 /// Ball and seat are bodies of revolution about the normal, not about an axis across it. Under an
 /// axisymmetric pressure a row of the strip is a ring, and rings of equal area make what the solver needs of
 /// it: one area for all elements, symmetric numbers, cos(delta) whose sum over the area is the vertical

@@ -131,11 +131,12 @@ PatchErrors patch_errors(const Region& fine, const Region& coarse, double roughn
 }
 
 /// Of the normal force of a patch. Where the vertical force is prescribed, so is sum p_n dS + slope Fs but
-/// for what turns within the contact. `fs`: error of Fs.
+/// for what turns within the contact: shear, and the pressure itself. `fs`: error of Fs.
 double normal_error(const Region& fine, const Region& coarse, const ShearEffects& effects, double fs,
                     const Region& contact) {
   const double change = fine.fn - coarse.fn + effects.slope * (fine.fs.total - coarse.fs.total);
-  return std::hypot(effects.slope * fs, shear_error(change, effects.fn, contact, normal_adhesion));
+  return std::hypot(effects.slope * fs, shear_error(change, effects.fn, contact, normal_adhesion)) +
+         normal_bent * effects.bent / contact.contact;
 }
 
 /// Of Fy: by shear, and by the direction of the pressure. Where Fz and Fs are prescribed, nothing else can

@@ -185,6 +185,7 @@ ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult
     fz.push_back(part(made_up ? 0.0 : fs * sine));
     fn.push_back(part(made_up ? fs * aside : 0.0));
     out.turned += result.pn[i] * dS * std::abs(aside) / std::cos(mean);
+    out.bent += result.pn[i] * dS * (1 - std::cos(row.delta - mean));
   }
   out.fy = sum_of(fy);
   out.fz = sum_of(fz);

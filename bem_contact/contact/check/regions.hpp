@@ -75,6 +75,7 @@ struct ShearEffects {
   double slope = 0;    ///< what sum p_n dS falls by with Fs: tan of the pressure's mean direction
   UncertainSum fn;     ///< and what it falls by beside that, because normals turn within the contact, N
   double turned = 0;   ///< pressure beside its mean direction, sum of |p_n| sin dS over cos of that one, N
+  double bent = 0;     ///< by how much sum p_n dS exceeds the resultant of the pressure, N
 };
 
 ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult& result);
