@@ -1,5 +1,6 @@
 #include "bem_contact/contact/normal/active_set.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/contact/normal/settings.hpp"
 
 #include <algorithm>
@@ -203,7 +204,7 @@ bool ActiveSet::run() {
       return false;
     }
   }
-  state_.remark = "active set: no answer in " + std::to_string(options_.max_normal) + " steps";
+  state_.remark = "active set: no answer in " + counted(options_.max_normal, "step", "steps");
   return false;
 }
 

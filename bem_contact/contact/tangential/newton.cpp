@@ -1,5 +1,6 @@
 #include "bem_contact/contact/tangential/newton.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/contact/tangential/newton_matrix.hpp"
 #include "bem_contact/contact/tangential/row_sweeps.hpp"
 #include "bem_contact/contact/tangential/settings.hpp"
@@ -187,7 +188,7 @@ void newton(const TangentialSystem& system, const TangentialTask& task, const So
         std::min(coarsest_newton_forcing, newton_end_forcing * options.tolerance / state.violation), state);
   }
   if (!state.converged)
-    state.remark += "Newton: no answer in " + std::to_string(steps) + " steps; ";
+    state.remark += "Newton: no answer in " + counted(steps, "step", "steps") + "; ";
 }
 
 void add_creepage(const TangentialSystem& system, const VectorXd& share, const Eigen::Vector2d& creepage,
