@@ -140,12 +140,12 @@ void write_entries(hid_t root, const H5Table& table, const std::filesystem::path
   }
 }
 
-bool read_entry(hid_t root, const std::string& path, bool wanted, H5Table& table) {
+bool read_entry(hid_t root, const std::string& path, H5Table& table) {
   const H5Handle object(H5Oopen(root, path.c_str(), H5P_DEFAULT), H5Oclose);
   if (object < 0)
     return false;
   const H5I_type_t kind = H5Iget_type(object);
-  if (kind == H5I_DATASET && wanted)
+  if (kind == H5I_DATASET)
     return read_dataset(object, path, table);
   if (kind == H5I_GROUP) {
     for (const std::string& name : attribute_names(object))

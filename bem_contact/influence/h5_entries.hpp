@@ -16,8 +16,8 @@ void check_writing(bool success, const std::filesystem::path& file, const std::s
 /// Writes all datasets, texts and attributes; groups come into being with them. `file` is for messages.
 void write_entries(hid_t root, const H5Table& table, const std::filesystem::path& file);
 
-/// Adds the entry at `path` to `table`: a dataset of numbers or one text, if it is wanted, or the attributes
-/// of a group. False where HDF5 fails.
-bool read_entry(hid_t root, const std::string& path, bool wanted, H5Table& table);
+/// Adds the entry at `path` to `table`: a dataset of numbers or one text, or the attributes of a group. False
+/// where HDF5 fails.
+bool read_entry(hid_t root, const std::string& path, H5Table& table);
 
 } // namespace bem_contact

@@ -28,15 +28,20 @@ H5Table read_paths(const std::filesystem::path& file, const std::function<bool(c
                      file_exists(file) ? "Name a file, such as wear.h5 in the folder of bem_contact wear."
                                        : "Check the path.");
   const H5Handle root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  std::vector<std::string> paths;
-  const auto add = [](hid_t, const char* name, const H5O_info_t*, void* data) -> herr_t {
-    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+  struct Found {
+    std::string path;
+    bool group;
+  };
+  std::vector<Found> found;
+  const auto add = [](hid_t, const char* name, const H5O_info_t* info, void* data) -> herr_t {
+    static_cast<std::vector<Found>*>(data)->push_back({name, info->type == H5O_TYPE_GROUP});
     return 0;
   };
-  bool whole = root >= 0 && H5Ovisit2(root, H5_INDEX_NAME, H5_ITER_INC, add, &paths, H5O_INFO_BASIC) >= 0;
+  bool whole = root >= 0 && H5Ovisit2(root, H5_INDEX_NAME, H5_ITER_INC, add, &found, H5O_INFO_BASIC) >= 0;
   H5Table table;
-  for (const std::string& path : paths)
-    whole = whole && read_entry(root, path, wanted(path), table);
+  for (const auto& [path, group] : found)
+    if (group || wanted(path)) // to open what is not wanted took as long as to visit it
+      whole = whole && read_entry(root, path, table);
   if (!whole)
     throw InputError("The file '" + file.string() + "' cannot be read", "it is not HDF5, or truncated",
                      "Name a result or an influence file, or make it again.");
