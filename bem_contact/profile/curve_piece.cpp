@@ -2,6 +2,8 @@
 
 #include "bem_contact/profile/settings.hpp"
 
+#include <boost/math/quadrature/gauss.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,12 +13,6 @@ namespace bem_contact {
 namespace {
 
 using std::numbers::pi;
-
-// Gauss-Legendre, 10 points on (-1, 1).
-constexpr std::array<double, 5> gauss_x{0.1488743389816312, 0.4333953941292472, 0.6794095682990244,
-                                        0.8650633666889845, 0.9739065285171717};
-constexpr std::array<double, 5> gauss_w{0.2955242247147529, 0.2692667193099963, 0.2190863625159820,
-                                        0.1494513491505806, 0.0666713443086881};
 
 double sinc(double x) {
   return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x;
@@ -41,10 +37,7 @@ double speed(const CurvePiece& c, double t) {
 }
 
 double arc_length(const CurvePiece& c, double t) {
-  double sum = 0;
-  for (std::size_t i = 0; i < gauss_x.size(); ++i)
-    sum += gauss_w[i] * (speed(c, t / 2 * (1 - gauss_x[i])) + speed(c, t / 2 * (1 + gauss_x[i])));
-  return t / 2 * sum;
+  return boost::math::quadrature::gauss<double, 10>::integrate([&](double u) { return speed(c, u); }, 0.0, t);
 }
 
 double parameter_at(const CurvePiece& c, double along) {
