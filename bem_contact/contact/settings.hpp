@@ -111,7 +111,8 @@ BEM_CONTACT_TUNED(double, moment_elongation, 0.95);
 /// contact.
 BEM_CONTACT_TUNED(double, normal_adhesion, 0.6);
 /// 1. The pressure changes it there too: by this share of what its sum exceeds its resultant by, divided by
-/// the number of elements in contact.
+/// the number of elements in contact. Chosen on columns without friction: "one column" of
+/// tools/benchmarks/estimates, seeds 291, 301 and 311.
 BEM_CONTACT_TUNED(double, normal_bent, 0.15);
 /// 1. Fy has an error from the direction of the pressure too: this share of the pressure beside its mean
 /// direction, divided by the number of elements in contact. The border of the contact is known to a part of

@@ -31,7 +31,8 @@ template <class Geometry> auto share(Geometry geometry) {
   return std::make_shared<const std::variant<WheelRailGeometry, PatchGeometry>>(std::move(geometry));
 }
 
-/// The wheel of a pair, lowered until it touches.
+/// The wheel of a pair, lowered until it touches. The members are made in this order: the last one lowers
+/// pair and locus.
 struct Touching {
   WheelOnRail pair;
   double from = pair.wheel_pose.origin.z;
@@ -41,7 +42,7 @@ struct Touching {
   double drop() const { return pair.wheel_pose.origin.z - from; }
 };
 
-/// Where the bodies come from: WheelRailGeometry's members of these names.
+/// What is known of the bodies before they touch: WheelRailGeometry's members of these names.
 struct Origin {
   double lowered = 0;
   double rail_inclination = 0;

@@ -65,8 +65,8 @@ if(CONFORMAL_TESTS)
     <algorithm> <cmath> <filesystem> <fstream> <string> <vector> <fmt/format.h> <gmock/gmock.h>)
 endif()
 
-# Tests that start the program hundreds of times with what it refuses. Leaks are looked for where it goes on: the
-# search takes two fifths of a start.
+# For tests that start the program hundreds of times with input that it refuses. Under sanitizers they do not search for
+# leaks, because that takes two fifths of each start. All other tests do.
 function(conformal_many_starts)
   if(CONFORMAL_SANITIZE)
     set_property(TEST ${ARGN} APPEND PROPERTY ENVIRONMENT_MODIFICATION ASAN_OPTIONS=set:detect_leaks=0)
