@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 using namespace bem_contact;
 
 /// What a handle points to; nothing changes it.
@@ -110,9 +112,9 @@ int conformal_table_creep_forces(const conformal_table* handle, const double ell
         {ellipse[CONFORMAL_ELLIPSE_A], ellipse[CONFORMAL_ELLIPSE_B], ellipse[CONFORMAL_ELLIPSE_MODULUS],
          ellipse[CONFORMAL_ELLIPSE_BOUND]},
         ellipse[CONFORMAL_ELLIPSE_XI], ellipse[CONFORMAL_ELLIPSE_ETA], ellipse[CONFORMAL_ELLIPSE_PHI]);
-    std::ranges::copy(std::initializer_list{f.Fx, f.Fy, f.Mz}, forces);
+    std::ranges::copy(std::array{f.Fx, f.Fy, f.Mz}, forces);
     if (errors)
-      std::ranges::copy(std::initializer_list{f.Fx_error, f.Fy_error, f.Mz_error}, errors);
+      std::ranges::copy(std::array{f.Fx_error, f.Fy_error, f.Mz_error}, errors);
   });
 }
 

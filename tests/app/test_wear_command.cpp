@@ -220,7 +220,7 @@ TEST_F(WearCommand, FatigueHasALineForEachPatch) {
   EXPECT_EQ(json.at("patches").at("patch").at(0), 1);
   for (const auto& [name, values] : json.at("patches").items()) {
     EXPECT_EQ(file.datasets.at("patches/" + name).values, values.get<std::vector<double>>()) << name;
-    EXPECT_EQ(file.datasets.at("patches/" + name).unit, json.at("units").at(name)) << name;
+    EXPECT_EQ(file.datasets.at("patches/" + name).unit, json.at("units").at(name).get<std::string>()) << name;
   }
   const auto& index = file.datasets.at("patches/FI_surf").values;
   EXPECT_EQ(std::ranges::count_if(index, [](double f) { return f > 0; }), json.at("beyond_surface_limit"));

@@ -69,7 +69,7 @@ endif()
 # leaks, because that takes two fifths of each start. All other tests do.
 function(conformal_many_starts)
   if(CONFORMAL_SANITIZE)
-    set_property(TEST ${ARGN} APPEND PROPERTY ENVIRONMENT_MODIFICATION ASAN_OPTIONS=set:detect_leaks=0)
+    set_property(TEST ${ARGN} APPEND PROPERTY ENVIRONMENT_MODIFICATION ASAN_OPTIONS=string_append::detect_leaks=0)
   endif()
 endfunction()
 
