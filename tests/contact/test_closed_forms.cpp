@@ -51,9 +51,9 @@ TEST(ClosedForms, SteuermannsQuartic) {
 /// size to size: c^2 = area in contact / pi, and the mean over four positions of the grid on the ellipse, an
 /// eighth and three eighths of an element off in x and in s. By the ellipse's symmetries (a mirror in x
 /// exchanges C23 of spin and of creepage) that is as good as sixteen, at all eighths.
-using Coefficients = std::array<double, 4>; // C11, C22, C23, C33
+using FourCoefficients = std::array<double, 4>; // C11, C22, C23, C33
 
-Coefficients mean_coefficients(double a_over_b, double poisson, int across) {
+FourCoefficients mean_coefficients(double a_over_b, double poisson, int across) {
   const Material material{1, poisson};
   const double modulus = reference::contact_modulus(material, material), unit = 1e-4;
   // Hertz: the ratio of curvatures that gives the ratio of semi-axes, then the force that gives their size
@@ -68,7 +68,7 @@ Coefficients mean_coefficients(double a_over_b, double poisson, int across) {
   const int n = across * 11 / 10 + 2;
   SolverOptions options;
   options.estimate_discretisation = false;
-  Coefficients mean{};
+  FourCoefficients mean{};
   ContactProblem problem = scenes::flat(material, material, n, n, 2 * a / across, 2 * b / across, 0, 0);
   problem.force = force;
   const ContactProblem centred = problem;
@@ -90,28 +90,28 @@ Coefficients mean_coefficients(double a_over_b, double poisson, int across) {
     }
     const auto& [along, lateral, spin] = rolled;
     const double cc = along.patches[0].area / std::numbers::pi, c = std::sqrt(cc);
-    const Coefficients values{along.Fx / (cc * unit), lateral.Fy / (cc * unit),
-                              0.5 * (spin.Fy - lateral.Mz) / (cc * c * unit), spin.Mz / (cc * cc * unit)};
+    const FourCoefficients values{along.Fx / (cc * unit), lateral.Fy / (cc * unit),
+                                  0.5 * (spin.Fy - lateral.Mz) / (cc * c * unit), spin.Mz / (cc * cc * unit)};
     for (std::size_t i = 0; i < 4; ++i)
       mean[i] += values[i] / 4;
   }
   return mean;
 }
 
-struct Ellipse {
+struct ContactEllipse {
   double a_over_b, poisson;
 };
-struct KalkersCoefficients : testing::TestWithParam<Ellipse> {};
+struct KalkersCoefficients : testing::TestWithParam<ContactEllipse> {};
 
 /// Against the linear theory, a method of its own: the error is of first order, and three sizes leave of it,
 /// with terms of first and second order taken off, less than .1 % (C33: .5 %).
 TEST_P(KalkersCoefficients, WithinHalfAPercentExtrapolated) {
   const auto& [a_over_b, poisson] = GetParam();
   const reference::CreepCoefficients k = reference::creep_coefficients(a_over_b, poisson);
-  const Coefficients exact{k.c11, k.c22, k.c23, k.c33};
-  const Coefficients coarse = mean_coefficients(a_over_b, poisson, 20),
-                     middle = mean_coefficients(a_over_b, poisson, 40),
-                     fine = mean_coefficients(a_over_b, poisson, 80);
+  const FourCoefficients exact{k.c11, k.c22, k.c23, k.c33};
+  const FourCoefficients coarse = mean_coefficients(a_over_b, poisson, 20),
+                         middle = mean_coefficients(a_over_b, poisson, 40),
+                         fine = mean_coefficients(a_over_b, poisson, 80);
   double coarse_error = 0, middle_error = 0, fine_error = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const double limit = (8 * fine[i] - 6 * middle[i] + coarse[i]) / 3;
@@ -125,10 +125,11 @@ TEST_P(KalkersCoefficients, WithinHalfAPercentExtrapolated) {
 }
 
 #ifdef __SANITIZE_ADDRESS__
-const auto ellipses = testing::Values(Ellipse{2, 0.25}); // slow there
+const auto ellipses = testing::Values(ContactEllipse{2, 0.25}); // slow there
 #else
-const auto ellipses = testing::Values(Ellipse{2, 0.25}, Ellipse{1, 0}, Ellipse{1, 0.25}, Ellipse{1, 0.28},
-                                      Ellipse{1, 0.5}, Ellipse{0.5, 0.25});
+const auto ellipses =
+    testing::Values(ContactEllipse{2, 0.25}, ContactEllipse{1, 0}, ContactEllipse{1, 0.25},
+                    ContactEllipse{1, 0.28}, ContactEllipse{1, 0.5}, ContactEllipse{0.5, 0.25});
 #endif
 INSTANTIATE_TEST_SUITE_P(References, KalkersCoefficients, ellipses,
                          [](const auto& test) { return "point" + std::to_string(test.index); });

@@ -21,14 +21,14 @@ namespace {
 
 using namespace bem_contact;
 
-const std::string files = CONFORMAL_SOURCE_DIR "/data/influence/";
+const std::string influence_files = CONFORMAL_SOURCE_DIR "/data/influence/";
 
 SceneFile s1002_on_60e1(Model model, const std::string& more) {
   return with_model(
       parse_scene_file(
           fmt::format("rail.profile = '60E1'\nwheel.profile = 'S1002'\nrail.influence = '{0}small_rail.h5'\n"
                       "wheel.influence = '{0}small_wheel.h5'\nmotion.free_rolling = false\n{1}",
-                      files, more)),
+                      influence_files, more)),
       model);
 }
 
@@ -85,10 +85,11 @@ void expect_same_tractions(const GridSolution& part, const GridSolution& whole) 
   EXPECT_EQ(outside, 0);
 }
 
-const std::string gauge_corner = "position.lateral = 7.1\nload.force = 1e5\ngrid = { dx = 0.5, ds = 0.1 }\n";
+const std::string at_the_gauge_corner =
+    "position.lateral = 7.1\nload.force = 1e5\ngrid = { dx = 0.5, ds = 0.1 }\n";
 
 TEST(TrimPlan, TheContactIsThatOfTheWholeGrid) {
-  const TrimmedAndWhole t = trim(s1002_on_60e1(Model::fem, gauge_corner));
+  const TrimmedAndWhole t = trim(s1002_on_60e1(Model::fem, at_the_gauge_corner));
   EXPECT_LT(t.needed.plan.rows, 0.75 * t.plan.rows);
   expect_same_tractions(t.solved_on(t.needed.plan), t.solved_on(t.plan));
 }
@@ -107,8 +108,8 @@ TEST(TrimPlan, ASecondAreaStays) {
 
 TEST(TrimPlan, EveryStepOfAHistoryFits) {
   const TrimmedAndWhole t = trim(s1002_on_60e1(
-      Model::fem,
-      gauge_corner + "motion.kind = 'shift'\nmotion.xi = 0.01\nmotion.eta = -0.02\nmotion.steps = 3\n"));
+      Model::fem, at_the_gauge_corner +
+                      "motion.kind = 'shift'\nmotion.xi = 0.01\nmotion.eta = -0.02\nmotion.steps = 3\n"));
   EXPECT_LT(t.needed.plan.rows, 0.75 * t.plan.rows);
   const GridSolution part = t.solved_on(t.needed.plan), whole = t.solved_on(t.plan);
   ASSERT_EQ(part.history.size(), 3u);
@@ -118,7 +119,7 @@ TEST(TrimPlan, EveryStepOfAHistoryFits) {
 }
 
 TEST(TrimPlan, AFormerSolutionOfTheSameContactSavesTheRoughOne) {
-  const SceneFile scene = s1002_on_60e1(Model::fem, gauge_corner);
+  const SceneFile scene = s1002_on_60e1(Model::fem, at_the_gauge_corner);
   const TrimmedAndWhole t = trim(scene);
   const GridSolution solved = t.solved_on(t.needed.plan);
   FormerSolution former =

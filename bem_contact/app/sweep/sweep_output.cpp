@@ -70,7 +70,7 @@ void SweepOutput::add_axes(H5Table& table, const std::string& group,
     std::string description = text ? "which of" : "swept over";
     for (const SchemaValue& value : axis.values)
       if (text)
-        description.append(" ").append(to_text(value));
+        description.append(" ").append(bem_contact::to_text(value));
     table.datasets[group + axis.key] =
         H5Dataset::line(std::move(values), unit_of_key(axis.key), std::move(description));
   }
@@ -207,7 +207,7 @@ void print_axes(std::ostream& out, const SweepFile& sweep) {
 void print_changes(std::ostream& out, const SweepFile& sweep, std::size_t i) {
   for (const SceneChange& change : sweep.changes(i)) {
     const auto* text = std::get_if<std::string>(&change.value);
-    fmt::print(out, ",{}", text ? quoted(*text) : to_text(change.value));
+    fmt::print(out, ",{}", text ? quoted(*text) : bem_contact::to_text(change.value));
   }
   if (!sweep.weights.empty())
     fmt::print(out, ",{}", sweep.weight(i));

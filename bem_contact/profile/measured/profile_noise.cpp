@@ -23,19 +23,20 @@ double deviation(std::span<const Point2> p) {
   if (half == 0)
     return 0;
   const Point2 along = (0.5 / half) * chord, across{-along.z, along.y};
-  Eigen::Matrix<double, Eigen::Dynamic, 4> powers(p.size(), 4);
-  Eigen::VectorXd height(p.size());
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double u = dot(p[i] - middle, along) / half;
+  // The middle lies at u = 0 and height 0. Two cubics are fitted: to the heights, and to a point at 1 in the
+  // middle.
+  const auto n = static_cast<Eigen::Index>(p.size());
+  Eigen::MatrixXd powers(n, 4), heights = Eigen::MatrixXd::Zero(n, 2);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Point2 at = p[static_cast<std::size_t>(i)] - middle;
+    const double u = dot(at, along) / half;
     powers.row(i) << 1, u, u * u, u * u * u;
-    height[i] = dot(p[i] - middle, across);
+    heights(i, 0) = dot(at, across);
   }
-  // The middle lies at u = 0 and height 0: the fit there is the first coefficient, a weighted sum of the
-  // heights.
-  const Eigen::Matrix<double, 4, Eigen::Dynamic> inverse =
-      powers.completeOrthogonalDecomposition().pseudoInverse();
-  const double kept = 1 - inverse(0, noise_neighbours);
-  return kept > 0 ? std::abs(inverse.row(0).dot(height)) / std::sqrt(kept) : 0;
+  heights(noise_neighbours, 1) = 1;
+  const Eigen::MatrixXd fit = powers.colPivHouseholderQr().solve(heights);
+  const double kept = 1 - fit(0, 1);
+  return kept > 0 ? std::abs(fit(0, 0)) / std::sqrt(kept) : 0;
 }
 
 } // namespace
