@@ -66,11 +66,9 @@ if(CONFORMAL_TESTS)
 endif()
 
 # For tests that start the program hundreds of times with input that it refuses. Under sanitizers they do not search for
-# leaks, because that takes two fifths of each start. All other tests do. And of inputs that differ in a name alone
-# they try each third.
+# leaks, because that takes two fifths of each start. All other tests do.
 function(conformal_many_starts)
   if(CONFORMAL_SANITIZE)
-    set_property(TEST ${ARGN} APPEND PROPERTY ENVIRONMENT CONFORMAL_EVERY=3)
     set_property(TEST ${ARGN} APPEND PROPERTY ENVIRONMENT_MODIFICATION ASAN_OPTIONS=string_append::detect_leaks=0)
   endif()
 endfunction()
