@@ -25,7 +25,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 /// A small block with few wavenumbers: a second or so.
-BodyFile small_block() {
+BodyFile flat_block() {
   BodyFile body;
   body.body.kind = BodyKind::block;
   body.body.size = 40;
@@ -53,7 +53,7 @@ class Run : public ::testing::Test {
 protected:
   void SetUp() override { write_block_mesh(folder_ / "block.msh", 0.25, 2, 40); }
   std::string error_of(const std::string& mesh, const std::string& output = "out.h5",
-                       const BodyFile& body = small_block()) {
+                       const BodyFile& body = flat_block()) {
     return message_of([&] { run_harmonic(body, straight_line(40), folder_ / mesh, folder_ / output); });
   }
   Folder folder_;
@@ -61,7 +61,7 @@ protected:
 
 TEST_F(Run, flat_block_gives_the_halfspace_numbers_and_knows_their_error) {
   // Self and differences to 10 patch sizes along x and s, all nine components.
-  BodyFile body = small_block();
+  BodyFile body = flat_block();
   body.strip = {-3, 3, 0.5};
   body.body.size = 100;
   body.harmonic = {
@@ -106,7 +106,7 @@ TEST_F(Run, flat_block_gives_the_halfspace_numbers_and_knows_their_error) {
 TEST_F(Run, a_body_twice_as_large_has_the_same_numbers_without_its_structural_motion) {
   std::vector<double> last;
   for (const double size : {100.0, 200.0}) {
-    BodyFile body = small_block();
+    BodyFile body = flat_block();
     body.body.size = size;
     body.harmonic = {.degree = 2, .border_levels = 2, .half_period = 6 * size, .shortest_dx = 0.5};
     body.harmonic.remote_distance = 20;
@@ -130,7 +130,7 @@ TEST_F(Run, a_body_twice_as_large_has_the_same_numbers_without_its_structural_mo
 }
 
 TEST_F(Run, a_stopped_run_goes_on_and_gives_the_same_file) {
-  const BodyFile body = small_block();
+  const BodyFile body = flat_block();
   const ProfileCurve curve = straight_line(40);
   const auto whole = folder_ / "whole.h5", stopped = folder_ / "stopped.h5";
   const RunReport first = run_harmonic(body, curve, folder_ / "block.msh", whole);
@@ -151,7 +151,7 @@ TEST_F(Run, a_stopped_run_goes_on_and_gives_the_same_file) {
 }
 
 TEST_F(Run, finished_wavenumbers_of_another_material_are_refused_and_kept) {
-  BodyFile body = small_block();
+  BodyFile body = flat_block();
   struct Stop {};
   const auto stop = [](std::size_t done, std::size_t) {
     if (done == 2)
@@ -167,7 +167,7 @@ TEST_F(Run, finished_wavenumbers_of_another_material_are_refused_and_kept) {
     EXPECT_THAT(error.what(),
                 AllOf(HasSubstr("holds finished wavenumbers of another body"), HasSubstr("remove it")));
   }
-  body = small_block();
+  body = flat_block();
   EXPECT_GT(run_harmonic(body, curve, folder_ / "block.msh", folder_ / "out.h5").resumed, 0u);
 }
 
@@ -212,7 +212,7 @@ TEST_F(Run, says_what_is_wrong_with_a_mesh) {
 }
 
 TEST_F(Run, refuses_a_strip_that_does_not_match_the_mesh) {
-  BodyFile body = small_block();
+  BodyFile body = flat_block();
   body.strip = {-2.4, 2.4, 0.6};
   EXPECT_THAT(error_of("block.msh", "out.h5", body), HasSubstr("The mesh does not match the strip"));
   body.strip = {-2.5, 2.5, 0.5};
@@ -222,18 +222,18 @@ TEST_F(Run, refuses_a_strip_that_does_not_match_the_mesh) {
   EXPECT_THAT(error_of("block.msh", "out.h5", body), HasSubstr("is not on profile straight line"));
   write_ring_mesh(folder_ / "ring.msh", 2, 6, 24);
   EXPECT_THAT(error_of("ring.msh"), HasSubstr("The mesh does not fit the profile 'straight line'"));
-  body = small_block();
+  body = flat_block();
   body.harmonic.remote_distance = 400;
   EXPECT_THAT(error_of("block.msh", "out.h5", body), HasSubstr("No cell is farther than 400"));
   body.harmonic.remote_distance = 0.01; // nearer than any cell's centre is to twice that
   EXPECT_THAT(error_of("block.msh", "out.h5", body), HasSubstr("No cell lies between 0.01"));
-  body = small_block();
+  body = flat_block();
   body.harmonic.half_period = 1;
   EXPECT_THAT(error_of("block.msh", "out.h5", body), HasSubstr("does not exceed that of harmonic 8"));
 }
 
 TEST_F(Run, refuses_the_mesh_of_another_body_file) {
-  const BodyFile body = small_block();
+  const BodyFile body = flat_block();
   const ProfileCurve curve = straight_line(40);
   const std::string mesh = bytes(folder_ / "block.msh");
   const auto marked = [&](const std::string& digest) {
@@ -258,7 +258,7 @@ TEST_F(Run, a_full_disk_leaves_nothing_under_the_final_name) {
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
   std::string message;
   try {
-    run_harmonic(small_block(), straight_line(40), folder_ / "block.msh", folder_ / "full.h5");
+    run_harmonic(flat_block(), straight_line(40), folder_ / "block.msh", folder_ / "full.h5");
   } catch (const InputError&) { // nothing is wrong with the input
   } catch (const Error& error) {
     message = error.what();

@@ -1,6 +1,7 @@
 """The ways in: the program, the C interface and Python. Each answers (code, message): 0 solved, 2 refused, ..."""
 
 import ctypes
+import importlib.util
 import os
 import subprocess
 from pathlib import Path
@@ -63,9 +64,7 @@ class CLibrary:
         return self._answer(lambda *out: self.library.conformal_open_file(str(scene).encode(), *out), set_value)
 
 
-def c_library():
-    path = os.environ.get("CONFORMAL_LIBRARY")
-    return CLibrary(path) if path else None
+HAS_PYTHON = importlib.util.find_spec("bem_contact") is not None  # not under sanitizers
 
 
 def python(scene, changes):

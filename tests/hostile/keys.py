@@ -1,6 +1,5 @@
 """Every key of a scene, as --print-default declares it, and values that it must refuse."""
 
-import os
 import re
 import subprocess
 from dataclasses import dataclass
@@ -32,7 +31,6 @@ class Key:
 
 
 def all_keys():
-    """All of them; each third where the environment has CONFORMAL_EVERY=3."""
     text = subprocess.run([PROGRAM, "--print-default"], check=True, stdout=subprocess.PIPE, text=True).stdout
     keys, table, comment = [], "", ""
     for line in text.splitlines():
@@ -44,7 +42,7 @@ def all_keys():
                             "only where kind is wheel_rail" not in comment, "only where kind is patch" not in comment))
         elif line.startswith("#"):
             comment = line
-    return keys[::int(os.environ.get("CONFORMAL_EVERY", 1))]
+    return keys
 
 
 def misspelt(name):

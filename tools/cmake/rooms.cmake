@@ -50,8 +50,7 @@ if(CONFORMAL_TESTS)
   # Linked after the rooms, so that its options come last: it is the rooms that are checked for undefined behaviour.
   add_library(conformal_test_options INTERFACE)
   if(CONFORMAL_SANITIZE)
-    # Not optimised: they call the rooms, and compile in half the time.
-    target_compile_options(conformal_test_options INTERFACE -fno-sanitize=undefined -O0)
+    target_compile_options(conformal_test_options INTERFACE -fno-sanitize=undefined)
   endif()
   if(CMAKE_UNITY_BUILD)
     # Several sources at once take a third of the time. Helpers of one room's tests need different names, and a local
@@ -60,7 +59,7 @@ if(CONFORMAL_TESTS)
   endif()
   add_library(conformal_test_headers OBJECT ${CMAKE_BINARY_DIR}/test_headers.cpp)
   target_link_libraries(conformal_test_headers PUBLIC conformal_options conformal_test_options fmt::fmt GTest::gmock)
-  target_compile_options(conformal_test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(conformal_test_headers PRIVATE -O0)
   target_precompile_headers(conformal_test_headers PRIVATE
     <algorithm> <cmath> <filesystem> <fstream> <string> <vector> <fmt/format.h> <gmock/gmock.h>)
 endif()
@@ -75,20 +74,25 @@ endfunction()
 
 # conformal_test(<name> [TOGETHER] SOURCES ... [SOLVERS ...] ROOMS ... [LIBRARIES ...]): one GoogleTest program a room.
 #   TOGETHER   all its tests in one process: loading deal.II or gmsh for each takes 0.4 s
-#   SOLVERS    sources that compute much themselves. The others are hardly optimised: they call the rooms,
-#              and compile in two thirds of the time.
+#   SOLVERS    sources that compute much themselves. The others are not optimised: they call the rooms,
+#              and compile in half the time.
 function(conformal_test name)
   cmake_parse_arguments(ARG "TOGETHER" "" "SOURCES;SOLVERS;ROOMS;LIBRARIES" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES} ${ARG_SOLVERS})
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
-  if(ARG_SOLVERS)
-    set_source_files_properties(${ARG_SOLVERS} PROPERTIES
-      COMPILE_OPTIONS $<IF:$<CONFIG:Release>,-O3,-O1> SKIP_PRECOMPILE_HEADERS ON)
-  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_compile_options(${name} PRIVATE -O0)
   set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 20)
   target_precompile_headers(${name} REUSE_FROM conformal_test_headers)
-  target_link_libraries(${name} PRIVATE conformal_options ${ARG_ROOMS} ${ARG_LIBRARIES}
-                        conformal_test_options fmt::fmt GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE GTest::gtest_main)
+  set(parts ${name})
+  if(ARG_SOLVERS)
+    add_library(${name}_solvers OBJECT ${ARG_SOLVERS})
+    target_link_libraries(${name} PRIVATE ${name}_solvers)
+    list(APPEND parts ${name}_solvers)
+  endif()
+  foreach(part ${parts})
+    target_link_libraries(${part} PRIVATE conformal_options ${ARG_ROOMS} ${ARG_LIBRARIES}
+                          conformal_test_options fmt::fmt GTest::gmock)
+  endforeach()
   target_compile_definitions(${name} PRIVATE
     CONFORMAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     CONFORMAL_BINARY_DIR="${PROJECT_BINARY_DIR}")
