@@ -35,7 +35,6 @@ endif()
 if(CONFORMAL_TESTS)
   find_package(GTest REQUIRED)
   find_package(rapidcheck REQUIRED)
-  include(GoogleTest)
 endif()
 
 if(CONFORMAL_WITH_FEM)

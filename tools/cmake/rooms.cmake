@@ -44,6 +44,11 @@ function(conformal_room target)
   target_link_libraries(${target} PUBLIC conformal_options ${ARG_ROOMS} PRIVATE ${ARG_LIBRARIES})
 endfunction()
 
+# For targets that read, print and hand on: CLI11, TOML and JSON take long to optimise, and nobody waits for what they do.
+function(conformal_hardly_optimised target)
+  target_compile_options(${target} PRIVATE $<IF:$<BOOL:${CONFORMAL_SANITIZE}>,-O0,$<$<CONFIG:Release>:-O1>>)
+endfunction()
+
 # What every test includes, compiled once and used by all test programs.
 if(CONFORMAL_TESTS)
   file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/test_headers.cpp CONTENT "")
@@ -72,12 +77,12 @@ function(conformal_many_starts)
   endif()
 endfunction()
 
-# conformal_test(<name> [TOGETHER] SOURCES ... [SOLVERS ...] ROOMS ... [LIBRARIES ...]): one GoogleTest program a room.
-#   TOGETHER   all its tests in one process: loading deal.II or gmsh for each takes 0.4 s
+# conformal_test(<name> SOURCES ... [SOLVERS ...] ROOMS ... [LIBRARIES ...]): one GoogleTest program a room. It is one test
+# for ctest: a process for each of its tests took twice the time.
 #   SOLVERS    sources that compute much themselves. The others are not optimised: they call the rooms,
 #              and compile in half the time.
 function(conformal_test name)
-  cmake_parse_arguments(ARG "TOGETHER" "" "SOURCES;SOLVERS;ROOMS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;SOLVERS;ROOMS;LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_compile_options(${name} PRIVATE -O0)
   set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 20)
@@ -96,13 +101,8 @@ function(conformal_test name)
   target_compile_definitions(${name} PRIVATE
     CONFORMAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     CONFORMAL_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  if(ARG_TOGETHER OR (CONFORMAL_SANITIZE AND CONFORMAL_SANITIZERS MATCHES "address"))
-    # Under sanitizers starting a process for each test took a third of the time of these tests.
-    # COST: those with many sources take long and begin first, so that none runs alone at the end.
-    list(LENGTH ARG_SOURCES cost)
-    add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
-    set_tests_properties(${name} PROPERTIES TIMEOUT 1200 COST ${cost})
-  else()
-    gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
-  endif()
+  # COST: those with many sources take long and begin first, so that none runs alone at the end.
+  list(LENGTH ARG_SOURCES cost)
+  add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
+  set_tests_properties(${name} PROPERTIES TIMEOUT 1200 COST ${cost})
 endfunction()
