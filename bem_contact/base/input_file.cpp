@@ -54,14 +54,19 @@ void require_read(const std::istream& in, const std::string& file, std::string_v
 
 std::string read_text_file(const std::string& file, std::string_view what, std::size_t most) {
   std::ifstream in = open_input(file, what);
+  const auto require_size = [&](std::uintmax_t size) {
+    if (size > most)
+      refuse(file, what, fmt::format("it has more than {} bytes", most), "Name a smaller file.");
+  };
+  if (is_regular(file)) // a gigabyte is not read for nothing; of a pipe only reading tells
+    require_size(std::filesystem::file_size(file));
   constexpr std::size_t piece = 1 << 16;
   std::string text;
   for (std::size_t size = 0; in; text.resize(size)) {
     text.resize(std::max(2 * size, piece)); // doubled, so that a large file is not copied again and again
     in.read(text.data() + size, static_cast<std::streamsize>(text.size() - size));
     size += static_cast<std::size_t>(in.gcount());
-    if (size > most)
-      refuse(file, what, fmt::format("it has more than {} bytes", most), "Name a smaller file.");
+    require_size(size);
   }
   require_read(in, file, what);
   return text;

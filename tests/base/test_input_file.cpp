@@ -38,6 +38,11 @@ TEST(InputFile, TooLargeIsRefused) {
   const auto file = folder.write("a", std::string(1001, ' '));
   EXPECT_EQ(read_text_file(file, "file", 1001).size(), 1001u);
   EXPECT_THAT(message_of([&] { read_text_file(file, "file", 1000); }), HasSubstr("more than 1000 bytes"));
+  const auto pipe = folder / "pipe"; // whose size only reading tells
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(pipe) << std::string(1001, ' '); });
+  EXPECT_THAT(message_of([&] { read_text_file(pipe, "file", 1000); }), HasSubstr("more than 1000 bytes"));
+  writer.join();
 }
 
 TEST(InputFile, WhatNeedNotEndIsRefused) {
