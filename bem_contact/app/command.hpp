@@ -15,7 +15,7 @@ namespace bem_contact::app {
 enum ExitCode { success = 0, unforeseen = 1, wrong_input = 2, no_convergence = 3 };
 
 /// A subcommand: its options and its help are in `line`, `run` does it once the options are parsed.
-/// Errors are thrown; main() turns them into messages and exit codes.
+/// Errors are thrown; run_program() turns them into messages and exit codes.
 struct Command {
   CLI::App* line = nullptr;
   std::function<ExitCode()> run;
@@ -31,7 +31,7 @@ void add_json(CLI::App& line, bool& json);            ///< --json
 /// Prints each on the error output.
 void warn(const std::vector<std::string>& warnings);
 
-// The commands of the program, as main() lists them.
+// The commands of the program, as run_program() lists them.
 Command add_solve(CLI::App& program);        ///< one scene with one model
 Command add_compare(CLI::App& program);      ///< half-space and finite elements at the same forces
 Command add_check(CLI::App& program);        ///< what would be solved
