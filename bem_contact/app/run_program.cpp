@@ -63,7 +63,7 @@ ExitCode run(const CLI::App& cli, const std::vector<Command>& commands, bool pri
   return wrong_input;
 }
 
-int run(int argc, char** argv) {
+int parse_and_run(int argc, char** argv) {
   CLI::App cli{"Conformal wheel-rail contact by the boundary element method"};
   bool print_default = false;
   cli.require_subcommand(0, 1);
@@ -101,7 +101,7 @@ int run(int argc, char** argv) {
 
 int run_program(int argc, char** argv) {
   const auto messages = install_message_sink();
-  const int code = run(argc, argv);
+  const int code = parse_and_run(argc, argv);
   messages->finish();
   return code;
 }
