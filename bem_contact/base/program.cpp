@@ -29,18 +29,22 @@ constexpr std::size_t kept = 2 * reserved; ///< bytes, as above
 constexpr int usual_top_pad = 128 << 10;   ///< bytes, as mallopt(3) has it
 constexpr int largest_piece = 32 << 20;    ///< bytes, the most that glibc takes
 
-/// Asks for large pages on a heap that no one has touched yet. The first touch of a page costs a change to
-/// the kernel and back; large ones cost a hundredth of that for each byte. Nothing is used before it is
+/// Asks for large pages on a heap that hardly anyone has touched yet. The first touch of a page costs a change
+/// to the kernel and back; large ones cost a hundredth of that for each byte. Nothing is used before it is
 /// touched, and where large pages cannot be had all is as before.
 void reserve_large_pages() {
 #if defined(M_TOP_PAD) && defined(MADV_HUGEPAGE)
+  const auto heap_end = [] { return reinterpret_cast<std::uintptr_t>(sbrk(0)); };
+  // A large page that is touched before it is asked for stays small. So one piece, which is never used nor
+  // given back, reaches up to the first of them. What malloc() notes of the rest lies before it, too.
+  constexpr std::uintptr_t note = 4096;
+  const std::uintptr_t begin = (heap_end() + usual_top_pad + 3 * note) / large_page * large_page + large_page;
   mallopt(M_TOP_PAD, static_cast<int>(reserved)); // the heap grows by so much beyond what is asked for
-  void* volatile grown = std::malloc(1 << 20);    // volatile: or the compiler leaves both calls out
-  std::free(grown);
+  static void* volatile unused = std::malloc(begin - heap_end() - note); // volatile: or it is left out
   mallopt(M_TOP_PAD, usual_top_pad);
-  const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0)) / large_page * large_page;
-  const auto begin = (end - reserved) / large_page * large_page + large_page;
-  madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+  const std::uintptr_t end = heap_end() / large_page * large_page;
+  if (end > begin)
+    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 #endif
 }
 
