@@ -29,9 +29,9 @@ constexpr std::size_t kept = 2 * reserved; ///< bytes, as above
 constexpr int usual_top_pad = 128 << 10;   ///< bytes, as mallopt(3) has it
 constexpr int largest_piece = 32 << 20;    ///< bytes, the most that glibc takes
 
-/// Asks for large pages on a heap that hardly anyone has touched yet. The first touch of a page costs a change
-/// to the kernel and back; large ones cost a hundredth of that for each byte. Nothing is used before it is
-/// touched, and where large pages cannot be had all is as before.
+/// Asks for large pages on a heap that hardly anyone has touched yet. The first touch of a page costs a
+/// change to the kernel and back; large ones cost a hundredth of that for each byte. Nothing is used before
+/// it is touched, and where large pages cannot be had all is as before.
 void reserve_large_pages() {
 #if defined(M_TOP_PAD) && defined(MADV_HUGEPAGE)
   const auto heap_end = [] { return reinterpret_cast<std::uintptr_t>(sbrk(0)); };

@@ -6,10 +6,9 @@
 extern "C" {
 void openblas_set_num_threads(int);
 int openblas_get_num_threads();
-void dposv_(const char* uplo, const int* n, const int* nrhs, double* a, const int* lda, double* b,
-            const int* ldb, int* info);
-void dpotrs_(const char* uplo, const int* n, const int* nrhs, const double* a, const int* lda, double* b,
-             const int* ldb, int* info);
+void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+void dtrsv_(const char* uplo, const char* trans, const char* diag, const int* n, const double* a,
+            const int* lda, double* x, const int* incx);
 void dgesv_(const int* n, const int* nrhs, double* a, const int* lda, int* pivots, double* b, const int* ldb,
             int* info);
 void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k,
@@ -50,21 +49,23 @@ private:
 
 } // namespace
 
-bool solve_cholesky(Eigen::MatrixXd& a, Eigen::MatrixXd& x) {
-  const int n = static_cast<int>(a.rows()), nrhs = static_cast<int>(x.cols());
+bool factor_cholesky(Eigen::MatrixXd& a) {
+  const int n = static_cast<int>(a.rows());
   int info = 0;
   const OneThread one_thread;
   if (n > 0)
-    dposv_("L", &n, &nrhs, a.data(), &n, x.data(), &n, &info);
+    dpotrf_("L", &n, a.data(), &n, &info);
   return info == 0;
 }
 
 void solve_factored(const Eigen::MatrixXd& factor, Eigen::MatrixXd& x) {
-  const int n = static_cast<int>(factor.rows()), nrhs = static_cast<int>(x.cols());
-  int info = 0;
+  const int n = static_cast<int>(factor.rows()), stride = 1;
   const OneThread one_thread;
+  // Column by column: LAPACK's dpotrs copies the factor first, which pays from some ten columns on.
   if (n > 0)
-    dpotrs_("L", &n, &nrhs, factor.data(), &n, x.data(), &n, &info);
+    for (double* column = x.data(); column != x.data() + x.size(); column += n)
+      for (const char* transposed : {"N", "T"})
+        dtrsv_("L", transposed, "N", &n, factor.data(), &n, column, &stride);
 }
 
 bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x) {

@@ -7,11 +7,11 @@ namespace bem_contact {
 // The large dense products and factorizations, by BLAS and LAPACK on one thread. The small products stay with
 // Eigen.
 
-/// x := A^-1 x, A symmetric positive definite (lower triangle read, overwritten by its factor). False if it
-/// is not.
-bool solve_cholesky(Eigen::MatrixXd& a, Eigen::MatrixXd& x);
+/// Cholesky's factor in place of A, which is symmetric positive definite (the lower triangle is read). False
+/// if it is not.
+bool factor_cholesky(Eigen::MatrixXd& a);
 
-/// The same with the factor that solve_cholesky() left in A's place.
+/// x := A^-1 x, a few columns, with the factor that factor_cholesky() left in A's place.
 void solve_factored(const Eigen::MatrixXd& factor, Eigen::MatrixXd& x);
 
 /// x := A^-1 x by LU with partial pivoting (A is overwritten). False if A is singular.

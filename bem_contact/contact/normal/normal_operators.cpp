@@ -67,15 +67,14 @@ const NormalBox& NormalOperators::box_around(const std::vector<int>& elements,
 
 bool NormalOperators::solve_dense(const std::vector<int>& elements, const InfluenceNumbers& numbers, int mx,
                                   Eigen::MatrixXd& right) {
-  if (factor_ && factor_->elements == elements) {
-    solve_factored(factor_->factor, right);
-    return true;
+  if (!factor_ || factor_->elements != elements) {
+    factor_.reset();
+    Eigen::MatrixXd factor = lines(numbers, mx).block(elements);
+    if (!factor_cholesky(factor))
+      return false;
+    factor_.emplace(elements, std::move(factor));
   }
-  factor_.reset();
-  Eigen::MatrixXd factor = lines(numbers, mx).block(elements);
-  if (!solve_cholesky(factor, right))
-    return false;
-  factor_.emplace(elements, std::move(factor));
+  solve_factored(factor_->factor, right);
   return true;
 }
 
