@@ -87,10 +87,18 @@ constexpr double degrees(double angle) {
 inline double angle_from_to(Point2 a, Point2 b) {
   return std::atan2(cross(a, b), dot(a, b));
 }
-/// Turned about the origin by an angle, rad, from +y towards +z.
+/// Turns points about the origin by one angle, rad, from +y towards +z.
+class Turn {
+public:
+  explicit Turn(double angle) : cosine_(std::cos(angle)), sine_(std::sin(angle)) {}
+  Point2 operator()(Point2 a) const { return {cosine_ * a.y - sine_ * a.z, sine_ * a.y + cosine_ * a.z}; }
+
+private:
+  double cosine_, sine_;
+};
+/// One point turned so.
 inline Point2 turned(Point2 a, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * a.y - s * a.z, s * a.y + c * a.z};
+  return Turn(angle)(a);
 }
 
 /// Tangent e_s for the inclination delta.

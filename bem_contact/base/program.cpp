@@ -40,7 +40,8 @@ void reserve_large_pages() {
   constexpr std::uintptr_t note = 4096;
   const std::uintptr_t begin = (heap_end() + usual_top_pad + 3 * note) / large_page * large_page + large_page;
   mallopt(M_TOP_PAD, static_cast<int>(reserved)); // the heap grows by so much beyond what is asked for
-  static void* volatile unused = std::malloc(begin - heap_end() - note); // volatile: or it is left out
+  [[maybe_unused]] static void* volatile unused =
+      std::malloc(begin - heap_end() - note); // volatile: or it is left out
   mallopt(M_TOP_PAD, usual_top_pad);
   const std::uintptr_t end = heap_end() / large_page * large_page;
   if (end > begin)

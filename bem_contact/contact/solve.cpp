@@ -87,16 +87,21 @@ void fill_fields(const ContactProblem& problem, const contact::Solution& solutio
 
 void sum_forces(const ContactProblem& problem, ContactResult& result) {
   const double area = problem.element_area();
-  for (int i = 0; i < problem.grid.size(); ++i) {
-    const ContactRow& row = problem.rows[i / problem.grid.mx];
-    const double cosine = std::cos(row.delta), sine = std::sin(row.delta);
-    const double fx = result.px[i] * area;
-    const double fy = (result.ps[i] * cosine - result.pn[i] * sine) * area;
-    result.Fx += fx;
-    result.Fy += fy;
-    result.Fz += (result.pn[i] * cosine + result.ps[i] * sine) * area;
-    result.Fs += result.ps[i] * area * problem.lateral_share(i / problem.grid.mx);
-    result.Mz += problem.grid.x(i % problem.grid.mx) * fy - row.position.y * fx;
+  const int mx = problem.grid.mx;
+  for (int is = 0; is < problem.grid.ms; ++is) {
+    const ContactRow& row = problem.rows[is];
+    const Point2 tangent = tangent_of(row.delta), normal = normal_of(row.delta);
+    const double share = problem.lateral_share(is);
+    for (int ix = 0; ix < mx; ++ix) {
+      const int i = is * mx + ix;
+      const double fx = result.px[i] * area;
+      const Point2 f = area * (result.ps[i] * tangent + result.pn[i] * normal);
+      result.Fx += fx;
+      result.Fy += f.y;
+      result.Fz += f.z;
+      result.Fs += result.ps[i] * area * share;
+      result.Mz += problem.grid.x(ix) * f.y - row.position.y * fx;
+    }
   }
 }
 
@@ -161,19 +166,20 @@ void estimate(const ContactProblem& problem, const SolverOptions& options,
                                                         : contact::why_no_companion(problem, result);
   if (!result.unestimated.empty())
     return;
-  const auto coarse = contact::companion_of(problem, result, threads_of(options));
-  // A key costs a pass over the numbers, and is needed only where the operators outlive this call.
-  contact::ContactOperators& companion =
-      operators.companion(options.workspace ? contact::key_of(coarse->problem) : contact::NumbersKey{});
+  const contact::LargerElements larger(problem.grid, result.pn);
+  contact::CompanionOperators& prepared =
+      operators.companion(problem.numbers, larger, !problem.has_friction());
+  contact::Companion coarse = contact::companion_of(problem, result, larger);
+  const contact::LentNumbers lent(prepared.numbers, coarse.problem);
   SolverOptions loose = options;
   loose.tolerance = std::max(options.tolerance, contact::companion_tolerance);
-  loose.start = &coarse->start;
+  loose.start = &coarse.start;
   loose.displacements = false;
   try {
-    const ContactResult rough = solve_on_this_grid(coarse->problem, loose, companion, work);
-    result.discretisation = contact::compare(problem, result, coarse->problem, rough);
+    const ContactResult rough = solve_on_this_grid(coarse.problem, loose, prepared.operators, work);
+    result.discretisation = contact::compare(problem, result, coarse.problem, rough);
     if (!result.discretisation)
-      result.unestimated = contact::why_not_compared(coarse->problem, rough);
+      result.unestimated = contact::why_not_compared(coarse.problem, rough);
   } catch (const Error&) { // larger elements cannot carry the forces, or no work is left
     result.unestimated = "elements twice as large have no solution. Give smaller elements";
   }

@@ -41,8 +41,10 @@ ContactLocus::ContactLocus(const WheelOnRail& pair)
   };
   for (int k = 0; k < static_cast<int>(table.size()); ++k) {
     add(k, table[k].before);
+    if (frame_.axle[0] == 0)
+      continue;
     const double angle = angle_from_to(table[k].before, table[k].after);
-    if (std::abs(angle) < smooth_turn || frame_.axle[0] == 0)
+    if (std::abs(angle) < smooth_turn)
       continue;
     const int steps = 1 + static_cast<int>(std::abs(angle) / edge_step);
     for (int i = 1; i <= steps; ++i)

@@ -33,9 +33,10 @@ void require_axle_above(const TabulatedProfile& wheel, double wheel_radius) {
 /// The rail's head as it is inclined, about the origin of its section.
 class Head {
 public:
-  Head(const TabulatedProfile& rail, double angle) : rail_(rail), pose_{{0, 0}, angle} {
+  Head(const TabulatedProfile& rail, double angle) : rail_(rail), turn_(angle) {
+    nodes_.reserve(rail.nodes().size());
     for (const TabulatedProfile::Node& node : rail.nodes())
-      nodes_.push_back(pose_.to_track(node.position));
+      nodes_.push_back(turn_(node.position));
     top_ = static_cast<int>(std::ranges::min_element(nodes_, {}, &Point2::z) - nodes_.begin());
   }
 
@@ -61,16 +62,14 @@ public:
   }
 
 private:
-  Point2 at(int k, double t) const { return pose_.to_track(rail_.between(k, t).position); }
+  Point2 at(int k, double t) const { return turn_(rail_.between(k, t).position); }
   /// The exact least value lies in one of the two intervals at the node of least value.
   double extreme(int k, double Point2::*coordinate) const {
     double least = nodes_[k].*coordinate;
     for (const int i : {k - 1, k}) {
       if (i < 0 || i + 1 >= static_cast<int>(nodes_.size()))
         continue;
-      const auto slope = [&](double t) {
-        return turned(rail_.between(i, t).tangent, pose_.angle).*coordinate;
-      };
+      const auto slope = [&](double t) { return turn_(rail_.between(i, t).tangent).*coordinate; };
       if (slope(0) < 0 && slope(1) > 0)
         least = std::min(least, at(i, where_it_vanishes([&](double t) { return -slope(t); })).*coordinate);
     }
@@ -78,7 +77,7 @@ private:
   }
 
   const TabulatedProfile& rail_;
-  Pose pose_;
+  Turn turn_;
   std::vector<Point2> nodes_;
   int top_ = 0;
 };

@@ -6,14 +6,13 @@
 
 namespace bem_contact {
 
-RailHeight::RailHeight(const WheelOnRail& pair) : rail_(pair.rail), pose_(pair.rail_pose) {
+RailHeight::RailHeight(const WheelOnRail& pair)
+    : rail_(pair.rail), origin_(pair.rail_pose.origin), turn_(pair.rail_pose.angle) {
   const auto table = rail_.nodes();
   std::vector<Point2> p;
   p.reserve(table.size());
-  const double c = std::cos(pose_.angle), s = std::sin(pose_.angle);
   for (const TabulatedProfile::Node& node : table)
-    p.push_back(pose_.origin +
-                Point2{c * node.position.y - s * node.position.z, s * node.position.y + c * node.position.z});
+    p.push_back(origin_ + turn_(node.position));
   const auto top = std::ranges::min_element(p, {}, &Point2::z) - p.begin();
   auto from = top, to = top;
   while (from > 0 && p[from - 1].y < p[from].y)
@@ -36,14 +35,13 @@ std::optional<RailHeight::Height> RailHeight::at(double y, int& near) const {
     ++near;
   // Newton inside the bracket: y grows over the interval.
   double lo = 0, hi = 1, t = (y - y_[near]) / (y_[near + 1] - y_[near]);
-  const double c = std::cos(pose_.angle), s = std::sin(pose_.angle);
   const auto nodes = rail_.nodes();
   const int k = first_ + near;
   const double length = nodes[k + 1].s - nodes[k].s;
   for (int i = 0; i < height_newton_steps; ++i) {
     const TabulatedProfile::Point q = rail_.between(k, t);
-    const double excess = pose_.origin.y + c * q.position.y - s * q.position.z - y;
-    const double slope = length * (c * q.tangent.y - s * q.tangent.z);
+    const double excess = origin_.y + turn_(q.position).y - y;
+    const double slope = length * turn_(q.tangent).y;
     (excess > 0 ? hi : lo) = t;
     double next = slope > 0 ? t - excess / slope : -1;
     if (!(next >= lo && next <= hi))
@@ -53,8 +51,7 @@ std::optional<RailHeight::Height> RailHeight::at(double y, int& near) const {
     if (std::abs(step) < height_tolerance || std::abs(excess) < height_tolerance * (1 + std::abs(y)))
       break;
   }
-  const TabulatedProfile::Point q = rail_.between(k, t);
-  return Height{pose_.origin.z + s * q.position.y + c * q.position.z, nodes[k].s + t * length};
+  return Height{origin_.z + turn_(rail_.between(k, t).position).z, nodes[k].s + t * length};
 }
 
 } // namespace bem_contact

@@ -24,7 +24,8 @@ public:
 
 private:
   TabulatedProfile rail_;
-  Pose pose_;
+  Point2 origin_;
+  Turn turn_; ///< of the rail's section into the track frame, as its pose has it
   int first_ = 0;
   std::vector<double> y_; ///< of the nodes first_ .. that are seen
 };

@@ -9,10 +9,12 @@ namespace bem_contact {
 
 std::vector<RailSlice> slice_rail(const WheelOnRail& pair, const ContactLocus& locus) {
   std::vector<ContactRow> rows;
+  const auto& [origin, angle] = pair.rail_pose;
+  const Turn turn(angle);
   int near = 0;
   for (double s = pair.rail.s_begin() + slice_width; s < pair.rail.s_end(); s += slice_width) {
     const CurvePoint p = pair.rail.quick(s, near);
-    rows.push_back({s, pair.rail_pose.to_track(p.position), p.delta + pair.rail_pose.angle});
+    rows.push_back({s, origin + turn(p.position), p.delta + angle});
   }
   const std::vector<RowOnLocus> nearest = rows_on_locus(locus, rows, farthest_slice);
   std::vector<RailSlice> slices;

@@ -30,10 +30,11 @@ Outlines whole_profiles(const WheelRailGeometry& placed, double s_from, double s
       placed.wheel_stations({{s_from, first.position, first.delta}, {s_to, last.position, last.delta}});
   const auto [lo, hi] = std::ranges::minmax(wheel_s);
   Outlines out;
+  const Turn turn(pair.rail_pose.angle);
   Thinning rail{s_from - outline_margin, s_to + outline_margin};
   for (const TabulatedProfile::Node& node : pair.rail.nodes())
     if (rail.keeps(node.s))
-      out.rail.push_back(pair.rail_pose.to_track(node.position));
+      out.rail.push_back(pair.rail_pose.origin + turn(node.position));
   Thinning wheel{lo - outline_margin, hi + outline_margin};
   for (const ContactLocus::Node& node : placed.locus.nodes())
     if (wheel.keeps(node.s))

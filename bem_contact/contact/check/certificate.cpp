@@ -52,11 +52,13 @@ double shear_imbalance(const ContactProblem& problem, const ContactResult& resul
   if (!problem.has_friction())
     return 0;
   double fx = 0, fs = 0, capacity = 0;
-  for (int i = 0; i < problem.grid.size(); ++i) {
-    const int row = i / problem.grid.mx;
-    fx += result.px[i] * problem.element_area();
-    fs += result.ps[i] * problem.lateral_share(row) * problem.element_area();
-    capacity += problem.friction_of(row) * result.pn[i] * problem.element_area();
+  for (int is = 0; is < problem.grid.ms; ++is) {
+    const double share = problem.lateral_share(is), friction = problem.friction_of(is);
+    for (int i = is * problem.grid.mx; i < (is + 1) * problem.grid.mx; ++i) {
+      fx += result.px[i] * problem.element_area();
+      fs += result.ps[i] * share * problem.element_area();
+      capacity += friction * result.pn[i] * problem.element_area();
+    }
   }
   const double missing = std::max(problem.force_x ? std::abs(fx - *problem.force_x) : 0.0,
                                   problem.force_s ? std::abs(fs - *problem.force_s) : 0.0);
@@ -86,11 +88,12 @@ void check_normal(const ContactProblem& problem, const ContactResult& result, co
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   const double q = problem.load == LoadKind::approach ? problem.approach : result.approach;
   double pmax = 0, scale = 0, remote_scale = std::abs(q), lowest_p = 0, lowest_e = 0, product = 0;
-  for (int is = 0; is < ms; ++is)
+  for (int is = 0; is < ms; ++is) {
+    const double approach = q * std::cos(problem.rows[is].delta);
     for (int ix = 0; ix < mx; ++ix) {
       const int i = is * mx + ix;
       const double p = result.pn[i], u = u_n[static_cast<std::size_t>(is) * columns + ix];
-      const double e = problem.gap[i] - q * std::cos(problem.rows[is].delta) + u;
+      const double e = problem.gap[i] - approach + u;
       pmax = std::max(pmax, p);
       remote_scale = std::max(remote_scale, std::abs(problem.gap[i]));
       if (p > 0)
@@ -101,6 +104,7 @@ void check_normal(const ContactProblem& problem, const ContactResult& result, co
       if (!std::isfinite(p) || !std::isfinite(e))
         lowest_p = std::numeric_limits<double>::infinity();
     }
+  }
   if (scale == 0)
     scale = remote_scale;
   certificate.pressure = relative(lowest_p, pmax);
@@ -145,16 +149,19 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
   for (int row = 0; row < ms; ++row)
     self = std::max(self, problem.numbers.at(0, row, component_n, row, component_n));
   const double pmax = *std::max_element(result.pn.begin(), result.pn.end());
-  Slips out{{}, (steady ? contact::steady_slip_rounding : contact::shift_slip_rounding) * pmax * self};
-  for (int is = 0; is < ms; ++is)
+  Slips out{
+      {},
+      std::max((steady ? contact::steady_slip_rounding : contact::shift_slip_rounding) * pmax * self,
+               contact::creepage_rounding * std::hypot(result.creepage_x, result.creepage_s) * step.length)};
+  for (int is = 0; is < ms; ++is) {
+    const double share = problem.lateral_share(is);
     for (int ix = 0; ix < mx; ++ix) {
       const int i = is * mx + ix;
       if (!(result.pn[i] > 0))
         continue;
       const std::size_t at = static_cast<std::size_t>(is) * columns + ix;
       const double rigid_x = (problem.slip_x[i] + result.creepage_x) * step.length;
-      const double rigid_s =
-          (problem.slip_s[i] + result.creepage_s * problem.lateral_share(is)) * step.length;
+      const double rigid_s = (problem.slip_s[i] + result.creepage_s * share) * step.length;
       double elastic_x = -before[component_x][at], elastic_s = -before[component_s][at]; // u = -A p
       for (int k = 0; k <= rolling_columns; ++k) {
         elastic_x -= step.present[k] * u[component_x][at + k];
@@ -162,18 +169,19 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
       }
       const double slip_x = rigid_x + elastic_x, slip_s = rigid_s + elastic_s;
       const double falling =
-          problem.falling_factor(is, std::hypot(slip_x, slip_s) / step.length * problem.speed);
+          problem.falling.empty()
+              ? 1.0
+              : problem.falling_factor(is, std::hypot(slip_x, slip_s) / step.length * problem.speed);
       out.slips.push_back(
           {slip_x, slip_s, problem.kinetic * problem.friction_of(is) * falling * result.pn[i], i});
-      out.scale = std::max(
-          {out.scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s),
-           contact::creepage_rounding * std::hypot(result.creepage_x, result.creepage_s) * step.length});
+      out.scale = std::max({out.scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s)});
       if (!steady) // if everything sticks without rigid slip: the slip that the shear tractions prevent
         out.scale = std::max(
             out.scale,
             std::hypot(rigid_x - before[component_x][at] - step.present[0] * from_normal[component_x][at],
                        rigid_s - before[component_s][at] - step.present[0] * from_normal[component_s][at]));
     }
+  }
   return out;
 }
 
@@ -227,9 +235,10 @@ double vertical_imbalance(const ContactProblem& problem, const ContactResult& re
   if (problem.load != LoadKind::force)
     return 0;
   double force = 0;
-  for (int i = 0; i < problem.grid.size(); ++i) {
-    const double delta = problem.rows[i / problem.grid.mx].delta;
-    force += (result.pn[i] * std::cos(delta) + result.ps[i] * std::sin(delta)) * problem.element_area();
+  for (int is = 0; is < problem.grid.ms; ++is) {
+    const double cosine = std::cos(problem.rows[is].delta), sine = std::sin(problem.rows[is].delta);
+    for (int i = is * problem.grid.mx; i < (is + 1) * problem.grid.mx; ++i)
+      force += (result.pn[i] * cosine + result.ps[i] * sine) * problem.element_area();
   }
   const double missing = std::abs(force - problem.force);
   return problem.force > 0 ? missing / problem.force : missing;

@@ -26,26 +26,29 @@ struct ForceSums {
 ForceSums sum_up(const ContactProblem& problem, const ContactResult& result, double x_at, double s_at) {
   ForceSums sums;
   const double area = problem.element_area();
-  for (int i = 0; i < problem.grid.size(); ++i) {
-    if (!(result.pn[i] > 0))
-      continue;
-    const ContactRow& row = problem.rows[i / problem.grid.mx];
+  const int mx = problem.grid.mx;
+  for (int is = 0; is < problem.grid.ms; ++is) {
+    const ContactRow& row = problem.rows[is];
     const double cosine = std::cos(row.delta), sine = std::sin(row.delta);
-    const double x = problem.grid.x(i % problem.grid.mx);
-    const double fn = result.pn[i] * area, fx = result.px[i] * area, fs = result.ps[i] * area;
-    sums.normal.fy -= fn * sine;
-    sums.normal.fz += fn * cosine;
-    sums.normal.mz -= x * fn * sine;
-    sums.shear.fx += fx;
-    sums.shear.fy += fs * cosine;
-    sums.shear.fz += fs * sine;
-    sums.shear.mz += x * fs * cosine - row.position.y * fx;
-    sums.shear.fs += fs;
-    sums.shear.moment += (x - x_at) * fs - (row.s - s_at) * fx;
-    sums.pressure += fn;
-    const double friction = problem.friction_of(i / problem.grid.mx) * fn;
-    sums.friction += friction;
-    sums.friction_moment += friction * std::hypot(x - x_at, row.s - s_at);
+    for (int i = is * mx; i < (is + 1) * mx; ++i) {
+      if (!(result.pn[i] > 0))
+        continue;
+      const double x = problem.grid.x(i - is * mx);
+      const double fn = result.pn[i] * area, fx = result.px[i] * area, fs = result.ps[i] * area;
+      sums.normal.fy -= fn * sine;
+      sums.normal.fz += fn * cosine;
+      sums.normal.mz -= x * fn * sine;
+      sums.shear.fx += fx;
+      sums.shear.fy += fs * cosine;
+      sums.shear.fz += fs * sine;
+      sums.shear.mz += x * fs * cosine - row.position.y * fx;
+      sums.shear.fs += fs;
+      sums.shear.moment += (x - x_at) * fs - (row.s - s_at) * fx;
+      sums.pressure += fn;
+      const double friction = problem.friction_of(is) * fn;
+      sums.friction += friction;
+      sums.friction_moment += friction * std::hypot(x - x_at, row.s - s_at);
+    }
   }
   return sums;
 }

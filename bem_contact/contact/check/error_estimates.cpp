@@ -268,9 +268,11 @@ double temperature_error(const ContactGrid& grid, const std::vector<double>& fin
 
 void estimate_errors(const ContactProblem& problem, const ContactResult& result,
                      const ContactProblem& coarse_problem, const ContactResult& coarse, Discretisation& out) {
-  const std::pair<Region, Region> regions{contact_of(problem, result), contact_of(coarse_problem, coarse)};
+  const std::vector<Region> patches = patches_of(problem, result),
+                            rough_patches = patches_of(coarse_problem, coarse);
+  const std::pair<Region, Region> regions{contact_of(problem, result, patches),
+                                          contact_of(coarse_problem, coarse, rough_patches)};
   const auto& [fine, rough] = regions;
-  const std::vector<Region> patches = patches_of(problem, result);
   out.coarse_pmax = rough.pmax;
   const double roughness = roughness_of_gap(problem, result);
   out.converges = converges(fine, rough, roughness);
@@ -304,8 +306,7 @@ void estimate_errors(const ContactProblem& problem, const ContactResult& result,
   const double moment = growth(fine, moment_elongation) * moment_share;
   out.moment_change = moment * shear_change;
   out.local_moment = moment * local_error(fine.moment, fine);
-  estimate_patches(problem, patches, patches_of(coarse_problem, coarse), effects, fine, roughness,
-                   out.patches);
+  estimate_patches(problem, patches, rough_patches, effects, fine, roughness, out.patches);
   estimate_track_forces(result, out);
 }
 

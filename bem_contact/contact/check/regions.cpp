@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 namespace bem_contact::contact {
@@ -34,10 +35,11 @@ struct Field {
   }
 };
 
-/// What the rigid motion of the bodies does through shear on element i, per area: p_t w.
-double shear_drive(const ContactProblem& problem, const ContactResult& result, int i) {
+/// What the rigid motion of the bodies does through shear on element i, per area: p_t w. `lateral_share`:
+/// ContactProblem::lateral_share() of its row.
+double shear_drive(const ContactProblem& problem, const ContactResult& result, int i, double lateral_share) {
   const double along_x = problem.slip_x[i] + result.creepage_x;
-  const double along_s = problem.slip_s[i] + result.creepage_s * problem.lateral_share(i / problem.grid.mx);
+  const double along_s = problem.slip_s[i] + result.creepage_s * lateral_share;
   return result.px[i] * along_x + result.ps[i] * along_s;
 }
 
@@ -49,13 +51,26 @@ double pressure_drive(const ContactProblem& problem, const ContactResult& result
   return result.pn[i] * (problem.gap[i + 1] - problem.gap[i - 1]) / (2 * problem.grid.dx);
 }
 
+/// of(row) of each row.
+template <class Of> std::vector<double> of_rows(const ContactProblem& problem, const Of& of) {
+  std::vector<double> values;
+  values.reserve(problem.rows.size());
+  for (int row = 0; row < problem.grid.ms; ++row)
+    values.push_back(of(row));
+  return values;
+}
+
 Region region_of(const ContactProblem& problem, const ContactResult& result, std::span<const int> elements) {
   const Field field{problem, result};
   const double dS = problem.element_area();
   Region out;
   out.line = problem.grid.is_line();
   std::vector<Part> fx, fs;
+  fx.reserve(elements.size());
+  fs.reserve(elements.size());
   std::vector<int> in_row(problem.grid.ms, 0);
+  const std::vector<double> approach =
+      of_rows(problem, [&](int row) { return result.approach * std::cos(problem.rows[row].delta); });
   for (const int i : elements) {
     const int ix = i % problem.grid.mx, is = i / problem.grid.mx;
     const double fn = result.pn[i] * dS;
@@ -71,8 +86,7 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
     fs.push_back({result.ps[i] * dS, fn, adheres});
     out.x += fn * problem.grid.x(ix);
     out.s += fn * problem.rows[is].s;
-    out.approach =
-        std::max(out.approach, result.approach * std::cos(problem.rows[is].delta) - problem.gap[i]);
+    out.approach = std::max(out.approach, approach[is] - problem.gap[i]);
     if (result.pn[i] > out.pmax) {
       out.pmax = result.pn[i];
       out.curvature = field.curvature(ix, is);
@@ -84,7 +98,10 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
   out.x /= out.fn;
   out.s /= out.fn;
   const std::vector<double> rate = friction_power(result);
+  const std::vector<double> share = of_rows(problem, [&](int row) { return problem.lateral_share(row); });
   std::vector<Part> moment, driving;
+  moment.reserve(elements.size());
+  driving.reserve(elements.size());
   const bool steady = problem.motion == MotionKind::steady;
   double pressed = 0;
   for (std::size_t k = 0; k < elements.size(); ++k) {
@@ -95,7 +112,7 @@ Region region_of(const ContactProblem& problem, const ContactResult& result, std
     if (!problem.has_friction())
       continue;
     out.friction_power += rate[i] * dS;
-    const double sheared = steady ? shear_drive(problem, result, i) : rate[i];
+    const double sheared = steady ? shear_drive(problem, result, i, share[i / problem.grid.mx]) : rate[i];
     driving.push_back({sheared * dS, fx[k].fn, fx[k].adheres});
     pressed += steady ? pressure_drive(problem, result, i) * dS : 0.0;
   }
@@ -135,7 +152,10 @@ std::vector<Region> patches_of(const ContactProblem& problem, const ContactResul
   return out;
 }
 
-Region contact_of(const ContactProblem& problem, const ContactResult& result) {
+Region contact_of(const ContactProblem& problem, const ContactResult& result,
+                  const std::vector<Region>& patches) {
+  if (patches.size() == 1)
+    return patches.front();
   std::vector<int> all;
   for (int i = 0; i < problem.grid.size(); ++i)
     if (result.state[i] != ElementState::exterior)
@@ -160,10 +180,11 @@ ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult
   const int mx = problem.grid.mx;
   const double dS = problem.element_area();
   double across = 0, down = 0; // of the pressure, N
-  for (int i = 0; i < problem.grid.size(); ++i) {
-    const double delta = problem.rows[i / mx].delta;
-    across += result.pn[i] * dS * std::sin(delta);
-    down += result.pn[i] * dS * std::cos(delta);
+  for (int is = 0; is < problem.grid.ms; ++is) {
+    const double* pn = &result.pn[is * mx];
+    const double pressed = std::accumulate(pn, pn + mx, 0.0) * dS, delta = problem.rows[is].delta;
+    across += pressed * std::sin(delta);
+    down += pressed * std::cos(delta);
   }
   ShearEffects out;
   const bool made_up = problem.load == LoadKind::force && down > 0;
@@ -171,21 +192,24 @@ ShearEffects effects_of_shear(const ContactProblem& problem, const ContactResult
   if (made_up)
     out.slope = across / down;
   std::vector<Part> fy, fz, fn;
-  for (int i = 0; i < problem.grid.size(); ++i) {
-    if (result.state[i] == ElementState::exterior)
-      continue;
-    const ContactRow& row = problem.rows[i / mx];
-    const double fs = result.ps[i] * dS;
-    const double cosine = std::cos(row.delta), sine = std::abs(std::sin(row.delta));
-    const double aside = std::sin(row.delta - mean);
-    const auto part = [&](double value) {
-      return Part{value, result.pn[i] * dS, result.state[i] == ElementState::adhesion};
-    };
-    fy.push_back(part(fs * (cosine + std::abs(out.slope) * sine)));
-    fz.push_back(part(made_up ? 0.0 : fs * sine));
-    fn.push_back(part(made_up ? fs * aside : 0.0));
-    out.turned += result.pn[i] * dS * std::abs(aside) / std::cos(mean);
-    out.bent += result.pn[i] * dS * (1 - std::cos(row.delta - mean));
+  for (int is = 0; is < problem.grid.ms; ++is) {
+    const double delta = problem.rows[is].delta, sine = std::abs(std::sin(delta)),
+                 aside = std::sin(delta - mean), bent = 1 - std::cos(delta - mean);
+    const double across_share = std::cos(delta) + std::abs(out.slope) * sine,
+                 turned = std::abs(aside) / std::cos(mean);
+    for (int i = is * mx; i < (is + 1) * mx; ++i) {
+      if (result.state[i] == ElementState::exterior)
+        continue;
+      const double fs = result.ps[i] * dS, pressed = result.pn[i] * dS;
+      const auto part = [&](double value) {
+        return Part{value, pressed, result.state[i] == ElementState::adhesion};
+      };
+      fy.push_back(part(fs * across_share));
+      fz.push_back(part(made_up ? 0.0 : fs * sine));
+      fn.push_back(part(made_up ? fs * aside : 0.0));
+      out.turned += pressed * turned;
+      out.bent += pressed * bent;
+    }
   }
   out.fy = sum_of(fy);
   out.fz = sum_of(fz);

@@ -61,10 +61,11 @@ struct Region {
   double elongation() const { return line ? 1.0 : std::max(1.0, double(rows) / longest); }
 };
 
-/// The whole contact, which must not be empty.
-Region contact_of(const ContactProblem& problem, const ContactResult& result);
 /// The patches, in the order of ContactResult::patches.
 std::vector<Region> patches_of(const ContactProblem& problem, const ContactResult& result);
+/// The whole contact, which must not be empty. `patches`: those of the result.
+Region contact_of(const ContactProblem& problem, const ContactResult& result,
+                  const std::vector<Region>& patches);
 /// Coarse patches that lie where the fine ones do; empty where their numbers differ.
 std::vector<Region> matched(const std::vector<Region>& fine, std::vector<Region> coarse);
 

@@ -1,7 +1,6 @@
 #include "bem_contact/contact/coupled/contact_operators.hpp"
 
 #include "bem_contact/contact/coupled/settings.hpp"
-#include "bem_contact/contact/grid/larger_elements.hpp"
 
 #include <algorithm>
 #include <array>
@@ -87,9 +86,11 @@ StartingOperators& ContactOperators::start(const InfluenceNumbers& fine, const C
   return *start_;
 }
 
-ContactOperators& ContactOperators::companion(const NumbersKey& key) {
-  if (!companion_ || companion_->key_ != key)
-    companion_ = std::make_unique<ContactOperators>(pool_, key);
+CompanionOperators& ContactOperators::companion(const InfluenceNumbers& fine, const LargerElements& larger,
+                                                bool only_normal) {
+  if (!companion_ || !companion_->larger.joins_like(larger) || companion_->only_normal != only_normal)
+    companion_.reset(new CompanionOperators{
+        larger, only_normal, larger.numbers(fine, only_normal, pool_->threads()), ContactOperators(pool_)});
   return *companion_;
 }
 

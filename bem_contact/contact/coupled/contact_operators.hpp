@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/contact/grid/larger_elements.hpp"
 #include "bem_contact/contact/normal/normal_operators.hpp"
 #include "bem_contact/contact/problem.hpp"
 #include "bem_contact/contact/tangential/tangential_operators.hpp"
@@ -7,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace bem_contact::contact {
 
@@ -31,6 +33,7 @@ struct Coupling {
 };
 
 struct StartingOperators;
+struct CompanionOperators;
 
 /// Everything that solving prepares from one set of influence numbers on one grid. Each operator is made when
 /// it is first asked for; it is complete then and stays as it is. Every call gives a problem with these
@@ -48,8 +51,8 @@ public:
   /// For starting_problem() (grid/larger_elements.hpp), made about the fine row `middle`.
   StartingOperators& start(const InfluenceNumbers& fine, const ContactGrid& coarse, int middle,
                            bool only_normal);
-  /// For the companion of the estimate of the discretisation, whose numbers have this key.
-  ContactOperators& companion(const NumbersKey& key);
+  /// For companion_of() on these larger elements.
+  CompanionOperators& companion(const InfluenceNumbers& fine, const LargerElements& larger, bool only_normal);
 
 private:
   std::shared_ptr<TransformPool> pool_;
@@ -57,7 +60,7 @@ private:
   std::optional<bool> couples_;
   std::optional<Coupling> coupling_;
   std::unique_ptr<StartingOperators> start_;
-  std::unique_ptr<ContactOperators> companion_;
+  std::unique_ptr<CompanionOperators> companion_;
 
 public:
   NormalOperators normal;
@@ -70,6 +73,29 @@ struct StartingOperators {
   bool only_normal;
   InfluenceNumbers numbers;
   ContactOperators operators;
+};
+
+/// Influence numbers of companion_of() and what is prepared from them.
+struct CompanionOperators {
+  LargerElements larger;
+  bool only_normal;
+  InfluenceNumbers numbers;
+  ContactOperators operators;
+};
+
+/// While it lives, a problem has these numbers; then they are given back. Numbers may take gigabytes.
+class LentNumbers {
+public:
+  LentNumbers(InfluenceNumbers& kept, ContactProblem& problem) : kept_(kept), problem_(problem) {
+    std::swap(kept_, problem_.numbers);
+  }
+  ~LentNumbers() { std::swap(kept_, problem_.numbers); }
+  LentNumbers(const LentNumbers&) = delete;
+  LentNumbers& operator=(const LentNumbers&) = delete;
+
+private:
+  InfluenceNumbers& kept_;
+  ContactProblem& problem_;
 };
 
 /// Whether a tangential traction causes normal displacements, or the other way round, beyond rounding.

@@ -76,8 +76,8 @@ CoupledSystem::CoupledSystem(const ContactProblem& the_problem, ContactOperators
     : problem(the_problem), normal(the_problem, operators.normal),
       gap(Eigen::Map<const VectorXd>(the_problem.gap.data(), the_problem.grid.size())),
       sine(the_problem.grid.size()) {
-  for (int i = 0; i < problem.grid.size(); ++i)
-    sine[i] = std::sin(problem.rows[i / problem.grid.mx].delta);
+  for (int is = 0; is < problem.grid.ms; ++is)
+    sine.segment(is * problem.grid.mx, problem.grid.mx).setConstant(std::sin(problem.rows[is].delta));
   if (!problem.has_friction())
     return;
   shear.emplace(problem, operators, work);

@@ -68,7 +68,7 @@ void start_from_larger_elements(const ContactProblem& problem, const SolverOptio
   const bool only_normal = !(coarse.tangential && problem.has_friction());
   StartingOperators& prepared =
       operators.start(problem.numbers, coarse.grid, starting_row(problem), only_normal);
-  coarse.numbers = prepared.numbers;
+  const LentNumbers lent(prepared.numbers, coarse);
   SolverOptions loose = options;
   loose.start = nullptr;
   loose.tolerance = std::max(options.tolerance, start_tolerance);

@@ -81,14 +81,18 @@ ContactGrid LargerElements::grid() const {
           fine_.x(x_.first) + 0.5 * (x_.factor - 1) * fine_.dx};
 }
 
-std::vector<LargerElements::Weight> LargerElements::centre_weights(const Joined& joined, int k,
-                                                                   int fine_count) {
-  const int at = joined.first + joined.factor * k;
-  if (joined.factor == 1)
-    return {{at, 1.0}};
-  if (at == 0 || at + 2 >= fine_count)
-    return {{at, 0.5}, {at + 1, 0.5}};
-  return {{at - 1, -0.0625}, {at, 0.5625}, {at + 1, 0.5625}, {at + 2, -0.0625}};
+std::vector<LargerElements::Interpolation> LargerElements::centres_of(const Joined& joined, int fine_count) {
+  std::vector<Interpolation> out;
+  for (int k = 0; k < joined.count; ++k) {
+    const int at = joined.first + joined.factor * k;
+    if (joined.factor == 1)
+      out.push_back({at});
+    else if (at == 0 || at + 2 >= fine_count)
+      out.push_back({at, 2, {0.5, 0.5}});
+    else
+      out.push_back({at - 1, 4, {-0.0625, 0.5625, 0.5625, -0.0625}});
+  }
+  return out;
 }
 
 double LargerElements::mean_at(const std::vector<double>& field, int ix, int is) const {
@@ -109,28 +113,35 @@ std::vector<double> LargerElements::mean(const std::vector<double>& field) const
 }
 
 std::vector<double> LargerElements::at_centres(const std::vector<double>& field) const {
-  std::vector<double> out;
+  std::vector<double> out, line(fine_.mx);
   out.reserve(static_cast<std::size_t>(x_.count) * s_.count);
-  for (int is = 0; is < s_.count; ++is)
-    for (int ix = 0; ix < x_.count; ++ix) {
+  const std::vector<Interpolation> columns = centres_of(x_, fine_.mx);
+  for (const Interpolation& row : centres_of(s_, fine_.ms)) {
+    std::ranges::fill(line, 0.0);
+    for (int c = 0; c < row.count; ++c)
+      for (int ix = 0; ix < fine_.mx; ++ix)
+        line[ix] += row.weight[c] * field[(row.first + c) * fine_.mx + ix];
+    for (const Interpolation& column : columns) {
       double sum = 0;
-      for (const Weight& row : centre_weights(s_, is, fine_.ms))
-        for (const Weight& column : centre_weights(x_, ix, fine_.mx))
-          sum += row.value * column.value * field[row.index * fine_.mx + column.index];
+      for (int d = 0; d < column.count; ++d)
+        sum += column.weight[d] * line[column.first + d];
       out.push_back(sum);
     }
+  }
   return out;
 }
 
 std::vector<ContactRow> LargerElements::rows_at_centres(const std::vector<ContactRow>& rows) const {
-  std::vector<ContactRow> out(s_.count);
-  for (int is = 0; is < s_.count; ++is)
-    for (const Weight& w : centre_weights(s_, is, fine_.ms)) {
-      const ContactRow& row = rows[w.index];
-      out[is].s += w.value * row.s;
-      out[is].position = out[is].position + w.value * row.position;
-      out[is].delta += w.value * row.delta;
+  std::vector<ContactRow> out;
+  for (const Interpolation& centre : centres_of(s_, fine_.ms)) {
+    ContactRow& sum = out.emplace_back();
+    for (int c = 0; c < centre.count; ++c) {
+      const ContactRow& row = rows[centre.first + c];
+      sum.s += centre.weight[c] * row.s;
+      sum.position = sum.position + centre.weight[c] * row.position;
+      sum.delta += centre.weight[c] * row.delta;
     }
+  }
   return out;
 }
 
@@ -173,15 +184,20 @@ std::vector<FallingFriction> LargerElements::of_rows(const std::vector<FallingFr
 
 std::vector<double> LargerElements::gap_at_centres(const std::vector<double>& gap, double far) const {
   std::vector<double> out = at_centres(gap);
+  if (std::ranges::none_of(gap, [far](double h) { return h > far; }))
+    return out;
+  const std::vector<Interpolation> rows = centres_of(s_, fine_.ms), columns = centres_of(x_, fine_.mx);
+  const auto near_far = [&](const Interpolation& row, const Interpolation& column) {
+    for (int c = 0; c < row.count; ++c)
+      for (int d = 0; d < column.count; ++d)
+        if (gap[(row.first + c) * fine_.mx + column.first + d] > far)
+          return true;
+    return false;
+  };
   for (int is = 0; is < s_.count; ++is)
-    for (int ix = 0; ix < x_.count; ++ix) {
-      double largest = 0;
-      for (const Weight& row : centre_weights(s_, is, fine_.ms))
-        for (const Weight& column : centre_weights(x_, ix, fine_.mx))
-          largest = std::max(largest, gap[row.index * fine_.mx + column.index]);
-      if (largest > far)
+    for (int ix = 0; ix < x_.count; ++ix)
+      if (near_far(rows[is], columns[ix]))
         out[is * x_.count + ix] = mean_at(gap, ix, is);
-    }
   return out;
 }
 
@@ -229,18 +245,14 @@ std::string why_no_companion(const ContactProblem& problem, const ContactResult&
   return problem.motion == MotionKind::transient ? "they are not estimated in transient rolling" : "";
 }
 
-std::optional<Companion> companion_of(const ContactProblem& problem, const ContactResult& result,
-                                      int threads) {
-  if (!why_no_companion(problem, result).empty())
-    return std::nullopt;
-  const LargerElements larger(problem.grid, result.pn);
+Companion companion_of(const ContactProblem& problem, const ContactResult& result,
+                       const LargerElements& larger) {
   double far = std::abs(result.approach);
   for (int i = 0; i < problem.grid.size(); ++i)
     if (result.pn[i] > 0)
       far = std::max(far, std::abs(problem.gap[i]));
   ContactProblem coarse = same_question(problem);
   coarse.grid = larger.grid();
-  coarse.numbers = larger.numbers(problem.numbers, !problem.has_friction(), threads);
   coarse.rows = larger.rows_at_centres(problem.rows);
   coarse.friction_rows = larger.mean_of_rows(problem.friction_rows);
   coarse.falling = larger.of_rows(problem.falling);

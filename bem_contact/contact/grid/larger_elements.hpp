@@ -4,7 +4,7 @@
 #include "bem_contact/contact/result.hpp"
 #include "bem_contact/contact/solver_options.hpp"
 
-#include <optional>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -20,6 +20,8 @@ public:
   LargerElements(const ContactGrid& fine, const std::vector<double>& pn);
 
   ContactGrid grid() const;
+  /// Whether both join the same elements of a grid, wherever it lies along x.
+  bool joins_like(const LargerElements& other) const { return x_ == other.x_ && s_ == other.s_; }
   /// Mean over the joined elements; fields.
   std::vector<double> mean(const std::vector<double>& field) const;
   /// Value at the new centres by cubic interpolation, linear at the ends of the grid; fields.
@@ -44,13 +46,16 @@ private:
   /// Fine elements of one direction: large element k joins first + factor k and the next.
   struct Joined {
     int factor = 1, first = 0, count = 0;
+
+    bool operator==(const Joined&) const = default;
   };
-  struct Weight {
-    int index;
-    double value;
+  /// Weights of the fine elements first, first + 1, ... for the value at the centre of a large one.
+  struct Interpolation {
+    int first = 0, count = 1;
+    std::array<double, 4> weight{1};
   };
   static Joined join(int fine_count, int lowest, int highest);
-  static std::vector<Weight> centre_weights(const Joined& joined, int k, int fine_count);
+  static std::vector<Interpolation> centres_of(const Joined& joined, int fine_count);
   double mean_at(const std::vector<double>& field, int ix, int is) const;
 
   ContactGrid fine_;
@@ -68,10 +73,10 @@ struct Companion {
 /// one.
 std::string why_no_companion(const ContactProblem& problem, const ContactResult& result);
 
-/// For the estimate of the discretisation: the influence numbers are exact; undeformed distance, rigid slip
-/// and rows are taken at the new centres. Nothing where why_no_companion() says why.
-std::optional<Companion> companion_of(const ContactProblem& problem, const ContactResult& result,
-                                      int threads = 1);
+/// For the estimate of the discretisation, where why_no_companion() says nothing. Undeformed distance, rigid
+/// slip and rows are taken at the new centres. Without influence numbers, which are those of `larger`, exact.
+Companion companion_of(const ContactProblem& problem, const ContactResult& result,
+                       const LargerElements& larger);
 
 /// For a start: everything is a mean, and all pairs of rows at the same distance have the influence numbers
 /// of the pair about the row `middle`. Only steady rolling without prescribed shear forces keeps its

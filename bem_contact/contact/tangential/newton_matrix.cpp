@@ -166,7 +166,8 @@ VectorXd NewtonMatrix::solve_dense(const Linearisation& at) const {
   struct Unknown {
     Eigen::Index place; ///< of the element's x in a vector
     Vector2d direction; ///< of its step
-    double m, stiffness;
+    double m;
+    Vector2d weight; ///< of the slip under a step: m stiffness direction
   };
   std::vector<Unknown> unknowns;
   VectorXd step = VectorXd::Zero(elements_.unknowns());
@@ -174,8 +175,8 @@ VectorXd NewtonMatrix::solve_dense(const Linearisation& at) const {
     const Matrix2d& projection = at.projection[a];
     const double m = projection.trace(); // 2 where the element sticks, else at most 1
     if (m > 1.5) {
-      unknowns.push_back({2 * a, Vector2d::UnitX(), 1, elements_.stiffness[a]});
-      unknowns.push_back({2 * a, Vector2d::UnitY(), 1, elements_.stiffness[a]});
+      for (const Vector2d& axis : {Vector2d(1, 0), Vector2d(0, 1)})
+        unknowns.push_back({2 * a, axis, 1, elements_.stiffness[a] * axis});
       continue;
     }
     step.segment<2>(2 * a) = -at.residual.segment<2>(2 * a);
@@ -183,7 +184,7 @@ VectorXd NewtonMatrix::solve_dense(const Linearisation& at) const {
       continue;
     const Vector2d along = projection.col(projection(0, 0) > projection(1, 1) ? 0 : 1).normalized();
     step.segment<2>(2 * a) -= along * along.dot(step.segment<2>(2 * a));
-    unknowns.push_back({2 * a, along, m, elements_.stiffness[a]});
+    unknowns.push_back({2 * a, along, m, m * elements_.stiffness[a] * along});
   }
   const MatrixXd only_now =
       matrix_ ? MatrixXd() : step_matrix(*system_.problem, system_.rule.present, elements_.contact);
@@ -191,16 +192,15 @@ VectorXd NewtonMatrix::solve_dense(const Linearisation& at) const {
   const auto count = static_cast<Eigen::Index>(unknowns.size());
   MatrixXd jacobian(count, count), right(count, 1);
   const VectorXd known = b * step;
+  VectorXd column(elements_.unknowns());
   for (Eigen::Index k = 0; k < count; ++k) {
     const Unknown& load = unknowns[k];
-    const VectorXd column = b.middleCols<2>(load.place) * load.direction;
-    for (Eigen::Index l = 0; l < count; ++l) {
-      const Unknown& u = unknowns[l];
-      jacobian(l, k) = u.m * u.stiffness * u.direction.dot(column.segment<2>(u.place));
-    }
+    column = load.direction[0] * b.col(load.place) + load.direction[1] * b.col(load.place + 1);
+    for (Eigen::Index l = 0; l < count; ++l)
+      jacobian(l, k) = unknowns[l].weight.dot(column.segment<2>(unknowns[l].place));
     jacobian(k, k) += 1 - load.m;
-    right(k, 0) = -load.direction.dot(at.residual.segment<2>(load.place) +
-                                      load.m * load.stiffness * known.segment<2>(load.place));
+    right(k, 0) = -load.direction.dot(at.residual.segment<2>(load.place)) -
+                  load.weight.dot(known.segment<2>(load.place));
   }
   if (!solve_lu(jacobian, right))
     right.setConstant(std::nan(""));
