@@ -14,10 +14,6 @@
 namespace bem_contact::contact {
 namespace {
 
-double number(const InfluenceNumbers& a, int m, int row_i, int i, int row_j, int j) {
-  return (m < 0 ? parity(i, j) : 1) * a.at(std::abs(m), row_i, i, row_j, j);
-}
-
 /// An element with tractions.
 struct LoadedElement {
   int column, row;
@@ -152,7 +148,9 @@ struct Terms {
 /// serves all pairs of rows at the same distance.
 void add_translational(const Terms& terms, int i, const std::vector<char>& wanted, double* u) {
   const auto& [a, mx, columns, loads] = terms;
-  std::vector<double> line(mx + columns); // of x_I - x_J = 1 - mx .. columns - 1
+  const auto stride = 9 * static_cast<std::size_t>(2 * a.rows - 1); // to the next offset
+  std::vector<double> line(mx + columns);                           // of x_I - x_J = 1 - mx .. columns - 1
+  double* const middle = &line[mx - 1];
   for (int j = 0; j < 3; ++j)
     for (const auto& [row_i, row_j] : a.stored_rows()) {
       bool known = false, zero = true;
@@ -160,14 +158,19 @@ void add_translational(const Terms& terms, int i, const std::vector<char>& wante
         const LoadedRow& load = loads[j][row_j + k];
         if (load.count == 0 || !wanted[row_i + k])
           continue;
-        if (!known)
-          for (int m = 1 - mx; m < columns; ++m) {
-            line[m + mx - 1] = number(a, m, row_i, i, row_j, j);
-            zero = zero && line[m + mx - 1] == 0;
+        if (!known) {
+          const double* number = &a.values[a.index(0, row_i, i, row_j, j)];
+          const double sign = parity(i, j);
+          for (int m = 0; m < columns; ++m, number += stride) {
+            middle[m] = *number;
+            if (m > 0 && m < mx)
+              middle[-m] = sign * *number;
+            zero = zero && *number == 0;
           }
+        }
         known = true;
         if (!zero)
-          add_convolved(load.values, load.count, &line[mx - 1 - load.first], columns,
+          add_convolved(load.values, load.count, middle - load.first, columns,
                         u + static_cast<std::size_t>(row_i + k) * columns);
       }
     }
