@@ -33,7 +33,10 @@ Derivatives evaluate(const CurvePiece& c, double t) {
 }
 
 double speed(const CurvePiece& c, double t) {
-  return norm(evaluate(c, t).first);
+  Point2 first;
+  for (int k = c.degree; k > 0; --k)
+    first = t * first + k * Point2{c.y[k], c.z[k]};
+  return std::sqrt(dot(first, first));
 }
 
 double arc_length(const CurvePiece& c, double t) {
