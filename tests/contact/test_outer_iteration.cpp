@@ -5,6 +5,7 @@
 #include "bem_contact/contact/coupled/start.hpp"
 #include "bem_contact/contact/coupled/tolerance_schedule.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
+#include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/contact/solve.hpp"
 #include "tests/contact/scenes.hpp"
 
@@ -12,6 +13,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <numeric>
 
@@ -96,15 +98,36 @@ TEST(LargerElements, KeepAForceAndLeaveOutTheRowFartherFromTheContact) {
   EXPECT_DOUBLE_EQ(mean[3 * 3 + 2], 2.0);
 }
 
-/// A uniform pressure on a large element displaces it as on the elements that it joins, on average.
+/// A uniform pressure on a large element displaces it as on the elements that it joins, on average. All
+/// numbers, of both forms, are random: sums over offsets may be anything.
 TEST(LargerElements, TheirInfluenceNumbersAreMeansOverElements) {
-  const ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, 6, 6, 0.5, 0.4, 1e-3, 1e-3);
-  const InfluenceNumbers coarse = contact::LargerElements(problem.grid).numbers(problem.numbers, false);
-  double mean = 0;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      mean += problem.numbers.at(std::abs(i % 2 - j % 2), i / 2, component_n, j / 2, component_n) / 4;
-  EXPECT_NEAR(coarse.at(0, 0, component_n, 0, component_n), mean, 1e-14 * mean);
+  for (const bool translational : {true, false}) {
+    ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, 6, 7, 0.5, 0.4, 1e-3, 1e-3);
+    InfluenceNumbers& fine = problem.numbers;
+    if (!translational)
+      fine = spelled_out(fine);
+    for (std::size_t i = 0; i < fine.values.size(); ++i)
+      fine.values[i] = std::sin(1.0 + 37.0 * static_cast<double>(i));
+    std::vector<double> pn(problem.grid.size(), 0.0);
+    pn.back() = 1; // the first row is left out
+    const InfluenceNumbers coarse = contact::LargerElements(problem.grid, pn).numbers(fine, false);
+    ASSERT_EQ(coarse.rows, 3);
+    ASSERT_EQ(coarse.offsets, 3 + rolling_columns);
+    ASSERT_EQ(coarse.translational, translational);
+    for (int m = 0; 2 * m + 1 < fine.offsets; ++m)
+      for (const auto& [row_i, row_j] : coarse.stored_rows())
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j) {
+            double mean = 0;
+            for (int a = 0; a < 4; ++a)
+              for (int b = 0; b < 4; ++b) {
+                const int ahead = 2 * m + a % 2 - b % 2;
+                mean += (ahead < 0 ? parity(i, j) : 1) / 4.0 *
+                        fine.at(std::abs(ahead), 1 + 2 * row_i + a / 2, i, 1 + 2 * row_j + b / 2, j);
+              }
+            ASSERT_NEAR(coarse.at(m, row_i, i, row_j, j), mean, 1e-13) << m << row_i << row_j << i << j;
+          }
+  }
 }
 
 TEST(Start, AGuessWithoutPressureIsIgnored) {

@@ -46,9 +46,17 @@ std::vector<OffsetWeight> offset_weights(int m, int factor, int last) {
   return out;
 }
 
-/// Values between the numbers (i, j) and (i + 1, j) of two rows.
-std::size_t component_stride(const InfluenceNumbers& numbers) {
-  return numbers.translational ? 3 : 3 * static_cast<std::size_t>(numbers.rows);
+/// to += weight from, over the numbers of one offset, [..][i][j]. weight[1] is for those odd in x, and the
+/// rows of their table have `width` numbers.
+void add_offset(const double* from, const std::array<double, 2>& weight, std::size_t width,
+                std::vector<double>& to) {
+  if (weight[0] == weight[1]) {
+    for (std::size_t e = 0; e < to.size(); ++e)
+      to[e] += weight[0] * from[e];
+    return;
+  }
+  for (std::size_t e = 0; e < to.size(); ++e)
+    to[e] += weight[parity(static_cast<int>(e / width % 3), static_cast<int>(e % width % 3)) < 0] * from[e];
 }
 
 } // namespace
@@ -201,6 +209,40 @@ std::vector<double> LargerElements::gap_at_centres(const std::vector<double>& ga
   return out;
 }
 
+/// All pairs of rows, [3 I + i][3 J + j].
+void LargerElements::join_pairs(const std::vector<double>& fine, double share, double* coarse) const {
+  const auto width = 3 * static_cast<std::size_t>(fine_.ms), count = static_cast<std::size_t>(s_.count),
+             factor = static_cast<std::size_t>(s_.factor), first = static_cast<std::size_t>(s_.first);
+  std::vector<double> line(width);
+  for (std::size_t row = 0; row < count; ++row)
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::ranges::fill(line, 0.0);
+      for (std::size_t c = 0; c < factor; ++c) {
+        const double* from = &fine[(3 * (first + factor * row + c) + i) * width];
+        for (std::size_t e = 0; e < width; ++e)
+          line[e] += share * from[e];
+      }
+      for (std::size_t column = 0; column < count; ++column)
+        for (std::size_t j = 0; j < 3; ++j, ++coarse) {
+          *coarse = 0;
+          for (std::size_t d = 0; d < factor; ++d)
+            *coarse += line[3 * (first + factor * column + d) + j];
+        }
+    }
+}
+
+/// Rows at each distance, [I - J][i][j].
+void LargerElements::join_distances(const std::vector<double>& fine, double share, double* coarse) const {
+  for (int distance = 1 - s_.count; distance < s_.count; ++distance, coarse += 9) {
+    std::fill(coarse, coarse + 9, 0.0);
+    for (int apart = 1 - s_.factor; apart < s_.factor; ++apart) {
+      const double* from = &fine[static_cast<std::size_t>(9 * (s_.factor * distance + apart + fine_.ms - 1))];
+      for (int e = 0; e < 9; ++e)
+        coarse[e] += share * (s_.factor - std::abs(apart)) * from[e];
+    }
+  }
+}
+
 InfluenceNumbers LargerElements::numbers(const InfluenceNumbers& fine, bool only_normal, int threads) const {
   InfluenceNumbers coarse;
   coarse.offsets = only_normal ? x_.count : x_.count + rolling_columns;
@@ -208,28 +250,19 @@ InfluenceNumbers LargerElements::numbers(const InfluenceNumbers& fine, bool only
   coarse.dx = x_.factor * fine.dx;
   coarse.ds = s_.factor * fine.ds;
   coarse.translational = fine.translational;
-  coarse.values.assign(coarse.expected_values(), 0.0);
-  const std::size_t stride = component_stride(coarse), fine_stride = component_stride(fine);
+  coarse.values.resize(coarse.expected_values());
+  const std::size_t size = fine.expected_values() / static_cast<std::size_t>(fine.offsets),
+                    coarse_size = coarse.expected_values() / static_cast<std::size_t>(coarse.offsets),
+                    width = fine.translational ? 3 : 3 * static_cast<std::size_t>(fine.rows);
   const double share = 1.0 / (x_.factor * s_.factor);
-  const int from = only_normal ? component_n : component_x;
-  const auto add = [&](int m, const std::vector<OffsetWeight>& offsets, int row_i, int row_j) {
-    double* sum = &coarse.at(m, row_i, 0, row_j, 0);
-    for (int c = 0; c < s_.factor; ++c)
-      for (int d = 0; d < s_.factor; ++d)
-        for (const auto& [offset, weight] : offsets) {
-          const double* number = &fine.values[fine.index(offset, s_.first + s_.factor * row_i + c, 0,
-                                                         s_.first + s_.factor * row_j + d, 0)];
-          for (int i = from; i <= component_n; ++i)
-            for (int j = from; j <= component_n; ++j)
-              sum[i * stride + j] += share * weight[parity(i, j) < 0] * number[i * fine_stride + j];
-        }
-  };
-  const auto rows = coarse.stored_rows();
   in_parts(threads, coarse.offsets, [&](int m, int end, int) {
+    std::vector<double> sum(size);
     for (; m < end; ++m) {
-      const std::vector<OffsetWeight> offsets = offset_weights(m, x_.factor, fine.offsets - 1);
-      for (const auto& [row_i, row_j] : rows)
-        add(m, offsets, row_i, row_j);
+      std::ranges::fill(sum, 0.0);
+      for (const auto& [offset, weight] : offset_weights(m, x_.factor, fine.offsets - 1))
+        add_offset(&fine.values[static_cast<std::size_t>(offset) * size], weight, width, sum);
+      double* const to = &coarse.values[static_cast<std::size_t>(m) * coarse_size];
+      fine.translational ? join_distances(sum, share, to) : join_pairs(sum, share, to);
     }
   });
   return coarse;

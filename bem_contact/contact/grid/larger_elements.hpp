@@ -57,6 +57,8 @@ private:
   static Joined join(int fine_count, int lowest, int highest);
   static std::vector<Interpolation> centres_of(const Joined& joined, int fine_count);
   double mean_at(const std::vector<double>& field, int ix, int is) const;
+  void join_pairs(const std::vector<double>& fine, double share, double* coarse) const;
+  void join_distances(const std::vector<double>& fine, double share, double* coarse) const;
 
   ContactGrid fine_;
   Joined x_, s_;
