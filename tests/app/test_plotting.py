@@ -1,12 +1,25 @@
-"""What tools/plotting computes: limits of the shakedown diagram against closed forms and known numbers; numbers of tables in words."""
+"""What tools/plotting computes: limits of the shakedown diagram against closed forms and known numbers; numbers of tables in words.
 
+Damaged files are drawn or refused.
+"""
+
+import contextlib
+import io
+import os
+import runpy
+import shutil
+import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
+import h5py
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
+TOOLS = Path(__file__).resolve().parents[2] / "tools"
+sys.path.insert(0, str(TOOLS))
 sys.dont_write_bytecode = True
 from plotting import results, shakedown, style  # noqa: E402
 
@@ -82,6 +95,45 @@ class Numbers(unittest.TestCase):
         self.assertEqual(style.titled("free_rolling_xi", "1"), "creepage of free rolling")
         self.assertEqual(style.valued(0.0025, "rad"), "0.0025 rad (0.143°)")
         self.assertEqual(style.valued(60000, "N"), "60000 N")
+
+
+class DamagedFiles(unittest.TestCase):
+    SWEEP = """kind = "patch"
+motion = { friction = 0.3, xi = 1e-3 }
+solver.model = "halfspace"
+gap = { a = 1e-3, b = 2e-3 }
+grid = { dx = 0.8, ds = 0.8, mx = 12, ms = 12 }
+sweep.load.force = [1e3, 2e3]
+"""
+
+    @staticmethod
+    def plot(*arguments):
+        """The exit code of tools/plot, in this process: a start takes a second."""
+        with mock.patch.object(sys, "argv", ["plot", *map(str, arguments)]), contextlib.redirect_stderr(io.StringIO()):
+            try:
+                runpy.run_path(str(TOOLS / "plot"), run_name="__main__")
+            except SystemExit as end:
+                return end.code
+        return 0
+
+    def test_a_sweep_of_which_a_dataset_is_too_short_or_gone(self):
+        with tempfile.TemporaryDirectory() as temporary:
+            folder = Path(temporary)
+            whole, file, picture = folder / "whole.h5", folder / "sweep.h5", folder / "s.png"
+            (folder / "sweep.toml").write_text(self.SWEEP)
+            subprocess.run([os.environ["BEM_CONTACT"], "sweep", folder / "sweep.toml", "-o", whole], check=True, capture_output=True)
+            self.assertEqual(self.plot(whole, "-o", picture), 0)
+            for name in ("status", "load.force", "Fx", "patches/y"):
+                for gone in (False, True):
+                    with self.subTest(dataset=name, gone=gone):
+                        shutil.copy(whole, file)
+                        with h5py.File(file, "r+") as opened:
+                            data, attributes = opened[name][()], dict(opened[name].attrs)
+                            del opened[name]
+                            if not gone:
+                                opened[name] = data[:-1]
+                                opened[name].attrs.update(attributes)
+                        self.assertIn(self.plot(file, "-o", picture), (0, 2))
 
 
 if __name__ == "__main__":
