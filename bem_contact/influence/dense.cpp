@@ -58,14 +58,13 @@ bool factor_cholesky(Eigen::MatrixXd& a) {
   return info == 0;
 }
 
-void solve_factored(const Eigen::MatrixXd& factor, Eigen::MatrixXd& x) {
+void solve_factored(const Eigen::MatrixXd& factor, Eigen::Ref<Eigen::VectorXd> x) {
   const int n = static_cast<int>(factor.rows()), stride = 1;
   const OneThread one_thread;
-  // Column by column: LAPACK's dpotrs copies the factor first, which pays from some ten columns on.
+  // LAPACK's dpotrs copies the factor first, which takes longer than to solve with it.
   if (n > 0)
-    for (double* column = x.data(); column != x.data() + x.size(); column += n)
-      for (const char* transposed : {"N", "T"})
-        dtrsv_("L", transposed, "N", &n, factor.data(), &n, column, &stride);
+    for (const char* transposed : {"N", "T"})
+      dtrsv_("L", transposed, "N", &n, factor.data(), &n, x.data(), &stride);
 }
 
 bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x) {

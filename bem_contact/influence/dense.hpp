@@ -11,8 +11,8 @@ namespace bem_contact {
 /// if it is not.
 bool factor_cholesky(Eigen::MatrixXd& a);
 
-/// x := A^-1 x, a few columns, with the factor that factor_cholesky() left in A's place.
-void solve_factored(const Eigen::MatrixXd& factor, Eigen::MatrixXd& x);
+/// x := A^-1 x with the factor that factor_cholesky() left in A's place.
+void solve_factored(const Eigen::MatrixXd& factor, Eigen::Ref<Eigen::VectorXd> x);
 
 /// x := A^-1 x by LU with partial pivoting (A is overwritten). False if A is singular.
 bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x);

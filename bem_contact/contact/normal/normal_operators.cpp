@@ -74,7 +74,13 @@ bool NormalOperators::solve_dense(const std::vector<int>& elements, const Influe
       return false;
     factor_.emplace(elements, std::move(factor));
   }
-  solve_factored(factor_->factor, right);
+  auto& [known_elements, factor, unit, response] = *factor_;
+  if (unit.size() == 0 || unit != right.col(1)) {
+    unit = response = right.col(1);
+    solve_factored(factor, response);
+  }
+  solve_factored(factor, right.col(0));
+  right.col(1) = response;
   return true;
 }
 

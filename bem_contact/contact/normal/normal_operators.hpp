@@ -55,8 +55,9 @@ public:
   const NormalBox& box_around(const std::vector<int>& elements, const InfluenceNumbers& numbers,
                               const ContactGrid& grid, WorkBudget& work);
   NormalBoxVectors& vectors() { return vectors_; }
-  /// right := A_CC^-1 right on these elements; false where A_CC is not positive definite. The factor is used
-  /// again for the same elements: the contact area settles long before the forces do.
+  /// right := A_CC^-1 right on these elements, two columns; false where A_CC is not positive definite. The
+  /// contact area settles long before the forces do. So for the same elements the factor is used again, and
+  /// the second column, the response to a unit approach, where it is the same.
   bool solve_dense(const std::vector<int>& elements, const InfluenceNumbers& numbers, int mx,
                    Eigen::MatrixXd& right);
 
@@ -64,6 +65,7 @@ private:
   struct CholeskyFactor {
     std::vector<int> elements;
     Eigen::MatrixXd factor;
+    Eigen::VectorXd unit = {}, response = {}; ///< the second column and its solution
   };
   std::shared_ptr<TransformPool> pool_;
   std::optional<StripOperator> whole_;

@@ -29,6 +29,7 @@ public:
                const Linearisation& at, StepBoxScratch& scratch)
       : box_(box), local_(local), scratch_(scratch), n_(box.size()) {
     double slipping = 0, sum = 0, stiffness = 0;
+    std::ranges::fill(scratch.fast_in, 0.0f); // stays so beside the elements in contact
     scratch.elements.clear();
     for (std::size_t a = 0; a < local.size(); ++a) {
       const double m = std::min(at.projection[a].trace(), 2.0);
@@ -55,7 +56,6 @@ public:
 
   /// B v
   void product(Eigen::Ref<const VectorXf> v, Eigen::Ref<VectorXf> result) const {
-    clear();
     for (std::size_t a = 0; a < local_.size(); ++a)
       put(a, v.segment<2>(2 * a));
     box_.step(scratch_.fast_in, scratch_.fast_out);
@@ -82,11 +82,13 @@ public:
       else if (e.m > 0)
         result.segment<2>(2 * a) -= e.projection * v.segment<2>(2 * a) / e.m;
     if (sticking_) {
-      clear();
-      for (std::size_t a = 0; a < local_.size(); ++a)
-        if (const Element& e = scratch_.elements[a]; e.m > counts_as_sticking)
-          put(a, e.m >= 2 ? Vector2f(v.segment<2>(2 * a) / e.stiffness)
-                          : Vector2f(e.projection * v.segment<2>(2 * a) / (e.m * e.m * e.stiffness)));
+      for (std::size_t a = 0; a < local_.size(); ++a) {
+        const Element& e = scratch_.elements[a];
+        put(a, e.m >= 2 ? Vector2f(v.segment<2>(2 * a) / e.stiffness)
+               : e.m > counts_as_sticking
+                   ? Vector2f(e.projection * v.segment<2>(2 * a) / (e.m * e.m * e.stiffness))
+                   : Vector2f(0, 0));
+      }
       box_.invert(scratch_.sticks, scratch_.fast_in, scratch_.fast_out);
       for (std::size_t a = 0; a < local_.size(); ++a)
         if (const Element& e = scratch_.elements[a]; e.m >= 2)
@@ -96,10 +98,11 @@ public:
     }
     if (!damped_)
       return;
-    clear();
-    for (std::size_t a = 0; a < local_.size(); ++a)
-      if (const Element& e = scratch_.elements[a]; e.scale > 0)
-        put(a, e.scale / (e.m * e.m) * (e.projection * v.segment<2>(2 * a)));
+    for (std::size_t a = 0; a < local_.size(); ++a) {
+      const Element& e = scratch_.elements[a];
+      put(a, e.scale > 0 ? Vector2f(e.scale / (e.m * e.m) * (e.projection * v.segment<2>(2 * a)))
+                         : Vector2f(0, 0));
+    }
     scratch_.damped.apply(box_, scratch_.fast_in, scratch_.fast_out);
     for (std::size_t a = 0; a < local_.size(); ++a)
       if (const Element& e = scratch_.elements[a]; e.scale > 0)
@@ -107,7 +110,6 @@ public:
   }
 
 private:
-  void clear() const { std::fill(scratch_.fast_in.begin(), scratch_.fast_in.end(), 0.0f); }
   void put(std::size_t a, const Vector2f& v) const {
     scratch_.fast_in[local_[a]] = v[0];
     scratch_.fast_in[n_ + local_[a]] = v[1];
