@@ -67,12 +67,14 @@ void look_at_motion(const SceneFile& scene, double rolling_radius, std::vector<s
 /// Where the tip of the flange is, if the wheel stands on it.
 std::optional<Point2> flange_tip_below(const WheelRailGeometry& placed) {
   const TabulatedProfile& wheel = placed.pair.wheel;
+  const auto depth = [](const TabulatedProfile::Node& node) { return node.position.z; };
+  const double deepest = depth(std::ranges::max(wheel.nodes(), {}, depth));
+  if (wheel.at(placed.touch.front().wheel_s).position.z <= deepest - flange_tip_depth)
+    return std::nullopt;
   std::vector<Point2> points;
   for (const TabulatedProfile::Node& node : wheel.nodes())
     points.push_back(node.position);
-  const auto tip = flange_tip(points);
-  const double here = wheel.at(placed.touch.front().wheel_s).position.z;
-  return tip && here > tip->z - flange_tip_depth ? tip : std::nullopt;
+  return flange_tip(points);
 }
 
 } // namespace

@@ -127,8 +127,7 @@ void set_lift(const ContactSetup& setup, ContactEstimate& estimate) {
     const RailSlice& c = estimate.slices[i];
     if (c.gap >= largest_approach)
       continue;
-    const CurvePoint p = setup.wheel_rail()->pair.rail_at(c.s);
-    const RigidSlip slip = setup.rigid_slip({}, {{c.s, p.position, p.delta}}, {c.x});
+    const RigidSlip slip = setup.rigid_slip({}, {{c.s, c.position, c.delta}}, {c.x});
     const double along_s = slip.s[0] / std::hypot(slip.x[0], slip.s[0], half_slip_creepage);
     estimate.lift[i] = std::clamp(1 + setup.motion.coefficients.friction * along_s * std::tan(c.delta),
                                   least_lift, most_lift);
