@@ -9,7 +9,7 @@ int openblas_get_num_threads();
 void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 void dtrsv_(const char* uplo, const char* trans, const char* diag, const int* n, const double* a,
             const int* lda, double* x, const int* incx);
-void dgesv_(const int* n, const int* nrhs, double* a, const int* lda, int* pivots, double* b, const int* ldb,
+void sgesv_(const int* n, const int* nrhs, float* a, const int* lda, int* pivots, float* b, const int* ldb,
             int* info);
 void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k,
             const double* alpha, const double* a, const int* lda, const double* b, const int* ldb,
@@ -67,13 +67,13 @@ void solve_factored(const Eigen::MatrixXd& factor, Eigen::Ref<Eigen::VectorXd> x
       dtrsv_("L", transposed, "N", &n, factor.data(), &n, x.data(), &stride);
 }
 
-bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x) {
-  const int n = static_cast<int>(a.rows()), nrhs = static_cast<int>(x.cols());
+bool solve_lu(Eigen::MatrixXf& a, Eigen::VectorXf& x) {
+  const int n = static_cast<int>(a.rows()), nrhs = 1;
   int info = 0;
   std::vector<int> pivots(a.rows());
   const OneThread one_thread;
   if (n > 0)
-    dgesv_(&n, &nrhs, a.data(), &n, pivots.data(), x.data(), &n, &info);
+    sgesv_(&n, &nrhs, a.data(), &n, pivots.data(), x.data(), &n, &info);
   return info == 0;
 }
 

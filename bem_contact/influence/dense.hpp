@@ -14,8 +14,8 @@ bool factor_cholesky(Eigen::MatrixXd& a);
 /// x := A^-1 x with the factor that factor_cholesky() left in A's place.
 void solve_factored(const Eigen::MatrixXd& factor, Eigen::Ref<Eigen::VectorXd> x);
 
-/// x := A^-1 x by LU with partial pivoting (A is overwritten). False if A is singular.
-bool solve_lu(Eigen::MatrixXd& a, Eigen::MatrixXd& x);
+/// x := A^-1 x by LU with partial pivoting (A is overwritten), in single precision. False if A is singular.
+bool solve_lu(Eigen::MatrixXf& a, Eigen::VectorXf& x);
 
 /// A B into `out`, column-major.
 void dense_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double* out);

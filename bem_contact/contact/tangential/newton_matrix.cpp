@@ -192,22 +192,24 @@ VectorXd NewtonMatrix::solve_dense(const Linearisation& at) const {
       matrix_ ? MatrixXd() : step_matrix(*system_.problem, system_.rule.present, elements_.contact);
   const MatrixXd& b = matrix_ ? *matrix_ : only_now;
   const auto count = static_cast<Eigen::Index>(unknowns.size());
-  MatrixXd jacobian(count, count), right(count, 1);
+  // In single precision, as GCR: the next step knows the residual in double.
+  Eigen::MatrixXf jacobian(count, count);
+  VectorXf right(count);
   const VectorXd known = b * step;
   VectorXd column(elements_.unknowns());
   for (Eigen::Index k = 0; k < count; ++k) {
     const Unknown& load = unknowns[k];
     column = load.direction[0] * b.col(load.place) + load.direction[1] * b.col(load.place + 1);
     for (Eigen::Index l = 0; l < count; ++l)
-      jacobian(l, k) = unknowns[l].weight.dot(column.segment<2>(unknowns[l].place));
-    jacobian(k, k) += 1 - load.m;
-    right(k, 0) = -load.direction.dot(at.residual.segment<2>(load.place)) -
-                  load.weight.dot(known.segment<2>(load.place));
+      jacobian(l, k) = static_cast<float>(unknowns[l].weight.dot(column.segment<2>(unknowns[l].place)));
+    jacobian(k, k) += static_cast<float>(1 - load.m);
+    right[k] = static_cast<float>(-load.direction.dot(at.residual.segment<2>(load.place)) -
+                                  load.weight.dot(known.segment<2>(load.place)));
   }
   if (!solve_lu(jacobian, right))
-    right.setConstant(std::nan(""));
+    right.setConstant(std::nanf(""));
   for (Eigen::Index k = 0; k < count; ++k)
-    step.segment<2>(unknowns[k].place) += right(k, 0) * unknowns[k].direction;
+    step.segment<2>(unknowns[k].place) += right[k] * unknowns[k].direction;
   return step;
 }
 
