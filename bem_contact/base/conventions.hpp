@@ -90,7 +90,9 @@ inline double angle_from_to(Point2 a, Point2 b) {
 /// Turns points about the origin by one angle, rad, from +y towards +z.
 class Turn {
 public:
+  /// Takes sine and cosine once.
   explicit Turn(double angle) : cosine_(std::cos(angle)), sine_(std::sin(angle)) {}
+  /// The turned point.
   Point2 operator()(Point2 a) const { return {cosine_ * a.y - sine_ * a.z, sine_ * a.y + cosine_ * a.z}; }
 
 private:

@@ -51,6 +51,25 @@ TEST(Metamorphic, MetresAndPascals) {
   EXPECT_EQ(m.patches[0].adhesion, mm.patches[0].adhesion);
 }
 
+/// Linear systems are solved in single precision, whose numbers end at 1e-38.
+TEST(Metamorphic, TractionsSmallerThanAnyFloat) {
+  for (const int m : {10, 30}) { // dense systems, and GCR
+    ContactProblem problem = rolling(soft, scenes::steel, m, m, 0, 0);
+    problem.force = m * m;
+    creep(problem, 5e-4, 3e-4, 1e-4, 0, 0);
+    constexpr double small = 1e-60;
+    ContactProblem tiny = problem;
+    tiny.numbers = scenes::pair({small * soft.shear_modulus, soft.poisson},
+                                {small * scenes::steel.shear_modulus, scenes::steel.poisson}, problem.grid);
+    tiny.force *= small;
+    const ContactResult a = solve(problem), b = solve(tiny);
+    ASSERT_TRUE(a.converged && b.converged) << b.remark;
+    EXPECT_EQ(b.tangential_solver, a.tangential_solver);
+    EXPECT_NEAR(b.Fx / small, a.Fx, 1e-6 * a.Fx);
+    EXPECT_NEAR(b.Fy / small, a.Fy, 1e-6 * a.Fx);
+  }
+}
+
 TEST(Metamorphic, ShiftByWholeElements) {
   ContactProblem here = rolling(soft, scenes::steel, 34, 34, 0, 0);
   creep(here, 5e-4, 3e-4, 1e-4, 0, 0);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bem_contact::contact {
 namespace {
@@ -192,7 +193,9 @@ VectorXd NewtonMatrix::solve_dense(const Linearisation& at) const {
       matrix_ ? MatrixXd() : step_matrix(*system_.problem, system_.rule.present, elements_.contact);
   const MatrixXd& b = matrix_ ? *matrix_ : only_now;
   const auto count = static_cast<Eigen::Index>(unknowns.size());
-  // In single precision, as GCR: the next step knows the residual in double.
+  // In single precision, as GCR: the next step knows the residual in double. It may be smaller than any
+  // float.
+  const double size = std::max(at.residual.lpNorm<Eigen::Infinity>(), std::numeric_limits<double>::min());
   Eigen::MatrixXf jacobian(count, count);
   VectorXf right(count);
   const VectorXd known = b * step;
@@ -203,13 +206,14 @@ VectorXd NewtonMatrix::solve_dense(const Linearisation& at) const {
     for (Eigen::Index l = 0; l < count; ++l)
       jacobian(l, k) = static_cast<float>(unknowns[l].weight.dot(column.segment<2>(unknowns[l].place)));
     jacobian(k, k) += static_cast<float>(1 - load.m);
-    right[k] = static_cast<float>(-load.direction.dot(at.residual.segment<2>(load.place)) -
-                                  load.weight.dot(known.segment<2>(load.place)));
+    right[k] = static_cast<float>((-load.direction.dot(at.residual.segment<2>(load.place)) -
+                                   load.weight.dot(known.segment<2>(load.place))) /
+                                  size);
   }
   if (!solve_lu(jacobian, right))
     right.setConstant(std::nanf(""));
   for (Eigen::Index k = 0; k < count; ++k)
-    step.segment<2>(unknowns[k].place) += right[k] * unknowns[k].direction;
+    step.segment<2>(unknowns[k].place) += size * right[k] * unknowns[k].direction;
   return step;
 }
 
