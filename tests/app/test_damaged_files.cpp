@@ -1,16 +1,13 @@
 // A file with a dataset that is too short, empty or gone is refused by every reader, or does not matter to
 // it.
+#include "bem_contact/influence/h5_handle.hpp"
 #include "tests/app/run_program.hpp"
 
 #include <gmock/gmock.h>
-#include <hdf5.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace {
@@ -34,22 +31,10 @@ grid = { dx = 2, ds = 1 }
 sweep.position.lateral = [0.0]
 )";
 
-/// Closes what it holds; negative: nothing.
-class Id {
-public:
-  Id(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) { EXPECT_GE(id, 0); }
-  ~Id() { close_(id_); }
-  Id(const Id&) = delete;
-  Id& operator=(const Id&) = delete;
-  operator hid_t() const { return id_; } // NOLINT: the C API takes ids everywhere
-
-private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
-Id opened(const std::filesystem::path& file) {
-  return {H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose};
+H5Handle opened(const std::filesystem::path& file) {
+  H5Handle h5(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  EXPECT_GE(h5, 0) << file;
+  return h5;
 }
 
 /// Names of all datasets of floating-point numbers that are not of single cases.
@@ -58,7 +43,7 @@ std::vector<std::string> datasets_of(hid_t file) {
   const auto look = [](hid_t root, const char* name, const H5O_info_t* info, void* found) -> herr_t {
     if (info->type != H5O_TYPE_DATASET || std::string(name).starts_with("cases/"))
       return 0;
-    const Id dataset(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose), type(H5Dget_type(dataset), H5Tclose);
+    const H5Handle dataset(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose), type(H5Dget_type(dataset), H5Tclose);
     if (H5Tget_class(type) == H5T_FLOAT)
       static_cast<std::vector<std::string>*>(found)->push_back(name);
     return 0;
@@ -69,7 +54,7 @@ std::vector<std::string> datasets_of(hid_t file) {
 
 /// All numbers of a dataset, one after the other.
 std::vector<double> numbers_of(hid_t file, const std::string& name) {
-  const Id dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose),
+  const H5Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose),
       space(H5Dget_space(dataset), H5Sclose);
   std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
   EXPECT_GE(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
@@ -81,18 +66,18 @@ void cut(hid_t file, const std::string& name, std::size_t length) {
   std::vector<double> values = numbers_of(file, name);
   values.resize(length);
   {
-    const Id old(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose), type(H5Dget_type(old), H5Tclose);
+    const H5Handle old(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose), type(H5Dget_type(old), H5Tclose);
     const hsize_t extent = length;
-    const Id space(length > 0 ? H5Screate_simple(1, &extent, nullptr) : H5Screate(H5S_NULL), H5Sclose),
+    const H5Handle space(length > 0 ? H5Screate_simple(1, &extent, nullptr) : H5Screate(H5S_NULL), H5Sclose),
         now(H5Dcreate2(file, "now", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
     if (length > 0) {
       EXPECT_GE(H5Dwrite(now, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
     }
     const auto copy = [](hid_t from, const char* attribute, const H5A_info_t* /*info*/, void* to) -> herr_t {
-      const Id before(H5Aopen(from, attribute, H5P_DEFAULT), H5Aclose), kind(H5Aget_type(before), H5Tclose),
-          where(H5Aget_space(before), H5Sclose);
-      const Id after(H5Acreate2(*static_cast<hid_t*>(to), attribute, kind, where, H5P_DEFAULT, H5P_DEFAULT),
-                     H5Aclose);
+      const H5Handle before(H5Aopen(from, attribute, H5P_DEFAULT), H5Aclose),
+          kind(H5Aget_type(before), H5Tclose), where(H5Aget_space(before), H5Sclose);
+      const H5Handle after(
+          H5Acreate2(*static_cast<hid_t*>(to), attribute, kind, where, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
       std::vector<std::byte> value(H5Tget_size(kind) *
                                    static_cast<std::size_t>(H5Sget_simple_extent_npoints(where)));
       EXPECT_GE(H5Aread(before, kind, value.data()), 0);
@@ -144,7 +129,7 @@ protected:
       for (const bool gone : {false, true}) {
         SCOPED_TRACE(command.substr(0, command.find(' ')) + ": " + name + (gone ? " gone" : " one less"));
         restore();
-        if (const Id h5 = opened(damaged); gone) {
+        if (const H5Handle h5 = opened(damaged); gone) {
           EXPECT_GE(H5Ldelete(h5, name.c_str(), H5P_DEFAULT), 0);
         } else {
           cut(h5, name, numbers_of(h5, name).size() - 1);
@@ -184,7 +169,7 @@ TEST_F(DamagedFiles, WithNumbersThatStandForNoWord) {
     SCOPED_TRACE(testing::Message() << name << " " << value);
     std::filesystem::copy_file(whole, file, std::filesystem::copy_options::overwrite_existing);
     {
-      const Id h5 = opened(file), dataset(H5Dopen2(h5, name, H5P_DEFAULT), H5Dclose);
+      const H5Handle h5 = opened(file), dataset(H5Dopen2(h5, name, H5P_DEFAULT), H5Dclose);
       std::vector<double> values = numbers_of(h5, name);
       values[0] = value;
       EXPECT_GE(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);

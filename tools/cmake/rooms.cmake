@@ -69,14 +69,6 @@ if(CONFORMAL_TESTS)
     <algorithm> <cmath> <filesystem> <fstream> <string> <vector> <fmt/format.h> <gmock/gmock.h>)
 endif()
 
-# For tests that start the program hundreds of times with input that it refuses. Under sanitizers they do not search for
-# leaks, because that takes two fifths of each start. All other tests do.
-function(conformal_many_starts)
-  if(CONFORMAL_SANITIZE)
-    set_property(TEST ${ARGN} APPEND PROPERTY ENVIRONMENT_MODIFICATION ASAN_OPTIONS=string_append::detect_leaks=0)
-  endif()
-endfunction()
-
 # conformal_test(<name> SOURCES ... [SOLVERS ...] ROOMS ... [LIBRARIES ...]): one GoogleTest program a room. It is one test
 # for ctest: a process for each of its tests took twice the time.
 #   SOLVERS    sources that compute much themselves. The others are not optimised: they call the rooms,
