@@ -19,6 +19,7 @@ std::vector<ContactResult> solve_history(ContactProblem problem, int steps,
   for (int k = 0; k < steps; ++k) {
     prescribe(k, problem);
     options.displacements = given.displacements && k == steps - 1;
+    options.continues = given.continues || k > 0;
     results.push_back(solve(problem, options));
     problem.previous.insert(problem.previous.begin(), tractions_of(results.back()));
     if (problem.previous.size() > kept)

@@ -196,6 +196,8 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options,
   validate(problem);
   contact::ContactOperators only_now;
   contact::ContactOperators& operators = options.workspace ? options.workspace->of(problem) : only_now;
+  if (!options.start && !options.continues)
+    operators.forget_solutions();
   ContactResult result = solve_on_this_grid(problem, options, operators, work);
   const Stopwatch estimating;
   estimate(problem, options, operators, work, result);
@@ -204,6 +206,10 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options,
     result.certificate.discretisation = result.discretisation->worst();
   result.work = work.used();
   return result;
+}
+
+int first_joined_row(int rows, int lowest, int highest) {
+  return contact::LargerElements::first_joined(rows, lowest, highest);
 }
 
 } // namespace bem_contact

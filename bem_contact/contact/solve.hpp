@@ -18,7 +18,8 @@ class TransformPool;
 
 /// Keeps what solving prepares from influence numbers, for a sequence of problems: give it to every solve()
 /// (SolverOptions::workspace). It reuses what it prepared only if the influence numbers are identical, bit by
-/// bit, and the grid has as many elements. The results are those without it. One workspace serves one thread
+/// bit, and the grid has as many elements. The results are those without it; where a solution goes on from
+/// the one before (SolverOptions::start, continues), within the certificate. One workspace serves one thread
 /// at a time.
 ///
 /// This is all that lives longer than one call of solve() in this room (bem_contact/contact):
@@ -27,7 +28,7 @@ class TransformPool;
 ///   a set               (contact::ContactOperators) for one set of influence numbers on one grid:
 ///     normal            A_nn on the grid and on boxes around the contact; the last Cholesky factor
 ///     tangential        A_tt on the grid; the operator B from shear tractions to the slip of one step, on
-///                       boxes around the contact; the last dense B
+///                       boxes around the contact; of few elements the last dense B and LU factors
 ///     coupling          how shear and pressure act on each other, if they do
 ///     start             numbers of larger elements to start from, and a set of their own
 ///     companion         a set for the larger elements of the estimate of the discretisation
@@ -64,5 +65,10 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options 
 
 /// The same with a budget that all problems of one case (one scene) share.
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options, WorkBudget& work);
+
+/// The estimate of the discretisation joins pairs of rows: the first of them, of `rows` rows where those in
+/// contact are lowest .. highest. Of an odd number one at an end is left out, the one farther from the
+/// contact.
+int first_joined_row(int rows, int lowest, int highest);
 
 } // namespace bem_contact

@@ -25,6 +25,9 @@ struct SolverOptions {
   bool coarse_start = true;   ///< without `start`, solve a large problem on larger elements first
   /// Starts from here instead of larger elements. A guess without pressure, or on another grid, is ignored.
   const StartingPoint* start = nullptr;
+  /// Go on from the factors and directions that the last solution left in the workspace. The result then
+  /// depends on that one, as it does on `start`, within the certificate.
+  bool continues = false;
   Workspace* workspace = nullptr; ///< prepared for earlier problems (solve.hpp); null: for this one only
 };
 

@@ -20,7 +20,7 @@ constexpr int elements = 60, unknowns = 2 * elements, most = 200;
 struct Systems {
   MatrixXd b = MatrixXd::Random(unknowns, unknowns) / unknowns + 2 * MatrixXd::Identity(unknowns, unknowns);
   VectorXd mask = VectorXd::Ones(unknowns);
-  contact::Gcr gcr;
+  contact::Gcr gcr{{contact::kept_solutions, contact::kept_directions}};
 
   Systems() { gcr.use_elements(numbered(0)); }
   static std::vector<int> numbered(int first) {

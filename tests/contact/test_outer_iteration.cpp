@@ -52,6 +52,10 @@ TEST(ToleranceSchedule, TightensWithTheChangeAndSettlesOnlyAtTheToleranceAsked) 
   EXPECT_TRUE(schedule.is_close(1e-9));
   schedule.tighten(1e-4, 1);
   EXPECT_DOUBLE_EQ(schedule.now(), contact::tolerance_of_change * 1e-4);
+  schedule.tighten(contact::nearly_asked / contact::tolerance_of_change * 1.1e-8, 1);
+  EXPECT_GT(schedule.now(), contact::nearly_asked * 1e-8);
+  schedule.tighten(contact::nearly_asked / contact::tolerance_of_change * 0.9e-8, 1); // may be the last
+  EXPECT_EQ(schedule.now(), 1e-8);
   schedule.tighten(1e-12, 1);
   EXPECT_EQ(schedule.now(), 1e-8);
   EXPECT_TRUE(schedule.is_settled(1e-8));

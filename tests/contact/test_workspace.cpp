@@ -1,6 +1,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/normal/conjugate_gradients.hpp"
 #include "bem_contact/contact/operator/settings.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 #include "bem_contact/contact/tangential/step_box.hpp"
 #include "tests/contact/scenes.hpp"
 
@@ -205,7 +206,7 @@ TEST(Workspace, MoreIterationsAllocateNoMore) {
   EXPECT_GT(many, few + 5);
   EXPECT_EQ(allocations_of([&] { solve_to(1e-2); }), allocations_of([&] { solve_to(1e-12); }));
   // GCR
-  contact::Gcr gcr;
+  contact::Gcr gcr{{contact::kept_solutions, contact::kept_directions}};
   const contact::StepBox box(problem.numbers, {{{0, 0, problem.grid.mx, problem.grid.ms}}},
                              slip_step(problem).present);
   contact::StepBoxScratch scratch(box);

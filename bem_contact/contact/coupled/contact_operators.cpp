@@ -68,6 +68,15 @@ ContactOperators::ContactOperators(std::shared_ptr<TransformPool> pool, const Nu
 
 ContactOperators::~ContactOperators() = default;
 
+void ContactOperators::forget_solutions() {
+  normal.forget_solutions();
+  tangential.forget_solutions();
+  if (start_)
+    start_->operators.forget_solutions();
+  if (companion_)
+    companion_->operators.forget_solutions();
+}
+
 const Coupling* ContactOperators::coupling(const ContactProblem& problem, WorkBudget& work) {
   if (!couples_)
     couples_ = numbers_couple(problem.numbers);

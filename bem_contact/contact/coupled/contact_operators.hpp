@@ -46,6 +46,8 @@ public:
   ~ContactOperators();
 
   const NumbersKey& key() const { return key_; }
+  /// What follows does not depend on the problems that were solved before.
+  void forget_solutions();
   /// Null if the influence numbers do not couple the normal and the tangential problem.
   const Coupling* coupling(const ContactProblem& problem, WorkBudget& work);
   /// For starting_problem() (grid/larger_elements.hpp), made about the fine row `middle`.

@@ -21,6 +21,9 @@ BEM_CONTACT_TUNED(double, coupling_rounding, 1e-13);
 BEM_CONTACT_TUNED(double, loose_tolerance, 1e-4);
 /// 1. The tolerance follows the change of the last outer iteration, times this. Chosen.
 BEM_CONTACT_TUNED(double, tolerance_of_change, 0.01);
+/// 1. A tolerance below this times the one asked for becomes that one: this outer iteration may be the last,
+/// and what is left takes Newton's method hardly a step.
+BEM_CONTACT_TUNED(double, nearly_asked, 30);
 /// 1. If the pressure carries more than the prescribed force, the tolerance is multiplied by prescribed force
 /// over pressure force, but at least by this: about 1 / largest_force_ratio.
 BEM_CONTACT_TUNED(double, least_force_share, 0.03);

@@ -15,8 +15,9 @@ bool ToleranceSchedule::is_close(double change) const {
 }
 
 void ToleranceSchedule::tighten(double change, double share) {
-  now_ = std::max(asked_ * std::clamp(share, least_force_share, 1.0),
-                  std::min(loose_tolerance, tolerance_of_change * change));
+  const double finest = asked_ * std::clamp(share, least_force_share, 1.0),
+               enough = std::min(loose_tolerance, tolerance_of_change * change);
+  now_ = enough < nearly_asked * finest ? finest : enough;
 }
 
 } // namespace bem_contact::contact

@@ -19,6 +19,11 @@ public:
   /// The same, but an odd row or column is left out at the end that is farther from the contact (pn > 0).
   LargerElements(const ContactGrid& fine, const std::vector<double>& pn);
 
+  /// The first of `fine_count` elements that is joined, where those of the contact are lowest .. highest.
+  static int first_joined(int fine_count, int lowest, int highest) {
+    return join(fine_count, lowest, highest).first;
+  }
+
   ContactGrid grid() const;
   /// Whether both join the same elements of a grid, wherever it lies along x.
   bool joins_like(const LargerElements& other) const { return x_ == other.x_ && s_ == other.s_; }

@@ -36,7 +36,7 @@ Eigen::MatrixXd NormalLines::block(const std::vector<int>& list) const {
   Eigen::MatrixXd matrix(n, n);
   for (int b = 0; b < n; ++b)
     for (int a = b; a < n; ++a)
-      matrix(a, b) = line(list[a] / mx_, list[b] / mx_)[list[a] % mx_ - list[b] % mx_];
+      matrix(a, b) = at(list[a], list[b]);
   return matrix;
 }
 

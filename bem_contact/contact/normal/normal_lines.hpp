@@ -18,6 +18,10 @@ public:
   const double* line(int row_i, int row_j) const {
     return &values_[static_cast<std::size_t>(pair(row_i, row_j)) * (2 * mx_ - 1) + mx_ - 1];
   }
+  /// Of two elements of the grid.
+  double at(int element, int loaded) const {
+    return line(element / mx_, loaded / mx_)[element % mx_ - loaded % mx_];
+  }
   /// The block of A_nn of these elements, lower triangle.
   Eigen::MatrixXd block(const std::vector<int>& list) const;
   /// (A p)_n on the whole grid; zeros of p cost nothing. mm

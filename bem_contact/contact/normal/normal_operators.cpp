@@ -1,7 +1,6 @@
 #include "bem_contact/contact/normal/normal_operators.hpp"
 
 #include "bem_contact/contact/normal/settings.hpp"
-#include "bem_contact/influence/dense.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -67,20 +66,22 @@ const NormalBox& NormalOperators::box_around(const std::vector<int>& elements,
 
 bool NormalOperators::solve_dense(const std::vector<int>& elements, const InfluenceNumbers& numbers, int mx,
                                   Eigen::MatrixXd& right) {
-  if (!factor_ || factor_->elements != elements) {
-    factor_.reset();
-    Eigen::MatrixXd factor = lines(numbers, mx).block(elements);
-    if (!factor_cholesky(factor))
+  const NormalLines& known = lines(numbers, mx);
+  const bool serves = factor_ && (borders_ || factor_->factored() == elements);
+  if (!serves || factor_->elements() != elements) {
+    unit_ = {};
+    if (!serves || !factor_->use_elements(known, elements))
+      factor_.emplace(known, elements);
+    if (!factor_->positive()) {
+      factor_.reset();
       return false;
-    factor_.emplace(elements, std::move(factor));
+    }
   }
-  auto& [known_elements, factor, unit, response] = *factor_;
-  if (unit.size() == 0 || unit != right.col(1)) {
-    unit = response = right.col(1);
-    solve_factored(factor, response);
-  }
-  solve_factored(factor, right.col(0));
-  right.col(1) = response;
+  borders_ = true;
+  if (unit_.unit.size() == 0 || unit_.unit != right.col(1))
+    unit_ = {right.col(1), factor_->solve(right.col(1))};
+  right.col(0) = factor_->solve(right.col(0));
+  right.col(1) = unit_.response;
   return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/grid/boxes.hpp"
+#include "bem_contact/contact/normal/bordered_factor.hpp"
 #include "bem_contact/contact/normal/normal_lines.hpp"
 #include "bem_contact/contact/operator/plane_operator.hpp"
 #include "bem_contact/contact/operator/plane_transforms.hpp"
@@ -48,6 +49,8 @@ class NormalOperators {
 public:
   explicit NormalOperators(std::shared_ptr<TransformPool> pool = std::make_shared<TransformPool>());
 
+  /// The next linear system has a factor of its own elements.
+  void forget_solutions() { borders_ = false; }
   /// On the whole grid.
   const StripOperator& whole(const InfluenceNumbers& numbers, int mx, WorkBudget& work);
   const NormalLines& lines(const InfluenceNumbers& numbers, int mx);
@@ -55,23 +58,23 @@ public:
   const NormalBox& box_around(const std::vector<int>& elements, const InfluenceNumbers& numbers,
                               const ContactGrid& grid, WorkBudget& work);
   NormalBoxVectors& vectors() { return vectors_; }
-  /// right := A_CC^-1 right on these elements, two columns; false where A_CC is not positive definite. The
-  /// contact area settles long before the forces do. So for the same elements the factor is used again, and
-  /// the second column, the response to a unit approach, where it is the same.
+  /// right := A_CC^-1 right on these elements, in rising order, two columns; false where A_CC is not positive
+  /// definite. The contact area settles long before the forces do. So the factor is used again, and for the
+  /// same elements also the second column, the response to a unit approach, where it is the same.
   bool solve_dense(const std::vector<int>& elements, const InfluenceNumbers& numbers, int mx,
                    Eigen::MatrixXd& right);
 
 private:
-  struct CholeskyFactor {
-    std::vector<int> elements;
-    Eigen::MatrixXd factor;
-    Eigen::VectorXd unit = {}, response = {}; ///< the second column and its solution
+  struct UnitResponse {
+    Eigen::VectorXd unit, response; ///< the second column and its solution
   };
   std::shared_ptr<TransformPool> pool_;
   std::optional<StripOperator> whole_;
   std::optional<NormalLines> lines_;
   std::optional<NormalBox> box_;
-  std::optional<CholeskyFactor> factor_;
+  std::optional<BorderedFactor> factor_;
+  bool borders_ = false; ///< whether a factor of other elements may be bordered
+  UnitResponse unit_;    ///< by factor_ as it is
   NormalBoxVectors vectors_;
 };
 

@@ -6,7 +6,10 @@
 namespace bem_contact::contact {
 
 /// Elements in contact. Up to here a Cholesky factorisation is faster than two runs of conjugate gradients.
-BEM_CONTACT_TUNED(int, dense_normal_elements, 250);
+BEM_CONTACT_TUNED(int, dense_normal_elements, 320);
+/// 1. The factor of a former contact serves while the elements that left it and the new ones are no larger
+/// share of it: to border it with more takes longer than to factor anew.
+BEM_CONTACT_TUNED(double, most_bordered, 0.12);
 /// 1. A box around the contact is wider by 1 + grid / this elements on each side, so that it serves longer.
 /// Chosen.
 BEM_CONTACT_TUNED(int, normal_margin_divisor, 60);

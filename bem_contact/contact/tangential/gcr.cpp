@@ -54,13 +54,18 @@ void Gcr::use_elements(const std::vector<int>& elements) {
   if (elements == elements_)
     return;
   elements_ = elements;
+  forget();
+}
+
+void Gcr::forget() {
   is_kept_.assign(is_kept_.size(), 0);
+  oldest_ = 0;
 }
 
 void Gcr::begin(const Eigen::VectorXd& rhs, double length) {
   if (residual_.size() != rhs.size()) {
     const bool recycles = static_cast<int>(elements_.size()) <= most_recycling_elements;
-    is_kept_.assign(recycles ? kept_solutions + kept_directions : 0, 0);
+    is_kept_.assign(recycles ? keeps_.solutions + keeps_.directions : 0, 0);
     for (auto* m : {&kept_z_, &kept_bz_})
       m->resize(rhs.size(), static_cast<Eigen::Index>(is_kept_.size()));
     for (auto* m : {&z_, &bz_, &q_})
@@ -142,9 +147,9 @@ void Gcr::finish(double length, Eigen::VectorXd& x) {
   residual_.setZero();
   add_columns(bz_.data(), residual_.size(), used_, share_.data(), residual_.data());
   keep(oldest_, image_, residual_);
-  oldest_ = (oldest_ + 1) % kept_solutions;
-  for (int i = 0; i < std::min<int>(kept_directions, used_ - from_kept_); ++i)
-    keep(kept_solutions + i, z_.col(used_ - 1 - i), bz_.col(used_ - 1 - i));
+  oldest_ = (oldest_ + 1) % keeps_.solutions;
+  for (int i = 0; i < std::min(keeps_.directions, used_ - from_kept_); ++i)
+    keep(keeps_.solutions + i, z_.col(used_ - 1 - i), bz_.col(used_ - 1 - i));
 }
 
 void Gcr::keep(int column, const Eigen::Ref<const Vector>& z, const Eigen::Ref<const Vector>& bz) {

@@ -17,6 +17,14 @@ class Gcr {
 public:
   using Vector = Eigen::VectorXf;
 
+  /// How many solutions and directions are kept for the next system.
+  struct Keeps {
+    int solutions, directions;
+  };
+  explicit Gcr(Keeps keeps) : keeps_(keeps) {}
+
+  /// Keeps nothing of what was solved so far.
+  void forget();
   /// What follows is solved with the matrix B of these elements. What was kept with another one is forgotten.
   void use_elements(const std::vector<int>& elements);
 
@@ -64,6 +72,7 @@ private:
   void finish(double length, Eigen::VectorXd& x);
   void keep(int column, const Eigen::Ref<const Vector>& z, const Eigen::Ref<const Vector>& bz);
 
+  Keeps keeps_;
   std::vector<int> elements_;
   Eigen::MatrixXf kept_z_, kept_bz_; ///< solutions, the oldest of which is overwritten; then directions
   std::vector<char> is_kept_;        ///< which of these columns there are

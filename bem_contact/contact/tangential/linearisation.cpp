@@ -6,33 +6,6 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-ContactElements::ContactElements(const TangentialSystem& system, const TangentialTask& task)
-    : contact(task.contact), grid_size(system.size()), stiffness(task.contact.size()),
-      bound(task.contact.size()) {
-  for (std::size_t a = 0; a < contact.size(); ++a) {
-    stiffness[a] = system.stiffness[contact[a]];
-    bound[a] = task.bound[contact[a]];
-  }
-}
-
-VectorXd ContactElements::gather(const VectorXd& field) const {
-  VectorXd v(unknowns());
-  for (int a = 0; a < unknowns() / 2; ++a) {
-    v[2 * a] = field[contact[a]];
-    v[2 * a + 1] = field[grid_size + contact[a]];
-  }
-  return v;
-}
-
-VectorXd ContactElements::scatter(const VectorXd& v) const {
-  VectorXd field = VectorXd::Zero(2 * grid_size);
-  for (int a = 0; a < unknowns() / 2; ++a) {
-    field[contact[a]] = v[2 * a];
-    field[grid_size + contact[a]] = v[2 * a + 1];
-  }
-  return field;
-}
-
 Linearisation linearise(const VectorXd& stiffness, const VectorXd& bound, const VectorXd& p,
                         const VectorXd& slip) {
   const auto n = bound.size();
@@ -50,6 +23,25 @@ Linearisation linearise(const VectorXd& stiffness, const VectorXd& bound, const 
     }
   }
   return result;
+}
+
+std::vector<NewtonElement> newton_elements(const Linearisation& at, const VectorXd& stiffness) {
+  std::vector<NewtonElement> out;
+  out.reserve(at.projection.size());
+  for (std::size_t a = 0; a < at.projection.size(); ++a)
+    out.push_back({at.projection[a].cast<float>(),
+                   static_cast<float>(stiffness[static_cast<Eigen::Index>(a)]),
+                   static_cast<float>(at.projection[a].trace())});
+  return out;
+}
+
+void newton_image(std::span<const NewtonElement> elements, Eigen::Ref<const Eigen::VectorXf> v,
+                  Eigen::Ref<const Eigen::VectorXf> bv, Eigen::VectorXf& result) {
+  for (std::size_t a = 0; a < elements.size(); ++a) {
+    const NewtonElement& e = elements[a];
+    const Eigen::Vector2f here = v.segment<2>(2 * a);
+    result.segment<2>(2 * a) = here - e.projection * (here - e.stiffness * bv.segment<2>(2 * a));
+  }
 }
 
 } // namespace bem_contact::contact

@@ -1,26 +1,11 @@
 #pragma once
 
-#include "bem_contact/contact/tangential/tangential_system.hpp"
-
 #include <Eigen/Core>
 
+#include <span>
 #include <vector>
 
 namespace bem_contact::contact {
-
-/// The elements in contact, in the order of the contact list. Vectors on them are [x, s] of the first
-/// element, of the second, ...
-struct ContactElements {
-  ContactElements(const TangentialSystem& system, const TangentialTask& task);
-
-  int unknowns() const { return 2 * static_cast<int>(contact.size()); }
-  Eigen::VectorXd gather(const Eigen::VectorXd& field) const;
-  Eigen::VectorXd scatter(const Eigen::VectorXd& v) const; ///< zero outside the contact
-
-  const std::vector<int>& contact; ///< of the task
-  int grid_size;
-  Eigen::VectorXd stiffness, bound; ///< one value an element
-};
 
 /// F = p - Proj(p + r S), which is 0 where Coulomb's law holds, and the derivative M of the projection,
 /// element by element. Vectors are [x, s] of the first element, of the second, ...
@@ -28,6 +13,24 @@ struct Linearisation {
   Eigen::VectorXd residual;
   std::vector<Eigen::Matrix2d> projection;
 };
+
+/// An element of the linearisation in single precision, of which Newton's linear systems are made.
+struct NewtonElement {
+  Eigen::Matrix2f projection; ///< M
+  float stiffness;            ///< r
+  float m;                    ///< trace of M: 2 where the element sticks, else at most 1
+
+  bool sticks() const { return m > 1.5f; }
+  /// The part of v on which J is not the identity: all of it where the element sticks, else along its bound.
+  Eigen::Vector2f along(const Eigen::Vector2f& v) const {
+    return sticks() ? v : m > 0 ? Eigen::Vector2f(projection * v / m) : Eigen::Vector2f::Zero();
+  }
+};
+std::vector<NewtonElement> newton_elements(const Linearisation& at, const Eigen::VectorXd& stiffness);
+
+/// result = J v = v - M (v - r B v), from v and B v.
+void newton_image(std::span<const NewtonElement> elements, Eigen::Ref<const Eigen::VectorXf> v,
+                  Eigen::Ref<const Eigen::VectorXf> bv, Eigen::VectorXf& result);
 
 /// `stiffness` is r, `bound` the radius of the friction disc; one value an element.
 Linearisation linearise(const Eigen::VectorXd& stiffness, const Eigen::VectorXd& bound,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/contact/tangential/contact_elements.hpp"
 #include "bem_contact/contact/tangential/linearisation.hpp"
 
 #include <Eigen/Core>
@@ -8,8 +9,9 @@
 
 namespace bem_contact::contact {
 
-/// B on the elements in contact and the linear systems of Newton's method with it. Few elements have a dense
-/// matrix and LU factors; many have a StepBox and GCR, and LU factors if GCR does not converge.
+/// B on the elements in contact and the linear systems of Newton's method with it, by GCR. Few elements have
+/// a dense matrix, and LU factors as preconditioner. Many have a StepBox, and LU factors if GCR does not
+/// converge without them.
 class NewtonMatrix {
 public:
   NewtonMatrix(const TangentialSystem& system, const ContactElements& elements, WorkBudget& work);
@@ -22,15 +24,19 @@ public:
                               TangentialState& state) const;
 
 private:
+  struct Asked {
+    const Linearisation& at;
+    double tolerance;
+  };
   double product_work() const;
-  bool solve_by_gcr(const Linearisation& at, double tolerance, TangentialState& state,
-                    Eigen::VectorXd& step) const;
-  /// By LU. An element that slips has one unknown, for J is the identity across its bound.
-  Eigen::VectorXd solve_dense(const Linearisation& at) const;
+  /// True if GCR converged, or if there are so many elements that its result has to do.
+  bool solve_on_box(const Asked& asked, TangentialState& state, Eigen::VectorXd& step) const;
+  Eigen::VectorXd solve_few(const Asked& asked, TangentialOperators::FewElements& few,
+                            TangentialState& state) const;
 
   const TangentialSystem& system_;
   const ContactElements& elements_;
-  const Eigen::MatrixXd* matrix_ = nullptr; ///< B of a contact of few elements; else
+  TangentialOperators::FewElements* few_ = nullptr; ///< of a contact of few elements; else
   const StepBox* box_ = nullptr;
   StepBoxScratch* scratch_ = nullptr;
   std::vector<int> local_; ///< places of the elements on the boxes

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/contact/tangential/contact_elements.hpp"
 #include "bem_contact/contact/tangential/linearisation.hpp"
 
 #include <Eigen/Core>

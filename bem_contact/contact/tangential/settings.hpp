@@ -7,9 +7,16 @@ namespace bem_contact::contact {
 
 // --- Newton ---
 
-/// Elements in contact. Up to here LU factors are faster than GCR (measured).
-BEM_CONTACT_TUNED(int, dense_tangential_elements, 120);
-/// Elements in contact. Above this the dense matrix (288 MB here) is not even a fall-back.
+/// Elements in contact. Up to here a dense matrix with LU factors as preconditioner is faster than transforms
+/// (measured: with 220 sequences of cases take a sixth longer; time steps, which keep the factors, do not).
+BEM_CONTACT_TUNED(int, dense_tangential_elements, 180);
+/// 1. With a larger share of new elements that matrix is made anew. Chosen.
+BEM_CONTACT_TUNED(double, most_new_elements, 0.15);
+/// Products of GCR with the factors of a former matrix; then they are made anew, which takes as long as 20
+/// products. Chosen.
+BEM_CONTACT_TUNED(int, most_former_products, 10);
+/// Elements in contact. Above this the dense matrix (432 MB here, in both precisions) is not even a
+/// fall-back.
 BEM_CONTACT_TUNED(int, most_dense_elements, 3000);
 /// Products of GCR. Chosen: where it needs more, LU factors are as fast.
 BEM_CONTACT_TUNED(int, most_gcr_products, 250);
@@ -19,6 +26,9 @@ BEM_CONTACT_TUNED(int, first_directions, 32);
 /// (measured): 30 of 100 products fewer in time steps, 16 in sequences, 40 where a force is prescribed.
 BEM_CONTACT_TUNED(int, kept_solutions, 10);
 BEM_CONTACT_TUNED(int, kept_directions, 5);
+/// The same of few elements, where a product is cheap (measured: 10 and 5 take 3 % of a time step more).
+BEM_CONTACT_TUNED(int, few_kept_solutions, 5);
+BEM_CONTACT_TUNED(int, few_kept_directions, 2);
 /// Elements in contact. Of more none are kept: to make them orthogonal takes what they save (measured).
 BEM_CONTACT_TUNED(int, most_recycling_elements, 3000);
 /// 1. The method ends when less than this share of a direction's image is new: single precision has no more

@@ -5,8 +5,6 @@
 
 namespace bem_contact::contact {
 
-using Eigen::MatrixXd;
-
 StepNumbers::StepNumbers(const InfluenceNumbers& numbers, const std::vector<int>& rows, int columns,
                          const std::array<double, 3>& present)
     : rows_(static_cast<int>(rows.size())), columns_(columns), values_(start(rows_, 0, 0, 0)) {
@@ -42,20 +40,6 @@ ElementPlaces::ElementPlaces(const std::vector<int>& elements, int mx) : first_c
   columns = elements.empty() ? 0 : last - first_column + 1;
   for (int& ix : column)
     ix -= first_column;
-}
-
-MatrixXd step_matrix(const ContactProblem& problem, const std::array<double, 3>& present,
-                     const std::vector<int>& elements) {
-  const ElementPlaces at(elements, problem.grid.mx);
-  const StepNumbers numbers(problem.numbers, at.rows, at.columns, present);
-  const auto n = static_cast<Eigen::Index>(elements.size());
-  MatrixXd matrix(2 * n, 2 * n);
-  for (Eigen::Index b = 0; b < n; ++b)
-    for (Eigen::Index a = 0; a < n; ++a)
-      for (int d = 0; d < 2; ++d)
-        for (int c = 0; c < 2; ++c)
-          matrix(2 * a + c, 2 * b + d) = numbers.line(at.column[a], at.row[a], c, at.row[b], d)[at.column[b]];
-  return matrix;
 }
 
 StepBox::StepBox(const InfluenceNumbers& numbers, const Boxes& boxes, const std::array<double, 3>& present,

@@ -5,6 +5,7 @@
 #include "bem_contact/contact/operator/strip_operator.hpp"
 #include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/contact/tangential/gcr.hpp"
+#include "bem_contact/contact/tangential/settings.hpp"
 
 #include <Eigen/Core>
 
@@ -52,10 +53,6 @@ struct ElementPlaces {
   int first_column, columns;    ///< of the grid
   std::vector<int> row, column; ///< of each element: place in `rows`; column less first_column
 };
-
-/// B of all pairs of these elements: [x, s] of the first element, of the second, ...
-Eigen::MatrixXd step_matrix(const ContactProblem& problem, const std::array<double, 3>& present,
-                            const std::vector<int>& elements);
 
 /// B (StepNumbers) on boxes around the contact, and approximate inverses of it in single precision.
 /// Fields are [2][boxes.rows()][boxes.mx()], x before s.
@@ -109,18 +106,12 @@ private:
 struct StepBoxScratch {
   explicit StepBoxScratch(const StepBox& box);
 
-  /// One element in contact of the linearisation at hand (newton_matrix.cpp).
-  struct Element {
-    Eigen::Matrix2f projection; ///< M
-    float stiffness, m, scale;  ///< r; trace of M; of a slipping element, between it and the mean of all
-  };
-
   std::vector<char> sticks;
-  std::vector<Element> elements;
+  std::vector<float> scale; ///< of each element in contact (box_jacobian.cpp)
   std::vector<double> in, out;
   std::vector<float> fast_in, fast_out;
   StepBox::DampedInverse damped;
-  Gcr gcr;
+  Gcr gcr{{kept_solutions, kept_directions}};
 };
 
 } // namespace bem_contact::contact

@@ -7,6 +7,15 @@ namespace bem_contact::contact {
 
 TangentialOperators::TangentialOperators(std::shared_ptr<TransformPool> pool) : pool_(std::move(pool)) {}
 
+void TangentialOperators::forget_solutions() {
+  if (scratch_)
+    scratch_->gcr.forget();
+  if (few_) {
+    few_->factors.reset();
+    few_->gcr.forget();
+  }
+}
+
 const StripOperator& TangentialOperators::whole(const ContactProblem& problem, WorkBudget& work) {
   if (!whole_) {
     const std::vector<int> tangential{component_x, component_s};
@@ -21,7 +30,7 @@ TangentialOperators& TangentialOperators::use(const std::array<double, 3>& prese
     present_ = present;
     step_numbers_.reset();
     box_.reset();
-    matrix_.reset();
+    few_.reset();
   }
   return *this;
 }
@@ -48,11 +57,14 @@ TangentialOperators::BoxWithScratch TangentialOperators::box_around(const std::v
   return {*box_, *scratch_};
 }
 
-const Eigen::MatrixXd& TangentialOperators::matrix_of(const std::vector<int>& contact,
-                                                      const ContactProblem& problem) {
-  if (!matrix_ || matrix_->contact != contact)
-    matrix_.emplace(MatrixOfContact{contact, step_matrix(problem, present_, contact)});
-  return matrix_->matrix;
+TangentialOperators::FewElements& TangentialOperators::few_elements(const std::vector<int>& contact,
+                                                                    const ContactProblem& problem) {
+  if (!few_)
+    few_.emplace(FewElements{ContactMatrix(problem, present_, contact)});
+  else if (few_->matrix.elements != contact)
+    few_->matrix = few_->matrix.with(problem, present_, contact);
+  few_->gcr.use_elements(contact);
+  return *few_;
 }
 
 } // namespace bem_contact::contact

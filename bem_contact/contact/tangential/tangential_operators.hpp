@@ -1,6 +1,8 @@
 #pragma once
 
 #include "bem_contact/contact/operator/plane_transforms.hpp"
+#include "bem_contact/contact/tangential/contact_matrix.hpp"
+#include "bem_contact/contact/tangential/newton_factors.hpp"
 #include "bem_contact/contact/tangential/step_box.hpp"
 #include "bem_contact/contact/work.hpp"
 
@@ -20,6 +22,8 @@ class TangentialOperators {
 public:
   explicit TangentialOperators(std::shared_ptr<TransformPool> pool = std::make_shared<TransformPool>());
 
+  /// Gives up factors and directions of GCR.
+  void forget_solutions();
   /// A_tt on the whole grid.
   const StripOperator& whole(const ContactProblem& problem, WorkBudget& work);
   /// The weights of the step (SlipStep::present) that B below has; what belongs to others is given up.
@@ -32,21 +36,22 @@ public:
     StepBoxScratch& scratch;
   };
   BoxWithScratch box_around(const std::vector<int>& contact, const ContactProblem& problem, WorkBudget& work);
-  /// B of a few elements; the former matrix is used again for the same ones.
-  const Eigen::MatrixXd& matrix_of(const std::vector<int>& contact, const ContactProblem& problem);
+  /// B of a few elements and what Newton's method keeps for them.
+  struct FewElements {
+    ContactMatrix matrix;
+    std::optional<NewtonFactors> factors = {}; ///< of some former J
+    Gcr gcr{{few_kept_solutions, few_kept_directions}};
+  };
+  FewElements& few_elements(const std::vector<int>& contact, const ContactProblem& problem);
 
 private:
-  struct MatrixOfContact {
-    std::vector<int> contact;
-    Eigen::MatrixXd matrix;
-  };
   std::shared_ptr<TransformPool> pool_;
   std::optional<StripOperator> whole_;
   std::array<double, 3> present_{};
   std::optional<StepNumbers> step_numbers_;
   std::optional<StepBox> box_;
   std::optional<StepBoxScratch> scratch_;
-  std::optional<MatrixOfContact> matrix_;
+  std::optional<FewElements> few_;
 };
 
 } // namespace bem_contact::contact

@@ -54,8 +54,8 @@ TangentialOperators::BoxWithScratch TangentialSystem::box_around(const std::vect
   return operators_->use(rule.present).box_around(contact, *problem, work);
 }
 
-const Eigen::MatrixXd& TangentialSystem::matrix_of(const std::vector<int>& contact) const {
-  return operators_->use(rule.present).matrix_of(contact, *problem);
+TangentialOperators::FewElements& TangentialSystem::few_elements(const std::vector<int>& contact) const {
+  return operators_->use(rule.present).few_elements(contact, *problem);
 }
 
 namespace {

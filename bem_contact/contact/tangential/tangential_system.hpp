@@ -25,7 +25,7 @@ public:
   const StepNumbers& step_numbers() const;
   double product_work(int rows) const; ///< work.hpp
   TangentialOperators::BoxWithScratch box_around(const std::vector<int>& contact, WorkBudget& work) const;
-  const Eigen::MatrixXd& matrix_of(const std::vector<int>& contact) const;
+  TangentialOperators::FewElements& few_elements(const std::vector<int>& contact) const;
 
   const ContactProblem* problem;
   SlipStep rule;
