@@ -14,6 +14,7 @@ struct GridPlan {
   double dx = 0, ds = 0; ///< mm
   double x_centre = 0;   ///< wheel on rail: whole multiples of dx from the deepest point, mm
   bool grown = false;    ///< larger than planned at first, because the contact did not fit
+  bool cropped = false;  ///< smaller, because a former solution says where the contact lies
 
   double x0() const { return x_centre - 0.5 * (columns - 1) * dx; } ///< of the first column
   ContactGrid grid() const { return {columns, rows, dx, ds, x0()}; }

@@ -316,6 +316,24 @@ TEST(StartFrom, EachAreaMovesByItself) {
   }
 }
 
+TEST(ExpectedContact, MovesWithItsAreaAndAnAreaWithoutContactStaysWhole) {
+  FormerSolution former = ellipsoid(2, 2, 0);
+  former.grid = {30, 100, 0.2, 0.2, -2.9};
+  former.first_s = -9.9;
+  former.areas = {{-8, -4, -2, 2}, {4, 8, -2, 2}};
+  for (int i = 0; i < former.grid.size(); ++i) { // a disc of radius 1 in the middle of the first
+    const double s = former.first_s + (i / 30) * 0.2;
+    former.pn.resize(former.grid.size());
+    former.pn[i] = std::hypot(former.grid.x(i % 30), s + 6) < 1.001 ? 1 : 0;
+  }
+  const std::vector<PotentialArea> areas{{-11, -3, -4, 4}, {5, 9, -1, 3}}; // twice as large; moved
+  const PotentialArea both = expected_contact(former, areas);
+  EXPECT_NEAR(both.s_from, -7 - 2 * 0.9, 1e-12); // middles of the elements, 0.2 mm apart
+  EXPECT_EQ(both.s_to, 9);
+  EXPECT_NEAR(both.x_from, -2 * 0.9, 1e-12);
+  EXPECT_EQ(both.x_to, 3);
+}
+
 TEST(StartFrom, OtherAreasAreNoStart) {
   const std::vector<PotentialArea> one{{0, 4, -3, 3}}, two{{0, 4, -3, 3}, {20, 22, 1, 5}};
   EXPECT_TRUE(alike(one, one));

@@ -5,6 +5,8 @@
 #include "bem_contact/sequence/numbers/settings.hpp"
 #include "bem_contact/sequence/plan/contact_case.hpp"
 #include "bem_contact/sequence/sequence.hpp"
+#include "bem_contact/sequence/solution/grow_grid.hpp"
+#include "bem_contact/sequence/solution/settings.hpp"
 #include "bem_contact/sequence/solution/solve_on_grid.hpp"
 
 #include <fmt/format.h>
@@ -131,6 +133,75 @@ TEST(TrimPlan, AFormerSolutionOfTheSameContactSavesTheRoughOne) {
   EXPECT_EQ(again.rows, t.needed.plan.rows - 1);
   former.model = Model::tangent_plane; // its contact may be smaller
   EXPECT_EQ(trim(scene, &former).needed.plan.rows, t.needed.plan.rows);
+}
+
+/// A wheel that moves aside step by step: each case is solved on fewer elements than it would be alone, with
+/// the same result.
+TEST(CroppedPlan, FollowsTheContactOfTheFormerCase) {
+  const auto scene_at = [](double lateral, double force) {
+    return s1002_on_60e1(Model::fem, fmt::format("position.lateral = {}\nload.force = {}\n"
+                                                 "grid = {{ dx = 0.6, ds = 0.3 }}\n",
+                                                 lateral, force));
+  };
+  Sequence sequence;
+  sequence.solve(scene_at(6.9, 8e4));
+  int fewer = 0;
+  for (const auto& [lateral, force] :
+       {std::pair(6.91, 8e4), {6.95, 8e4}, {7.0, 8e4}, {7.0, 1e5}, {7.1, 4e4}, {7.05, 1.2e5}}) {
+    const SceneFile scene = scene_at(lateral, force);
+    const SceneResult after = sequence.solve(scene), alone = Sequence().solve(scene);
+    ASSERT_TRUE(after.result.certificate.holds()) << lateral;
+    ASSERT_TRUE(alone.result.certificate.holds()) << lateral;
+    EXPECT_FALSE(after.result.touches_border) << lateral;
+    EXPECT_LE(after.problem.grid.size(), alone.problem.grid.size()) << lateral;
+    fewer += after.problem.grid.ms < alone.problem.grid.ms ? 1 : 0;
+    EXPECT_EQ(count_elements(after.result).contact, count_elements(alone.result).contact) << lateral;
+    EXPECT_NEAR(after.result.approach, alone.result.approach, 1e-6 * alone.result.approach) << lateral;
+    EXPECT_NEAR(after.result.Fy, alone.result.Fy, 1e-6 * force) << lateral;
+    EXPECT_NEAR(after.result.Fx, alone.result.Fx, 1e-6 * force) << lateral;
+    EXPECT_NEAR(largest_pressure(after.result), largest_pressure(alone.result), 1e-6 * 1e3) << lateral;
+  }
+  EXPECT_GE(fewer, 4);
+}
+
+/// The former case says nothing useful: its contact ends where the next one has most of its own.
+TEST(CroppedPlan, GrowsWhereTheContactIsLargerThanExpected) {
+  const SceneFile scene = s1002_on_60e1(Model::fem, at_the_gauge_corner);
+  const TrimmedAndWhole t = trim(scene);
+  const GridSolution whole = t.solved_on(t.plan);
+  FormerSolution former =
+      former_of(Model::fem, whole.contact.problem, whole.result, *t.asked.estimate).value();
+  former.areas.front().s_from -= 1e-6; // or the plan is that of the former case
+  const int mx = former.grid.mx, rows = former.grid.ms;
+  int last = 0;
+  for (int i = 0; i < former.grid.size(); ++i)
+    if (former.pn[i] > 0)
+      last = i / mx;
+  std::fill(former.pn.begin() + static_cast<std::ptrdiff_t>(last - 6) * mx, former.pn.end(), 0.0);
+  const GridPlan few = cropped(t.asked, t.plan, Model::fem, &former);
+  EXPECT_TRUE(few.cropped);
+  EXPECT_LT(few.rows, rows);
+  EXPECT_NEAR(few.first + few.rows - 1, t.plan.first + last - 7 + cropped_margin, 1); // whole rows
+  WorkBudget work;
+  const GridSolution grown =
+      solve_on_growing_grid(t.asked, t.asked.setup.on(few), t.task, {.work = work, .start = &former}, true);
+  EXPECT_GT(grown.contact.plan.rows, few.rows);
+  expect_same_tractions(grown, whole);
+}
+
+TEST(CroppedPlan, IsForNumbersOfBothRowsAndOpenGrids) {
+  const SceneFile scene = s1002_on_60e1(Model::fem, at_the_gauge_corner);
+  const TrimmedAndWhole t = trim(scene);
+  const GridSolution whole = t.solved_on(t.plan);
+  FormerSolution former =
+      former_of(Model::fem, whole.contact.problem, whole.result, *t.asked.estimate).value();
+  former.areas.front().s_from -= 1e-6;
+  EXPECT_TRUE(cropped(t.asked, t.plan, Model::tangent_plane, &former).cropped);
+  EXPECT_FALSE(cropped(t.asked, t.plan, Model::halfspace, &former).cropped) << "those are translational";
+  EXPECT_FALSE(cropped(t.asked, t.plan, Model::fem, nullptr).cropped);
+  ContactCase by_rows = t.asked;
+  by_rows.scene.grid.rows = {t.plan.s_from(), t.plan.s_to()};
+  EXPECT_FALSE(cropped(by_rows, t.plan, Model::fem, &former).cropped) << "rows that are asked for are solved";
 }
 
 /// Numbers of at least large_numbers, and a second solution for free rolling that must find them kept.

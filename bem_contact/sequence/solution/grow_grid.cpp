@@ -174,7 +174,7 @@ GridSolution solve_on_growing_grid(const ContactCase& asked, ContactOnGrid first
                                    const SolveResources& resources, bool on_strips) {
   const SceneFile::Grid& grid = asked.scene.grid;
   PhaseSeconds spent;
-  if (has_large_numbers(asked, first.plan, task.model)) {
+  if (!first.plan.cropped && has_large_numbers(asked, first.plan, task.model)) {
     const TrimmedPlan needed = trimmed(asked, first.plan, task, resources, on_strips);
     first = asked.setup.on(needed.plan);
     spent = needed.seconds;

@@ -13,6 +13,7 @@
 #include "bem_contact/sequence/solution/grow_grid.hpp"
 #include "bem_contact/sequence/solution/settings.hpp"
 #include "bem_contact/sequence/solution/structural_motion.hpp"
+#include "bem_contact/sequence/solution/trim_plan.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -144,7 +145,8 @@ FirstContact first_contact(const ContactCase& asked, Model model, const SceneFil
                            const SolveResources& resources) {
   const bool on_strips = model == Model::fem;
   ContactCase known = on_strips && resources.files ? with_influence(asked, *resources.files) : asked;
-  ContactOnGrid contact = known.setup.on(first_plan(known, grid, on_strips));
+  const GridPlan plan = first_plan(known, grid, on_strips);
+  ContactOnGrid contact = known.setup.on(cropped(known, plan, model, resources.start));
   return {std::move(known), std::move(contact)};
 }
 

@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/solution/trim_plan.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/contact/solve.hpp"
 #include "bem_contact/sequence/plan/settings.hpp"
 #include "bem_contact/sequence/solution/settings.hpp"
 
@@ -81,14 +82,45 @@ GridPlan without_far_elements(GridPlan plan, const GridSolution& solved) {
   return plan;
 }
 
+/// Whether influence numbers depend on both rows, and the scene leaves it open which rows and columns are
+/// solved.
+bool may_be_trimmed(const ContactCase& asked, Model model) {
+  const SceneFile::Grid& grid = asked.scene.grid;
+  const bool open = asked.estimate && !grid.rows && !grid.ms && !grid.mx;
+  return open && (model == Model::fem || model == Model::tangent_plane);
+}
+
 } // namespace
 
 bool has_large_numbers(const ContactCase& asked, const GridPlan& plan, Model model) {
-  const SceneFile::Grid& grid = asked.scene.grid;
-  const bool open = asked.estimate && !grid.rows && !grid.ms && !grid.mx;
-  const bool by_both_rows = model == Model::fem || model == Model::tangent_plane;
   const double megabytes = 9e-6 * sizeof(double) * plan.rows * plan.rows * (plan.columns + 2.0);
-  return open && by_both_rows && megabytes >= large_numbers;
+  return may_be_trimmed(asked, model) && megabytes >= large_numbers;
+}
+
+GridPlan cropped(const ContactCase& asked, GridPlan plan, Model model, const FormerSolution* former) {
+  if (!former || !may_be_trimmed(asked, model))
+    return plan;
+  if (const auto known = plan_of_former(asked, plan, model, former))
+    return *known;
+  const PotentialArea expected = expected_contact(*former, potential_areas(*asked.estimate));
+  const auto row = [&](double s) { return (s - plan.s(0)) / plan.ds; };
+  const int rows = plan.rows;
+  const int lowest = std::clamp(static_cast<int>(std::floor(row(expected.s_from))), 0, rows - 1),
+            highest = std::clamp(static_cast<int>(std::ceil(row(expected.s_to))), lowest, rows - 1);
+  // The estimate joins pairs of rows and of columns. They stay the same pairs, so that errors that it states
+  // do not depend on what is left out.
+  const int first_pair = first_joined_row(rows, lowest, highest);
+  const auto whole_pairs = [&](int more) { return std::max(more - first_pair, 0) / 2 * 2; };
+  const int first = first_pair + whole_pairs(lowest - cropped_margin),
+            end = std::min(first_pair + whole_pairs(highest + cropped_margin + 2), rows);
+  plan.first += first;
+  plan.rows = end - first;
+  const double reach = std::max(expected.x_to - plan.x_centre, plan.x_centre - expected.x_from);
+  const int needed = static_cast<int>(std::ceil(reach / plan.dx)) + cropped_margin,
+            spare = std::max(plan.columns / 2 - needed, 0) / 2 * 2; // on each side
+  plan.columns -= 2 * spare;
+  plan.cropped = true;
+  return plan;
 }
 
 TrimmedPlan trimmed(const ContactCase& asked, const GridPlan& plan, const SolveTask& task,

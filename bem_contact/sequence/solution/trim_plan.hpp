@@ -21,4 +21,8 @@ struct TrimmedPlan {
 TrimmedPlan trimmed(const ContactCase& asked, const GridPlan& plan, const SolveTask& task,
                     const SolveResources& resources, bool on_strips);
 
+/// A plan without the rows and columns that a contact does not need if it lies where a former solution had
+/// it; for models whose numbers depend on both rows. `former`: null, or of areas alike() the case's.
+GridPlan cropped(const ContactCase& asked, GridPlan plan, Model model, const FormerSolution* former);
+
 } // namespace bem_contact

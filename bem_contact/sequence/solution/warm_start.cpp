@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bem_contact {
 
@@ -81,6 +82,37 @@ bool alike(const std::vector<PotentialArea>& a, const std::vector<PotentialArea>
            return overlap(one.s_from, one.s_to, other.s_from, other.s_to) > alike_overlap &&
                   overlap(one.x_from, one.x_to, other.x_from, other.x_to) > alike_overlap;
          });
+}
+
+PotentialArea expected_contact(const FormerSolution& former, const std::vector<PotentialArea>& areas) {
+  const ContactGrid& grid = former.grid;
+  constexpr double far = std::numeric_limits<double>::infinity();
+  const PotentialArea none{far, -far, far, -far};
+  const auto add = [](PotentialArea& to, const PotentialArea& more) {
+    to = {std::min(to.s_from, more.s_from), std::max(to.s_to, more.s_to), std::min(to.x_from, more.x_from),
+          std::max(to.x_to, more.x_to)};
+  };
+  std::vector<PotentialArea> touched(areas.size(), none);
+  std::size_t k = 0; // the nearest area
+  for (int is = 0; is < grid.ms; ++is) {
+    const double s = former.first_s + is * grid.ds;
+    while (k + 1 < areas.size() && s > 0.5 * (former.areas[k].s_to + former.areas[k + 1].s_from))
+      ++k;
+    for (int ix = 0; ix < grid.mx; ++ix)
+      if (former.pn[static_cast<std::size_t>(is) * grid.mx + ix] > 0)
+        add(touched[k], {s, s, grid.x(ix), grid.x(ix)});
+  }
+  PotentialArea all = none;
+  for (k = 0; k < areas.size(); ++k) {
+    const PotentialArea &a = areas[k], &b = former.areas[k], &t = touched[k];
+    if (t.s_from > t.s_to) {
+      add(all, a);
+      continue;
+    }
+    const Stretch along_s(b.s_from, b.s_to, a.s_from, a.s_to), along_x(b.x_from, b.x_to, a.x_from, a.x_to);
+    add(all, {along_s(t.s_from), along_s(t.s_to), along_x(t.x_from), along_x(t.x_to)});
+  }
+  return all;
 }
 
 StartingPoint start_from(const FormerSolution& former, const ContactProblem& problem,

@@ -27,6 +27,10 @@ std::optional<FormerSolution> former_of(Model model, const ContactProblem& probl
 /// other.
 bool alike(const std::vector<PotentialArea>& a, const std::vector<PotentialArea>& b);
 
+/// Where the elements in contact of `former` are expected, by their middles; and all of an area in which it
+/// had none. `areas` are alike() the former ones, and not empty.
+PotentialArea expected_contact(const FormerSolution& former, const std::vector<PotentialArea>& areas);
+
 /// `former` where this problem expects it: what lay in an area lies in its counterpart, as far from its
 /// edges. Pressure scaled by the third root of the force, as Hertz has it, the approach by its square (force
 /// 0: not scaled). `areas` are alike() the former ones.
