@@ -38,6 +38,7 @@ std::optional<RailHeight::Height> RailHeight::at(double y, int& near) const {
   const auto nodes = rail_.nodes();
   const int k = first_ + near;
   const double length = nodes[k + 1].s - nodes[k].s;
+  double z = 0;
   for (int i = 0; i < height_newton_steps; ++i) {
     const TabulatedProfile::Point q = rail_.between(k, t);
     const double excess = origin_.y + turn_(q.position).y - y;
@@ -48,10 +49,11 @@ std::optional<RailHeight::Height> RailHeight::at(double y, int& near) const {
       next = 0.5 * (lo + hi);
     const double step = next - t;
     t = next;
+    z = turn_(q.position).z + step * length * turn_(q.tangent).z; // exact for the last step, which is tiny
     if (std::abs(step) < height_tolerance || std::abs(excess) < height_tolerance * (1 + std::abs(y)))
       break;
   }
-  return Height{origin_.z + turn_(rail_.between(k, t).position).z, nodes[k].s + t * length};
+  return Height{origin_.z + z, nodes[k].s + t * length};
 }
 
 } // namespace bem_contact

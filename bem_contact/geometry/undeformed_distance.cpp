@@ -20,7 +20,8 @@ struct Ray {
   double outward(Point2 p) const { return -dot(p - origin, normal); }
 };
 
-/// The wheel cut by a plane x = const, over a stretch of its profile.
+/// The wheel cut by a plane x = const, over a stretch of its profile. Nodes are made when they are asked for:
+/// from one row to the next the crossing moves by a few.
 class WheelSection {
 public:
   struct Node {
@@ -29,18 +30,16 @@ public:
   };
 
   WheelSection(const WheelOnRail& pair, const WheelFrame& frame, double x, int first, int last)
-      : wheel_(pair.wheel), frame_(frame), radius_(pair.wheel_radius), x_(x), first_(first) {
-    bool joined = false;
-    for (int k = first; k <= last; ++k) {
-      const auto p = from_section(wheel_.nodes()[k].position);
-      nodes_.push_back({p.value_or(Point2{}), joined && p});
-      joined = p.has_value();
-    }
-  }
-  const std::vector<Node>& nodes() const { return nodes_; }
+      : wheel_(pair.wheel), frame_(frame), radius_(pair.wheel_radius), x_(x), first_(first),
+        places_(last - first + 1) {}
+
+  int last() const { return static_cast<int>(places_.size()) - 1; }
+  /// Where the wheel does not reach the plane a node is at the origin, and joined to none.
+  Point2 position(int k) const { return reaches(k) ? places_[k].position : Point2{}; }
+  bool joined(int k) const { return k > 0 && reaches(k - 1) && reaches(k); }
   Node between(int k, double t) const {
     const auto p = from_section(wheel_.between(first_ + k, t).position);
-    return {p ? *p : nodes_[k].position};
+    return {p ? *p : position(k)};
   }
 
 private:
@@ -64,11 +63,35 @@ private:
     return Point2{coordinate(1), coordinate(2)};
   }
 
+  enum class State { unknown, reached, missed };
+  struct Place {
+    Point2 position{};
+    State state = State::unknown;
+  };
+  bool reaches(int k) const {
+    Place& place = places_[k];
+    if (place.state == State::unknown) {
+      const auto p = from_section(wheel_.nodes()[first_ + k].position);
+      place = p ? Place{*p, State::reached} : Place{{}, State::missed};
+    }
+    return place.state == State::reached;
+  }
+
   const TabulatedProfile& wheel_;
   const WheelFrame& frame_;
   double radius_, x_;
   int first_;
-  std::vector<Node> nodes_;
+  mutable std::vector<Place> places_; ///< of the nodes, as far as they were asked for
+};
+
+/// The locus as a curve that is crossed.
+struct LocusCurve {
+  const ContactLocus& locus;
+
+  int last() const { return static_cast<int>(locus.nodes().size()) - 1; }
+  Point2 position(int k) const { return locus.nodes()[k].position; }
+  bool joined(int k) const { return locus.nodes()[k].joined; }
+  ContactLocus::Point between(int k, double t) const { return locus.between(k, t); }
 };
 
 struct Crossing {
@@ -79,19 +102,18 @@ struct Crossing {
 /// The last of the nodes k, k + 1 between which the ray crosses a curve that is walked against it, looked for
 /// from `start` on; -1 where there is none.
 template <class Curve> int interval_crossed(const Curve& curve, const Ray& ray, int start) {
-  const auto& nodes = curve.nodes();
-  const int last = static_cast<int>(nodes.size()) - 1;
-  const auto along = [&](int k) { return ray.along(nodes[k].position); };
+  const int last = curve.last();
+  const auto along = [&](int k) { return ray.along(curve.position(k)); };
   int k = std::clamp(start, 0, last);
   if (along(k) > 0) {
     do {
-      if (++k > last || !nodes[k].joined)
+      if (++k > last || !curve.joined(k))
         return -1;
     } while (along(k) > 0);
     return k - 1;
   }
   do {
-    if (k == 0 || !nodes[k].joined)
+    if (k == 0 || !curve.joined(k))
       return -1;
     --k;
   } while (along(k) <= 0);
@@ -104,9 +126,9 @@ template <class Curve> std::optional<Crossing> cross(const Curve& curve, const R
   const int k = interval_crossed(curve, ray, start);
   if (k < 0)
     return std::nullopt;
-  Point2 p = curve.nodes()[k + 1].position;
+  Point2 p = curve.position(k + 1);
   double a = 0, b = 1, t = 1;
-  double ga = ray.along(curve.nodes()[k].position), gb = ray.along(p); // ga > 0 >= gb
+  double ga = ray.along(curve.position(k)), gb = ray.along(p); // ga > 0 >= gb
   for (int i = 0; i < crossing_steps && gb != 0 && std::abs(b - a) > crossing_width; ++i) {
     const bool halve = i % crossing_halving_period == crossing_halving_period - 1;
     t = halve ? 0.5 * (a + b) : b - gb * (b - a) / (gb - ga);
@@ -170,9 +192,8 @@ bool NearestNodes::choose_candidates(std::span<const ContactRow> group, double f
   for (const ContactRow& row : group)
     radius = std::max(radius, square(row.position - middle));
   radius = std::sqrt(radius);
-  squares_.clear();
-  for (const Point2 p : some_)
-    squares_.push_back(square(p - middle));
+  squares_.resize(some_.size());
+  std::ranges::transform(some_, squares_.begin(), [&](Point2 p) { return square(p - middle); });
   const double least = std::sqrt(std::ranges::min(squares_));
   if (least > farthest + node_stride * largest_table_step + radius)
     return false;
@@ -211,7 +232,7 @@ std::vector<RowOnLocus> rows_on_locus(const ContactLocus& locus, std::span<const
     const int near = nearest[i];
     if (near < 0)
       continue;
-    const auto found = cross(locus, Ray(rows[i]), near);
+    const auto found = cross(LocusCurve{locus}, Ray(rows[i]), near);
     if (!found)
       continue;
     const ContactLocus::Point p = locus.between(found->k, found->t);

@@ -52,18 +52,19 @@ void NewtonFactors::use_elements(const std::vector<int>& numbers) {
 void NewtonFactors::solve(std::span<const NewtonElement> elements, const VectorXf& v,
                           Eigen::Ref<VectorXf> out) {
   // What lies across a bound stays as it is.
-  const auto before = [&](const Unknown& u) {
+  before_.resize(static_cast<Eigen::Index>(unknowns_.size()));
+  std::ranges::transform(unknowns_, before_.begin(), [&](const Unknown& u) {
     const int a = place_[u.element];
     return a < 0 ? 0.0f : u.direction.dot(elements[a].along(v.segment<2>(2 * a)));
-  };
-  right_.resize(static_cast<Eigen::Index>(unknowns_.size()));
-  std::ranges::transform(unknowns_, right_.begin(), before);
+  });
+  right_ = before_;
   factors_->solve(right_);
+  right_ -= before_;
   change_.setZero(v.size());
   for (std::size_t k = 0; k < unknowns_.size(); ++k) {
     const Unknown& u = unknowns_[k];
     if (const int a = place_[u.element]; a >= 0)
-      change_.segment<2>(2 * a) += (right_[static_cast<Eigen::Index>(k)] - before(u)) * u.direction;
+      change_.segment<2>(2 * a) += right_[static_cast<Eigen::Index>(k)] * u.direction;
   }
   for (std::size_t a = 0; a < elements.size(); ++a)
     out.segment<2>(2 * a) = v.segment<2>(2 * a) + elements[a].along(change_.segment<2>(2 * a));

@@ -40,7 +40,7 @@ private:
   std::vector<int> place_; ///< in the vectors, of each of numbers_; -1: it is not there
   std::vector<Unknown> unknowns_;
   std::optional<LuFactors> factors_;
-  Eigen::VectorXf right_, change_; ///< scratch of solve()
+  Eigen::VectorXf before_, right_, change_; ///< scratch of solve()
 };
 
 } // namespace bem_contact::contact

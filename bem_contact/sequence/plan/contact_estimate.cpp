@@ -1,6 +1,7 @@
 #include "bem_contact/sequence/plan/contact_estimate.hpp"
 
 #include "bem_contact/geometry/settings.hpp"
+#include "bem_contact/geometry/undeformed_distance.hpp"
 #include "bem_contact/scene/approach_search.hpp"
 #include "bem_contact/scene/contact_centre.hpp"
 #include "bem_contact/scene/elastic_limit.hpp"
@@ -79,16 +80,10 @@ double mean_sine(std::span<const RailSlice> area, double q) {
   return sum / weights;
 }
 
-/// Vertical force at the approach q, and what is known of the area that bears most of it.
-struct Borne {
-  double force = 0;
-  EstimatedContact contact;
-};
-Borne borne_at(const ContactEstimate& estimate, double q, double compliance) {
-  const std::span<const RailSlice> slices = estimate.slices;
-  const double width = width_of(slices);
-  Borne out;
-  double largest = 0;
+/// Calls take(area, deepest, normal, vertical) for each area of slices that touch at the approach q, along s.
+template <class Take>
+void for_each_area(std::span<const RailSlice> slices, std::span<const double> lift, double q,
+                   double compliance, double width, const Take& take) {
   const auto inside = [&](const RailSlice& c) { return c.depth(penetration_share * q) > 0; };
   for (std::size_t i = 0; i < slices.size(); ++i) {
     if (!inside(slices[i]))
@@ -99,34 +94,84 @@ Borne borne_at(const ContactEstimate& estimate, double q, double compliance) {
         deepest = end;
     const std::span<const RailSlice> area = slices.subspan(i, end - i);
     const double normal = normal_force(area, slices[deepest], q, compliance, width);
-    const double vertical = normal * slices[deepest].cosine * estimate.lift[deepest];
-    out.force += vertical;
-    out.contact.normal += normal;
-    out.contact.lateral -= normal * mean_sine(area, q);
-    if (vertical > largest) {
-      largest = vertical;
-      set_extent(area, slices[deepest], q, normal, width, out.contact);
-    }
+    take(area, slices[deepest], normal, normal * slices[deepest].cosine * lift[deepest]);
     i = end;
   }
+}
+
+/// Vertical force as a function of the approach. It looks only at slices that have the wheel near.
+class BorneForce {
+public:
+  BorneForce(const ContactEstimate& estimate, double compliance)
+      : compliance_(compliance), width_(width_of(estimate.slices)) {
+    const auto near = [](const RailSlice& c) { return c.gap < excluded_gap; };
+    const auto first = std::ranges::find_if(estimate.slices, near);
+    const auto last = std::ranges::find_if(estimate.slices.rbegin(), estimate.slices.rend(), near).base();
+    if (first == estimate.slices.end())
+      return;
+    slices_ = std::span(first, last);
+    lift_ = std::span(estimate.lift).subspan(first - estimate.slices.begin(), slices_.size());
+  }
+  double operator()(double q) const {
+    double force = 0;
+    for_each_area(slices_, lift_, q, compliance_, width_,
+                  [&](auto, const RailSlice&, double, double vertical) { force += vertical; });
+    return force;
+  }
+
+private:
+  double compliance_, width_;
+  std::span<const RailSlice> slices_;
+  std::span<const double> lift_;
+};
+
+/// What is known of the area that bears most of the vertical force at the approach q.
+EstimatedContact contact_at(const ContactEstimate& estimate, double q, double compliance) {
+  EstimatedContact out;
+  double largest = 0;
+  const double width = width_of(estimate.slices);
+  for_each_area(
+      estimate.slices, estimate.lift, q, compliance, width,
+      [&](std::span<const RailSlice> area, const RailSlice& deepest, double normal, double vertical) {
+        out.normal += normal;
+        out.lateral -= normal * mean_sine(area, q);
+        if (vertical > largest) {
+          largest = vertical;
+          set_extent(area, deepest, q, normal, width, out);
+        }
+      });
   return out;
 }
 
 double approach_under(const ContactEstimate& estimate, double force, double compliance) {
-  return approach_for(force, [&](double q) { return borne_at(estimate, q, compliance).force; });
+  return approach_for(force, BorneForce(estimate, compliance));
 }
 
 void set_approach(ContactEstimate& estimate, double q, double compliance) {
   estimate.approach = q;
-  estimate.force = borne_at(estimate, q, compliance).force;
+  estimate.force = BorneForce(estimate, compliance)(q);
 }
 
-/// Of the slices that can touch, where each is nearest to the wheel.
+/// Whether the slice may be the deepest of an area at some approach up to `most`: its depth grows linearly
+/// with the approach, so that a neighbour that is deeper at both ends always is.
+bool may_be_deepest(std::span<const RailSlice> slices, std::size_t i, double most) {
+  const auto is_deeper = [&](std::size_t other) {
+    return slices[other].gap < slices[i].gap && slices[other].depth(most) > slices[i].depth(most);
+  };
+  return !(i > 0 && is_deeper(i - 1)) && !(i + 1 < slices.size() && is_deeper(i + 1));
+}
+
+/// Of the slices that can touch and be the deepest there, where each is nearest to the wheel; the others next
+/// to them take it over.
 void set_lift(const ContactSetup& setup, ContactEstimate& estimate) {
   for (std::size_t i = 0; i < estimate.slices.size(); ++i) {
     const RailSlice& c = estimate.slices[i];
     if (c.gap >= largest_approach)
       continue;
+    if (!may_be_deepest(estimate.slices, i, largest_approach)) {
+      estimate.lift[i] = i > 0 ? estimate.lift[i - 1] : 1.0;
+      continue;
+    }
     const RigidSlip slip = setup.rigid_slip({}, {{c.s, c.position, c.delta}}, {c.x});
     const double along_s = slip.s[0] / std::hypot(slip.x[0], slip.s[0], half_slip_creepage);
     estimate.lift[i] = std::clamp(1 + setup.motion.coefficients.friction * along_s * std::tan(c.delta),
@@ -164,12 +209,12 @@ ContactEstimate estimate_contact(const ContactSetup& setup, bool foresee_shear) 
 
 EstimatedContact estimated_contact(const ContactEstimate& estimate, double compliance, double aside) {
   if (aside == 0)
-    return borne_at(estimate, estimate.approach, compliance).contact;
+    return contact_at(estimate, estimate.approach, compliance);
   ContactEstimate moved = estimate;
   for (RailSlice& c : moved.slices)
     c.gap += aside * std::sin(c.delta);
   const double q = estimate.force > 0 ? approach_under(moved, estimate.force, compliance) : 0;
-  return borne_at(moved, q, compliance).contact;
+  return contact_at(moved, q, compliance);
 }
 
 std::optional<ContactEstimate> estimate_contact(const ContactProblem& problem, double compliance) {
