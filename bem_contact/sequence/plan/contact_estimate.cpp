@@ -161,22 +161,27 @@ bool may_be_deepest(std::span<const RailSlice> slices, std::size_t i, double mos
   return !(i > 0 && is_deeper(i - 1)) && !(i + 1 < slices.size() && is_deeper(i + 1));
 }
 
-/// Of the slices that can touch and be the deepest there, where each is nearest to the wheel; the others next
-/// to them take it over.
+/// Of the slices that can touch and be the deepest there, where each is nearest to the wheel. Every other one
+/// takes over what the nearest of them has: it counts only if the wheel is moved aside a little.
 void set_lift(const ContactSetup& setup, ContactEstimate& estimate) {
-  for (std::size_t i = 0; i < estimate.slices.size(); ++i) {
-    const RailSlice& c = estimate.slices[i];
-    if (c.gap >= largest_approach)
+  const std::vector<RailSlice>& slices = estimate.slices;
+  std::size_t last = slices.size(); // of the slices that know their own; at first none
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    const RailSlice& c = slices[i];
+    if (c.gap >= largest_approach || !may_be_deepest(slices, i, last_approach))
       continue;
-    if (!may_be_deepest(estimate.slices, i, largest_approach)) {
-      estimate.lift[i] = i > 0 ? estimate.lift[i - 1] : 1.0;
-      continue;
-    }
     const RigidSlip slip = setup.rigid_slip({}, {{c.s, c.position, c.delta}}, {c.x});
     const double along_s = slip.s[0] / std::hypot(slip.x[0], slip.s[0], half_slip_creepage);
     estimate.lift[i] = std::clamp(1 + setup.motion.coefficients.friction * along_s * std::tan(c.delta),
                                   least_lift, most_lift);
+    const bool first = last == slices.size();
+    for (std::size_t k = first ? 0 : last + 1; k < i; ++k)
+      estimate.lift[k] = first || i - k < k - last ? estimate.lift[i] : estimate.lift[last];
+    last = i;
   }
+  if (last < slices.size())
+    std::fill(estimate.lift.begin() + static_cast<std::ptrdiff_t>(last), estimate.lift.end(),
+              estimate.lift[last]);
 }
 
 } // namespace
