@@ -18,8 +18,8 @@ void solve_lower(const Eigen::MatrixXd& factor, Eigen::Ref<Eigen::MatrixXd> x);
 void solve_lower_transposed(const Eigen::MatrixXd& factor, Eigen::Ref<Eigen::MatrixXd> x);
 
 /// LU factors with partial pivoting, in single precision, for many solutions one after the other. The blocks
-/// on the diagonal are inverted, so that a solution consists of products with blocks: that takes a third of
-/// the time of BLAS's strsv, which goes column by column.
+/// on the diagonal are inverted, so that a solution consists of products with blocks: for 290 unknowns a
+/// third of the instructions of BLAS's strsv, which goes column by column.
 class LuFactors {
 public:
   explicit LuFactors(Eigen::MatrixXf a);

@@ -53,6 +53,7 @@ ContactMatrix::ContactMatrix(const ContactProblem& problem, const std::array<dou
 ContactMatrix::ContactMatrix(const std::vector<int>& the_elements, MatrixXd the_b)
     : elements(the_elements), b(std::move(the_b)), scale(b.size() > 0 ? b.diagonal().maxCoeff() : 1),
       fast((b / scale).cast<float>()) {}
+
 ContactMatrix ContactMatrix::with(const ContactProblem& problem, const std::array<double, 3>& present,
                                   const std::vector<int>& others) const {
   std::vector<int> place(problem.grid.size(), -1);

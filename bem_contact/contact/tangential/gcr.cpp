@@ -73,8 +73,19 @@ void Gcr::begin(const Eigen::VectorXd& rhs, double length) {
     image_.resize(rhs.size());
   }
   residual_ = (rhs / length).cast<float>();
-  left_ = 1;
-  used_ = candidate_ = 0;
+  left_ = least_left_ = 1;
+  used_ = candidate_ = without_fall_ = 0;
+  stalled_ = false;
+}
+
+/// Whether the residual is near the tolerance and single precision has no more digits to come nearer.
+bool Gcr::stalls(double tolerance) {
+  const bool falls = left_ < (1 - stalled_share) * least_left_ || left_ > stalled_near * tolerance;
+  without_fall_ = falls ? 0 : without_fall_ + 1;
+  if (falls)
+    least_left_ = left_;
+  stalled_ = without_fall_ >= stalled_products;
+  return stalled_;
 }
 
 /// Makes the next that was kept direction number `used`. False at the end.

@@ -35,7 +35,7 @@ public:
   };
 
   /// product(z, Bz), image(z, Bz, Jz) and precondition(v, out) write Vectors of rhs's size. True when the
-  /// residual fell to the tolerance; x is the best there is in any case.
+  /// residual fell to the tolerance, or near it and no further; x is the best there is in any case.
   template <class Product, class Image, class Precondition>
   bool solve(const Product& product, const Image& image, const Precondition& precondition,
              const Eigen::VectorXd& rhs, const Until& until, Eigen::VectorXd& x) {
@@ -51,10 +51,10 @@ public:
       make_room();
       precondition(residual_, z_.col(used_));
       product(z_.col(used_), bz_.col(used_));
-      found = try_direction(image, false);
+      found = try_direction(image, false) && !stalls(until.tolerance);
     }
     finish(length, x);
-    return left_ <= until.tolerance;
+    return left_ <= until.tolerance || stalled_;
   }
 
   int products() const { return products_; } ///< of the last solution
@@ -66,6 +66,7 @@ private:
     return take_image(kept);
   }
   void begin(const Eigen::VectorXd& rhs, double length);
+  bool stalls(double tolerance);
   bool next_kept();
   void make_room();
   bool take_image(bool kept);
@@ -82,7 +83,9 @@ private:
   Eigen::MatrixXf h_;      ///< images = q h, with an upper triangle h
   Eigen::VectorXd g_;      ///< the residual's share of each column of q
   Vector residual_, image_, share_;
-  double left_ = 0; ///< of the residual
+  double left_ = 0, least_left_ = 0; ///< of the residual; when it last fell
+  int without_fall_ = 0;             ///< products since then
+  bool stalled_ = false;
   int used_ = 0, from_kept_ = 0, candidate_ = 0, products_ = 0;
 };
 

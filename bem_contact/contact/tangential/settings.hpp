@@ -20,6 +20,12 @@ BEM_CONTACT_TUNED(int, most_former_products, 10);
 BEM_CONTACT_TUNED(int, most_dense_elements, 3000);
 /// Products of GCR. Chosen: where it needs more, LU factors are as fast.
 BEM_CONTACT_TUNED(int, most_gcr_products, 250);
+/// Products, 1, 1. GCR ends where so many products took off less than stalled_share of the residual, and it
+/// is within stalled_near times the tolerance. Without that, 250 products left 1.28e-4 where 1e-4 was asked
+/// for; the next Newton step makes good for it.
+BEM_CONTACT_TUNED(int, stalled_products, 10);
+BEM_CONTACT_TUNED(double, stalled_share, 0.01);
+BEM_CONTACT_TUNED(double, stalled_near, 10);
 /// Directions for which memory is taken at first; it grows where that is not enough. Chosen.
 BEM_CONTACT_TUNED(int, first_directions, 32);
 /// Solutions and directions that are kept for the next system. Of 5 to 100 in all these take the least time

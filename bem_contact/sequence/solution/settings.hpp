@@ -32,8 +32,11 @@ BEM_CONTACT_TUNED(int, trim_factor, 4);
 /// 1. Its elements count as touching up to this share of the approach between the bodies: in a Hertzian
 /// contact up to a fifteenth of the radius beyond the border.
 BEM_CONTACT_TUNED(double, near_distance, 0.02);
-/// Elements. A plan that follows a former solution has so many more on each side.
+/// Elements. A plan that follows a former solution has so many more on each side: with one, a sixth of the
+/// contacts of data/scenes/cases_fem.toml did not fit, and were solved twice.
 BEM_CONTACT_TUNED(int, cropped_margin, 2);
+/// Elements. The same where the potential contact moved by less than an element, as in steps of a vehicle.
+BEM_CONTACT_TUNED(int, cropped_margin_of_steps, 1);
 /// GB. Largest influence numbers, and largest history, that are kept in memory.
 BEM_CONTACT_TUNED(double, largest_memory, 8.0);
 

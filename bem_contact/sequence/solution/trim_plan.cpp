@@ -82,6 +82,18 @@ GridPlan without_far_elements(GridPlan plan, const GridSolution& solved) {
   return plan;
 }
 
+/// Elements that a plan needs beside the contact of a former solution, for what may have changed since.
+int margin_beside(const FormerSolution& former, const std::vector<PotentialArea>& areas,
+                  const GridPlan& plan) {
+  const auto near = [&](const PotentialArea& a, const PotentialArea& b) {
+    return std::max(std::abs(a.s_from - b.s_from), std::abs(a.s_to - b.s_to)) < plan.ds &&
+           std::max(std::abs(a.x_from - b.x_from), std::abs(a.x_to - b.x_to)) < plan.dx;
+  };
+  const bool a_step =
+      former.grid.dx == plan.dx && former.grid.ds == plan.ds && std::ranges::equal(former.areas, areas, near);
+  return a_step ? cropped_margin_of_steps : cropped_margin;
+}
+
 /// Whether influence numbers depend on both rows, and the scene leaves it open which rows and columns are
 /// solved.
 bool may_be_trimmed(const ContactCase& asked, Model model) {
@@ -102,7 +114,9 @@ GridPlan cropped(const ContactCase& asked, GridPlan plan, Model model, const For
     return plan;
   if (const auto known = plan_of_former(asked, plan, model, former))
     return *known;
-  const PotentialArea expected = expected_contact(*former, potential_areas(*asked.estimate));
+  const std::vector<PotentialArea> areas = potential_areas(*asked.estimate);
+  const PotentialArea expected = expected_contact(*former, areas);
+  const int margin = margin_beside(*former, areas, plan);
   const auto row = [&](double s) { return (s - plan.s(0)) / plan.ds; };
   const int rows = plan.rows;
   const int lowest = std::clamp(static_cast<int>(std::floor(row(expected.s_from))), 0, rows - 1),
@@ -111,12 +125,12 @@ GridPlan cropped(const ContactCase& asked, GridPlan plan, Model model, const For
   // do not depend on what is left out.
   const int first_pair = first_joined_row(rows, lowest, highest);
   const auto whole_pairs = [&](int more) { return std::max(more - first_pair, 0) / 2 * 2; };
-  const int first = first_pair + whole_pairs(lowest - cropped_margin),
-            end = std::min(first_pair + whole_pairs(highest + cropped_margin + 2), rows);
+  const int first = first_pair + whole_pairs(lowest - margin),
+            end = std::min(first_pair + whole_pairs(highest + margin + 2), rows);
   plan.first += first;
   plan.rows = end - first;
   const double reach = std::max(expected.x_to - plan.x_centre, plan.x_centre - expected.x_from);
-  const int needed = static_cast<int>(std::ceil(reach / plan.dx)) + cropped_margin,
+  const int needed = static_cast<int>(std::ceil(reach / plan.dx)) + margin,
             spare = std::max(plan.columns / 2 - needed, 0) / 2 * 2; // on each side
   plan.columns -= 2 * spare;
   plan.cropped = true;
