@@ -164,14 +164,21 @@ TEST(CroppedPlan, FollowsTheContactOfTheFormerCase) {
   EXPECT_GE(fewer, 4);
 }
 
+/// The solution of a case whose potential contact is another one by a hair: of the same, the plan would be
+/// kept.
+FormerSolution nearly_the_same(const TrimmedAndWhole& t, const GridSolution& solved) {
+  FormerSolution former =
+      former_of(t.task.model, solved.contact.problem, solved.result, *t.asked.estimate).value();
+  former.areas.front().s_from -= 1e-6;
+  return former;
+}
+
 /// The former case says nothing useful: its contact ends where the next one has most of its own.
 TEST(CroppedPlan, GrowsWhereTheContactIsLargerThanExpected) {
   const SceneFile scene = s1002_on_60e1(Model::fem, at_the_gauge_corner);
   const TrimmedAndWhole t = trim(scene);
   const GridSolution whole = t.solved_on(t.plan);
-  FormerSolution former =
-      former_of(Model::fem, whole.contact.problem, whole.result, *t.asked.estimate).value();
-  former.areas.front().s_from -= 1e-6; // or the plan is that of the former case
+  FormerSolution former = nearly_the_same(t, whole);
   const int mx = former.grid.mx, rows = former.grid.ms;
   int last = 0;
   for (int i = 0; i < former.grid.size(); ++i)
@@ -193,9 +200,7 @@ TEST(CroppedPlan, IsForNumbersOfBothRowsAndOpenGrids) {
   const SceneFile scene = s1002_on_60e1(Model::fem, at_the_gauge_corner);
   const TrimmedAndWhole t = trim(scene);
   const GridSolution whole = t.solved_on(t.plan);
-  FormerSolution former =
-      former_of(Model::fem, whole.contact.problem, whole.result, *t.asked.estimate).value();
-  former.areas.front().s_from -= 1e-6;
+  const FormerSolution former = nearly_the_same(t, whole);
   EXPECT_TRUE(cropped(t.asked, t.plan, Model::tangent_plane, &former).cropped);
   EXPECT_FALSE(cropped(t.asked, t.plan, Model::halfspace, &former).cropped) << "those are translational";
   EXPECT_FALSE(cropped(t.asked, t.plan, Model::fem, nullptr).cropped);

@@ -24,6 +24,7 @@ std::optional<GridPlan> plan_of_former(const ContactCase& asked, const GridPlan&
   out.first = static_cast<int>(std::lround((former->first_s - plan.origin) / plan.ds));
   out.rows = former->grid.ms;
   out.columns = former->grid.mx;
+  out.cropped = true;
   const bool within = out.first >= plan.first && out.first + out.rows <= plan.first + plan.rows &&
                       out.columns <= plan.columns;
   return within ? std::optional(out) : std::nullopt;
