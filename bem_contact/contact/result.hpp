@@ -188,6 +188,7 @@ struct ContactResult {
 
   bool touches_border = false;   ///< contact at an edge of the grid: the potential contact is too small
   bool converged = false;        ///< certificate.holds()
+  bool ended_early = false;      ///< a rough solution, as SolverOptions::early_end wants it; not certified
   std::string normal_solver;     ///< the one that finished
   std::string tangential_solver; ///< the one that finished
   int outer_iterations = 0, normal_iterations = 0, tangential_iterations = 0; ///< in all

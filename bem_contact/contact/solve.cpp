@@ -124,10 +124,8 @@ int threads_of(const SolverOptions& options) {
   return options.workspace ? options.workspace->threads() : 1;
 }
 
-ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOptions& options,
-                                 contact::ContactOperators& operators, WorkBudget& work) {
-  const contact::Solution solution = contact::solve_coupled(problem, options, operators, work);
-  require_balance(problem, solution);
+/// Without a certificate.
+ContactResult result_of(const ContactProblem& problem, const contact::Solution& solution) {
   ContactResult result;
   fill_fields(problem, solution, result);
   result.approach = solution.normal.approach;
@@ -140,11 +138,6 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
   if (problem.heating && problem.has_friction())
     result.temperatures = flash_temperatures(problem, result);
   result.touches_border = contact::touches_border(problem.grid, result.state);
-  const Stopwatch checking;
-  result.certificate =
-      certify(problem, result, options.displacements ? &result.displacements : nullptr, threads_of(options));
-  result.check_seconds = checking.seconds();
-  result.converged = result.certificate.holds();
   result.normal_solver = solution.normal.solver;
   result.tangential_solver = solution.shear.solver;
   result.outer_iterations = solution.outer_iterations;
@@ -153,36 +146,96 @@ ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOpti
   result.creepage_iterations = solution.creepage.iterations;
   result.outer_rate = solution.rate;
   result.remark = solution.remark;
+  result.certificate.pressure = unknown_error; // nothing is checked
+  return result;
+}
+
+ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOptions& options,
+                                 contact::ContactOperators& operators, WorkBudget& work,
+                                 const contact::RoughLook* look = nullptr) {
+  const contact::Solution solution = contact::solve_coupled(problem, options, operators, work, look);
+  require_balance(problem, solution);
+  ContactResult result = result_of(problem, solution);
+  result.ended_early = solution.ended_early;
+  if (result.ended_early)
+    return result;
+  const Stopwatch checking;
+  result.certificate =
+      certify(problem, result, options.displacements ? &result.displacements : nullptr, threads_of(options));
+  result.check_seconds = checking.seconds();
+  result.converged = result.certificate.holds();
   if (!result.converged && result.remark.empty())
     result.remark = "digits were lost: lengths, forces or moduli lie too many decades apart; ";
   return result;
 }
 
-/// Estimates the error of the discretisation, or says why it cannot be told.
-void estimate(const ContactProblem& problem, const SolverOptions& options,
-              contact::ContactOperators& operators, WorkBudget& work, ContactResult& result) {
-  result.unestimated = !options.estimate_discretisation ? "they are not asked for"
-                       : !result.converged              ? "the result is not certified"
-                                                        : contact::why_no_companion(problem, result);
+/// The errors of the results of one problem, from its companion. A rough result and the precise one share it
+/// where both join the same elements.
+class Estimate {
+public:
+  Estimate(const ContactProblem& problem, const SolverOptions& options, contact::ContactOperators& operators,
+           WorkBudget& work)
+      : problem_(problem), options_(options), operators_(operators), work_(work) {
+    options_.tolerance = std::max(options.tolerance, contact::companion_tolerance);
+    options_.displacements = false;
+  }
+
+  /// Estimates the errors of the discretisation, or says why they cannot be told.
+  void add_to(ContactResult& result);
+  double seconds() const { return seconds_; }
+
+private:
+  struct Solved {
+    contact::LargerElements larger;
+    ContactProblem problem; ///< without influence numbers
+    ContactResult result;
+  };
+  void solve(const contact::LargerElements& larger, const ContactResult& fine,
+             contact::CompanionOperators& prepared);
+
+  const ContactProblem& problem_;
+  SolverOptions options_; ///< of the companion
+  contact::ContactOperators& operators_;
+  WorkBudget& work_;
+  std::optional<Solved> companion_;
+  double seconds_ = 0;
+};
+
+void Estimate::solve(const contact::LargerElements& larger, const ContactResult& fine,
+                     contact::CompanionOperators& prepared) {
+  contact::Companion coarse = contact::companion_of(problem_, fine, larger);
+  options_.start = &coarse.start;
+  std::optional<ContactResult> result;
+  {
+    const contact::LentNumbers lent(prepared.numbers, coarse.problem);
+    result = solve_on_this_grid(coarse.problem, options_, prepared.operators, work_);
+  }
+  companion_.emplace(Solved{larger, std::move(coarse.problem), std::move(*result)});
+}
+
+void Estimate::add_to(ContactResult& result) {
+  result.unestimated = options_.estimate_discretisation ? contact::why_no_companion(problem_, result)
+                                                        : "they are not asked for";
   if (!result.unestimated.empty())
     return;
-  const contact::LargerElements larger(problem.grid, result.pn);
+  const Stopwatch clock;
+  const contact::LargerElements larger(problem_.grid, result.pn);
   contact::CompanionOperators& prepared =
-      operators.companion(problem.numbers, larger, !problem.has_friction());
-  contact::Companion coarse = contact::companion_of(problem, result, larger);
-  const contact::LentNumbers lent(prepared.numbers, coarse.problem);
-  SolverOptions loose = options;
-  loose.tolerance = std::max(options.tolerance, contact::companion_tolerance);
-  loose.start = &coarse.start;
-  loose.displacements = false;
+      operators_.companion(problem_.numbers, larger, !problem_.has_friction());
   try {
-    const ContactResult rough = solve_on_this_grid(coarse.problem, loose, prepared.operators, work);
-    result.discretisation = contact::compare(problem, result, coarse.problem, rough);
+    if (!companion_ || !companion_->larger.joins_like(larger))
+      solve(larger, result, prepared);
+    auto& [joined, problem, coarse] = *companion_;
+    const contact::LentNumbers lent(prepared.numbers, problem);
+    result.discretisation = contact::compare(problem_, result, problem, coarse);
     if (!result.discretisation)
-      result.unestimated = contact::why_not_compared(coarse.problem, rough);
+      result.unestimated = contact::why_not_compared(problem, coarse);
   } catch (const Error&) { // larger elements cannot carry the forces, or no work is left
     result.unestimated = "elements twice as large have no solution. Give smaller elements";
   }
+  if (result.discretisation)
+    result.certificate.discretisation = result.discretisation->worst();
+  seconds_ += clock.seconds();
 }
 
 } // namespace
@@ -198,12 +251,20 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options,
   contact::ContactOperators& operators = options.workspace ? options.workspace->of(problem) : only_now;
   if (!options.start && !options.continues)
     operators.forget_solutions();
-  ContactResult result = solve_on_this_grid(problem, options, operators, work);
-  const Stopwatch estimating;
-  estimate(problem, options, operators, work, result);
-  result.estimate_seconds = estimating.seconds();
-  if (result.discretisation)
-    result.certificate.discretisation = result.discretisation->worst();
+  Estimate estimate(problem, options, operators, work);
+  const auto ends = [&](const contact::Solution& solution) {
+    ContactResult rough = result_of(problem, solution);
+    estimate.add_to(rough);
+    return options.early_end->ends(problem, rough);
+  };
+  const contact::RoughLook look{options.early_end ? options.early_end->change : 0, ends};
+  ContactResult result =
+      solve_on_this_grid(problem, options, operators, work, options.early_end ? &look : nullptr);
+  if (result.converged || result.ended_early)
+    estimate.add_to(result);
+  else
+    result.unestimated = "the result is not certified";
+  result.estimate_seconds = estimate.seconds();
   result.work = work.used();
   return result;
 }

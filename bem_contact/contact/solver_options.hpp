@@ -2,13 +2,24 @@
 
 #include "bem_contact/contact/problem.hpp"
 
+#include <functional>
+
 namespace bem_contact {
 
+struct ContactResult;
 class Workspace;
 
 /// A guess at the solution, on the problem's grid.
 struct StartingPoint : Tractions {
   double approach = 0; ///< mm
+};
+
+/// Ends a solution early where it is only rough, but its estimated errors already say that smaller elements
+/// are needed.
+struct EarlyEnd {
+  double change = 0; ///< relative; an outer iteration that changed less gave a rough solution
+  /// Called with the first one, which is not certified, and with its estimated errors.
+  std::function<bool(const ContactProblem&, const ContactResult&)> ends;
 };
 
 struct SolverOptions {
@@ -28,7 +39,8 @@ struct SolverOptions {
   /// Go on from the factors and directions that the last solution left in the workspace. The result then
   /// depends on that one, as it does on `start`, within the certificate.
   bool continues = false;
-  Workspace* workspace = nullptr; ///< prepared for earlier problems (solve.hpp); null: for this one only
+  const EarlyEnd* early_end = nullptr; ///< null: every solution is precise
+  Workspace* workspace = nullptr;      ///< prepared for earlier problems (solve.hpp); null: for this one only
 };
 
 } // namespace bem_contact

@@ -12,8 +12,7 @@ double relative(double error, double value) {
   return value != 0 ? error / std::abs(value) : 0.0;
 }
 
-double error_of(AccuracyOf what, const SceneResult& out) {
-  const ContactResult& r = out.result;
+double error_of(AccuracyOf what, const ContactProblem& problem, const ContactResult& r) {
   const TotalErrors& e = r.discretisation->errors;
   switch (what) {
   case AccuracyOf::pmax:
@@ -27,7 +26,7 @@ double error_of(AccuracyOf what, const SceneResult& out) {
   case AccuracyOf::creepages:
     return std::max(relative(e.creepage_x, r.creepage_x), relative(e.creepage_s, r.creepage_s));
   case AccuracyOf::friction_power:
-    return relative(e.friction_power, friction_power(r, out.problem.element_area()));
+    return relative(e.friction_power, friction_power(r, problem.element_area()));
   case AccuracyOf::forces:
     break;
   }
@@ -37,14 +36,18 @@ double error_of(AccuracyOf what, const SceneResult& out) {
 } // namespace
 
 double asked_error(const SceneFile::Grid& grid, const SceneResult& out) {
-  const double forces = out.result.certificate.discretisation;
-  const std::optional<Discretisation>& estimate = out.result.discretisation;
+  return asked_error(grid, out.problem, out.result);
+}
+
+double asked_error(const SceneFile::Grid& grid, const ContactProblem& problem, const ContactResult& result) {
+  const double forces = result.certificate.discretisation;
+  const std::optional<Discretisation>& estimate = result.discretisation;
   if (!estimate || (estimate->rough && !estimate->converges))
     return forces;
   const auto error = [&](AccuracyOf what) {
-    const double pmax = largest_pressure(out.result);
+    const double pmax = largest_pressure(result);
     return what == AccuracyOf::forces || estimate->converges
-               ? error_of(what, out)
+               ? error_of(what, problem, result)
                : std::max(forces, relative(pmax - estimate->coarse_pmax, pmax));
   };
   double largest = 0;

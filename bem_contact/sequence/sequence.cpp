@@ -152,9 +152,15 @@ SceneResult Sequence::Impl::solve_steady_rolling(const ContactCase& asked, const
   WorkBudget work(task.stop);
   SolveResources tools = resources(work);
   tools.totals_only = task.totals_only;
+  const EarlyEnd early_end{rough_share * asked.scene.grid.accuracy.value_or(0),
+                           [&](const ContactProblem& problem, const ContactResult& rough) {
+                             return element_size_.asks_for_more(asked, problem, rough);
+                           }};
   PhaseSeconds spent;
   for (int round = 1;; ++round) {
     const SceneFile::Grid grid = element_size_.grid(asked);
+    tools.early_end =
+        asked.scene.grid.accuracy && round < most_solves && !task.totals_only ? &early_end : nullptr;
     tools.start = start_for(areas, grid);
     counts_.starts += tools.start != nullptr;
     ++counts_.solves;

@@ -23,6 +23,9 @@ BEM_CONTACT_TUNED(double, usual_station_width, 0.25);
 
 /// 1. How often one case may be solved for an accuracy.
 BEM_CONTACT_TUNED(int, most_solves, 4);
+/// 1. A solution counts as rough from where an outer iteration changes it by less than this share of the
+/// accuracy asked for: its estimated errors are then those of the precise one but for a few percent.
+BEM_CONTACT_TUNED(double, rough_share, 0.1);
 /// 1. Elements in contact of the rough half-space solutions that a search for a lateral force begins with.
 /// Chosen: they only tell which branches there are.
 BEM_CONTACT_TUNED(int, lateral_map_elements, 60);

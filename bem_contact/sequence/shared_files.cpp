@@ -8,9 +8,8 @@ std::shared_ptr<SequenceFiles> shared_files() {
   return std::make_shared<SequenceFiles>();
 }
 
-void read_profiles(const SceneFile& scene, SequenceFiles& files) {
-  if (scene.kind == SceneKind::wheel_rail)
-    files.profiles(scene);
+WheelRailProfiles read_profiles(const SceneFile& scene, SequenceFiles& files) {
+  return files.profiles(scene);
 }
 
 } // namespace bem_contact

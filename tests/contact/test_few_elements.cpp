@@ -2,6 +2,7 @@
 // are made anew.
 #include "bem_contact/contact/normal/bordered_factor.hpp"
 #include "bem_contact/contact/normal/settings.hpp"
+#include "bem_contact/contact/slip_step.hpp"
 #include "bem_contact/contact/tangential/contact_matrix.hpp"
 #include "bem_contact/contact/tangential/newton_factors.hpp"
 #include "bem_contact/contact/tangential/settings.hpp"

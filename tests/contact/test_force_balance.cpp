@@ -43,6 +43,22 @@ TEST(ForceBalance, ASumThatIsNotMonotoneOrHasCornersIsFound) {
   EXPECT_GT(looks(1000, 1000, [](double n) { return n < 1500 ? -0.5 * n : -750 + 2 * (n - 1500); }), 0);
 }
 
+/// Next to a start that is nearly the solution. On a steep flange shear bears against most of the pressure
+/// force and does not grow with it in proportion: the proportion would lead far away.
+TEST(ForceBalance, AStartIsFollowedWithoutOvershoot) {
+  const auto borne = [](double n) { return 3400 + 0.43 * (n - 64000); }; // 0.05 n at the solution
+  for (const double off : {0.97, 1.03}) {
+    contact::ForceBalance balance(3400);
+    const double pressed = balance.start(off * 64000, borne(off * 64000));
+    EXPECT_NEAR(pressed, 64000, 0.1 * std::abs(off - 1) * 64000);
+    EXPECT_NEAR(balance.next(pressed, borne(pressed)), 64000, 0.01 * std::abs(off - 1) * 64000);
+  }
+  contact::ForceBalance level(3400); // a share of 0.9 stays
+  EXPECT_NEAR(level.start(3000, 2700), 3400 / 0.9, 1e-9);
+  EXPECT_EQ(level.start(1, 1e5), 3400 / contact::largest_start_share);
+  EXPECT_EQ(level.start(1e6, -1e6), contact::largest_force_ratio * 3400);
+}
+
 /// Where the first sums are off by more than what is asked for in the end, their brackets are as well.
 TEST(ForceBalance, EarlySumsNeedNotBePrecise) {
   for (const double error : {-3e-5, 3e-5}) {

@@ -1,5 +1,6 @@
 #include "bem_contact/sequence/numbers/sequence_files.hpp"
 
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "tests/base/temporary_folder.hpp"
 

@@ -3,6 +3,7 @@
 #include "bem_contact/sequence/sequence.hpp"
 
 #include "bem_contact/influence/influence_file.hpp"
+#include "bem_contact/scene/contact_setup.hpp"
 #include "tests/base/message.hpp"
 #include "tests/influence/sample_function.hpp"
 

@@ -137,7 +137,7 @@ TEST(TrimPlan, AFormerSolutionOfTheSameContactSavesTheRoughOne) {
 
 /// A wheel that moves aside step by step: each case is solved on fewer elements than it would be alone, with
 /// the same result.
-TEST(CroppedPlan, FollowsTheContactOfTheFormerCase) {
+TEST(FittedPlan, FollowsTheContactOfTheFormerCase) {
   const auto scene_at = [](double lateral, double force) {
     return s1002_on_60e1(Model::fem, fmt::format("position.lateral = {}\nload.force = {}\n"
                                                  "grid = {{ dx = 0.6, ds = 0.3 }}\n",
@@ -174,7 +174,7 @@ FormerSolution nearly_the_same(const TrimmedAndWhole& t, const GridSolution& sol
 }
 
 /// The former case says nothing useful: its contact ends where the next one has most of its own.
-TEST(CroppedPlan, GrowsWhereTheContactIsLargerThanExpected) {
+TEST(FittedPlan, GrowsWhereTheContactIsLargerThanExpected) {
   const SceneFile scene = s1002_on_60e1(Model::fem, at_the_gauge_corner);
   const TrimmedAndWhole t = trim(scene);
   const GridSolution whole = t.solved_on(t.plan);
@@ -185,7 +185,7 @@ TEST(CroppedPlan, GrowsWhereTheContactIsLargerThanExpected) {
     if (former.pn[i] > 0)
       last = i / mx;
   std::fill(former.pn.begin() + static_cast<std::ptrdiff_t>(last - 6) * mx, former.pn.end(), 0.0);
-  const GridPlan few = cropped(t.asked, t.plan, Model::fem, &former);
+  const GridPlan few = fitted(t.asked, t.plan, Model::fem, &former);
   EXPECT_TRUE(few.cropped);
   EXPECT_LT(few.rows, rows);
   EXPECT_NEAR(few.first + few.rows - 1, t.plan.first + last - 7 + cropped_margin, 1); // whole rows
@@ -196,17 +196,61 @@ TEST(CroppedPlan, GrowsWhereTheContactIsLargerThanExpected) {
   expect_same_tractions(grown, whole);
 }
 
-TEST(CroppedPlan, IsForNumbersOfBothRowsAndOpenGrids) {
+TEST(FittedPlan, IsForNumbersOfBothRowsAndOpenGrids) {
   const SceneFile scene = s1002_on_60e1(Model::fem, at_the_gauge_corner);
   const TrimmedAndWhole t = trim(scene);
   const GridSolution whole = t.solved_on(t.plan);
   const FormerSolution former = nearly_the_same(t, whole);
-  EXPECT_TRUE(cropped(t.asked, t.plan, Model::tangent_plane, &former).cropped);
-  EXPECT_FALSE(cropped(t.asked, t.plan, Model::halfspace, &former).cropped) << "those are translational";
-  EXPECT_FALSE(cropped(t.asked, t.plan, Model::fem, nullptr).cropped);
+  EXPECT_TRUE(fitted(t.asked, t.plan, Model::tangent_plane, &former).cropped);
+  EXPECT_FALSE(fitted(t.asked, t.plan, Model::halfspace, &former).cropped) << "those are translational";
+  EXPECT_FALSE(fitted(t.asked, t.plan, Model::fem, nullptr).cropped);
   ContactCase by_rows = t.asked;
   by_rows.scene.grid.rows = {t.plan.s_from(), t.plan.s_to()};
-  EXPECT_FALSE(cropped(by_rows, t.plan, Model::fem, &former).cropped) << "rows that are asked for are solved";
+  EXPECT_FALSE(fitted(by_rows, t.plan, Model::fem, &former).cropped) << "rows that are asked for are solved";
+}
+
+/// A contact that reached beyond its plan does so again: the next plan covers it from the start.
+TEST(FittedPlan, CoversAContactThatReachesBeyondIt) {
+  const SceneFile scene = s1002_on_60e1(Model::halfspace, at_the_gauge_corner);
+  const TrimmedAndWhole t = trim(scene);
+  const GridSolution whole = t.solved_on(t.plan);
+  const FormerSolution former = nearly_the_same(t, whole);
+  const GridPlan same = fitted(t.asked, t.plan, Model::halfspace, &former);
+  EXPECT_EQ(same.rows, t.plan.rows);
+  EXPECT_EQ(same.columns, t.plan.columns);
+  GridPlan small = t.plan; // a plan that is too small by some rows and columns
+  small.first += small.rows / 3;
+  small.rows /= 3;
+  small.columns -= 10;
+  const GridPlan fits = fitted(t.asked, small, Model::halfspace, &former);
+  EXPECT_LT(fits.first, small.first);
+  EXPECT_GT(fits.columns, small.columns);
+  const GridSolution again = t.solved_on(fits);
+  EXPECT_FALSE(again.result.touches_border);
+  expect_same_tractions(again, whole);
+  ContactCase by_columns = t.asked;
+  by_columns.scene.grid.mx = small.columns;
+  EXPECT_EQ(fitted(by_columns, small, Model::halfspace, &former).columns, small.columns);
+}
+
+/// Where the contact just reaches the edge, its solution is nearly that of the larger grid.
+TEST(FittedPlan, AGrownGridStartsFromTheSmallerOne) {
+  const SceneFile scene = s1002_on_60e1(Model::halfspace, at_the_gauge_corner);
+  const TrimmedAndWhole t = trim(scene);
+  const GridSolution whole = t.solved_on(t.plan);
+  const ContactGrid& grid = whole.contact.problem.grid;
+  int outside = grid.mx; // columns beside the contact, on each side
+  for (int i = 0; i < grid.size(); ++i)
+    if (whole.result.pn[i] > 0)
+      outside = std::min({outside, i % grid.mx, grid.mx - 1 - i % grid.mx});
+  GridPlan tight = t.plan;
+  tight.columns -= 2 * outside;
+  WorkBudget work;
+  const GridSolution grown =
+      solve_on_growing_grid(t.asked, t.asked.setup.on(tight), t.task, {.work = work}, false);
+  EXPECT_GT(grown.contact.plan.columns, tight.columns);
+  EXPECT_LT(grown.result.tangential_iterations, whole.result.tangential_iterations);
+  expect_same_tractions(grown, whole);
 }
 
 /// Numbers of at least large_numbers, and a second solution for free rolling that must find them kept.

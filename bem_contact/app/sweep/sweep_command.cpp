@@ -90,7 +90,8 @@ CaseRecord solved(SweepSolver& solver, const SweepFile& sweep, std::size_t index
 /// Here, so that messages about them come once and not from each process.
 void read_first_profiles(const SweepFile& sweep, SequenceFiles& files) {
   try {
-    read_profiles(sweep.scene(0), files);
+    if (const SceneFile first = sweep.scene(0); first.kind == SceneKind::wheel_rail)
+      read_profiles(first, files);
   } catch (const InputError&) { // the cases say it
   }
 }

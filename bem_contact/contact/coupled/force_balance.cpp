@@ -7,9 +7,18 @@
 
 namespace bem_contact::contact {
 
+double ForceBalance::start(double pressed, double borne) {
+  least_slope_ = least_start_slope;
+  const double slope = std::max(borne / pressed, least_slope_);
+  return std::clamp(pressed + (force_ - borne) / slope, force_ / largest_start_share,
+                    largest_force_ratio * force_);
+}
+
 double ForceBalance::next(double pressed, double borne) {
   (borne < force_ ? low_ : high_) = pressed;
-  if (std::abs(pressed - last_) > least_secant_step * noise_of_sums * pressed)
+  if (last_ == 0)
+    slope_ = std::max(borne / pressed, least_slope_);
+  else if (std::abs(pressed - last_) > least_secant_step * noise_of_sums * pressed)
     slope_ = (borne - last_borne_) / (pressed - last_);
   double wanted = pressed + (force_ - borne) / slope_; // infinite or worse where the secant is flat
   last_ = pressed;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 namespace bem_contact::contact {
 
 /// Splits a vertical force between pressure and inclined shear tractions.
@@ -13,6 +15,10 @@ public:
   /// `force` > 0, N.
   explicit ForceBalance(double force) : force_(force) {}
 
+  /// The pressure force to try first, from a start near the solution: its pressure carries `pressed` (> 0),
+  /// and with its shear tractions `borne`. Shear then is taken to grow no faster than least_start_slope says.
+  double start(double pressed, double borne);
+
   /// The pressure force to try after `pressed` (> 0) was seen to carry `borne` = N + S, N.
   double next(double pressed, double borne);
 
@@ -21,7 +27,8 @@ public:
   bool at_the_most(double pressed, double borne) const;
 
 private:
-  double force_, last_ = 0, last_borne_ = 0, slope_ = 1;
+  double force_, last_ = 0, last_borne_ = 0, slope_ = 0;
+  double least_slope_ = -std::numeric_limits<double>::infinity(); ///< of the first secant
   double low_ = 0, high_ = 0; ///< carries too little, and enough; high_ 0: not known
   double step_ = 0, step_before_ = 0;
 };

@@ -13,11 +13,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bem_contact::contact {
 namespace {
 
 using Eigen::VectorXd;
+
+void set_distance(const CoupledSystem& system, Solution& solution) {
+  solution.distance =
+      system.gap + solution.from_shear - solution.normal.approach * system.normal.cosine + solution.normal.u;
+}
 
 /// The outer iterations of one problem. The unknown v holds the normal displacement (A p_t)_n of each element
 /// and, as its last entry, the vertical force of the pressure in units of length, so that both can be
@@ -26,8 +32,9 @@ class OuterLoop {
 public:
   OuterLoop(const CoupledSystem& system, const SolverOptions& options, WorkBudget& work, Solution& solution);
 
-  /// True if the iterations settled, or if one is enough. Sets rate and unbalanced of the solution.
-  bool run();
+  /// True if the iterations settled, if one is enough, or if `look` (may be null) ends them. Sets rate and
+  /// unbalanced of the solution.
+  bool run(const RoughLook* look);
 
 private:
   VectorXd image(); ///< G(v) after an outer iteration; sets the last entry of v
@@ -53,9 +60,8 @@ OuterLoop::OuterLoop(const CoupledSystem& system, const SolverOptions& options, 
       v_(VectorXd::Zero(n_ + 1)) {
   if (system.by_force &&
       solution.normal.p.size() == n_) { // guess the share that shear carries from the start
-    const double pressure_force = system.normal.cosine.dot(solution.normal.p) * system.problem.element_area();
-    solution.pressed /= std::clamp(1 + system.shear_force(solution.shear.p) / pressure_force,
-                                   2 / largest_force_ratio, largest_start_share);
+    const double pressed = system.normal.cosine.dot(solution.normal.p) * system.problem.element_area();
+    solution.pressed = balance_.start(pressed, pressed + system.shear_force(solution.shear.p));
   }
   if (system.by_numbers && solution.shear.p.any())
     v_.head(n_) = normal_displacement(*system.shear, solution);
@@ -99,7 +105,7 @@ void OuterLoop::advance(const VectorXd& residual) {
   }
 }
 
-bool OuterLoop::run() {
+bool OuterLoop::run(const RoughLook* look) {
   const ContactProblem& problem = system_.problem;
   double first_residual = 0;
   SolverOptions options = options_;
@@ -120,6 +126,12 @@ bool OuterLoop::run() {
     const double change = relative_change(residual);
     if (tolerance_.is_settled(change))
       return true;
+    if (look && change <= look->change) {
+      set_distance(system_, solution_);
+      solution_.ended_early = std::exchange(look, nullptr)->ends(solution_);
+      if (solution_.ended_early)
+        return true;
+    }
     tolerance_.tighten(change, system_.by_force ? problem.force / solution_.pressed : 1.0);
     if (tolerance_.is_close(change)) // the same again, precisely
       continue;
@@ -204,15 +216,14 @@ void require_capacity(const ContactProblem& problem, const FoundCreepage& creepa
 }
 
 Solution solve_coupled(const ContactProblem& problem, const SolverOptions& options,
-                       ContactOperators& operators, WorkBudget& work) {
+                       ContactOperators& operators, WorkBudget& work, const RoughLook* look) {
   Solution solution = start(problem, options, operators, work);
   const CoupledSystem system(problem, operators, settling_factor * options.tolerance, work);
-  bool settled = OuterLoop(system, options, work, solution).run();
+  bool settled = OuterLoop(system, options, work, solution).run(look);
   if (!settled && system.by_force && system.by_numbers && !solution.unbalanced)
     settled = balance_apart(system, options, work, solution);
   require_capacity(problem, solution.creepage);
-  solution.distance =
-      system.gap + solution.from_shear - solution.normal.approach * system.normal.cosine + solution.normal.u;
+  set_distance(system, solution);
   solution.remark = remark_of(solution, settled);
   return solution;
 }

@@ -126,16 +126,26 @@ SceneFile::Grid ElementSize::grid(const ContactCase& asked) const {
 }
 
 bool ElementSize::learn(const ContactCase& asked, const SceneResult& out) {
-  const ContactResult& r = out.result;
-  if (!r.converged || r.patches.empty())
+  const bool known = out.result.converged || out.result.ended_early;
+  return known && learn(asked, out.problem, out.result, out.model != Model::hertz);
+}
+
+bool ElementSize::asks_for_more(const ContactCase& asked, const ContactProblem& problem,
+                                const ContactResult& result) const {
+  return ElementSize(*this).learn(asked, problem, result, true);
+}
+
+bool ElementSize::learn(const ContactCase& asked, const ContactProblem& problem, const ContactResult& result,
+                        bool by_elements) {
+  if (result.patches.empty())
     return false;
-  const ContactGrid& solved = out.problem.grid;
-  const int contact = count_elements(r).contact;
+  const ContactGrid& solved = problem.grid;
+  const int contact = count_elements(result).contact;
   const double area = contact_extent(*asked.estimate).area;
   if (asked.estimate->approach > 0)
     area_ratio_ = learn_area_ && area > 0 ? contact * solved.dx * solved.ds / area : 1.0;
-  if (!open_size(asked.scene.grid) || out.model == Model::hertz ||
-      !count_->learn(contact, asked_error(asked.scene.grid, out)))
+  if (!open_size(asked.scene.grid) || !by_elements ||
+      !count_->learn(contact, asked_error(asked.scene.grid, problem, result)))
     return false;
   const SceneFile::Grid next = grid(asked);
   return next.dx != solved.dx || next.ds != solved.ds;

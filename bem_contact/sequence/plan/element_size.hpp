@@ -58,6 +58,9 @@ public:
   int wanted() const { return count_->wanted(); } ///< elements in contact
   /// After a solution: true where the case is to be solved again, on the smaller elements of grid().
   bool learn(const ContactCase& asked, const SceneResult& result);
+  /// What learn() will say of this result, precise or rough.
+  bool asks_for_more(const ContactCase& asked, const ContactProblem& problem,
+                     const ContactResult& result) const;
   /// For a warning: why elements of length `dx` (mm) are not made smaller.
   std::string limit(double dx) const;
 
@@ -67,6 +70,10 @@ private:
     double accuracy = 0;
     bool operator==(const Request&) const = default;
   };
+
+  /// `by_elements`: the model has elements whose number matters.
+  bool learn(const ContactCase& asked, const ContactProblem& problem, const ContactResult& result,
+             bool by_elements);
 
   bool learn_area_;
   Request request_;

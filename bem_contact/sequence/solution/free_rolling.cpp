@@ -31,6 +31,7 @@ FreeRolling counted_as(const SceneResult& result, FreeRolling free) {
 std::optional<FreeRolling> find_free_rolling(ContactCase asked, const SceneFile::Grid& grid,
                                              SolveResources resources, SceneResult* solution = nullptr) {
   asked.setup.motion.force_x = 0;
+  resources.early_end = nullptr;
   asked.scene.stresses.depths.clear();
   SceneResult solved = solve_case(asked, grid, resources);
   if (!solved.result.converged || solved.result.patches.empty())

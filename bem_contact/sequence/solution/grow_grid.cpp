@@ -173,6 +173,8 @@ std::optional<GridPlan> plan_with_second_area(const ContactCase& contact, bool o
 GridSolution solve_on_growing_grid(const ContactCase& asked, ContactOnGrid first, const SolveTask& task,
                                    const SolveResources& resources, bool on_strips) {
   const SceneFile::Grid& grid = asked.scene.grid;
+  SolveResources tools = resources;
+  std::optional<FormerSolution> smaller; // on the grid before
   PhaseSeconds spent;
   if (!first.plan.cropped && has_large_numbers(asked, first.plan, task.model)) {
     const TrimmedPlan needed = trimmed(asked, first.plan, task, resources, on_strips);
@@ -180,7 +182,7 @@ GridSolution solve_on_growing_grid(const ContactCase& asked, ContactOnGrid first
     spent = needed.seconds;
   }
   for (int round = 0;; ++round) {
-    GridSolution out = solve_on_grid(asked, std::move(first), task, resources);
+    GridSolution out = solve_on_grid(asked, std::move(first), task, tools);
     spent += out.seconds;
     out.seconds = spent;
     const GridPlan& plan = out.contact.plan;
@@ -206,6 +208,10 @@ GridSolution solve_on_growing_grid(const ContactCase& asked, ContactOnGrid first
         out.warnings.push_back(grown_warning(plan));
       return out;
     }
+    if (asked.estimate && out.history.empty())
+      smaller = former_of(out.model, out.contact.problem, out.result, *asked.estimate);
+    if (smaller)
+      tools.start = &*smaller;
     const Stopwatch geometry;
     first = asked.setup.on(*next);
     spent.geometry += geometry.seconds();

@@ -146,7 +146,7 @@ FirstContact first_contact(const ContactCase& asked, Model model, const SceneFil
   const bool on_strips = model == Model::fem;
   ContactCase known = on_strips && resources.files ? with_influence(asked, *resources.files) : asked;
   const GridPlan plan = first_plan(known, grid, on_strips);
-  ContactOnGrid contact = known.setup.on(cropped(known, plan, model, resources.start));
+  ContactOnGrid contact = known.setup.on(fitted(known, plan, model, resources.start));
   return {std::move(known), std::move(contact)};
 }
 

@@ -21,11 +21,20 @@ struct SolveResources {
   bool coarse_start = true;              ///< without a start a case starts from larger elements
   bool totals_only = false;              ///< no error of the elements, no displacements
   bool displacements = true;             ///< the result holds them
+  const EarlyEnd* early_end = nullptr;   ///< null: every solution is precise
   int threads = 1; ///< share the influence numbers; `operators` have a number of their own
 
-  /// The same for a further solution of this case, with its own work budget and its own start.
+  /// The same for a further solution of this case, a precise one, with its own work budget and its own start.
   SolveResources with(WorkBudget& budget, const FormerSolution* from) const {
-    return {budget, files, numbers, operators, from, coarse_start, totals_only, displacements, threads};
+    return {.work = budget,
+            .files = files,
+            .numbers = numbers,
+            .operators = operators,
+            .start = from,
+            .coarse_start = coarse_start,
+            .totals_only = totals_only,
+            .displacements = displacements,
+            .threads = threads};
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/solve.hpp"
+#include "bem_contact/sequence/plan/plan_grid.hpp"
 #include "bem_contact/sequence/plan/settings.hpp"
 #include "bem_contact/sequence/solution/settings.hpp"
 
@@ -95,12 +96,30 @@ int margin_beside(const FormerSolution& former, const std::vector<PotentialArea>
   return a_step ? cropped_margin_of_steps : cropped_margin;
 }
 
-/// Whether influence numbers depend on both rows, and the scene leaves it open which rows and columns are
-/// solved.
-bool may_be_trimmed(const ContactCase& asked, Model model) {
+/// Whether the scene leaves it open which rows and columns are solved.
+bool is_open(const ContactCase& asked) {
   const SceneFile::Grid& grid = asked.scene.grid;
-  const bool open = asked.estimate && !grid.rows && !grid.ms && !grid.mx;
-  return open && (model == Model::fem || model == Model::tangent_plane);
+  return asked.estimate && !grid.rows && !grid.ms && !grid.mx;
+}
+
+/// Whether it does, and influence numbers depend on both rows.
+bool may_be_trimmed(const ContactCase& asked, Model model) {
+  return is_open(asked) && (model == Model::fem || model == Model::tangent_plane);
+}
+
+/// Larger where a contact is expected beyond the plan; as far as the strips reach. `former`: the elements by
+/// whose middles it is expected.
+GridPlan widened(const ContactCase& asked, GridPlan plan, Model model, const PotentialArea& expected,
+                 const ContactGrid& former) {
+  const double half_x = 0.5 * former.dx, half_s = 0.5 * former.ds;
+  cover(plan,
+        {expected.s_from - half_s, expected.s_to + half_s, expected.x_from - half_x, expected.x_to + half_x});
+  if (model == Model::fem) {
+    const auto [first, last] = rows_on_strips(asked, plan);
+    plan.first += first;
+    plan.rows = last - first + 1;
+  }
+  return plan;
 }
 
 } // namespace
@@ -110,13 +129,16 @@ bool has_large_numbers(const ContactCase& asked, const GridPlan& plan, Model mod
   return may_be_trimmed(asked, model) && megabytes >= large_numbers;
 }
 
-GridPlan cropped(const ContactCase& asked, GridPlan plan, Model model, const FormerSolution* former) {
-  if (!former || !may_be_trimmed(asked, model))
+GridPlan fitted(const ContactCase& asked, GridPlan plan, Model model, const FormerSolution* former) {
+  if (!former || !is_open(asked))
+    return plan;
+  const std::vector<PotentialArea> areas = potential_areas(*asked.estimate);
+  const PotentialArea expected = expected_contact(*former, areas);
+  plan = widened(asked, plan, model, expected, former->grid);
+  if (!may_be_trimmed(asked, model))
     return plan;
   if (const auto known = plan_of_former(asked, plan, model, former))
     return *known;
-  const std::vector<PotentialArea> areas = potential_areas(*asked.estimate);
-  const PotentialArea expected = expected_contact(*former, areas);
   const int margin = margin_beside(*former, areas, plan);
   const auto row = [&](double s) { return (s - plan.s(0)) / plan.ds; };
   const int rows = plan.rows;

@@ -21,8 +21,9 @@ struct TrimmedPlan {
 TrimmedPlan trimmed(const ContactCase& asked, const GridPlan& plan, const SolveTask& task,
                     const SolveResources& resources, bool on_strips);
 
-/// A plan without the rows and columns that a contact does not need if it lies where a former solution had
-/// it; for models whose numbers depend on both rows. `former`: null, or of areas alike() the case's.
-GridPlan cropped(const ContactCase& asked, GridPlan plan, Model model, const FormerSolution* former);
+/// A plan for a contact that lies where a former solution had it: larger where that is beyond the plan; and,
+/// for models whose numbers depend on both rows, without the rows and columns that it does not need.
+/// `former`: null, or of areas alike() the case's.
+GridPlan fitted(const ContactCase& asked, GridPlan plan, Model model, const FormerSolution* former);
 
 } // namespace bem_contact

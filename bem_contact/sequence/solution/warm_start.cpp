@@ -63,7 +63,7 @@ private:
 
 std::optional<FormerSolution> former_of(Model model, const ContactProblem& problem,
                                         const ContactResult& result, const ContactEstimate& estimate) {
-  if (!result.converged || result.patches.empty() || !(estimate.approach > 0))
+  if (!(result.converged || result.ended_early) || result.patches.empty() || !(estimate.approach > 0))
     return std::nullopt;
   return FormerSolution{problem.grid,
                         problem.rows.front().s,

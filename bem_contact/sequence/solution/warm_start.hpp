@@ -19,7 +19,7 @@ struct FormerSolution {
   Model model = Model::halfspace;
 };
 
-/// Nothing if no case can start from the result: it is not certified, or has no contact.
+/// Nothing if no case can start from the result: it is neither certified nor ended early, or has no contact.
 std::optional<FormerSolution> former_of(Model model, const ContactProblem& problem,
                                         const ContactResult& result, const ContactEstimate& estimate);
 

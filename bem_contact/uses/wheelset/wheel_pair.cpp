@@ -123,7 +123,7 @@ void WheelPair::free_elements() {
 
 double WheelPair::lowered(WheelSide side, double lateral, double roll) {
   const SceneFile& scene = side == WheelSide::right ? right_scene_ : left_scene_;
-  const WheelRailProfiles profiles = files_->profiles(scene);
+  const WheelRailProfiles profiles = read_profiles(scene, *files_);
   WheelsetPosition position = scene.position;
   position.lateral = lateral;
   position.roll = roll;
