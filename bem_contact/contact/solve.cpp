@@ -150,15 +150,10 @@ ContactResult result_of(const ContactProblem& problem, const contact::Solution& 
   return result;
 }
 
-ContactResult solve_on_this_grid(const ContactProblem& problem, const SolverOptions& options,
-                                 contact::ContactOperators& operators, WorkBudget& work,
-                                 const contact::RoughLook* look = nullptr) {
-  const contact::Solution solution = contact::solve_coupled(problem, options, operators, work, look);
+ContactResult certified_result(const ContactProblem& problem, const contact::Solution& solution,
+                               const SolverOptions& options) {
   require_balance(problem, solution);
   ContactResult result = result_of(problem, solution);
-  result.ended_early = solution.ended_early;
-  if (result.ended_early)
-    return result;
   const Stopwatch checking;
   result.certificate =
       certify(problem, result, options.displacements ? &result.displacements : nullptr, threads_of(options));
@@ -208,7 +203,9 @@ void Estimate::solve(const contact::LargerElements& larger, const ContactResult&
   std::optional<ContactResult> result;
   {
     const contact::LentNumbers lent(prepared.numbers, coarse.problem);
-    result = solve_on_this_grid(coarse.problem, options_, prepared.operators, work_);
+    result = certified_result(coarse.problem,
+                              contact::solve_coupled(coarse.problem, options_, prepared.operators, work_),
+                              options_);
   }
   companion_.emplace(Solved{larger, std::move(coarse.problem), std::move(*result)});
 }
@@ -252,18 +249,24 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options,
   if (!options.start && !options.continues)
     operators.forget_solutions();
   Estimate estimate(problem, options, operators, work);
-  const auto ends = [&](const contact::Solution& solution) {
-    ContactResult rough = result_of(problem, solution);
-    estimate.add_to(rough);
-    return options.early_end->ends(problem, rough);
-  };
-  const contact::RoughLook look{options.early_end ? options.early_end->change : 0, ends};
-  ContactResult result =
-      solve_on_this_grid(problem, options, operators, work, options.early_end ? &look : nullptr);
-  if (result.converged || result.ended_early)
-    estimate.add_to(result);
-  else
-    result.unestimated = "the result is not certified";
+  ContactResult result;
+  std::optional<contact::RoughLook> look;
+  if (options.early_end)
+    look.emplace(options.early_end->change, [&](const contact::Solution& rough) {
+      result = result_of(problem, rough);
+      result.ended_early = true;
+      estimate.add_to(result);
+      return options.early_end->ends(problem, result);
+    });
+  const contact::Solution solution =
+      contact::solve_coupled(problem, options, operators, work, look ? &*look : nullptr);
+  if (!solution.ended_early) {
+    result = certified_result(problem, solution, options);
+    if (result.converged)
+      estimate.add_to(result);
+    else
+      result.unestimated = "the result is not certified";
+  }
   result.estimate_seconds = estimate.seconds();
   result.work = work.used();
   return result;

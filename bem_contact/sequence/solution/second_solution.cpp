@@ -99,6 +99,7 @@ std::string second_solution(const ContactProblem& problem, const ContactResult& 
     return larger_creepage(problem, result);
   options.from_sliding = true;
   options.estimate_discretisation = options.displacements = false;
+  options.early_end = nullptr;
   try {
     const ContactResult other = solve(problem, options, work);
     const double change = std::hypot(other.Fx - result.Fx, other.Fs - result.Fs);

@@ -85,7 +85,7 @@ SolverOptions options_of(const ContactCase& asked, const SolveTask& task, const 
                            (is_placed_by_contact(asked.scene) ||
                             ((resources.displacements || gives_way(asked.setup)) && !resources.totals_only)),
           .coarse_start = resources.coarse_start,
-          .early_end = task.normal_only ? nullptr : resources.early_end,
+          .early_end = resources.early_end,
           .workspace = resources.operators};
 }
 
@@ -142,7 +142,6 @@ void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const Sol
     out.result = solve(problem, options, resources.work);
   } else if (!problem.tangential || problem.motion == MotionKind::steady) {
     out.result = solve(problem, options, resources.work);
-    options.early_end = nullptr;
     if (const std::string other =
             resources.totals_only ? "" : second_solution(problem, out.result, options, resources.work);
         !other.empty())

@@ -31,6 +31,14 @@ std::optional<GridPlan> plan_of_former(const ContactCase& asked, const GridPlan&
   return within ? std::optional(out) : std::nullopt;
 }
 
+/// Without the outer rows that leave the strips of the influence files.
+GridPlan within_strips(const ContactCase& asked, GridPlan plan) {
+  const auto [first, last] = rows_on_strips(asked, plan);
+  plan.first += first;
+  plan.rows = last - first + 1;
+  return plan;
+}
+
 /// The elements of a plan that are joined trim_factor by trim_factor; as far as the strips reach.
 GridPlan rough_plan(const ContactCase& asked, const GridPlan& plan, bool on_strips) {
   GridPlan rough = plan;
@@ -40,12 +48,7 @@ GridPlan rough_plan(const ContactCase& asked, const GridPlan& plan, bool on_stri
   rough.first = row(plan.first);
   rough.rows = row(plan.first + plan.rows - 1) - rough.first + 1;
   rough.columns = 2 * ((plan.columns + 2 * trim_factor - 1) / (2 * trim_factor));
-  if (on_strips) {
-    const auto [first, last] = rows_on_strips(asked, rough);
-    rough.first += first;
-    rough.rows = last - first + 1;
-  }
-  return rough;
+  return on_strips ? within_strips(asked, rough) : rough;
 }
 
 /// Without the outer rows and columns of `solved`, joined elements of the plan, where the bodies do not come
@@ -102,31 +105,27 @@ bool is_open(const ContactCase& asked) {
   return asked.estimate && !grid.rows && !grid.ms && !grid.mx;
 }
 
-/// Whether it does, and influence numbers depend on both rows.
-bool may_be_trimmed(const ContactCase& asked, Model model) {
-  return is_open(asked) && (model == Model::fem || model == Model::tangent_plane);
+/// Whether influence numbers depend on both rows.
+bool depends_on_both_rows(Model model) {
+  return model == Model::fem || model == Model::tangent_plane;
 }
 
 /// Larger where a contact is expected beyond the plan; as far as the strips reach. `former`: the elements by
 /// whose middles it is expected.
 GridPlan widened(const ContactCase& asked, GridPlan plan, Model model, const PotentialArea& expected,
                  const ContactGrid& former) {
+  const int rows = plan.rows;
   const double half_x = 0.5 * former.dx, half_s = 0.5 * former.ds;
   cover(plan,
         {expected.s_from - half_s, expected.s_to + half_s, expected.x_from - half_x, expected.x_to + half_x});
-  if (model == Model::fem) {
-    const auto [first, last] = rows_on_strips(asked, plan);
-    plan.first += first;
-    plan.rows = last - first + 1;
-  }
-  return plan;
+  return model == Model::fem && plan.rows > rows ? within_strips(asked, plan) : plan;
 }
 
 } // namespace
 
 bool has_large_numbers(const ContactCase& asked, const GridPlan& plan, Model model) {
   const double megabytes = 9e-6 * sizeof(double) * plan.rows * plan.rows * (plan.columns + 2.0);
-  return may_be_trimmed(asked, model) && megabytes >= large_numbers;
+  return is_open(asked) && depends_on_both_rows(model) && megabytes >= large_numbers;
 }
 
 GridPlan fitted(const ContactCase& asked, GridPlan plan, Model model, const FormerSolution* former) {
@@ -135,7 +134,7 @@ GridPlan fitted(const ContactCase& asked, GridPlan plan, Model model, const Form
   const std::vector<PotentialArea> areas = potential_areas(*asked.estimate);
   const PotentialArea expected = expected_contact(*former, areas);
   plan = widened(asked, plan, model, expected, former->grid);
-  if (!may_be_trimmed(asked, model))
+  if (!depends_on_both_rows(model))
     return plan;
   if (const auto known = plan_of_former(asked, plan, model, former))
     return *known;
