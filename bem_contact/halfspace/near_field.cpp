@@ -11,15 +11,21 @@
 
 namespace bem_contact::halfspace {
 
-BEM_CONTACT_WIDE void add_mix(const LineMix& mix, std::size_t shift, double factor, double* line,
+BEM_CONTACT_WIDE void add_mix(const LineMix& mix, std::size_t shift, double factor, double* __restrict line,
                               std::size_t offsets) {
-  for (std::size_t m = 0; m < offsets; ++m)
-    line[m] *= factor;
-  for (std::size_t b = 0; b < mix.count; ++b) {
-    const double weight = mix.weight[b];
-    const double* __restrict from = mix.block[b] + shift;
+  if (mix.count == 0)
+    std::transform(line, line + offsets, line, [factor](double v) { return factor * v; });
+  for (std::size_t first = 0; first < mix.count; first += 4) { // one pass over the line for four
+    const auto from = [&](std::size_t b) {
+      return mix.block[first + b < mix.count ? first + b : first] + shift;
+    };
+    const auto weight = [&](std::size_t b) { return first + b < mix.count ? mix.weight[first + b] : 0.0; };
+    const double* const __restrict p0 = from(0), * const __restrict p1 = from(1);
+    const double* const __restrict p2 = from(2), * const __restrict p3 = from(3);
+    const double own = first == 0 ? factor : 1, w0 = weight(0), w1 = weight(1), w2 = weight(2),
+                 w3 = weight(3);
     for (std::size_t m = 0; m < offsets; ++m)
-      line[m] += weight * from[m];
+      line[m] = own * line[m] + w0 * p0[m] + w1 * p1[m] + w2 * p2[m] + w3 * p3[m];
   }
 }
 

@@ -9,92 +9,95 @@
 namespace bem_contact::halfspace {
 namespace {
 
-/// to (3 rows x wide) = the weights of the rows times `table` (3 stations x wide, rows `stride` apart).
-BEM_CONTACT_WIDE void mix_rows(const double* table, std::size_t stride, std::size_t wide,
-                               const RowWeights* rows, std::size_t count, double* to) {
-  for (std::size_t row = 0; row < count; ++row)
-    for (std::size_t i = 0; i < 3; ++i) {
-      double* out = to + (3 * row + i) * wide;
-      std::fill(out, out + wide, 0.0);
-      for (int p = 0; p < rows[row].count; ++p) {
-        const double weight = rows[row].weight[static_cast<std::size_t>(p)];
-        const double* in = table + (3 * static_cast<std::size_t>(rows[row].first + p) + i) * stride;
-        for (std::size_t e = 0; e < wide; ++e)
-          out[e] += weight * in[e];
-      }
-    }
+/// to = the weighted sum of four lines
+BEM_CONTACT_WIDE void mix_four(const std::array<const double*, 4>& from, const std::array<double, 4>& weight,
+                               std::size_t length, double* __restrict to) {
+  const double *const a = from[0], *const b = from[1], *const c = from[2], *const d = from[3];
+  for (std::size_t k = 0; k < length; ++k)
+    to[k] = weight[0] * a[k] + weight[1] * b[k] + weight[2] * c[k] + weight[3] * d[k];
 }
 
-/// What the rows make of a matrix over the stations.
+/// Of a matrix over the stations, each entry of which is a line of `length` values.
 class RowMixer {
 public:
-  explicit RowMixer(std::span<const RowWeights> rows)
-      : rows_(rows.begin(), rows.end()), size_(3 * rows.size()) {
-    const auto [from, last] = std::minmax(rows.front().first, rows.back().first);
-    const int to = last + rows.front().count;
-    first_ = 3 * static_cast<std::size_t>(from);
-    used_ = 3 * static_cast<std::size_t>(to - from);
-    for (RowWeights& row : rows_) // counted from the first station used
-      row.first -= from;
-    half_.resize(size_ * used_);
-    turned_.resize(used_ * size_);
-    whole_.resize(size_ * size_);
+  RowMixer(std::span<const RowWeights> rows, std::size_t length) : rows_(rows), length_(length) {
+    const auto [from, last] = std::ranges::minmax(rows, {}, &RowWeights::first);
+    first_ = 3 * static_cast<std::size_t>(from.first);
+    half_.resize(3 * static_cast<std::size_t>(last.first + last.count - from.first) * length);
   }
 
-  std::size_t size() const { return size_; }   ///< rows and columns of the rows' matrix
-  std::size_t first() const { return first_; } ///< first row and column of the stations' matrix that is used
-  std::size_t used() const { return used_; }   ///< and how many
-
-  /// put(row, column, value) for the lower triangle of the rows' matrix. `matrix`: the used part of the
-  /// stations' one, its rows `stride` apart.
-  template <class Put> void mix(const double* matrix, std::size_t stride, Put&& put) {
-    mix_rows(matrix, stride, used_, rows_.data(), rows_.size(), half_.data());
-    for (std::size_t row = 0; row < size_; ++row)
-      for (std::size_t e = 0; e < used_; ++e)
-        turned_[e * size_ + row] = half_[row * used_ + e];
-    mix_rows(turned_.data(), size_, size_, rows_.data(), rows_.size(), whole_.data()); // [3 J + j][3 I + i]
-    for (std::size_t row = 0; row < size_; ++row)
-      for (std::size_t column = 0; column <= row; ++column)
-        put(row, column, whole_[column * size_ + row]);
+  /// The lower triangle over the rows, by rows of lines. line(row, column): of the stations' matrix.
+  template <class Line> std::vector<double> mixed(const Line& line) {
+    std::vector<double> lower(lower_size(3 * rows_.size()) * length_);
+    double* to = lower.data();
+    for (std::size_t row = 0; row < rows_.size(); ++row)
+      for (std::size_t i = 0; i < 3; ++i) {
+        mix_row(row, i, line);
+        for (std::size_t column = 0; column <= row; ++column)
+          for (std::size_t j = 0; j < (column < row ? 3 : i + 1); ++j, to += length_)
+            mix(
+                rows_[column], j, [&](std::size_t station) { return half_line(station); }, to);
+      }
+    return lower;
   }
 
 private:
-  std::vector<RowWeights> rows_;
-  std::size_t size_, first_ = 0, used_ = 0;
-  std::vector<double> half_, turned_, whole_;
+  double* half_line(std::size_t station) { return &half_[(station - first_) * length_]; }
+
+  /// Component i of the row against the stations that it and the rows before it use.
+  template <class Line> void mix_row(std::size_t row, std::size_t i, const Line& line) {
+    const auto [from, last] = std::ranges::minmax(rows_.first(row + 1), {}, &RowWeights::first);
+    const auto to = 3 * static_cast<std::size_t>(last.first + last.count);
+    for (std::size_t e = 3 * static_cast<std::size_t>(from.first); e < to; ++e)
+      mix(
+          rows_[row], i, [&](std::size_t station) { return line(station, e); }, half_line(e));
+  }
+
+  /// to = the weighted sum of the lines of component i of the row's stations
+  template <class Line> void mix(const RowWeights& row, std::size_t i, const Line& line, double* to) const {
+    std::array<const double*, 4> from{};
+    for (int p = 0; p < row.count; ++p)
+      from[static_cast<std::size_t>(p)] = line(3 * static_cast<std::size_t>(row.first + p) + i);
+    if (row.count == 4)
+      return mix_four(from, row.weight, length_, to);
+    for (std::size_t k = 0; k < length_; ++k) {
+      to[k] = 0;
+      for (int p = 0; p < row.count; ++p)
+        to[k] += row.weight[static_cast<std::size_t>(p)] * from[static_cast<std::size_t>(p)][k];
+    }
+  }
+
+  std::span<const RowWeights> rows_;
+  std::size_t length_, first_ = 0;
+  std::vector<double> half_; ///< of one row: [3 station + component][length]
 };
 
-std::vector<double> mixed_table(const InfluenceFunction& f, RowMixer& mixer, std::size_t n) {
-  const std::size_t all = 3 * f.station_count();
-  std::vector<double> table(f.table_offsets() * n * n);
-  for (std::size_t m = 0; m < f.table_offsets(); ++m)
-    mixer.mix(&f.table[m * all * all + mixer.first() * (all + 1)], all,
-              [&](std::size_t row, std::size_t column, double value) { // Maxwell-Betti to the last bit
-                const int sign = parity(static_cast<int>(row % 3), static_cast<int>(column % 3));
-                table[(m * n + row) * n + column] = value;
-                table[(m * n + column) * n + row] = sign * value;
-              });
+std::vector<double> mixed_table(const InfluenceFunction& f, std::span<const RowWeights> rows) {
+  const std::size_t all = 3 * f.station_count(), n = 3 * rows.size(), offsets = f.table_offsets();
+  std::vector<double> lines(f.table.size()), table(offsets * n * n);
+  for (std::size_t m = 0; m < offsets; ++m)
+    for (std::size_t entry = 0; entry < all * all; ++entry)
+      lines[entry * offsets + m] = f.table[m * all * all + entry];
+  const std::vector<double> lower = RowMixer(rows, offsets).mixed([&](std::size_t row, std::size_t column) {
+    return &lines[(row * all + column) * offsets];
+  });
+  const double* from = lower.data();
+  for (std::size_t row = 0; row < n; ++row)
+    for (std::size_t column = 0; column <= row; ++column)
+      for (std::size_t m = 0; m < offsets; ++m, ++from) { // Maxwell-Betti to the last bit
+        const int sign = parity(static_cast<int>(row % 3), static_cast<int>(column % 3));
+        table[(m * n + column) * n + row] = sign * *from;
+        table[(m * n + row) * n + column] = *from;
+      }
   return table;
 }
 
-std::vector<double> mixed_kernel(const InfluenceFunction& f, RowMixer& mixer, std::size_t wavenumbers) {
-  const std::size_t used = mixer.used(), first = mixer.first();
-  std::vector<double> kernel, part(used * used);
-  kernel.reserve(wavenumbers * lower_size(mixer.size()));
-  for (std::size_t k = 0; k < wavenumbers; ++k) {
-    for (std::size_t row = 0; row < used; ++row)
-      std::copy_n(&f.kernel[f.kernel_index(k, first + row, first)], row + 1, &part[row * used]);
-    mirror_lower(part, used);
-    mixer.mix(part.data(), used, [&](std::size_t, std::size_t, double value) { kernel.push_back(value); });
-  }
-  return kernel;
-}
-
-std::vector<double> mixed_remote(const InfluenceFunction& f, std::span<const RowWeights> rows) {
+std::vector<double> mixed_remote(const InfluenceFunction& f, std::span<const RowWeights> rows,
+                                 std::size_t wavenumbers) {
   const std::size_t all = 3 * f.station_count();
   std::vector<double> remote;
-  remote.reserve(6 * f.wavenumber_count() * 3 * rows.size());
-  for (std::size_t m = 0; m < 6 * f.wavenumber_count(); ++m)
+  remote.reserve(6 * wavenumbers * 3 * rows.size());
+  for (std::size_t m = 0; m < 6 * wavenumbers; ++m)
     for (const RowWeights& row : rows)
       for (std::size_t j = 0; j < 3; ++j) {
         double sum = 0;
@@ -125,15 +128,20 @@ RowWeights interpolate(double position, int stations) {
 InfluenceFunction with_rows(const InfluenceFunction& f, std::span<const RowWeights> rows, bool plane_strain) {
   InfluenceFunction out = without_numbers(f);
   out.stations.resize(rows.size());
-  RowMixer mixer(rows);
   if (f.is_table()) {
-    out.table = mixed_table(f, mixer, 3 * rows.size());
+    out.table = mixed_table(f, rows);
     return out;
   }
-  out.wavenumber = f.wavenumber;
-  out.kernel = mixed_kernel(f, mixer, plane_strain ? 1 : f.wavenumber_count());
-  out.remote = mixed_remote(f, rows);
-  out.remote_self = f.remote_self;
+  const std::size_t wavenumbers = plane_strain ? 1 : f.wavenumber_count();
+  const auto first = [&](const std::vector<double>& all, std::size_t each) {
+    return std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(wavenumbers * each));
+  };
+  out.wavenumber = first(f.wavenumber, 1);
+  out.kernel = RowMixer(rows, wavenumbers).mixed([&](std::size_t row, std::size_t column) {
+    return &f.kernel[f.kernel_index(0, row, column)];
+  });
+  out.remote = mixed_remote(f, rows, wavenumbers);
+  out.remote_self = first(f.remote_self, 36);
   return out;
 }
 

@@ -17,9 +17,9 @@ struct RowWeights {
 /// Weights of the row at `position`, in station widths from the centre of the first of `stations`.
 RowWeights interpolate(double position, int stations);
 
-/// The function with the rows in place of its stations. Interpolating the kernel is the same as interpolating
-/// the influence numbers, because expand() is linear in the kernel, and it is cheaper: there are fewer
-/// wavenumbers than offsets, and fewer rows than stations.
+/// The function with the rows in place of its stations; of plane strain the wavenumber 0 alone. Interpolating
+/// the kernel is the same as interpolating the influence numbers, because expand() is linear in the kernel,
+/// and it is cheaper: there are fewer wavenumbers than offsets, and fewer rows than stations.
 InfluenceFunction with_rows(const InfluenceFunction& function, std::span<const RowWeights> rows,
                             bool plane_strain);
 

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/parallel.hpp"
+#include "bem_contact/base/simd.hpp"
 #include "bem_contact/influence/dense.hpp"
 #include "bem_contact/influence/remote_factor.hpp"
 #include "bem_contact/influence/requirements.hpp"
@@ -20,6 +21,7 @@ namespace bem_contact {
 
 namespace {
 
+using Eigen::Index;
 using Eigen::MatrixXd;
 using Table = Eigen::Map<const RowMajor>;
 
@@ -29,28 +31,36 @@ struct Scaling {
   double dx = 0, load = 1;
 };
 
+constexpr Index motions = 6; ///< of the remote section
+
+/// line -= the sum over the motions of a b, each of which has `length` values for each motion.
+BEM_CONTACT_WIDE void take_products(const double* a, const double* b, Index length, double* __restrict line) {
+  const auto product = [=](Index at) { return a[at] * b[at]; };
+  for (Index k = 0; k < length; ++k)
+    line[k] -= product(k) + product(k + length) + product(k + 2 * length) + product(k + 3 * length) +
+               product(k + 4 * length) + product(k + 5 * length);
+}
+
 /// What "removed" takes from the kernel at each wavenumber is factor^T factor, factor 6 x 3 stations.
 class Removed {
 public:
-  Removed(const InfluenceFunction& f, StationRange range, StructuralCompliance structural, Eigen::Index nk) {
+  Removed(const InfluenceFunction& f, StationRange range, StructuralCompliance structural, Index nk) {
     if (structural == StructuralCompliance::included)
       return;
-    for (Eigen::Index k = 0; k < nk; ++k)
-      factor_.push_back(remote_factor(f, range, k));
+    factor_.resize(nk, motions * 3 * range.count);
+    for (Index k = 0; k < nk; ++k)
+      factor_.row(k) = remote_factor(f, range, k).reshaped();
   }
 
-  /// Takes it from `block`: rows 3 row .. 3 row + 2 and the first columns of the range.
-  void take_from(Eigen::Ref<RowMajor> block, Eigen::Index k, Eigen::Index row) const {
-    if (factor_.empty())
-      return;
-    const RowMajor& factor = factor_[static_cast<std::size_t>(k)];
-    for (Eigen::Index i = 0; i < 3; ++i)
-      for (Eigen::Index motion = 0; motion < 6; ++motion)
-        block.row(i) -= factor(motion, 3 * row + i) * factor.row(motion).head(block.cols());
+  /// Takes it from the kernel at (row, column) of the range, all wavenumbers.
+  void take_from(double* line, Index row, Index column) const {
+    if (factor_.size() > 0)
+      take_products(factor_.col(motions * row).data(), factor_.col(motions * column).data(), factor_.rows(),
+                    line);
   }
 
 private:
-  std::vector<RowMajor> factor_;
+  MatrixXd factor_; ///< [wavenumber][motions column + motion], column-major
 };
 
 /// The kernel of one row of stations against the columns J <= I, as NumberLines has the numbers. The sign is
@@ -60,32 +70,25 @@ struct KernelRow {
   MatrixXd even, odd; ///< [wavenumber][5 J + e], [wavenumber][4 J + e], column-major
 };
 
-KernelRow kernel_row(const InfluenceFunction& f, StationRange range, Eigen::Index row, const Removed& removed,
-                     Eigen::Index nk) {
-  const Eigen::Index columns = row + 1, from = 3 * range.first;
+KernelRow kernel_row(const InfluenceFunction& f, StationRange range, Index row, const Removed& removed,
+                     Index nk) {
+  const Index columns = row + 1;
   KernelRow kernel{MatrixXd(nk, 5 * columns), MatrixXd(nk, 4 * columns)};
-  RowMajor block(3, 3 * columns);
-  for (Eigen::Index k = 0; k < nk; ++k) {
-    for (Eigen::Index i = 0; i < 3; ++i) {
-      const auto whole_row = static_cast<std::size_t>(from + 3 * row + i),
-                 first = static_cast<std::size_t>(from);
-      const Eigen::Index stored = 3 * row + i + 1; // up to the diagonal; the rest of its block is symmetric
-      std::copy_n(&f.kernel[f.kernel_index(static_cast<std::size_t>(k), whole_row, first)], stored,
-                  &block(i, 0));
-      for (Eigen::Index j = stored; j < 3 * columns; ++j)
-        block(i, j) = f.kernel[f.kernel_index(static_cast<std::size_t>(k), whole_row,
-                                              first + static_cast<std::size_t>(j))];
+  const auto write = [&](double* line, Index from_row, Index from_column) {
+    const auto in_file = [&](Index in_range) { return static_cast<std::size_t>(3 * range.first + in_range); };
+    std::copy_n(&f.kernel[f.kernel_index(0, in_file(from_row), in_file(from_column))], nk, line);
+    removed.take_from(line, from_row, from_column);
+  };
+  for (Index column = 0; column < columns; ++column) {
+    for (Index e = 0; e < 5; ++e) {
+      const auto [i, j] = NumberLines::even_entries[static_cast<std::size_t>(e)];
+      write(&kernel.even(0, 5 * column + e), 3 * row + i, 3 * column + j);
     }
-    removed.take_from(block, k, row);
-    for (Eigen::Index column = 0; column < columns; ++column) {
-      for (Eigen::Index e = 0; e < 5; ++e) {
-        const auto [i, j] = NumberLines::even_entries[static_cast<std::size_t>(e)];
-        kernel.even(k, 5 * column + e) = block(i, 3 * column + j);
-      }
-      for (Eigen::Index e = 0; e < 4; ++e) {
-        const auto [i, j] = NumberLines::odd_entries[static_cast<std::size_t>(e)];
-        kernel.odd(k, 4 * column + e) = (i == component_x ? 1 : -1) * block(i, 3 * column + j);
-      }
+    for (Index e = 0; e < 4; ++e) {
+      const auto [i, j] = NumberLines::odd_entries[static_cast<std::size_t>(e)];
+      write(&kernel.odd(0, 4 * column + e), 3 * row + i, 3 * column + j);
+      if (i != component_x)
+        kernel.odd.col(4 * column + e) *= -1;
     }
   }
   return kernel;
@@ -94,7 +97,7 @@ KernelRow kernel_row(const InfluenceFunction& f, StationRange range, Eigen::Inde
 /// The Fourier series of the kernel. Throws InputError where the structure cannot be removed.
 void expand_kernel(const InfluenceFunction& f, const ExpandOptions& o, StationRange range,
                    const Scaling& scaling, const TakeLines& take) {
-  const Eigen::Index nk = o.dx == 0 ? 1 : static_cast<Eigen::Index>(f.wavenumber_count());
+  const Index nk = o.dx == 0 ? 1 : static_cast<Index>(f.wavenumber_count());
   const Removed removed(f, range, o.structural, nk);
   MatrixXd even = MatrixXd::Ones(1, 1), odd = MatrixXd::Zero(1, 1); // plane strain: odd ones vanish at k = 0
   if (o.dx > 0) {

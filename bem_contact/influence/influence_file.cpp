@@ -14,6 +14,7 @@ namespace bem_contact {
 namespace {
 
 using strict_h5::read;
+using strict_h5::read_columns;
 using strict_h5::read_table;
 using strict_h5::write;
 
@@ -69,7 +70,11 @@ void write_contents(hid_t root, const InfluenceFunction& f) {
     return;
   }
   write(root, {"wavenumber", {nk}, f.wavenumber, "1/mm"});
-  write(root, {"kernel", {nk, lower_size(n)}, f.kernel, "mm/MPa", true});
+  std::vector<double> kernel;
+  for (hsize_t k = 0; k < nk; ++k)
+    for (hsize_t entry = 0; entry < f.kernel_size(); ++entry)
+      kernel.push_back(f.kernel[entry * nk + k]);
+  write(root, {"kernel", {nk, lower_size(n)}, kernel, "mm/MPa", true});
   write(root, {"remote", {nk, 6, n}, f.remote, "mm/MPa, 1/MPa", true});
   write(root, {"remote_self", {nk, 6, 6}, f.remote_self, "mm/MPa and per mm of each rotation"});
 }
@@ -101,7 +106,7 @@ InfluenceFunction read_contents(const std::filesystem::path& file) {
   }
   f.wavenumber = read_table(root, "wavenumber", {0});
   const hsize_t nk = f.wavenumber_count();
-  f.kernel = read_table(root, "kernel", {nk, lower_size(n)});
+  f.kernel = read_columns(root, "kernel", {nk, lower_size(n)});
   f.remote = read_table(root, "remote", {nk, 6, n});
   f.remote_self = read_table(root, "remote_self", {nk, 6, 6});
   return f;

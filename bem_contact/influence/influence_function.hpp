@@ -56,7 +56,8 @@ struct InfluenceDescription {
 /// Frame: the body's own (x, s, n), n into the body, turned to the inclination of each station.
 ///
 /// `kernel` has a symmetric matrix for each wavenumber k. Its number at (row, column) = (3 I + i, 3 J + j) is
-/// g_ij, in mm/MPa; only the lower triangle is kept, by rows (kernel_index):
+/// g_ij, in mm/MPa. Only the lower triangle is kept, by rows; the wavenumbers of a number lie one after the
+/// other, for they are what is worked on together:
 ///   load p_j cos kx, j in {s, n}:  u_x = g_xj sin kx,  u_i = g_ij cos kx  (i in {s, n});
 ///   load p_x cos kx:               u_x = g_xx cos kx,  u_i = -g_ix sin kx (i in {s, n}).
 /// On a body of revolution x = R_ref theta, k = harmonic / R_ref, and the unit load is 1 MPa per REFERENCE
@@ -73,7 +74,7 @@ struct InfluenceFunction : InfluenceDescription {
   std::vector<Station> stations = {}; ///< NS of them, equally spaced, ascending in s
 
   std::vector<double> wavenumber = {};  ///< NK values, 1/mm, ascending, the first is 0
-  std::vector<double> kernel = {};      ///< NK x 3NS (3NS + 1) / 2
+  std::vector<double> kernel = {};      ///< 3NS (3NS + 1) / 2 x NK
   std::vector<double> remote = {};      ///< NK x 6 x 3NS
   std::vector<double> remote_self = {}; ///< NK x 6 x 6
 
@@ -102,7 +103,7 @@ struct InfluenceFunction : InfluenceDescription {
   std::size_t kernel_size() const { return lower_size(3 * stations.size()); }
   /// Where g of the row and column for wavenumber[k] is, or, the same, of column and row.
   std::size_t kernel_index(std::size_t k, std::size_t row, std::size_t column) const {
-    return k * kernel_size() + lower_size(std::max(row, column)) + std::min(row, column);
+    return (lower_size(std::max(row, column)) + std::min(row, column)) * wavenumber_count() + k;
   }
 };
 

@@ -23,12 +23,6 @@ template <class Visit> void for_each_below_diagonal(std::size_t n, Visit&& visit
           visit(row, column);
 }
 
-/// Copies the lower triangle of a row-major n x n matrix onto the upper one.
-inline void mirror_lower(std::span<double> matrix, std::size_t n) {
-  for_each_below_diagonal(
-      n, [&](std::size_t row, std::size_t column) { matrix[column * n + row] = matrix[row * n + column]; });
-}
-
 /// Appends the lower triangle, by rows, of a row-major n x n matrix.
 inline void append_lower(std::vector<double>& to, std::span<const double> matrix, std::size_t n) {
   for (std::size_t row = 0; row < n; ++row) {
@@ -42,7 +36,8 @@ inline void fill_symmetric(std::span<double> matrix, std::span<const double> low
   for (std::size_t row = 0; row < n; ++row)
     std::copy_n(lower.begin() + static_cast<std::ptrdiff_t>(lower_size(row)), row + 1,
                 matrix.begin() + static_cast<std::ptrdiff_t>(row * n));
-  mirror_lower(matrix, n);
+  for_each_below_diagonal(
+      n, [&](std::size_t row, std::size_t column) { matrix[column * n + row] = matrix[row * n + column]; });
 }
 
 } // namespace bem_contact

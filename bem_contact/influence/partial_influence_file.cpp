@@ -47,16 +47,9 @@ struct PartialInfluenceFile::Impl {
   Impl(const std::filesystem::path& file, const std::string& fingerprint, std::size_t stations,
        std::span<const double> wavenumbers)
       : rows(3 * stations), wavenumber(wavenumbers.begin(), wavenumbers.end()),
-        kernel(reserved(wavenumber.size() * lower_size(rows))),
+        kernel(wavenumber.size() * lower_size(rows)),
         journal(file, wavenumber_journals, digest_of(fingerprint, stations, wavenumbers),
                 [this](std::string_view record) { read(record); }) {}
-
-  /// Growing it would copy it.
-  static std::vector<double> reserved(std::size_t count) {
-    std::vector<double> out;
-    out.reserve(count);
-    return out;
-  }
   std::size_t numbers() const { return lower_size(rows) + 6 * rows + 36; } ///< without errors
   void keep(std::size_t k, std::vector<double> part) {
     if (k < in_order)
@@ -69,7 +62,8 @@ struct PartialInfluenceFile::Impl {
         to.insert(to.end(), from, from + static_cast<std::ptrdiff_t>(count));
         from += static_cast<std::ptrdiff_t>(count);
       };
-      take(kernel, lower_size(rows));
+      for (std::size_t entry = 0; entry < lower_size(rows); ++entry)
+        kernel[entry * wavenumber.size() + in_order] = *from++;
       take(remote, 6 * rows);
       take(remote_self, 36);
       take(errors, static_cast<std::size_t>(next->second.end() - from));

@@ -1,26 +1,12 @@
 #pragma once
 
+#include "bem_contact/influence/series_tail.hpp"
+
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace bem_contact {
-
-/// Points that stand for a run of harmonics: sum over n of f(n) = sum over the points of weight f(position).
-struct HarmonicPoints {
-  std::vector<double>
-      position; ///< in harmonics; not whole numbers where there are fewer points than harmonics
-  std::vector<double> weight;
-};
-
-/// For harmonics first .. last of functions that are smooth over the run, times cos(n angle) or sin(n angle)
-/// with an angle up to `largest_angle`, rad.
-///
-/// A run of hundreds of harmonics has few waves of such a function. A polynomial through Chebyshev's points
-/// is the function, and the weights are the sums of its Lagrange polynomials over the harmonics. The error
-/// falls faster than any power once there are more points than radians in half of the run: it is rounding.
-/// Where that would not save points, each harmonic is a point.
-HarmonicPoints harmonic_points(long first, long last, double largest_angle);
 
 /// The points of all harmonics of the period up to the last sample, for angles up to `largest_angle`, rad.
 /// Harmonics that are samples count for themselves; between samples k g(k) is 6-point Lagrange in log k. All
@@ -37,6 +23,8 @@ public:
     std::vector<double> weight; ///< [sample][point]
   };
   const std::vector<Run>& runs() const { return runs_; }
+  /// Harmonics beyond the last sample, up to tail_reach times it.
+  const TailSeries& tail() const { return tail_; }
   std::span<const double> wavenumber() const { return wavenumber_; }
   double half_period() const { return half_period_; }
   double largest_angle() const { return largest_angle_; }
@@ -45,6 +33,7 @@ private:
   std::vector<double> wavenumber_;
   double half_period_, largest_angle_;
   std::vector<Run> runs_;
+  TailSeries tail_;
 };
 
 /// The points met last. What is kept changes numbers by rounding alone. It serves one thread at a time.

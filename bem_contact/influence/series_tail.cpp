@@ -1,13 +1,16 @@
 #include "bem_contact/influence/series_tail.hpp"
 
+#include "bem_contact/influence/harmonic_points.hpp"
 #include "bem_contact/influence/settings.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <span>
+#include <utility>
 
 namespace bem_contact {
 namespace {
@@ -89,26 +92,50 @@ TailSums sums_of_rest(double first, double end, double angle) {
 
 } // namespace
 
-TailSums tail_sums(long first, long last, double step, double angle) {
-  const double from = angle > 0 ? std::ceil(expansion_phase / angle) : expansion_start;
-  const long middle = std::clamp(from < 1e15 ? static_cast<long>(from) : last + 1, first, last + 1);
-  TailSums sums;
-  Complex phase = 0;
-  const Complex turn = std::polar(1.0, angle);
-  for (long n = first; n < middle; ++n) {
+TailSeries::TailSeries(long first, long last, double step) : first_(first), last_(last), step_(step) {
+  for (long from = first; from <= last && std::ssize(octaves_) < tail_octaves; from = octaves_.back().end) {
+    const long end = std::min(2 * from, last + 1);
+    const HarmonicPoints points = harmonic_points(
+        from, end - 1, std::min(expansion_phase / static_cast<double>(from), std::numbers::pi));
+    Octave octave{end, points.position, {}, {}};
+    for (std::size_t p = 0; p < points.weight.size(); ++p) {
+      octave.cube.push_back(points.weight[p] / std::pow(points.position[p], 3));
+      octave.fourth.push_back(octave.cube[p] / points.position[p]);
+    }
+    octaves_.push_back(std::move(octave));
+  }
+}
+
+TailSums TailSeries::at(double angle) const {
+  const auto needs_terms = [&](long n) {
     const auto x = static_cast<double>(n);
-    phase = (n - first) % rotated_harmonics == 0 ? std::polar(1.0, x * angle) : phase * turn;
-    const Complex term = phase / (x * x * x);
+    return n <= last_ && (angle > 0 ? x * angle < expansion_phase : x < expansion_start);
+  };
+  TailSums sums;
+  long n = first_;
+  for (const Octave& octave : octaves_) {
+    if (!needs_terms(n))
+      break;
+    for (std::size_t p = 0; p < octave.position.size(); ++p) {
+      const Complex wave = std::polar(1.0, octave.position[p] * angle);
+      sums.cubes += octave.cube[p] * wave;
+      sums.fourths += octave.fourth[p] * wave;
+    }
+    n = octave.end;
+  }
+  for (; needs_terms(n); ++n) {
+    const auto x = static_cast<double>(n);
+    const Complex term = std::polar(1 / (x * x * x), x * angle);
     sums.cubes += term;
     sums.fourths += term / x;
   }
-  if (middle <= last) {
-    const TailSums rest = sums_of_rest(static_cast<double>(middle), static_cast<double>(last + 1), angle);
+  if (n <= last_) {
+    const TailSums rest = sums_of_rest(static_cast<double>(n), static_cast<double>(last_ + 1), angle);
     sums.cubes += rest.cubes;
     sums.fourths += rest.fourths;
   }
-  const double cube = step * step * step;
-  return {sums.cubes / cube, sums.fourths / (cube * step)};
+  const double cube = step_ * step_ * step_;
+  return {sums.cubes / cube, sums.fourths / (cube * step_)};
 }
 
 } // namespace bem_contact

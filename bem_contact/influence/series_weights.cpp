@@ -42,15 +42,11 @@ public:
   }
 
   void add(const SeriesPoints::Run& run);
-  void add_tail();
+  void add_tail(const TailSeries& tail);
   SeriesWeights result() const;
 
 private:
   double step() const { return std::numbers::pi / half_period_; }
-  /// The last harmonic that is not beyond the last sample.
-  long inside() const {
-    return static_cast<long>(std::floor(wavenumber_.back() / step() * (1 + last_sample_slack)));
-  }
 
   std::span<const double> wavenumber_;
   double half_period_, dx_;
@@ -87,17 +83,16 @@ void Sums::add(const SeriesPoints::Run& run) {
 
 /// Harmonics beyond the last sample, where g = (c0 + c1/k)/k with c0 = (k2 f2 - k1 f1)/(k2 - k1),
 /// c1 = k1 k2 (f1 - f2)/(k2 - k1) and f = k g at the last two samples k1 and k2.
-void Sums::add_tail() {
+void Sums::add_tail(const TailSeries& tail) {
   const double a = dx_ / 2, last = wavenumber_.back(), before = wavenumber_[wavenumber_.size() - 2];
   const Index nk = even_.cols();
   // 2 sin^2(ka) cos(kx) = cos(kx) - cos(k(x + 2a))/2 - cos(k(x - 2a))/2, and x is a multiple of 2a.
-  const auto reach = std::max(inside() + 1, static_cast<long>(tail_reach * last / step()));
   std::vector<std::array<std::complex<double>, 2>> sums; // of e^(i k x) / k^3 and / k^4
   for (int m = 0; m <= offsets_; ++m) {
-    const TailSums tail = tail_sums(inside() + 1, reach, step(), step() * dx_ * m);
-    sums.push_back({tail.cubes, tail.fourths});
+    const TailSums at_offset = tail.at(step() * dx_ * m);
+    sums.push_back({at_offset.cubes, at_offset.fourths});
   }
-  const double end = (static_cast<double>(reach) + 0.5) * step(), gap = last - before;
+  const double end = (static_cast<double>(tail.last()) + 0.5) * step(), gap = last - before;
   for (int m = 0; m < offsets_; ++m) {
     std::array<std::complex<double>, 2> sum;
     for (std::size_t p = 0; p < 2; ++p) {
@@ -137,7 +132,7 @@ SeriesWeights series_weights(const SeriesPoints& points, double dx, int offsets)
   Sums sums(points, dx, offsets);
   for (const SeriesPoints::Run& run : points.runs())
     sums.add(run);
-  sums.add_tail();
+  sums.add_tail(points.tail());
   return sums.result();
 }
 

@@ -22,10 +22,12 @@ BEM_CONTACT_TUNED(double, expansion_phase, 36.0);
 BEM_CONTACT_TUNED(double, expansion_start, 64.0);
 /// 1 (share of the sum). Smaller terms of it no longer count.
 BEM_CONTACT_TUNED(double, expansion_tolerance, 1e-17);
-/// 1 (harmonics). Cosines follow from each other by rotation, and anew from the angle after so many: rounding
+/// Octaves of harmonics beyond the last sample that have points. The shortest elements
+/// (least_half_element_phase) need two.
+BEM_CONTACT_TUNED(int, tail_octaves, 2);
+/// 1 (offsets). Cosines follow from each other by rotation, and anew from the angle after so many: rounding
 /// grows with their number.
-BEM_CONTACT_TUNED(long, rotated_harmonics, 64);
-BEM_CONTACT_TUNED(long, rotated_offsets, 16); ///< 1 (offsets). The same for the offsets along x.
+BEM_CONTACT_TUNED(long, rotated_offsets, 16);
 /// 1. Points that stand for a run of harmonics (harmonic_points()): so many more than the radians in half
 /// of the run, times their cube root. There the Chebyshev series of a wave has ended at 1e-16.
 BEM_CONTACT_TUNED(double, point_reserve, 7.0);

@@ -3,12 +3,15 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/influence/settings.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <numeric>
 #include <utility>
 
 namespace bem_contact::strict_h5 {
 namespace {
+
+constexpr hsize_t rows_of_a_cache_line = 8; ///< of doubles
 
 struct OpenTable {
   Handle set;
@@ -90,6 +93,23 @@ std::vector<double> read_table(hid_t at, const char* name, Shape wanted) {
   std::vector<double> values(
       std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<hsize_t>()));
   check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, name);
+  return values;
+}
+
+std::vector<double> read_columns(hid_t at, const char* name, Shape wanted) {
+  const auto [set, shape] = open_table(at, name, std::move(wanted));
+  const Handle in_file(H5Dget_space(set), H5Sclose, name);
+  const hsize_t rows = shape[0], columns = shape[1], together = std::min<hsize_t>(rows_of_a_cache_line, rows);
+  std::vector<double> values(rows * columns), part(together * columns);
+  for (hsize_t first = 0; first < rows; first += together) {
+    const hsize_t from[] = {first, 0}, count[] = {std::min(together, rows - first), columns};
+    const Handle in_memory(H5Screate_simple(2, count, nullptr), H5Sclose, name);
+    check(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, from, nullptr, count, nullptr) >= 0, name);
+    check(H5Dread(set, H5T_NATIVE_DOUBLE, in_memory, in_file, H5P_DEFAULT, part.data()) >= 0, name);
+    for (hsize_t column = 0; column < columns; ++column)
+      for (hsize_t row = 0; row < count[0]; ++row)
+        values[column * rows + first + row] = part[row * columns + column];
+  }
   return values;
 }
 

@@ -47,12 +47,13 @@ InfluenceFunction part_of(const InfluenceFunction& f, std::span<const std::size_
       column.push_back(3 * J + j);
   }
   const std::size_t n = 3 * f.station_count();
+  for (const std::size_t a : column)
+    for (const std::size_t b : column)
+      if (b <= a)
+        for (const std::size_t k : samples)
+          part.kernel.push_back(f.kernel[f.kernel_index(k, a, b)]);
   for (const std::size_t k : samples) {
     part.wavenumber.push_back(f.wavenumber[k]);
-    for (const std::size_t a : column)
-      for (const std::size_t b : column)
-        if (b <= a)
-          part.kernel.push_back(f.kernel[f.kernel_index(k, a, b)]);
     for (std::size_t m = 0; m < 6; ++m)
       for (const std::size_t b : column)
         part.remote.push_back(f.remote[(k * 6 + m) * n + b]);

@@ -62,12 +62,12 @@ InfluenceFunction small_function(std::size_t stations) {
   const std::size_t n = 3 * stations, wavenumbers = 4;
   f.stations.resize(stations);
   f.wavenumber = {0, 1, 10, 60};
-  f.kernel.clear();
+  f.kernel.resize(wavenumbers * f.kernel_size());
   f.remote.clear();
   for (std::size_t k = 0; k < wavenumbers; ++k) {
     for (std::size_t a = 0; a < n; ++a)
       for (std::size_t b = 0; b <= a; ++b)
-        f.kernel.push_back(whole.kernel[whole.kernel_index(k, a, b)]);
+        f.kernel[f.kernel_index(k, a, b)] = whole.kernel[whole.kernel_index(k, a, b)];
     for (std::size_t d = 0; d < 6; ++d)
       for (std::size_t a = 0; a < n; ++a)
         f.remote.push_back(whole.remote[k * 54 + d * 9 + a]);

@@ -22,9 +22,11 @@ struct Computation {
   }
   void write(PartialInfluenceFile& partial, std::size_t k) const {
     std::vector<double> numbers;
-    const std::span<const double> kernel(f.kernel), remote(f.remote), self(f.remote_self);
-    for (const auto piece :
-         {kernel.subspan(45 * k, 45), remote.subspan(54 * k, 54), self.subspan(36 * k, 36)})
+    for (std::size_t a = 0; a < 9; ++a)
+      for (std::size_t b = 0; b <= a; ++b)
+        numbers.push_back(f.kernel[f.kernel_index(k, a, b)]);
+    const std::span<const double> remote(f.remote), self(f.remote_self);
+    for (const auto piece : {remote.subspan(54 * k, 54), self.subspan(36 * k, 36)})
       numbers.insert(numbers.end(), piece.begin(), piece.end());
     numbers.insert(numbers.end(), {double(k), -double(k)});
     partial.write(k, numbers);

@@ -1,4 +1,5 @@
 // The weights of the Fourier series against the series itself, added up term by term.
+#include "bem_contact/influence/harmonic_points.hpp"
 #include "bem_contact/influence/series_tail.hpp"
 #include "bem_contact/influence/series_weights.hpp"
 
@@ -123,7 +124,7 @@ TEST(SeriesWeights, TailSumsAreTheSums) {
           sum += std::polar(std::pow(0.01 * static_cast<double>(n), -power), static_cast<double>(n) * angle);
           size += std::pow(0.01 * static_cast<double>(n), -power);
         }
-        const TailSums tail = tail_sums(first, last, 0.01, angle);
+        const TailSums tail = TailSeries(first, last, 0.01).at(angle);
         EXPECT_LT(std::abs((power == 3 ? tail.cubes : tail.fourths) - sum), 1e-13 * size)
             << power << ' ' << first << ' ' << angle;
       }

@@ -45,12 +45,13 @@ InfluenceFunction alike_stations() {
   f.stations.resize(2);
   f.stations[1].delta = f.stations[0].delta;
   f.stations[1].position = f.stations[0].position + Point2{3, 1};
-  f.kernel.clear();
+  f.kernel.resize(f.wavenumber_count() * f.kernel_size());
   f.remote.clear();
   for (std::size_t k = 0; k < f.wavenumber_count(); ++k) {
     for (std::size_t a = 0; a < 6; ++a)
       for (std::size_t b = 0; b <= a; ++b)
-        f.kernel.push_back((a == b ? 2 : 1) * three.kernel[three.kernel_index(k, a % 3, b % 3)]);
+        f.kernel[f.kernel_index(k, a, b)] =
+            (a == b ? 2 : 1) * three.kernel[three.kernel_index(k, a % 3, b % 3)];
     for (std::size_t d = 0; d < 6; ++d)
       for (std::size_t a = 0; a < 6; ++a)
         f.remote.push_back(three.remote[k * 54 + d * 9 + a % 3]);

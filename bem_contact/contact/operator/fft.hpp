@@ -28,11 +28,7 @@ template <class Real> struct Fftw;
     static constexpr auto& free = prefix##free;                                                              \
     static constexpr auto& destroy_plan = prefix##destroy_plan;                                              \
     static constexpr auto& execute_dft = prefix##execute_dft;                                                \
-    static constexpr auto& execute_dft_r2c = prefix##execute_dft_r2c;                                        \
-    static constexpr auto& execute_dft_c2r = prefix##execute_dft_c2r;                                        \
     static constexpr auto& plan_many_dft = prefix##plan_many_dft;                                            \
-    static constexpr auto& plan_many_dft_r2c = prefix##plan_many_dft_r2c;                                    \
-    static constexpr auto& plan_many_dft_c2r = prefix##plan_many_dft_c2r;                                    \
   };
 BEM_CONTACT_FFTW(double, fftw_)
 BEM_CONTACT_FFTW(float, fftwf_)

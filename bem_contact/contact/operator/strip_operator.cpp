@@ -67,13 +67,14 @@ template <class Real> struct BasicStripOperator<Real>::Impl {
   const Real* column(int frequency, int line_in) const {
     return &spectrum[(static_cast<std::size_t>(frequency) * lines_in + line_in) * lines_out];
   }
-  std::size_t line_size() const { return fft_block(std::max(lines_in, lines_out)); }
+  std::size_t line_size() const { return fft_block(std::max(lines_in, lines_out) + 1); } // of pairs
   void transform_rows(const InfluenceNumbers& numbers, const std::vector<int>& rows, int first,
                       const Eigen::MatrixXd& cosines, const Eigen::MatrixXd& sines);
   void take(TransformPool* pool);
   const Real* apply(std::span<const Real> p) const;
   template <class At> void write(const Real* v, const At& at, std::span<Real> u) const;
   void multiply_frequency(int k, const Real* in, Real* work, Real* out) const;
+  void turn(const std::vector<int>& components, Real* re, Real* im, Real sign) const;
 };
 
 template <class Real>
@@ -198,67 +199,93 @@ template <class Real> BasicStripOperator<Real>::BasicStripOperator(BasicStripOpe
 template <class Real>
 BasicStripOperator<Real>& BasicStripOperator<Real>::operator=(BasicStripOperator&&) noexcept = default;
 
-/// Of one frequency: spectra [line][frequency] of tractions to those of displacements. `work`: four times
+/// Of one frequency: transforms [pair][frequency] of tractions to those of displacements. `work`: four times
 /// line_size().
 template <class Real>
 void BasicStripOperator<Real>::Impl::multiply_frequency(int k, const Real* in, Real* work, Real* out) const {
   Real *const re_in = work, *const im_in = work + line_size();
   Real *const re_out = im_in + line_size(), *const im_out = re_out + line_size();
-  for (std::size_t b = 0; b < inputs.size(); ++b) {
-    const bool turn = inputs[b] == component_x; // times i
-    Real* re = turn ? im_in : re_in;
-    Real* im = turn ? re_in : im_in;
-    const Real sign = turn ? -1 : 1;
-    for (int line = static_cast<int>(b) * ms; line < static_cast<int>(b + 1) * ms; ++line) {
-      const Real* from = &in[line * transforms->shape.spectrum() + 2 * static_cast<std::size_t>(k)];
-      re[line] = from[0];
-      im[line] = sign * from[1];
-    }
+  // The transform of line a plus i line b is that of a plus i times that of b; each is its own conjugate at
+  // the opposite frequency.
+  const std::size_t own = 2 * static_cast<std::size_t>(k), pair = transforms->shape.pair(),
+                    opposite = k == 0 ? 0 : 2 * static_cast<std::size_t>(length - k);
+  for (int line = 0; line < lines_in; line += 2, in += pair) {
+    const Real *const a = in + own, *const b = in + opposite;
+    re_in[line] = Real(0.5) * (a[0] + b[0]);
+    im_in[line] = Real(0.5) * (a[1] - b[1]);
+    re_in[line + 1] = Real(0.5) * (a[1] + b[1]);
+    im_in[line + 1] = Real(0.5) * (b[0] - a[0]);
   }
+  turn(inputs, re_in, im_in, 1);
   multiply(column(k, 0), lines_out, lines_in, re_in, im_in, re_out, im_out);
-  for (std::size_t a = 0; a < outputs.size(); ++a) {
-    const bool turn = outputs[a] == component_x; // times -i
-    const Real* re = turn ? im_out : re_out;
-    const Real* im = turn ? re_out : im_out;
-    const Real sign = turn ? -1 : 1;
-    for (int line = static_cast<int>(a) * ms; line < static_cast<int>(a + 1) * ms; ++line) {
-      Real* to = &out[line * transforms->shape.spectrum() + 2 * static_cast<std::size_t>(k)];
-      to[0] = re[line];
-      to[1] = sign * im[line];
+  turn(outputs, re_out, im_out, -1);
+  if (lines_out % 2 != 0)
+    re_out[lines_out] = im_out[lines_out] = 0;
+  for (int line = 0; line < lines_out; line += 2, out += pair) {
+    Real *const a = out + own, *const b = out + opposite;
+    if (own == opposite) { // real, for they are of real lines
+      a[0] = re_out[line];
+      a[1] = re_out[line + 1];
+      continue;
     }
+    a[0] = re_out[line] - im_out[line + 1];
+    a[1] = im_out[line] + re_out[line + 1];
+    b[0] = re_out[line] + im_out[line + 1];
+    b[1] = re_out[line + 1] - im_out[line];
   }
 }
 
-/// u of columns up to mx + 1, times the transform's length: [line][StripShape::line()], until the next
-/// product.
+/// Times `sign` i where the component is x: then all spectra are real.
+template <class Real>
+void BasicStripOperator<Real>::Impl::turn(const std::vector<int>& components, Real* re, Real* im,
+                                          Real sign) const {
+  for (std::size_t c = 0; c < components.size(); ++c)
+    if (components[c] == component_x)
+      for (std::size_t line = c * ms; line < (c + 1) * ms; ++line) {
+        const Real before = re[line];
+        re[line] = -sign * im[line];
+        im[line] = sign * before;
+      }
+}
+
+/// u of columns up to mx + 1, times the transform's length: [pair][column][line of the pair], a pair
+/// StripShape::pair() long, until the next product.
 template <class Real> const Real* BasicStripOperator<Real>::Impl::apply(std::span<const Real> p) const {
-  // Tractions, then the spectra of displacements; the spectra of tractions, then displacements.
+  // Tractions, then the transforms of displacements; the transforms of tractions, then displacements.
   const StripShape& shape = transforms->shape;
-  const std::size_t block = std::max(lines_in, lines_out) * std::max(shape.line(), shape.spectrum());
+  const int pairs_in = (lines_in + 1) / 2, pairs_out = (lines_out + 1) / 2;
+  const std::size_t block = std::max(pairs_in, pairs_out) * shape.pair();
   Real* const first = transforms->scratch->template reals<Real>(2 * block + 4 * threads * line_size());
   Real *const second = first + block, *const work = second + block;
-  for (int line = 0; line < lines_in; ++line) {
-    Real* to = first + line * shape.line();
-    std::copy_n(&p[static_cast<std::size_t>(line) * mx], mx, to);
-    std::fill(to + mx, to + length, Real(0));
+  for (int pair = 0; pair < pairs_in; ++pair) {
+    Real* const to = first + pair * shape.pair();
+    const Real* const a = &p[static_cast<std::size_t>(2 * pair) * mx];
+    const bool both = 2 * pair + 1 < lines_in;
+    for (int ix = 0; ix < mx; ++ix) {
+      to[2 * ix] = a[ix];
+      to[2 * ix + 1] = both ? a[mx + ix] : Real(0);
+    }
+    std::fill(to + 2 * static_cast<std::size_t>(mx), to + 2 * static_cast<std::size_t>(length), Real(0));
   }
-  transforms->forward(lines_in, first, second);
+  transforms->forward(pairs_in, first, second);
   in_parts(threads, frequencies, [&](int k, int end, int part) {
     for (; k < end; ++k)
       multiply_frequency(k, second, work + 4 * part * line_size(), first);
   });
-  transforms->backward(lines_out, first, second);
+  transforms->backward(pairs_out, first, second);
   return second;
 }
 
-/// u at each element, of what `at` makes of the values from there on.
+/// u at each element, of what `at` makes of the values from there on, every other one of which is its line's.
 template <class Real>
 template <class At>
 void BasicStripOperator<Real>::Impl::write(const Real* v, const At& at, std::span<Real> u) const {
   const Real scale = 1.0 / length;
-  for (int line = 0; line < lines_out; ++line, v += transforms->shape.line())
+  for (int line = 0; line < lines_out; ++line) {
+    const Real* from = v + (line / 2) * transforms->shape.pair() + line % 2;
     for (int ix = 0; ix < mx; ++ix)
-      u[static_cast<std::size_t>(line) * mx + ix] = scale * at(v + ix);
+      u[static_cast<std::size_t>(line) * mx + ix] = scale * at(from + 2 * static_cast<std::size_t>(ix));
+  }
 }
 
 template <class Real>
@@ -267,7 +294,7 @@ void BasicStripOperator<Real>::apply(std::span<const Real> p, std::span<Real> u,
   if (o.plane)
     return o.plane->apply(p, u, columns);
   o.write(
-      o.apply(p), [columns](const Real* v) { return v[columns]; }, u);
+      o.apply(p), [columns](const Real* v) { return v[2 * columns]; }, u);
 }
 
 template <class Real>
@@ -276,7 +303,7 @@ void BasicStripOperator<Real>::apply_step(std::span<const Real> p, std::span<Rea
   if (o.plane)
     return o.plane->apply_step(p, u);
   const auto step = [](const Real* v) {
-    return rolling_step[0] * v[0] + rolling_step[1] * v[1] + rolling_step[2] * v[2];
+    return rolling_step[0] * v[0] + rolling_step[1] * v[2] + rolling_step[2] * v[4];
   };
   o.write(o.apply(p), step, u);
 }

@@ -60,27 +60,42 @@ private:
   std::vector<double> own_, opposite_;
 };
 
+/// A line and where it is added: at offset m to pair.values[place + m (values of an offset)].
+struct Addition {
+  const double* line;
+  double sign;
+  std::size_t place;
+};
+
 /// T A T is A with the signs of parity(): T = diag(1, -1, -1).
-void add_to_table(NumberLines& wheel, LinesAlongX& along_x, InfluenceNumbers& pair) {
-  constexpr int block = 8; // offsets of a cache line
-  const std::size_t table = 9 * static_cast<std::size_t>(pair.rows) * static_cast<std::size_t>(pair.rows);
+std::vector<Addition> additions(NumberLines& wheel, LinesAlongX& along_x, const InfluenceNumbers& pair) {
+  std::vector<Addition> all;
   const int row = wheel.row();
-  for (int from = 0; from < wheel.offsets(); from += block) {
-    const int to = std::min(from + block, wheel.offsets());
-    const auto add = [&](std::span<const double> line, double sign, double* place) {
-      for (int m = from; m < to; ++m, place += table)
-        *place += sign * line[static_cast<std::size_t>(m)];
-    };
-    for (int column = 0; column <= row; ++column)
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-          const bool x = i == component_x;
-          add(x ? along_x.own(column, j) : wheel.line(column, i, j), parity(i, j),
-              &pair.at(from, row, i, column, j));
-          if (column < row) // Maxwell-Betti: parity(i, j) line(j, i)
-            add(x ? along_x.opposite(column, j) : wheel.line(column, j, i), x ? parity(i, j) : 1,
-                &pair.at(from, column, i, row, j));
-        }
+  all.reserve(18 * static_cast<std::size_t>(wheel.columns()));
+  for (int column = 0; column <= row; ++column)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const bool x = i == component_x;
+        const double sign = parity(i, j);
+        all.push_back({(x ? along_x.own(column, j) : wheel.line(column, i, j)).data(), sign,
+                       pair.index(0, row, i, column, j)});
+        if (column < row) // Maxwell-Betti: parity(i, j) line(j, i)
+          all.push_back({(x ? along_x.opposite(column, j) : wheel.line(column, j, i)).data(), x ? sign : 1,
+                         pair.index(0, column, i, row, j)});
+      }
+  return all;
+}
+
+/// `table`: values of an offset.
+void add_lines(std::span<const Addition> additions, std::size_t offsets, std::size_t table, double* values) {
+  constexpr std::size_t block = 8; // offsets of a cache line
+  for (std::size_t from = 0; from < offsets; from += block) {
+    const std::size_t count = std::min(block, offsets - from);
+    for (const Addition& a : additions) {
+      double* place = values + a.place + from * table;
+      for (std::size_t m = 0; m < count; ++m, place += table)
+        *place += a.sign * a.line[from + m];
+    }
   }
 }
 
@@ -93,7 +108,9 @@ void add_wheel(NumberLines& wheel, std::span<const double> inclination, double r
       std::ranges::transform(wheel.line(wheel.row(), j, i), wheel.line(wheel.row(), i, j).begin(),
                              [sign = parity(i, j)](double a) { return sign * a; });
   LinesAlongX along_x(wheel, inclination, 0.5 * pair.dx / radius);
-  add_to_table(wheel, along_x, pair);
+  const std::size_t table = 9 * static_cast<std::size_t>(pair.rows) * static_cast<std::size_t>(pair.rows);
+  add_lines(additions(wheel, along_x, pair), static_cast<std::size_t>(wheel.offsets()), table,
+            pair.values.data());
 }
 
 } // namespace bem_contact
