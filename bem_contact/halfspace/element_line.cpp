@@ -1,9 +1,8 @@
 #include "bem_contact/halfspace/element_line.hpp"
 
+#include "bem_contact/base/simd.hpp"
 #include "bem_contact/halfspace/gauss.hpp"
 #include "bem_contact/halfspace/settings.hpp"
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -63,40 +62,51 @@ void closed_form(double s, double dx, double ds, int first, int last, std::span<
   }
 }
 
+/// Adds w times the five kernels at the points (x, y) to `sums`: [kernel][point].
+BEM_CONTACT_WIDE void add_kernels(const double* x, std::size_t points, double y, double w,
+                                  double* __restrict sums) {
+  double *const x2_r3 = sums, *const s2_r3 = x2_r3 + points, *const xs_r3 = s2_r3 + points;
+  double *const x_r2 = xs_r3 + points, *const s_r2 = x_r2 + points;
+  for (std::size_t p = 0; p < points; ++p) {
+    const double inverse = 1 / (x[p] * x[p] + y * y), cube = w * inverse * std::sqrt(inverse);
+    x2_r3[p] += x[p] * x[p] * cube;
+    s2_r3[p] += y * y * cube;
+    xs_r3[p] += y * x[p] * cube;
+    x_r2[p] += w * x[p] * inverse;
+    s_r2[p] += w * y * inverse;
+  }
+}
+
 /// Elements first .. last by quadrature. The relative position of a load element and its equal receiver has a
 /// triangular density of half width dx: N Gauss points in each cell between two centres serve the rising half
 /// of one element and the falling half of the other.
-template <int N>
+template <std::size_t N>
 void quadrature(double s, double dx, double ds, int first, int last, std::span<Kernels> line) {
   if (first > last)
     return;
-  const int cells = last - first + 2; // cell c lies between the centres first - 1 + c and first + c
-  using Row = Eigen::Array<double, N, 1>;
-  using Cells = Eigen::Array<double, N, Eigen::Dynamic>;
-  const Row t = 0.5 * (1 + Eigen::Map<const Row>(gauss<N>().point.data()));
-  const Row half_weight = 0.5 * Eigen::Map<const Row>(gauss<N>().weight.data());
-  Cells x(N, cells);
-  for (int c = 0; c < cells; ++c)
-    x.col(c) = dx * (first - 1 + c + t);
-  const Cells xx = x.square();
-  std::array<Cells, 5> sum;
-  sum.fill(Cells::Zero(N, cells));
-  Cells inverse(N, cells), cube(N, cells);
-  for (int g = 0; g < N; ++g)
-    for (const int side : {-1, 1}) {
-      const double y = s + side * ds * t(g), w = half_weight(g) * (1 - t(g)) * ds;
-      inverse = (xx + y * y).inverse();
-      cube = w * inverse * inverse.sqrt();
-      sum[0] += xx * cube;
-      sum[1] += (y * y) * cube;
-      sum[2] += y * x * cube;
-      sum[3] += w * x * inverse;
-      sum[4] += (w * y) * inverse;
-    }
-  const Row falling = dx * half_weight * (1 - t), rising = dx * half_weight * t;
+  const auto cells =
+      static_cast<std::size_t>(last - first + 2); // cell c: from centre first - 1 + c to the next
+  const std::size_t points = N * cells;
+  std::vector<double> x(points), sums(5 * points);
+  std::array<double, N> t{}, half_weight{};
+  for (std::size_t g = 0; g < N; ++g) {
+    t[g] = 0.5 * (1 + gauss<N>().point[g]);
+    half_weight[g] = 0.5 * gauss<N>().weight[g];
+  }
+  for (std::size_t p = 0; p < points; ++p)
+    x[p] = dx * (first - 1 + static_cast<double>(p / N) + t[p % N]);
+  for (std::size_t g = 0; g < N; ++g)
+    for (const int side : {-1, 1})
+      add_kernels(x.data(), points, s + side * ds * t[g], half_weight[g] * (1 - t[g]) * ds, sums.data());
   for (int m = first; m <= last; ++m) {
     const auto value = [&](std::size_t e) {
-      return (rising * sum[e].col(m - first)).sum() + (falling * sum[e].col(m - first + 1)).sum();
+      const double* cell = &sums[e * points + N * static_cast<std::size_t>(m - first)];
+      double rising = 0, falling = 0;
+      for (std::size_t g = 0; g < N; ++g) {
+        rising += half_weight[g] * t[g] * cell[g];
+        falling += half_weight[g] * (1 - t[g]) * cell[N + g];
+      }
+      return dx * (rising + falling);
     };
     line[static_cast<std::size_t>(m)] = {value(0), value(1), value(2), value(3), value(4)};
   }

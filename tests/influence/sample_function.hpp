@@ -42,9 +42,8 @@ inline bem_contact::InfluenceFunction sample_function() {
     f.kernel.resize(11 * f.kernel_size());
     for (std::size_t a = 0; a < n; ++a)
       for (std::size_t b = 0; b <= a; ++b)
-        f.kernel[f.kernel_index(k, a, b)] =
-            fade * (a == b ? 3.0 + 0.1 * static_cast<double>(a)
-                           : std::cos(double(a * b)) / (1.0 + double(a + b)));
+        f.kernel[f.kernel_index(k, a, b)] = fade * (a == b ? 3.0 + 0.1 * static_cast<double>(a)
+                                                           : std::cos(double(a * b)) / (1.0 + double(a + b)));
     for (std::size_t d = 0; d < 6; ++d)
       for (std::size_t a = 0; a < n; ++a)
         f.remote.push_back(0.05 * fade * std::sin(1.0 + double(d) + 2.0 * double(a)));

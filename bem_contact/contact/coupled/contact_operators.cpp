@@ -17,10 +17,15 @@ namespace {
 std::uint64_t digest_of(std::span<const double> values) {
   constexpr std::uint64_t odd = 0x9E3779B97F4A7C15U; // 2^64 over the golden ratio
   std::array<std::uint64_t, 4> chain{1, 2, 3, 4};
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    std::uint64_t& c = chain[i % 4];
+  const auto take = [&](std::size_t i, std::uint64_t& c) {
     c = (std::rotl(c, 29) ^ std::bit_cast<std::uint64_t>(values[i])) * odd;
-  }
+  };
+  std::size_t i = 0;
+  for (; i + chain.size() <= values.size(); i += chain.size())
+    for (std::size_t c = 0; c < chain.size(); ++c)
+      take(i + c, chain[c]);
+  for (std::size_t c = 0; i < values.size(); ++i, ++c)
+    take(i, chain[c]);
   std::uint64_t digest = values.size();
   for (const std::uint64_t c : chain)
     digest = (std::rotl(digest, 29) ^ c) * odd;
