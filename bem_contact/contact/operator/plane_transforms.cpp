@@ -76,13 +76,6 @@ BEM_CONTACT_WIDE void join(const RowPairs& rows, const float* in, float* z) {
   join_rows(rows, in, z);
 }
 
-/// About the time of one complex transform without FFTW's search for the fastest way, which would take longer
-/// than it saves: single precision on AVX2, ns.
-double cost_of_line(int n) {
-  const bool quick = n <= 16 || n == 20 || n % 16 == 0;
-  return (quick ? quick_transform : slow_transform) * n;
-}
-
 } // namespace
 
 std::pair<int, int> good_lengths(int least_x, int least_s, int lines) {
@@ -96,7 +89,7 @@ std::pair<int, int> good_lengths(int least_x, int least_s, int lines) {
   double least = std::numeric_limits<double>::infinity();
   for (int x = even_from(least_x); x < 2 * least_x + 2; x = even_from(x + 1))
     for (int s = even_from(least_s); s < 2 * least_s + 2; s = even_from(s + 1)) {
-      const double cost = 0.5 * lines * cost_of_line(x) + (0.5 * x + 1) * (cost_of_line(s) + s);
+      const double cost = 0.5 * lines * transform_time(x) + (0.5 * x + 1) * (transform_time(s) + s);
       if (cost < least) {
         least = cost;
         best = {x, s};

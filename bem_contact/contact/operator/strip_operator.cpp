@@ -41,6 +41,16 @@ inline __attribute__((always_inline)) void multiply_both(const Real* __restrict 
       ay[i] += a[i] * y[j];
     }
 }
+/// At least `least`: the one whose products take the least time.
+int good_length(int least) {
+  const auto time = [](int n) { return transform_time(n) + strip_product * n; };
+  int best = good_fft_length(least);
+  for (int n = best; n < 2 * least; n = good_fft_length(n + 1))
+    if (time(n) < time(best))
+      best = n;
+  return best;
+}
+
 BEM_CONTACT_WIDE void multiply(const double* a, int rows, int columns, const double* x, const double* y,
                                double* ax, double* ay) {
   multiply_both(a, rows, columns, x, y, ax, ay);
@@ -101,7 +111,7 @@ BasicStripOperator<Real>::BasicStripOperator(const InfluenceNumbers& numbers, co
   for (const Box& box : boxes.boxes)
     for (int is = 0; is < box.ms; ++is)
       rows.push_back(box.first_s + is);
-  o.length = good_fft_length(2 * (o.mx + rolling_columns) + 1);
+  o.length = good_length(2 * (o.mx + rolling_columns) + 1);
   o.frequencies = o.length / 2 + 1;
   o.outputs = std::move(outputs);
   o.inputs = std::move(inputs);
