@@ -33,4 +33,17 @@ InfluenceNumbers combine(const InfluenceNumbers& lower, InfluenceNumbers upper) 
   return upper;
 }
 
+InfluenceNumbers combine_equal(InfluenceNumbers body) {
+  if (!body.translational)
+    throw InputError("Influence numbers cannot be those of both bodies", "they depend on both rows",
+                     "Combine the numbers of each body.");
+  for (std::size_t block = 0; block < body.values.size(); block += 9)
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j <= i; ++j) {
+        double &a = body.values[block + 3 * i + j], &b = body.values[block + 3 * j + i];
+        a = b = a + b;
+      }
+  return body;
+}
+
 } // namespace bem_contact::halfspace

@@ -9,4 +9,9 @@ namespace bem_contact::halfspace {
 /// Throws InputError unless both belong to the same grid.
 InfluenceNumbers combine(const InfluenceNumbers& lower, InfluenceNumbers upper);
 
+/// The pair of two equal bodies whose numbers are translational. The rows of the upper one run against those
+/// of the lower one, so that its number from row J to row I is A_ij(m; J, I), which is parity(i, j) A_ji(m;
+/// I, J): together A + A^T for each pair of rows.
+InfluenceNumbers combine_equal(InfluenceNumbers body);
+
 } // namespace bem_contact::halfspace

@@ -23,13 +23,17 @@ InfluenceNumbers numbers(const Material& material, double dx, double ds, int off
   LineStore& lines = known ? *known : only_now;
   for (int d = 0; d < rows; ++d) {
     const LineStore::Line line = lines.get(material, d * ds, dx, ds, static_cast<std::size_t>(offsets));
-    for (int m = 0; m < offsets; ++m)
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-          const double value = line.values[static_cast<std::size_t>(3 * i + j) * line.offsets + m];
-          result.at(m, d, i, 0, j) = value;
-          result.at(m, 0, j, d, i) = parity(i, j) * value;
+    const std::size_t next = 9 * static_cast<std::size_t>(2 * rows - 1); // offset
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const double* from = line.values + static_cast<std::size_t>(3 * i + j) * line.offsets;
+        double *ahead = &result.at(0, d, i, 0, j), *behind = &result.at(0, 0, j, d, i);
+        const double sign = parity(i, j);
+        for (int m = 0; m < offsets; ++m, ahead += next, behind += next) {
+          *ahead = from[m];
+          *behind = sign * from[m];
         }
+      }
   }
   return result;
 }

@@ -186,6 +186,7 @@ TEST(Combine, TurnsTheWheelIntoTheContactFrame) {
         for (int t = 0; t < 2; ++t) // the coupling of normal and tangential cancels for equal bodies
           EXPECT_NEAR(pair.at(m, a, 2, b, t), 0, 1e-18);
       }
+  EXPECT_EQ(halfspace::combine_equal(rail).values, pair.values);
 }
 
 TEST(LineStore, WhatIsKeptChangesNoNumber) {
@@ -203,6 +204,12 @@ TEST(LineStore, WhatIsKeptChangesNoNumber) {
       EXPECT_TRUE(halfspace::numbers(steel, dx, 0.3, offsets, 5, &known).values ==
                   halfspace::numbers(steel, dx, 0.3, offsets, 5).values);
     }
+}
+
+TEST(Combine, RefusesToDoubleNumbersThatDependOnBothRows) {
+  EXPECT_THAT(
+      message_of([] { halfspace::combine_equal(spelled_out(halfspace::numbers(steel, 0.5, 0.2, 2, 3))); }),
+      testing::HasSubstr("depend on both rows"));
 }
 
 TEST(Combine, RefusesDifferentGrids) {

@@ -99,6 +99,9 @@ void BasicPlaneOperator<Real>::Impl::transform_numbers(const InfluenceNumbers& n
                                                        int middle, int a, int b) {
   const auto [i, j, ahead_x, ahead_s] = entry;
   bool none = true;
+  const std::size_t next =
+      numbers.offsets > 1 ? numbers.index(1, 0, 0, 0, 0) - numbers.index(0, 0, 0, 0, 0) : 0;
+  const double sign = parity(i, j);
   Real* kernel = transforms->kernel();
   std::fill_n(kernel, static_cast<std::size_t>(length_s) * length_x, Real(0));
   for (int d = 1 - ms; d < ms; ++d) {
@@ -109,12 +112,16 @@ void BasicPlaneOperator<Real>::Impl::transform_numbers(const InfluenceNumbers& n
       row_j = row_i - rows;
     }
     Real* line = &kernel[static_cast<std::size_t>((d + 2 * length_s) % length_s) * length_x];
-    for (int m = 1 - mx; m < mx + rolling_columns; ++m)
-      if (const int offset = m + ahead_x; std::abs(offset) < numbers.offsets) {
-        const double number = numbers.at(std::abs(offset), row_i, i, row_j, j);
-        line[(m + 2 * length_x) % length_x] += static_cast<Real>((offset < 0 ? parity(i, j) : 1) * number);
-        none = none && number == 0;
-      }
+    const double* at_zero = &numbers.values[numbers.index(0, row_i, i, row_j, j)];
+    const int from = std::max(1 - mx, 1 - numbers.offsets - ahead_x),
+              to = std::min(mx + rolling_columns, numbers.offsets - ahead_x);
+    int place = (from + 2 * length_x) % length_x;
+    for (int m = from; m < to; ++m, place = place + 1 < length_x ? place + 1 : 0) {
+      const int offset = m + ahead_x;
+      const double number = at_zero[static_cast<std::size_t>(std::abs(offset)) * next];
+      line[place] += static_cast<Real>(offset < 0 ? sign * number : number);
+      none = none && number == 0;
+    }
   }
   zero[a * inputs + b] = none;
   if (!none)

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace bem_contact {
 
@@ -115,7 +116,9 @@ InfluenceNumbers halfspace_pair(const ContactSetup& setup, const ContactOnGrid& 
   // The wheel's own s runs against the rail's: with rows in the contact's order the couplings of equal bodies
   // cancel.
   const Material &below = setup.rail.material, &above = setup.wheel.material;
-  const InfluenceNumbers rail = one(below);
+  InfluenceNumbers rail = one(below);
+  if (above == below && rail.translational)
+    return halfspace::combine_equal(std::move(rail));
   return halfspace::combine(rail, reversed(above == below ? rail : one(above)));
 }
 
