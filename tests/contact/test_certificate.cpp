@@ -100,5 +100,29 @@ TEST(DirectSums, AreThoseOfTheTransform) {
   }
 }
 
+/// Without displacements everywhere, x and s are summed where slip is: at what is loaded and two columns
+/// ahead.
+TEST(DirectSums, OfRowsInContactHaveWhatSlipIsMadeOf) {
+  const ContactProblem problem = rolling_at(60);
+  const ContactResult r = solve(problem);
+  const int columns = problem.grid.mx + 2;
+  std::vector<char> rows(60, 0);
+  for (int i = 0; i < problem.grid.size(); ++i)
+    rows[i / problem.grid.mx] |= r.pn[i] > 0;
+  ASSERT_EQ(std::ranges::count(rows, 0) > 0, true);
+  const contact::ComponentFields all =
+      contact::direct_displacements(problem, std::vector<char>(60, 1), {r.px, r.ps, r.pn});
+  const contact::ComponentFields some = contact::direct_displacements(problem, rows, {r.px, r.ps, r.pn});
+  for (int c = 0; c < 3; ++c) {
+    const double scale = std::ranges::max(all[c], {}, [](double v) { return std::abs(v); });
+    for (int i = 0; i < problem.grid.size(); ++i)
+      for (int ahead = 0; ahead < (c == component_n ? 1 : 3); ++ahead)
+        if (c == component_n || r.pn[i] > 0) {
+          const int at = i / problem.grid.mx * columns + i % problem.grid.mx + ahead;
+          ASSERT_NEAR(some[c][at], all[c][at], 1e-12 * std::abs(scale)) << c << ' ' << i << ' ' << ahead;
+        }
+  }
+}
+
 } // namespace
 } // namespace bem_contact

@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/parallel.hpp"
 #include "bem_contact/base/simd.hpp"
+#include "bem_contact/contact/grid/boxes.hpp"
 #include "bem_contact/contact/operator/plane_operator.hpp"
 #include "bem_contact/contact/operator/settings.hpp"
 #include "bem_contact/contact/settings.hpp"
@@ -68,42 +69,74 @@ std::vector<int> confirmed_elements(const ContactProblem& problem, std::span<con
   return out;
 }
 
-/// By FFT, for translational numbers, columns 0 .. mx + 1; nothing where direct sums disagree. The operator
-/// is made here, from the numbers: nothing of it is the solvers'.
-std::optional<ComponentFields> transformed_displacements(const ContactProblem& problem, bool shear,
+/// Boxes around what is loaded and the columns ahead of it that slip is made of, on a grid of `columns`.
+Boxes boxes_of_slip(const ContactProblem& problem, std::span<const LoadedElement> loads, int columns) {
+  std::vector<int> elements;
+  for (const LoadedElement& load : loads)
+    for (int ahead = 0; ahead <= rolling_columns; ++ahead)
+      elements.push_back(load.row * columns + load.column + ahead);
+  ContactGrid grid = problem.grid;
+  grid.mx = columns;
+  return boxes_around(elements, grid, 0, false);
+}
+
+/// u of these components on the boxes by FFT, from the components `loaded` of p; u is a field of `columns`.
+void transform_on(const Boxes& boxes, const std::vector<int>& wanted, const std::vector<int>& loaded,
+                  const ContactProblem& problem, const ComponentSpans& p, ComponentFields& u) {
+  const int mx = problem.grid.mx, columns = static_cast<int>(u[0].size()) / problem.grid.ms;
+  const std::size_t n = boxes.size();
+  std::vector<double> tractions(n * loaded.size()), out(n * wanted.size());
+  const auto for_each_row = [&](auto&& visit) { // visit(place on the boxes, row, first column, columns)
+    std::size_t place = 0;
+    for (const Box& box : boxes.boxes)
+      for (int row = box.first_s; row < box.first_s + box.ms; ++row, place += box.mx)
+        visit(place, static_cast<std::size_t>(row), box.first_x, box.mx);
+  };
+  for (std::size_t j = 0; j < loaded.size(); ++j)
+    for_each_row([&](std::size_t place, std::size_t row, int first, int count) {
+      std::copy_n(&p[loaded[j]][row * mx + first], std::min(count, mx - first), &tractions[n * j + place]);
+    });
+  PlaneOperator(problem.numbers, boxes, wanted, loaded).apply(tractions, out, 0);
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    for_each_row([&](std::size_t place, std::size_t row, int first, int count) {
+      std::copy_n(&out[n * i + place], count, &u[wanted[i]][row * columns + first]);
+    });
+}
+
+/// By FFT, for translational numbers, columns 0 .. mx + 1; nothing where direct sums disagree. The operators
+/// are made here, from the numbers: nothing of them is the solvers'. Where some rows slip, tangential
+/// displacements are those of what is loaded.
+std::optional<ComponentFields> transformed_displacements(const ContactProblem& problem,
+                                                         const std::vector<char>& slips,
                                                          const ComponentSpans& p) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   const std::vector<LoadedElement> loads = loaded_elements(problem, p);
   const int columns = mx + rolling_columns;
-  const std::size_t n = static_cast<std::size_t>(columns) * ms;
-  std::vector<int> loaded;
-  std::vector<double> tractions;
-  for (int j = 0; j < 3; ++j)
-    if (std::ranges::any_of(loads, [j](const LoadedElement& load) { return load.p[j] != 0; })) {
-      loaded.push_back(j);
-      tractions.resize(n * loaded.size());
-      for (int row = 0; row < ms; ++row)
-        std::copy_n(&p[j][static_cast<std::size_t>(row) * mx], mx,
-                    &tractions[n * (loaded.size() - 1) + static_cast<std::size_t>(row) * columns]);
-    }
-  const std::vector<int> wanted =
-      shear ? std::vector<int>{component_x, component_s, component_n} : std::vector<int>{component_n};
-  std::vector<double> out(wanted.size() * n);
-  if (!loaded.empty())
-    PlaneOperator(problem.numbers, Boxes{{{0, 0, columns, ms}}}, wanted, loaded).apply(tractions, out, 0);
   ComponentFields u;
-  u.fill(std::vector<double>(n, 0.0));
-  std::array<double, 3> allowed{};
-  for (std::size_t c = 0; c < wanted.size(); ++c) {
-    std::copy_n(&out[c * n], n, u[wanted[c]].begin());
-    for (const double v : u[wanted[c]])
-      allowed[wanted[c]] = std::max(allowed[wanted[c]], agreement_of_sums * std::abs(v));
+  u.fill(std::vector<double>(static_cast<std::size_t>(columns) * ms, 0.0));
+  std::vector<int> loaded;
+  for (int j = 0; j < 3; ++j)
+    if (std::ranges::any_of(loads, [j](const LoadedElement& load) { return load.p[j] != 0; }))
+      loaded.push_back(j);
+  if (loaded.empty())
+    return u;
+  const Boxes whole{{{0, 0, columns, ms}}};
+  transform_on(whole, {component_n}, loaded, problem, p, u);
+  std::vector<Boxes> where(3, whole);
+  if (!slips.empty()) {
+    if (std::ranges::any_of(slips, [](char slip) { return slip == 0; }))
+      where[component_x] = where[component_s] = boxes_of_slip(problem, loads, columns);
+    transform_on(where[component_x], {component_x, component_s}, loaded, problem, p, u);
   }
+  std::array<double, 3> allowed{};
+  for (int i = 0; i < 3; ++i)
+    for (const double v : u[i])
+      allowed[i] = std::max(allowed[i], agreement_of_sums * std::abs(v));
   for (const int element : confirmed_elements(problem, loads)) {
-    const std::array<double, 3> sum = displacement_of(problem.numbers, loads, element / mx, element % mx);
-    for (const int i : wanted)
-      if (!(std::abs(sum[i] - u[i][element / mx * static_cast<std::size_t>(columns) + element % mx]) <=
-            allowed[i]))
+    const int row = element / mx, column = element % mx, at = row * columns + column;
+    const std::array<double, 3> sum = displacement_of(problem.numbers, loads, row, column);
+    for (int i = slips.empty() ? component_n : component_x; i < 3; ++i)
+      if (where[i].local(at, columns) >= 0 && !(std::abs(sum[i] - u[i][at]) <= allowed[i]))
         return std::nullopt;
   }
   return u;
@@ -222,7 +255,7 @@ ComponentFields direct_displacements(const ContactProblem& problem, const std::v
     count += (slips.empty() ? 1.0 : 3.0) * problem.grid.size() *
              std::count_if(p[j].begin(), p[j].end(), [](double v) { return v != 0; });
   if (a.translational && count > many_plane_terms && columns == mx + rolling_columns)
-    if (auto u = transformed_displacements(problem, !slips.empty(), p))
+    if (auto u = transformed_displacements(problem, slips, p))
       return std::move(*u);
   ComponentFields u;
   u.fill(std::vector<double>(static_cast<std::size_t>(columns) * ms, 0.0));
