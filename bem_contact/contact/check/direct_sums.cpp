@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace bem_contact::contact {
@@ -80,27 +81,41 @@ Boxes boxes_of_slip(const ContactProblem& problem, std::span<const LoadedElement
   return boxes_around(elements, grid, 0, false);
 }
 
-/// u of these components on the boxes by FFT, from the components `loaded` of p; u is a field of `columns`.
-void transform_on(const Boxes& boxes, const std::vector<int>& wanted, const std::vector<int>& loaded,
+/// Whether translational numbers (i, j) are all zero, as those of equal bodies that couple normal and
+/// tangential.
+bool vanish(const InfluenceNumbers& a, int i, int j) {
+  for (std::size_t at = static_cast<std::size_t>(3 * i + j); at < a.values.size(); at += 9)
+    if (a.values[at] != 0)
+      return false;
+  return true;
+}
+
+/// u of one component on the boxes by FFT, from the components `loaded` of p; u is a field of `columns`. One
+/// component after the other, so that the spectra of one take the memory of those before.
+void transform_on(const Boxes& boxes, int component, const std::vector<int>& loaded,
                   const ContactProblem& problem, const ComponentSpans& p, ComponentFields& u) {
+  std::vector<int> inputs;
+  std::ranges::copy_if(loaded, std::back_inserter(inputs),
+                       [&](int j) { return !vanish(problem.numbers, component, j); });
+  if (inputs.empty())
+    return;
   const int mx = problem.grid.mx, columns = static_cast<int>(u[0].size()) / problem.grid.ms;
   const std::size_t n = boxes.size();
-  std::vector<double> tractions(n * loaded.size()), out(n * wanted.size());
+  std::vector<double> tractions(n * inputs.size()), out(n);
   const auto for_each_row = [&](auto&& visit) { // visit(place on the boxes, row, first column, columns)
     std::size_t place = 0;
     for (const Box& box : boxes.boxes)
       for (int row = box.first_s; row < box.first_s + box.ms; ++row, place += box.mx)
         visit(place, static_cast<std::size_t>(row), box.first_x, box.mx);
   };
-  for (std::size_t j = 0; j < loaded.size(); ++j)
+  for (std::size_t j = 0; j < inputs.size(); ++j)
     for_each_row([&](std::size_t place, std::size_t row, int first, int count) {
-      std::copy_n(&p[loaded[j]][row * mx + first], std::min(count, mx - first), &tractions[n * j + place]);
+      std::copy_n(&p[inputs[j]][row * mx + first], std::min(count, mx - first), &tractions[n * j + place]);
     });
-  PlaneOperator(problem.numbers, boxes, wanted, loaded).apply(tractions, out, 0);
-  for (std::size_t i = 0; i < wanted.size(); ++i)
-    for_each_row([&](std::size_t place, std::size_t row, int first, int count) {
-      std::copy_n(&out[n * i + place], count, &u[wanted[i]][row * columns + first]);
-    });
+  PlaneOperator(problem.numbers, boxes, {component}, inputs).apply(tractions, out, 0);
+  for_each_row([&](std::size_t place, std::size_t row, int first, int count) {
+    std::copy_n(&out[place], count, &u[component][row * columns + first]);
+  });
 }
 
 /// By FFT, for translational numbers, columns 0 .. mx + 1; nothing where direct sums disagree. The operators
@@ -121,12 +136,13 @@ std::optional<ComponentFields> transformed_displacements(const ContactProblem& p
   if (loaded.empty())
     return u;
   const Boxes whole{{{0, 0, columns, ms}}};
-  transform_on(whole, {component_n}, loaded, problem, p, u);
+  transform_on(whole, component_n, loaded, problem, p, u);
   std::vector<Boxes> where(3, whole);
   if (!slips.empty()) {
     if (std::ranges::any_of(slips, [](char slip) { return slip == 0; }))
       where[component_x] = where[component_s] = boxes_of_slip(problem, loads, columns);
-    transform_on(where[component_x], {component_x, component_s}, loaded, problem, p, u);
+    for (const int i : {component_x, component_s})
+      transform_on(where[i], i, loaded, problem, p, u);
   }
   std::array<double, 3> allowed{};
   for (int i = 0; i < 3; ++i)
