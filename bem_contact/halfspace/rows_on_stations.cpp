@@ -1,6 +1,6 @@
 #include "bem_contact/halfspace/rows_on_stations.hpp"
 
-#include "bem_contact/base/simd.hpp"
+#include "bem_contact/halfspace/near_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,34 +9,33 @@
 namespace bem_contact::halfspace {
 namespace {
 
-/// to = the weighted sum of four lines
-BEM_CONTACT_WIDE void mix_four(const std::array<const double*, 4>& from, const std::array<double, 4>& weight,
-                               std::size_t length, double* __restrict to) {
-  const double *const a = from[0], *const b = from[1], *const c = from[2], *const d = from[3];
-  for (std::size_t k = 0; k < length; ++k)
-    to[k] = weight[0] * a[k] + weight[1] * b[k] + weight[2] * c[k] + weight[3] * d[k];
+/// Rows and columns of a matrix over the stations.
+struct Used {
+  std::size_t first, end;
+  std::size_t count() const { return end - first; }
+};
+Used used_by(std::span<const RowWeights> rows) {
+  const auto [from, last] = std::ranges::minmax(rows, {}, &RowWeights::first);
+  return {3 * static_cast<std::size_t>(from.first), 3 * static_cast<std::size_t>(last.first + last.count)};
 }
 
 /// Of a matrix over the stations, each entry of which is a line of `length` values.
 class RowMixer {
 public:
-  RowMixer(std::span<const RowWeights> rows, std::size_t length) : rows_(rows), length_(length) {
-    const auto [from, last] = std::ranges::minmax(rows, {}, &RowWeights::first);
-    first_ = 3 * static_cast<std::size_t>(from.first);
-    half_.resize(3 * static_cast<std::size_t>(last.first + last.count - from.first) * length);
-  }
+  RowMixer(std::span<const RowWeights> rows, std::size_t length)
+      : rows_(rows), length_(length), first_(used_by(rows).first), half_(used_by(rows).count() * length) {}
 
   /// The lower triangle over the rows, by rows of lines. line(row, column): of the stations' matrix.
   template <class Line> std::vector<double> mixed(const Line& line) {
     std::vector<double> lower(lower_size(3 * rows_.size()) * length_);
     double* to = lower.data();
+    const auto half = [&](std::size_t station) { return half_line(station); };
     for (std::size_t row = 0; row < rows_.size(); ++row)
       for (std::size_t i = 0; i < 3; ++i) {
         mix_row(row, i, line);
         for (std::size_t column = 0; column <= row; ++column)
           for (std::size_t j = 0; j < (column < row ? 3 : i + 1); ++j, to += length_)
-            mix(
-                rows_[column], j, [&](std::size_t station) { return half_line(station); }, to);
+            mix(rows_[column], j, half, to);
       }
     return lower;
   }
@@ -46,41 +45,38 @@ private:
 
   /// Component i of the row against the stations that it and the rows before it use.
   template <class Line> void mix_row(std::size_t row, std::size_t i, const Line& line) {
-    const auto [from, last] = std::ranges::minmax(rows_.first(row + 1), {}, &RowWeights::first);
-    const auto to = 3 * static_cast<std::size_t>(last.first + last.count);
-    for (std::size_t e = 3 * static_cast<std::size_t>(from.first); e < to; ++e)
-      mix(
-          rows_[row], i, [&](std::size_t station) { return line(station, e); }, half_line(e));
+    const Used used = used_by(rows_.first(row + 1));
+    for (std::size_t e = used.first; e < used.end; ++e) {
+      const auto column = [&](std::size_t station) { return line(station, e); };
+      mix(rows_[row], i, column, half_line(e));
+    }
   }
 
   /// to = the weighted sum of the lines of component i of the row's stations
   template <class Line> void mix(const RowWeights& row, std::size_t i, const Line& line, double* to) const {
-    std::array<const double*, 4> from{};
+    LineMix sum;
     for (int p = 0; p < row.count; ++p)
-      from[static_cast<std::size_t>(p)] = line(3 * static_cast<std::size_t>(row.first + p) + i);
-    if (row.count == 4)
-      return mix_four(from, row.weight, length_, to);
-    for (std::size_t k = 0; k < length_; ++k) {
-      to[k] = 0;
-      for (int p = 0; p < row.count; ++p)
-        to[k] += row.weight[static_cast<std::size_t>(p)] * from[static_cast<std::size_t>(p)][k];
-    }
+      sum.add(line(3 * static_cast<std::size_t>(row.first + p) + i), row.weight[static_cast<std::size_t>(p)]);
+    add_mix(sum, 0, 0, to, length_);
   }
 
   std::span<const RowWeights> rows_;
-  std::size_t length_, first_ = 0;
+  std::size_t length_, first_;
   std::vector<double> half_; ///< of one row: [3 station + component][length]
 };
 
 std::vector<double> mixed_table(const InfluenceFunction& f, std::span<const RowWeights> rows) {
   const std::size_t all = 3 * f.station_count(), n = 3 * rows.size(), offsets = f.table_offsets();
-  std::vector<double> lines(f.table.size()), table(offsets * n * n);
+  const Used used = used_by(rows);
+  std::vector<double> lines(used.count() * used.count() * offsets), table(offsets * n * n);
+  const auto line = [&](std::size_t row, std::size_t column) {
+    return &lines[((row - used.first) * used.count() + column - used.first) * offsets];
+  };
   for (std::size_t m = 0; m < offsets; ++m)
-    for (std::size_t entry = 0; entry < all * all; ++entry)
-      lines[entry * offsets + m] = f.table[m * all * all + entry];
-  const std::vector<double> lower = RowMixer(rows, offsets).mixed([&](std::size_t row, std::size_t column) {
-    return &lines[(row * all + column) * offsets];
-  });
+    for (std::size_t row = used.first; row < used.end; ++row)
+      for (std::size_t column = used.first; column < used.end; ++column)
+        line(row, column)[m] = f.table[(m * all + row) * all + column];
+  const std::vector<double> lower = RowMixer(rows, offsets).mixed(line);
   const double* from = lower.data();
   for (std::size_t row = 0; row < n; ++row)
     for (std::size_t column = 0; column <= row; ++column)

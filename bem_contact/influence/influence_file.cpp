@@ -71,6 +71,7 @@ void write_contents(hid_t root, const InfluenceFunction& f) {
   }
   write(root, {"wavenumber", {nk}, f.wavenumber, "1/mm"});
   std::vector<double> kernel;
+  kernel.reserve(f.kernel.size());
   for (hsize_t k = 0; k < nk; ++k)
     for (hsize_t entry = 0; entry < f.kernel_size(); ++entry)
       kernel.push_back(f.kernel[entry * nk + k]);

@@ -37,9 +37,9 @@ inline bem_contact::InfluenceFunction sample_function() {
   for (int k = 0; k < 11; ++k)
     f.wavenumber.push_back(k <= 8 ? k * std::numbers::pi / 20 : 40.0 * (k - 8) / 2);
   const std::size_t n = 9;
+  f.kernel.resize(11 * f.kernel_size());
   for (std::size_t k = 0; k < 11; ++k) {
     const double fade = 1e-6 / (1 + f.wavenumber[k]);
-    f.kernel.resize(11 * f.kernel_size());
     for (std::size_t a = 0; a < n; ++a)
       for (std::size_t b = 0; b <= a; ++b)
         f.kernel[f.kernel_index(k, a, b)] = fade * (a == b ? 3.0 + 0.1 * static_cast<double>(a)
