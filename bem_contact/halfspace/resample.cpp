@@ -32,8 +32,7 @@ void check_rows(const InfluenceFunction& function, std::span<const double> row_s
 }
 
 /// If the rows are stations, one after the other: the first station and how many.
-std::optional<std::pair<int, int>> rows_are_stations(std::span<const RowWeights> rows, double ds,
-                                                     double width) {
+std::optional<StationRange> rows_are_stations(std::span<const RowWeights> rows, double ds, double width) {
   if (std::abs(ds - width) > same_distance * width)
     return std::nullopt;
   const auto station = [](const RowWeights& w) {
@@ -46,7 +45,7 @@ std::optional<std::pair<int, int>> rows_are_stations(std::span<const RowWeights>
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (first < 0 || station(rows[i]) != first + static_cast<int>(i))
       return std::nullopt;
-  return std::pair{first, static_cast<int>(rows.size())};
+  return StationRange{first, static_cast<int>(rows.size())};
 }
 
 /// Half-space numbers of pairs of stations, interpolated to pairs of rows exactly as with_rows() interpolates
@@ -109,22 +108,19 @@ private:
 
 } // namespace
 
+StationRange stations_under(const InfluenceStrip& strip, std::span<const double> row_s) {
+  return used_stations(interpolate(strip, row_s));
+}
+
 void resample_lines(const InfluenceFunction& function, const ExpandOptions& options,
                     std::span<const double> row_s, double ds, const TakeLines& take, LineStore* known) {
   check_rows(function, row_s, ds);
-  const double width = function.station_width, s0 = function.stations.front().s;
-
-  std::vector<RowWeights> weights;
-  for (const double s : row_s) {
-    double position = (s - s0) / width;
-    if (std::abs(position - std::round(position)) < station_snap)
-      position = std::round(position);
-    weights.push_back(interpolate(position, static_cast<int>(function.station_count())));
-  }
+  const double width = function.station_width;
+  const std::vector<RowWeights> weights = interpolate(function, row_s);
   ExpandOptions needed = options;
   if (const auto range = rows_are_stations(weights, ds, width)) {
     needed.first_station = range->first;
-    needed.stations = range->second;
+    needed.stations = range->count;
     return expand_lines(function, needed, take);
   }
 

@@ -7,6 +7,10 @@
 
 namespace bem_contact::halfspace {
 
+/// The stations that rows at these arc lengths, mm, are interpolated from: all that resample() needs of a
+/// function. Of rows beyond the strip, those at its end.
+StationRange stations_under(const InfluenceStrip& strip, std::span<const double> row_s);
+
 /// Influence numbers at rows that need not be the file's stations: row I lies at arc length row_s[I] of the
 /// body and is `ds` wide, mm.
 ///
@@ -16,10 +20,10 @@ namespace bem_contact::halfspace {
 /// rows are stations, and symmetric as Maxwell and Betti demand always. On a wheel the radius is that of the
 /// contact.
 ///
-/// row_s must be monotone: it descends on a wheel, whose rows run against its s. The stations used are those
-/// that the rows need; first_station and stations of the options are not read.
-/// `known`: half-space numbers of earlier calls; null: none.
-/// Throws InputError where a row leaves the strip by more than 1 % of its width.
+/// `function` has the stations_under() the rows at least. row_s must be monotone: it descends on a wheel,
+/// whose rows run against its s. The stations used are those that the rows need; first_station and stations
+/// of the options are not read. `known`: half-space numbers of earlier calls; null: none. Throws InputError
+/// where a row leaves the strip by more than 1 % of its width.
 InfluenceNumbers resample(const InfluenceFunction& function, const ExpandOptions& options,
                           std::span<const double> row_s, double ds, LineStore* known = nullptr);
 

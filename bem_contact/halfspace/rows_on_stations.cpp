@@ -1,6 +1,7 @@
 #include "bem_contact/halfspace/rows_on_stations.hpp"
 
 #include "bem_contact/halfspace/near_field.hpp"
+#include "bem_contact/halfspace/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,8 @@ struct Used {
   std::size_t count() const { return end - first; }
 };
 Used used_by(std::span<const RowWeights> rows) {
-  const auto [from, last] = std::ranges::minmax(rows, {}, &RowWeights::first);
-  return {3 * static_cast<std::size_t>(from.first), 3 * static_cast<std::size_t>(last.first + last.count)};
+  const StationRange stations = used_stations(rows);
+  return {3 * static_cast<std::size_t>(stations.first), 3 * static_cast<std::size_t>(stations.end())};
 }
 
 /// Of a matrix over the stations, each entry of which is a line of `length` values.
@@ -105,20 +106,39 @@ std::vector<double> mixed_remote(const InfluenceFunction& f, std::span<const Row
   return remote;
 }
 
-} // namespace
-
-RowWeights interpolate(double position, int stations) {
+RowWeights weights_at(const InfluenceStrip& strip, double s) {
+  const int stations = static_cast<int>(strip.station_count());
+  const double width = strip.station_width;
+  const int before =
+      std::clamp(static_cast<int>(std::floor((s - strip.stations.front().s) / width)), 0, stations - 1);
+  double beyond = (s - strip.stations[static_cast<std::size_t>(before)].s) / width;
+  if (std::abs(beyond - std::round(beyond)) < station_snap)
+    beyond = std::round(beyond);
   RowWeights w;
   w.count = std::min(4, stations);
-  w.first = std::clamp(static_cast<int>(std::floor(position)) - 1, 0, stations - w.count);
+  w.first = std::clamp(before + static_cast<int>(std::floor(beyond)) - 1, 0, stations - w.count);
   for (int a = 0; a < w.count; ++a) {
     double value = 1;
     for (int b = 0; b < w.count; ++b)
       if (b != a)
-        value *= (position - (w.first + b)) / (a - b);
+        value *= (before - w.first - b + beyond) / (a - b);
     w.weight[static_cast<std::size_t>(a)] = value;
   }
   return w;
+}
+
+} // namespace
+
+std::vector<RowWeights> interpolate(const InfluenceStrip& strip, std::span<const double> row_s) {
+  std::vector<RowWeights> rows;
+  for (const double s : row_s)
+    rows.push_back(weights_at(strip, s));
+  return rows;
+}
+
+StationRange used_stations(std::span<const RowWeights> rows) {
+  const auto [from, last] = std::ranges::minmax(rows, {}, &RowWeights::first);
+  return {from.first, last.first + last.count - from.first};
 }
 
 InfluenceFunction with_rows(const InfluenceFunction& f, std::span<const RowWeights> rows, bool plane_strain) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 /// Private to this room: rows that lie between the stations of an influence file, by interpolation.
 namespace bem_contact::halfspace {
@@ -14,8 +15,12 @@ struct RowWeights {
   std::array<double, 4> weight{};
 };
 
-/// Weights of the row at `position`, in station widths from the centre of the first of `stations`.
-RowWeights interpolate(double position, int stations);
+/// Weights of rows at these arc lengths, mm. They do not depend on which stations there are beyond those with
+/// a weight, to the last bit.
+std::vector<RowWeights> interpolate(const InfluenceStrip& strip, std::span<const double> row_s);
+
+/// Stations with a weight, and those between.
+StationRange used_stations(std::span<const RowWeights> rows);
 
 /// The function with the rows in place of its stations; of plane strain the wavenumber 0 alone. Interpolating
 /// the kernel is the same as interpolating the influence numbers, because expand() is linear in the kernel,

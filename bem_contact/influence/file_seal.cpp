@@ -53,7 +53,7 @@ bool begins_with_seal(const std::filesystem::path& file) {
   return in.read(found.data(), static_cast<std::streamsize>(found.size())) && found == title;
 }
 
-void check_seal(const std::filesystem::path& file, int format_major) {
+std::string check_seal(const std::filesystem::path& file, int format_major) {
   std::ifstream in = open_file(file);
   const std::size_t found = std::filesystem::file_size(file);
   const std::string name = std::string("'").append(file.string()).append("'"); // gcc 12 warns of operator+
@@ -80,9 +80,11 @@ void check_seal(const std::filesystem::path& file, int format_major) {
   if (found < size || found < seal_size)
     throw InputError("The influence file " + name + " is truncated",
                      fmt::format("it holds {} of {} bytes", found, size), again);
-  const auto expected = make_seal(major, minor, found, sha256_of_rest(in));
+  const std::string hash = sha256_of_rest(in);
+  const auto expected = make_seal(major, minor, found, hash);
   if (std::memcmp(expected.data(), first.data(), seal_size) != 0)
     throw InputError("The influence file " + name + " was altered", "its checksum does not hold", again);
+  return hash;
 }
 
 } // namespace bem_contact

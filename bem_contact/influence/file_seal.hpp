@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
 
 namespace bem_contact {
 
@@ -21,8 +22,8 @@ void seal(std::span<std::byte> whole_file, int format_major, int format_minor);
 /// Whether a file begins as a seal does, damaged or not; false where it cannot be read.
 bool begins_with_seal(const std::filesystem::path& file);
 
-/// Throws InputError for a file that is missing, no influence file, of another major version, truncated or
-/// altered.
-void check_seal(const std::filesystem::path& file, int format_major);
+/// The checksum of a file whose seal holds, as hexadecimal text. Throws InputError for a file that is
+/// missing, no influence file, of another major version, truncated or altered.
+std::string check_seal(const std::filesystem::path& file, int format_major);
 
 } // namespace bem_contact

@@ -7,8 +7,11 @@
 #include "bem_contact/influence/lower_triangle.hpp"
 #include "bem_contact/influence/strict_h5.hpp"
 
+#include <algorithm>
 #include <ostream>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 namespace bem_contact {
 namespace {
@@ -37,17 +40,8 @@ template <class Function, class Entry> void for_each_scalar(Function& f, Entry&&
   entry("estimated_error", f.estimated_error);
 }
 
-int format_minor_of(const InfluenceFunction& f) {
+int format_minor_of(const InfluenceStrip& f) {
   return f.is_table() ? table_format_minor : influence_format_minor;
-}
-
-/// The upper triangles of a table by Maxwell-Betti.
-void reflect(std::vector<double>& table, std::size_t n) {
-  for (std::size_t m = 0; m < table.size() / (n * n); ++m)
-    for (std::size_t row = 0; row < n; ++row)
-      for (std::size_t column = 0; column < row; ++column)
-        table[(m * n + column) * n + row] = parity(static_cast<int>(row % 3), static_cast<int>(column % 3)) *
-                                            table[(m * n + row) * n + column];
 }
 
 void write_contents(hid_t root, const InfluenceFunction& f) {
@@ -80,10 +74,12 @@ void write_contents(hid_t root, const InfluenceFunction& f) {
   write(root, {"remote_self", {nk, 6, 6}, f.remote_self, "mm/MPa and per mm of each rotation"});
 }
 
-InfluenceFunction read_contents(const std::filesystem::path& file) {
-  const strict_h5::Handle root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-                               "opening '" + file.string() + "'");
-  InfluenceFunction f;
+strict_h5::Handle open_h5(const std::filesystem::path& file) {
+  return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "opening '" + file.string() + "'"};
+}
+
+InfluenceStrip read_strip(hid_t root, const std::filesystem::path& file) {
+  InfluenceStrip f;
   for_each_scalar(f, [&](const char* name, auto& value) { read(root, name, value); });
   std::string invariance;
   read(root, "invariance", invariance);
@@ -94,23 +90,52 @@ InfluenceFunction read_contents(const std::filesystem::path& file) {
   const std::vector<double> stations = read_table(root, "stations", {0, 4});
   for (std::size_t i = 0; i < stations.size(); i += 4)
     f.stations.push_back({stations[i], {stations[i + 1], stations[i + 2]}, stations[i + 3]});
-  const hsize_t n = 3 * f.station_count();
-  if (n > 0 && H5Lexists(root, "table", H5P_DEFAULT) > 0) {
+  if (H5Lexists(root, "table", H5P_DEFAULT) > 0) {
     read(root, "table_dx", f.table_dx);
-    const std::vector<double> lower = read_table(root, "table", {0, lower_size(n)});
-    f.table.resize(lower.size() / lower_size(n) * n * n);
-    for (hsize_t m = 0; m < f.table_offsets(); ++m)
-      fill_symmetric(std::span(f.table).subspan(m * n * n, n * n),
-                     std::span(lower).subspan(m * lower_size(n), lower_size(n)), n);
-    reflect(f.table, n);
     return f;
   }
   f.wavenumber = read_table(root, "wavenumber", {0});
-  const hsize_t nk = f.wavenumber_count();
-  f.kernel = read_columns(root, "kernel", {nk, lower_size(n)});
-  f.remote = read_table(root, "remote", {nk, 6, n});
-  f.remote_self = read_table(root, "remote_self", {nk, 6, 6});
+  f.remote = read_table(root, "remote", {f.wavenumber_count(), 6, 3 * f.station_count()});
+  f.remote_self = read_table(root, "remote_self", {f.wavenumber_count(), 6, 6});
   return f;
+}
+
+/// A table of n x n numbers for each offset, from its lower triangle: the offsets of a number one after the
+/// other. The rest by Maxwell-Betti.
+std::vector<double> whole_table(std::span<const double> lower, std::size_t n) {
+  const std::size_t offsets = lower.size() / lower_size(n);
+  std::vector<double> table(offsets * n * n);
+  for (std::size_t row = 0; row < n; ++row)
+    for (std::size_t column = 0; column <= row; ++column) {
+      const int sign = parity(static_cast<int>(row % 3), static_cast<int>(column % 3));
+      const double* from = &lower[(lower_size(row) + column) * offsets];
+      for (std::size_t m = 0; m < offsets; ++m) {
+        table[(m * n + column) * n + row] = sign * from[m];
+        table[(m * n + row) * n + column] = from[m];
+      }
+    }
+  return table;
+}
+
+/// The function on some of the strip's stations.
+InfluenceFunction read_part(hid_t root, const InfluenceStrip& strip, StationRange stations) {
+  std::vector<strict_h5::Columns> numbers; // of the lower triangle
+  const auto first = static_cast<hsize_t>(3 * stations.first), end = static_cast<hsize_t>(3 * stations.end());
+  for (hsize_t row = first; row < end; ++row)
+    numbers.push_back({lower_size(row) + first, row - first + 1});
+  const hsize_t all = lower_size(3 * strip.station_count());
+  InfluenceFunction f{part_of(strip, stations)};
+  if (f.is_table())
+    f.table = whole_table(read_columns(root, "table", {0, all}, numbers), end - first);
+  else
+    f.kernel = read_columns(root, "kernel", {f.wavenumber_count(), all}, numbers);
+  return f;
+}
+
+/// The range in the middle of so many times its stations, as far as there are so many.
+StationRange amid(StationRange range, int times, int stations) {
+  const int count = std::min(times * range.count, stations);
+  return {std::clamp(range.first - (count - range.count) / 2, 0, stations - count), count};
 }
 
 } // namespace
@@ -118,9 +143,60 @@ InfluenceFunction read_contents(const std::filesystem::path& file) {
 InfluenceFunction read_influence_file(const std::filesystem::path& file) {
   check_seal(file, influence_format_major);
   const QuietHdf5 quiet;
-  InfluenceFunction function = read_contents(file);
+  const strict_h5::Handle root = open_h5(file);
+  const InfluenceStrip strip = read_strip(root, file);
+  validate(strip);
+  InfluenceFunction function = read_part(root, strip, strip.all_stations());
   validate(function);
   return function;
+}
+
+InfluenceFile::InfluenceFile(std::filesystem::path file)
+    : path_(std::move(file)), state_(state()), checksum_(check_seal(path_, influence_format_major)) {
+  const QuietHdf5 quiet;
+  strip_ = read_strip(open_h5(path_), path_);
+  validate(strip_);
+}
+
+InfluenceFile::State InfluenceFile::state() const {
+  std::error_code gone;
+  const std::uintmax_t bytes = std::filesystem::file_size(path_, gone);
+  return gone ? State{} : State{bytes, std::filesystem::last_write_time(path_, gone)};
+}
+
+const InfluenceFunction& InfluenceFile::around(StationRange stations) {
+  if (held_.count > 0 && stations.first >= held_.first && stations.end() <= held_.end())
+    return part_;
+  require_unchanged();
+  const int all = static_cast<int>(strip_.station_count());
+  StationRange wanted = amid(stations, 2, all); // the patch may grow, and the next case be beside it
+  if (held_.count > 0) {                        // or it wanders: few readings, for each goes through the file
+    const int first = std::min(held_.first, stations.first);
+    wanted = amid({first, std::max(held_.end(), stations.end()) - first}, 3, all);
+  }
+  const QuietHdf5 quiet;
+  InfluenceFunction part = read_part(open_h5(path_), strip_, wanted);
+  validate(part);
+  part_ = std::move(part);
+  held_ = wanted;
+  return part_;
+}
+
+void InfluenceFile::require_unchanged() {
+  const State now = state();
+  if (now == state_)
+    return;
+  if (check_seal(path_, influence_format_major) != checksum_)
+    throw InputError("The influence file '" + path_.string() + "' is another one than before",
+                     "some of its numbers have been used in this run, and others are needed now",
+                     "Start again, and leave the file as it is meanwhile.");
+  state_ = now;
+}
+
+double InfluenceFile::megabytes() const {
+  return 1e-6 * sizeof(double) *
+         static_cast<double>(strip_.remote.size() + part_.remote.size() + part_.kernel.size() +
+                             part_.table.size());
 }
 
 void write_influence_file(const std::filesystem::path& file, const InfluenceFunction& function) {

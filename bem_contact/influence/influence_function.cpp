@@ -32,7 +32,7 @@ void require_finite(std::span<const double> values, const std::string& name) {
     refuse(name + " is not finite", fmt::format("its entry {} is NaN or infinite", bad - values.begin()));
 }
 
-void validate_metadata(const InfluenceFunction& f) {
+void validate_metadata(const InfluenceDescription& f) {
   require(std::isfinite(f.material.shear_modulus) && f.material.shear_modulus > 0,
           "its shear modulus is not positive", fmt::format("{} MPa", f.material.shear_modulus));
   require(f.material.poisson >= 0 && f.material.poisson < 0.5, "its Poisson ratio is outside [0, 0.5)",
@@ -52,7 +52,7 @@ void validate_metadata(const InfluenceFunction& f) {
   }
 }
 
-void validate_stations(const InfluenceFunction& f) {
+void validate_stations(const InfluenceStrip& f) {
   require(!f.stations.empty(), "it has no stations", "the strip is empty");
   require(std::isfinite(f.station_width) && f.station_width > 0, "its station width is not positive",
           fmt::format("{} mm", f.station_width));
@@ -68,7 +68,27 @@ void validate_stations(const InfluenceFunction& f) {
   }
 }
 
+void validate_wavenumbers(const InfluenceStrip& f) {
+  require(!f.wavenumber.empty(), "it has no wavenumbers", "the kernel is empty");
+  require_finite(f.wavenumber, "its wavenumber table");
+  require(f.wavenumber.front() == 0, "its first wavenumber is not 0",
+          fmt::format("{} 1/mm", f.wavenumber.front()));
+  for (std::size_t k = 1; k < f.wavenumber.size(); ++k)
+    require(f.wavenumber[k] > f.wavenumber[k - 1], "its wavenumbers do not ascend",
+            fmt::format("entry {}", k));
+}
+
+void validate_remote(const InfluenceStrip& f) {
+  const std::size_t n = 3 * f.station_count(), nk = f.wavenumber_count();
+  require_length(f.remote, nk * 6 * n, "its table of remote motions");
+  require_length(f.remote_self, nk * 36, "its table of the remote section's own compliance");
+  require_finite(f.remote, "its table of remote motions");
+  require_finite(f.remote_self, "its table of the remote section's own compliance");
+}
+
 void validate_kernel(const InfluenceFunction& f) {
+  require_length(f.kernel, f.wavenumber_count() * f.kernel_size(), "its kernel");
+  require_finite(f.kernel, "its kernel");
   const std::size_t n = 3 * f.station_count();
   for (std::size_t k = 0; k < f.wavenumber_count(); ++k)
     for (std::size_t row = 0; row < n; ++row)
@@ -78,10 +98,7 @@ void validate_kernel(const InfluenceFunction& f) {
 }
 
 void validate_table(const InfluenceFunction& f) {
-  require(std::isfinite(f.table_dx) && f.table_dx > 0, "the element length of its table is not positive",
-          fmt::format("{} mm", f.table_dx));
-  require(f.wavenumber.empty() && f.kernel.empty() && f.remote.empty() && f.remote_self.empty(),
-          "it has both a kernel and a table", "one of them says all");
+  require(f.kernel.empty(), "it has both a kernel and a table", "one of them says all");
   require(f.table_offsets() > 0, "its table is empty", "no offsets");
   const std::size_t n = 3 * f.station_count();
   require_length(f.table, f.table_offsets() * n * n, "its table");
@@ -99,27 +116,35 @@ void validate_table(const InfluenceFunction& f) {
 
 } // namespace
 
-void validate(const InfluenceFunction& f) {
+InfluenceStrip part_of(const InfluenceStrip& strip, StationRange range) {
+  const auto first = static_cast<std::ptrdiff_t>(range.first),
+             count = static_cast<std::ptrdiff_t>(range.count);
+  InfluenceStrip part{strip};
+  part.stations.assign(strip.stations.begin() + first, strip.stations.begin() + first + count);
+  part.remote.clear();
+  const auto columns = static_cast<std::ptrdiff_t>(3 * strip.station_count());
+  for (auto row = strip.remote.begin(); row != strip.remote.end(); row += columns)
+    part.remote.insert(part.remote.end(), row + 3 * first, row + 3 * (first + count));
+  return part;
+}
+
+void validate(const InfluenceStrip& f) {
   validate_metadata(f);
   validate_stations(f);
-  if (f.table_dx != 0)
-    return validate_table(f);
-  require(f.table.empty(), "its table has no element length", "table_dx is 0");
-  require(!f.wavenumber.empty(), "it has no wavenumbers", "the kernel is empty");
-  require_finite(f.wavenumber, "its wavenumber table");
-  require(f.wavenumber.front() == 0, "its first wavenumber is not 0",
-          fmt::format("{} 1/mm", f.wavenumber.front()));
-  for (std::size_t k = 1; k < f.wavenumber.size(); ++k)
-    require(f.wavenumber[k] > f.wavenumber[k - 1], "its wavenumbers do not ascend",
-            fmt::format("entry {}", k));
-  const std::size_t n = 3 * f.station_count(), nk = f.wavenumber_count();
-  require_length(f.kernel, nk * f.kernel_size(), "its kernel");
-  require_length(f.remote, nk * 6 * n, "its table of remote motions");
-  require_length(f.remote_self, nk * 36, "its table of the remote section's own compliance");
-  require_finite(f.kernel, "its kernel");
-  require_finite(f.remote, "its table of remote motions");
-  require_finite(f.remote_self, "its table of the remote section's own compliance");
-  validate_kernel(f);
+  if (f.table_dx == 0) {
+    validate_wavenumbers(f);
+    return validate_remote(f);
+  }
+  require(std::isfinite(f.table_dx) && f.table_dx > 0, "the element length of its table is not positive",
+          fmt::format("{} mm", f.table_dx));
+  require(f.wavenumber.empty() && f.remote.empty() && f.remote_self.empty(),
+          "it has both a kernel and a table", "one of them says all");
+}
+
+void validate(const InfluenceFunction& f) {
+  require(f.table.empty() || f.table_dx != 0, "its table has no element length", "table_dx is 0");
+  validate(static_cast<const InfluenceStrip&>(f));
+  f.is_table() ? validate_table(f) : validate_kernel(f);
 }
 
 } // namespace bem_contact

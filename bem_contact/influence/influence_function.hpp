@@ -49,6 +49,48 @@ struct InfluenceDescription {
       0; ///< from the wavenumber sampling and a coarser companion run; < 0: not estimated
 };
 
+/// Stations first .. first + count - 1 of a strip.
+struct StationRange {
+  int first = 0, count = 0;
+
+  int end() const { return first + count; }
+  bool operator==(const StationRange&) const = default;
+};
+
+/// What an influence function has beside its kernel or table: the stations of its strip, and how the body
+/// moves as a whole. It is small; the kernel of a whole running surface has 200 MB.
+///
+/// The remote section is the part of the section that lies far from the strip. It has six generalised
+/// displacements (area means: u_x, u_y, u_z in mm, rotations about x, y, z in rad; data/INFLUENCE_FORMAT.md).
+/// For each wavenumber, by its index,
+///   remote[NK][6][3 NS]     has them under each load of 1 MPa on a station (mm/MPa, 1/MPa);
+///   remote_self[NK][6][6]   has them under station_width times each unit generalised load on the remote
+///                           section itself (mm/MPa, and per mm for each rotation).
+/// A function that is given by a table has no wavenumbers.
+struct InfluenceStrip : InfluenceDescription {
+  std::vector<Station> stations = {}; ///< NS of them, equally spaced, ascending in s
+
+  std::vector<double> wavenumber = {};  ///< NK values, 1/mm, ascending, the first is 0
+  std::vector<double> remote = {};      ///< NK x 6 x 3NS
+  std::vector<double> remote_self = {}; ///< NK x 6 x 6
+
+  std::size_t station_count() const { return stations.size(); }
+  std::size_t wavenumber_count() const { return wavenumber.size(); }
+  bool is_table() const { return table_dx > 0; }
+  StationRange all_stations() const { return {0, static_cast<int>(stations.size())}; }
+
+  /// Both ends of the strip, arc length in mm.
+  std::pair<double, double> ends() const {
+    return {stations.front().s - 0.5 * station_width, stations.back().s + 0.5 * station_width};
+  }
+  /// The one whose centre is nearest to the arc length s, mm.
+  const Station& nearest_station(double s) const {
+    const double index = (s - stations.front().s) / station_width;
+    return stations[static_cast<std::size_t>(
+        std::lround(std::clamp(index, 0.0, static_cast<double>(stations.size() - 1))))];
+  }
+};
+
 /// The influence function of one body: the kernel g_ij(k; s_I, s_J).
 ///
 /// A traction of component j on station J with amplitude 1 MPa, varying along x as cos(kx), gives the
@@ -62,42 +104,17 @@ struct InfluenceDescription {
 ///   load p_x cos kx:               u_x = g_xx cos kx,  u_i = -g_ix sin kx (i in {s, n}).
 /// On a body of revolution x = R_ref theta, k = harmonic / R_ref, and the unit load is 1 MPa per REFERENCE
 /// area (R_ref dtheta ds): that is what keeps Maxwell-Betti exact without weights.
-///
-/// The remote section is the part of the section that lies far from the strip. It has six generalised
-/// displacements (area means: u_x, u_y, u_z in mm, rotations about x, y, z in rad; data/INFLUENCE_FORMAT.md).
-/// For each wavenumber, by its index,
-///   remote[NK][6][3 NS]     has them under each load of 1 MPa on a station (mm/MPa, 1/MPa);
-///   remote_self[NK][6][6]   has them under station_width times each unit generalised load on the remote
-///                           section itself (mm/MPa, and per mm for each rotation).
 /// `removed` is g - remote^T remote_self^-1 remote, again symmetric and positive.
-struct InfluenceFunction : InfluenceDescription {
-  std::vector<Station> stations = {}; ///< NS of them, equally spaced, ascending in s
+struct InfluenceFunction : InfluenceStrip {
+  std::vector<double> kernel = {}; ///< 3NS (3NS + 1) / 2 x NK
 
-  std::vector<double> wavenumber = {};  ///< NK values, 1/mm, ascending, the first is 0
-  std::vector<double> kernel = {};      ///< 3NS (3NS + 1) / 2 x NK
-  std::vector<double> remote = {};      ///< NK x 6 x 3NS
-  std::vector<double> remote_self = {}; ///< NK x 6 x 6
-
-  /// Instead of the four above: influence numbers of elements table_dx long at x = 0, table_dx, .., all
-  /// compliance included. table[m][3 I + i][3 J + j] as InfluenceNumbers::values, Maxwell-Betti to the last
-  /// bit; on a body of revolution x and the unit load are those of the reference radius.
+  /// Instead of the kernel, its wavenumbers and the remote section: influence numbers of elements table_dx
+  /// long at x = 0, table_dx, .., all compliance included. table[m][3 I + i][3 J + j] as
+  /// InfluenceNumbers::values, Maxwell-Betti to the last bit; on a body of revolution x and the unit load are
+  /// those of the reference radius.
   std::vector<double> table = {};
 
-  std::size_t station_count() const { return stations.size(); }
-  std::size_t wavenumber_count() const { return wavenumber.size(); }
-  bool is_table() const { return table_dx > 0; }
   std::size_t table_offsets() const { return table.size() / (9 * stations.size() * stations.size()); }
-
-  /// Both ends of the strip, arc length in mm.
-  std::pair<double, double> strip() const {
-    return {stations.front().s - 0.5 * station_width, stations.back().s + 0.5 * station_width};
-  }
-  /// The one whose centre is nearest to the arc length s, mm.
-  const Station& nearest_station(double s) const {
-    const double index = (s - stations.front().s) / station_width;
-    return stations[static_cast<std::size_t>(
-        std::lround(std::clamp(index, 0.0, static_cast<double>(stations.size() - 1))))];
-  }
 
   /// Numbers of the kernel for one wavenumber.
   std::size_t kernel_size() const { return lower_size(3 * stations.size()); }
@@ -109,11 +126,15 @@ struct InfluenceFunction : InfluenceDescription {
 
 /// The same body without stations, wavenumbers and numbers: to fill it with others.
 inline InfluenceFunction without_numbers(const InfluenceDescription& description) {
-  return {description};
+  return {{description}};
 }
 
-/// Throws InputError unless sizes agree, all numbers are finite, stations and wavenumbers ascend, the
-/// kernel's diagonal is positive, or a table's, which must be reciprocal as well.
+/// The same strip with these stations alone.
+InfluenceStrip part_of(const InfluenceStrip& strip, StationRange range);
+
+/// Throws InputError unless sizes agree, all numbers are finite, and stations and wavenumbers ascend.
+void validate(const InfluenceStrip& strip);
+/// And unless the kernel's diagonal is positive, or a table's, which must be reciprocal as well.
 void validate(const InfluenceFunction& function);
 
 } // namespace bem_contact

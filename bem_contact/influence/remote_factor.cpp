@@ -9,7 +9,7 @@
 
 namespace bem_contact {
 
-RowMajor remote_factor(const InfluenceFunction& f, StationRange range, Eigen::Index k) {
+RowMajor remote_factor(const InfluenceStrip& f, StationRange range, Eigen::Index k) {
   using Table = Eigen::Map<const RowMajor>;
   const auto n = static_cast<Eigen::Index>(3 * f.station_count());
   Eigen::Matrix<double, 6, 6> self = Table(f.remote_self.data() + k * 36, 6, 6);

@@ -7,7 +7,7 @@
 
 namespace bem_contact {
 
-void require_profile(const InfluenceFunction& f, const std::string& profile, std::uint64_t digest) {
+void require_profile(const InfluenceDescription& f, const std::string& profile, std::uint64_t digest) {
   if (f.profile_digest != digest)
     throw InputError(
         fmt::format("The influence functions of '{}' do not belong to the profile '{}'", f.body, profile),
@@ -15,7 +15,7 @@ void require_profile(const InfluenceFunction& f, const std::string& profile, std
         "Compute the influence functions of this profile, or name their own profile.");
 }
 
-void require_material(const InfluenceFunction& f, const Material& material) {
+void require_material(const InfluenceDescription& f, const Material& material) {
   if (!(f.material == material))
     throw InputError(fmt::format("The influence functions of '{}' do not belong to this material", f.body),
                      fmt::format("they hold for G = {:.9g} MPa, nu = {:.9g}, not G = {:.9g} MPa, nu = {:.9g}",
@@ -24,8 +24,8 @@ void require_material(const InfluenceFunction& f, const Material& material) {
                      "Compute them for this material, or give the body theirs.");
 }
 
-void require_order(const InfluenceFunction& lower, const InfluenceFunction& upper) {
-  const auto faces_down = [](const InfluenceFunction& f) { // its material above
+void require_order(const InfluenceStrip& lower, const InfluenceStrip& upper) {
+  const auto faces_down = [](const InfluenceStrip& f) { // its material above
     return std::cos(f.stations[f.stations.size() / 2].delta) < 0;
   };
   if (faces_down(lower) && !faces_down(upper))
@@ -36,8 +36,8 @@ void require_order(const InfluenceFunction& lower, const InfluenceFunction& uppe
                      "Give the rail's (lower body's) file as the rail's and the wheel's as the wheel's.");
 }
 
-void require_strip(const InfluenceFunction& f, double s_from, double s_to) {
-  const auto [from, to] = f.strip();
+void require_strip(const InfluenceStrip& f, double s_from, double s_to) {
+  const auto [from, to] = f.ends();
   const double rounding = strip_rounding * (std::abs(from) + std::abs(to) + f.station_width);
   // Negated, so that NaN is refused.
   if (!(s_from >= from - rounding && s_to <= to + rounding && s_from <= s_to))
@@ -47,8 +47,8 @@ void require_strip(const InfluenceFunction& f, double s_from, double s_to) {
                         "Compute them for a wider strip, or move the patch.");
 }
 
-double shortest_dx(const InfluenceFunction& function) {
-  const double largest = function.wavenumber.empty() ? 0.0 : function.wavenumber.back();
+double shortest_dx(const InfluenceStrip& strip) {
+  const double largest = strip.wavenumber.empty() ? 0.0 : strip.wavenumber.back();
   return largest > 0 ? 2 * least_half_element_phase / largest : 0.0;
 }
 

@@ -17,17 +17,17 @@ public:
 };
 
 /// It was computed for this profile: the digest of ProfileCurve counts, the name is for the message.
-void require_profile(const InfluenceFunction& function, const std::string& profile, std::uint64_t digest);
+void require_profile(const InfluenceDescription& function, const std::string& profile, std::uint64_t digest);
 /// It was computed for this material.
-void require_material(const InfluenceFunction& function, const Material& material);
+void require_material(const InfluenceDescription& function, const Material& material);
 /// The two files are not exchanged: the lower body (rail) has its material below, the upper one (wheel)
 /// above.
-void require_order(const InfluenceFunction& lower, const InfluenceFunction& upper);
+void require_order(const InfluenceStrip& lower, const InfluenceStrip& upper);
 /// [s_from, s_to], mm, lies on its contact strip. Throws OffStripError.
-void require_strip(const InfluenceFunction& function, double s_from, double s_to);
+void require_strip(const InfluenceStrip& strip, double s_from, double s_to);
 
 /// The shortest element along x that its wavenumbers serve, at the reference radius, mm. 0: a table, or
 /// numbers of plane strain alone.
-double shortest_dx(const InfluenceFunction& function);
+double shortest_dx(const InfluenceStrip& strip);
 
 } // namespace bem_contact

@@ -96,19 +96,25 @@ std::vector<double> read_table(hid_t at, const char* name, Shape wanted) {
   return values;
 }
 
-std::vector<double> read_columns(hid_t at, const char* name, Shape wanted) {
+std::vector<double> read_columns(hid_t at, const char* name, Shape wanted, std::span<const Columns> runs) {
   const auto [set, shape] = open_table(at, name, std::move(wanted));
   const Handle in_file(H5Dget_space(set), H5Sclose, name);
-  const hsize_t rows = shape[0], columns = shape[1], together = std::min<hsize_t>(rows_of_a_cache_line, rows);
-  std::vector<double> values(rows * columns), part(together * columns);
+  const hsize_t rows = shape[0], together = std::min<hsize_t>(rows_of_a_cache_line, rows);
+  const hsize_t begin = runs.front().first, width = runs.back().first + runs.back().count - begin;
+  hsize_t columns = 0;
+  for (const Columns& run : runs)
+    columns += run.count;
+  std::vector<double> values(rows * columns), part(together * width);
   for (hsize_t first = 0; first < rows; first += together) {
-    const hsize_t from[] = {first, 0}, count[] = {std::min(together, rows - first), columns};
+    const hsize_t from[] = {first, begin}, count[] = {std::min(together, rows - first), width};
     const Handle in_memory(H5Screate_simple(2, count, nullptr), H5Sclose, name);
     check(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, from, nullptr, count, nullptr) >= 0, name);
     check(H5Dread(set, H5T_NATIVE_DOUBLE, in_memory, in_file, H5P_DEFAULT, part.data()) >= 0, name);
-    for (hsize_t column = 0; column < columns; ++column)
-      for (hsize_t row = 0; row < count[0]; ++row)
-        values[column * rows + first + row] = part[row * columns + column];
+    double* to = &values[first];
+    for (const Columns& run : runs)
+      for (hsize_t column = run.first - begin; column < run.first - begin + run.count; ++column, to += rows)
+        for (hsize_t row = 0; row < count[0]; ++row)
+          to[row] = part[row * width + column];
   }
   return values;
 }

@@ -48,7 +48,11 @@ void write(hid_t at, const Table& table);
 
 /// Reads a table of that shape; an extent of 0 stands for any.
 std::vector<double> read_table(hid_t at, const char* name, Shape shape);
-/// Reads a table of two extents, column by column.
-std::vector<double> read_columns(hid_t at, const char* name, Shape shape);
+/// Columns first .. first + count - 1 of a table.
+struct Columns {
+  hsize_t first, count;
+};
+/// Reads runs of columns, which ascend, of a table of two extents: column by column.
+std::vector<double> read_columns(hid_t at, const char* name, Shape shape, std::span<const Columns> runs);
 
 } // namespace bem_contact::strict_h5

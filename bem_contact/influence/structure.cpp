@@ -27,7 +27,7 @@ bool is_along_x(int shape) {
 }
 
 /// Shapes in the stations' own components: 3 stations x 6.
-MatrixXd shapes_of(const InfluenceFunction& f, Point2 point) {
+MatrixXd shapes_of(const InfluenceStrip& f, Point2 point) {
   MatrixXd shapes = MatrixXd::Zero(static_cast<Eigen::Index>(3 * f.station_count()), 6);
   Eigen::Index row = 0;
   for (const Station& station : f.stations) {
@@ -56,13 +56,12 @@ Matrix6 motions_at(double x) {
 /// displaced elements m ahead of the loaded one.
 class ShapeNumbers {
 public:
-  ShapeNumbers(const InfluenceFunction& f, const MatrixXd& shapes, double dx, int elements)
+  ShapeNumbers(const InfluenceStrip& f, const MatrixXd& shapes, double dx, int elements)
       : numbers_(static_cast<std::size_t>(elements), Matrix6::Zero()) {
     const auto nk = static_cast<Eigen::Index>(f.wavenumber_count());
     const SeriesWeights weights = series_weights(f.wavenumber, f.half_period, dx, elements);
-    const StationRange all{0, static_cast<int>(f.station_count())};
     for (Eigen::Index k = 0; k < nk; ++k) {
-      const MatrixXd half = remote_factor(f, all, k) * shapes;
+      const MatrixXd half = remote_factor(f, f.all_stations(), k) * shapes;
       const Matrix6 kernel = half.transpose() * half;
       for (int m = 0; m < elements; ++m)
         add(kernel, weights.even[m * nk + k], weights.odd[m * nk + k], numbers_[m]);
@@ -103,7 +102,7 @@ Eigen::Map<const Matrix6> matrix_of(const SixBySix& a) {
 
 } // namespace
 
-std::optional<SixBySix> structural_compliance(const InfluenceFunction& f, Point2 point) {
+std::optional<SixBySix> structural_compliance(const InfluenceStrip& f, Point2 point) {
   if (f.is_table() || f.wavenumber_count() < 3)
     return std::nullopt;
   const int elements = structure_elements;

@@ -23,7 +23,7 @@ using SixBySix = std::array<SixNumbers, 6>;
 ///
 /// Nothing for a function that does not hold the structural part (a table), nor where it is for plane strain
 /// alone. Throws InputError where remote_self is not positive definite.
-std::optional<SixBySix> structural_compliance(const InfluenceFunction& function, Point2 point);
+std::optional<SixBySix> structural_compliance(const InfluenceStrip& strip, Point2 point);
 
 /// matrix^-1, symmetric; nothing where it is singular (a body that does not give way).
 std::optional<SixBySix> inverse(const SixBySix& matrix);

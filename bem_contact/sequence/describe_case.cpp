@@ -52,9 +52,9 @@ void add_strip(const char* body, const Range& strip, std::vector<std::string>& l
 }
 
 /// From the contact to the nearer end of a strip, mm. `row_s`: the rows of the solution on that body.
-double room_on(const InfluenceFunction& f, const std::vector<double>& row_s, const GridSolution& solved) {
+double room_on(const InfluenceStrip& f, const std::vector<double>& row_s, const GridSolution& solved) {
   const ContactGrid& grid = solved.contact.problem.grid;
-  const auto [from, to] = f.strip();
+  const auto [from, to] = f.ends();
   double room = to - from;
   for (int i = 0; i < grid.size(); ++i)
     if (solved.result.state[i] != ElementState::exterior) {
@@ -80,8 +80,8 @@ FitOnStrips fit_on_strips(const ContactCase& asked) {
   try {
     const GridSolution solved =
         grown_contact(asked, asked.setup.on(first_plan(asked, asked.scene.grid, true)), Model::fem);
-    return {.rail_room = room_on(*asked.files.rail, solved.contact.rail_s, solved),
-            .wheel_room = room_on(*asked.files.wheel, solved.contact.wheel_s, solved)};
+    return {.rail_room = room_on(asked.files.rail->strip(), solved.contact.rail_s, solved),
+            .wheel_room = room_on(asked.files.wheel->strip(), solved.contact.wheel_s, solved)};
   } catch (const OffStripError& error) {
     return {.refusal = error.what(), .covered = false};
   } catch (const Error& error) {
@@ -211,18 +211,18 @@ std::string covered_text(double off, const std::string& refusal, std::optional<d
 
 /// One body's influence file, and whether its strip covers the rows at the stations s. `room`: from the
 /// contact to the end of the strip; nothing where it is not known.
-std::string influence_text(const char* body, const std::shared_ptr<const InfluenceFunction>& f,
+std::string influence_text(const char* body, const std::shared_ptr<InfluenceFile>& file,
                            const std::vector<double>& s, const ContactProblem& problem,
                            const std::string& refusal, std::optional<double> room) {
-  if (!f)
+  if (!file)
     return fmt::format("{}: no influence file", body);
   const Range rows = range_of(s, problem.grid.ds);
-  const auto [from, to] = f->strip();
+  const auto [from, to] = file->strip().ends();
   const double off = std::max(from - rows.from, rows.to - to);
   const bool leave = off > (0.5 - row_on_strip) * problem.grid.ds;
   return fmt::format(
       "{}: influence file of '{}', strip s = {:.2f} .. {:.2f} mm; rows need {:.2f} .. {:.2f} mm: {}", body,
-      f->body, from, to, rows.from, rows.to,
+      file->strip().body, from, to, rows.from, rows.to,
       covered_text(leave ? off : 0, refusal, room, problem.has_friction()));
 }
 

@@ -108,6 +108,30 @@ TEST(Resample, TheBodysOwnPartIsInterpolated) {
   EXPECT_GT(largest_difference(exact, plain), 10 * error[1]);
 }
 
+TEST(Resample, StationsElsewhereChangeNoNumber) {
+  const InfluenceFunction whole = bent_body(24, 0.3);
+  for (const double step : {0.3, 0.28, 0.33}) {
+    std::vector<double> rows;
+    for (int i = 0; i < 6; ++i)
+      rows.push_back(whole.stations[9].s + 0.013 + step * i);
+    const StationRange used = halfspace::stations_under(whole, rows);
+    EXPECT_EQ(used.first, 8);
+    EXPECT_LE(used.count, 10);
+    for (const int more : {0, 3}) {
+      const StationRange range{used.first - more, used.count + 2 * more};
+      InfluenceFunction part{part_of(whole, range)};
+      const auto skipped = static_cast<std::size_t>(3 * range.first);
+      for (std::size_t row = 0; row < static_cast<std::size_t>(3 * range.count); ++row)
+        for (std::size_t column = 0; column <= row; ++column)
+          for (std::size_t k = 0; k < whole.wavenumber_count(); ++k)
+            part.kernel.push_back(whole.kernel[whole.kernel_index(k, row + skipped, column + skipped)]);
+      EXPECT_TRUE(halfspace::resample(part, options_for(0.5, 7), rows, 0.3).values ==
+                  halfspace::resample(whole, options_for(0.5, 7), rows, 0.3).values)
+          << step << " " << more;
+    }
+  }
+}
+
 TEST(Resample, DescendingRowsAreTheSameNumbersTurned) {
   const InfluenceFunction f = bent_body(10, 0.3);
   std::vector<double> rows = {-0.71, -0.4, -0.02, 0.3, 0.66};

@@ -21,8 +21,9 @@ inline void seal_again(const std::filesystem::path& file) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
-/// A small body with every table filled: three stations, eleven wavenumbers, positive definite and symmetric.
-inline bem_contact::InfluenceFunction sample_function() {
+/// A small body with every table filled: eleven wavenumbers, positive definite (three stations) and
+/// symmetric.
+inline bem_contact::InfluenceFunction sample_function(int stations = 3) {
   bem_contact::InfluenceFunction f;
   f.body = "sample of a body";
   f.profile = "60E1";
@@ -32,11 +33,11 @@ inline bem_contact::InfluenceFunction sample_function() {
   f.method = "harmonic, made up for a test";
   f.half_period = 20;
   f.station_width = 0.25;
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < stations; ++i)
     f.stations.push_back({-31 + 0.25 * i, {-30 + 0.2 * i, 4 - 0.1 * i}, -0.6 + 0.05 * i});
   for (int k = 0; k < 11; ++k)
     f.wavenumber.push_back(k <= 8 ? k * std::numbers::pi / 20 : 40.0 * (k - 8) / 2);
-  const std::size_t n = 9;
+  const std::size_t n = 3 * f.station_count();
   f.kernel.resize(11 * f.kernel_size());
   for (std::size_t k = 0; k < 11; ++k) {
     const double fade = 1e-6 / (1 + f.wavenumber[k]);

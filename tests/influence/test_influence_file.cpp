@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <hdf5.h>
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -218,6 +219,102 @@ InfluenceFunction sample_table() {
 }
 
 } // namespace
+
+TEST(InfluenceFile, APartIsTheWholeOnItsStations) {
+  const TemporaryFolder folder;
+  InfluenceFunction table = sample_function(12);
+  table.table_dx = 0.5;
+  for (int m = 0; m < 4; ++m)
+    for (int row = 0; row < 36; ++row)
+      for (int column = 0; column < 36; ++column) {
+        const int low = std::min(row, column), high = std::max(row, column);
+        const int sign = row < column ? parity(row % 3, column % 3) : 1;
+        table.table.push_back(row == column ? 9.0 - m : sign * (0.01 * high + 1e-4 * low + m));
+      }
+  for (auto* all : {&table.wavenumber, &table.kernel, &table.remote, &table.remote_self})
+    all->clear();
+  for (const InfluenceFunction& whole : {sample_function(12), table}) {
+    write_influence_file(folder / "a.h5", whole);
+    InfluenceFile file(folder / "a.h5");
+    for (const StationRange asked : {StationRange{6, 2}, {7, 1}, {3, 4}, {0, 12}}) {
+      const InfluenceFunction& part = file.around(asked);
+      const auto found = std::ranges::find(whole.stations, part.stations.front().s, &Station::s);
+      const int first = static_cast<int>(found - whole.stations.begin()),
+                count = static_cast<int>(part.stations.size());
+      EXPECT_LE(first, asked.first);
+      EXPECT_GE(first + count, asked.end());
+      EXPECT_LE(count, asked.first == 6 || asked.first == 7 ? 4 : 12);
+      const auto numbers = static_cast<std::size_t>(3 * count), skipped = static_cast<std::size_t>(3 * first);
+      for (std::size_t row = 0; row < numbers; ++row)
+        for (std::size_t column = 0; column < numbers; ++column) {
+          for (std::size_t k = 0; k < whole.wavenumber_count(); ++k)
+            ASSERT_EQ(part.kernel[part.kernel_index(k, row, column)],
+                      whole.kernel[whole.kernel_index(k, row + skipped, column + skipped)]);
+          for (std::size_t m = 0; m < whole.table_offsets(); ++m)
+            ASSERT_EQ(part.table[(m * numbers + row) * numbers + column],
+                      whole.table[(m * 36 + row + skipped) * 36 + column + skipped]);
+        }
+      for (std::size_t m = 0; m < 6 * whole.wavenumber_count(); ++m)
+        for (std::size_t column = 0; column < numbers; ++column)
+          ASSERT_EQ(part.remote[m * numbers + column], whole.remote[m * 36 + column + skipped]);
+      EXPECT_EQ(part.remote_self, whole.remote_self);
+    }
+  }
+}
+
+TEST(InfluenceFile, HasNoMoreInMemoryThanWasAskedFor) {
+  const TemporaryFolder folder;
+  write_influence_file(folder / "a.h5", sample_function(60));
+  InfluenceFile file(folder / "a.h5");
+  const double strip = file.megabytes();
+  file.around({30, 6});
+  const double part = file.megabytes();
+  file.around({32, 5}); // is there already
+  EXPECT_EQ(file.megabytes(), part);
+  file.around(file.strip().all_stations());
+  EXPECT_LT(part - strip,
+            0.06 * (file.megabytes() - strip)); // (6 + 6)^2 of 60^2 numbers, and of remote motions
+}
+
+TEST(InfluenceFile, PartsAreOfOneFile) {
+  const TemporaryFolder folder;
+  InfluenceFunction f = sample_function(12);
+  const auto asks_on = [&](const auto& change) {
+    write_influence_file(folder / "a.h5", sample_function(12));
+    InfluenceFile file(folder / "a.h5");
+    file.around({0, 1});
+    change();
+    return message_of([&] { file.around({10, 1}); });
+  };
+  EXPECT_EQ(asks_on([&] { write_influence_file(folder / "a.h5", f); }), "no error")
+      << "the same numbers again";
+  f.kernel.front() *= 2;
+  EXPECT_THAT(asks_on([&] { write_influence_file(folder / "a.h5", f); }),
+              AllOf(HasSubstr("is another one than before"), HasSubstr("Start again")));
+  EXPECT_THAT(asks_on([&] { write_bytes(folder / "a.h5", text_of(folder / "a.h5") + "x"); }),
+              HasSubstr("was altered"));
+  EXPECT_THAT(asks_on([&] { std::filesystem::remove(folder / "a.h5"); }), HasSubstr("no such file"));
+}
+
+TEST(InfluenceFile, RefusesAKernelWhereItIsAskedFor) {
+  const TemporaryFolder folder;
+  write_influence_file(folder / "a.h5", sample_function(12));
+  {
+    const hid_t h5 = H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    const hid_t kernel = H5Dopen2(h5, "kernel", H5P_DEFAULT), space = H5Dget_space(kernel);
+    const hsize_t last[] = {0, lower_size(36) - 1}, one[] = {1, 1};
+    H5Sselect_hyperslab(space, H5S_SELECT_SET, last, nullptr, one, nullptr);
+    const hid_t single = H5Screate_simple(2, one, nullptr);
+    const double wrong = -1;
+    EXPECT_GE(H5Dwrite(kernel, H5T_NATIVE_DOUBLE, single, space, H5P_DEFAULT, &wrong), 0);
+    H5Sclose(single), H5Sclose(space), H5Dclose(kernel), H5Fclose(h5);
+  }
+  seal_again(folder / "a.h5");
+  InfluenceFile file(folder / "a.h5");
+  EXPECT_NO_THROW(file.around({0, 2}));
+  EXPECT_THAT(message_of([&] { file.around({10, 2}); }), HasSubstr("diagonal is not positive"));
+  EXPECT_THAT(reading(folder / "a.h5"), HasSubstr("diagonal is not positive"));
+}
 
 TEST(InfluenceFile, ReadsATableAsVersionOneOne) {
   const TemporaryFolder folder;

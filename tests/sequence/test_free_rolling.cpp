@@ -138,8 +138,9 @@ TEST(RadialDisplacement, LinesAddedToTheRailAreBothTablesAdded) {
   const ContactCase asked = prepare_case(scene, files);
   const ContactOnGrid contact = asked.setup.on(first_plan(asked, scene.grid, true));
   const ContactGrid& grid = contact.problem.grid;
-  const auto table = [&](const InfluenceFunction& f, const std::vector<double>& row_s, double radius) {
-    return halfspace::resample(f, {.dx = grid.dx, .offsets = grid.mx + 2, .contact_radius = radius}, row_s,
+  const auto table = [&](InfluenceFile& file, const std::vector<double>& row_s, double radius) {
+    return halfspace::resample(file.around(file.strip().all_stations()),
+                               {.dx = grid.dx, .offsets = grid.mx + 2, .contact_radius = radius}, row_s,
                                grid.ds);
   };
   InfluenceNumbers wheel = table(*asked.files.wheel, contact.wheel_s, contact.contact_radius);

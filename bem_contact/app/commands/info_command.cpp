@@ -73,7 +73,7 @@ std::string describe_table(const H5Table& table, const std::string& title,
 }
 
 std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes) {
-  const auto [from, to] = f.strip();
+  const auto [from, to] = f.ends();
   std::string out = "Influence functions of one body\n";
   out += fmt::format("  body: {}; profile: {} (checksum {:016x})\n", f.body, f.profile, f.profile_digest);
   out += fmt::format("  material: shear modulus {:g} MPa, Poisson's ratio {:g}\n", f.material.shear_modulus,
@@ -102,7 +102,8 @@ std::string describe_influence(const InfluenceFunction& f, std::uintmax_t bytes)
                          ? std::string("not given")
                          : fmt::format("{:.2e} of the loaded element's own displacement", f.estimated_error),
                      f.betti_error, f.reaction_error);
-  out += fmt::format("  size: {:.2f} MB on disk, {:.0f} MB in memory\n", 1e-6 * static_cast<double>(bytes),
+  out += fmt::format("  size: {:.2f} MB on disk, at most {:.0f} MB in memory\n",
+                     1e-6 * static_cast<double>(bytes),
                      8e-6 * static_cast<double>(f.kernel.size() + f.remote.size() + f.table.size()));
   return out;
 }

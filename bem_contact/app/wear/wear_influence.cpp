@@ -23,9 +23,9 @@ namespace bem_contact::app {
 namespace {
 
 /// The body of these functions with another profile. Elements along x are the shortest that they serve.
-std::string body_file_text(const InfluenceFunction& f, const char* body, const std::string& standard,
+std::string body_file_text(const InfluenceStrip& f, const char* body, const std::string& standard,
                            const std::string& profile_file) {
-  const auto [from, to] = f.strip();
+  const auto [from, to] = f.ends();
   std::string out = fmt::format("# A worn body, written by bem_contact wear. The body file of the unworn one "
                                 "may say more: copy its keys.\n"
                                 "[body]\nkind = \"{}\"\nprofile = \"{}\"\nprofile_z = \"down\"\n",
@@ -80,7 +80,7 @@ void WearInfluence::take_newest(Side& side, wear::KeptInfluence& kept, int step)
     const std::filesystem::path profile = folder_ / step_file(side.name, k, "txt");
     const ProfileCurve curve = named_profile(std::filesystem::absolute(profile).string(), side.kind, {},
                                              {.profile_z = ProfileZ::down});
-    require_profile(read_influence_file(file), curve.name(), curve.digest());
+    require_profile(InfluenceFile(file).strip(), curve.name(), curve.digest());
     kept = {file, read_points(profile)};
     side.step = k;
     return;
@@ -93,7 +93,7 @@ void WearInfluence::renew(const Side& side, const wear::KeptInfluence& kept, int
                               body_file = folder_ / step_file(side.name, step, "toml");
   if (!file_exists(body_file)) // the user may have completed it
     write_whole(body_file, [&](std::ostream& out) {
-      out << body_file_text(read_influence_file(kept.file), side.name, side.scene.profile,
+      out << body_file_text(InfluenceFile(kept.file).strip(), side.name, side.scene.profile,
                             step_file(side.name, step, "txt"));
     });
   if (!program_.empty())

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem_contact/halfspace/line_store.hpp"
-#include "bem_contact/influence/influence_function.hpp"
+#include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
 #include "bem_contact/influence/series_points.hpp"
 #include "bem_contact/scene/contact_setup.hpp"
@@ -31,7 +31,7 @@ struct NumbersSource {
 
 /// What one body's influence numbers depend on besides rows and offsets, if they come from its file.
 struct BodyNumbersSource {
-  std::shared_ptr<const InfluenceFunction> function;
+  std::shared_ptr<const InfluenceFile> file;
   StructuralCompliance structural = StructuralCompliance::removed;
   double dx = 0, ds = 0; ///< mm; dx 0: plane strain
 

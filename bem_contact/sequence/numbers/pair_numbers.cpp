@@ -19,22 +19,22 @@ namespace bem_contact {
 
 namespace {
 
-std::shared_ptr<const InfluenceFunction> read_side(const Body& body) {
+std::shared_ptr<InfluenceFile> read_side(const Body& body) {
   if (body.influence.empty())
     return nullptr;
-  auto function = std::make_shared<const InfluenceFunction>(read_influence_file(body.influence));
-  require_material(*function, body.material);
-  return function;
+  auto file = std::make_shared<InfluenceFile>(body.influence);
+  require_material(file->strip(), body.material);
+  return file;
 }
 
-bool inside(const std::shared_ptr<const InfluenceFunction>& f, double s, double ds) {
-  if (!f)
+bool inside(const std::shared_ptr<InfluenceFile>& file, double s, double ds) {
+  if (!file)
     return true;
-  const auto [from, to] = f->strip();
+  const auto [from, to] = file->strip().ends();
   return s - row_on_strip * ds >= from && s + row_on_strip * ds <= to;
 }
 
-ExpandOptions options_of(const InfluenceFunction& function, const Body& body, const ContactOnGrid& contact,
+ExpandOptions options_of(const InfluenceStrip& strip, const Body& body, const ContactOnGrid& contact,
                          NumbersParts* known, int threads) {
   const ContactGrid& grid = contact.problem.grid;
   const bool plane_strain = contact.problem.plane_strain();
@@ -44,25 +44,31 @@ ExpandOptions options_of(const InfluenceFunction& function, const Body& body, co
   options.structural = body.structural;
   options.series = known ? &known->series : nullptr;
   options.threads = threads;
-  options.contact_radius = function.invariance == Invariance::revolution ? contact.contact_radius : 0.0;
+  options.contact_radius = strip.invariance == Invariance::revolution ? contact.contact_radius : 0.0;
   return options;
 }
 
-InfluenceNumbers rail_numbers(const std::shared_ptr<const InfluenceFunction>& function, const Body& body,
+/// The function where rows at these arc lengths need it.
+const InfluenceFunction& function_at(InfluenceFile& file, const std::vector<double>& row_s) {
+  return file.around(halfspace::stations_under(file.strip(), row_s));
+}
+
+InfluenceNumbers rail_numbers(const std::shared_ptr<InfluenceFile>& file, const Body& body,
                               const ContactOnGrid& contact, NumbersParts* known, int threads) {
   const ContactGrid& grid = contact.problem.grid;
   const auto compute = [&] {
-    return halfspace::resample(*function, options_of(*function, body, contact, known, threads),
-                               contact.rail_s, grid.ds, known ? &known->lines : nullptr);
+    return halfspace::resample(function_at(*file, contact.rail_s),
+                               options_of(file->strip(), body, contact, known, threads), contact.rail_s,
+                               grid.ds, known ? &known->lines : nullptr);
   };
-  if (!known || contact.problem.plane_strain() || function->invariance == Invariance::revolution)
+  if (!known || contact.problem.plane_strain() || file->strip().invariance == Invariance::revolution)
     return compute();
-  return known->rail.get({function, body.structural, grid.dx, grid.ds}, contact.rail_s, grid.mx + 2, compute);
+  return known->rail.get({file, body.structural, grid.dx, grid.ds}, contact.rail_s, grid.mx + 2, compute);
 }
 
 /// A patch is given without profiles: what can be compared is how far the normal turns along the strip.
 /// Throws InputError where the file's surface turns otherwise than the rows do, by more than `tolerance`.
-void require_turn(const InfluenceFunction& f, const ContactOnGrid& contact, const std::vector<double>& row_s,
+void require_turn(const InfluenceStrip& f, const ContactOnGrid& contact, const std::vector<double>& row_s,
                   double tolerance) {
   const std::vector<ContactRow>& rows = contact.problem.rows;
   const std::size_t middle = rows.size() / 2;
@@ -98,7 +104,7 @@ InfluenceNumbers reversed(const InfluenceNumbers& numbers) {
 PairFiles read_pair_files(const Body& rail, const Body& wheel) {
   PairFiles files{read_side(rail), read_side(wheel)};
   if (files.complete())
-    require_order(*files.rail, *files.wheel);
+    require_order(files.rail->strip(), files.wheel->strip());
   return files;
 }
 
@@ -146,13 +152,14 @@ InfluenceNumbers fem_pair(const ContactSetup& setup, const PairFiles& files, con
                      "tangent_plane.");
   require_strips(files, contact.problem.grid.ds, contact.rail_s, contact.wheel_s);
   if (setup.patch()) {
-    require_turn(*files.rail, contact, contact.rail_s, rail_turn_tolerance);
-    require_turn(*files.wheel, contact, contact.wheel_s, wheel_turn_tolerance);
+    require_turn(files.rail->strip(), contact, contact.rail_s, rail_turn_tolerance);
+    require_turn(files.wheel->strip(), contact, contact.wheel_s, wheel_turn_tolerance);
   }
   InfluenceNumbers pair = rail_numbers(files.rail, setup.rail, contact, known, threads);
   const std::vector<double> inclination = radial_inclination(setup, contact.problem.rows);
   halfspace::resample_lines(
-      *files.wheel, options_of(*files.wheel, setup.wheel, contact, known, threads), contact.wheel_s, pair.ds,
+      function_at(*files.wheel, contact.wheel_s),
+      options_of(files.wheel->strip(), setup.wheel, contact, known, threads), contact.wheel_s, pair.ds,
       [&](NumberLines& lines) { add_wheel(lines, inclination, contact.contact_radius, pair); },
       known ? &known->lines : nullptr);
   return pair;
@@ -178,11 +185,11 @@ InfluenceNumbers pair_numbers(Model model, const ContactSetup& setup, const Pair
 void require_strips(const PairFiles& files, double ds, const std::vector<double>& rail_s,
                     const std::vector<double>& wheel_s) {
   const double half = row_on_strip * ds;
-  const auto side = [&](const std::shared_ptr<const InfluenceFunction>& f, const std::vector<double>& s) {
-    if (!f || s.empty())
+  const auto side = [&](const std::shared_ptr<InfluenceFile>& file, const std::vector<double>& s) {
+    if (!file || s.empty())
       return;
     const auto [lo, hi] = std::ranges::minmax(s);
-    require_strip(*f, lo - half, hi + half);
+    require_strip(file->strip(), lo - half, hi + half);
   };
   side(files.rail, rail_s);
   side(files.wheel, wheel_s);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
 #include "bem_contact/scene/contact_setup.hpp"
 #include "bem_contact/sequence/numbers/numbers_store.hpp"
@@ -12,12 +13,12 @@ namespace bem_contact {
 
 /// The influence files of both bodies, where the scene names both.
 struct PairFiles {
-  std::shared_ptr<const InfluenceFunction> rail, wheel; ///< shared by the cases of a sequence
+  std::shared_ptr<InfluenceFile> rail, wheel; ///< shared by the cases of a sequence
 
   bool complete() const { return rail && wheel; }
 };
 
-/// Reads the influence files that the bodies name and checks their materials.
+/// Opens the influence files that the bodies name and checks their materials.
 /// Throws InputError for a file that cannot be used (influence_file.hpp).
 PairFiles read_pair_files(const Body& rail, const Body& wheel);
 

@@ -9,11 +9,11 @@ namespace bem_contact {
 namespace {
 
 double size_of_files(const PairFiles& files) {
-  double numbers = 0;
-  for (const auto& f : {files.rail, files.wheel})
-    if (f)
-      numbers += static_cast<double>(f->kernel.size() + f->remote.size() + f->table.size());
-  return 1e-6 * sizeof(double) * numbers;
+  double megabytes = 0;
+  for (const auto& file : {files.rail, files.wheel})
+    if (file)
+      megabytes += file->megabytes();
+  return megabytes;
 }
 
 /// What is kept for `key`, made by `make` if there is none. It is put in front; of the others, those

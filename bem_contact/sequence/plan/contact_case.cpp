@@ -13,7 +13,7 @@ namespace bem_contact {
 
 namespace {
 
-void require_radius(const InfluenceFunction& wheel, double wheel_radius) {
+void require_radius(const InfluenceStrip& wheel, double wheel_radius) {
   if (wheel.invariance == Invariance::revolution &&
       std::abs(wheel.reference_radius - wheel_radius) > radius_tolerance * wheel_radius)
     throw InputError(fmt::format("The influence functions of '{}' do not belong to this wheel", wheel.body),
@@ -25,11 +25,11 @@ void require_radius(const InfluenceFunction& wheel, double wheel_radius) {
 /// Throws InputError where the influence files are of other bodies than those that are placed.
 void require_bodies(const PairFiles& files, const WheelOnRail& pair, bool own_shape) {
   if (files.rail && own_shape)
-    require_profile(*files.rail, pair.rail.name(), pair.rail.digest());
+    require_profile(files.rail->strip(), pair.rail.name(), pair.rail.digest());
   if (files.wheel && own_shape)
-    require_profile(*files.wheel, pair.wheel.name(), pair.wheel.digest());
+    require_profile(files.wheel->strip(), pair.wheel.name(), pair.wheel.digest());
   if (files.wheel)
-    require_radius(*files.wheel, pair.wheel_radius);
+    require_radius(files.wheel->strip(), pair.wheel_radius);
 }
 
 /// Throws InputError where more elements are asked for than the model serves.
@@ -109,7 +109,7 @@ GridPlan first_plan(const ContactCase& contact, const SceneFile::Grid& asked, bo
     plan = patch->plan();
   } else {
     const auto& rail = contact.files.rail;
-    plan = plan_grid(*contact.estimate, asked, rail ? rail->stations.front().s : 0.5 * asked.ds);
+    plan = plan_grid(*contact.estimate, asked, rail ? rail->strip().stations.front().s : 0.5 * asked.ds);
     // The estimate is generous: give up rows off the strips, as long as the contact does not need them.
     if (on_strips && !asked.rows && !asked.ms) {
       const auto [first, last] = rows_on_strips(contact, plan);

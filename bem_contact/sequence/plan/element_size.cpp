@@ -92,7 +92,7 @@ double shortest_element(const PairFiles& files) {
   double shortest = 0;
   for (const auto& file : {files.rail, files.wheel})
     if (file)
-      shortest = std::max(shortest, wavelength_reserve * shortest_dx(*file));
+      shortest = std::max(shortest, wavelength_reserve * shortest_dx(file->strip()));
   return shortest;
 }
 

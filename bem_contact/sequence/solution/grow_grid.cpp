@@ -42,8 +42,8 @@ Touched touched_edges(const GridSolution& solved) {
   return out;
 }
 
-std::string strip_text(const InfluenceFunction& f) {
-  const auto [from, to] = f.strip();
+std::string strip_text(const InfluenceStrip& f) {
+  const auto [from, to] = f.ends();
   return fmt::format("s = {:.2f} .. {:.2f} mm of '{}'", from, to, f.body);
 }
 
@@ -52,8 +52,8 @@ std::string strip_text(const InfluenceFunction& f) {
   throw OffStripError(
       "The contact reaches the end of a strip of the influence files",
       fmt::format("they cover {} and {}; the rows solved are s = {:.2f} .. {:.2f} mm of the rail",
-                  strip_text(*contact.files.rail), strip_text(*contact.files.wheel), plan.s_from(),
-                  plan.s_to()),
+                  strip_text(contact.files.rail->strip()), strip_text(contact.files.wheel->strip()),
+                  plan.s_from(), plan.s_to()),
       "Compute influence functions of longer strips (bem_contact check prints which), or choose "
       "tangent_plane or halfspace.");
 }

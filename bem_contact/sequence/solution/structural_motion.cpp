@@ -40,7 +40,7 @@ std::optional<StructuralResult> structures_of(const ContactCase& asked, Model mo
   if (!placed || model != Model::fem)
     return std::nullopt;
   const Point2 point = placed->reference.position;
-  const auto one = [&](const Body& body, const InfluenceFunction& f,
+  const auto one = [&](const Body& body, const InfluenceStrip& f,
                        const Pose& pose) -> std::optional<BodyMotion> {
     if (body.structural == StructuralCompliance::removed)
       return std::nullopt;
@@ -51,8 +51,8 @@ std::optional<StructuralResult> structures_of(const ContactCase& asked, Model mo
     out.stiffness = inverse(out.compliance);
     return out;
   };
-  StructuralResult out{.rail = one(asked.setup.rail, *asked.files.rail, placed->pair.rail_pose),
-                       .wheel = one(asked.setup.wheel, *asked.files.wheel, placed->pair.wheel_pose),
+  StructuralResult out{.rail = one(asked.setup.rail, asked.files.rail->strip(), placed->pair.rail_pose),
+                       .wheel = one(asked.setup.wheel, asked.files.wheel->strip(), placed->pair.wheel_pose),
                        .aside = {}};
   return out.rail || out.wheel ? std::optional(out) : std::nullopt;
 }
@@ -188,7 +188,7 @@ void solve_where_placed(ContactCase placed, const SceneFile::Grid& grid, const S
   out.asked = std::move(placed);
 }
 
-std::string body_datum(const Body& body, const InfluenceFunction& f) {
+std::string body_datum(const Body& body, const InfluenceStrip& f) {
   return body.structural == StructuralCompliance::included ? fmt::format("where it is held ({})", f.held)
                                                            : "the mean of its remote section";
 }
@@ -274,8 +274,8 @@ double unseen_slide(const ContactCase& asked, const GridSolution& solved) {
 
 std::string approach_datum(const ContactCase& asked, Model model) {
   if (model == Model::fem) {
-    const std::string rail = body_datum(asked.setup.rail, *asked.files.rail),
-                      wheel = body_datum(asked.setup.wheel, *asked.files.wheel);
+    const std::string rail = body_datum(asked.setup.rail, asked.files.rail->strip()),
+                      wheel = body_datum(asked.setup.wheel, asked.files.wheel->strip());
     return rail == wheel ? fmt::format("both bodies: {}", rail)
                          : fmt::format("rail: {}; wheel: {}", rail, wheel);
   }

@@ -84,7 +84,7 @@ KeptPair unworn_influence(const SceneFile& scene, const WornPair& unworn) {
       return KeptInfluence{}; // the solution says what is missing
     const KeptInfluence out{scene.folder / side.influence, body.points};
     const ProfileCurve curve = named_profile(side.profile, kind, scene.folder, side.reading);
-    require_profile(read_influence_file(out.file), curve.name(), curve.digest());
+    require_profile(InfluenceFile(out.file).strip(), curve.name(), curve.digest());
     return out;
   };
   return {kept(scene.rail, ProfileKind::rail, unworn.rail),
