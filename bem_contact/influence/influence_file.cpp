@@ -5,6 +5,7 @@
 #include "bem_contact/influence/file_seal.hpp"
 #include "bem_contact/influence/h5_image.hpp"
 #include "bem_contact/influence/lower_triangle.hpp"
+#include "bem_contact/influence/settings.hpp"
 #include "bem_contact/influence/strict_h5.hpp"
 
 #include <algorithm>
@@ -169,10 +170,10 @@ const InfluenceFunction& InfluenceFile::around(StationRange stations) {
     return part_;
   require_unchanged();
   const int all = static_cast<int>(strip_.station_count());
-  StationRange wanted = amid(stations, 2, all); // the patch may grow, and the next case be beside it
-  if (held_.count > 0) {                        // or it wanders: few readings, for each goes through the file
+  StationRange wanted = amid(stations, first_stations_read, all);
+  if (held_.count > 0) {
     const int first = std::min(held_.first, stations.first);
-    wanted = amid({first, std::max(held_.end(), stations.end()) - first}, 3, all);
+    wanted = amid({first, std::max(held_.end(), stations.end()) - first}, more_stations_read, all);
   }
   const QuietHdf5 quiet;
   InfluenceFunction part = read_part(open_h5(path_), strip_, wanted);
