@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 /// The certificate finds what is wrong with a result, whichever way its displacements are summed.
 namespace bem_contact {
@@ -89,9 +90,9 @@ TEST(DirectSums, AreThoseOfTheTransform) {
   const ContactResult r = solve(problem);
   ASSERT_GT(9.0 * count_elements(r).contact * r.pn.size(), contact::many_plane_terms);
   const std::vector<char> all(60, 1);
-  const contact::ComponentFields fast = contact::direct_displacements(problem, all, {r.px, r.ps, r.pn});
+  const contact::ComponentFields fast = contact::direct_displacements(problem, {all}, {r.px, r.ps, r.pn});
   problem.numbers = spelled_out(problem.numbers);
-  const contact::ComponentFields slow = contact::direct_displacements(problem, all, {r.px, r.ps, r.pn});
+  const contact::ComponentFields slow = contact::direct_displacements(problem, {all}, {r.px, r.ps, r.pn});
   for (int c = 0; c < 3; ++c) {
     ASSERT_EQ(fast[c].size(), slow[c].size());
     const double scale = std::ranges::max(slow[c], {}, [](double v) { return std::abs(v); });
@@ -111,8 +112,8 @@ TEST(DirectSums, OfRowsInContactHaveWhatSlipIsMadeOf) {
     rows[i / problem.grid.mx] |= r.pn[i] > 0;
   ASSERT_GT(std::ranges::count(rows, 0), 0);
   const contact::ComponentFields all =
-      contact::direct_displacements(problem, std::vector<char>(60, 1), {r.px, r.ps, r.pn});
-  const contact::ComponentFields some = contact::direct_displacements(problem, rows, {r.px, r.ps, r.pn});
+      contact::direct_displacements(problem, {std::vector<char>(60, 1)}, {r.px, r.ps, r.pn});
+  const contact::ComponentFields some = contact::direct_displacements(problem, {rows}, {r.px, r.ps, r.pn});
   for (int c = 0; c < 3; ++c) {
     const double scale = std::ranges::max(all[c], {}, [](double v) { return std::abs(v); });
     for (int i = 0; i < problem.grid.size(); ++i)
@@ -122,6 +123,33 @@ TEST(DirectSums, OfRowsInContactHaveWhatSlipIsMadeOf) {
           ASSERT_NEAR(some[c][at], all[c][at], 1e-12 * std::abs(scale)) << c << ' ' << i << ' ' << ahead;
         }
   }
+}
+
+/// Bodies that are apart before they press stay apart: there a certificate needs no displacements. Where
+/// something pulls it needs all.
+TEST(DirectSums, OfTheNormalAreLeftOutOnlyWhereNothingPulls) {
+  const ContactProblem problem = rolling_at(100);
+  ContactResult r = solve(problem);
+  const int mx = problem.grid.mx, columns = mx + 2;
+  std::vector<int> loaded;
+  for (int i = 0; i < problem.grid.size(); ++i)
+    if (r.pn[i] > 0)
+      loaded.push_back(i);
+  const auto normal = [&](const std::optional<std::vector<int>>& where) {
+    return contact::direct_displacements(problem, {{}, where}, {r.px, r.ps, r.pn})[component_n];
+  };
+  const std::vector<double> all = normal(std::nullopt), some = normal(loaded);
+  const double scale = std::ranges::max(all);
+  for (const int i : loaded)
+    ASSERT_NEAR(some[i / mx * columns + i % mx], all[i / mx * columns + i % mx], 1e-12 * scale);
+  int left_out = 0;
+  for (std::size_t at = 0; at < all.size(); ++at) {
+    ASSERT_GT(all[at], 0);
+    left_out += some[at] == 0;
+  }
+  EXPECT_GT(left_out, static_cast<int>(all.size()) / 10);
+  r.pn[loaded.front()] *= -1;
+  EXPECT_EQ(std::ranges::count(normal(loaded), 0.0), 0);
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace bem_contact {
 namespace {
@@ -17,6 +18,10 @@ using Fields = contact::ComponentFields;
 
 double relative(double value, double to) {
   return value > 0 ? value / to : 0.0;
+}
+
+double approach_of(const ContactProblem& problem, const ContactResult& result) {
+  return problem.load == LoadKind::approach ? problem.approach : result.approach;
 }
 
 /// Rows on which something is in contact; none without friction.
@@ -29,14 +34,38 @@ std::vector<char> rows_in_contact(const ContactProblem& problem, const ContactRe
   return rows;
 }
 
-/// sum_k former[k] (A p_k)(x + k columns dx) over the tractions of former steps; as direct_displacements().
-Fields former_displacements(const ContactProblem& problem, const SlipStep& step,
-                            const std::vector<char>& slip_rows, int columns) {
+/// Elements at which pressure has something to say: those that it acts on or that the approach alone lets
+/// overlap. All others are apart, and pressure moves them further apart.
+std::vector<int> loaded_or_overlapping(const ContactProblem& problem, const ContactResult& result) {
+  const double q = approach_of(problem, result);
+  const int mx = problem.grid.mx;
+  std::vector<int> out;
+  for (int is = 0; is < problem.grid.ms; ++is) {
+    const double approach = q * std::cos(problem.rows[is].delta);
+    for (int i = is * mx; i < (is + 1) * mx; ++i)
+      if (result.pn[i] != 0 || result.px[i] != 0 || result.ps[i] != 0 || !(problem.gap[i] >= approach))
+        out.push_back(i);
+  }
+  return out;
+}
+
+/// Tangential displacements on the rows that slip, with two columns ahead of the grid.
+Fields tangential_displacements(const ContactProblem& problem, const std::vector<char>& slip_rows,
+                                const contact::ComponentSpans& p) {
+  return contact::direct_displacements(problem, {slip_rows, std::vector<int>{}}, p);
+}
+
+/// sum_k former[k] (A p_k)(x + k columns dx) over the tractions of former steps; nothing where there are
+/// none.
+std::optional<Fields> former_displacements(const ContactProblem& problem, const SlipStep& step,
+                                           const std::vector<char>& slip_rows, int columns) {
+  if (problem.previous.empty())
+    return std::nullopt;
   Fields sum;
   sum.fill(std::vector<double>(static_cast<std::size_t>(columns) * problem.grid.ms, 0.0));
   for (std::size_t k = 1; k <= std::min<std::size_t>(problem.previous.size(), 2); ++k) {
     const Tractions& former = problem.previous[k - 1];
-    const auto u = contact::direct_displacements(problem, slip_rows, {former.px, former.ps, former.pn});
+    const Fields u = tangential_displacements(problem, slip_rows, {former.px, former.ps, former.pn});
     const int ahead = static_cast<int>(k) * step.columns;
     for (const int c : {component_x, component_s})
       for (int is = 0; is < problem.grid.ms; ++is)
@@ -86,7 +115,7 @@ std::vector<double> on_the_grid(const ContactProblem& problem, const std::vector
 void check_normal(const ContactProblem& problem, const ContactResult& result, const std::vector<double>& u_n,
                   int columns, Certificate& certificate) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
-  const double q = problem.load == LoadKind::approach ? problem.approach : result.approach;
+  const double q = approach_of(problem, result);
   double pmax = 0, scale = 0, remote_scale = std::abs(q), lowest_p = 0, lowest_e = 0, product = 0;
   for (int is = 0; is < ms; ++is) {
     const double approach = q * std::cos(problem.rows[is].delta);
@@ -142,9 +171,14 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
   const bool steady = problem.motion == MotionKind::steady;
   const SlipStep step = slip_step(problem);
   const auto before = former_displacements(problem, step, slip_rows, columns);
-  const std::vector<double> none(result.pn.size(), 0.0);
-  const auto from_normal =
-      steady ? u : contact::direct_displacements(problem, slip_rows, {none, none, result.pn});
+  std::optional<Fields> from_normal;
+  if (!steady) {
+    const std::vector<double> none(result.pn.size(), 0.0);
+    from_normal = tangential_displacements(problem, slip_rows, {none, none, result.pn});
+  }
+  const auto at_element = [](const std::optional<Fields>& fields, int component, std::size_t at) {
+    return fields ? (*fields)[component][at] : 0.0;
+  };
   double self = 0;
   for (int row = 0; row < ms; ++row)
     self = std::max(self, problem.numbers.at(0, row, component_n, row, component_n));
@@ -162,7 +196,9 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
       const std::size_t at = static_cast<std::size_t>(is) * columns + ix;
       const double rigid_x = (problem.slip_x[i] + result.creepage_x) * step.length;
       const double rigid_s = (problem.slip_s[i] + result.creepage_s * share) * step.length;
-      double elastic_x = -before[component_x][at], elastic_s = -before[component_s][at]; // u = -A p
+      const double before_x = at_element(before, component_x, at),
+                   before_s = at_element(before, component_s, at);
+      double elastic_x = -before_x, elastic_s = -before_s; // u = -A p
       for (int k = 0; k <= rolling_columns; ++k) {
         elastic_x -= step.present[k] * u[component_x][at + k];
         elastic_s -= step.present[k] * u[component_s][at + k];
@@ -178,8 +214,8 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
       if (!steady) // if everything sticks without rigid slip: the slip that the shear tractions prevent
         out.scale = std::max(
             out.scale,
-            std::hypot(rigid_x - before[component_x][at] - step.present[0] * from_normal[component_x][at],
-                       rigid_s - before[component_s][at] - step.present[0] * from_normal[component_s][at]));
+            std::hypot(rigid_x - before_x - step.present[0] * at_element(from_normal, component_x, at),
+                       rigid_s - before_s - step.present[0] * at_element(from_normal, component_s, at)));
     }
   }
   return out;
@@ -251,9 +287,10 @@ Certificate certify(const ContactProblem& problem, const ContactResult& result, 
   require_fields(problem, result);
   const std::vector<char> slip_rows = rows_in_contact(problem, result);
   Certificate certificate;
-  const auto u = contact::direct_displacements(
-      problem, displacements ? std::vector<char>(problem.grid.ms, 1) : slip_rows,
-      {result.px, result.ps, result.pn}, threads);
+  const contact::WantedDisplacements wanted =
+      displacements ? contact::WantedDisplacements{std::vector<char>(problem.grid.ms, 1)}
+                    : contact::WantedDisplacements{slip_rows, loaded_or_overlapping(problem, result)};
+  const auto u = contact::direct_displacements(problem, wanted, {result.px, result.ps, result.pn}, threads);
   const int columns = static_cast<int>(u[0].size()) / problem.grid.ms;
   check_normal(problem, result, u[component_n], columns, certificate);
   check_friction(problem, result, u, slip_rows, columns, certificate);

@@ -70,33 +70,63 @@ std::vector<int> confirmed_elements(const ContactProblem& problem, std::span<con
   return out;
 }
 
-/// Boxes around what is loaded and the columns ahead of it that slip is made of, on a grid of `columns`.
-Boxes boxes_of_slip(const ContactProblem& problem, std::span<const LoadedElement> loads, int columns) {
-  std::vector<int> elements;
-  for (const LoadedElement& load : loads)
-    for (int ahead = 0; ahead <= rolling_columns; ++ahead)
-      elements.push_back(load.row * columns + load.column + ahead);
+/// Boxes around elements of the grid with `columns`.
+Boxes boxes_on(const ContactProblem& problem, const std::vector<int>& elements, int columns) {
   ContactGrid grid = problem.grid;
   grid.mx = columns;
   return boxes_around(elements, grid, 0, false);
 }
 
-/// Whether translational numbers (i, j) are all zero, as those of equal bodies that couple normal and
-/// tangential.
-bool vanish(const InfluenceNumbers& a, int i, int j) {
-  for (std::size_t at = static_cast<std::size_t>(3 * i + j); at < a.values.size(); at += 9)
-    if (a.values[at] != 0)
-      return false;
-  return true;
+/// Boxes around what is loaded and the columns ahead of it that slip is made of.
+Boxes boxes_of_slip(const ContactProblem& problem, std::span<const LoadedElement> loads, int columns) {
+  std::vector<int> elements;
+  for (const LoadedElement& load : loads)
+    for (int ahead = 0; ahead <= rolling_columns; ++ahead)
+      elements.push_back(load.row * columns + load.column + ahead);
+  return boxes_on(problem, elements, columns);
+}
+
+/// The least and the largest of translational numbers (i, j), [3 i + j], and 0.
+struct Extremes {
+  std::array<double, 9> least{}, largest{};
+
+  explicit Extremes(const InfluenceNumbers& a) {
+    for (std::size_t at = 0; at < a.values.size(); at += 9)
+      for (std::size_t e = 0; e < 9; ++e) {
+        least[e] = std::min(least[e], a.values[at + e]);
+        largest[e] = std::max(largest[e], a.values[at + e]);
+      }
+  }
+  /// Whether all are zero, as those of equal bodies that couple normal and tangential.
+  bool vanish(int i, int j) const { return least[3 * i + j] == 0 && largest[3 * i + j] == 0; }
+};
+
+/// Whether no normal displacement is negative: pressure without tension on numbers that are none, and no
+/// shear that moves the surface along its normal.
+bool only_apart(const Extremes& numbers, const std::vector<LoadedElement>& loads,
+                const std::vector<int>& loaded) {
+  return numbers.least[3 * component_n + component_n] == 0 &&
+         std::ranges::all_of(loads, [](const LoadedElement& load) { return load.p[component_n] >= 0; }) &&
+         std::ranges::all_of(loaded,
+                             [&](int j) { return j == component_n || numbers.vanish(component_n, j); });
+}
+
+/// Boxes around elements of the grid.
+Boxes boxes_of(const ContactProblem& problem, const std::vector<int>& elements, int columns) {
+  const int mx = problem.grid.mx;
+  std::vector<int> there;
+  for (const int i : elements)
+    there.push_back(i / mx * columns + i % mx);
+  return boxes_on(problem, there, columns);
 }
 
 /// u of one component on the boxes by FFT, from the components `loaded` of p; u is a field of `columns`. One
 /// component after the other, so that the spectra of one take the memory of those before.
-void transform_on(const Boxes& boxes, int component, const std::vector<int>& loaded,
+void transform_on(const Boxes& boxes, int component, const std::vector<int>& loaded, const Extremes& numbers,
                   const ContactProblem& problem, const ComponentSpans& p, ComponentFields& u) {
   std::vector<int> inputs;
   std::ranges::copy_if(loaded, std::back_inserter(inputs),
-                       [&](int j) { return !vanish(problem.numbers, component, j); });
+                       [&](int j) { return !numbers.vanish(component, j); });
   if (inputs.empty())
     return;
   const int mx = problem.grid.mx, columns = static_cast<int>(u[0].size()) / problem.grid.ms;
@@ -122,7 +152,7 @@ void transform_on(const Boxes& boxes, int component, const std::vector<int>& loa
 /// are made here, from the numbers: nothing of them is the solvers'. Where some rows slip, tangential
 /// displacements are those of what is loaded.
 std::optional<ComponentFields> transformed_displacements(const ContactProblem& problem,
-                                                         const std::vector<char>& slips,
+                                                         const WantedDisplacements& wanted,
                                                          const ComponentSpans& p) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   const std::vector<LoadedElement> loads = loaded_elements(problem, p);
@@ -135,15 +165,20 @@ std::optional<ComponentFields> transformed_displacements(const ContactProblem& p
       loaded.push_back(j);
   if (loaded.empty())
     return u;
-  const Boxes whole{{{0, 0, columns, ms}}};
-  transform_on(whole, component_n, loaded, problem, p, u);
-  std::vector<Boxes> where(3, whole);
-  if (!slips.empty()) {
-    if (std::ranges::any_of(slips, [](char slip) { return slip == 0; }))
-      where[component_x] = where[component_s] = boxes_of_slip(problem, loads, columns);
-    for (const int i : {component_x, component_s})
-      transform_on(where[i], i, loaded, problem, p, u);
+  const Extremes numbers(problem.numbers);
+  const Boxes whole{{{0, 0, columns, ms}}}, nowhere{};
+  std::array<Boxes, 3> where{nowhere, nowhere, nowhere};
+  if (!wanted.slip_rows.empty()) {
+    const bool everywhere = std::ranges::none_of(wanted.slip_rows, [](char slips) { return slips == 0; });
+    where[component_x] = where[component_s] = everywhere ? whole : boxes_of_slip(problem, loads, columns);
   }
+  if (!wanted.normal || !only_apart(numbers, loads, loaded))
+    where[component_n] = whole;
+  else if (!wanted.normal->empty())
+    where[component_n] = boxes_of(problem, *wanted.normal, columns);
+  for (const int i : {component_n, component_x, component_s})
+    if (!where[i].boxes.empty())
+      transform_on(where[i], i, loaded, numbers, problem, p, u);
   std::array<double, 3> allowed{};
   for (int i = 0; i < 3; ++i)
     for (const double v : u[i])
@@ -151,7 +186,7 @@ std::optional<ComponentFields> transformed_displacements(const ContactProblem& p
   for (const int element : confirmed_elements(problem, loads)) {
     const int row = element / mx, column = element % mx, at = row * columns + column;
     const std::array<double, 3> sum = displacement_of(problem.numbers, loads, row, column);
-    for (int i = slips.empty() ? component_n : component_x; i < 3; ++i)
+    for (int i = 0; i < 3; ++i)
       if (where[i].local(at, columns) >= 0 && !(std::abs(sum[i] - u[i][at]) <= allowed[i]))
         return std::nullopt;
   }
@@ -261,17 +296,17 @@ void add_full(const Terms& terms, int i, const std::vector<char>& wanted, int fi
 
 } // namespace
 
-ComponentFields direct_displacements(const ContactProblem& problem, const std::vector<char>& slips,
+ComponentFields direct_displacements(const ContactProblem& problem, const WantedDisplacements& wanted,
                                      const ComponentSpans& p, int threads) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   const InfluenceNumbers& a = problem.numbers;
   const int columns = std::min(mx + rolling_columns, a.offsets);
   double count = 0;
   for (int j = 0; j < 3; ++j)
-    count += (slips.empty() ? 1.0 : 3.0) * problem.grid.size() *
+    count += (wanted.slip_rows.empty() ? 1.0 : 3.0) * problem.grid.size() *
              std::count_if(p[j].begin(), p[j].end(), [](double v) { return v != 0; });
   if (a.translational && count > many_plane_terms && columns == mx + rolling_columns)
-    if (auto u = transformed_displacements(problem, slips, p))
+    if (auto u = transformed_displacements(problem, wanted, p))
       return std::move(*u);
   ComponentFields u;
   u.fill(std::vector<double>(static_cast<std::size_t>(columns) * ms, 0.0));
@@ -279,14 +314,15 @@ ComponentFields direct_displacements(const ContactProblem& problem, const std::v
   for (int j = 0; j < 3; ++j)
     for (int row = 0; row < ms; ++row)
       terms.loads[j].push_back(loaded_row(p[j].data() + static_cast<std::size_t>(row) * mx, mx));
+  const bool nowhere = wanted.normal && wanted.normal->empty();
   const std::vector<char> all(ms, 1);
-  for (int i = slips.empty() ? component_n : component_x; i < 3; ++i) {
-    const std::vector<char>& wanted = i == component_n ? all : slips;
+  for (int i = wanted.slip_rows.empty() ? component_n : component_x; i < (nowhere ? component_n : 3); ++i) {
+    const std::vector<char>& rows = i == component_n ? all : wanted.slip_rows;
     if (a.translational)
-      add_translational(terms, i, wanted, u[i].data());
+      add_translational(terms, i, rows, u[i].data());
     else
       in_parts(problem.grid.size() < least_threaded ? 1 : threads, a.rows,
-               [&](int first, int end, int) { add_full(terms, i, wanted, first, end, u[i].data()); });
+               [&](int first, int end, int) { add_full(terms, i, rows, first, end, u[i].data()); });
   }
   return u;
 }

@@ -24,11 +24,15 @@ VectorXd ContactElements::gather(const VectorXd& field) const {
 
 VectorXd ContactElements::scatter(const VectorXd& v) const {
   VectorXd field = VectorXd::Zero(2 * grid_size);
+  write(v, field);
+  return field;
+}
+
+void ContactElements::write(const VectorXd& v, VectorXd& field) const {
   for (int a = 0; a < unknowns() / 2; ++a) {
     field[contact[a]] = v[2 * a];
     field[grid_size + contact[a]] = v[2 * a + 1];
   }
-  return field;
 }
 
 } // namespace bem_contact::contact

@@ -15,7 +15,8 @@ struct ContactElements {
 
   int unknowns() const { return 2 * static_cast<int>(contact.size()); }
   Eigen::VectorXd gather(const Eigen::VectorXd& field) const;
-  Eigen::VectorXd scatter(const Eigen::VectorXd& v) const; ///< zero outside the contact
+  Eigen::VectorXd scatter(const Eigen::VectorXd& v) const;            ///< zero outside the contact
+  void write(const Eigen::VectorXd& v, Eigen::VectorXd& field) const; ///< leaves the rest as it is
 
   const std::vector<int>& contact; ///< of the task
   int grid_size;

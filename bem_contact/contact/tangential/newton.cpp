@@ -26,8 +26,11 @@ public:
         forces_(forces), slips_(unit_slips()), drive_(elements_.gather(task.drive)),
         now_(at(elements_.gather(start))) {}
 
-  VectorXd tractions() const { return elements_.scatter(now_.p); }
-  VectorXd slip() const { return elements_.scatter(now_.slip); }
+  /// Tells the state, whose fields are zero outside the contact, where the method is.
+  void write(TangentialState& state) const {
+    elements_.write(now_.p, state.p);
+    elements_.write(now_.slip, state.slip);
+  }
 
   /// One Newton step with line search. False if the matrix is singular. `enough`: no linear system need be
   /// solved more precisely.
@@ -164,10 +167,14 @@ bool Newton::step(double enough, TangentialState& state) {
   return true;
 }
 
-/// Tells the state where the method is.
+void clear(const TangentialSystem& system, TangentialState& state) {
+  state.p.setZero(2 * system.size());
+  state.slip.setZero(2 * system.size());
+}
+
+/// Tells the state where the method is, and how good that is.
 void take_point(const Newton& method, const TangentialTask& task, TangentialState& state) {
-  state.p = method.tractions();
-  state.slip = method.slip();
+  method.write(state);
   state.violation = coulomb_violation(task, state.p, state.slip);
 }
 
@@ -176,6 +183,7 @@ void take_point(const Newton& method, const TangentialTask& task, TangentialStat
 void newton(const TangentialSystem& system, const TangentialTask& task, const SolverOptions& options,
             WorkBudget& work, TangentialState& state) {
   Newton method(system, task, work, state.p);
+  clear(system, state);
   int steps = 0;
   for (bool possible = true; possible;) {
     take_point(method, task, state);
@@ -217,6 +225,7 @@ std::optional<ForcedCreepage> newton_for_forces(const TangentialSystem& system,
   };
   set_task();
   Newton method(system, task, work, state.p, &forces);
+  clear(system, state);
   for (int steps = 0;; ++steps) {
     take_point(method, task, state);
     const double missing = method.missing().norm() / forces.tolerance;
