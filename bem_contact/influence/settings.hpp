@@ -65,8 +65,8 @@ BEM_CONTACT_TUNED(double, strip_rounding, 1e-9);
 
 /// 1. Largest extent of a table that is read: a damaged file asks for no more memory than this.
 BEM_CONTACT_TUNED(std::size_t, most_extent, 1000000);
-/// 1. Of an influence file so many times the stations are read that a first contact needs: its patch may grow,
-/// and the next case be beside it.
+/// 1. Of an influence file so many times the stations are read that a first contact needs: its patch may
+/// grow, and the next case be beside it.
 BEM_CONTACT_TUNED(int, first_stations_read, 2);
 /// 1. And so many times those that were needed so far, when the contact has left them: each reading goes
 /// through the file, 5 ms for 15 MB, so there should be few of them. Chosen, as the one before.
