@@ -176,9 +176,6 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
     const std::vector<double> none(result.pn.size(), 0.0);
     from_normal = tangential_displacements(problem, slip_rows, {none, none, result.pn});
   }
-  const auto at_element = [](const std::optional<Fields>& fields, int component, std::size_t at) {
-    return fields ? (*fields)[component][at] : 0.0;
-  };
   double self = 0;
   for (int row = 0; row < ms; ++row)
     self = std::max(self, problem.numbers.at(0, row, component_n, row, component_n));
@@ -196,8 +193,8 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
       const std::size_t at = static_cast<std::size_t>(is) * columns + ix;
       const double rigid_x = (problem.slip_x[i] + result.creepage_x) * step.length;
       const double rigid_s = (problem.slip_s[i] + result.creepage_s * share) * step.length;
-      const double before_x = at_element(before, component_x, at),
-                   before_s = at_element(before, component_s, at);
+      const double before_x = before ? (*before)[component_x][at] : 0.0;
+      const double before_s = before ? (*before)[component_s][at] : 0.0;
       double elastic_x = -before_x, elastic_s = -before_s; // u = -A p
       for (int k = 0; k <= rolling_columns; ++k) {
         elastic_x -= step.present[k] * u[component_x][at + k];
@@ -211,11 +208,10 @@ Slips slips_of(const ContactProblem& problem, const ContactResult& result, const
       out.slips.push_back(
           {slip_x, slip_s, problem.kinetic * problem.friction_of(is) * falling * result.pn[i], i});
       out.scale = std::max({out.scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s)});
-      if (!steady) // if everything sticks without rigid slip: the slip that the shear tractions prevent
+      if (from_normal) // if everything sticks without rigid slip: the slip that the shear tractions prevent
         out.scale = std::max(
-            out.scale,
-            std::hypot(rigid_x - before_x - step.present[0] * at_element(from_normal, component_x, at),
-                       rigid_s - before_s - step.present[0] * at_element(from_normal, component_s, at)));
+            out.scale, std::hypot(rigid_x - before_x - step.present[0] * (*from_normal)[component_x][at],
+                                  rigid_s - before_s - step.present[0] * (*from_normal)[component_s][at]));
     }
   }
   return out;
