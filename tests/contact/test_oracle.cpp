@@ -287,9 +287,10 @@ TEST(Oracle, FactorsOfTheOperatorInvertIt) {
     const int m = 2 * half + 1, n = m * m, at = half * m + half;
     const ContactProblem problem = scenes::flat({23000, 0.31}, {23000, 0.31}, m, m, 0.5, 0.5, 1e-3, 1e-3);
     const contact::Boxes grid{{{0, 0, m, m}}};
-    contact::PlaneOperator behind(problem.numbers, grid, {0}, {0}), ahead(problem.numbers, grid, {0}, {0});
-    behind.invert_factor(contact::PlaneOperator::Factor::behind);
-    ahead.invert_factor(contact::PlaneOperator::Factor::ahead);
+    contact::PlaneOperator behind(problem.numbers, grid, {0}, {0});
+    behind.invert_behind();
+    contact::PlaneOperator ahead(behind);
+    ahead.mirror();
     std::vector<double> p(n, 0.0), u(n), part(n), back(n);
     p[at] = 1;
     contact::StripOperator(problem.numbers, m, {0}, {0}).apply(p, u);

@@ -271,7 +271,7 @@ template <class Real> void BasicPlaneOperator<Real>::invert() {
   }
 }
 
-template <class Real> void BasicPlaneOperator<Real>::invert_factor(Factor factor) {
+template <class Real> void BasicPlaneOperator<Real>::invert_behind() {
   const Impl& o = *impl_;
   const Real least = Real(least_eigenvalue) * o.largest();
   const std::size_t count = static_cast<std::size_t>(o.frequencies) * o.length_s;
@@ -280,10 +280,14 @@ template <class Real> void BasicPlaneOperator<Real>::invert_factor(Factor factor
   for (std::size_t k = 0; k < count; ++k)
     logarithm[k] = std::log(std::max(std::abs(complex(o.symbol)[k].real()), least));
   const Complex<Real>* half = o.transforms->half_behind(logarithm);
-  for (std::size_t k = 0; k < count; ++k) {
-    const Complex<Real> behind = std::exp(-half[k]);
-    complex(o.symbol)[k] = factor == Factor::behind ? behind : std::conj(behind);
-  }
+  for (std::size_t k = 0; k < count; ++k)
+    complex(o.symbol)[k] = std::exp(-half[k]);
+}
+
+template <class Real> void BasicPlaneOperator<Real>::mirror() {
+  const Impl& o = *impl_; // of real numbers
+  for (std::size_t k = 1; k < o.symbol_size(); k += 2)
+    o.symbol[k] = -o.symbol[k];
 }
 
 template <class Real>

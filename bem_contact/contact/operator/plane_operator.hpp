@@ -41,11 +41,13 @@ public:
   /// of the periodic operator, which knows nothing of the border of the contact.
   void invert();
 
-  /// The same for one of the two factors of A = A_ahead A_behind (Wiener, Hopf 1931). A_behind p at x depends
-  /// only on p at <= x, and A_ahead p only on p at >= x. Between the two factors a border across x can be
-  /// respected.
-  enum class Factor { behind, ahead };
-  void invert_factor(Factor factor);
+  /// The same for a factor of A = A_ahead A_behind (Wiener, Hopf 1931). A_behind p at x depends only on p at
+  /// <= x, and A_ahead p only on p at >= x. Between the two factors a border across x can be respected.
+  void invert_behind();
+
+  /// Changes this operator to its mirror image, whose numbers are those at -x, -s: the inverse of A_behind to
+  /// that of A_ahead.
+  void mirror();
 
   /// The inverse of `shift` + scale sum_k step[k] A(x + k dx), A that of `of` (one component, periodic, made
   /// positive), which this was made from.

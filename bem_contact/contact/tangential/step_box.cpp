@@ -48,11 +48,10 @@ StepBox::StepBox(const InfluenceNumbers& numbers, const Boxes& boxes, const std:
       tt_(numbers, boxes, {component_x, component_s}, {component_x, component_s}, pool), fast_(tt_, pool) {
   using Inverse = BasicPlaneOperator<float>;
   for (const int c : {component_x, component_s}) {
-    const Inverse a(numbers, Boxes{{boxes.boxes.front()}}, {c}, {c}, Inverse::Form::periodic, pool);
-    for (auto* list : {&behind_, &ahead_, &periodic_})
-      list->emplace_back(a);
-    behind_.back().invert_factor(Inverse::Factor::behind);
-    ahead_.back().invert_factor(Inverse::Factor::ahead);
+    periodic_.emplace_back(numbers, Boxes{{boxes.boxes.front()}}, std::vector{c}, std::vector{c},
+                           Inverse::Form::periodic, pool);
+    behind_.emplace_back(periodic_.back()).invert_behind();
+    ahead_.emplace_back(behind_.back()).mirror();
   }
 }
 
