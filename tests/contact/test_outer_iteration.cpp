@@ -50,17 +50,21 @@ TEST(ToleranceSchedule, TightensWithTheChangeAndSettlesOnlyAtTheToleranceAsked) 
   EXPECT_EQ(schedule.now(), contact::loose_tolerance);
   EXPECT_FALSE(schedule.is_settled(1e-9)); // close, but solved loosely
   EXPECT_TRUE(schedule.is_close(1e-9));
-  schedule.tighten(1e-4, 1);
+  schedule.tighten(1e-4, 1, 1);
   EXPECT_DOUBLE_EQ(schedule.now(), contact::tolerance_of_change * 1e-4);
-  schedule.tighten(contact::nearly_asked / contact::tolerance_of_change * 1.1e-8, 1);
+  schedule.tighten(contact::nearly_asked / contact::tolerance_of_change * 1.1e-8, 1, 1);
   EXPECT_GT(schedule.now(), contact::nearly_asked * 1e-8);
-  schedule.tighten(contact::nearly_asked / contact::tolerance_of_change * 0.9e-8, 1); // may be the last
+  schedule.tighten(contact::nearly_asked / contact::tolerance_of_change * 0.9e-8, 1, 1); // may be the last
   EXPECT_EQ(schedule.now(), 1e-8);
-  schedule.tighten(1e-12, 1);
+  schedule.tighten(2e-5, 1e-2, 1); // too much of this change may be left
+  EXPECT_DOUBLE_EQ(schedule.now(), contact::tolerance_of_change * 2e-5);
+  schedule.tighten(2e-5, 1e-3, 1);
+  EXPECT_EQ(schedule.now(), 1e-8);
+  schedule.tighten(1e-12, 1, 1);
   EXPECT_EQ(schedule.now(), 1e-8);
   EXPECT_TRUE(schedule.is_settled(1e-8));
   EXPECT_FALSE(schedule.is_settled(1e-6));
-  schedule.tighten(1e-12, 0.1); // the force is a tenth of the pressure's
+  schedule.tighten(1e-12, 1, 0.1); // the force is a tenth of the pressure's
   EXPECT_DOUBLE_EQ(schedule.now(), 1e-9);
   EXPECT_EQ(contact::ToleranceSchedule(1e-8, false).now(), 1e-8);
 }

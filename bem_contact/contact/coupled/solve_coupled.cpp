@@ -39,6 +39,7 @@ public:
 private:
   VectorXd image(); ///< G(v) after an outer iteration; sets the last entry of v
   double relative_change(const VectorXd& residual) const;
+  void tighten(double change); ///< the tolerance of the next outer iteration
   void advance(const VectorXd& residual);
 
   const CoupledSystem& system_;
@@ -90,6 +91,14 @@ double OuterLoop::relative_change(const VectorXd& residual) const {
   return std::max(change, std::abs(solution_.borne - system_.problem.force) / system_.problem.force);
 }
 
+void OuterLoop::tighten(double change) {
+  const double share = system_.by_force ? system_.problem.force / solution_.pressed : 1.0;
+  // If shear acts on the pressure by its force alone, it answers a change of the pressure by about its own
+  // share of the force.
+  const double left = system_.by_numbers ? 1.0 : std::min(std::abs(1 - share), 1.0);
+  tolerance_.tighten(change, left, share);
+}
+
 /// Sets what the next outer iteration solves for.
 void OuterLoop::advance(const VectorXd& residual) {
   if (system_.by_force && !system_.by_numbers) {
@@ -132,7 +141,7 @@ bool OuterLoop::run(const RoughLook* look) {
       if (solution_.ended_early)
         return true;
     }
-    tolerance_.tighten(change, system_.by_force ? problem.force / solution_.pressed : 1.0);
+    tighten(change);
     if (tolerance_.is_close(change)) // the same again, precisely
       continue;
     solution_.unbalanced = system_.by_force && balance_.at_the_most(solution_.pressed, solution_.borne);
