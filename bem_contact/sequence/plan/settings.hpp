@@ -58,9 +58,9 @@ BEM_CONTACT_TUNED(double, error_order, 0.65);
 BEM_CONTACT_TUNED(double, element_reserve, 1.1);
 /// 1. Errors scatter: the number of elements comes down to no less than this share of the last one.
 BEM_CONTACT_TUNED(double, least_change, 0.35);
-/// 1. It is multiplied by at least this if the case is solved again. 1.3 takes an error down by a sixth,
-/// which is less than errors scatter, and the third solution often missed too. With 1.6 sixteen sequences
-/// take as long in all, and their slowest cases by influence files two thirds as long.
+/// 1. It is multiplied by at least this if the case is solved again. 1.3 takes an error down by a sixth only,
+/// which is less than errors scatter. With 1.6 sequences by influence files take 4 % less and their slowest
+/// cases a fifth less; those by the half-space as long.
 BEM_CONTACT_TUNED(double, least_retry, 1.6);
 BEM_CONTACT_TUNED(double, most_change, 4.0); ///< 1. It is never multiplied by more than this.
 /// 1. The next case begins between the usual number of elements and what this one needed: at this share of
