@@ -7,6 +7,7 @@ Commands that the page says to take seconds are left out, unless TUTORIAL_LONG i
 """
 
 import contextlib
+import csv
 import io
 import os
 import re
@@ -173,6 +174,17 @@ class Pages(unittest.TestCase):
 
     def test_the_scenes_are_as_their_page_says(self):
         self.run_page(ROOT / "data" / "scenes" / "README.md")
+
+    def test_the_page_for_users_of_contact_is_as_it_says(self):
+        page = PAGES / "contact.md"
+        self.run_page(page)
+        with open("demo/manchester.csv") as file:
+            cases = {case["position.lateral"]: case for case in csv.DictReader(file)}
+        rows = re.findall(r"^\| ([\d.]+) \|(.*)\|$", page.read_text(), re.M)
+        self.assertEqual(len(rows), 6)
+        for lateral, numbers in rows:
+            for name, number in zip(("Fx", "Fy", "pmax"), numbers.split("|")[1::2]):
+                self.assertAlmostEqual(float(number) / float(cases[lateral][name]), 1, delta=TOLERANCE, msg=f"{name} at {lateral}")
 
     def test_every_command_has_a_page(self):
         said = subprocess.run([PROGRAM, "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout
