@@ -78,7 +78,8 @@ CoarseMesh coarse_mesh(const Outline& outline) {
   return gmsh_call([&] {
     set_options();
     const int surface = surface_of(outline);
-    gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double) {
+    // gmsh 4.8 gives the callback five arguments, gmsh 4.13 the size so far as a sixth.
+    gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double, auto...) {
       return coarse_factor * outline.size({x, y});
     });
     gmsh::model::mesh::generate(2);

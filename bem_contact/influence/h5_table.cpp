@@ -33,7 +33,7 @@ H5Table read_paths(const std::filesystem::path& file, const std::function<bool(c
     bool group;
   };
   std::vector<Found> found;
-  const auto add = [](hid_t, const char* name, const H5O_info_t* info, void* data) -> herr_t {
+  const auto add = [](hid_t, const char* name, const auto* info, void* data) -> herr_t {
     static_cast<std::vector<Found>*>(data)->push_back({name, info->type == H5O_TYPE_GROUP});
     return 0;
   };

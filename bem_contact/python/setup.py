@@ -1,4 +1,4 @@
-"""Builds the package with CMake. On Debian 12, without a network:
+"""Builds the package with CMake. On Debian 12 or 13, without a network:
 
     /usr/bin/python3 -m venv --system-site-packages env
     env/bin/pip install --no-build-isolation ./bem_contact/python

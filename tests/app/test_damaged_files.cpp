@@ -40,7 +40,7 @@ H5Handle opened(const std::filesystem::path& file) {
 /// Names of all datasets of floating-point numbers that are not of single cases.
 std::vector<std::string> datasets_of(hid_t file) {
   std::vector<std::string> names;
-  const auto look = [](hid_t root, const char* name, const H5O_info_t* info, void* found) -> herr_t {
+  const auto look = [](hid_t root, const char* name, const auto* info, void* found) -> herr_t {
     if (info->type != H5O_TYPE_DATASET || std::string(name).starts_with("cases/"))
       return 0;
     const H5Handle dataset(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose), type(H5Dget_type(dataset), H5Tclose);

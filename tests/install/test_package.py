@@ -44,7 +44,7 @@ class Package(unittest.TestCase):
         self.assertEqual(field("Package"), "conformal-contact")
         self.assertEqual(field("Version"), VERSION)
         needed = field("Depends")
-        for library in ("libhdf5-103-1", "libopenblas0", "libfftw3-double3", "libfmt9", "python3-numpy"):
+        for library in ("libhdf5-", "libopenblas0", "libfftw3-double3", "libfmt", "python3-numpy"):
             self.assertIn(library, needed)
 
 

@@ -1,4 +1,4 @@
-# Debian 12's packages; tools/install_packages names them all.
+# Packages of Debian 12 and 13; tools/install_packages names them all.
 find_package(PkgConfig REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)

@@ -39,7 +39,8 @@ LateralRoot narrow(const LateralForce& force, LateralSample a, LateralSample b, 
       continue;
     }
     reach = std::min(1.0, 2 * reach);
-    ((*there - wanted) * (a.force - wanted) > 0 ? a : b) = {between, *there};
+    auto& replaced = (*there - wanted) * (a.force - wanted) > 0 ? a : b;
+    replaced = {between, *there};
   }
   const double slope = (b.force - a.force) / (b.lateral - a.lateral);
   return slope > 0 ? LateralRoot{a.lateral + (wanted - a.force) / slope, slope}
