@@ -91,15 +91,20 @@ std::vector<Piece> below_profile(const BodyFile::Body& body, const ProfileCurve&
       for (Piece& piece :
            wheel_body(standard.at(standard.s_end()).position, standard.at(standard.s_begin()).position, held))
         loop.push_back(std::move(piece));
-    GraftPlace place{body.graft_at.value_or(Point2{}), body.graft_angle.value_or(0)};
+    NominalPlace place{body.graft_at.value_or(Point2{}), body.graft_angle.value_or(0)};
     if (!body.graft_at && !body.graft_angle) {
-      place = find_graft(profile, loop, base);
+      const GraftPlace found = find_graft(profile, base);
+      place = found.place;
       note = fmt::format(
           "body of {} found at graft_at = [{:.3f}, {:.3f}], graft_angle = {:.5f}: {:.0f} % of the "
           "profile lie on it",
-          base, place.at.y, place.at.z, place.angle, 100 * place.share);
+          base, place.shift.y, place.shift.z, place.angle, 100 * found.share);
+      if (!found.doubt.empty())
+        note += fmt::format("; warning: the profile is hardly worn from {} ({}) Take another body with "
+                            "graft_onto, or give graft_at and graft_angle.",
+                            base, found.doubt);
     }
-    return graft(profile, placed(loop, place.at, place.angle), base);
+    return graft(profile, placed(loop, place.shift, place.angle), base);
   }
   if (!rail)
     return wheel_body(end, begin, held);

@@ -90,45 +90,14 @@ BEM_CONTACT_TUNED(int, nearest_place_steps, 100);
 
 // Where a graft lies. All chosen, on the worn profiles of tests/meshes.
 
-/// mm. A point this near to the outline is unworn.
-BEM_CONTACT_TUNED(double, unworn_distance, 0.1);
 /// 1 (share of the profile). Less unworn profile finds no place.
-BEM_CONTACT_TUNED(double, least_unworn_share, 0.33);
+BEM_CONTACT_TUNED(double, least_grafted_share, 0.33);
 /// 1. A second place with more than this share of the best one's is as good: then nobody can choose.
 BEM_CONTACT_TUNED(double, rival_share, 0.9);
-BEM_CONTACT_TUNED(double, apart_distance, 0.5);      ///< mm. Nearer places are the same,
-BEM_CONTACT_TUNED(double, apart_angle, 5e-3);        ///< rad. if their angles are as near.
-BEM_CONTACT_TUNED(double, largest_graft_angle, 0.1); ///< rad. No rail is measured more inclined.
-/// mm. Arm with which turns become lengths: half of a head's width.
-BEM_CONTACT_TUNED(double, graft_arm, 30.0);
 /// 1. How much a unit move of the unworn part is felt at right angles to the surface, squared, at least. On
 /// less, an arc or a line, the body slides.
 BEM_CONTACT_TUNED(double, least_stiffness, 0.004);
-/// rad. Between the tangents of places that may belong together.
-BEM_CONTACT_TUNED(double, largest_tangent_turn, 0.5);
-/// 1 (share of the samples). The fit is given up where fewer are near: it would follow noise.
-BEM_CONTACT_TUNED(double, least_weight, 0.05);
-/// 1 (of the total weight). Added to the diagonal of the fit, so that a sliding fit stays where it is.
-BEM_CONTACT_TUNED(double, fit_damping, 1e-6);
-BEM_CONTACT_TUNED(double, fit_tolerance, 1e-7);   ///< mm. Where the steps of a fit end.
-BEM_CONTACT_TUNED(int, coarse_samples, 60);       ///< 1. Of the profile, for the search,
-BEM_CONTACT_TUNED(int, fine_samples, 300);        ///< 1. and for the place found.
-BEM_CONTACT_TUNED(double, coarse_chord, 0.5);     ///< mm. Of the outline, for the search,
-BEM_CONTACT_TUNED(double, fine_chord, 0.1);       ///< mm. and for the place found.
-BEM_CONTACT_TUNED(int, chord_samples, 64);        ///< 1. With which the length of a piece is measured.
-BEM_CONTACT_TUNED(int, search_steps, 6);          ///< 1. Of a fit during the search,
-BEM_CONTACT_TUNED(int, settling_steps, 20);       ///< 1. and at the place found.
-BEM_CONTACT_TUNED(double, settling_width, 0.3);   ///< mm. Within which all may be unworn at first.
-BEM_CONTACT_TUNED(int, settling_rounds, 3);       ///< 1. Of a fit to what lies as near as most does:
-BEM_CONTACT_TUNED(double, settling_medians, 5.0); ///< 1. within so many median distances,
-BEM_CONTACT_TUNED(double, settling_least, 0.01);  ///< mm. but not within less: the rounding of a file.
-/// rad and mm. The search starts from all of these: how measured profiles are inclined and shifted.
-inline constexpr double start_angles[] = {0.0, -0.025, 0.025, -0.05, 0.05};
-inline constexpr double start_sides[] = {0.0, -5.0, 5.0, -12.0, 12.0, -25.0, 25.0}; ///< mm. As above.
-/// mm. Within these, one after the other, a point counts during the search.
-inline constexpr double search_widths[] = {20.0, 8.0, 3.0, 1.0, 0.4};
-/// mm. The top of a profile for the first guess: what lies within this of its highest point.
-BEM_CONTACT_TUNED(double, top_reach, 15.0);
+BEM_CONTACT_TUNED(int, graft_samples, 300); ///< 1. Points of the profile.
 
 // Solid meshes. Coarse away from the load, because fem_influence refines where accuracy is wanted.
 

@@ -54,7 +54,7 @@ std::string file_name(const std::string& source) {
 }
 
 void warn_of_noise(const std::string& source, const MeasuredProfile& p, ProfileKind kind) {
-  const std::optional<LikeStandard> like = like_standard(p.curve, kind);
+  const std::optional<LikeStandard> like = like_standard(p.curve, kind, p.scatter_left());
   const std::string better =
       like ? fmt::format("; as it looks like {} worn by {:.2g} .. {:.2g} mm, nominal = \"{}\" keeps more of "
                          "its shape",
@@ -123,6 +123,11 @@ MeasuredProfile smoothed_profile(const std::string& source, std::span<const Poin
   WornNominal worn = worn_from_nominal(nominal_profile(reading.nominal, kind, source), points, noise.scatter,
                                        reading.smoothing, source);
   messages()->info("{}: {}", source, worn_text(worn));
+  if (!worn.doubt.empty())
+    messages()->warn(
+        "{}: the profile is hardly worn from {} ({}) Name the profile from which it was made, or "
+        "leave out nominal and give smoothing.",
+        source, worn.nominal, worn.doubt);
   MeasuredProfile out{worn.curve, worn.points, noise, worn.longest_wave, worn.removed_rms, worn.removed_most};
   out.worn = std::move(worn);
   return out;

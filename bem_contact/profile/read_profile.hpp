@@ -27,6 +27,9 @@ struct MeasuredProfile {
   std::vector<Outlier> outliers = {};   ///< of the points as measured
   /// What smoothing may remove if it removes noise alone, mm (root mean square). More is shape.
   double largest_noise_removed() const;
+  /// Of the curve about the true profile, mm: that of the points, where it goes through all of them and their
+  /// noise is known; else 0.
+  double scatter_left() const { return smoothing > 0 || worn || noise.coarse ? 0 : noise.scatter; }
 };
 
 /// Reads a profile file: Simpack .prr/.prw, MiniProf .ban/.whl/.mpt, Vampire .rai/.whe (told by their

@@ -45,14 +45,20 @@ py::dict curve_of(const ProfileCurve& curve, double step) {
                   "inclination"_a = array_of(inclination), "curvature"_a = array_of(curvature));
 }
 
-py::object like_of(const MeasuredProfile& profile, ProfileKind kind) {
+double inclination_of(const MeasuredProfile& profile, ProfileKind kind) {
+  return profile.points > 0 && kind == ProfileKind::rail
+             ? rail_inclination(profile.curve, profile.scatter_left())
+             : 0;
+}
+
+py::object like_of(const MeasuredProfile& profile, ProfileKind kind, double inclination) {
   const std::optional<LikeStandard> like =
-      profile.points > 0 ? like_standard(profile.curve, kind) : std::nullopt;
+      profile.points > 0 ? like_standard(profile.curve, kind, profile.scatter_left()) : std::nullopt;
   if (!like)
     return py::none();
   return py::dict("name"_a = like->name, "other"_a = like->other, "least_depth"_a = like->least_depth,
                   "largest_depth"_a = like->largest_depth, "angle"_a = like->angle,
-                  "inclination"_a = like->inclination);
+                  "inclination"_a = inclination);
 }
 
 py::object noise_of(const MeasuredProfile& p) {
@@ -81,7 +87,9 @@ py::dict profile(const py::object& file, const std::string& kind, const py::obje
   out["points"] = found.points;
   out["noise"] = noise_of(found);
   out["outliers"] = outliers;
-  out["like"] = like_of(found, its);
+  const double inclination = inclination_of(found, its);
+  out["like"] = like_of(found, its, inclination);
+  out["inclination_in_file"] = inclination;
   out["removed_rms"] = found.removed_rms;
   out["removed_most"] = found.removed_most;
   return out;
@@ -104,8 +112,9 @@ void add_profile(py::module_& module) {
       "measured file `points` (how many), `noise` (None where it is not known: `scatter` and `spacing`, mm; "
       "`pressure`, MPa, by which a curve through all points is off; `smoothing`, mm, advised, 0: none), "
       "`outliers` (dicts of y, z, distance, mm), `like` (the nearest standard or None: `name`, `other`, "
-      "`least_depth` and `largest_depth` worn off, mm, `angle`, and `inclination` if the file is inclined "
-      "already, rad), `removed_rms` and `removed_most` (by smoothing, mm). Raises InputError for what is no "
+      "`least_depth` and `largest_depth` worn off, mm, `angle`, rad, `inclination`), "
+      "`inclination_in_file` (of a rail that is inclined already, rad, else 0), `removed_rms` and "
+      "`removed_most` (by smoothing, mm). Raises InputError for what is no "
       "profile.");
 }
 

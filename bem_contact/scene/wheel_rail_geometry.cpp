@@ -29,9 +29,7 @@ void take_back(const WheelRailGeometry& placed, const std::vector<ContactRow>& r
 } // namespace
 
 double inclination_of_rail(const std::string& name, const ProfileCurve& rail) {
-  const std::optional<LikeStandard> like =
-      is_standard_profile(name) ? std::nullopt : like_standard(rail, ProfileKind::rail);
-  return like ? like->inclination : 0;
+  return is_standard_profile(name) ? 0 : rail_inclination(rail);
 }
 
 WheelRailProfiles read_profiles(const SceneFile& scene) {

@@ -139,10 +139,7 @@ TEST_F(Graft, AnInclinedMeasurementNeedsAnInclinedBody) {
 
 /// Where the body of `base` is found on body's profile.
 GraftPlace found(const BodyFile& body, const char* base) {
-  const ProfileCurve curve = standard_profile(base);
-  Loop loop{along(curve, curve.s_begin(), curve.s_end())};
-  loop.push_back(line(loop.front().end(), loop.front().begin() + Point2{0, 100}));
-  return find_graft(body_profile(body), loop, base);
+  return find_graft(body_profile(body), base);
 }
 
 TEST_F(Graft, TheBodyIsFoundOnTheUnwornPart) {
@@ -150,13 +147,14 @@ TEST_F(Graft, TheBodyIsFoundOnTheUnwornPart) {
     for (const double depth : {0.0, 1.5, 4.0}) {
       const Wear wear{.depth = depth, .angle = angle, .shift_z = -6};
       const GraftPlace rail = found(worn(BodyKind::rail, "60E1", wear, {-45, -17, 0.25}), "60E1");
-      EXPECT_NEAR(rail.angle, angle, 1e-4) << depth;
-      EXPECT_LT(norm(rail.at - Point2{0, -6}), 0.005) << depth; // noise of 3 um, wear that ends slowly
+      EXPECT_NEAR(rail.place.angle, angle, 1e-4) << depth;
+      EXPECT_LT(norm(rail.place.shift - Point2{0, -6}), 0.005)
+          << depth; // noise of 3 um, wear that ends slowly
       EXPECT_GT(rail.share, 0.6);
       const Wear flange{.middle = 44, .depth = depth, .angle = angle, .shift_z = 3};
       const GraftPlace wheel = found(worn(BodyKind::wheel, "S1002", flange, {25, 50, 0.25}), "S1002");
-      EXPECT_NEAR(wheel.angle, angle, 1e-4) << depth;
-      EXPECT_LT(norm(wheel.at - Point2{0, 3}), 0.005) << depth;
+      EXPECT_NEAR(wheel.place.angle, angle, 1e-4) << depth;
+      EXPECT_LT(norm(wheel.place.shift - Point2{0, 3}), 0.005) << depth;
     }
 }
 
@@ -207,7 +205,7 @@ TEST_F(Graft, PublishedSampleFilesFit) {
   BodyFile rail = standard_body(BodyKind::rail, "60E1", {-45, -17, 0.25});
   rail.body.profile = sample("MBench_UIC60_v3.ban").string();
   rail.strip = {-40, -12, 0.25};
-  const GraftPlace place = found(rail, "60E1");
+  const NominalPlace place = found(rail, "60E1").place;
   EXPECT_NEAR(place.angle, -std::atan(1 / 40.0), 2e-3);
   EXPECT_GE(quality(mesh_section(rail)).smallest, poor_quality);
   rail.body.graft_at = Point2{};
@@ -215,7 +213,7 @@ TEST_F(Graft, PublishedSampleFilesFit) {
   const double angle = -std::atan(1 / 40.0);
   rail.body.graft_angle = angle;
   rail.body.graft_at = -7.4917 * tangent_of(angle) - 0.0937 * normal_of(angle);
-  EXPECT_LT(norm(place.at - *rail.body.graft_at), 0.2);
+  EXPECT_LT(norm(place.shift - *rail.body.graft_at), 0.2);
   EXPECT_GE(quality(mesh_section(rail)).smallest, poor_quality);
 }
 

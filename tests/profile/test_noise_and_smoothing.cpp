@@ -207,6 +207,21 @@ TEST(NoisyFile, IsWarnedOfWithFiguresAndTheSmoothingToUse) {
   EXPECT_THAT(said(points, {.smoothing = 40}), HasSubstr("smoothing = 40 takes shape away"));
 }
 
+/// Arcs and lines, a point every 1 to 1.9 mm, exact: cubics through nine of them do not follow.
+TEST(Noise, CoarsePointsOfExactArcsHaveNone) {
+  for (const char* name : {"60E1", "60E2", "54E1", "46E3", "S1002"})
+    for (const double step : {1.0, 1.25, 1.5, 1.9}) {
+      const Points points = sampled_curve(standard_profile(name), step);
+      const ProfileNoise exact = measure_noise(points);
+      EXPECT_LT(exact.pressure, 15) << name << ' ' << step;
+      EXPECT_EQ(exact.smoothing, 0) << name << ' ' << step;
+      double mean = 0; // a single draw of so few points tells scatter only roughly
+      for (unsigned seed = 1; seed <= 20; ++seed)
+        mean += measure_noise(noisy(points, 0.02, seed)).scatter / 20;
+      EXPECT_GT(mean, 0.015) << name << ' ' << step;
+    }
+}
+
 } // namespace
 TEST(Messages, GoToStandardErrorBecauseStandardOutputIsTheHosts) {
   testing::internal::CaptureStdout();

@@ -20,14 +20,16 @@ def program():
     return next((Path(f) / "bem_contact" for f in folders if f and (Path(f) / "bem_contact").exists()), "bem_contact")
 
 
-def read(name, options):
-    """Columns s, y, z, inclination, curvature. The program reads as a scene would; its warnings go to the terminal."""
+def read(name, options, on=None):
+    """Columns s, y, z, inclination, curvature; of a standard that is laid on the unworn part of the profile `on` also the depth
+    worn off it. The program reads as a scene would; its warnings go to the terminal."""
     if kind_of(name) == "profile table":
         return np.loadtxt(name, delimiter=",", skiprows=1, unpack=True)
     with tempfile.TemporaryDirectory() as folder:
         csv = Path(folder) / "profile.csv"
         try:
-            done = subprocess.run([program(), "profile", name, "--csv", csv, *([] if name in STANDARDS else options)],
+            asked = ["--on", on, *options] if on else [] if name in STANDARDS else options
+            done = subprocess.run([program(), "profile", name, "--csv", csv, *asked],
                                   stdout=subprocess.DEVNULL)  # its table of radii; warnings go to the terminal
         except FileNotFoundError:
             refuse(f"'{name}' cannot be read", "the program bem_contact was not found", "Put it on the PATH, or its folder into CONFORMAL_BIN.")
@@ -38,7 +40,8 @@ def read(name, options):
 
 def draw(files, options=()):
     options = list(options)
-    curves = [(Path(name).name, read(name, options)) for name in files]
+    measured = files[0] if files[0] not in STANDARDS and kind_of(files[0]) == "profile" else None
+    curves = [(Path(name).name, read(name, options, measured if name in STANDARDS else None)) for name in files]
     if "--smoothing" in options:
         at = options.index("--smoothing")
         curves.append(("as measured", read(files[0], options[:at] + options[at + 2:])))
@@ -48,12 +51,14 @@ def draw(files, options=()):
     figure, axes = style.panels(3 if together else 2, 1, (10, 9.5 * flat + (8 if together else 4.2)),
                                 height_ratios=(9.5 * flat, 4, 4)[:3 if together else 2])
     shape, bend = axes[0, 0], axes[-1, 0]
-    for k, (name, (s, y, z, _, curvature)) in reversed(list(enumerate(curves))):
+    for k, (name, (s, y, z, _, curvature, *depth)) in reversed(list(enumerate(curves))):
         colour, dash = (style.INK, "-") if k == 0 else BEHIND[(k - 1) % len(BEHIND)]
         look = {"color": colour, "linestyle": dash, "linewidth": 1.8 if k == 0 else 1.3, "label": name}
         shape.plot(y, z, **look)
         bend.plot(y if together else s, curvature, **look)
-        if together and k:
+        if together and k and depth:  # along the normal: a flank may be steep
+            axes[1, 0].plot(y, depth[0], label=f"{curves[0][0]}: worn off {name}", color=style.INK, linestyle=dash)
+        elif together and k:
             shared = (first[1] >= y.min()) & (first[1] <= y.max())
             order = np.argsort(y)
             axes[1, 0].plot(first[1][shared], np.interp(first[1][shared], y[order], z[order]) - first[2][shared],
@@ -61,7 +66,9 @@ def draw(files, options=()):
     shape.set(xlabel="y, mm, to the field side", ylabel="z down, mm", aspect="equal", title="Profile")
     shape.invert_yaxis()
     if together:
-        axes[1, 0].set(xlabel="y, mm", ylabel="height, mm", title="Difference of height", ylim=clipped(axes[1, 0]))
+        worn = any(len(columns) > 5 for _, columns in curves)
+        axes[1, 0].set(xlabel="y, mm", ylabel="depth, mm" if worn else "height, mm",
+                       title="Depth along the normal" if worn else "Difference of height", ylim=clipped(axes[1, 0]))
         axes[1, 0].legend()
     style.legend(shape)
     largest = np.quantile(np.abs(first[4]), 0.99)
@@ -74,6 +81,7 @@ def draw(files, options=()):
 def clipped(axis):
     """Limits that leave out what a steep flank makes of a shift along y."""
     values = np.concatenate([line.get_ydata() for line in axis.get_lines()])
+    values = values[np.isfinite(values)]
     low, high = np.quantile(values, (0.03, 0.97))
     room = 0.3 * (high - low) + 1e-3
     return low - room, high + room

@@ -1,5 +1,6 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
+#include "bem_contact/app/output/placed_standard.hpp"
 #include "bem_contact/app/settings.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
@@ -35,7 +36,7 @@ You should see 307 points, 0.5 mm apart. Their noise of 0.05 um needs no smoothi
 More, and how to draw it: data/tutorial/profile.md.)";
 
 struct ProfileArguments {
-  std::string name, kind, unit = "found", profile_z = "as stated", csv, plot;
+  std::string name, kind, unit = "found", profile_z = "as stated", csv, plot, on;
   ProfileReading reading;
   double step = profile_csv_step;
 };
@@ -72,15 +73,14 @@ std::string like_text(const LikeStandard& like, const MeasuredProfile& p) {
   const std::string other = like.other.empty() ? "" : fmt::format(" or {}", like.other);
   std::string out = fmt::format("  like {}{}, worn by {:.3f} .. {:.3f} mm", like.name, other,
                                 like.least_depth, like.largest_depth);
-  if (like.inclination > 0)
-    out +=
-        fmt::format(", turned by {:.2f} degrees ({}): the file is already inclined; give position.cant = 0 "
-                    "with it",
-                    degrees(like.angle), inclination_text(like.inclination));
   if (p.noise.smoothing > 0 && p.smoothing == 0)
     out += fmt::format("; nominal = \"{}\"{} advised", like.name,
                        like.other.empty() ? "" : fmt::format(" or \"{}\"", like.other));
   return out + '\n';
+}
+
+double inclination_of(const MeasuredProfile& p, ProfileKind kind) {
+  return p.points > 0 && kind == ProfileKind::rail ? rail_inclination(p.curve, p.scatter_left()) : 0;
 }
 
 /// The profile in words: points, extent, noise, what smoothing removed, radii along s.
@@ -99,6 +99,10 @@ std::string describe_profile(const MeasuredProfile& p, const std::optional<LikeS
   }
   if (like)
     out += like_text(*like, p);
+  if (const double inclined = inclination_of(p, kind); inclined > 0)
+    out += fmt::format("  inclined: turned by {:.2f} degrees ({}): the file is already inclined; give "
+                       "position.cant = 0 with it\n",
+                       -degrees(inclined), inclination_text(inclined));
   if (p.worn)
     out += fmt::format("  nominal: {}\n", worn_text(*p.worn));
   if (p.smoothing > 0)
@@ -125,17 +129,22 @@ std::string describe_profile(const MeasuredProfile& p, const std::optional<LikeS
   return out;
 }
 
-std::string profile_csv(const ProfileCurve& curve, double step) {
-  std::string out = "s_mm,y_mm,z_mm,inclination_rad,curvature_per_mm\n";
-  for (const CurvePoint& p : points_along(curve, step))
-    out += fmt::format("{:.6f},{:.6f},{:.6f},{:.8f},{:.8g}\n", p.s, p.position.y, p.position.z, p.delta,
+/// `depth`: worn off, at each point; none: no such column.
+std::string profile_csv(const std::vector<CurvePoint>& points, const std::vector<double>& depth = {}) {
+  std::string out = "s_mm,y_mm,z_mm,inclination_rad,curvature_per_mm";
+  out += depth.empty() ? "\n" : ",depth_mm\n";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const CurvePoint& p = points[i];
+    out += fmt::format("{:.6f},{:.6f},{:.6f},{:.8f},{:.8g}", p.s, p.position.y, p.position.z, p.delta,
                        p.curvature);
+    out += depth.empty() ? "\n" : fmt::format(",{:.6f}\n", depth[i]);
+  }
   return out;
 }
 
-report::DrawnProfile drawn(std::string name, const ProfileCurve& curve, double step) {
+report::DrawnProfile drawn(std::string name, const std::vector<CurvePoint>& points) {
   report::DrawnProfile out{.name = std::move(name), .y = {}, .z = {}, .curvature = {}};
-  for (const CurvePoint& p : points_along(curve, step)) {
+  for (const CurvePoint& p : points) {
     out.y.push_back(p.position.y);
     out.z.push_back(p.position.z);
     out.curvature.push_back(p.curvature);
@@ -148,32 +157,57 @@ std::vector<report::DrawnProfile> drawn_profiles(const ProfileArguments& argumen
                                                  const MeasuredProfile& profile,
                                                  const std::optional<LikeStandard>& like, ProfileKind kind) {
   const std::string name = std::filesystem::path(arguments.name).filename();
-  std::vector<report::DrawnProfile> out{drawn(name, profile.curve, arguments.step)};
+  std::vector<report::DrawnProfile> out{drawn(name, points_along(profile.curve, arguments.step))};
   if (profile.smoothing > 0 || profile.worn) {
     ProfileArguments raw = arguments;
     raw.reading.smoothing = 0;
     raw.reading.nominal.clear();
-    out.push_back(
-        drawn(name + ", as measured", described_profile(raw.name, kind, raw.reading).curve, arguments.step));
+    out.push_back(drawn(name + ", as measured",
+                        points_along(described_profile(raw.name, kind, raw.reading).curve, arguments.step)));
   }
   const std::string usual = kind == ProfileKind::wheel ? "S1002" : "60E1";
   const std::string standard = profile.worn ? arguments.reading.nominal : like ? like->name : usual;
   if (standard != arguments.name)
-    out.push_back(drawn(standard, standard_profile(standard), arguments.step));
+    out.push_back(
+        drawn(standard, profile.worn || like
+                            ? placed_standard(standard_profile(standard), profile, arguments.step).points
+                            : points_along(standard_profile(standard), arguments.step)));
   return out;
+}
+
+/// A standard where it lies on a measured profile.
+ExitCode run_on(const ProfileArguments& arguments) {
+  if (!is_standard_profile(arguments.name))
+    throw InputError(fmt::format("'{}' is not laid on {}", arguments.name, arguments.on),
+                     "only a standard profile is laid on a measured one", "Name a standard, as 60E1.");
+  const ProfileKind kind = kind_of_standard(arguments.name);
+  const PlacedStandard placed =
+      placed_standard(standard_profile(arguments.name),
+                      described_profile(arguments.on, kind, arguments.reading), arguments.step);
+  if (!arguments.csv.empty())
+    write_whole(arguments.csv, [&](std::ostream& out) { out << profile_csv(placed.points, placed.depth); });
+  fmt::print("{} on the unworn part of {}: moved by {:.3f} mm along y and {:.3f} mm along z and turned by "
+             "{:.3f} degrees\n",
+             arguments.name, std::filesystem::path(arguments.on).filename().string(), placed.place.shift.y,
+             placed.place.shift.z, degrees(placed.place.angle));
+  return success;
 }
 
 ExitCode run(ProfileArguments arguments) {
   arguments.reading.unit = choice<ProfileUnit>(arguments.unit);
   arguments.reading.profile_z = choice<ProfileZ>(arguments.profile_z);
-  require_named_outputs(paths_of(files_of_key("file.profile", arguments.name, {})),
+  const std::string& file = arguments.on.empty() ? arguments.name : arguments.on;
+  require_named_outputs(paths_of(files_of_key("file.profile", file, {})),
                         {{"--csv", arguments.csv}, {"--plot", arguments.plot}});
+  if (!arguments.on.empty())
+    return run_on(arguments);
   const ProfileKind kind = kind_of_profile(arguments.name, arguments.kind);
   const MeasuredProfile profile = described_profile(arguments.name, kind, arguments.reading);
   if (!arguments.csv.empty())
-    write_whole(arguments.csv, [&](std::ostream& out) { out << profile_csv(profile.curve, arguments.step); });
+    write_whole(arguments.csv,
+                [&](std::ostream& out) { out << profile_csv(points_along(profile.curve, arguments.step)); });
   const std::optional<LikeStandard> like =
-      profile.points > 0 ? like_standard(profile.curve, kind) : std::nullopt;
+      profile.points > 0 ? like_standard(profile.curve, kind, profile.scatter_left()) : std::nullopt;
   const std::string words = describe_profile(profile, like, kind);
   if (!arguments.plot.empty())
     report::write_profile_page(std::filesystem::path(arguments.name).filename(), words,
@@ -212,6 +246,9 @@ Command add_profile(CLI::App& program) {
                    "Wheel: y of the back of the flange in the file, mm. It places the wheel laterally");
   line->add_flag("--keep-origin", arguments->reading.keep_origin,
                  "Keep y and z as the file has them (a scene: place = \"absolute\")");
+  line->add_option("--on", arguments->on,
+                   "A measured profile: lay the standard that is named on its unworn part; the table gets a "
+                   "column with the depth worn off the standard along its normal");
   line->add_option("--csv", arguments->csv, "Write arc length, y, z, inclination and curvature to this file");
   line->add_option("--plot", arguments->plot,
                    "Write a page (HTML) that draws outline and curvature, with the standard beside them");

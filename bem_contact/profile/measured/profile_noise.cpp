@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -18,7 +19,8 @@ namespace {
 /// How far the middle point is from the cubic that fits all points, over what noise of deviation 1 makes of
 /// it.
 double deviation(std::span<const Point2> p) {
-  const Point2 chord = p.back() - p.front(), middle = p[noise_neighbours];
+  const std::size_t at_middle = p.size() / 2;
+  const Point2 chord = p.back() - p.front(), middle = p[at_middle];
   const double half = norm(chord) / 2;
   if (half == 0)
     return 0;
@@ -33,24 +35,42 @@ double deviation(std::span<const Point2> p) {
     powers.row(i) << 1, u, u * u, u * u * u;
     heights(i, 0) = dot(at, across);
   }
-  heights(noise_neighbours, 1) = 1;
+  heights(static_cast<Eigen::Index>(at_middle), 1) = 1;
   const Eigen::MatrixXd fit = powers.colPivHouseholderQr().solve(heights);
   const double kept = 1 - fit(0, 1);
   return kept > 0 ? std::abs(fit(0, 0)) / std::sqrt(kept) : 0;
+}
+
+/// Deviations of the points from cubics through so many neighbours on either side.
+std::vector<double> deviations_of(std::span<const Point2> points, std::size_t neighbours) {
+  std::vector<double> out;
+  for (std::size_t i = 0; i + 2 * neighbours < points.size(); ++i)
+    out.push_back(deviation(points.subspan(i, 2 * neighbours + 1)));
+  return out;
+}
+
+/// The same from the nearest neighbours alone, and from points with the least deviations: where points are
+/// far apart, most cubics lie across a jump of the curvature, but some lie on one arc.
+double scatter_on_arcs(std::span<const Point2> points) {
+  std::vector<double> deviations = deviations_of(points, near_noise_neighbours);
+  const auto at =
+      deviations.begin() + static_cast<std::ptrdiff_t>(quiet_share * static_cast<double>(deviations.size()));
+  std::ranges::nth_element(deviations, at);
+  return normal_deviation_over_quiet * *at;
 }
 
 } // namespace
 
 ProfileNoise measure_noise(std::span<const Point2> points) {
   ProfileNoise noise;
-  const auto of_fit = static_cast<std::size_t>(2 * noise_neighbours + 1);
+  const std::size_t of_fit = 2 * noise_neighbours + 1;
   if (points.size() < of_fit)
     return noise;
-  std::vector<double> deviations;
-  for (std::size_t i = 0; i + of_fit <= points.size(); ++i)
-    deviations.push_back(deviation(points.subspan(i, of_fit)));
   noise.spacing = median_spacing(points);
-  noise.scatter = normal_deviation_over_median * median(std::move(deviations));
+  noise.scatter = normal_deviation_over_median * median(deviations_of(points, noise_neighbours));
+  if (static_cast<double>(of_fit - 1) * noise.spacing > shapeless_window)
+    if (const double on_arcs = scatter_on_arcs(points); on_arcs < shape_share * noise.scatter)
+      noise.scatter = on_arcs; // the rest is shape
   noise.slope = std::numbers::pi * noise.scatter / (std::sqrt(3.0) * noise.spacing);
   noise.bending =
       std::numbers::pi * std::numbers::pi * noise.scatter / (std::sqrt(5.0) * noise.spacing * noise.spacing);

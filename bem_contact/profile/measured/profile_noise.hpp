@@ -22,8 +22,10 @@ struct ProfileNoise {
 };
 
 /// Measures the scatter of points in walking order: the median deviation of a point from the cubic that fits
-/// it and its four neighbours on either side. Rounded coordinates scatter too. Kinks and jumps of the
-/// curvature are rare and do not move a median. Fewer than 9 points have no measured noise: all is 0.
+/// it and its four neighbours on either side. Where these span more than 3 mm, they bend with the shape: if
+/// two neighbours on either side tell of less than half as much scatter, on the quietest third of the points,
+/// that counts. Rounded coordinates scatter too. Kinks and jumps of the curvature are rare and do not move a
+/// median. Fewer than 9 points have no measured noise: all is 0.
 ///
 /// White noise of deviation e at the distance h has the spectrum 2 h e^2 up to the wavelength 2 h, which a
 /// spline keeps. So the slope has the deviation pi e / (sqrt(3) h), the curvature pi^2 e / (sqrt(5) h^2). A

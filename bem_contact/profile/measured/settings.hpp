@@ -42,7 +42,18 @@ BEM_CONTACT_TUNED(double, shuffled_walk, 1.5);
 
 /// 1. Neighbours on either side in the fit that tells noise from shape: a cubic through nine points half a
 /// millimetre apart leaves less than 0.1 um of an arc of 13 mm radius.
-BEM_CONTACT_TUNED(int, noise_neighbours, 4);
+BEM_CONTACT_TUNED(std::size_t, noise_neighbours, 4);
+BEM_CONTACT_TUNED(std::size_t, near_noise_neighbours, 2); ///< 1. The same where points are far apart.
+/// mm. Over longer windows a cubic does not follow the arcs of 8 to 13 mm radius of all standards.
+BEM_CONTACT_TUNED(double, shapeless_window, 3.0);
+/// 1. The share of the points at which scatter is then looked for: of 39 rails and 12 wheels with a point
+/// every 1.9 mm so many lie on one arc with their neighbours.
+BEM_CONTACT_TUNED(double, quiet_share, 0.35);
+/// 1. Standard deviation of a normal distribution over that quantile of its absolute values.
+BEM_CONTACT_TUNED(double, normal_deviation_over_quiet, 2.2037);
+/// 1. Scatter on arcs that is less than this share of the other shows that the other is shape. Of white noise
+/// both agree within a third. Chosen.
+BEM_CONTACT_TUNED(double, shape_share, 0.5);
 /// MPa. E* of two steel bodies, for the pressure that noise makes.
 BEM_CONTACT_TUNED(double, steel_contact_modulus, 115000);
 /// MPa. Noise that makes less is not worth a word: 1 % of a usual largest pressure.

@@ -1,6 +1,7 @@
 #include "bem_contact/profile/worn/like_standard.hpp"
 
 #include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/profile/worn/head_symmetry.hpp"
 #include "bem_contact/profile/worn/settings.hpp"
 #include "bem_contact/profile/worn/worn_nominal.hpp"
 
@@ -27,34 +28,69 @@ std::vector<Point2> points_along(const ProfileCurve& curve) {
   return out;
 }
 
-double inclination_of(const NominalFit& fit, ProfileKind kind) {
-  const bool told = kind == ProfileKind::rail && fit.added_rms <= most_added_steel;
-  return told && -fit.place.angle >= least_inclination ? -fit.place.angle : 0;
+/// By the symmetry of a rail's head, if that tells it.
+std::optional<double> turn_of(const ProfileCurve& curve, ProfileKind kind) {
+  return kind == ProfileKind::rail ? turn_by_symmetry(curve) : std::nullopt;
 }
 
-} // namespace
-
-std::optional<LikeStandard> like_standard(const ProfileCurve& curve, ProfileKind kind) {
+/// Standards from which the curve may be worn, the most like first. `turn`: of a rail, by its symmetry.
+std::vector<Candidate> candidates(const ProfileCurve& curve, ProfileKind kind, std::optional<double> turn,
+                                  double scatter) {
   const std::vector<Point2> points = points_along(curve);
   std::vector<Candidate> near;
   for (const std::string& name : standard_profile_names()) {
     if (kind_of_standard(name) != kind)
       continue;
-    const NominalFit fit = fit_nominal(standard_profile(name), points, 0);
-    if (fit.near && fit.largest <= farthest_advised && -fit.least <= farthest_added_steel)
+    const ProfileCurve standard = standard_profile(name);
+    const std::vector<UnwornPlace> places = unworn_places(standard, points, scatter);
+    if (places.empty() || places.front().share < least_unworn_share)
+      continue;
+    const NominalFit fit = fit_at(places.front().place, standard, points, scatter);
+    const bool turned = kind == ProfileKind::wheel
+                            ? std::abs(fit.place.angle) > largest_wheel_turn
+                            : turn && std::abs(fit.place.angle - *turn) > symmetry_slack;
+    if (fit.near && !turned && fit.share >= least_unworn_share && fit.outside <= most_outside &&
+        -fit.least <= farthest_added_steel)
       near.push_back({name, fit, fit.added_rms + worn_share * fit.rms});
   }
+  std::ranges::sort(near, {}, &Candidate::unlike);
+  return near;
+}
+
+bool ties(const Candidate& other, const Candidate& best) {
+  return other.unlike < like_tie * best.unlike;
+}
+
+/// The turn of a rail by standards, if those that are about as like agree.
+std::optional<double> turn_by_standards(const std::vector<Candidate>& near) {
   if (near.empty())
     return std::nullopt;
-  std::ranges::sort(near, {}, &Candidate::unlike);
+  const double turn = near[0].fit.place.angle;
+  const bool agree = std::ranges::all_of(near, [&](const Candidate& c) {
+    return !ties(c, near[0]) || std::abs(c.fit.place.angle - turn) <= symmetry_slack;
+  });
+  return agree ? std::optional(turn) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<LikeStandard> like_standard(const ProfileCurve& curve, ProfileKind kind, double scatter) {
+  std::vector<Candidate> near = candidates(curve, kind, turn_of(curve, kind), scatter);
+  std::erase_if(near, [](const Candidate& c) { return c.fit.largest > farthest_advised; });
+  if (near.empty())
+    return std::nullopt;
   const auto& [name, fit, unlike] = near.front();
-  const bool tie = near.size() > 1 && near[1].unlike < like_tie * unlike;
-  return LikeStandard{name,
-                      fit.least,
-                      fit.largest,
-                      fit.place.angle,
-                      tie ? near[1].name : "",
-                      tie ? 0 : inclination_of(fit, kind)};
+  return LikeStandard{name, fit.least, fit.largest, fit.place.angle,
+                      near.size() > 1 && ties(near[1], near[0]) ? near[1].name : ""};
+}
+
+double rail_inclination(const ProfileCurve& rail, double scatter) {
+  if (rail.at(rail.s_end()).delta - rail.at(rail.s_begin()).delta < least_head_turn)
+    return 0;
+  std::optional<double> turn = turn_by_symmetry(rail);
+  if (!turn)
+    turn = turn_by_standards(candidates(rail, ProfileKind::rail, turn, scatter));
+  return turn && -*turn >= least_inclination ? -*turn : 0;
 }
 
 std::string inclination_text(double inclination) {

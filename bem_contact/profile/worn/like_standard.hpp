@@ -14,15 +14,18 @@ struct LikeStandard {
   double least_depth = 0, largest_depth = 0; ///< of the points inside it, mm
   double angle = 0;                          ///< of the measured profile, rad, from +y towards +z
   std::string other = {};                    ///< another standard that is about as like; "": none
-  /// Of a rail that is turned towards the track's centre by as much as rails are laid, and lies on the
-  /// standard so well that the turn can be told: that inclination, rad; else 0. A scene's position.cant
-  /// would incline such a rail again.
-  double inclination = 0;
 };
 
-/// The standard that is most like the curve, if one is near. Wear takes steel away, so a standard outside of
-/// which there is steel is less like than one from which much is worn off.
-std::optional<LikeStandard> like_standard(const ProfileCurve& curve, ProfileKind kind);
+/// The standard that is most like the curve, if one is near: a quarter of the curve lies on it but for the
+/// `scatter` (mm) of its points, hardly any steel lies outside, and a wheel is not turned. Wear takes steel
+/// away, so a standard outside of which there is steel is less like than one from which much is worn off.
+std::optional<LikeStandard> like_standard(const ProfileCurve& curve, ProfileKind kind, double scatter = 0);
+
+/// By how much a rail is inclined in its file already, towards the track's centre, rad, if by as much as
+/// rails are laid; 0 if it stands upright, or is too worn to tell. A scene's position.cant would incline such
+/// a rail again. The symmetry of its head tells (head_symmetry.hpp); where one side is worn, a standard on
+/// which it lies.
+double rail_inclination(const ProfileCurve& rail, double scatter = 0);
 
 /// "about 1:40"
 std::string inclination_text(double inclination);

@@ -3,6 +3,7 @@
 #include "bem_contact/profile/profile_curve.hpp"
 
 #include <span>
+#include <vector>
 
 namespace bem_contact {
 
@@ -24,11 +25,30 @@ struct PointOnNominal {
 };
 PointOnNominal seen_from(const ProfileCurve& nominal, Point2 measured, const NominalPlace& place);
 
-/// Places the nominal profile by what is not worn: first by least sum of distances, then by least squares
-/// with Tukey's weights, which leave out what is off by more than 4.7 times what is usual. `scatter` is that
-/// of a point, mm. Points beyond the ends of the nominal profile do not count. It begins in the file's own
-/// frame, and if that is far off, with the tops of both laid on each other. There may be no good place: look
-/// at the distances.
+/// Whether a curve is walked as a wheel is, towards -y.
+bool is_wheel(const ProfileCurve& curve);
+
+/// A place of a nominal profile on measured points, and how well it is known.
+struct UnwornPlace {
+  NominalPlace place;
+  double share = 0;     ///< of the points that are unworn there: within unworn_distance (settings.hpp)
+  double outside = 0;   ///< share of the points that lie outside it by more than that
+  double stiffness = 0; ///< how the unworn part holds it: least eigenvalue; 0: it slides
+};
+
+/// Places where much of a nominal profile is unworn, the best first; none if the points are of another shape.
+/// `scatter` is that of a point, mm; points are in walking order.
+///
+/// A place is found by least squares with Tukey's weights, whose width shrinks to some scatters: what is worn
+/// counts for nothing, however much of it there is. Wear takes steel away, so points outside the nominal
+/// profile count up to four times that width. Of a rail, steep parts count more than the top, because wheels
+/// reach the top and the gauge corner. The search begins in the file's own frame, and with the tops of both
+/// laid on each other, turned and moved as measured profiles are.
+std::vector<UnwornPlace> unworn_places(const ProfileCurve& nominal, std::span<const Point2> points,
+                                       double scatter);
+
+/// The best of these, to rounding; where there is none, the tops of both are laid on each other: look at the
+/// distances.
 NominalPlace place_nominal(const ProfileCurve& nominal, std::span<const Point2> points, double scatter);
 
 } // namespace bem_contact

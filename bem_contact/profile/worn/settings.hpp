@@ -18,18 +18,44 @@ BEM_CONTACT_TUNED(double, placing_arm, 30.0);
 /// stays where it is.
 BEM_CONTACT_TUNED(double, placing_damping, 1e-9);
 BEM_CONTACT_TUNED(double, placing_tolerance, 1e-6); ///< mm. Where the steps of a fit end.
-/// 1. Bound of the steps of a fit; a worn profile takes some 15.
-BEM_CONTACT_TUNED(int, placing_steps, 60);
-/// 1 (scatters). Nearer points are as near as noise allows: the sum of distances is rounded there.
+/// 1 (share of the points). The fit is given up where fewer are near: it would follow noise. Chosen.
+BEM_CONTACT_TUNED(double, least_placing_weight, 0.05);
+BEM_CONTACT_TUNED(double, largest_placing_angle, 0.12); ///< rad. No rail is measured more inclined.
+/// 1. What a point on the top of a rail tells of its place, beside one on a vertical flank: wheels wear the
+/// top and the gauge corner. With 1, .3 mm off the top and .6 mm off the corner turn the place of 60E1 by
+/// 1.6 mrad, and 2 mm worn evenly off the top lay it on the worn top.
+BEM_CONTACT_TUNED(double, told_on_top, 0.1);
+/// 1 (widths of Tukey's weights). Points outside a nominal profile count up to so many times as far off as
+/// worn ones: wear takes steel away. Lips of the steel, some tenths high, still do not count. Chosen.
+BEM_CONTACT_TUNED(double, outside_widths, 4.0);
+/// mm. A point this near is unworn. Chosen.
+BEM_CONTACT_TUNED(double, unworn_distance, 0.1);
+/// 1 (scatters). Noise alone moves hardly any point by more.
 BEM_CONTACT_TUNED(double, placing_scatters, 3.0);
-BEM_CONTACT_TUNED(double, least_placing_distance, 1e-3); ///< mm. As above, of exact points.
-/// 1. Tukey's width over the standard deviation: 95 % as good as least squares on normal noise
-/// (Holland and Welsch 1977).
-BEM_CONTACT_TUNED(double, tukey_width, 4.685);
-BEM_CONTACT_TUNED(int, placing_points, 80); ///< 1. Points with which a place is looked for. Chosen.
-/// mm. Half of the points lie nearer where the file's own frame is about that of the nominal profile. A wheel
-/// worn by 1 mm on half of its tread stays below.
-BEM_CONTACT_TUNED(double, placed_distance, 0.5);
+/// mm. Within these, one after the other, a point counts during the search.
+inline constexpr double placing_widths[] = {6.0, 2.0, 0.8, 0.4};
+BEM_CONTACT_TUNED(double, searching_tolerance, 1e-4); ///< mm. Where the steps of a fit end in the search.
+BEM_CONTACT_TUNED(int, searching_steps, 6);           ///< 1. Steps of a fit in each width,
+BEM_CONTACT_TUNED(int, settling_steps, 20);           ///< 1. and at the place found.
+BEM_CONTACT_TUNED(int, settling_rounds, 3);           ///< 1. Of a fit to what lies as near as most does:
+BEM_CONTACT_TUNED(double, settling_medians, 5.0);     ///< 1. within so many median distances,
+BEM_CONTACT_TUNED(double, settling_least, 0.01);      ///< mm. but not within less: the rounding of a file.
+BEM_CONTACT_TUNED(std::size_t, searched_places, 5);   ///< 1. Starts that are followed: the nearest ones.
+BEM_CONTACT_TUNED(std::size_t, settled_places, 2);    ///< 1. Places of which the share is asked for,
+BEM_CONTACT_TUNED(double, nearly_as_near, 1.5);    ///< 1. the second if it is off by less than so many times.
+BEM_CONTACT_TUNED(std::size_t, rating_points, 25); ///< 1. Points by which starts are compared. Chosen.
+BEM_CONTACT_TUNED(int, polishing_steps, 6);        ///< 1. Steps of the last fit, on the profile itself.
+BEM_CONTACT_TUNED(std::size_t, placing_points, 40);   ///< 1. Points with which a place is looked for. Chosen.
+BEM_CONTACT_TUNED(std::size_t, settling_points, 150); ///< 1. Points with which it is found. Chosen.
+BEM_CONTACT_TUNED(double, apart_distance, 0.5);       ///< mm. Nearer places are the same,
+BEM_CONTACT_TUNED(double, apart_angle, 5e-3);         ///< rad. if their angles are as near.
+/// mm. Chords with which points are placed. Their bulges counted, an arc of 13 mm radius is off by
+/// nanometres, the curve at a jump of the curvature by 2 um.
+BEM_CONTACT_TUNED(double, outline_chord, 0.5);
+/// 1. Of so many chords one is looked at where a point is far from the one before.
+BEM_CONTACT_TUNED(std::size_t, looked_at_chords, 6);
+/// mm. A point that is farther from the chord of the point before may be nearer to another part of the curve.
+BEM_CONTACT_TUNED(double, far_from_chord, 2.0);
 /// mm. Points this near to the top (of a wheel: to the tip) say where the middle of it is. Chosen.
 BEM_CONTACT_TUNED(double, placing_top, 2.0);
 /// mm. So far beyond its end a point still belongs to a nominal profile: noise may move the last one.
@@ -50,12 +76,46 @@ BEM_CONTACT_TUNED(double, worn_share, 0.1);
 /// 1. A second standard that is not more unlike than this is named too. Chosen: a 60E2 with its top worn
 /// evenly lies as well on 60E1.
 BEM_CONTACT_TUNED(double, like_tie, 1.5);
-/// mm (root mean square). With more steel outside a standard the turn of a rail is not told. A 60E1 that
-/// bumps of wear take 0.3 to 2 mm off, 8 to 30 mm wide, is then placed askew by less than least_inclination.
-BEM_CONTACT_TUNED(double, most_added_steel, 0.02);
+/// mm. So near a point lies on the nominal profile but for its scatter.
+BEM_CONTACT_TUNED(double, lies_on_nominal, 0.02);
+/// 1 (share of the points). A standard on which less of a profile lies is not like it. New wheels of seven
+/// other shapes lie on S1002 by .05 to .16, S1002 worn by 2 mm on the whole tread by .33.
+BEM_CONTACT_TUNED(double, least_unworn_share, 0.25);
+/// 1 (share of the points). Where more of a profile lies outside a nominal one, by more than its scatter, it
+/// is not worn from that: wear takes steel away, and the steel that flows makes narrow lips. Chosen.
+BEM_CONTACT_TUNED(double, most_outside, 0.05);
+/// rad. Inclinations by a standard and by symmetry that differ by more do not belong together: 1 mm off the
+/// top and .6 mm off the gauge corner move that by symmetry by 2 mrad.
+BEM_CONTACT_TUNED(double, symmetry_slack, 0.004);
+/// rad. Wheels are measured from the flat back of their rim: no file is turned by more.
+BEM_CONTACT_TUNED(double, largest_wheel_turn, 0.005);
 /// rad. A rail that is turned by this or more towards the track's centre was measured as it lies in the
 /// track: half of 1:40, the smallest inclination in use.
 BEM_CONTACT_TUNED(double, least_inclination, 0.0125);
+// Symmetry of a rail's head.
+
+/// rad. Heads turn by 160 degrees from side to side; a running surface that turns by less is another thing.
+BEM_CONTACT_TUNED(double, least_head_turn, 1.0);
+/// rad. The search for the axis begins at these: upright, and inclined 1:20.
+inline constexpr double symmetry_starts[] = {0.0, -0.05};
+/// 1. Chords of the measured head: about a millimetre long. Chosen.
+BEM_CONTACT_TUNED(int, symmetry_chords, 150);
+/// mm. Within these, one after the other, a point counts.
+inline constexpr double symmetry_widths[] = {3.0, 1.0, 0.4, 0.2, 0.1};
+BEM_CONTACT_TUNED(double, symmetry_least,
+                  0.03); ///< mm. Last width at least: what sides differ by, as rolled.
+/// 1 (last widths). What lies so near to its mirror image is symmetric.
+BEM_CONTACT_TUNED(double, symmetric_widths, 1.5);
+/// 1 (cosine to the horizontal). Steeper parts, beyond 64 degrees, are the sides of a head.
+BEM_CONTACT_TUNED(double, steep_cosine, 0.44);
+/// 1. Shares of the sides and of what is between that must be symmetric. A flank and a worn gauge face, with
+/// an axis that is wrong by 25 to 50 mrad, cross the top so that .03 to .04 of it lies on its image; 1 mm off
+/// the top and .6 mm off the gauge corner of 39 standards leave .15 and more.
+BEM_CONTACT_TUNED(double, least_symmetric_sides, 0.5);
+BEM_CONTACT_TUNED(double, least_symmetric_top, 0.15); ///< 1. As above.
+
+// The depth of wear.
+
 /// 1. Fewer points tell no depth.
 BEM_CONTACT_TUNED(std::size_t, least_nominal_points, 20);
 /// 1 (median distances of points). Depths nearer to each other become one.

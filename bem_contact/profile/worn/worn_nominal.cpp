@@ -117,8 +117,14 @@ void refuse_far(const ProfileCurve& nominal, const NominalFit& fit, std::size_t 
 } // namespace
 
 NominalFit fit_nominal(const ProfileCurve& nominal, std::span<const Point2> points, double scatter) {
-  NominalFit fit{.place = place_nominal(nominal, points, scatter)};
-  double squares = 0, added = 0;
+  return fit_at(place_nominal(nominal, points, scatter), nominal, points, scatter);
+}
+
+NominalFit fit_at(const NominalPlace& place, const ProfileCurve& nominal, std::span<const Point2> points,
+                  double scatter) {
+  NominalFit fit{.place = place};
+  const double lies_on = lies_on_nominal + placing_scatters * scatter;
+  double squares = 0, added = 0, on_it = 0, outside = 0;
   bool any = false;
   for (const Point2 p : points) {
     const PointOnNominal seen = seen_from(nominal, p, fit.place);
@@ -130,15 +136,29 @@ NominalFit fit_nominal(const ProfileCurve& nominal, std::span<const Point2> poin
     fit.largest = any ? std::max(fit.largest, seen.depth) : seen.depth;
     squares += seen.depth * seen.depth;
     added += std::pow(std::min(seen.depth, 0.0), 2);
+    on_it += std::abs(seen.depth) < lies_on;
+    outside += seen.depth < -lies_on;
     any = true;
   }
   const std::size_t on = points.size() - fit.beyond;
   fit.rms = any ? std::sqrt(squares / static_cast<double>(on)) : 0;
   fit.added_rms = any ? std::sqrt(added / static_cast<double>(on)) : 0;
+  fit.share = on_it / static_cast<double>(points.size());
+  fit.outside = outside / static_cast<double>(points.size());
   fit.near = 2 * fit.beyond <= points.size() && on >= least_nominal_points &&
              std::max(-fit.least, fit.largest) <= farthest_from_nominal &&
              fit.rms <= farthest_rms_from_nominal;
   return fit;
+}
+
+std::string not_worn_from(const ProfileCurve& nominal, const NominalFit& fit) {
+  if (fit.outside > most_outside)
+    return fmt::format("{:.0f} % of it lie outside, up to {:.2f} mm, and wear takes steel away",
+                       100 * fit.outside, -fit.least);
+  if (is_wheel(nominal) && std::abs(fit.place.angle) > largest_wheel_turn)
+    return fmt::format("it would be turned by {:.2f} degrees, and wheels are measured within {:.2f} degrees",
+                       degrees(fit.place.angle), degrees(largest_wheel_turn));
+  return "";
 }
 
 WornNominal worn_from_nominal(const ProfileCurve& nominal, std::span<const Point2> points, double scatter,
@@ -162,7 +182,8 @@ WornNominal worn_from_nominal(const ProfileCurve& nominal, std::span<const Point
                   .least_depth = least,
                   .largest_depth = largest,
                   .shortest_wave = shortest,
-                  .longest_wave = longest};
+                  .longest_wave = longest,
+                  .doubt = not_worn_from(nominal, fit)};
   double depths = 0, removed = 0;
   for (std::size_t i = 0; i < measured.s.size(); ++i) {
     const double moved = measured.depth[i] - smooth.depth[i];

@@ -21,6 +21,7 @@ struct WornNominal {
   double rms_depth = 0;     ///< root mean square, mm
   double shortest_wave = 0, longest_wave = 0; ///< range of the shortest wavelength kept, mm
   double removed_rms = 0, removed_most = 0;   ///< of the measured depths by smoothing, mm
+  std::string doubt = {}; ///< why it is hardly worn from that profile (not_worn_from()); "": it may be
 };
 
 /// Points are in the frame and order of ProfileCurve. `smoothing` is the shortest wavelength of the depth
@@ -37,10 +38,20 @@ struct NominalFit {
   NominalPlace place;
   double least = 0, largest = 0, rms = 0; ///< depths of the points on it, mm
   double added_rms = 0;                   ///< root mean square of the depths below 0: of steel outside it, mm
+  double share = 0;                       ///< of the points that lie on it but for their scatter
+  double outside = 0;                     ///< share of the points that lie outside it by more than that
   std::size_t beyond = 0;                 ///< points beyond its ends
   /// The points may be those of this profile, worn: they lie near it, and most of them not beyond its ends.
   bool near = false;
 };
+
+/// Why points that lie so on a nominal profile are hardly worn from it: too many of them lie outside, or a
+/// wheel is turned; "": they may be.
+std::string not_worn_from(const ProfileCurve& nominal, const NominalFit& fit);
+
 NominalFit fit_nominal(const ProfileCurve& nominal, std::span<const Point2> points, double scatter);
+/// The same at a given place.
+NominalFit fit_at(const NominalPlace& place, const ProfileCurve& nominal, std::span<const Point2> points,
+                  double scatter);
 
 } // namespace bem_contact

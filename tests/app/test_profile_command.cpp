@@ -1,0 +1,74 @@
+#include "bem_contact/profile/standard_profiles.hpp"
+#include "bem_contact/profile/worn/nominal_place.hpp"
+#include "tests/app/run_program.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+using namespace bem_contact;
+using ::testing::HasSubstr;
+
+class ProfileCommand : public ProgramTest {};
+
+/// The depth is that along the normal, on the flank too, where a difference of heights would be ten times it.
+TEST_F(ProfileCommand, LaysAStandardOnTheUnwornPartOfAFile) {
+  const ProfileCurve upright = standard_profile("60E1");
+  const NominalPlace in_track{{-7, 0.2}, -0.025};
+  const auto worn = [](double s) { return 0.5 * std::exp(-std::pow((s + 42) / 5, 2)); };
+  std::string points;
+  for (double s = upright.s_begin(); s <= upright.s_end(); s += 0.25) {
+    const CurvePoint p = upright.at(s);
+    const Point2 q = in_track.to_measured(p.position + worn(s) * normal_of(p.delta));
+    points += fmt::format("{:.6f} {:.6f}\n", q.y, q.z);
+  }
+  const std::string file = write("rail.txt", points).string(), table = (folder_ / "p.csv").string();
+  const Outcome r = run("profile 60E1 --on '" + file + "' --csv '" + table + "'");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("turned by -1.43"));
+  std::ifstream in(table);
+  std::string line;
+  std::getline(in, line);
+  EXPECT_EQ(line, "s_mm,y_mm,z_mm,inclination_rad,curvature_per_mm,depth_mm");
+  int rows = 0;
+  while (std::getline(in, line)) {
+    std::ranges::replace(line, ',', ' ');
+    std::istringstream words(line);
+    double s = 0, y = 0, z = 0, delta = 0, curvature = 0, depth = 0;
+    words >> s >> y >> z >> delta >> curvature >> depth;
+    if (!words || s < upright.s_begin() + 1 || s > upright.s_end() - 1)
+      continue;
+    ++rows;
+    EXPECT_LT(norm(Point2{y, z} - in_track.to_measured(upright.at(s).position)), 5e-3) << s;
+    EXPECT_NEAR(depth, worn(s), 5e-3) << s;
+  }
+  EXPECT_GT(rows, 1000);
+  const Outcome other = run("profile '" + file + "' --kind rail --on '" + file + "'");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("only a standard profile is laid on a measured one"));
+}
+
+/// Worn on top and inclined.
+TEST_F(ProfileCommand, SaysThatAWornRailIsInclined) {
+  const ProfileCurve upright = standard_profile("54E1");
+  const NominalPlace in_track{{-5, 0}, -0.05};
+  std::string points;
+  for (double s = upright.s_begin(); s <= upright.s_end(); s += 0.25) {
+    const CurvePoint p = upright.at(s);
+    const Point2 q =
+        in_track.to_measured(p.position + 0.3 * std::exp(-std::pow(s / 10, 2)) * normal_of(p.delta));
+    points += fmt::format("{:.6f} {:.6f}\n", q.y, q.z);
+  }
+  const Outcome r = run("profile '" + write("rail.txt", points).string() + "' --kind rail");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("inclined: turned by -2.8"));
+  EXPECT_THAT(r.out, HasSubstr("(about 1:20): the file is already inclined; give position.cant = 0 with it"));
+}
+
+} // namespace
