@@ -141,6 +141,79 @@ TEST(ContactSearch, FindsWhatBruteForceFindsAtKinks) {
   EXPECT_EQ(tally.refused, 0);
 }
 
+/// Corners rounded by arcs of 20 points; a corner of radius 0 stays.
+std::vector<Point2> rounded(const std::vector<std::pair<Point2, double>>& corners) {
+  std::vector<Point2> out{corners.front().first};
+  const auto walk_to = [&](Point2 p) {
+    const Point2 from = out.back();
+    const int steps = 1 + static_cast<int>(norm(p - from));
+    for (int i = 1; i <= steps; ++i)
+      out.push_back(from + (i / static_cast<double>(steps)) * (p - from));
+  };
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+    const auto [p, radius] = corners[k];
+    const Point2 a = p - corners[k - 1].first, b = corners[k + 1].first - p;
+    const Point2 in = (1 / norm(a)) * a, on = (1 / norm(b)) * b;
+    const double turn = angle_from_to(in, on), cut = radius * std::tan(std::abs(turn) / 2);
+    walk_to(p - cut * in);
+    const Point2 begin = out.back();
+    const double side = turn > 0 ? 1 : -1;
+    const Point2 centre = begin + (side * radius) * Point2{-in.z, in.y};
+    for (int i = 1; i <= 20 && radius > 0; ++i)
+      out.push_back(centre + turned(begin - centre, turn * i / 20));
+  }
+  walk_to(corners.back().first);
+  return out;
+}
+
+/// The flange of a tram's wheel in the groove of its rail, whose walls are vertical or lean over it: it
+/// stands on the head, on the bottom of the groove, or with its back on the keeper.
+TEST(ContactSearch, FindsWhatBruteForceFindsBehindVerticalWalls) {
+  const TabulatedProfile wheel(ProfileCurve::through_points(
+      "tram", rounded({{{45, -1.1}, 0}, {{-36, 0.5}, 9}, {{-43, 22}, 4}, {{-56, 24}, 6}, {{-58, 3}, 0}})));
+  Tally tally;
+  for (const double over : {0.0, 0.6}) // by how much the walls lean over the groove, mm
+    for (const double bottom : {19.0, 47.0}) {
+      const TabulatedProfile rail(ProfileCurve::through_points("groove", rounded({{{-100, 9}, 0},
+                                                                                  {{-60, 8}, 3},
+                                                                                  {{-60 - over, bottom}, 3},
+                                                                                  {{-28 + over, bottom}, 3},
+                                                                                  {{-28, 1}, 9},
+                                                                                  {{0, 0}, 100},
+                                                                                  {{28, 1}, 9},
+                                                                                  {{28, 25}, 0}})));
+      compare_with_brute_force(rail, wheel, 25, 6, tally, 0.35);
+    }
+  report("tram wheel in a groove", tally);
+  EXPECT_EQ(tally.refused, 0);
+}
+
+TEST(ContactSearch, AFlangeBackStandsOnTheKeeper) {
+  const TabulatedProfile wheel(ProfileCurve::through_points(
+      "tram", rounded({{{45, -1.1}, 0}, {{-20, 0.5}, 9}, {{-30, 22}, 5}, {{-42, 24}, 7}, {{-42, 3}, 0}})));
+  const TabulatedProfile rail(ProfileCurve::through_points("groove", rounded({{{-100, 8}, 0},
+                                                                              {{-66, 8}, 3},
+                                                                              {{-66, 47}, 3},
+                                                                              {{-28, 47}, 3},
+                                                                              {{-28, 1}, 9},
+                                                                              {{0, 0}, 100},
+                                                                              {{28, 1}, 9},
+                                                                              {{28, 25}, 0}})));
+  WheelsetPosition position;
+  position.gauge_height = 10;
+  position.rail_origin = Point2{750, 0};
+  position.wheel_origin = Point2{750, 0};
+  position.lateral = -36; // the back at -78, 12 mm beyond the keeper's wall
+  WheelOnRail pair = place(position, rail, wheel);
+  const TouchPoint touch = lower_to_touch(pair).front();
+  EXPECT_LT(touch.position.y, 750 - 66);
+  EXPECT_NEAR(touch.position.z, 8, 0.2);
+  EXPECT_GT(pair.wheel.at(touch.wheel_s).position.z, 20); // on the flange
+  position.lateral = -10;                                 // free of the keeper
+  pair = place(position, rail, wheel);
+  EXPECT_GT(lower_to_touch(pair).front().position.y, 750 - 30);
+}
+
 TEST(ContactSearch, AYawedFlangeTouchesInFront) {
   // Front to the right: the flange of the right wheel, which runs to the left of its rail, meets it in front
   // of the wheel's centre by r tan(yaw) tan(slope); the wheel itself has gone back by 750 mm sin(yaw).
