@@ -45,7 +45,7 @@ struct Touching {
 /// What is known of the bodies before they touch: WheelRailGeometry's members of these names.
 struct Origin {
   double lowered = 0;
-  double rail_inclination = 0;
+  RailInclination rail_inclination;
   std::optional<StructuralPlacement> structure = {};
 };
 

@@ -85,13 +85,13 @@ void warn_of_kilonewtons(const char* key, double force, int wheels, std::vector<
                                    wheels == 1 ? "a wheel" : "an axle"));
 }
 
-std::string inclined_twice(double rail_inclination, double cant) {
-  if (rail_inclination == 0 || cant == 0)
+std::string inclined_twice(const RailInclination& rail, double cant) {
+  if (cant == 0 || rail.get() == 0) // without cant nobody need look for the other one
     return "";
   return fmt::format(
       "the rail's file is already inclined ({}), and position.cant = {:g} inclines it again: give "
       "position.cant = 0 with it",
-      inclination_text(rail_inclination), cant);
+      inclination_text(rail.get()), cant);
 }
 
 std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSetup& setup) {

@@ -15,6 +15,6 @@ std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSet
 void warn_of_kilonewtons(const char* key, double force, int wheels, std::vector<std::string>& warnings);
 
 /// What is wrong with inclining a rail by `cant` (rad) that its file has inclined already; "": nothing.
-std::string inclined_twice(double rail_inclination, double cant);
+std::string inclined_twice(const RailInclination& rail, double cant);
 
 } // namespace bem_contact

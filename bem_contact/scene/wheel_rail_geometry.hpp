@@ -8,31 +8,35 @@
 #include "bem_contact/scene/grid_plan.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
+#include <future>
 #include <optional>
 #include <vector>
 
 namespace bem_contact {
 
+/// By how much a rail is inclined in its file already (like_standard.hpp), rad; 0 of a standard profile. It
+/// is found by whoever first asks for it: few do, and it takes as long as many a contact.
+using RailInclination = std::shared_future<double>;
+
 /// Both profiles, tabulated: read once for a sequence of cases with the same bodies.
 struct WheelRailProfiles {
   TabulatedProfile rail, wheel;
-  double rail_inclination = 0; ///< that the rail's file has already (like_standard.hpp), rad
+  RailInclination rail_inclination; ///< that the rail's file has already
 };
 WheelRailProfiles read_profiles(const SceneFile& scene);
-/// By how much a rail is inclined in its file already (like_standard.hpp), rad; 0 of a standard profile.
-double inclination_of_rail(const std::string& name, const ProfileCurve& rail);
+RailInclination inclination_of_rail(const std::string& name, const ProfileCurve& rail);
 
 /// The bodies of a `wheel_rail` scene, the wheel lowered until it just touches.
 struct WheelRailGeometry {
   WheelOnRail pair;
-  ContactLocus locus;            ///< of the pair as it stands
-  std::vector<TouchPoint> touch; ///< the deepest first
-  std::vector<RailSlice> slices; ///< the whole head of the rail
-  double lowered = 0;            ///< by this much from where the height of its axle puts it, mm
-  bool planar = false;           ///< all rows lie in the tangent plane at the reference point
-  ReferencePoint reference;      ///< centre of the contact; the deepest point where nothing touches
-  double contact_radius = 0;     ///< of the wheel at that centre, mm
-  double rail_inclination = 0;   ///< of the rail in its file, before position.cant, rad
+  ContactLocus locus;               ///< of the pair as it stands
+  std::vector<TouchPoint> touch;    ///< the deepest first
+  std::vector<RailSlice> slices;    ///< the whole head of the rail
+  double lowered = 0;               ///< by this much from where the height of its axle puts it, mm
+  bool planar = false;              ///< all rows lie in the tangent plane at the reference point
+  ReferencePoint reference;         ///< centre of the contact; the deepest point where nothing touches
+  double contact_radius = 0;        ///< of the wheel at that centre, mm
+  RailInclination rail_inclination; ///< of the rail in its file, before position.cant
   std::optional<StructuralPlacement> structure = {}; ///< where structural motion has moved the bodies
 
   std::vector<ContactRow> rows(const GridPlan& plan) const;

@@ -26,7 +26,7 @@ WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
     throw InputError("This scene has no wheelset", "its kind is \"patch\"",
                      "Give a scene with kind = \"wheel_rail\".");
   const WheelRailProfiles right = read_profiles(scene);
-  const auto warn_of_inclination = [&](const char* side, double inclination) {
+  const auto warn_of_inclination = [&](const char* side, const RailInclination& inclination) {
     if (const std::string twice = inclined_twice(inclination, scene.position.cant); !twice.empty())
       messages()->warn("{}{}", side, twice);
   };
