@@ -195,8 +195,7 @@ std::optional<double> Sequence::Impl::rough_lateral_force(SceneFile scene, doubl
   try {
     const ContactCase asked = prepare(with_lateral(std::move(scene), lateral), {});
     SceneFile::Grid grid;
-    std::tie(grid.dx, grid.ds) =
-        size_of_elements(*asked.estimate, lateral_map_elements, 1, 0, longest_element);
+    std::tie(grid.dx, grid.ds) = size_of_elements(*asked.estimate, lateral_map_elements, 1, {});
     WorkBudget work(task.stop);
     return lateral_force_of(solve_with_free_rolling(asked, grid, {.work = work, .totals_only = true}));
   } catch (const InputError&) { // the bodies do not meet there, or not as elastic bodies

@@ -187,13 +187,37 @@ TEST(Sequence, TheShortestElementOfTheFilesIsKept) {
   estimate.slices = {RailSlice{.s = 0, .half = 1e-3, .position = {}},
                      RailSlice{.s = 0.1, .half = 1e-3, .position = {}}};
   estimate.approach = 0.1;
-  const auto [dx, ds] = size_of_elements(estimate, 3000, 1.0, 0.5, 1.1);
+  const auto [dx, ds] = size_of_elements(estimate, 3000, 1.0, {.shortest = 0.5, .longest = 1.1});
   EXPECT_EQ(dx, 0.5);
-  EXPECT_LT(size_of_elements(estimate, 3000, 1.0, 0, 1.1).first, 0.5);
+  EXPECT_LT(size_of_elements(estimate, 3000, 1.0, {.longest = 1.1}).first, 0.5);
   EXPECT_EQ(ds, 0.125);
   const double area = contact_extent(estimate).area;
-  const auto [free_dx, free_ds] = size_of_elements(estimate, 3000, 1.0, 0, 1.1);
+  const auto [free_dx, free_ds] = size_of_elements(estimate, 3000, 1.0, {.longest = 1.1});
   EXPECT_LE(free_dx * free_ds, 1.001 * area / 3000);
+}
+
+/// Where the files have no shorter elements, rows are as narrow as beside shorter ones: narrower rows leave
+/// the error of the length, and numbers of files cost the square of the rows.
+TEST(Sequence, RowsDoNotMakeUpForTheLengthOfElements) {
+  ContactEstimate estimate;
+  for (int i = 0; i < 60; ++i)
+    estimate.slices.push_back(RailSlice{.s = 0.1 * i, .half = 1e-3, .position = {}});
+  estimate.approach = 0.1;
+  const ContactExtent extent = contact_extent(estimate);
+  const auto size = [&](int elements, const ElementLimits& limits) {
+    return size_of_elements(estimate, elements, 1.0, limits);
+  };
+  const auto [free_dx, free_ds] = size(1000, {});
+  const auto [dx, ds] = size(1000, {.shortest = 1.5 * free_dx});
+  EXPECT_EQ(dx, 1.5 * free_dx);
+  EXPECT_NEAR(ds / free_ds, 1, 0.19); // one size of the ladder
+  // An estimate needs a number of elements, and a scene may ask for one.
+  for (const int fewest : {180, 300}) {
+    const double shortest = 1.5 * size(fewest, {}).first;
+    const auto [length, width] = size(fewest, {.shortest = shortest, .fewest = fewest});
+    EXPECT_EQ(length, shortest);
+    EXPECT_GE(extent.area / length / width, 0.999 * fewest);
+  }
 }
 
 TEST(Sequence, ElementsAreGivenInOneWay) {

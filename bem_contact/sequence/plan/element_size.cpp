@@ -64,20 +64,33 @@ bool ElementCount::learn(int contact, double error) {
   return again && wanted_ > contact;
 }
 
+namespace {
+
+/// Length of elements over their width. Behind the leading edge tractions grow over the shorter axis of a
+/// contact, whichever way that lies: long elements in a contact drawn out along x, as at the gauge corner,
+/// cost three times the error.
+double aspect_of(const ContactExtent& extent, double longest) {
+  return std::clamp(extent.along_x / extent.along_s, double(shortest_element_aspect), longest);
+}
+
+} // namespace
+
 std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio,
-                                           double shortest, double longest) {
+                                           const ElementLimits& limits) {
   const ContactExtent extent = contact_extent(estimate);
   if (!(extent.area > 0) || !(extent.along_x > 0) || !(extent.along_s > 0))
     return {default_dx, default_ds};
-  const double element = extent.area * area_ratio / elements;
-  // Behind the leading edge tractions grow over the shorter axis of a contact, whichever way that lies: long
-  // elements in a contact drawn out along x, as at the gauge corner, cost three times the error.
-  const double aspect = std::clamp(extent.along_x / extent.along_s, double(shortest_element_aspect), longest);
+  const double area = extent.area * area_ratio, element = area / elements;
+  const double aspect = aspect_of(extent, limits.longest);
   // One is rounded to the nearest, the other such that there are not fewer elements than asked for.
-  const double dx = std::max(shortest, on_ladder(std::sqrt(element * aspect), false));
-  // Where dx may not follow, ever narrower rows would cost much and say little.
-  const double narrowest = dx == shortest ? narrowest_element_share * shortest : 0;
-  return {dx, std::max(narrowest, on_ladder(element / dx, true))};
+  const double dx = std::max(limits.shortest, on_ladder(std::sqrt(element * aspect), false));
+  if (dx > limits.shortest)
+    return {dx, on_ladder(element / dx, true)};
+  // Where dx may not follow, rows as narrow as if it did say all that can be said: what is left of the error
+  // is that of the length. Only a contact of too few elements for an estimate gets narrower ones.
+  const double wide =
+      std::max(element / dx, std::min(std::sqrt(element / aspect), area / limits.fewest / dx));
+  return {dx, std::max(narrowest_element_share * dx, on_ladder(wide, true))};
 }
 
 namespace {
@@ -121,8 +134,16 @@ SceneFile::Grid ElementSize::grid(const ContactCase& asked) const {
   SceneFile::Grid grid = asked.scene.grid;
   if (open_size(grid))
     std::tie(grid.dx, grid.ds) =
-        size_of_elements(*asked.estimate, count_->wanted(), area_ratio_, shortest_, longest_);
+        size_of_elements(*asked.estimate, count_->wanted(), area_ratio_,
+                         {shortest_, longest_, request_.accuracy > 0 ? count_->least() : count_->wanted()});
   return grid;
+}
+
+int ElementSize::counted(const ContactCase& asked, const ContactGrid& grid, int contact) const {
+  if (grid.dx != shortest_)
+    return contact;
+  const double follows = grid.ds * aspect_of(contact_extent(*asked.estimate), longest_);
+  return static_cast<int>(contact * std::max(1.0, grid.dx / follows));
 }
 
 bool ElementSize::learn(const ContactCase& asked, const SceneResult& out) {
@@ -145,7 +166,7 @@ bool ElementSize::learn(const ContactCase& asked, const ContactProblem& problem,
   if (asked.estimate->approach > 0)
     area_ratio_ = learn_area_ && area > 0 ? contact * solved.dx * solved.ds / area : 1.0;
   if (!open_size(asked.scene.grid) || !by_elements ||
-      !count_->learn(contact, asked_error(asked.scene.grid, problem, result)))
+      !count_->learn(counted(asked, solved, contact), asked_error(asked.scene.grid, problem, result)))
     return false;
   const SceneFile::Grid next = grid(asked);
   return next.dx != solved.dx || next.ds != solved.ds;

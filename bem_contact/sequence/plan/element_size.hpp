@@ -27,6 +27,7 @@ public:
   /// Call it for a case that is not like the one before: the number of elements falls back to the usual one
   /// if it is larger.
   void forget();
+  int least() const { return least_; } ///< fewest that are tried for an accuracy
   /// After a case with `contact` elements and an estimated error (< 0: too few to estimate). True where the
   /// case is to be solved again with wanted(), which is larger then.
   bool learn(int contact, double error);
@@ -37,12 +38,20 @@ private:
   int usual_ = 0, most_ = 0, wanted_ = 0;
 };
 
+/// What sizes of elements a case may have.
+struct ElementLimits {
+  double shortest = 0;              ///< least length that the influence files serve, mm; 0: any
+  double longest = longest_element; ///< length over width, at most
+  int fewest = fewest_elements; ///< elements in contact that narrow rows make up for where dx is the shortest
+};
+
 /// dx and ds, mm, of which `elements` elements cover `area_ratio` times the area that the estimate predicts.
-/// There are about as many along x as along s, but none is more than `longest` times as long as wide. dx is
-/// at least `shortest`, and ds at least a quarter of that. Otherwise both are powers of 2^(1/4), so that
-/// influence numbers serve several cases.
+/// There are about as many along x as along s, but none is more than `limits.longest` times as long as wide.
+/// Where dx is the shortest, ds is what it would be beside a shorter dx, so that there are fewer elements,
+/// but not fewer than `limits.fewest` as long as ds is a quarter of dx. Otherwise both are powers of 2^(1/4),
+/// so that influence numbers serve several cases.
 std::pair<double, double> size_of_elements(const ContactEstimate& estimate, int elements, double area_ratio,
-                                           double shortest, double longest);
+                                           const ElementLimits& limits);
 
 /// Chooses dx and ds for the cases of a sequence that ask for grid.elements or grid.accuracy. It learns from
 /// each case how many elements the next one needs, and how large its contact is.
@@ -74,6 +83,9 @@ private:
   /// `by_elements`: the model has elements whose number matters.
   bool learn(const ContactCase& asked, const ContactProblem& problem, const ContactResult& result,
              bool by_elements);
+
+  /// Elements in contact; where dx cannot get shorter, as many as there would be if it had followed ds.
+  int counted(const ContactCase& asked, const ContactGrid& grid, int contact) const;
 
   bool learn_area_;
   Request request_;
