@@ -3,6 +3,7 @@
 Damaged files are drawn or refused.
 """
 
+import ast
 import contextlib
 import io
 import os
@@ -12,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.dom.minidom
 from pathlib import Path
 from unittest import mock
 
@@ -97,6 +99,17 @@ class Numbers(unittest.TestCase):
         self.assertEqual(style.valued(60000, "N"), "60000 N")
 
 
+def tool(name, *arguments, told=None):
+    """The exit code of a tool, in this process: a start takes a second. A traceback is an error of the test."""
+    told = told or io.StringIO()
+    with mock.patch.object(sys, "argv", [name, *map(str, arguments)]), contextlib.redirect_stderr(told):
+        try:
+            runpy.run_path(str(TOOLS / name), run_name="__main__")
+        except SystemExit as end:
+            return end.code
+    return 0
+
+
 class DamagedFiles(unittest.TestCase):
     SWEEP = """kind = "patch"
 motion = { friction = 0.3, xi = 1e-3 }
@@ -106,23 +119,13 @@ grid = { dx = 0.8, ds = 0.8, mx = 12, ms = 12 }
 sweep.load.force = [1e3, 2e3]
 """
 
-    @staticmethod
-    def plot(*arguments):
-        """The exit code of tools/plot, in this process: a start takes a second."""
-        with mock.patch.object(sys, "argv", ["plot", *map(str, arguments)]), contextlib.redirect_stderr(io.StringIO()):
-            try:
-                runpy.run_path(str(TOOLS / "plot"), run_name="__main__")
-            except SystemExit as end:
-                return end.code
-        return 0
-
     def test_a_sweep_of_which_a_dataset_is_too_short_or_gone(self):
         with tempfile.TemporaryDirectory() as temporary:
             folder = Path(temporary)
             whole, file, picture = folder / "whole.h5", folder / "sweep.h5", folder / "s.png"
             (folder / "sweep.toml").write_text(self.SWEEP)
             subprocess.run([os.environ["BEM_CONTACT"], "sweep", folder / "sweep.toml", "-o", whole], check=True, capture_output=True)
-            self.assertEqual(self.plot(whole, "-o", picture), 0)
+            self.assertEqual(tool("plot", whole, "-o", picture), 0)
             for name in ("status", "load.force", "Fx", "patches/y"):
                 for gone in (False, True):
                     with self.subTest(dataset=name, gone=gone):
@@ -133,7 +136,101 @@ sweep.load.force = [1e3, 2e3]
                             if not gone:
                                 opened[name] = data[:-1]
                                 opened[name].attrs.update(attributes)
-                        self.assertIn(self.plot(file, "-o", picture), (0, 2))
+                        self.assertIn(tool("plot", file, "-o", picture), (0, 2))
+
+
+class Results(unittest.TestCase):
+    """tools/paraview and tools/plot on a result: what they write over, names, and damaged files."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.temporary.name)
+        cls.result = cls.folder / "r.h5"
+        scene = TOOLS.parent / "data" / "scenes" / "stresses.toml"
+        subprocess.run([os.environ["BEM_CONTACT"], "solve", scene, "-o", cls.result], check=True, capture_output=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def refused(self, words, *arguments):
+        told = io.StringIO()
+        self.assertEqual(tool(*arguments, told=told), 2, told.getvalue())
+        self.assertRegex(told.getvalue(), r"^error: .+ \(.+\) \S.*\n$")
+        self.assertIn(words, told.getvalue())
+        return told.getvalue()
+
+    def copy(self, name):
+        return Path(shutil.copy(self.result, self.folder / name))
+
+    def test_nothing_of_the_user_is_overwritten(self):
+        script = self.folder / "analysis.py"
+        script.write_text("# my own script\n")
+        self.refused("no state of ParaView", "paraview", self.result, "-o", self.folder / "analysis.vtm")
+        self.assertEqual(script.read_text(), "# my own script\n")
+        self.assertFalse((self.folder / "analysis.vtm").exists())
+        state, picture, surface = self.copy("pw.py"), self.copy("pp.png"), self.folder / "in" / "contact.vts"
+        surface.parent.mkdir()
+        shutil.copy(self.result, surface)
+        link = self.folder / "link.h5"
+        link.symlink_to(picture)
+        self.refused("", "paraview", state, "-o", self.folder / "pw.vtm")
+        self.refused("would overwrite", "paraview", surface, "-o", self.folder / "in.vtm")
+        self.refused("would overwrite", "plot", picture, "-o", picture)
+        self.refused("would overwrite", "plot", link, "-o", picture)
+        for file in (state, picture, surface):
+            self.assertEqual(file.read_bytes(), self.result.read_bytes())
+        again = self.folder / "again.vtm"
+        self.assertEqual([tool("paraview", self.result, "-o", again) for _ in range(2)], [0, 0])  # its own state it replaces
+
+    def test_any_name_is_a_name(self):
+        for name in ('a"b', "a<&b", "it's", "{x}", "back\\slash", "weiß"):
+            with self.subTest(name):
+                self.assertEqual(tool("paraview", self.result, "-o", self.folder / f"{name}.vtm"), 0)
+                state = (self.folder / f"{name}.py").read_text(encoding="utf-8")
+                texts = [node.value for node in ast.walk(ast.parse(state)) if isinstance(node, ast.Constant)]
+                self.assertIn(name, texts)
+                parts = xml.dom.minidom.parse(str(self.folder / f"{name}.vtm")).getElementsByTagName("DataSet")
+                self.assertEqual(parts[0].getAttribute("file"), f"{name}/contact.vts")
+        self.refused("no such characters", "paraview", self.result, "-o", self.folder / "a\nimport os.vtm")
+        message = self.refused("too long", "paraview", self.result, "-o", self.folder / ("a" * 300 + ".vtm"))
+        self.assertLess(len(message), 400)
+        self.refused("too long", "plot", self.result, "-o", self.folder / ("a" * 300 + ".png"))
+        self.refused("No such file", "paraview", self.result, "-o", self.folder / "none" / "a.vtm")
+
+    def damaged(self, file, change):
+        shutil.copy(self.result, file)
+        with h5py.File(file, "r+") as opened:
+            model = opened[next(name for name in ("hertz", "halfspace") if name in opened)]
+            change(opened, model)
+
+    def test_a_damaged_result_is_refused(self):
+        def put(group, name, value):
+            del group[name]
+            group[name] = value
+
+        def remove(group, name):
+            del group[name]
+
+        file, whole = self.folder / "damaged.h5", self.result.read_bytes()
+        both, one = (("paraview", "w.vtm"), ("plot", "w.png")), (("paraview", "w.vtm"),)
+        for change, tools in (
+                (lambda f, m: put(m, "p_n", np.ones((3, 3))), both), (lambda f, m: put(m, "p_n", "text"), both),
+                (lambda f, m: remove(f, m.name), both), (lambda f, m: put(f, m.name, np.ones(7)), both),
+                (lambda f, m: put(f, "x", 3.0), both), (lambda f, m: remove(f, "s"), both),
+                (lambda f, m: put(f, "s", np.zeros(0)), both), (lambda f, m: remove(f.attrs, "dx_mm"), both),
+                (lambda f, m: f.attrs.update(dx_mm="x"), both), (lambda f, m: f.attrs.update(format=3), both),
+                (lambda f, m: put(m, "stresses/stress", np.ones(7)), one), (lambda f, m: put(f, "rail_profile", np.ones(7)), one),
+                (lambda f, m: put(m, "patches", np.ones(3)), one), (lambda f, m: put(f, "scene_with_defaults", np.ones(3)), one)):
+            self.damaged(file, change)
+            for name, output in tools:
+                with self.subTest(name):
+                    self.refused("damaged.h5", name, file, "-o", self.folder / output)
+        for length in (100, len(whole) // 2):
+            file.write_bytes(whole[:length])
+            for name, output in both:
+                self.refused("damaged.h5", name, file, "-o", self.folder / output)
 
 
 if __name__ == "__main__":

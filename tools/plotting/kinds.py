@@ -1,5 +1,7 @@
 """What is FILE? Results by their attribute "format", tables by their first line, a folder by what lies in it."""
 
+import os
+import re
 import sys
 from pathlib import Path
 
@@ -16,8 +18,37 @@ def text(value):
 
 def refuse(problem, why, what_to_do):
     """Ends the program as all programs here do where the input is wrong."""
-    print(f"error: {problem} ({why}) {what_to_do}", file=sys.stderr)
+    message = re.sub(r"(\S{90})\S{60,}(\S{50})", r"\1 ... \2", f"error: {problem} ({why}) {what_to_do}")  # names and values
+    print(message.encode(errors="replace").decode(), file=sys.stderr)
     raise SystemExit(2)
+
+
+def require_output(output, inputs):
+    """Refuses an output that is one of the files that are read, by whatever name."""
+    for name in inputs:
+        if os.path.realpath(output) == os.path.realpath(name) or (
+                os.path.exists(output) and os.path.exists(name) and os.path.samefile(output, name)):
+            refuse(f"The output '{output}' would overwrite '{name}'", "it is read here", "Give the output another name.")
+
+
+def from_file(file, action):
+    """What `action` makes of a file; one that is not what it says is refused."""
+    try:
+        return action()
+    except KeyError as error:
+        refuse(f"'{file}' cannot be used", f"it lacks something: {error}", "Make it again with this version of bem_contact.")
+    except (ArithmeticError, AttributeError, IndexError, OSError, RuntimeError, StopIteration, TypeError, ValueError) as error:
+        why = str(error) or "it holds none of what it should"
+        refuse(f"'{file}' cannot be used", f"it is damaged, or its datasets do not fit each other: {why}",
+               "Copy it again from where it was whole, or make it again.")
+
+
+def to_file(output, action):
+    """Does what writes a file; a name that cannot be written to is refused."""
+    try:
+        return action()
+    except (OSError, UnicodeEncodeError) as error:
+        refuse(f"'{output}' cannot be written", getattr(error, "strerror", None) or str(error), "Give another file.")
 
 
 def require_columns(group):
