@@ -2,6 +2,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/program.hpp"
 #include "bem_contact/base/provenance.hpp"
+#include "bem_contact/base/said_by.hpp"
 #include "fem_influence/commands.hpp"
 #include "fem_influence/shared/parallel.hpp"
 
@@ -69,7 +70,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_option("mesh", arguments.mesh,
                  "Mesh of the cross-section (gmsh .msh); with --solid of the 3-D body")
       ->required();
-  app.add_option("-o,--output", arguments.options.output, "Influence file to write (.h5)");
+  add_output_option(app, "-o,--output", arguments.options.output, "Influence file to write (.h5)");
   app.add_flag("--solid", arguments.solid, "The mesh is 3-D: half of the body in hexahedra");
   app.add_option("--check", arguments.options.check,
                  "With --solid: influence file of the same body to compare with (.h5)");
@@ -82,8 +83,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--load-component", arguments.options.component,
                  "With --vtu: component of the load, 0 = x, 1 = s, 2 = n (default)")
       ->check(CLI::Range(0, 2));
-  app.add_option("--vtu", arguments.options.vtu,
-                 "With --solid: displacement field of the first loaded station, for ParaView (.vtu)");
+  add_output_option(app, "--vtu", arguments.options.vtu,
+                    "With --solid: displacement field of the first loaded station, for ParaView (.vtu)");
   app.footer("Exit code 0: done; 2: wrong input; 1: anything else. More: fem_influence/README.md.");
 }
 
@@ -112,6 +113,9 @@ int run_program(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return exit_code_of(app, error);
+  } catch (const InputError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return 2;
   }
 
   use_one_blas_thread();
@@ -126,7 +130,7 @@ int run_program(int argc, char** argv) {
     fmt::print(stderr, "error: {}\n", error.what());
     code = 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    fmt::print(stderr, "error: {}\n", said_by(error));
     code = 1;
   }
   MPI_Finalize();
@@ -137,5 +141,6 @@ int run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   hold_standard_streams();
+  leave_blas_threads_where_memory_is_limited(argv);
   return checked_exit_code(run_program(argc, argv));
 }

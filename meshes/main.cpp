@@ -3,6 +3,7 @@
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/program.hpp"
 #include "bem_contact/base/provenance.hpp"
+#include "bem_contact/base/said_by.hpp"
 #include "bem_contact/profile/bodies/body_file.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
 #include "meshes/heartbeat.hpp"
@@ -101,7 +102,7 @@ int run_program(int argc, char** argv) {
   std::string body_file, output;
   bool report = false, solid = false, print_default = false;
   app.add_option("BODY.toml", body_file, "body file");
-  app.add_option("-o,--output", output, "mesh to write, e.g. rail.msh");
+  add_output_option(app, "-o,--output", output, "mesh to write, e.g. rail.msh");
   app.add_flag("--solid", solid, "mesh the 3-D body in hexahedra ([solid] of the body file)");
   app.add_flag("--quality", report, "print sizes, areas and the quality of the mesh");
   app.add_flag("--print-default", print_default, "print all keys of a body file with defaults and units");
@@ -120,7 +121,7 @@ int run_program(int argc, char** argv) {
     fmt::print(stderr, "error: {}\n", error.what());
     return 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    fmt::print(stderr, "error: {}\n", said_by(error));
     return 1;
   }
 }
@@ -129,5 +130,6 @@ int run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   hold_standard_streams();
+  leave_blas_threads_where_memory_is_limited(argv);
   return checked_exit_code(run_program(argc, argv));
 }

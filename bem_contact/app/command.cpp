@@ -1,5 +1,6 @@
 #include "bem_contact/app/command.hpp"
 
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/scene/choices.hpp"
 
 #include <CLI/CLI.hpp>
@@ -26,7 +27,7 @@ void add_jobs(CLI::App& line, int& jobs) {
 }
 
 void add_output(CLI::App& line, std::string& output) {
-  line.add_option("-o,--output", output, "Result file (HDF5)");
+  add_output_option(line, "-o,--output", output, "Result file (HDF5)");
 }
 
 void add_json(CLI::App& line, bool& json) {

@@ -6,6 +6,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/provenance.hpp"
+#include "bem_contact/base/said_by.hpp"
 #include "bem_contact/scene/scene_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -13,6 +14,7 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <new>
 #include <spdlog/spdlog.h>
 
 namespace bem_contact::app {
@@ -89,6 +91,9 @@ int parse_and_run(int argc, char** argv) {
     return wrong_input;
   } catch (const Error& error) {
     spdlog::error("{}", error.what());
+    return unforeseen;
+  } catch (const std::bad_alloc& error) {
+    spdlog::error("{}", said_by(error));
     return unforeseen;
   } catch (const std::exception& error) {
     if (std::ferror(stdout) == 0) // checked_exit_code() says it

@@ -27,6 +27,20 @@ struct UsedCommand {
   }
 };
 
+/// An option that names a file or a folder to write. An empty name is refused, as of a variable of a script
+/// that was not set: without it the run would end well, and write nothing.
+template <class File>
+CLI::Option* add_output_option(CLI::App& line, const std::string& name, File& file,
+                               const std::string& description) {
+  return line.add_option(name, file, description)
+      ->check([given = name.substr(name.rfind(',') + 1)](const std::string& value) -> std::string {
+        if (value.empty())
+          throw InputError(fmt::format("The output of {} cannot be written", given), "it names no file",
+                           "Give it a name, or leave the option out.");
+        return {};
+      });
+}
+
 /// What is wrong with the arguments of a program, as all errors are said.
 inline std::string argument_error(const CLI::App& program, const CLI::ParseError& error) {
   const UsedCommand command(program);
@@ -39,10 +53,11 @@ inline std::string argument_error(const CLI::App& program, const CLI::ParseError
       for (const std::string& name : option->get_lnames())
         options.push_back("--" + name);
     const auto like = nearest_names(given.substr(0, given.find('=')), options, 1);
-    return fmt::format("There is no option '{}' ({} has others) {}", given, command.name,
-                       like.empty() ? help : fmt::format("Did you mean {}?", like.front()));
+    return Error(fmt::format("There is no option '{}'", given), fmt::format("{} has others", command.name),
+                 like.empty() ? help : fmt::format("Did you mean {}?", like.front()))
+        .what();
   }
-  return fmt::format("The arguments cannot be used ({}) {}", error.what(), help);
+  return Error("The arguments cannot be used", error.what(), help).what();
 }
 
 /// Ends what CLI11 has begun: prints help or version and returns 0, or prints the error and returns 2.

@@ -14,10 +14,74 @@ std::string lower(std::string_view word) {
   return out;
 }
 
-/// A message quotes what is wrong, and what() would end at the character NUL.
-std::string without_nul(std::string text) {
-  std::replace(text.begin(), text.end(), '\0', '?');
-  return text;
+/// Bytes of a value in a message: a longer one is cut to its begin and its end. Paths of files are shorter.
+constexpr std::size_t longest_value = 200, value_begin = 90, value_end = 60;
+/// The same of a whole message, for values that do not look like one.
+constexpr std::size_t longest_message = 4000, message_begin = 2500, message_end = 1000;
+
+/// How many bytes the character at the front takes in UTF-8; 0 where there is none.
+std::size_t character_length(std::string_view text) {
+  const auto first = static_cast<unsigned char>(text.front());
+  const std::size_t length = first < 0x80 ? 1 : first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  if (length == 0 || first > 0xf4 || text.size() < length)
+    return 0;
+  const auto is_rest = [](unsigned char c) { return (c & 0xc0) == 0x80; };
+  if (!std::ranges::all_of(text.substr(1, length - 1), is_rest))
+    return 0;
+  const auto second = static_cast<unsigned char>(length > 1 ? text[1] : 0);
+  const bool other = (first == 0xe0 && second < 0xa0) ||
+                     (first == 0xed && second > 0x9f) || // half a character
+                     (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
+  return other ? 0 : length;
+}
+
+/// A message quotes what is wrong. At the character NUL what() would end, and Python and JSON take nothing
+/// but UTF-8.
+std::string readable(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t length = text.front() == '\0' ? 0 : character_length(text);
+    length > 0 ? out.append(text.substr(0, length)) : out.append(1, '?');
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return out;
+}
+
+/// The text without its middle, between two characters, where it is longer than `longest`.
+std::string without_middle(std::string_view text, std::size_t longest, std::size_t begin, std::size_t end) {
+  if (text.size() <= longest)
+    return std::string(text);
+  const auto in_character = [&](std::size_t at) { return (text[at] & 0xc0) == 0x80; };
+  std::size_t from = begin, to = text.size() - end;
+  while (in_character(from))
+    --from;
+  while (in_character(to))
+    ++to;
+  return std::string(text.substr(0, from)).append(" ... ").append(text.substr(to));
+}
+
+/// Of a text that begins with a quote or a bracket: up to the one that closes it. Else a word, or what stands
+/// between two words.
+std::size_t value_length(std::string_view text) {
+  constexpr std::string_view opening = "'\"[", closing = "'\"]", between = " \n(";
+  if (between.find(text.front()) != between.npos)
+    return 1;
+  if (const std::size_t kind = opening.find(text.front()); kind != opening.npos)
+    for (std::size_t at = 1; at < text.size(); at += text[at] == '\\' ? 2 : 1)
+      if (text[at] == closing[kind])
+        return at + 1;
+  return std::min(text.find_first_of(" \n"), text.size());
+}
+
+/// What the input holds may be of any length.
+std::string without_long_values(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t length = value_length(text);
+    out += without_middle(text.substr(0, length), longest_value, value_begin, value_end);
+    text.remove_prefix(length);
+  }
+  return without_middle(out, longest_message, message_begin, message_end);
 }
 
 /// Damerau-Levenshtein distance (restricted): insertions, deletions, replacements, neighbours swapped.
@@ -40,11 +104,14 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 } // namespace
 
 Error::Error(std::string_view problem, std::string_view why, std::string_view what_to_do)
-    : std::runtime_error(
-          without_nul(std::string(problem) + " (" + std::string(why) + ") " + std::string(what_to_do))) {}
+    : std::runtime_error(without_long_values(
+          readable(std::string(problem).append(" (").append(why).append(") ").append(what_to_do)))) {}
 
 std::vector<std::string> nearest_names(std::string_view word, std::span<const std::string> candidates,
                                        std::size_t most) {
+  constexpr std::size_t longest_name = 100; // the distance takes as many steps as the product of both lengths
+  if (word.size() > longest_name)
+    return {};
   const std::string wanted = lower(word);
   std::vector<std::pair<std::size_t, const std::string*>> scored;
   for (const std::string& candidate : candidates) {

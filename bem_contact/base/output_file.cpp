@@ -7,6 +7,9 @@
 #include <sys/vfs.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <climits>
 #include <cstdio>
 #include <fmt/format.h>
 #include <fstream>
@@ -71,6 +74,18 @@ void refuse_overwriting(const Output& output, const fs::path& taken, const std::
     throw InputError(fmt::format("The output '{}' of {} would overwrite '{}'", output.file.string(),
                                  output.option, taken.string()),
                      why, "Give the output another name.");
+}
+
+/// Beside the file. A long name loses its end for it, since no name has more than NAME_MAX bytes.
+fs::path temporary_name(const fs::path& file, const std::string& ending) {
+  const std::string tail = fmt::format(".tmp{}{}", getpid(), ending);
+  const std::string name = file.filename().string();
+  return file.parent_path() / (name.substr(0, std::min(name.size(), NAME_MAX - tail.size())) + tail);
+}
+
+bool is_too_long(const fs::path& file) {
+  struct stat found {};
+  return stat(file.c_str(), &found) != 0 && errno == ENAMETOOLONG;
 }
 
 bool is_open_as(int descriptor, const struct stat& file) {
@@ -148,6 +163,8 @@ OutputTarget output_target(const fs::path& output, OutputForm form) {
   if (!end)
     refuse(output, "it is a link that leads back to itself", "Give another file.");
   const fs::path& file = *end;
+  if (is_too_long(file) || is_too_long(temporary_name(file, "")))
+    refuse(output, "the name is too long", "Give a shorter one.");
   struct stat found {};
   if (stat(file.c_str(), &found) != 0) {
     require_folder(file, output);
@@ -173,7 +190,7 @@ OutputTarget output_target(const fs::path& output, OutputForm form) {
 }
 
 WholeFile::WholeFile(fs::path file, const std::string& ending)
-    : file_(std::move(file)), temporary_(fmt::format("{}.tmp{}{}", file_.string(), getpid(), ending)) {}
+    : file_(std::move(file)), temporary_(temporary_name(file_, ending)) {}
 
 WholeFile::~WholeFile() {
   std::error_code ignored; // of a file that was committed nothing is left here

@@ -8,9 +8,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -64,6 +67,21 @@ void hold_standard_streams() {
     if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
       // The lowest free number is this one. Its wrong direction makes each use an error.
       static_cast<void>(open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+}
+
+void leave_blas_threads_where_memory_is_limited(char** argv) {
+  const auto limited = [](decltype(RLIMIT_AS) resource) {
+    rlimit limit{};
+    return getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  };
+  constexpr const char* threads = "OPENBLAS_NUM_THREADS";
+  const char* now = std::getenv(threads);
+  if ((!limited(RLIMIT_AS) && !limited(RLIMIT_DATA)) || (now && std::string_view(now) == "1"))
+    return;
+  std::error_code unknown;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  if (!unknown && setenv(threads, "1", 1) == 0)
+    execv(program.c_str(), argv); // where that fails, all is as before
 }
 
 int checked_exit_code(int code) {

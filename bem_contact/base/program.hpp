@@ -14,6 +14,11 @@ void keep_freed_memory();
 /// held open in a way that lets no byte through: to write to a closed standard output stays an error.
 void hold_standard_streams();
 
+/// Programs call it before they need memory. OpenBLAS starts a thread for each core before main(), and where
+/// memory is limited (`ulimit -v`) and short, these threads look for it for ever, also when the program ends.
+/// Under such a limit the program begins anew without them; none of ours uses them.
+void leave_blas_threads_where_memory_is_limited(char** argv);
+
 /// The last thing a program does: `code` if all that was printed has reached standard output. Otherwise (a
 /// full disk) 1, with a message on standard error.
 int checked_exit_code(int code);

@@ -1,16 +1,17 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/schema.hpp"
 #include "bem_contact/base/schema_text.hpp"
+#include "bem_contact/base/toml.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <regex>
 #include <sstream>
 
 namespace bem_contact {
@@ -199,11 +200,31 @@ private:
 };
 
 std::optional<double> fraction_of(std::string_view text) {
-  static const std::regex form(R"(^\s*([-+]?[0-9][0-9.]*)\s*[/:]\s*([0-9][0-9.]*)\s*$)");
-  std::match_results<std::string_view::const_iterator> found;
-  if (!std::regex_match(text.begin(), text.end(), found, form))
+  const auto skip_blanks = [&] {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  };
+  const auto number = [&]() -> std::optional<double> {
+    double value = 0;
+    if (text.empty() || !std::isdigit(static_cast<unsigned char>(text.front())))
+      return std::nullopt;
+    const auto [rest, error] =
+        std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+    text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
+    skip_blanks();
+    return error == std::errc() ? std::optional(value) : std::nullopt; // hundreds of digits are no number
+  };
+  skip_blanks();
+  const bool negative = text.starts_with('-');
+  text.remove_prefix(negative || text.starts_with('+') ? 1 : 0);
+  const std::optional<double> above = number();
+  if (!above || !(text.starts_with('/') || text.starts_with(':')))
     return std::nullopt;
-  const double value = std::stod(found[1].str()) / std::stod(found[2].str());
+  text.remove_prefix(1);
+  skip_blanks();
+  const std::optional<double> below = number();
+  if (!below || !text.empty())
+    return std::nullopt;
+  const double value = (negative ? -*above : *above) / *below;
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/said_by.hpp"
 #include "bem_contact/base/stopped.hpp"
 #include "bem_contact/c/conformal_contact.h"
 
@@ -15,7 +16,7 @@ namespace bem_contact {
 /// The first 1000 characters of an error's text; none where there is no memory for them.
 inline void keep_text(const std::exception& error, std::string& message) noexcept {
   try {
-    message.assign(error.what(), std::min<std::size_t>(std::strlen(error.what()), 1000));
+    message = said_by(error).substr(0, 1000);
   } catch (const std::exception&) {
     message.clear();
   }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <mutex>
+#include <new>
+#include <sys/mman.h>
 #include <utility>
 #include <vector>
 
@@ -30,14 +33,32 @@ namespace bem_contact {
 
 namespace {
 
+/// Bytes of memory that OpenBLAS takes for each call that runs beside others, and keeps. Where the system
+/// gives none it asks again and again, for ever.
+constexpr std::size_t blas_buffer = 128 << 20;
+/// Fewer numbers of the vectors of a product or a triangular system do not need one: they are on the stack,
+/// up to 2048 bytes.
+constexpr int largest_without_buffer = 200;
+
+bool is_there_memory_for_a_buffer() {
+  void* const found = mmap(nullptr, blas_buffer, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  return found != MAP_FAILED && munmap(found, blas_buffer) == 0;
+}
+
 /// While one lives OpenBLAS computes on one thread. Its threads gain nothing at these sizes, and where other
 /// work runs beside they wait for each other fifty times as long as they compute. The number is OpenBLAS's
 /// own and global, so it is given back as it was (NumPy may share it) when the last of all callers is
-/// through.
+/// through. Throws std::bad_alloc.
 class OneThread {
 public:
-  OneThread() {
+  /// `numbers` are copied at most, where a call has one column alone.
+  explicit OneThread(int numbers = largest_without_buffer) {
     const std::lock_guard lock(mutex);
+    if (numbers >= largest_without_buffer && callers >= buffers) {
+      if (!is_there_memory_for_a_buffer())
+        throw std::bad_alloc();
+      buffers = callers + 1;
+    }
     if (callers++ == 0) {
       before = openblas_get_num_threads();
       if (before != 1) // it does not look itself
@@ -55,6 +76,7 @@ public:
 private:
   inline static std::mutex mutex;
   inline static int callers = 0, before = 1;
+  inline static int buffers = 0; ///< that OpenBLAS has, at least: the most callers so far
 };
 
 } // namespace
@@ -75,7 +97,7 @@ void solve_triangle(const char* op, const Eigen::MatrixXd& factor, Eigen::Ref<Ei
   const int n = static_cast<int>(factor.rows()), columns = static_cast<int>(x.cols()), stride = 1,
             between = static_cast<int>(x.outerStride());
   const double one = 1;
-  const OneThread one_thread;
+  const OneThread one_thread(columns == 1 ? 2 * n : largest_without_buffer);
   if (n > 0 && columns == 1) // dtrsm, and LAPACK's dpotrs, copy the factor first, which takes longer
     dtrsv_("L", op, "N", &n, factor.data(), &n, x.data(), &stride);
   else if (n > 0 && columns > 0)
@@ -158,7 +180,7 @@ void dense_product(const Eigen::MatrixXf& a, Eigen::Ref<const Eigen::VectorXf> x
                    Eigen::Ref<Eigen::VectorXf> out) {
   const int m = static_cast<int>(a.rows()), n = static_cast<int>(a.cols()), stride = 1;
   const float one = 1, zero = 0;
-  const OneThread one_thread;
+  const OneThread one_thread(m + n);
   if (m > 0 && n > 0)
     sgemv_("N", &m, &n, &one, a.data(), &m, x.data(), &stride, &zero, out.data(), &stride);
 }
@@ -167,7 +189,7 @@ void dense_product(const Eigen::MatrixXd& a, Eigen::Ref<const Eigen::VectorXd> x
                    Eigen::Ref<Eigen::VectorXd> out) {
   const int m = static_cast<int>(a.rows()), n = static_cast<int>(a.cols()), stride = 1;
   const double one = 1, zero = 0;
-  const OneThread one_thread;
+  const OneThread one_thread(m + n);
   if (m > 0 && n > 0)
     dgemv_("N", &m, &n, &one, a.data(), &m, x.data(), &stride, &zero, out.data(), &stride);
 }

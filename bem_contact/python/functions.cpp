@@ -84,11 +84,12 @@ template <class Row> py::dict dict_of(std::span<const ColumnOf<Row>> columns, co
   return out;
 }
 
-py::dict conicity(const py::object& scene, const py::object& changes, const std::string& left_wheel,
-                  const std::string& left_rail, bool roll, double to, double step, const py::object& folder) {
+py::dict conicity(const py::object& scene, const py::object& changes, const py::object& left_wheel,
+                  const py::object& left_rail, bool roll, double to, double step, const py::object& folder) {
   const std::vector<SceneChange> list = changes_of(changes);
   const SceneFile file = scene.is_none() ? scene_without_file(list) : scene_file_of(scene, folder, list);
-  WheelsetOnTrack wheelset = wheelset_of(file, {.rail = left_rail, .wheel = left_wheel});
+  WheelsetOnTrack wheelset = wheelset_of(
+      file, {.rail = text_of(left_rail, "left_rail"), .wheel = text_of(left_wheel, "left_wheel")});
   wheelset.rolls = roll;
   const WheelsetConicity found = stoppable([=](const std::atomic<bool>* stop) {
     return wheelset_conicity(wheelset, {.largest = to, .step = step}, stop);

@@ -68,14 +68,15 @@ py::object noise_of(const MeasuredProfile& p) {
                   "pressure"_a = p.noise.pressure, "smoothing"_a = p.noise.smoothing);
 }
 
-py::dict profile(const py::object& file, const std::string& kind, const py::object& reading, double step) {
+py::dict profile(const py::object& file, const py::object& of_kind, const py::object& reading, double step) {
+  const std::string kind = text_of(of_kind, "kind");
   if (!kind.empty() && kind != "rail" && kind != "wheel")
     throw InputError("There is no kind of profiles '" + kind + "'", "there are rails and wheels",
                      "Give rail or wheel.");
   if (!(step > 0))
     throw InputError("A step of " + std::to_string(step) + " mm cannot be", "no points would lie along it",
                      "Give a step above 0.");
-  const std::string name = py::str(py::module_::import("os").attr("fspath")(file));
+  const std::string name = path_of(file);
   const ProfileKind its = kind_of_profile(name, kind);
   const MeasuredProfile found = described_profile(name, its, reading_of(name, its, reading));
   py::list outliers;

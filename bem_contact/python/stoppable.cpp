@@ -1,12 +1,16 @@
 #include "bem_contact/python/stoppable.hpp"
 
-#include <pybind11/pybind11.h>
+#include "bem_contact/base/error.hpp"
+
+#include <pthread.h>
+#include <unistd.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <future>
 #include <mutex>
+#include <new>
 #include <thread>
-#include <vector>
 
 namespace py = pybind11;
 
@@ -18,20 +22,35 @@ namespace {
 /// well below the tenth of a second in which nobody notices a delay.
 constexpr std::chrono::milliseconds look_every{20}, grace{40};
 
-/// Solutions that were stopped and have not noticed yet. Python must not end before them.
-struct Stopping {
+/// What all calls have in common.
+struct Calls {
   std::mutex mutex;
-  std::vector<std::thread> threads;
+  std::condition_variable changed;
+  int away = 0;    ///< threads without Python's lock that will ask for it
+  int solving = 0; ///< threads that solve, those that were stopped and have not noticed among them
+  bool python_ends = false;
+  std::thread::id ender;
+  bool forked = false; ///< while a thread was solving, which this process does not have
 
-  static Stopping& all() {
-    static Stopping stopping;
-    return stopping;
-  }
-  void add(std::thread thread) {
+  template <class Change> void change(const Change& change) {
     const std::lock_guard lock(mutex);
-    threads.push_back(std::move(thread));
+    change();
+    changed.notify_all();
   }
 };
+
+/// Never destroyed: threads may need it to the very end of the process.
+Calls& calls() {
+  alignas(Calls) static std::byte place[sizeof(Calls)];
+  static Calls* const made = new (place) Calls;
+  return *made;
+}
+
+/// Of a daemon thread when Python ends.
+[[noreturn]] void stay_here() {
+  for (;;)
+    pause();
+}
 
 /// Whether Ctrl-C, or another signal whose handler raises, has come; Python's exception is then set.
 bool signal_came() {
@@ -39,35 +58,84 @@ bool signal_came() {
   return PyErr_CheckSignals() != 0;
 }
 
+/// Not for the thread that ends Python: functions that it calls on its way (atexit) may solve.
+bool python_ends() {
+  const std::lock_guard lock(calls().mutex);
+  return calls().python_ends && calls().ender != std::this_thread::get_id();
+}
+
+struct Solving {
+  Solving() {
+    calls().change([] { ++calls().solving; });
+  }
+  ~Solving() {
+    calls().change([] { --calls().solving; });
+  }
+  Solving(const Solving&) = delete;
+  Solving& operator=(const Solving&) = delete;
+};
+
+/// Whoever solves in another process of this one may hold locks that nobody gives back here.
+void refuse_forked() {
+  const std::lock_guard lock(calls().mutex);
+  if (calls().forked)
+    throw Error("Nothing can be solved in this process", "it was forked while another thread was solving",
+                "Fork before that, or start processes by multiprocessing.get_context(\"spawn\").");
+}
+
 } // namespace
 
+OthersMayRun::OthersMayRun() {
+  calls().change([] { ++calls().away; });
+  released_.emplace();
+}
+
+OthersMayRun::~OthersMayRun() {
+  if (python_ends()) {
+    calls().change([] { --calls().away; });
+    stay_here();
+  }
+  released_.reset(); // until this thread has the lock, end_all_solutions() waits
+  calls().change([] { --calls().away; });
+}
+
 void run_stoppable(std::function<void(const std::atomic<bool>*)> work) {
+  refuse_forked();
   const auto stop = std::make_shared<std::atomic<bool>>(false);
   std::packaged_task<void()> task([stop, work = std::move(work)] { work(stop.get()); });
   std::future<void> done = task.get_future();
   bool interrupted = false;
   {
-    const py::gil_scoped_release others_may_run;
-    std::thread solver(std::move(task));
-    while (!interrupted && done.wait_for(look_every) == std::future_status::timeout)
-      interrupted = signal_came();
-    *stop = interrupted;
-    if (!interrupted || done.wait_for(grace) == std::future_status::ready)
-      solver.join();
-    else
-      Stopping::all().add(std::move(solver));
+    const OthersMayRun others_may_run;
+    // What counts the thread is destroyed in it, with all that the task owns.
+    std::thread solver([counted = std::make_shared<Solving>(), task = std::move(task)]() mutable { task(); });
+    while (!interrupted && !*stop && done.wait_for(look_every) == std::future_status::timeout) {
+      *stop = python_ends();
+      interrupted = !*stop && signal_came();
+    }
+    if (interrupted)
+      *stop = true;
+    !*stop || done.wait_for(grace) == std::future_status::ready ? solver.join() : solver.detach();
   }
   if (interrupted)
     throw py::error_already_set();
   done.get();
 }
 
-void end_stopped_solutions() {
+void end_all_solutions() {
   const py::gil_scoped_release others_may_run;
-  const std::lock_guard lock(Stopping::all().mutex);
-  for (std::thread& thread : Stopping::all().threads)
-    thread.join();
-  Stopping::all().threads.clear();
+  calls().change([] { calls().python_ends = true, calls().ender = std::this_thread::get_id(); });
+  std::unique_lock lock(calls().mutex);
+  calls().changed.wait(lock, [] { return calls().away == 0 && calls().solving == 0; });
+}
+
+void watch_forks() {
+  pthread_atfork([] { calls().mutex.lock(); }, [] { calls().mutex.unlock(); },
+                 [] {
+                   const bool solving = calls().solving > 0 || calls().forked;
+                   new (&calls()) Calls; // no other thread is here
+                   calls().forked = solving;
+                 });
 }
 
 } // namespace bem_contact

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pybind11/pybind11.h>
+
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -9,9 +11,24 @@
 
 namespace bem_contact {
 
+/// While one lives, other threads of Python run: it holds Python's lock no longer. If Python ends meanwhile,
+/// its destructor never returns: a thread that asks for the lock then would be unwound through frames of C++
+/// that cannot be, and the process would abort. Such threads are daemons; the process ends without them.
+class OthersMayRun {
+public:
+  OthersMayRun();
+  ~OthersMayRun();
+  OthersMayRun(const OthersMayRun&) = delete;
+  OthersMayRun& operator=(const OthersMayRun&) = delete;
+
+private:
+  std::optional<pybind11::gil_scoped_release> released_;
+};
+
 /// Runs `work` in another thread, without Python's lock, while this one looks for Ctrl-C. Then the call ends
 /// at once with what the signal's handler raises, and `work` gets a flag that tells it to stop. It may
-/// outlive the call and so owns what it needs. Throws what `work` throws.
+/// outlive the call and so owns what it needs. Throws what `work` throws, and Error in a process that was
+/// forked while another thread was solving.
 void run_stoppable(std::function<void(const std::atomic<bool>*)> work);
 
 /// The same for work with a result.
@@ -22,7 +39,10 @@ template <class Work> auto stoppable(Work work) {
   return std::move(**result);
 }
 
-/// Waits for work that was stopped and has not noticed yet. Python calls it before it ends.
-void end_stopped_solutions();
+/// Tells all work to stop and waits until it has, and until no thread waits for Python's lock. Python calls
+/// it before it ends.
+void end_all_solutions();
+/// For processes that are forked while a thread solves.
+void watch_forks();
 
 } // namespace bem_contact

@@ -1,3 +1,4 @@
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/python/functions.hpp"
 #include "bem_contact/python/stoppable.hpp"
 #include "bem_contact/python/values.hpp"
@@ -8,6 +9,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -81,15 +83,29 @@ std::vector<SweepCase> solve_all(const SweepFile& sweep, const SweepOptions& opt
   return out;
 }
 
-py::dict sweep(const py::object& scene, const py::object& model, const py::object& folder) {
-  const SweepFile file = parse_sweep_file(scene_of(scene, folder));
+/// Gives every case of the sweep a key's value.
+void change_all(SweepFile& sweep, const SceneChange& change) {
+  if (std::ranges::count(sweep.axes, change.key, &SweepFile::Axis::key) > 0)
+    throw InputError("The change of " + change.key + " cannot be made",
+                     "the sweep gives it a value in each case", "Leave it out, or take it out of [sweep].");
+  sweep.axes.push_back({change.key, std::vector<SchemaValue>(sweep.zip ? sweep.size() : 1, change.value)});
+}
+
+py::dict sweep(const py::object& scene, const py::object& changes, const py::object& model,
+               const py::object& folder) {
+  if (model.is_none() && py::isinstance<py::str>(changes)) // the model was the second argument
+    return sweep(scene, py::none(), changes, folder);
+  SweepFile file = parse_sweep_file(scene_of(scene, folder));
+  const std::size_t swept = file.axes.size();
+  for (const SceneChange& change : changes_of(changes))
+    change_all(file, change);
   const std::string name = model_of(model);
   check_values(file);
   with_model(file.scene(0), name); // refuses what is no model
   const std::vector<SweepCase> cases = stoppable(
       [file, name](const std::atomic<bool>* stop) { return solve_all(file, {.model = name, .stop = stop}); });
   py::dict out;
-  for (std::size_t axis = 0; axis < file.axes.size(); ++axis)
+  for (std::size_t axis = 0; axis < swept; ++axis)
     out[file.axes[axis].key.c_str()] = values_of_key(file, axis);
   py::list status, reason;
   std::vector<double> weights;
@@ -122,9 +138,11 @@ void add_check_and_sweep(py::module_& module) {
       "`model`: as solve() takes them, or as wheelset() does. A dict: `lines`, the text that `bem_contact "
       "check` prints, and `warnings`. Raises InputError where solve() or wheelset() would before it solves.");
   module.def(
-      "sweep", &sweep, "scene"_a, "model"_a = py::none(), py::kw_only(), "folder"_a = py::none(),
+      "sweep", &sweep, "scene"_a, "changes"_a = py::none(), "model"_a = py::none(), py::kw_only(),
+      "folder"_a = py::none(),
       "Solves a scene for the lists of its table [sweep], as `bem_contact sweep` does. "
-      "`scene`, `model`: as solve() takes them. A dict of columns, one entry for each case: the keys swept "
+      "`scene`, `changes`, `model`: as solve() takes them. A dict of columns, one entry for each case: the "
+      "keys swept "
       "over, under their names (\"position.lateral\"; an array, or a list of texts), `status` (certified, "
       "not "
       "certified or refused), `reason` (what is wrong or doubtful, in words), `model`, `weight`, and the "

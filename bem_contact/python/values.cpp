@@ -31,15 +31,15 @@ bool is_path(const py::object& value) {
   return py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__");
 }
 
-/// `what` is it for.
-std::string path_of(const py::object& given, const char* what) {
+/// `what` the path is for.
+std::string path_given_for(const py::object& given, const char* what) {
   const py::object path = py::hasattr(given, "__fspath__") ? py::object(given.attr("__fspath__")()) : given;
   if (!py::isinstance<py::str>(path))
     refuse_type(fmt::format("The {} cannot be used", what),
                 py::isinstance<py::bytes>(path) ? "its path is of bytes"
                                                 : fmt::format("its type is {}", type_name(path)),
                 "Give the path as text or as pathlib.Path.");
-  return path.cast<std::string>();
+  return text_of(path, what);
 }
 
 bool is_number(const py::object& value) {
@@ -66,7 +66,7 @@ SchemaValue value_of(const std::string& key, const py::object& given) {
   if (py::isinstance<py::bool_>(value))
     return value.cast<bool>();
   if (is_path(value))
-    return path_of(value, key.c_str());
+    return path_given_for(value, key.c_str());
   if (py::hasattr(value, "__index__"))
     return whole_number(key, value);
   if (is_number(value))
@@ -117,32 +117,54 @@ std::vector<std::pair<std::string, py::object>> entries_of(const py::object& dic
     if (!py::isinstance<py::str>(key))
       refuse_type(cannot, fmt::format("one of {} keys is of type {}", whose, type_name(key)),
                   fmt::format("Name the keys of a scene, as {}.", example));
-    out.emplace_back(key.cast<std::string>(), value);
+    out.emplace_back(text_of(key, "a key"), value);
   }
   return out;
 }
 
+/// A dict may hold itself. Throws InputError for one that is nested so deep.
+void require_depth(std::size_t depth, const char* cannot) {
+  constexpr std::size_t most = 20; // no key of a scene has more than three parts
+  if (depth > most)
+    throw InputError(cannot, fmt::format("dicts are nested in it more than {} deep", most),
+                     "Look whether one of them holds itself.");
+}
+
+/// Lists of [sweep] and [table] may hold texts.
+std::string toml_list(const std::string& key, const py::object& list) {
+  std::vector<std::string> out;
+  for (const py::handle element : list)
+    out.push_back(toml_of(value_of(key, py::reinterpret_borrow<py::object>(element))));
+  return fmt::format("[{}]", fmt::join(out, ", "));
+}
+
 /// One line `a.b.c = value` for each entry of the dict and of those in it.
-void add_table(const py::object& table, const std::string& prefix, std::string& text) {
+void add_table(const py::object& table, const std::string& prefix, std::string& text, std::size_t depth = 0) {
+  require_depth(depth, "The scene cannot be used");
   for (const auto& [key, value] :
        entries_of(table, "The scene cannot be used", "its", "{'load': {'force': 1e5}}")) {
     const std::string name = key_text(key), path = prefix.empty() ? name : prefix + "." + name;
-    if (path == "sweep") // as in a file: for sweeps alone
+    if (py::hasattr(value, "items")) {
+      add_table(value, path, text, depth + 1);
       continue;
-    if (py::hasattr(value, "items"))
-      add_table(value, path, text);
-    else
-      text += path + " = " + toml_of(value_of(path, value)) + "\n";
+    }
+    const py::object plain = without_numpy(value);
+    const bool of_cases = path.starts_with("sweep.") || path.starts_with("table.");
+    const bool is_list = py::isinstance<py::list>(plain) || py::isinstance<py::tuple>(plain);
+    text +=
+        path + " = " + (of_cases && is_list ? toml_list(path, plain) : toml_of(value_of(path, value))) + "\n";
   }
 }
 
 /// One change for each entry of the dict and of those in it: {'load': {'force': 1e5}} is {'load.force': 1e5}.
-void add_changes(const py::object& changes, const std::string& prefix, std::vector<SceneChange>& list) {
+void add_changes(const py::object& changes, const std::string& prefix, std::vector<SceneChange>& list,
+                 std::size_t depth = 0) {
+  require_depth(depth, "The changes cannot be used");
   for (const auto& [key, value] :
        entries_of(changes, "The changes cannot be used", "their", "{'position.lateral': 6.6}")) {
     const std::string path = prefix + key;
     if (py::hasattr(value, "items") && py::len(value) > 0)
-      add_changes(value, path + ".", list);
+      add_changes(value, path + ".", list, depth + 1);
     else
       list.push_back({path, value_of(path, value)});
   }
@@ -154,10 +176,27 @@ void refuse_type(const std::string& problem, const std::string& why, const std::
   throw py::type_error(Error(problem, why, what_to_do).what());
 }
 
+std::string text_of(const py::object& text, const char* what) {
+  if (!py::isinstance<py::str>(text))
+    refuse_type(fmt::format("The {} cannot be used", what), fmt::format("its type is {}", type_name(text)),
+                "Give a text.");
+  py::ssize_t size = 0;
+  if (const char* bytes = PyUnicode_AsUTF8AndSize(text.ptr(), &size))
+    return {bytes, static_cast<std::size_t>(size)};
+  PyErr_Clear();
+  throw InputError(fmt::format("The text of {} cannot be used", what),
+                   "it is no UTF-8: it holds half a character, as the name of a file does that is none",
+                   "Give the file a name in UTF-8.");
+}
+
+std::string path_of(const py::object& path) {
+  return path_given_for(path, "file");
+}
+
 SceneText scene_of(const py::object& scene, const py::object& folder) {
   const auto start = [&](const std::filesystem::path& own) {
-    return std::filesystem::absolute(folder.is_none() ? own
-                                                      : std::filesystem::path(path_of(folder, "folder")));
+    const std::filesystem::path given = folder.is_none() ? own.string() : path_given_for(folder, "folder");
+    return std::filesystem::absolute(given.empty() ? "." : given);
   };
   if (py::hasattr(scene, "items")) {
     std::string text;
@@ -167,7 +206,7 @@ SceneText scene_of(const py::object& scene, const py::object& folder) {
   if (!is_path(scene))
     refuse_type("The scene cannot be used", fmt::format("its type is {}", type_name(scene)),
                 "Give the path of a scene file, its text, or a dict.");
-  std::string name = path_of(scene, "scene");
+  std::string name = path_given_for(scene, "scene");
   // No scene fits into one line, and hardly a file has a name of two.
   if (py::isinstance<py::str>(scene) && name.find('\n') != std::string::npos)
     return {std::move(name), "text", start(".")};
@@ -196,7 +235,7 @@ std::string model_of(const py::object& model) {
   if (!py::isinstance<py::str>(model))
     refuse_type("The model cannot be used", fmt::format("its type is {}", type_name(model)),
                 "Give 'auto', 'hertz', 'halfspace', 'tangent_plane' or 'fem'.");
-  return model.cast<std::string>();
+  return text_of(model, "model");
 }
 
 py::array_t<double> array_of(const std::vector<double>& values) {
@@ -210,7 +249,7 @@ void refuse_unknown(const char* function, const std::vector<std::string>& known,
                 fmt::format("{} more than it takes", more.size()),
                 fmt::format("See help(bem_contact.{}).", function));
   for (const auto& item : unknown) {
-    const auto name = py::cast<std::string>(item.first);
+    const std::string name = text_of(py::reinterpret_borrow<py::object>(item.first), "an argument");
     const auto like = nearest_names(name, known, 1);
     refuse_type(fmt::format("{}() has no argument '{}'", function, name),
                 fmt::format("its arguments are {} and {}",

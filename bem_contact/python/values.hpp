@@ -15,8 +15,8 @@
 namespace bem_contact {
 
 /// A path of a scene file, the text of one (of more than one line), or a dict of its keys, nested or dotted.
-/// Relative paths start in `folder`; None: in the file's folder, of a text or a dict in the working
-/// directory; the folder is absolute.
+/// Relative paths start in `folder`, which is made absolute; "": in the working directory; None: in the
+/// file's folder, of a text or a dict in the working directory.
 SceneText scene_of(const pybind11::object& scene, const pybind11::object& folder);
 /// The same, read with changes of its keys.
 SceneFile scene_file_of(const pybind11::object& scene, const pybind11::object& folder,
@@ -24,6 +24,11 @@ SceneFile scene_file_of(const pybind11::object& scene, const pybind11::object& f
 /// A dict of keys and values, with dots or of dicts, or None. Values are numbers and arrays of any type of
 /// NumPy, too.
 std::vector<SceneChange> changes_of(const pybind11::object& changes);
+/// Throws TypeError for what is no text, and InputError for one that has no UTF-8 (os.listdir() gives such
+/// names). `what` it is for.
+std::string text_of(const pybind11::object& text, const char* what);
+/// A text or a pathlib.Path.
+std::string path_of(const pybind11::object& path);
 /// None and "": the scene's own.
 std::string model_of(const pybind11::object& model);
 /// A copy, as an array of one dimension.

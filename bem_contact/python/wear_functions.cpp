@@ -19,6 +19,23 @@
 
 namespace bem_contact {
 
+/// Anything but a Result: pybind11 tries all functions of a name without conversions first, and one that
+/// takes any object would take a Result whose `hardness` is a whole number.
+class NoResult : public pybind11::object {
+  static bool is_no_result(PyObject* given) { return !pybind11::isinstance<PythonResult>(given); }
+
+public:
+  PYBIND11_OBJECT_DEFAULT(NoResult, object, is_no_result)
+};
+
+} // namespace bem_contact
+
+template <> struct pybind11::detail::handle_type_name<bem_contact::NoResult> {
+  static constexpr auto name = const_name("object");
+};
+
+namespace bem_contact {
+
 namespace {
 
 namespace py = pybind11;
@@ -115,7 +132,7 @@ SweepFile collective_of(const py::object& scene, const py::object& folder) {
   return parse_sweep_file(scene_of(scene, folder));
 }
 
-py::dict wear_under(const py::object& scene, double depth, const py::object& model, const py::object& folder,
+py::dict wear_under(const NoResult& scene, double depth, const py::object& model, const py::object& folder,
                     const py::kwargs& options) {
   const wear::StudyOptions asked = study_options(depth, options);
   const wear::Study study = wear::study_of(collective_of(scene, folder), model_of(model), asked);
@@ -160,7 +177,7 @@ py::dict fatigue_of(const PythonResult& result, double yield_shear, NumberList n
   return out;
 }
 
-py::dict fatigue_under(const py::object& scene, double yield_shear, NumberList nodes, NumberList damage,
+py::dict fatigue_under(const NoResult& scene, double yield_shear, NumberList nodes, NumberList damage,
                        bool wear_is_negative, const py::object& folder) {
   fatigue::FatigueProperties properties = properties_of(yield_shear, std::move(nodes), std::move(damage));
   properties.damage.wear_is_negative = wear_is_negative;

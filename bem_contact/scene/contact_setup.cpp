@@ -1,8 +1,10 @@
 #include "bem_contact/scene/contact_setup.hpp"
 
+#include "bem_contact/base/error.hpp"
 #include "bem_contact/scene/elastic_limit.hpp"
 #include "bem_contact/scene/settings.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bem_contact {
@@ -81,6 +83,16 @@ ContactSetup set_up_touching(const SceneFile& scene, Touching bodies, const Cont
                                   .structure = origin.structure})};
 }
 
+/// Throws InputError where a number of it is none.
+RigidSlip require_finite(RigidSlip slip) {
+  const auto is_finite = [](double w) { return std::isfinite(w); };
+  if (!std::ranges::all_of(slip.x, is_finite) || !std::ranges::all_of(slip.s, is_finite))
+    throw InputError("The motion makes no rigid slip",
+                     "its creepages, or its rates over motion.speed, are beyond all numbers",
+                     "Check motion.speed, the rates and the creepages; a creepage of 0.001 is usual.");
+  return slip;
+}
+
 /// Rows as seen from the wheel before its structure moved it.
 std::vector<ContactRow> rows_before(const StructuralPlacement& structure, std::vector<ContactRow> rows) {
   for (ContactRow& row : rows)
@@ -151,17 +163,17 @@ RigidSlip ContactSetup::rigid_slip(const MotionStep& step, const std::vector<Con
                                    const std::vector<double>& x) const {
   const Creepage creepage = motion.creepage_of(step);
   if (const PatchGeometry* own = patch())
-    return own->slip ? *own->slip : planar_slip(creepage, rows, x, step.x.value_or(0.0));
+    return own->slip ? *own->slip : require_finite(planar_slip(creepage, rows, x, step.x.value_or(0.0)));
   if (motion.kind == MotionKind::shift)
-    return rigid_shift(reference(), creepage, rows, x);
+    return require_finite(rigid_shift(reference(), creepage, rows, x));
   const WheelRailGeometry& placed = *wheel_rail();
   if (!placed.structure)
-    return bem_contact::rigid_slip(placed.pair, reference(), creepage, rows, x);
+    return require_finite(bem_contact::rigid_slip(placed.pair, reference(), creepage, rows, x));
   // The wheel's material turns about its axle, which did not move with the rim.
   ReferencePoint before = reference();
   before.position = placed.structure->wheel.before(before.position - placed.structure->wheel_by());
-  return bem_contact::rigid_slip(with_wheel_before(placed.pair, *placed.structure), before, creepage,
-                                 rows_before(*placed.structure, rows), x);
+  return require_finite(bem_contact::rigid_slip(with_wheel_before(placed.pair, *placed.structure), before,
+                                                creepage, rows_before(*placed.structure, rows), x));
 }
 
 ContactSetup set_up_contact(const SceneFile& scene, const WheelRailProfiles& profiles) {

@@ -231,6 +231,13 @@ void check_temperature(const SceneFile& f, const Schema& s) {
              "Give a smaller coefficient.");
 }
 
+void check_stresses(const SceneFile::Stresses& asked, const Schema& s) {
+  for (const auto& [key, places] : {std::pair{"stresses.x", &asked.x}, {"stresses.s", &asked.s}})
+    if (!asked.depths.empty() && places->empty())
+      s.refuse(key, "stresses.depths are given, and no point lies below an empty list",
+               "Give places, for instance [0.0], or leave out stresses.depths.");
+}
+
 /// Friction that depends on slip, slip velocity or temperature, and [temperature].
 void check_friction(const SceneFile& file, const Schema& schema) {
   if (!file.motion.frictionless)
@@ -247,6 +254,7 @@ void check_keys(const SceneFile& f, const Schema& s) {
   check_motion(f, s);
   check_steps(f, s);
   check_friction(f, s);
+  check_stresses(f.stresses, s);
   if (f.kind == SceneKind::patch)
     check_patch(f, s);
   else

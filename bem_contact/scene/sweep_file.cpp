@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/toml.hpp"
 #include "bem_contact/scene/case_table.hpp"
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <set>
-#include <toml++/toml.h>
 #include <utility>
 
 namespace bem_contact {

@@ -35,6 +35,25 @@ InfluenceFunction describe(const BodyFile& body, const ProfileCurve& curve) {
   return f;
 }
 
+namespace {
+
+/// Its meshes have no geometry: no point, where a mesh that gmsh made of a geometry has some. And they have
+/// the format that gmsh writes today.
+bool is_of_mesh_body(std::istream& mesh) {
+  mesh.clear();
+  mesh.seekg(0);
+  std::string word, version;
+  int geometric_points = -1;
+  if (!(mesh >> word >> version) || version != "4.1")
+    return false;
+  while (mesh >> word && word != "$Nodes")
+    if (word == "$Entities")
+      mesh >> geometric_points;
+  return geometric_points == 0;
+}
+
+} // namespace
+
 void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std::filesystem::path& mesh) {
   if (file_exists(mesh) && !is_regular(mesh))
     throw InputError("The mesh file '" + mesh.string() + "' cannot be read",
@@ -45,6 +64,10 @@ void require_mesh_of(const BodyFile& body, const ProfileCurve& curve, const std:
   in.seekg(std::max<std::streamoff>(0, size - tail));
   const std::string text{std::istreambuf_iterator<char>(in), {}}, mark = "$Comments\nbody file ";
   const auto at = text.find(mark);
+  if (at == std::string::npos && is_of_mesh_body(in))
+    throw InputError("The mesh '" + mesh.string() + "' is not whole",
+                     "it does not end with the body file that mesh_body made it from: it was cut off",
+                     "Make it anew: mesh_body BODY.toml -o " + mesh.string());
   if (at != std::string::npos && text.substr(at + mark.size(), 16) != mesh_digest(body, curve.digest()))
     throw InputError("The mesh '" + mesh.string() + "' was made from another body file",
                      "its digest of [body], [strip] and [mesh] is another one",

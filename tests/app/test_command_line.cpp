@@ -486,6 +486,58 @@ TEST_F(CommandLine, NoCommandOverwritesAFileThatItReads) {
           {"surface_fem.vts' of --vtk-prefix would overwrite", "(it is the output of --output)"});
 }
 
+/// Of every option of every command that names an output: a name that is none, as of a variable that is not
+/// set, one in a folder that is not there, and one that is too long.
+TEST_F(CommandLine, NoCommandEndsWellWithoutItsOutput) {
+  const std::string scene =
+                        "'" +
+                        write("s.toml", wheel_rail + "[sweep]\nposition.lateral = [0.0, 1.0]\n").string() +
+                        "'",
+                    pair = "--wheel S1002 --rail 60E1", result = (folder_ / "r.h5").string(),
+                    small = "'" CONFORMAL_SOURCE_DIR
+                            "/data/influence/small_rail.h5' --dx 0.5 --ds 0.5 --mx 2 --my 2";
+  ASSERT_EQ(run("solve '" + write("p.toml", hertz).string() + "' -o '" + result + "'").code, 0);
+  const std::string long_name(300, 'a');
+  for (const auto& [command, ending] : std::initializer_list<std::pair<std::string, const char*>>{
+           {"solve " + scene + " -o", ".h5"},
+           {"solve " + scene + " --vtk", ".vts"},
+           {"compare " + scene + " -o", ".h5"},
+           {"compare " + scene + " --vtk-prefix", ""},
+           {"sweep " + scene + " -o", ".h5"},
+           {"sweep " + scene + " -o '" + (folder_ / "new.h5").string() + "' --csv", ".csv"},
+           {"creep-curves " + scene + " -o", ".h5"},
+           {"creep-curves " + scene + " --csv", ".csv"},
+           {"conicity " + pair + " -o", ".h5"},
+           {"conicity " + pair + " --csv", ".csv"},
+           {"profile 60E1 --csv", ".csv"},
+           {"profile 60E1 --plot", ".html"},
+           {"fatigue " + scene + " -o", ".h5"},
+           {"fatigue " + scene + " --csv", ".csv"},
+           {"wheelset '" CONFORMAL_SOURCE_DIR "/data/scenes/wheelset.toml' -o", ".h5"},
+           {"wheelset '" CONFORMAL_SOURCE_DIR "/data/scenes/wheelset.toml' --vtk-prefix", ""},
+           {"table --creep-forces -o", ".h5"},
+           {"table --creep-forces --text", ".txt"},
+           {"influence expand " + small + " -o", ".h5"},
+           {"report '" + result + "' -o", ".html"}}) {
+    refused(run(command + " ''"), {"(it names no file)"});
+    refused(run(command + " '" + (folder_ / "none" / "a").string() + ending + "'"),
+            {"cannot be written", "there is no folder"});
+    refused(run(command + " '" + (folder_ / long_name).string() + ending + "'"),
+            {"cannot be written", "(the name is too long)"});
+  }
+  refused(run("wear " + scene + " -o ''"), {"(it names no file)"});
+  refused(run("wear " + scene + " -o '" + (folder_ / long_name).string() + "'"), {"cannot be made"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "new.h5"));
+}
+
+/// An argument may be of any length.
+TEST_F(CommandLine, MessagesAreShort) {
+  const std::string word(100'000, 'a');
+  for (const std::string& line :
+       {"solve s.toml --" + word, "solve " + word, "solve s.toml --threads " + word, word})
+    EXPECT_LT(run(line).err.size(), 1000u);
+}
+
 TEST_F(CommandLine, WhatIsTooLargeIsRefusedAtOnce) {
   std::string large = hertz;
   for (const char* size : {"mx = 16", "ms = 16"})

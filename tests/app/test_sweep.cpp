@@ -2,6 +2,7 @@
 #include "bem_contact/app/sweep/sweep_journal.hpp"
 #include "bem_contact/app/sweep/sweep_workers.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/said_by.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 #include "tests/app/run_program.hpp"
 
@@ -10,6 +11,7 @@
 #include <csignal>
 #include <gmock/gmock.h>
 #include <map>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <sys/wait.h>
 #include <thread>
@@ -326,7 +328,7 @@ TEST(SweepWorkers, WhatASolverThrowsComesBackByItsKind) {
   const decltype(failed) expected{{1, {refused, "Wrong (one) Mend it."}},
                                   {2, {not_converged, "Hard (two) Wait."}},
                                   {3, {fault, "Full (three) Make room."}},
-                                  {4, {fault, "std::bad_alloc"}}};
+                                  {4, {fault, said_by(std::bad_alloc())}}};
   EXPECT_EQ(failed, expected);
 }
 

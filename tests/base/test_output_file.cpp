@@ -183,6 +183,27 @@ TEST(OutputFile, RefusesWhatCannotBeWrittenBeforeAnythingIsComputed) {
   EXPECT_EQ(text_of(file), "old");
 }
 
+/// 255 bytes are allowed, and the temporary name needs some of them.
+TEST(OutputFile, NamesMayBeAsLongAsTheSystemAllows) {
+  const TemporaryFolder folder;
+  for (const std::size_t length : {240u, 250u, 255u}) {
+    const fs::path file = folder / std::string(length, 'a');
+    for (const auto& write : {write_text, write_whole}) {
+      write(file, write_word);
+      EXPECT_EQ(text_of(file), "word");
+    }
+    EXPECT_EQ(files_in(folder.path()), 1) << length;
+    fs::remove(file);
+  }
+  for (const auto form : {OutputForm::text, OutputForm::whole_file})
+    for (const fs::path& file : {folder / std::string(256, 'a'), folder / std::string(300, 'a'),
+                                 folder / std::string(5000, 'a'), folder / std::string(300, 'a') / "b"})
+      EXPECT_THAT(message_of([&] {
+                    require_outputs({folder / "input"}, {{"--csv", file, form}});
+                  }),
+                  HasSubstr("cannot be written (the name is too long)"));
+}
+
 /// By whatever name: another spelling, a link, a hard link, a link to a file that is not there yet.
 TEST(OutputFile, RefusesToOverwriteAnInputOrAnotherOutput) {
   const TemporaryFolder folder;

@@ -81,10 +81,33 @@ TEST(Schema, AnOptionalIsEmptyIfTheFileDoesNotHaveItsKey) {
   EXPECT_THAT(message_of([] { read("thickness = -1"); }), HasSubstr("Give a value >= 0 mm."));
 }
 
+TEST(Schema, Fractions) {
+  EXPECT_EQ(fraction_of("1/40"), 0.025);
+  EXPECT_EQ(fraction_of(" -1 : 40.0\t"), -0.025);
+  EXPECT_EQ(fraction_of("+1./4"), 0.25);
+  for (const char* text :
+       {"", "1", "1/", "/4", "1/0", "1//4", "1/4/5", "1e3/4", "inf/4", "0x1/4", "1/-4", "a1/4", "1/4a"})
+    EXPECT_EQ(fraction_of(text), std::nullopt) << text;
+}
+
+/// Under assertions of toml++ too.
+TEST(Schema, BracketsAloneAreNoTOML) {
+  for (const char* text :
+       {"[", "[\n", "[ \n", "[[\n", "[[ #\n", "[=\n", "[.a]\n", "[a.\n", "thickness = 1\n[\ncoats = 1\n"})
+    EXPECT_THAT(message_of([&] { read(text); }), HasSubstr("not valid TOML")) << text;
+}
+
 TEST(Schema, MessagesMeetTheMistake) {
   EXPECT_THAT(message_of([] { read("thickness = 1/40\n"); }),
               AllOf(HasSubstr("TOML has no fractions"), HasSubstr("Write 0.025.")));
   EXPECT_THAT(message_of([] { read("thickness = \"1/40\n"); }), Not(HasSubstr("fractions")));
+  EXPECT_THAT(message_of([] { read("thickness = - 1/40\n"); }), Not(HasSubstr("fractions")));
+  EXPECT_THAT(message_of([] { read("thickness = 1.2.3/40\n"); }), Not(HasSubstr("Write")));
+  EXPECT_THAT(message_of([] { read("thickness = 1/2/3\n"); }), Not(HasSubstr("Write")));
+  for (const std::string& digits : {std::string(400, '9'), std::string(1'000'000, '9')})
+    for (const std::string& text : {"1/" + digits, digits + "/40", digits + ":" + digits})
+      EXPECT_THAT(message_of([&] { read("thickness = " + text + "\n"); }),
+                  AllOf(HasSubstr("not valid TOML"), Not(HasSubstr("Write"))));
   EXPECT_THAT(message_of([] { read("thickness = '2 mm'\n"); }), HasSubstr("number, in mm"));
   EXPECT_THAT(message_of([] { read("thickness = -1\n"); }), HasSubstr("It is: Of a coat."));
   EXPECT_THAT(message_of([] { read("\x89HDF\r\n"); }),

@@ -212,6 +212,20 @@ TEST_F(Run, says_what_is_wrong_with_a_mesh) {
   EXPECT_THAT(error_of("no_held.msh"), HasSubstr("has no group 'held' (physical curve 2)"));
 }
 
+/// The edges that mesh_body lists behind the elements are then straight.
+TEST_F(Run, refuses_a_mesh_that_was_cut_off) {
+  const auto mesh = [](int geometric_points) {
+    return "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n" + std::to_string(geometric_points) +
+           " 3 1 0\n$EndEntities\n$Nodes\n$EndNodes\n$Elements\n$EndElements\n";
+  };
+  for (const char* end : {"", "$Comments\ncurved edges, y z of an end\n1 2 3 4 5 6\n"}) {
+    write_text(folder_ / "cut.msh", mesh(0) + end);
+    EXPECT_THAT(error_of("cut.msh"), AllOf(HasSubstr("cut.msh' is not whole"), HasSubstr("it was cut off")));
+  }
+  write_text(folder_ / "own.msh", mesh(4)); // gmsh's own, of a geometry
+  EXPECT_THAT(error_of("own.msh"), HasSubstr("is not a gmsh mesh of quadrilaterals"));
+}
+
 TEST_F(Run, refuses_a_strip_that_does_not_match_the_mesh) {
   BodyFile body = flat_block();
   body.strip = {-2.4, 2.4, 0.6};

@@ -1,10 +1,12 @@
 """Bad input through every way in. It is refused with its reason: never a crash, never a number, never a lost file."""
 
 import contextlib
+import csv
 import json
 import math
 import os
 import re
+import resource
 import signal
 import socket
 import stat
@@ -51,6 +53,7 @@ class Hostile(unittest.TestCase):
         self.assertEqual(found, code, message)
         self.assertRegex(message, GRAMMAR)
         self.assertNotIn("did not foresee", message)
+        self.assertLess(len(message), 5000)
         for word in words:
             self.assertIn(word, message)
 
@@ -139,6 +142,19 @@ class Texts(Hostile):
         "forces without friction": (toml_of(PATCH | {"load.force_x": 5.0}), "no shear force"),
         "beyond elasticity": (toml_of(PATCH | {"load.force": 1e12}), ""),
         "tiny elements": (toml_of(WHEEL_RAIL | {"grid.dx": 1e-6, "grid.ds": 1e-6}), ""),
+        "bracket alone": (toml_of(PATCH) + "[\ngap.c = 1\n", "not valid TOML"),
+        "bracket in a table": (toml_of(PATCH) + "[sweep]\n[[\nload.force = [1e4]\n", "not valid TOML"),
+        "long fraction": (toml_of(PATCH) + "gap.c = 1/" + "9" * 400 + "\n", "not valid TOML"),
+        "fraction of a version": (toml_of(PATCH) + "gap.c = 1.2.3/40\n", "not valid TOML"),
+        "digits": (toml_of(PATCH) + "gap.c = " + "1" * 1_000_000 + "/\n", "TOML"),
+        "long key": ("a" * 1_000_000 + " = 1\n", "unknown key"),
+        "long value": (toml_of(WHEEL_RAIL | {"rail.profile": "a" * 1_000_000}), "rail.profile"),
+        "no points": (toml_of(PATCH) + "stresses = { depths = [1.0], x = [] }\n", "stresses.x"),
+        "no rows of points": (toml_of(PATCH) + "stresses = { depths = [1.0], s = [] }\n", "stresses.s"),
+        "no creepage": (toml_of(WHEEL_RAIL | {"motion.speed": 1e-300, "motion.yaw_rate": 1e300}), "motion.speed"),
+        "no creepage sideways": (toml_of(WHEEL_RAIL | {"motion.speed": 1e-300, "motion.lateral_velocity": 1e300}), "motion.speed"),
+        "no spin": (toml_of(WHEEL_RAIL | {"motion.phi": 1.7e308}), "rigid slip"),
+        "no spin of a patch": (toml_of(PATCH | {"motion.frictionless": False, "motion.phi": 1.7e308}), "rigid slip"),
         "circles without a strip": (toml_of(PATCH | {"strip.upper_radius": 100.0}), "strip.radius"),
     }
 
@@ -261,6 +277,72 @@ class CommandLine(Hostile):
                 self.assertEqual(code, 2, message)
                 self.assertTrue(message.strip())
         self.assertEqual([f for f in os.listdir(self.folder) if f.startswith("x.")], [])
+
+
+class LittleMemory(Hostile):
+    """It ends with a reason, or without a message of ours where not even the libraries find room. It never hangs."""
+
+    def limited(self, megabytes, *arguments):
+        limit = megabytes << 20
+        return doors.program(*arguments, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)),
+                             env={name: value for name, value in os.environ.items() if name != "OPENBLAS_NUM_THREADS"})
+
+    @unittest.skipIf("LD_PRELOAD" in os.environ, "sanitizers need terabytes of addresses")
+    def test_a_limit(self):
+        large = self.scene(PATCH, grid__mx=4096, grid__ms=4096)
+        sweep = self.write("sweep.toml", toml_of(PATCH) + "[sweep]\ngrid.mx = [40, 4096]\nmode = 'zip'\n")
+        for megabytes in (60, 100, 150, 200, 300, 400, 600, 1000):
+            with self.subTest(megabytes):
+                self.assertIn(self.limited(megabytes, "--version")[0], (0, 127) if megabytes < 100 else (0,))
+                if megabytes >= 100:
+                    self.refused(self.limited(megabytes, "solve", large), "Memory ran out", "fewer elements", code=1)
+        for megabytes in (100, 200, 300):
+            code, message = self.limited(megabytes, "sweep", sweep, "-o", self.folder / f"m{megabytes}.h5", "--jobs", "1")
+            self.assertEqual(code, 3, message)
+
+
+class Names(Hostile):
+    """Names of files that are long, or that a table cannot hold."""
+
+    def test_a_sweep_whose_names_no_table_holds(self):
+        points = (doors.SOURCE / "data" / "bodies" / "hollow_wheel.txt").read_bytes()
+        for name in ("=cmd|calc!A1.txt", "@SUM(1).txt", "+1.txt", "-1.txt", "new\nline.txt", "cr\rx.txt", "tab\tx.txt"):
+            with self.subTest(name):
+                self.write(name, points)
+                sweep = self.write("names.toml", toml_of(WHEEL_RAIL) + f"[sweep]\nwheel.profile = ['S1002', {json.dumps(name)}]\n")
+                self.refused(doors.program("sweep", sweep, "-o", self.folder / "n.h5", "--csv", self.folder / "n.csv"),
+                             "cannot be a cell of --csv")
+                self.assertFalse((self.folder / "n.h5").exists())
+
+    def test_a_table_reads_back_what_a_sweep_wrote(self):
+        name = 'worn, "left".txt'
+        self.write(name, (doors.SOURCE / "data" / "bodies" / "hollow_wheel.txt").read_bytes())
+        base = toml_of(WHEEL_RAIL | {"wheel.smoothing": 8.0})
+        sweep = self.write("names.toml", base + f"[sweep]\nfields = false\nwheel.profile = ['S1002', {json.dumps(name)}]\n")
+        table = self.folder / "n.csv"
+        code, message = doors.program("sweep", sweep, "-o", self.folder / "n1.h5", "--csv", table, "--jobs", "1")
+        self.assertEqual(code, 0, message)
+        with open(table, newline="") as lines:
+            self.assertEqual([row["wheel.profile"] for row in csv.DictReader(lines)], ["S1002", name])
+
+    def test_long(self):
+        hertz = SCENES / "hertz.toml"
+        self.assertEqual(doors.program("solve", hertz, "-o", self.folder / ("a" * 250 + ".h5"))[0], 0)
+        self.refused(doors.program("solve", hertz, "-o", self.folder / ("a" * 300 + ".h5")), "the name is too long")
+        self.refused(doors.program("solve", self.folder / ("a" * 300 + ".toml")), "no such file")
+        sweep = self.write("s.toml", toml_of(PATCH) + "[sweep]\nload.force = [1e5]\n")
+        self.refused(doors.program("sweep", sweep, "-o", self.folder / ("a" * 250 + ".h5")), "the name is too long")
+
+    @unittest.skipUnless("MESH_BODY" in os.environ, "mesh_body is not built")
+    def test_a_mesh_that_was_cut_off(self):
+        body, mesh = doors.SOURCE / "data" / "bodies" / "small_wheel.toml", self.folder / "wheel.msh"
+        self.assertEqual(doors.run(os.environ["MESH_BODY"], body, "-o", mesh)[0], 0)
+        whole = mesh.read_bytes()
+        elements = whole.index(b"$EndElements\n") + len(b"$EndElements\n")
+        for length in (elements, (elements + len(whole)) // 2, whole.rindex(b"$Comments")):
+            mesh.write_bytes(whole[:length])
+            self.refused(doors.run(os.environ["FEM_INFLUENCE"], body, mesh, "-o", self.folder / "w.h5"), "cut off")
+        self.assertFalse((self.folder / "w.h5").exists())
 
 
 class Outputs(Hostile):

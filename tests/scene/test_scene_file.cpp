@@ -300,6 +300,10 @@ TEST(SceneFile, ListsOfNumbers) {
     }
     return std::string("accepted");
   };
+  for (const char* key : {"x", "s"})
+    EXPECT_THAT(refusal(std::string("depths = [1.0]\n") + key + " = []"),
+                testing::HasSubstr(std::string("scene.toml:8: stresses.") + key +
+                                   " = [] (stresses.depths are given"));
   EXPECT_THAT(refusal("depths = 2"),
               testing::HasSubstr("scene.toml:7: stresses.depths is a whole number (it must be of "
                                  "type: list of numbers)"));

@@ -2,6 +2,7 @@
 #include "bem_contact/app/output/csv.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/file_kinds.hpp"
@@ -221,9 +222,9 @@ Command add_conicity(CLI::App& program) {
   line->add_option("--to", arguments->amplitudes.largest, "Largest amplitude, mm")->capture_default_str();
   line->add_option("--step", arguments->amplitudes.step, "Step of the amplitudes, mm")->capture_default_str();
   add_json(*line, arguments->json);
-  line->add_option("--csv", arguments->csv,
-                   "Write radius difference and contact points over the displacement");
-  line->add_option("-o,--output", arguments->output, "Write all results (HDF5)");
+  add_output_option(*line, "--csv", arguments->csv,
+                    "Write radius difference and contact points over the displacement");
+  add_output_option(*line, "-o,--output", arguments->output, "Write all results (HDF5)");
   line->footer(conicity_help);
   return {line, [arguments] { return run(*arguments); }};
 }

@@ -3,6 +3,7 @@
 #include "bem_contact/app/number_list.hpp"
 #include "bem_contact/app/output/csv.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/file_kinds.hpp"
@@ -227,8 +228,8 @@ Command add_creep_curves(CLI::App& program) {
   add_model(*line, arguments->model);
   add_strict(*line, arguments->strict);
   add_json(*line, arguments->json);
-  line->add_option("--csv", arguments->csv, "Write all curves, one line for each point");
-  line->add_option("-o,--output", arguments->output, "Write all results (HDF5)");
+  add_output_option(*line, "--csv", arguments->csv, "Write all curves, one line for each point");
+  add_output_option(*line, "-o,--output", arguments->output, "Write all results (HDF5)");
   line->footer(creep_curves_help);
   return {line, [arguments] { return run(*arguments); }};
 }

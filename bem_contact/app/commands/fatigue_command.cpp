@@ -4,6 +4,7 @@
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/file_kinds.hpp"
@@ -102,8 +103,8 @@ Command add_fatigue(CLI::App& program) {
   CLI::App* line = program.add_subcommand("fatigue", "Rolling contact fatigue of each case of a sweep");
   line->add_option("scene", a.scene, "Scene file (TOML) with a table [sweep]")->required();
   add_json(*line, a.json);
-  line->add_option("--csv", a.csv, "Write one line for each patch to this file");
-  line->add_option("-o,--output", a.output, "Write the same with units and the scene (HDF5)");
+  add_output_option(*line, "--csv", a.csv, "Write one line for each patch to this file");
+  add_output_option(*line, "-o,--output", a.output, "Write the same with units and the scene (HDF5)");
   line->add_option("--yield-shear", a.properties.yield_shear, "k, the yield stress in shear, MPa")
       ->check(CLI::Range(1.0, 1e4))
       ->capture_default_str();

@@ -1,6 +1,7 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/commands/numbers_file.hpp"
 #include "bem_contact/app/settings.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/halfspace/combine.hpp"
@@ -206,7 +207,7 @@ Command add_influence(CLI::App& program) {
                    "Format contact: each = one matrix for each loaded row; one = one for all rows")
       ->check(CLI::IsMember({"each", "one"}))
       ->capture_default_str();
-  expand->add_option("-o,--output", r.output, "File to write")->required();
+  add_output_option(*expand, "-o,--output", r.output, "File to write")->required();
   expand->footer(R"(Example:
     bem_contact influence expand data/influence/small_rail.h5 --dx 0.5 --ds 0.5 --mx 20 --my 30 -o numbers.h5
 `bem_contact influence --help` explains it and has more.)");

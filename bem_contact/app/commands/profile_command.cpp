@@ -2,6 +2,7 @@
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/placed_standard.hpp"
 #include "bem_contact/app/settings.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/profile/read_profile.hpp"
@@ -249,9 +250,10 @@ Command add_profile(CLI::App& program) {
   line->add_option("--on", arguments->on,
                    "A measured profile: lay the standard that is named on its unworn part; the table gets a "
                    "column with the depth worn off the standard along its normal");
-  line->add_option("--csv", arguments->csv, "Write arc length, y, z, inclination and curvature to this file");
-  line->add_option("--plot", arguments->plot,
-                   "Write a page (HTML) that draws outline and curvature, with the standard beside them");
+  add_output_option(*line, "--csv", arguments->csv,
+                    "Write arc length, y, z, inclination and curvature to this file");
+  add_output_option(*line, "--plot", arguments->plot,
+                    "Write a page (HTML) that draws outline and curvature, with the standard beside them");
   line->add_option("--step", arguments->step, "Longest step of table and page, mm")
       ->check(CLI::Range(1e-3, 100.0));
   line->footer(profile_help);

@@ -1,6 +1,7 @@
 #include "bem_contact/app/command.hpp"
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/repeat.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/report/report_page.hpp"
@@ -33,7 +34,7 @@ Command add_report(CLI::App& program) {
   line->add_option("file", arguments->file,
                    "Result, comparison, sweep, creep curves, conicity, wheelset or wear (HDF5)")
       ->required();
-  line->add_option("-o,--output", arguments->output, "The page (HTML)")->required();
+  add_output_option(*line, "-o,--output", arguments->output, "The page (HTML)")->required();
   line->footer(report_help);
   return {line, [arguments] {
             if (is_regular(arguments->file) && !is_hdf5(arguments->file))

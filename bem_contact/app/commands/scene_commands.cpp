@@ -6,6 +6,7 @@
 #include "bem_contact/app/output/result_file.hpp"
 #include "bem_contact/app/output/vtk_file.hpp"
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
@@ -246,7 +247,7 @@ Command add_solve(CLI::App& program) {
   add_threads(*line, arguments->threads);
   line->add_option("--folder", arguments->folder,
                    "With a result file: where the relative paths of its scene start, if it was moved");
-  line->add_option("--vtk", arguments->vtk, "Surface with the result for ParaView (.vts)");
+  add_output_option(*line, "--vtk", arguments->vtk, "Surface with the result for ParaView (.vts)");
   return {line, [arguments] { return run_solve(*arguments); }};
 }
 
@@ -262,8 +263,8 @@ Command add_compare(CLI::App& program) {
   add_json(*line, arguments->json);
   add_output(*line, arguments->output);
   add_threads(*line, arguments->threads);
-  line->add_option("--vtk-prefix", arguments->vtk,
-                   "Write PREFIX_MODEL.vts of each model for ParaView (at equal forces)");
+  add_output_option(*line, "--vtk-prefix", arguments->vtk,
+                    "Write PREFIX_MODEL.vts of each model for ParaView (at equal forces)");
   return {line, [arguments] { return run_compare(*arguments); }};
 }
 

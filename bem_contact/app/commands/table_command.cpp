@@ -3,6 +3,7 @@
 #include "bem_contact/app/output/output_names.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/app/sweep/sweep_workers.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/progress.hpp"
@@ -253,8 +254,9 @@ Command add_table(CLI::App& program) {
   CLI::App* line = program.add_subcommand("table", "Tables of forces to look up, with measured errors");
   line->add_option("input", a.input, "Scene file (TOML) with a table [table]; with --at a table (HDF5)");
   line->add_flag("--creep-forces", a.creep, "Forces of an ellipse over its creepages, instead of a scene");
-  line->add_option("-o,--output", a.output, "The table (HDF5)");
-  line->add_option("--text", a.text, "The same as plain text (bem_contact/uses/table/table_file.hpp)");
+  add_output_option(*line, "-o,--output", a.output, "The table (HDF5)");
+  add_output_option(*line, "--text", a.text,
+                    "The same as plain text (bem_contact/uses/table/table_file.hpp)");
   line->add_option("--tolerance", a.wanted.tolerance,
                    "Largest error of the interpolation: over mu N (Mz: mu N R), or over each number's scale")
       ->capture_default_str();

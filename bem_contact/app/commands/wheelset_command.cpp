@@ -4,6 +4,7 @@
 #include "bem_contact/app/output/result_file.hpp"
 #include "bem_contact/app/output/scene_record.hpp"
 #include "bem_contact/app/output/vtk_file.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/influence/file_kinds.hpp"
@@ -200,8 +201,8 @@ Command add_wheelset(CLI::App& program) {
   add_strict(*line, arguments->strict);
   add_json(*line, arguments->json);
   add_output(*line, arguments->output);
-  line->add_option("--vtk-prefix", arguments->vtk,
-                   "Write PREFIX_right.vts and PREFIX_left.vts for ParaView, each in the frame of its side");
+  add_output_option(*line, "--vtk-prefix", arguments->vtk,
+                    "Write PREFIX_right.vts and PREFIX_left.vts for ParaView, each in the frame of its side");
   line->footer(wheelset_help);
   return {line, [arguments] { return run(*arguments); }};
 }

@@ -6,6 +6,7 @@
 #include "bem_contact/app/sweep/sweep_output.hpp"
 #include "bem_contact/app/sweep/sweep_share.hpp"
 #include "bem_contact/app/sweep/sweep_workers.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/interrupt_note.hpp"
@@ -151,6 +152,8 @@ void write_file(const std::filesystem::path& file, const std::vector<std::filesy
 
 void check_outputs(const SweepFile& sweep, const SweepRequest& request,
                    const std::filesystem::path& own_journal) {
+  if (!request.csv.empty())
+    require_csv_texts(sweep);
   const CsvFiles csv = csv_files(request.csv);
   require_named_outputs(files_read(request.scene, sweep),
                         {{"--output", request.output, OutputForm::whole_file, true},
@@ -224,10 +227,10 @@ Command add_sweep(CLI::App& program) {
   SweepRequest& r = *request;
   CLI::App* line = program.add_subcommand("sweep", "Solve a scene for lists or ranges of any of its keys");
   line->add_option("scene", r.scene, "Scene file (TOML) with a table [sweep]")->required();
-  line->add_option("-o,--output", r.output, "File of all cases (HDF5)")->required();
-  line->add_option("--csv", r.csv,
-                   "S.csv: a line for each case; beside it S_patches.csv with a line for each patch, and "
-                   "S_units.csv with unit and meaning of each column");
+  add_output_option(*line, "-o,--output", r.output, "File of all cases (HDF5)")->required();
+  add_output_option(*line, "--csv", r.csv,
+                    "S.csv: a line for each case; beside it S_patches.csv with a line for each patch, and "
+                    "S_units.csv with unit and meaning of each column");
   add_model(*line, r.model);
   line->add_flag("--strict", r.strict, "Count a case with a warning as refused, and keep no result of it");
   add_jobs(*line, r.jobs);

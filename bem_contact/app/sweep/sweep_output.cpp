@@ -2,9 +2,11 @@
 
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/output_file.hpp"
+#include "bem_contact/base/schema_text.hpp"
 #include "bem_contact/influence/file_kinds.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ostream.h>
@@ -29,9 +31,16 @@ double number(const SchemaValue& value) {
   return std::get<bool>(value) ? 1.0 : 0.0;
 }
 
-/// RFC 4180: doubled quotes.
+/// With these a spreadsheet begins a formula, which it computes when the table is opened.
+constexpr std::string_view begins_formula = "=+-@";
+
+bool is_formula(std::string_view text) {
+  return !text.empty() && begins_formula.find(text.front()) != begins_formula.npos;
+}
+
+/// RFC 4180: doubled quotes. For people: in one line, and no formula.
 std::string quoted(const std::string& text) {
-  std::string out(1, '"');
+  std::string out(is_formula(text) ? "\" " : "\"");
   for (const char c : text) {
     out.append(c == '"' ? 1 : 0, '"');
     out.push_back(c == '\n' ? ' ' : c);
@@ -168,6 +177,18 @@ H5Table group_of(const CaseRecord& record) {
   if (!record.reason.empty())
     table.attributes[group + "reason"] = record.reason;
   return table;
+}
+
+void require_csv_texts(const SweepFile& sweep) {
+  const auto is_control = [](unsigned char c) { return std::iscntrl(c) != 0; };
+  for (const SweepFile::Axis& axis : sweep.axes)
+    for (const SchemaValue& value : axis.values)
+      if (const auto* text = std::get_if<std::string>(&value))
+        if (is_formula(*text) || std::ranges::any_of(*text, is_control))
+          throw InputError(fmt::format("{} = {} cannot be a cell of --csv", axis.key, toml_text(*text)),
+                           is_formula(*text) ? "a spreadsheet takes what begins with = + - @ as a formula"
+                                             : "tables have one line for each case",
+                           "Give the file another name, or leave out --csv.");
 }
 
 CsvFiles csv_files(const std::filesystem::path& csv) {

@@ -55,6 +55,9 @@ struct CsvFiles {
   std::filesystem::path cases, patches, units;
 };
 CsvFiles csv_files(const std::filesystem::path& csv);
+/// Throws InputError for a text swept over that no cell can hold so that sweep.table reads it back and a
+/// spreadsheet does not compute it.
+void require_csv_texts(const SweepFile& sweep);
 
 /// The top of a sweep's file, as CSV that pandas.read_csv() takes as it is: names in the first line, then
 ///   cases    a line a case: case, the keys swept over, status in words, seconds, SweepColumns::cases, reason

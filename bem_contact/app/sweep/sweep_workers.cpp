@@ -1,6 +1,7 @@
 #include "bem_contact/app/sweep/sweep_workers.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/said_by.hpp"
 #include "bem_contact/uses/sweep/sweep_case.hpp"
 
 #include <poll.h>
@@ -54,8 +55,8 @@ struct Answer {
   std::string text;      ///< the result, or the message
 
   Answer() = default;
-  Answer(CaseFailure failure, const char* message)
-      : how(static_cast<std::uint64_t>(failure)), text(message) {}
+  Answer(CaseFailure failure, std::string message)
+      : how(static_cast<std::uint64_t>(failure)), text(std::move(message)) {}
 };
 
 Answer answer_of(const CaseSolver& solver, std::size_t index) {
@@ -68,7 +69,7 @@ Answer answer_of(const CaseSolver& solver, std::size_t index) {
   } catch (const ConvergenceError& error) {
     return {CaseFailure::not_converged, error.what()};
   } catch (const std::exception& error) {
-    return {CaseFailure::fault, error.what()};
+    return {CaseFailure::fault, said_by(error)};
   }
 }
 

@@ -3,6 +3,7 @@
 #include "bem_contact/app/sweep/sweep_inputs.hpp"
 #include "bem_contact/app/wear/wear_influence.hpp"
 #include "bem_contact/app/wear/wear_state.hpp"
+#include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/progress.hpp"
@@ -103,8 +104,8 @@ Command add_wear(CLI::App& program) {
   WearArguments& a = *arguments;
   CLI::App* line = program.add_subcommand("wear", "Let profiles wear under a load collective");
   line->add_option("scene", a.scene, "Scene file (TOML) with a table [sweep]")->required();
-  line->add_option("-o,--output", a.output,
-                   "Folder of the profiles and tables: a new or empty one, or one to go on in")
+  add_output_option(*line, "-o,--output", a.output,
+                    "Folder of the profiles and tables: a new or empty one, or one to go on in")
       ->required();
   const CLI::Range positive(1e-6, 1e6);
   const auto number = [&](const char* name, double& value, const char* what) {

@@ -158,7 +158,7 @@ def check(
     """
 
 def sweep(
-    scene: _Scene, model: _Model = None, *, folder: str | PathLike[str] | None = None
+    scene: _Scene, changes: _Changes = None, model: _Model = None, *, folder: str | PathLike[str] | None = None
 ) -> dict[str, Any]:
     """The cases of a table [sweep] as columns: the keys swept over, "status", "reason", "model", the numbers, "patches"."""
 

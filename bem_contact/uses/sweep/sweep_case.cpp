@@ -1,6 +1,7 @@
 #include "bem_contact/uses/sweep/sweep_case.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/said_by.hpp"
 #include "bem_contact/base/stopped.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/sequence/quantities.hpp"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <ctime>
 #include <fmt/format.h>
+#include <new>
 
 namespace bem_contact {
 
@@ -78,8 +80,10 @@ SweepCase solve_case(SweepSolver& solver, const SweepFile& sweep, std::size_t in
     throw;
   } catch (const InputError& error) {
     out = {.status = CaseStatus::refused, .reason = error.what()};
+  } catch (const std::bad_alloc& error) { // says nothing of the case: more memory may solve it
+    out = {.status = CaseStatus::died, .reason = said_by(error)};
   } catch (const std::exception& error) {
-    out = {.status = CaseStatus::not_certified, .reason = error.what()};
+    out = {.status = CaseStatus::not_certified, .reason = said_by(error)};
   }
   out.index = index;
   out.seconds = watch.seconds();
