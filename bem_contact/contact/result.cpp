@@ -7,15 +7,36 @@
 
 namespace bem_contact {
 
-double Certificate::worst() const {
-  double worst = 0;
-  for (const double v :
-       {pressure, penetration, complementarity, friction_cone, adhesion, slip_direction, force_balance}) {
-    if (std::isnan(v))
-      return std::numeric_limits<double>::infinity();
-    worst = std::max(worst, v);
+namespace {
+
+struct Violation {
+  const char* name;
+  double value; ///< infinite if it is not a number
+};
+
+Violation worst_of(const Certificate& c) {
+  Violation worst{"", 0};
+  for (const Violation& v :
+       {Violation{"pressure", c.pressure}, Violation{"penetration", c.penetration},
+        Violation{"complementarity", c.complementarity}, Violation{"friction_cone", c.friction_cone},
+        Violation{"adhesion", c.adhesion}, Violation{"slip_direction", c.slip_direction},
+        Violation{"force_balance", c.force_balance}}) {
+    if (std::isnan(v.value))
+      return {v.name, std::numeric_limits<double>::infinity()};
+    if (v.value > worst.value)
+      worst = v;
   }
   return worst;
+}
+
+} // namespace
+
+double Certificate::worst() const {
+  return worst_of(*this).value;
+}
+
+const char* Certificate::worst_name() const {
+  return worst_of(*this).name;
 }
 
 double Discretisation::moment_error(const ContactResult& result, double x, double y) const {

@@ -26,7 +26,8 @@ enum class ElementState : unsigned char { exterior, adhesion, slip };
 /// mu is that of the element's row. If kinetic < 1, the cone is that of adhesion, mu p_n. A slipping element
 /// then carries kinetic mu p_n S/|S|, and an element that sticks may carry more. Such a solution is not
 /// unique. The solvers begin with the bound mu p_n everywhere; an element that slips gets the bound kinetic
-/// mu p_n and keeps it. This is repeated until no further element slips.
+/// mu p_n and keeps it. This is repeated until no further element slips. Where outer iterations do not
+/// settle, elements keep it from one to the next (coupled/settings.hpp: most_fresh_slips).
 ///
 /// Where mu falls with slip velocity or temperature (ContactProblem::falling, heating), a slipping element
 /// carries mu p_n S/|S| with the mu of its own slip and temperature, and the cone is that of no slip at this
@@ -42,10 +43,15 @@ struct Certificate {
   /// sum mu p_n dS, for those that are prescribed.
   double force_balance = 0;
   double tolerance = 1e-6; ///< the result holds if no violation is above it
+  /// What the rounding of sums may make of these violations, at most: the unit roundoff times the number of
+  /// elements in contact times the largest of the terms that cancel in e and in S, over the scale of either.
+  double rounding = 0;
   /// Discretisation::worst(): a relative error, not a violation; worst() leaves it out. < 0: not estimated.
   double discretisation = -1;
 
   double worst() const; ///< largest violation; infinite if one is not a number
+  /// The name of the largest violation, as the members have it.
+  const char* worst_name() const;
   /// No violation is above the tolerance.
   bool holds() const { return worst() <= tolerance; }
 };

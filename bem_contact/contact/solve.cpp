@@ -150,6 +150,19 @@ ContactResult result_of(const ContactProblem& problem, const contact::Solution& 
   return result;
 }
 
+/// Why a result that the solvers took for a solution is none.
+std::string why_not_certified(const Certificate& certificate, const SolverOptions& options) {
+  const double worst = certificate.worst();
+  if (!std::isfinite(worst))
+    return "digits were lost: a number overflowed, lengths, forces or moduli lie too many decades apart";
+  if (worst <= certificate.rounding)
+    return "digits were lost: lengths, forces or moduli lie too many decades apart";
+  return fmt::format(
+      "the solvers reached their tolerance, {:.0e}, but the certificate finds {} violated by "
+      "{:.1e}: unless a lower tolerance helps this is a fault of the program, please report it",
+      options.tolerance, certificate.worst_name(), worst);
+}
+
 ContactResult certified_result(const ContactProblem& problem, const contact::Solution& solution,
                                const SolverOptions& options) {
   require_balance(problem, solution);
@@ -160,7 +173,7 @@ ContactResult certified_result(const ContactProblem& problem, const contact::Sol
   result.check_seconds = checking.seconds();
   result.converged = result.certificate.holds();
   if (!result.converged && result.remark.empty())
-    result.remark = "digits were lost: lengths, forces or moduli lie too many decades apart; ";
+    result.remark = why_not_certified(result.certificate, options);
   return result;
 }
 

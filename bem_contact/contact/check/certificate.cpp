@@ -20,18 +20,43 @@ double relative(double value, double to) {
   return value > 0 ? value / to : 0.0;
 }
 
+/// Certificate::rounding of sums of terms as large as `term`, which are judged by `scale`.
+double rounding(double term, double scale, double elements) {
+  return elements *
+         (std::numeric_limits<double>::epsilon() * term + std::numeric_limits<double>::denorm_min()) / scale;
+}
+
 double approach_of(const ContactProblem& problem, const ContactResult& result) {
   return problem.load == LoadKind::approach ? problem.approach : result.approach;
 }
 
-/// Rows on which something is in contact; none without friction.
-std::vector<char> rows_in_contact(const ContactProblem& problem, const ContactResult& result) {
-  if (!problem.has_friction())
-    return {};
-  std::vector<char> rows(problem.grid.ms, 0);
-  for (int i = 0; i < problem.grid.size(); ++i)
-    rows[i / problem.grid.mx] |= result.pn[i] > 0;
-  return rows;
+/// Elements in contact, which may slip; none without friction.
+std::vector<int> elements_of_slip(const ContactProblem& problem, const ContactResult& result) {
+  std::vector<int> out;
+  for (int i = 0; i < problem.grid.size() && problem.has_friction(); ++i)
+    if (result.pn[i] > 0)
+      out.push_back(i);
+  return out;
+}
+
+/// Places in the sums that lie `first` to `last` columns ahead of these elements.
+std::vector<int> places_ahead(const ContactProblem& problem, const std::vector<int>& elements, int first,
+                              int last) {
+  const int mx = problem.grid.mx, columns = contact::summed_columns(problem);
+  std::vector<int> out;
+  for (const int i : elements)
+    for (int ahead = first; ahead <= last; ++ahead)
+      out.push_back(i / mx * columns + i % mx + ahead);
+  return out;
+}
+
+/// Columns ahead of an element that its slip takes displacements of now from.
+int columns_ahead(const SlipStep& step) {
+  int last = 0;
+  for (int k = 0; k <= rolling_columns; ++k)
+    if (step.present[k] != 0)
+      last = k;
+  return last;
 }
 
 /// Elements at which pressure has something to say: those that it acts on or that the approach alone lets
@@ -49,29 +74,31 @@ std::vector<int> loaded_or_overlapping(const ContactProblem& problem, const Cont
   return out;
 }
 
-/// Tangential displacements on the rows that slip, with two columns ahead of the grid.
-Fields tangential_displacements(const ContactProblem& problem, const std::vector<char>& slip_rows,
+/// Tangential displacements at some elements, taken so many columns ahead.
+Fields tangential_displacements(const ContactProblem& problem, const std::vector<int>& elements, int ahead,
                                 const contact::ComponentSpans& p) {
-  return contact::direct_displacements(problem, {slip_rows, std::vector<int>{}}, p);
+  return contact::direct_displacements(
+      problem, {places_ahead(problem, elements, ahead, ahead), std::vector<int>{}}, p);
 }
 
-/// sum_k former[k] (A p_k)(x + k columns dx) over the tractions of former steps; nothing where there are
-/// none.
+/// sum_k former[k] (A p_k)(x + k columns dx) over the tractions of former steps, at some elements; nothing
+/// where there are none.
 std::optional<Fields> former_displacements(const ContactProblem& problem, const SlipStep& step,
-                                           const std::vector<char>& slip_rows, int columns) {
+                                           const std::vector<int>& elements) {
   if (problem.previous.empty())
     return std::nullopt;
+  const int mx = problem.grid.mx, columns = contact::summed_columns(problem);
   Fields sum;
   sum.fill(std::vector<double>(static_cast<std::size_t>(columns) * problem.grid.ms, 0.0));
   for (std::size_t k = 1; k <= std::min<std::size_t>(problem.previous.size(), 2); ++k) {
     const Tractions& former = problem.previous[k - 1];
-    const Fields u = tangential_displacements(problem, slip_rows, {former.px, former.ps, former.pn});
     const int ahead = static_cast<int>(k) * step.columns;
+    const Fields u = tangential_displacements(problem, elements, ahead, {former.px, former.ps, former.pn});
     for (const int c : {component_x, component_s})
-      for (int is = 0; is < problem.grid.ms; ++is)
-        for (int ix = 0; ix < problem.grid.mx; ++ix)
-          sum[c][static_cast<std::size_t>(is) * columns + ix] +=
-              step.former[k] * u[c][static_cast<std::size_t>(is) * columns + ix + ahead];
+      for (const int i : elements) {
+        const int at = i / mx * columns + i % mx;
+        sum[c][at] += step.former[k] * u[c][at + ahead];
+      }
   }
   return sum;
 }
@@ -117,6 +144,8 @@ void check_normal(const ContactProblem& problem, const ContactResult& result, co
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   const double q = approach_of(problem, result);
   double pmax = 0, scale = 0, remote_scale = std::abs(q), lowest_p = 0, lowest_e = 0, product = 0;
+  double term = 0; // of those that cancel
+  int in_contact = 0;
   for (int is = 0; is < ms; ++is) {
     const double approach = q * std::cos(problem.rows[is].delta);
     for (int ix = 0; ix < mx; ++ix) {
@@ -125,8 +154,11 @@ void check_normal(const ContactProblem& problem, const ContactResult& result, co
       const double e = problem.gap[i] - approach + u;
       pmax = std::max(pmax, p);
       remote_scale = std::max(remote_scale, std::abs(problem.gap[i]));
-      if (p > 0)
+      if (p > 0) {
         scale = std::max(scale, std::abs(u));
+        term = std::max({term, std::abs(problem.gap[i]), std::abs(approach), std::abs(u)});
+        ++in_contact;
+      }
       lowest_p = std::max(lowest_p, -p);
       lowest_e = std::max(lowest_e, -e);
       product = std::max(product, std::abs(p * e));
@@ -139,6 +171,7 @@ void check_normal(const ContactProblem& problem, const ContactResult& result, co
   certificate.pressure = relative(lowest_p, pmax);
   certificate.penetration = relative(lowest_e, scale);
   certificate.complementarity = relative(product, pmax * scale);
+  certificate.rounding = rounding(term, scale, in_contact);
 }
 
 /// The largest violation of the cone |p_t| <= mu p_n, MPa. `warm`: what temperature leaves of mu; field.
@@ -162,57 +195,59 @@ struct Slips {
     int element;
   };
   std::vector<Slip> slips;
-  double scale; ///< mm
+  double scale;    ///< mm
+  double term = 0; ///< the largest of those that cancel in a slip, mm
 };
 
 Slips slips_of(const ContactProblem& problem, const ContactResult& result, const Fields& u,
-               const std::vector<char>& slip_rows, int columns) {
-  const auto& [mx, ms, dx, ds, x0] = problem.grid;
+               const std::vector<int>& elements) {
+  const int mx = problem.grid.mx, columns = contact::summed_columns(problem);
   const bool steady = problem.motion == MotionKind::steady;
   const SlipStep step = slip_step(problem);
-  const auto before = former_displacements(problem, step, slip_rows, columns);
+  const int ahead = columns_ahead(step);
+  const auto before = former_displacements(problem, step, elements);
   std::optional<Fields> from_normal;
   if (!steady) {
     const std::vector<double> none(result.pn.size(), 0.0);
-    from_normal = tangential_displacements(problem, slip_rows, {none, none, result.pn});
+    from_normal = tangential_displacements(problem, elements, 0, {none, none, result.pn});
   }
   double self = 0;
-  for (int row = 0; row < ms; ++row)
+  for (int row = 0; row < problem.grid.ms; ++row)
     self = std::max(self, problem.numbers.at(0, row, component_n, row, component_n));
   const double pmax = *std::max_element(result.pn.begin(), result.pn.end());
   Slips out{
       {},
       std::max((steady ? contact::steady_slip_rounding : contact::shift_slip_rounding) * pmax * self,
-               contact::creepage_rounding * std::hypot(result.creepage_x, result.creepage_s) * step.length)};
-  for (int is = 0; is < ms; ++is) {
-    const double share = problem.lateral_share(is);
-    for (int ix = 0; ix < mx; ++ix) {
-      const int i = is * mx + ix;
-      if (!(result.pn[i] > 0))
-        continue;
-      const std::size_t at = static_cast<std::size_t>(is) * columns + ix;
-      const double rigid_x = (problem.slip_x[i] + result.creepage_x) * step.length;
-      const double rigid_s = (problem.slip_s[i] + result.creepage_s * share) * step.length;
-      const double before_x = before ? (*before)[component_x][at] : 0.0;
-      const double before_s = before ? (*before)[component_s][at] : 0.0;
-      double elastic_x = -before_x, elastic_s = -before_s; // u = -A p
-      for (int k = 0; k <= rolling_columns; ++k) {
-        elastic_x -= step.present[k] * u[component_x][at + k];
-        elastic_s -= step.present[k] * u[component_s][at + k];
-      }
-      const double slip_x = rigid_x + elastic_x, slip_s = rigid_s + elastic_s;
-      const double falling =
-          problem.falling.empty()
-              ? 1.0
-              : problem.falling_factor(is, std::hypot(slip_x, slip_s) / step.length * problem.speed);
-      out.slips.push_back(
-          {slip_x, slip_s, problem.kinetic * problem.friction_of(is) * falling * result.pn[i], i});
-      out.scale = std::max({out.scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s)});
-      if (from_normal) // if everything sticks without rigid slip: the slip that the shear tractions prevent
-        out.scale = std::max(
-            out.scale, std::hypot(rigid_x - before_x - step.present[0] * (*from_normal)[component_x][at],
-                                  rigid_s - before_s - step.present[0] * (*from_normal)[component_s][at]));
+               contact::creepage_rounding * std::hypot(result.creepage_x, result.creepage_s) * step.length),
+      std::hypot(result.creepage_x, result.creepage_s) * step.length};
+  for (const int i : elements) {
+    const int is = i / mx;
+    const std::size_t at = static_cast<std::size_t>(is) * columns + i % mx;
+    const double rigid_x = (problem.slip_x[i] + result.creepage_x) * step.length;
+    const double rigid_s = (problem.slip_s[i] + result.creepage_s * problem.lateral_share(is)) * step.length;
+    const double before_x = before ? (*before)[component_x][at] : 0.0;
+    const double before_s = before ? (*before)[component_s][at] : 0.0;
+    out.term = std::max({out.term, std::hypot(rigid_x, rigid_s), std::hypot(before_x, before_s)});
+    double elastic_x = -before_x, elastic_s = -before_s; // u = -A p
+    for (int k = 0; k <= ahead; ++k) {
+      const double now_x = step.present[k] * u[component_x][at + k],
+                   now_s = step.present[k] * u[component_s][at + k];
+      out.term = std::max(out.term, std::hypot(now_x, now_s));
+      elastic_x -= now_x;
+      elastic_s -= now_s;
     }
+    const double slip_x = rigid_x + elastic_x, slip_s = rigid_s + elastic_s;
+    const double falling =
+        problem.falling.empty()
+            ? 1.0
+            : problem.falling_factor(is, std::hypot(slip_x, slip_s) / step.length * problem.speed);
+    out.slips.push_back(
+        {slip_x, slip_s, problem.kinetic * problem.friction_of(is) * falling * result.pn[i], i});
+    out.scale = std::max({out.scale, std::hypot(rigid_x, rigid_s), std::hypot(elastic_x, elastic_s)});
+    if (from_normal) // if everything sticks without rigid slip: the slip that the shear tractions prevent
+      out.scale = std::max(
+          out.scale, std::hypot(rigid_x - before_x - step.present[0] * (*from_normal)[component_x][at],
+                                rigid_s - before_s - step.present[0] * (*from_normal)[component_s][at]));
   }
   return out;
 }
@@ -244,7 +279,7 @@ void check_states(const ContactResult& result, const Slips& slips, double tracti
 }
 
 void check_friction(const ContactProblem& problem, const ContactResult& result, const Fields& u,
-                    const std::vector<char>& slip_rows, int columns, Certificate& certificate) {
+                    const std::vector<int>& elements, Certificate& certificate) {
   double traction_scale = 0;
   for (int i = 0; i < problem.grid.size(); ++i)
     traction_scale = std::max(traction_scale, problem.has_friction()
@@ -253,7 +288,7 @@ void check_friction(const ContactProblem& problem, const ContactResult& result, 
   Slips slips{};
   std::vector<double> warm(result.pn.size(), 1.0);
   if (problem.has_friction())
-    slips = slips_of(problem, result, u, slip_rows, columns);
+    slips = slips_of(problem, result, u, elements);
   if (problem.has_friction() && problem.friction_falls_with_heat()) {
     warm = contact::warm_factors(problem, heat_of(problem, result, slips));
     for (Slips::Slip& slip : slips.slips)
@@ -261,6 +296,9 @@ void check_friction(const ContactProblem& problem, const ContactResult& result, 
   }
   certificate.friction_cone = relative(cone_violation(problem, result, warm), traction_scale);
   check_states(result, slips, traction_scale, certificate);
+  if (!slips.slips.empty())
+    certificate.rounding =
+        std::max(certificate.rounding, rounding(slips.term, slips.scale, double(slips.slips.size())));
 }
 
 double vertical_imbalance(const ContactProblem& problem, const ContactResult& result) {
@@ -281,15 +319,15 @@ double vertical_imbalance(const ContactProblem& problem, const ContactResult& re
 Certificate certify(const ContactProblem& problem, const ContactResult& result, Displacements* displacements,
                     int threads) {
   require_fields(problem, result);
-  const std::vector<char> slip_rows = rows_in_contact(problem, result);
+  const std::vector<int> elements = elements_of_slip(problem, result);
   Certificate certificate;
-  const contact::WantedDisplacements wanted =
-      displacements ? contact::WantedDisplacements{std::vector<char>(problem.grid.ms, 1)}
-                    : contact::WantedDisplacements{slip_rows, loaded_or_overlapping(problem, result)};
+  contact::WantedDisplacements wanted{std::nullopt, std::nullopt};
+  if (!displacements)
+    wanted = {places_ahead(problem, elements, 0, columns_ahead(slip_step(problem))),
+              places_ahead(problem, loaded_or_overlapping(problem, result), 0, 0)};
   const auto u = contact::direct_displacements(problem, wanted, {result.px, result.ps, result.pn}, threads);
-  const int columns = static_cast<int>(u[0].size()) / problem.grid.ms;
-  check_normal(problem, result, u[component_n], columns, certificate);
-  check_friction(problem, result, u, slip_rows, columns, certificate);
+  check_normal(problem, result, u[component_n], contact::summed_columns(problem), certificate);
+  check_friction(problem, result, u, elements, certificate);
   certificate.force_balance = std::max(vertical_imbalance(problem, result), shear_imbalance(problem, result));
   if (displacements)
     *displacements = {on_the_grid(problem, u[component_x]), on_the_grid(problem, u[component_s]),

@@ -11,7 +11,8 @@ namespace bem_contact {
 /// and at others must confirm it to 1e-9. If they do not, all sums are direct.
 ///
 /// `displacements`: if not null, it gets the displacements of all elements from the same sums. Without it, x
-/// and s are summed on rows in contact only. `threads` share the sums of a steady motion.
+/// and s are summed where slip is made of them: at the elements in contact now and ahead of them, those of
+/// former tractions as well. `threads` share the sums of a steady motion.
 ///
 /// Throws InputError if the fields of the result do not have the size of the grid.
 Certificate certify(const ContactProblem& problem, const ContactResult& result,

@@ -53,37 +53,41 @@ std::array<double, 3> displacement_of(const InfluenceNumbers& a, std::span<const
   return u;
 }
 
-/// Where direct sums confirm a transform: an element of each loaded row, each time in another part of it, and
-/// elements all over the grid.
-std::vector<int> confirmed_elements(const ContactProblem& problem, std::span<const LoadedElement> loads) {
+/// Where direct sums confirm a transform: at a place of each row, each time in another part of what is wanted
+/// there (or loaded, if everything is wanted), and at places all over the grid.
+std::vector<int> confirmed_places(const ContactProblem& problem, std::span<const LoadedElement> loads,
+                                  const WantedDisplacements& wanted, int columns) {
   constexpr double golden = 0.6180339887498949; // multiples of it fall evenly between 0 and 1
-  const auto& [mx, ms, dx, ds, x0] = problem.grid;
-  std::vector<std::vector<int>> loaded(ms);
-  for (const LoadedElement& load : loads)
-    loaded[load.row].push_back(load.row * mx + load.column);
+  std::vector<std::vector<int>> candidates(problem.grid.ms);
+  const Places& named = wanted.tangential && wanted.tangential->empty() ? wanted.normal : wanted.tangential;
+  if (named)
+    for (const int place : *named)
+      candidates[place / columns].push_back(place);
+  else
+    for (const LoadedElement& load : loads)
+      candidates[load.row].push_back(load.row * columns + load.column);
   std::vector<int> out;
-  for (int row = 0; row < ms; ++row)
-    if (const std::size_t count = loaded[row].size(); count > 0)
-      out.push_back(loaded[row][static_cast<std::size_t>(std::fmod(golden * row, 1.0) * count)]);
+  for (std::size_t row = 0; row < candidates.size(); ++row)
+    if (const std::size_t count = candidates[row].size(); count > 0)
+      out.push_back(candidates[row][static_cast<std::size_t>(std::fmod(golden * row, 1.0) * count)]);
   for (int k = 0; k < confirmed_elsewhere; ++k)
-    out.push_back(static_cast<int>(problem.grid.size() * (k + 0.5) / confirmed_elsewhere));
+    out.push_back(static_cast<int>(columns * problem.grid.ms * (k + 0.5) / confirmed_elsewhere));
   return out;
 }
 
-/// Boxes around elements of the grid with `columns`.
-Boxes boxes_on(const ContactProblem& problem, const std::vector<int>& elements, int columns) {
+/// Boxes around what is loaded and where displacements are wanted.
+Boxes boxes_for(const ContactProblem& problem, std::span<const LoadedElement> loads, const Places& wanted,
+                int columns) {
+  if (!wanted)
+    return {{{0, 0, columns, problem.grid.ms}}};
+  if (wanted->empty())
+    return {};
+  std::vector<int> places = *wanted;
+  for (const LoadedElement& load : loads)
+    places.push_back(load.row * columns + load.column);
   ContactGrid grid = problem.grid;
   grid.mx = columns;
-  return boxes_around(elements, grid, 0, false);
-}
-
-/// Boxes around what is loaded and the columns ahead of it that slip is made of.
-Boxes boxes_of_slip(const ContactProblem& problem, std::span<const LoadedElement> loads, int columns) {
-  std::vector<int> elements;
-  for (const LoadedElement& load : loads)
-    for (int ahead = 0; ahead <= rolling_columns; ++ahead)
-      elements.push_back(load.row * columns + load.column + ahead);
-  return boxes_on(problem, elements, columns);
+  return boxes_around(places, grid, 0, false);
 }
 
 /// The least and the largest of translational numbers (i, j), [3 i + j], and 0.
@@ -109,15 +113,6 @@ bool only_apart(const Extremes& numbers, const std::vector<LoadedElement>& loads
          std::ranges::all_of(loads, [](const LoadedElement& load) { return load.p[component_n] >= 0; }) &&
          std::ranges::all_of(loaded,
                              [&](int j) { return j == component_n || numbers.vanish(component_n, j); });
-}
-
-/// Boxes around elements of the grid.
-Boxes boxes_of(const ContactProblem& problem, const std::vector<int>& elements, int columns) {
-  const int mx = problem.grid.mx;
-  std::vector<int> there;
-  for (const int i : elements)
-    there.push_back(i / mx * columns + i % mx);
-  return boxes_on(problem, there, columns);
 }
 
 /// u of one component on the boxes by FFT, from the components `loaded` of p; u is a field of `columns`. One
@@ -149,16 +144,14 @@ void transform_on(const Boxes& boxes, int component, const std::vector<int>& loa
 }
 
 /// By FFT, for translational numbers, columns 0 .. mx + 1; nothing where direct sums disagree. The operators
-/// are made here, from the numbers: nothing of them is the solvers'. Where some rows slip, tangential
-/// displacements are those of what is loaded.
+/// are made here, from the numbers: nothing of them is the solvers'.
 std::optional<ComponentFields> transformed_displacements(const ContactProblem& problem,
                                                          const WantedDisplacements& wanted,
                                                          const ComponentSpans& p) {
-  const auto& [mx, ms, dx, ds, x0] = problem.grid;
   const std::vector<LoadedElement> loads = loaded_elements(problem, p);
-  const int columns = mx + rolling_columns;
+  const int columns = summed_columns(problem);
   ComponentFields u;
-  u.fill(std::vector<double>(static_cast<std::size_t>(columns) * ms, 0.0));
+  u.fill(std::vector<double>(static_cast<std::size_t>(columns) * problem.grid.ms, 0.0));
   std::vector<int> loaded;
   for (int j = 0; j < 3; ++j)
     if (std::ranges::any_of(loads, [j](const LoadedElement& load) { return load.p[j] != 0; }))
@@ -166,26 +159,19 @@ std::optional<ComponentFields> transformed_displacements(const ContactProblem& p
   if (loaded.empty())
     return u;
   const Extremes numbers(problem.numbers);
-  const Boxes whole{{{0, 0, columns, ms}}}, nowhere{};
-  std::array<Boxes, 3> where{nowhere, nowhere, nowhere};
-  if (!wanted.slip_rows.empty()) {
-    const bool everywhere = std::ranges::none_of(wanted.slip_rows, [](char slips) { return slips == 0; });
-    where[component_x] = where[component_s] = everywhere ? whole : boxes_of_slip(problem, loads, columns);
-  }
-  if (!wanted.normal || !only_apart(numbers, loads, loaded))
-    where[component_n] = whole;
-  else if (!wanted.normal->empty())
-    where[component_n] = boxes_of(problem, *wanted.normal, columns);
-  for (const int i : {component_n, component_x, component_s})
+  const bool pulls = !wanted.normal || !only_apart(numbers, loads, loaded);
+  const Boxes tangential = boxes_for(problem, loads, wanted.tangential, columns);
+  const std::array<Boxes, 3> where{tangential, tangential,
+                                   boxes_for(problem, loads, pulls ? std::nullopt : wanted.normal, columns)};
+  std::array<double, 3> allowed{};
+  for (const int i : {component_n, component_x, component_s}) {
     if (!where[i].boxes.empty())
       transform_on(where[i], i, loaded, numbers, problem, p, u);
-  std::array<double, 3> allowed{};
-  for (int i = 0; i < 3; ++i)
     for (const double v : u[i])
       allowed[i] = std::max(allowed[i], agreement_of_sums * std::abs(v));
-  for (const int element : confirmed_elements(problem, loads)) {
-    const int row = element / mx, column = element % mx, at = row * columns + column;
-    const std::array<double, 3> sum = displacement_of(problem.numbers, loads, row, column);
+  }
+  for (const int at : confirmed_places(problem, loads, wanted, columns)) {
+    const std::array<double, 3> sum = displacement_of(problem.numbers, loads, at / columns, at % columns);
     for (int i = 0; i < 3; ++i)
       if (where[i].local(at, columns) >= 0 && !(std::abs(sum[i] - u[i][at]) <= allowed[i]))
         return std::nullopt;
@@ -294,16 +280,30 @@ void add_full(const Terms& terms, int i, const std::vector<char>& wanted, int fi
   }
 }
 
+/// By rows, which of them hold a wanted place.
+std::vector<char> rows_of(const Places& wanted, int rows, int columns) {
+  std::vector<char> out(rows, !wanted);
+  if (wanted)
+    for (const int place : *wanted)
+      out[place / columns] = 1;
+  return out;
+}
+
 } // namespace
+
+int summed_columns(const ContactProblem& problem) {
+  return std::min(problem.grid.mx + rolling_columns, problem.numbers.offsets);
+}
 
 ComponentFields direct_displacements(const ContactProblem& problem, const WantedDisplacements& wanted,
                                      const ComponentSpans& p, int threads) {
   const auto& [mx, ms, dx, ds, x0] = problem.grid;
   const InfluenceNumbers& a = problem.numbers;
-  const int columns = std::min(mx + rolling_columns, a.offsets);
+  const int columns = summed_columns(problem);
+  const bool shear = !wanted.tangential || !wanted.tangential->empty();
   double count = 0;
   for (int j = 0; j < 3; ++j)
-    count += (wanted.slip_rows.empty() ? 1.0 : 3.0) * problem.grid.size() *
+    count += (shear ? 3.0 : 1.0) * problem.grid.size() *
              std::count_if(p[j].begin(), p[j].end(), [](double v) { return v != 0; });
   if (a.translational && count > many_plane_terms && columns == mx + rolling_columns)
     if (auto u = transformed_displacements(problem, wanted, p))
@@ -315,9 +315,9 @@ ComponentFields direct_displacements(const ContactProblem& problem, const Wanted
     for (int row = 0; row < ms; ++row)
       terms.loads[j].push_back(loaded_row(p[j].data() + static_cast<std::size_t>(row) * mx, mx));
   const bool nowhere = wanted.normal && wanted.normal->empty();
-  const std::vector<char> all(ms, 1);
-  for (int i = wanted.slip_rows.empty() ? component_n : component_x; i < (nowhere ? component_n : 3); ++i) {
-    const std::vector<char>& rows = i == component_n ? all : wanted.slip_rows;
+  const std::vector<char> all(ms, 1), slips = rows_of(wanted.tangential, ms, columns);
+  for (int i = shear ? component_x : component_n; i < (nowhere ? component_n : 3); ++i) {
+    const std::vector<char>& rows = i == component_n ? all : slips;
     if (a.translational)
       add_translational(terms, i, rows, u[i].data());
     else

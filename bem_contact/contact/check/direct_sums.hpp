@@ -13,19 +13,21 @@ namespace bem_contact::contact {
 using ComponentFields = std::array<std::vector<double>, 3>;
 using ComponentSpans = std::array<std::span<const double>, 3>;
 
+/// Columns of the sums: two ahead of the grid, for rolling, where the numbers reach so far.
+int summed_columns(const ContactProblem& problem);
+
+/// Places in a field [ms][summed_columns()] at which displacements are wanted; nothing: everywhere. At others
+/// they may be left at 0.
+using Places = std::optional<std::vector<int>>;
+
 /// Which displacements a certificate needs.
 struct WantedDisplacements {
-  /// One value a row: whether x and s are wanted there; empty: nowhere. Where these are some rows, x and s
-  /// are sure to be there at what is loaded and two columns ahead of it.
-  std::vector<char> slip_rows = {};
-  /// Elements at which n is wanted, those with tractions among them; nothing: all elements. At others n may
-  /// be left at 0: then it is not negative.
-  std::optional<std::vector<int>> normal = std::nullopt;
+  Places tangential = std::vector<int>{}; ///< x and s
+  Places normal = std::nullopt;           ///< n; what is left at 0 is not negative
 };
 
-/// u_i = (A p)_i in columns 0 .. mx + 1 (two ahead of the grid, for rolling), mm; fields [ms][columns]. By
-/// direct sums over the influence numbers; if these are too many, by FFT, which direct sums at some elements
-/// confirm. p: tractions, MPa.
+/// u_i = (A p)_i, mm; fields [ms][summed_columns()]. By direct sums over the influence numbers; if these are
+/// too many, by FFT, which direct sums at some elements confirm. p: tractions, MPa.
 ComponentFields direct_displacements(const ContactProblem& problem, const WantedDisplacements& wanted,
                                      const ComponentSpans& p, int threads = 1);
 

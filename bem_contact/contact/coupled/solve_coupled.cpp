@@ -1,5 +1,6 @@
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
 
+#include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/contact/coupled/anderson.hpp"
 #include "bem_contact/contact/coupled/force_balance.hpp"
@@ -13,12 +14,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace bem_contact::contact {
 namespace {
 
 using Eigen::VectorXd;
+
+/// Between the parts of a remark.
+constexpr std::string_view separator = "; ";
 
 void set_distance(const CoupledSystem& system, Solution& solution) {
   solution.distance =
@@ -190,14 +195,20 @@ bool balance_apart(const CoupledSystem& system, const SolverOptions& options, Wo
   return false;
 }
 
-std::string remark_of(const Solution& solution, bool settled) {
+/// What the solvers say of it. `most`: outer iterations that were allowed, before balance_apart().
+std::string remark_of(const Solution& solution, bool settled, int most) {
   std::string remark = solution.normal.remark;
   if (!remark.empty())
-    remark += "; ";
+    remark += separator;
   remark += solution.shear.remark;
-  if (!settled)
-    remark += fmt::format("normal and tangential problem did not settle in {} outer iterations; ",
-                          solution.outer_iterations);
+  if (!settled) {
+    remark += "normal and tangential problem did not settle in " +
+              counted(std::min(most, solution.outer_iterations), "outer iteration", "outer iterations");
+    if (const int apart = solution.outer_iterations - most; apart > 0)
+      remark += fmt::format(", nor in {} more with the force of the pressure held", apart);
+  }
+  if (remark.ends_with(separator))
+    remark.resize(remark.size() - separator.size());
   return remark;
 }
 
@@ -233,7 +244,7 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
     settled = balance_apart(system, options, work, solution);
   require_capacity(problem, solution.creepage);
   set_distance(system, solution);
-  solution.remark = remark_of(solution, settled);
+  solution.remark = remark_of(solution, settled, options.max_outer);
   return solution;
 }
 
