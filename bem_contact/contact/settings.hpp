@@ -65,6 +65,8 @@ BEM_CONTACT_TUNED(double, creepage_rounding, 1e-9);
 /// some per cent at best.
 BEM_CONTACT_TUNED(double, companion_tolerance, 1e-5);
 BEM_CONTACT_TUNED(double, companion_violation, 1e-4);
+/// 1. What a rough creepage of free rolling may be off by, over its stated error.
+BEM_CONTACT_TUNED(double, free_creepage_share, 0.1);
 /// Elements of the companion in contact, at least; in a single row or column. Fewer say nothing: on Hertz
 /// contacts with 12 elements across (28 in the companion) the two agree by chance.
 BEM_CONTACT_TUNED(int, least_companion, 40);

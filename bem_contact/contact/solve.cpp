@@ -3,7 +3,9 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/contact/check/discretisation.hpp"
+#include "bem_contact/contact/check/error_estimates.hpp"
 #include "bem_contact/contact/coupled/contact_operators.hpp"
+#include "bem_contact/contact/coupled/settings.hpp"
 #include "bem_contact/contact/coupled/solve_coupled.hpp"
 #include "bem_contact/contact/flash_temperature.hpp"
 #include "bem_contact/contact/grid/larger_elements.hpp"
@@ -13,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace bem_contact {
 
@@ -248,7 +251,80 @@ void Estimate::add_to(ContactResult& result) {
   seconds_ += clock.seconds();
 }
 
+/// Of the longitudinal force that larger elements say of a solution, over what friction carries.
+double known_share(const ContactProblem& problem, const ContactResult& solved) {
+  if (!solved.discretisation)
+    return unknown_error;
+  double capacity = 0;
+  for (std::size_t i = 0; i < solved.pn.size(); ++i)
+    capacity +=
+        problem.friction_of(static_cast<int>(i) / problem.grid.mx) * solved.pn[i] * problem.element_area();
+  const TotalErrors& e = solved.discretisation->errors;
+  const double force = e.Fx > 0 ? e.Fx : e.creepage_x / solved.compliance_x;
+  return force / capacity;
+}
+
+/// A rough solution, from `start` and its creepages. Nothing where it did not settle at once.
+std::optional<ContactResult> rough_result(const ContactProblem& problem, const StartingPoint& start,
+                                          SolverOptions options, contact::ContactOperators& operators,
+                                          WorkBudget& work) {
+  options.start = &start;
+  options.early_end = nullptr;
+  const contact::Solution solution = contact::solve_coupled(problem, options, operators, work);
+  if (!solution.settled || !solution.shear.converged || !solution.creepage.reached)
+    return std::nullopt;
+  return result_of(problem, solution);
+}
+
+StartingPoint start_near(Tractions tractions, double approach, double creepage_x, double creepage_s) {
+  StartingPoint start{std::move(tractions), approach};
+  start.near = true;
+  start.creepage_x = creepage_x;
+  start.creepage_s = creepage_s;
+  return start;
+}
+
+/// Of the creepage of a rough solution, by one as rough on larger elements.
+double creepage_error(const ContactProblem& problem, const ContactResult& rough, const SolverOptions& options,
+                      contact::ContactOperators& operators, WorkBudget& work) {
+  if (!contact::why_no_companion(problem, rough).empty())
+    return unknown_error;
+  const contact::LargerElements larger(problem.grid, rough.pn);
+  contact::CompanionOperators& prepared = operators.companion(problem.numbers, larger, false);
+  try {
+    contact::Companion coarse = contact::companion_of(problem, rough, larger);
+    const contact::LentNumbers lent(prepared.numbers, coarse.problem);
+    const StartingPoint start =
+        start_near(std::move(coarse.start), coarse.start.approach, rough.creepage_x, rough.creepage_s);
+    const auto result = rough_result(coarse.problem, start, options, prepared.operators, work);
+    return result ? contact::creepage_x_error(problem, rough, coarse.problem, *result) : unknown_error;
+  } catch (const Error&) { // larger elements cannot carry the forces, or no work is left
+    return unknown_error;
+  }
+}
+
 } // namespace
+
+std::optional<FreeCreepage> free_creepage(const ContactProblem& problem, const ContactResult& near,
+                                          double creepage, const SolverOptions& given, WorkBudget& work) {
+  validate(problem);
+  contact::ContactOperators only_now;
+  contact::ContactOperators& operators = given.workspace ? given.workspace->of(problem) : only_now;
+  // What is missing of the forces may be settling_factor times the tolerance.
+  const double known = known_share(problem, near) * contact::free_creepage_share / contact::settling_factor;
+  SolverOptions options = given;
+  options.tolerance = std::isfinite(known) ? std::clamp(known, given.tolerance, contact::loose_tolerance)
+                                           : std::max(given.tolerance, contact::companion_tolerance);
+  const StartingPoint start = start_near(tractions_of(near), near.approach, creepage, near.creepage_s);
+  const auto rough = rough_result(problem, start, options, operators, work);
+  if (!rough)
+    return std::nullopt;
+  const double left = std::isfinite(rough->compliance_x) ? -rough->compliance_x * rough->Fx : 0;
+  return FreeCreepage{rough->creepage_x + left,
+                      given.estimate_discretisation
+                          ? creepage_error(problem, *rough, options, operators, work)
+                          : unknown_error};
+}
 
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options) {
   WorkBudget work;

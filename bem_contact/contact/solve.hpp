@@ -8,6 +8,7 @@
 
 #include <list>
 #include <memory>
+#include <optional>
 
 namespace bem_contact {
 
@@ -65,6 +66,21 @@ ContactResult solve(const ContactProblem& problem, const SolverOptions& options 
 
 /// The same with a budget that all problems of one case (one scene) share.
 ContactResult solve(const ContactProblem& problem, const SolverOptions& options, WorkBudget& work);
+
+/// A creepage along x at which a contact in steady rolling bears no longitudinal force.
+struct FreeCreepage {
+  double x = 0;                 ///< as ContactResult::creepage_x: it is added to the problem's rigid slip
+  double error = unknown_error; ///< stated, of the size of the elements
+};
+
+/// Finds the creepage of a problem with force_x = 0 from the certified solution `near` of nearly the same
+/// problem: with other tractions alone, as a prescribed creepage `creepage` (counted as FreeCreepage::x)
+/// leaves them. Newton's method begins there, and it ends where what is left of the force is worth a tenth of
+/// the stated error. That error is from larger elements, as that of a precise solution is. Nothing is
+/// certified: what no method finds at once is nothing here, and a whole solution may find it. Throws as
+/// solve() does.
+std::optional<FreeCreepage> free_creepage(const ContactProblem& problem, const ContactResult& near,
+                                          double creepage, const SolverOptions& options, WorkBudget& work);
 
 /// The estimate of the discretisation joins pairs of rows: the first of them, of `rows` rows where those in
 /// contact are lowest .. highest. Of an odd number one at an end is left out, the one farther from the

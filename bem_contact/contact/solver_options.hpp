@@ -12,6 +12,10 @@ class Workspace;
 /// A guess at the solution, on the problem's grid.
 struct StartingPoint : Tractions {
   double approach = 0; ///< mm
+  /// It solves nearly this problem: with these creepages where shear forces are prescribed. The first outer
+  /// iteration is solved precisely at once.
+  bool near = false;
+  double creepage_x = 0, creepage_s = 0; ///< as ContactResult has them
 };
 
 /// Ends a solution early where it is only rough, but its estimated errors already say that smaller elements

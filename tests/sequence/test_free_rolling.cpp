@@ -43,6 +43,31 @@ TEST(FreeRolling, IsTheCreepageOfNoLongitudinalForce) {
   EXPECT_GT(asked.result.Fx, 1000) << "at xi = 0 the wheel does not roll freely here";
 }
 
+/// It ends where what is left is a tenth of its stated error, wherever it starts: near free rolling, driven,
+/// or where everything slips.
+TEST(FreeRolling, IsAsPreciseAsItsErrorOnManyScenes) {
+  for (const char* bodies :
+       {"position.lateral = 0\nload.force = 8e4\n", "position.lateral = 3\nload.force = 3e4\n",
+        "position.lateral = 6.6\nload.force = 1e5\nposition.yaw = 0.01\n",
+        "position.lateral = 7.1\nload.force = 4e4\nmotion.friction = 0.15\n",
+        "position.lateral = 7\nload.force = 1e5\nmotion.eta = 0.004\n"})
+    for (const char* model : {"halfspace", "tangent_plane"}) {
+      const std::string scene =
+          fmt::format("rail.profile = '60E1'\nwheel.profile = 'S1002'\nsolver.model = '{}'\n"
+                      "grid = {{ dx = 0.6, ds = 0.35 }}\n{}",
+                      model, bodies);
+      const FreeRolling precise =
+          *Sequence().solve(parse_scene_file(scene + "load.force_x = 0\n")).free_rolling;
+      for (const char* xi : {"0", "1e-3", "-4e-3", "0.03"}) {
+        const auto found =
+            Sequence().solve(parse_scene_file(scene + "motion.xi = " + xi + "\n")).free_rolling;
+        ASSERT_TRUE(found) << scene << xi;
+        EXPECT_NEAR(found->xi, precise.xi, 0.1 * precise.xi_error) << scene << xi;
+        EXPECT_NEAR(found->xi_error, precise.xi_error, 0.25 * precise.xi_error) << scene << xi;
+      }
+    }
+}
+
 TEST(FreeRolling, LeavesTheResultAsItIs) {
   const SceneResult with = Sequence().solve(rolling(""));
   const SceneResult without = Sequence().solve(rolling("motion.free_rolling = false\n"));

@@ -3,6 +3,7 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/sequence/numbers/pair_numbers.hpp"
 #include "bem_contact/sequence/plan/model_choice.hpp"
+#include "tests/base/message.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -13,7 +14,9 @@
 namespace {
 
 using namespace bem_contact;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 using std::numbers::pi;
 
@@ -295,6 +298,22 @@ TEST(Scene, CheckSaysThatTheGridIsTrimmed) {
   const auto trimmed = ::testing::Contains(HasSubstr("solve leaves out the rows and columns"));
   EXPECT_THAT(lines(Model::tangent_plane), trimmed);
   EXPECT_THAT(lines(Model::halfspace), ::testing::Not(trimmed));
+}
+
+/// Half-spaces have small tables of influence numbers: a grid that is too large for others serves them.
+TEST(Scene, MemoryIsThatOfTheModel) {
+  const auto solve_with = [](const char* model, const char* grid) {
+    return Sequence().solve(parse_scene_file(fmt::format(
+        "kind = 'patch'\nload.force = 100\nmotion.frictionless = true\ngap.a = 0.01\ngap.b = 0.01\n"
+        "solver.model = '{}'\ngrid = {{ dx = 0.05, ds = 0.05, {} }}\n",
+        model, grid)));
+  };
+  const char* grid = "mx = 242, ms = 444";
+  EXPECT_TRUE(solve_with("halfspace", grid).result.converged);
+  EXPECT_THAT(message_of([&] { solve_with("tangent_plane", grid); }),
+              AllOf(HasSubstr("242 x 444 elements is too large"), HasSubstr("above all along s")));
+  EXPECT_THAT(message_of([&] { solve_with("halfspace", "mx = 2000, ms = 2000"); }),
+              AllOf(HasSubstr("2000 x 2000 elements is too large"), Not(HasSubstr("along s"))));
 }
 
 } // namespace

@@ -266,6 +266,17 @@ double temperature_error(const ContactGrid& grid, const std::vector<double>& fin
 
 } // namespace
 
+double creepage_x_error(const ContactProblem& problem, const ContactResult& result,
+                        const ContactProblem& coarse_problem, const ContactResult& coarse) {
+  const Region fine = contact_of(problem, result, patches_of(problem, result)),
+               rough = contact_of(coarse_problem, coarse, patches_of(coarse_problem, coarse));
+  if (rough.contact < least_companion || !converges(fine, rough, roughness_of_gap(problem, result)))
+    return unknown_error;
+  TotalErrors e;
+  estimate_creepages(problem, result, coarse_problem.grid, coarse, fine, e);
+  return e.creepage_x;
+}
+
 void estimate_errors(const ContactProblem& problem, const ContactResult& result,
                      const ContactProblem& coarse_problem, const ContactResult& coarse, Discretisation& out) {
   const std::vector<Region> patches = patches_of(problem, result),

@@ -13,4 +13,8 @@ namespace bem_contact::contact {
 void estimate_errors(const ContactProblem& problem, const ContactResult& result,
                      const ContactProblem& coarse_problem, const ContactResult& coarse, Discretisation& out);
 
+/// TotalErrors::creepage_x alone, of two rough solutions; unknown_error where the coarse one says nothing.
+double creepage_x_error(const ContactProblem& problem, const ContactResult& result,
+                        const ContactProblem& coarse_problem, const ContactResult& coarse);
+
 } // namespace bem_contact::contact

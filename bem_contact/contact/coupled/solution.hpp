@@ -22,6 +22,7 @@ struct Solution {
   int outer_iterations = 0;
   double pressed = 0, borne = 0; ///< vertical force of the pressure; of pressure and shear; N (load == force)
   bool unbalanced = false;       ///< the friction is such that no pressure carries the prescribed force
+  bool settled = false;          ///< neither problem changes the other any more
   bool ended_early = false;      ///< RoughLook::ends said so
   std::string remark;
 };

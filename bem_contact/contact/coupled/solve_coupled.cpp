@@ -62,8 +62,8 @@ private:
 OuterLoop::OuterLoop(const CoupledSystem& system, const SolverOptions& options, WorkBudget& work,
                      Solution& solution)
     : system_(system), options_(options), work_(work), solution_(solution), n_(system.gap.size()),
-      tolerance_(options.tolerance, system.coupled()), balance_(system.problem.force),
-      v_(VectorXd::Zero(n_ + 1)) {
+      tolerance_(options.tolerance, system.coupled() && !(options.start && options.start->near)),
+      balance_(system.problem.force), v_(VectorXd::Zero(n_ + 1)) {
   if (system.by_force &&
       solution.normal.p.size() == n_) { // guess the share that shear carries from the start
     const double pressed = system.normal.cosine.dot(solution.normal.p) * system.problem.element_area();
@@ -244,6 +244,7 @@ Solution solve_coupled(const ContactProblem& problem, const SolverOptions& optio
     settled = balance_apart(system, options, work, solution);
   require_capacity(problem, solution.creepage);
   set_distance(system, solution);
+  solution.settled = settled;
   solution.remark = remark_of(solution, settled, options.max_outer);
   return solution;
 }

@@ -26,6 +26,11 @@ bool start_from_guess(const StartingPoint& guess, const ContactProblem& problem,
   solution.normal.p = Eigen::Map<const VectorXd>(guess.pn.data(), n).cwiseMax(0.0);
   solution.normal.approach = guess.approach;
   set_active(solution.normal);
+  if (guess.near) {
+    solution.creepage.x = guess.creepage_x;
+    solution.creepage.s = guess.creepage_s;
+    solution.creepage.near = true;
+  }
   if (problem.has_friction())
     solution.shear.p << Eigen::Map<const VectorXd>(guess.px.data(), n),
         Eigen::Map<const VectorXd>(guess.ps.data(), n);

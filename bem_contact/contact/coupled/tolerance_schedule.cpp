@@ -7,8 +7,8 @@
 
 namespace bem_contact::contact {
 
-ToleranceSchedule::ToleranceSchedule(double asked, bool coupled)
-    : asked_(asked), now_(coupled ? std::max(asked, loose_tolerance) : asked) {}
+ToleranceSchedule::ToleranceSchedule(double asked, bool loose)
+    : asked_(asked), now_(loose ? std::max(asked, loose_tolerance) : asked) {}
 
 bool ToleranceSchedule::is_close(double change) const {
   return change <= settling_factor * asked_;

@@ -6,8 +6,9 @@ namespace bem_contact::contact {
 /// precise as the other one is known so far: more would be wasted work.
 class ToleranceSchedule {
 public:
-  /// `asked`: SolverOptions::tolerance. Problems that are not coupled are solved once, with it.
-  ToleranceSchedule(double asked, bool coupled);
+  /// `asked`: SolverOptions::tolerance. `loose`: the first iterations are; else it is asked for at once, as
+  /// in problems that are not coupled and solved once.
+  ToleranceSchedule(double asked, bool loose);
 
   /// Tolerance of the next outer iteration.
   double now() const { return now_; }

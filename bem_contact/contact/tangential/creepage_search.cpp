@@ -177,7 +177,7 @@ void solve_friction(const TangentialSystem& system, const SolverOptions& options
     creepage.reached = false;
     return;
   }
-  if (creepage.iterations == 0 && !task.contact.empty()) {
+  if (!creepage.near && !task.contact.empty()) {
     const Vector2d near = forces.of_no_mean_slip();
     for (const int k : unknown)
       w[k] = near[k];
@@ -189,13 +189,14 @@ void solve_friction(const TangentialSystem& system, const SolverOptions& options
     keep_known(found->compliance[0], creepage.compliance_x);
     keep_known(found->compliance[1], creepage.compliance_s);
   } else
-    creepage.reached = unknown.size() == 1 ? find_one(forces, unknown[0], wanted[unknown[0]], tolerance,
-                                                      creepage.iterations > 0, w)
-                                           : find_both(forces, wanted, tolerance, w);
+    creepage.reached = unknown.size() == 1
+                           ? find_one(forces, unknown[0], wanted[unknown[0]], tolerance, creepage.near, w)
+                           : find_both(forces, wanted, tolerance, w);
   if (creepage.reached) {
     creepage.x = w[0];
     creepage.s = w[1];
   }
+  creepage.near = true;
   creepage.iterations += forces.solves();
   if (!creepage.reached)
     state.remark +=

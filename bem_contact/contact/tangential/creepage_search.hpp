@@ -13,6 +13,7 @@ struct FoundCreepage {
   /// ForcedCreepage::compliance of the last solution that Newton's method found.
   double compliance_x = std::numeric_limits<double>::quiet_NaN();
   double compliance_s = std::numeric_limits<double>::quiet_NaN();
+  bool near = false;   ///< x and s are near the ones looked for: they are known from somewhere
   int iterations = 0;  ///< tangential problems solved for them
   bool reached = true; ///< the forces are the prescribed ones
   bool beyond = false; ///< they are at or above what friction can carry
@@ -23,7 +24,7 @@ struct FoundCreepage {
 /// where that ends without an answer, one is bracketed, and two are found by Newton with finite differences
 /// and step halving) and which elements slip at the kinetic coefficient. `task` comes with bound = mu p_n of
 /// adhesion and leaves with the bounds, rigid slip and drive of the solution. Starts from `state` and from
-/// `creepage`, at first (no iterations) from the creepages without a mean slip.
+/// `creepage`; where nothing is known of that yet, from the creepages without a mean slip.
 void solve_friction(const TangentialSystem& system, const SolverOptions& options, WorkBudget& work,
                     TangentialTask& task, TangentialState& state, FoundCreepage& creepage);
 

@@ -85,8 +85,12 @@ SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::G
     return solve_case(asked, grid, resources);
   if (asked.scene.motion.from_free_rolling)
     return solve_from_free_rolling(asked, grid, resources);
-  SceneResult out = solve_case(asked, grid, resources);
-  if (out.model == Model::hertz || !out.result.converged || out.result.patches.empty())
+  SolveResources tools = resources;
+  tools.free_rolling = true;
+  SceneResult out = solve_case(asked, grid, tools);
+  if (out.free_rolling || out.model == Model::hertz || !out.result.converged || out.result.patches.empty())
+    return out;
+  if (resources.early_end && resources.early_end->ends(out.problem, out.result)) // on smaller elements then
     return out;
   if (asked.setup.motion.force_x == 0.0) {
     out.free_rolling = free_rolling_of(out);
@@ -104,7 +108,7 @@ SceneResult solve_with_free_rolling(const ContactCase& asked, const SceneFile::G
       out.free_rolling = counted_as(out, *found);
   } catch (const ConvergenceError&) { // free rolling is not what was asked for
   }
-  out.seconds.free_rolling = finding.seconds();
+  out.seconds.free_rolling += finding.seconds();
   return out;
 }
 

@@ -39,6 +39,12 @@ BEM_CONTACT_TUNED(int, cropped_margin, 2);
 BEM_CONTACT_TUNED(int, cropped_margin_of_steps, 1);
 /// GB. Largest influence numbers, and largest history, that are kept in memory.
 BEM_CONTACT_TUNED(double, largest_memory, 8.0);
+/// 1. Memory of a whole solution over that of its table of influence numbers, where they depend on both rows:
+/// numbers of either body, of the pair, and spectra. 2.3 was measured of influence files.
+BEM_CONTACT_TUNED(double, memory_by_rows, 4.0);
+/// 1. The same of half-spaces, whose table is small: 144 bytes an element. 1.2 to 2 kB an element were
+/// measured in all, the most of unlike materials.
+BEM_CONTACT_TUNED(double, memory_by_distance, 16.0);
 
 // Start from the case before.
 

@@ -182,9 +182,36 @@ ModelChoice checked(const ContactCase& asked, ModelChoice taken, const ContactTr
   return known.model < taken.model ? taken : known;
 }
 
-SceneResult recorded(PlacedSolution placed, const ModelChoice& choice) {
+/// Whether the case will be solved again on smaller elements.
+bool ends_here(const SolveResources& resources, const GridSolution& solved) {
+  return !resources.early_end || !resources.early_end->ends(solved.contact.problem, solved.result);
+}
+
+std::optional<FreeCreepage> free_creepage_if_asked(PlacedSolution& placed, const SolveResources& resources) {
+  const GridSolution& solved = placed.solved;
+  const bool asked = resources.free_rolling && solved.model != Model::hertz && solved.result.converged &&
+                     !solved.result.patches.empty() && placed.asked.setup.motion.force_x != 0.0;
+  return asked && ends_here(resources, solved) ? free_creepage_of(placed.asked, placed.solved, resources)
+                                               : std::nullopt;
+}
+
+/// SceneResult::free_rolling of what free_creepage_of() found.
+FreeRolling free_rolling_at(const ContactCase& asked, const FreeCreepage& found, const SceneResult& solved) {
+  const Creepage& given = asked.setup.motion.creepage;
+  const double per_slip = solved.contact_radius > 0 ? solved.rolling_radius / solved.contact_radius : 1.0;
+  const double xi = (asked.scene.motion.pitch_rate ? given.xi : 0) + per_slip * (given.slip_x + found.x);
+  return {xi, solved.rolling_radius / (1 - xi), found.error, solved.contact_radius};
+}
+
+SceneResult recorded(PlacedSolution placed, const ModelChoice& choice, const SolveResources& resources) {
+  const Stopwatch finding;
+  const std::optional<FreeCreepage> free = free_creepage_if_asked(placed, resources);
+  const double seconds = finding.seconds();
   SceneResult out = record_of(placed.asked, std::move(placed.solved), choice);
   out.structure = std::move(placed.structure);
+  if (free)
+    out.free_rolling = free_rolling_at(placed.asked, *free, out);
+  out.seconds.free_rolling += seconds;
   return out;
 }
 
@@ -232,14 +259,14 @@ SceneResult solve_by_choice(const ContactCase& asked, const SceneFile::Grid& gri
     choice = checked(asked, std::move(choice), foreseen, request, placed->solved);
     if (choice.model == taken) {
       placed->solved.seconds = spent;
-      return recorded(std::move(*placed), choice);
+      return recorded(std::move(*placed), choice, resources);
     }
   }
 }
 
 SceneResult solve_as_asked(const ContactCase& asked, Model model, const SceneFile::Grid& grid,
                            const SolveResources& resources) {
-  return recorded(solve_with(asked, model, grid, resources), {model, "asked for"});
+  return recorded(solve_with(asked, model, grid, resources), {model, "asked for"}, resources);
 }
 
 } // namespace

@@ -10,20 +10,32 @@
 #include "bem_contact/sequence/solution/structural_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <functional>
 
 namespace bem_contact {
 
 namespace {
 
-/// Numbers of both bodies, of the pair, and the operator's spectra: four times one table.
-void require_memory(const ContactGrid& grid) {
-  const double gigabytes = 4 * 8e-9 * 9 * double(grid.ms) * grid.ms * (grid.mx + 2);
+/// What a solution takes beside its table of influence numbers is in proportion to it: numbers of each body,
+/// spectra, fields.
+void require_memory(Model model, const ContactProblem& problem) {
+  const ContactGrid& grid = problem.grid;
+  const bool by_distance = model == Model::halfspace; // numbers depend on the distance of two rows alone
+  InfluenceNumbers table;
+  table.offsets = problem.plane_strain() ? 1 : grid.mx + 2;
+  table.rows = grid.ms;
+  table.translational = by_distance;
+  const double gigabytes = 1e-9 * sizeof(double) * double(table.expected_values()) *
+                           (by_distance ? memory_by_distance : memory_by_rows);
   if (gigabytes > largest_memory)
-    throw InputError(fmt::format("A grid of {} x {} elements is too large", grid.mx, grid.ms),
-                     fmt::format("its influence numbers need about {:.0f} GB, {:g} GB are allowed", gigabytes,
-                                 largest_memory),
-                     "Use larger elements or fewer of them, above all along s.");
+    throw InputError(
+        fmt::format("A grid of {} x {} elements is too large", grid.mx, grid.ms),
+        fmt::format("its influence numbers and what is made of them need about {:.0f} GB, {:g} "
+                    "GB are allowed",
+                    gigabytes, largest_memory),
+        fmt::format("Use larger elements or fewer of them{}.", by_distance ? "" : ", above all along s"));
 }
 
 /// The fields of every step are kept: tractions, slip, distance, states.
@@ -117,18 +129,39 @@ void solve_steps(const ContactSetup& setup, const SolverOptions& options, Contac
           fmt::format("step {} of {} is not a solution ({})", k + 1, last + 1, out.history[k].remark));
 }
 
+/// Takes the pair's numbers from where a solution leaves them, and gives them back.
+class NumbersOfGrid {
+public:
+  NumbersOfGrid(const ContactCase& asked, Model model, const ContactOnGrid& contact,
+                const SolveResources& resources)
+      : store_(store_for(model, resources.numbers)), source_(source_of(model, asked.setup, contact)),
+        compute_([&asked, &contact, &resources, model, store = store_] {
+          return pair_numbers(model, asked.setup, asked.files, contact, store ? &store->parts() : nullptr,
+                              resources.threads);
+        }) {}
+
+  InfluenceNumbers take() const { return store_ ? store_->take(source_, compute_) : compute_(); }
+  /// `elsewhere`: where they go without a store.
+  void keep(InfluenceNumbers numbers, InfluenceNumbers& elsewhere) const {
+    if (store_)
+      store_->keep(source_, std::move(numbers));
+    else
+      elsewhere = std::move(numbers);
+  }
+
+private:
+  NumbersStore* store_;
+  NumbersSource source_;
+  std::function<InfluenceNumbers()> compute_;
+};
+
 void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const SolveResources& resources,
                       GridSolution& out) {
   ContactProblem problem = out.contact.problem;
-  require_memory(problem.grid);
+  require_memory(task.model, problem);
   const Stopwatch numbers;
-  NumbersStore* store = store_for(task.model, resources.numbers);
-  const NumbersSource source = source_of(task.model, asked.setup, out.contact);
-  const auto compute = [&] {
-    return pair_numbers(task.model, asked.setup, asked.files, out.contact, store ? &store->parts() : nullptr,
-                        resources.threads);
-  };
-  problem.numbers = store ? store->take(source, compute) : compute();
+  const NumbersOfGrid pair(asked, task.model, out.contact, resources);
+  problem.numbers = pair.take();
   out.seconds.numbers = numbers.seconds();
   const Stopwatch solving;
   SolverOptions options = options_of(asked, task, resources);
@@ -158,8 +191,7 @@ void solve_by_numbers(const ContactCase& asked, const SolveTask& task, const Sol
     add(out.result);
   std::ranges::for_each(out.history, add);
   out.seconds.solve = solving.seconds() - out.seconds.check - out.seconds.estimate;
-  if (store)
-    store->keep(source, std::move(problem.numbers));
+  pair.keep(std::move(problem.numbers), out.numbers);
 }
 
 } // namespace
@@ -174,6 +206,42 @@ GridSolution solve_on_grid(const ContactCase& asked, ContactOnGrid contact, cons
   else
     solve_by_numbers(asked, task, resources, out);
   return out;
+}
+
+std::optional<FreeCreepage> free_creepage_of(const ContactCase& asked, GridSolution& solved,
+                                             const SolveResources& resources) {
+  const ContactResult& result = solved.result;
+  ContactSetup setup = asked.setup;
+  setup.motion.force_x = 0;
+  if (!asked.scene.motion.pitch_rate) // a wheel that hardly turns has no spin, and near free rolling it has
+    setup.motion.creepage.xi = 0;
+  ContactProblem problem = solved.contact.problem;
+  setup.prescribe({}, problem);
+  double creepage = 0, elements = 0;
+  for (int i = 0; i < problem.grid.size(); ++i)
+    if (result.pn[i] > 0) {
+      creepage += solved.contact.problem.slip_x[i] - problem.slip_x[i];
+      ++elements;
+    }
+  creepage = creepage / elements + result.creepage_x;
+  const NumbersOfGrid pair(asked, solved.model, solved.contact, resources);
+  problem.numbers = solved.numbers.values.empty() ? pair.take() : std::move(solved.numbers);
+  WorkBudget work = resources.work.another(); // it must not end the case that is asked for
+  std::optional<FreeCreepage> found;
+  try {
+    found = free_creepage(problem, result, creepage,
+                          {.tolerance = asked.scene.solver.tolerance,
+                           .max_outer = asked.scene.solver.max_outer,
+                           .estimate_discretisation = !resources.totals_only,
+                           .workspace = resources.operators},
+                          work);
+  } catch (const Error&) { // free rolling is not what was asked for
+  }
+  pair.keep(std::move(problem.numbers), solved.numbers);
+  const bool stated = result.discretisation && result.discretisation->converges;
+  if (stated && found && !std::isfinite(found->error)) // a precise solution may have an error
+    found.reset();
+  return found;
 }
 
 } // namespace bem_contact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem_contact/contact/history.hpp"
+#include "bem_contact/contact/solve.hpp"
 #include "bem_contact/sequence/numbers/numbers_store.hpp"
 #include "bem_contact/sequence/plan/contact_case.hpp"
 #include "bem_contact/sequence/scene_result.hpp"
@@ -19,6 +20,7 @@ struct SolveResources {
   Workspace* operators = nullptr;  ///< null: what solving prepares is made anew, too
   const FormerSolution* start = nullptr; ///< of an alike() case; null: none
   bool coarse_start = true;              ///< without a start a case starts from larger elements
+  bool free_rolling = false;             ///< the result has it, if it is found in passing
   bool totals_only = false;              ///< no error of the elements, no displacements
   bool displacements = true;             ///< the result holds them
   const EarlyEnd* early_end = nullptr;   ///< null: every solution is precise
@@ -49,6 +51,7 @@ struct SolveTask {
 struct GridSolution {
   Model model = Model::halfspace;
   ContactOnGrid contact;              ///< with what the last step prescribes
+  InfluenceNumbers numbers;           ///< of tangent planes: no store keeps them
   ContactResult result;               ///< of the last step
   std::vector<ContactResult> history; ///< transient and shift: of every step
   std::vector<std::string> warnings;
@@ -59,5 +62,10 @@ struct GridSolution {
 /// throws.
 GridSolution solve_on_grid(const ContactCase& asked, ContactOnGrid contact, const SolveTask& task,
                            const SolveResources& resources);
+
+/// Free rolling of a certified solution, on its elements (free_creepage() of contact/solve.hpp): load.force_x
+/// = 0, and no motion.xi but by motion.pitch_rate. Takes the numbers of `solved`.
+std::optional<FreeCreepage> free_creepage_of(const ContactCase& asked, GridSolution& solved,
+                                             const SolveResources& resources);
 
 } // namespace bem_contact
