@@ -5,6 +5,7 @@
 #include "bem_contact/profile/formats/profile_formats.hpp"
 #include "bem_contact/profile/measured/profile_repair.hpp"
 #include "bem_contact/profile/measured/profile_smoothing.hpp"
+#include "bem_contact/profile/measured/worn_side.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/settings.hpp"
 #include "bem_contact/profile/standard_profiles.hpp"
@@ -78,6 +79,14 @@ void warn_of_outliers(const std::string& source, const std::vector<Outlier>& out
     messages()->warn("{}: and {} more such points", source, outliers.size() - most_named_outliers);
 }
 
+void warn_of_worn_side(const std::string& source, std::span<const Point2> points, bool mirror) {
+  if (const double worn = more_worn_at_larger_y(points); worn > 0)
+    messages()->warn(
+        "{}: its field side (y > 0) is worn by some {:.2g} mm more than its gauge side, and rails wear on "
+        "the gauge side: does y of the file point there? (mirror = {} turns it)",
+        source, worn, !mirror);
+}
+
 /// The nominal profile that `reading` names.
 ProfileCurve nominal_profile(const std::string& name, ProfileKind kind, const std::string& source) {
   if (is_standard_profile(name) && kind_of_standard(name) == kind)
@@ -133,6 +142,13 @@ MeasuredProfile smoothed_profile(const std::string& source, std::span<const Poin
   return out;
 }
 
+/// A standard's name means the standard, whatever lies in the folder.
+void warn_of_hidden_file(const std::string& name, const std::filesystem::path& folder) {
+  if (const std::filesystem::path file = folder / name; file_exists(file))
+    messages()->warn("{} is the standard profile; the file {} of this name is not read (\"./{}\" reads it)",
+                     name, file.string(), name);
+}
+
 } // namespace
 
 MeasuredProfile parse_measured_profile(std::string_view text, std::string_view source_name, ProfileKind kind,
@@ -151,6 +167,8 @@ MeasuredProfile parse_measured_profile(std::string_view text, std::string_view s
   ProfileReading how = reading;
   how.mirror = reading.mirror && !is_vampire(text); // there it has chosen the left profile, mirrored
   const std::vector<Point2> points = repaired(std::move(measured), source, kind, how);
+  if (kind == ProfileKind::rail && !reading.keep_origin)
+    warn_of_worn_side(source, points, reading.mirror);
   const ProfileNoise noise = measure_noise(points);
   if (noise.coarse)
     messages()->warn(
@@ -224,6 +242,7 @@ ProfileCurve named_profile(std::string_view name, ProfileKind kind, const std::f
       throw InputError(fmt::format("{} is the profile of a {}", name, name_of(its_kind)),
                        fmt::format("a {} is asked for", name_of(kind)),
                        kind == ProfileKind::rail ? "Use for instance 60E1." : "Use for instance S1002.");
+    warn_of_hidden_file(std::string(name), folder);
     return standard_profile(name);
   }
   const auto [file, part] = profile_file_name(name, folder);

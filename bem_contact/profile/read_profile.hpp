@@ -39,13 +39,16 @@ struct MeasuredProfile {
 ///
 /// Points may come in either walking order. Repaired, with a warning (spdlog): metres for millimetres, z
 /// upward, a wheel's flange at y > 0, a wheel's y measured from the back of its flange, shuffled points,
-/// doubled or crowded points (nearer than 0.01 mm), single points that zig-zag, loops shorter than 1 mm.
-/// `reading` says what the file does not. Noise that would show in pressures gives a warning with the
-/// smoothing to use, and with the standard profile from which the measured one may be worn.
+/// doubled or crowded points (nearer than 0.01 mm), single points that zig-zag, loops shorter than 1 mm,
+/// marks of missing values, dense scans that run back and forth, a closed outline of a rail, a rail that is
+/// measured from the track's centre and lies at y < 0. Warned of: a rail worn on its field side alone, a
+/// flange back off its place. `reading` says what the file does not. Noise that would show in pressures gives
+/// a warning with the smoothing to use, and with the standard profile from which the measured one may be
+/// worn.
 ///
 /// Throws InputError: no such file, empty, truncated, not a number, a size that no rail or wheel has, a file
-/// of the other kind, a nominal profile that is not near, smoothing asked for by the file (approx.smooth),
-/// zig-zag and loops beyond repair.
+/// of the other kind, a shape that can be read either way up, a nominal profile that is not near, smoothing
+/// asked for by the file (approx.smooth), zig-zag and loops beyond repair.
 MeasuredProfile measured_profile(const std::filesystem::path& file, ProfileKind kind,
                                  const ProfileReading& reading = {}, int part = 0);
 MeasuredProfile parse_measured_profile(std::string_view text, std::string_view source_name, ProfileKind kind,

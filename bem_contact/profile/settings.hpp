@@ -70,6 +70,12 @@ BEM_CONTACT_TUNED(double, farthest_tip_from_back, 32.0); ///< mm. As above.
 BEM_CONTACT_TUNED(double, lowest_tip, -75.0);
 BEM_CONTACT_TUNED(double, highest_tip, -35.0); ///< mm. As above.
 BEM_CONTACT_TUNED(double, usual_tip, -55.0);   ///< mm. y of the tip of S1002.
+/// mm. A file whose flange ends in a steep face elsewhere than at its usual place by more has another datum,
+/// or another distance of the tape circle from the back: 58 to 65 mm on trams, 77.8 in America.
+BEM_CONTACT_TUNED(double, usual_back, 3.0);
+BEM_CONTACT_TUNED(double, back_face, 0.5); ///< mm. So wide is what belongs to that face: draft, and noise.
+/// 1. Slope from there to the face's end: 1 mm of S1002 beside its back rises by 7.
+BEM_CONTACT_TUNED(double, least_back_slope, 2.5);
 /// mm. A worn wheel may be as low at its tape circle; more is another datum.
 BEM_CONTACT_TUNED(double, highest_tape_circle, 6.0);
 /// mm. Less is no flange: the sign of z is left as it is. A flange is 28 mm high, a tread falls by 3 mm.

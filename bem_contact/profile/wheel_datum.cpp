@@ -30,6 +30,37 @@ void warn_of_height(std::span<const Point2> points, const std::string& source) {
         source, *height);
 }
 
+/// y of the back of the flange, where the file goes as far: it ends there in a steep face behind the tip.
+std::optional<double> steep_back(std::span<const Point2> points, Point2 tip) {
+  const Point2 end = *std::ranges::min_element(points, {}, &Point2::y);
+  if (tip.y - end.y < nearest_tip_to_back)
+    return std::nullopt;
+  // How far the face rises above the next point inwards.
+  std::optional<Point2> inner;
+  double top = end.z;
+  for (const Point2 p : points) {
+    if (p.y <= end.y + back_face)
+      top = std::min(top, p.z);
+    else if (p.y < tip.y && (!inner || p.y < inner->y))
+      inner = p;
+  }
+  const bool steep = inner && inner->z - top > least_back_slope * (inner->y - end.y);
+  return steep ? std::optional(end.y) : std::nullopt;
+}
+
+void warn_of_back(std::span<const Point2> points, double y_sign, const std::string& source) {
+  const auto tip = flange_tip(points);
+  const auto back = tip ? steep_back(points, *tip) : std::nullopt;
+  if (!back || std::abs(*back + flange_back_to_tape_circle) <= usual_back)
+    return;
+  messages()->warn(
+      "{}: the flange ends in a steep face at y = {:.1f} mm of the file, and where y = 0 is at the tape "
+      "circle its back is at {:g} mm: is this the back? (wheel.flange_back = {:.1f} puts it at its place; "
+      "{:g} says that y is as it should be)",
+      source, y_sign * *back, -y_sign * flange_back_to_tape_circle, y_sign * *back,
+      -y_sign * flange_back_to_tape_circle);
+}
+
 } // namespace
 
 std::optional<Point2> flange_tip(std::span<const Point2> points) {
@@ -67,6 +98,8 @@ void set_wheel_datum(std::vector<Point2>& points, double y_sign, const std::stri
         "{}: the tip of the flange is at y = {:.1f} mm, where neither the tape circle nor the back of the "
         "flange is at y = 0: the wheel stands {:.0f} mm beside its place (say wheel.flange_back)",
         source, y_sign * tip->y, std::abs(tip->y - usual_tip));
+  } else {
+    warn_of_back(points, y_sign, source);
   }
   warn_of_height(points, source);
 }

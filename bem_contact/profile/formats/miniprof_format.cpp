@@ -59,6 +59,7 @@ bool header_ends_at_empty_line(std::string_view text) {
 }
 
 Point2 point_of(std::string_view line, const Header& header, const std::string& source, std::size_t number) {
+  require_decimal_points(line, source, number);
   const std::vector<double> values = numbers_of(line);
   if (values.size() <= std::max(header.y_column, header.z_column))
     throw InputError(fmt::format("{}:{}: '{}' is not a point", source, number, line.substr(0, 40)),

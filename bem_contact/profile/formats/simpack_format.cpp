@@ -99,6 +99,7 @@ MeasuredPoints simpack_points(std::string_view text, const std::string& source, 
     } else if (line == "point.end") {
       block = Block::done;
     } else if (block == Block::points) {
+      require_decimal_points(line, source, number);
       const std::vector<double> values = numbers_of(line);
       if (values.size() != 2 && values.size() != 3)
         throw InputError(fmt::format("{}:{}: '{}' is not a point", source, number, line.substr(0, 40)),

@@ -63,6 +63,37 @@ std::vector<double> numbers_of(std::string_view line) {
   }
 }
 
+namespace {
+
+/// "-0,5": one comma, between two digits.
+bool has_decimal_comma(std::string_view word) {
+  const auto digit = [&](std::size_t i) { return i < word.size() && word[i] >= '0' && word[i] <= '9'; };
+  const auto comma = word.find(',');
+  return comma != word.npos && comma > 0 && digit(comma - 1) && digit(comma + 1) &&
+         word.find(',', comma + 1) == word.npos && word.find('.') == word.npos;
+}
+
+} // namespace
+
+void require_decimal_points(std::string_view line, const std::string& source, std::size_t number) {
+  constexpr std::string_view between = " \t;";
+  std::size_t words = 0, commas = 0;
+  for (std::string_view rest = line;;) {
+    const auto begin = rest.find_first_not_of(between);
+    if (begin == rest.npos)
+      break;
+    rest.remove_prefix(begin);
+    const std::string_view word = rest.substr(0, rest.find_first_of(between));
+    rest.remove_prefix(word.size());
+    ++words;
+    commas += has_decimal_comma(word) ? 1 : 0;
+  }
+  if (words > 1 && commas > 0)
+    throw InputError(fmt::format("{}:{}: '{}' is not a point", source, number, line.substr(0, 40)),
+                     "its numbers have decimal commas, and a comma separates numbers here",
+                     "Write them with decimal points.");
+}
+
 void require_finite(const std::vector<double>& values, const std::string& source, std::size_t line) {
   if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
     throw InputError(fmt::format("{}:{}: a coordinate is not a number", source, line),

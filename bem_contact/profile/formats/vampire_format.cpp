@@ -56,6 +56,7 @@ MeasuredPoints vampire_points(std::string_view text, const std::string& source, 
     if (line.empty() || first_word(line) == "FLANGEBACK" || first_word(line) == "TREADDATUM" ||
         first_word(line) == "GAUGEPOINT" || first_word(line) == "GAUGE")
       continue;
+    require_decimal_points(line, source, i + 1);
     const std::vector<double> values = numbers_of(line);
     if (values.size() != 4)
       throw InputError(fmt::format("{}:{}: '{}' is not a pair of points", source, i + 1, line.substr(0, 40)),

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 namespace bem_contact {
 
@@ -36,16 +37,45 @@ void mirror(MeasuredPoints& measured) {
   measured.y_sign = -measured.y_sign;
 }
 
-/// A rail's head bulges upward from the chord between its ends.
+[[noreturn]] void ask_for_z(const std::string& source, const std::string& shape) {
+  throw InputError(fmt::format("{}: z may point up or down", source),
+                   fmt::format("nothing in the file says it, and {}", shape),
+                   "Say where z of the file points: profile_z = \"up\" or profile_z = \"down\".");
+}
+
+/// A rail's head bulges upward from the chord between its ends. With a groove or a gap it bulges both ways.
 void mend_rail_signs(std::vector<Point2>& points, const std::string& source) {
   const Point2 first = points.front(), chord = points.back() - first;
   const Point2 downward = normal_of(std::atan2(chord.z, chord.y));
-  double bulge = 0;
-  for (const Point2 p : points)
-    if (const double height = dot(p - first, downward); std::abs(height) > std::abs(bulge))
-      bulge = height;
-  if (bulge > least_bulge * norm(chord))
+  double down = 0, up = 0;
+  for (const Point2 p : points) {
+    down = std::max(down, dot(p - first, downward));
+    up = std::max(up, -dot(p - first, downward));
+  }
+  if (std::min(down, up) > both_bulges * std::max(down, up) && std::max(down, up) > least_bulge * norm(chord))
+    ask_for_z(source, "the profile bulges to both sides, as heads with a groove or a gap do either way up");
+  if (down > up && down > least_bulge * norm(chord))
     flip_z_by_shape(points, source);
+}
+
+/// A rail that is measured from the centre of the track says by its y on which side it lies: its gauge side
+/// is the nearer one to y = 0, and belongs at the smaller y.
+void mend_rail_side(MeasuredPoints& measured, const std::string& source) {
+  const auto [low, high] = std::ranges::minmax(measured.points, {}, &Point2::y);
+  const double middle = std::midpoint(low.y, high.y);
+  if (-middle < nearest_rail_to_centre || -middle > farthest_rail_from_centre)
+    return;
+  const std::string place =
+      fmt::format("{}: y = {:.4g} .. {:.4g} mm counts from the centre of the track", source, low.y, high.y);
+  if (measured.axes_stated) {
+    messages()->warn(
+        "{}, and its gauge side is at the larger y, where the format states the field side: it is "
+        "not turned (mirror = true turns it)",
+        place);
+    return;
+  }
+  messages()->warn("{}, which tells its gauge side: y is mirrored (mirror = true says so)", place);
+  mirror(measured);
 }
 
 /// The top of a rail is broad. What is narrow at the top of something as wide as a wheel is a flange.
@@ -66,14 +96,91 @@ void require_rail(const std::vector<Point2>& points, const std::string& source) 
         "Give the rail's profile here and the wheel's as wheel.profile.");
 }
 
-/// A wheel's flange is what stands out most from the median height; it points down.
+/// What the shape of a wheel says of its z.
+enum class WheelZ { down, up, either, no_flange };
+
+/// Signed heights of a wheel's points, and where they are greatest.
+struct Relief {
+  std::vector<double> height; ///< above the median, mm; in the direction that is looked at
+  std::size_t top = 0;
+
+  Relief(const std::vector<Point2>& points, double sign) {
+    std::ranges::transform(points, std::back_inserter(height), [&](Point2 p) { return sign * p.z; });
+    const double middle = median(height);
+    for (double& h : height)
+      h -= middle;
+    top = static_cast<std::size_t>(std::ranges::max_element(height) - height.begin());
+  }
+  double greatest() const { return height[top]; }
+  /// How far the walk comes down again on that side of the top where it comes down less: 0 at an end.
+  double fall() const {
+    const auto at = height.begin() + static_cast<std::ptrdiff_t>(top);
+    return greatest() -
+           std::max(*std::min_element(height.begin(), at + 1), *std::min_element(at, height.end()));
+  }
+};
+
+/// The tip of a flange: the walk comes down from it on either side, and it is nearer to an end than to the
+/// middle.
+bool has_tip(const std::vector<Point2>& points, const Relief& relief) {
+  const auto [low, high] = std::ranges::minmax(points, {}, &Point2::y);
+  const double off = std::abs(points[relief.top].y - std::midpoint(low.y, high.y));
+  return relief.fall() >= least_flange && off > (high.y - low.y) / 4;
+}
+
+/// How steep the steepest part is of what leads to the top, rad; parts of a quarter of its height each.
+double steepness(const std::vector<Point2>& points, const Relief& relief) {
+  const bool forward = relief.top < points.size() / 2; // to the longer side
+  std::size_t i = relief.top;
+  Point2 above = points[i];
+  double steepest = 0;
+  for (const double share : {0.75, 0.5, 0.25}) {
+    while (relief.height[i] > share * relief.greatest() && (forward ? i + 1 < points.size() : i > 0))
+      forward ? ++i : --i;
+    const Point2 down = points[i] - above;
+    steepest = std::max(steepest, std::atan2(std::abs(down.z), std::abs(down.y)));
+    above = points[i];
+  }
+  return steepest;
+}
+
+/// A whole flange tells by its tip. Where the file ends before the tip, the flank of a flange is steep but
+/// not vertical; what is vertical may be the back or the front of the rim, which lead the other way, and what
+/// is less steep a chamfer.
+WheelZ wheel_z(const std::vector<Point2>& points) {
+  const Relief down(points, 1), up(points, -1);
+  if (const bool tip = has_tip(points, down); tip != has_tip(points, up))
+    return tip ? WheelZ::down : WheelZ::up;
+  else if (tip)
+    return WheelZ::either;
+  const auto steep = [&](const Relief& relief) {
+    return relief.greatest() < least_flange ? 0 : steepness(points, relief);
+  };
+  const double to_down = steep(down), to_up = steep(up);
+  const auto flank = [](double angle) { return angle > flattest_flank && angle < steepest_flank; };
+  if (const bool is = flank(to_down); is != flank(to_up))
+    return is ? WheelZ::down : WheelZ::up;
+  // A tread, or the groove of a roller, stays as it stands. Other shapes would have been turned, or are
+  // faces.
+  const bool gentle = std::max(to_down, to_up) < flattest_flank;
+  return gentle && (up.greatest() < least_flange || up.greatest() < down.greatest()) ? WheelZ::no_flange
+                                                                                     : WheelZ::either;
+}
+
 void mend_wheel_z(std::vector<Point2>& points, const std::string& source) {
-  std::vector<double> heights;
-  std::ranges::transform(points, std::back_inserter(heights), &Point2::z);
-  const auto [top, bottom] = std::ranges::minmax(heights);
-  const double middle = median(heights), down = bottom - middle, up = middle - top;
-  if (up > down && up >= least_flange)
-    flip_z_by_shape(points, source);
+  switch (wheel_z(points)) {
+  case WheelZ::down:
+    return;
+  case WheelZ::up:
+    return flip_z_by_shape(points, source);
+  case WheelZ::either:
+    ask_for_z(source, "its shape has no whole flange that would tell");
+  case WheelZ::no_flange:
+    messages()->warn(
+        "{}: nothing says where z points, neither the file nor a flange: it is taken to point down "
+        "(profile_z = \"down\" says so; \"up\" turns it)",
+        source);
+  }
 }
 
 /// The flange lies at y < 0.
@@ -101,11 +208,8 @@ void mend_wheel_y(MeasuredPoints& measured, const std::string& source, const Pro
 }
 
 /// A format that states its axes is not turned by the shape; a flange that points up is worth a word.
-void look_at_stated_wheel(std::vector<Point2> points, const std::string& source) {
-  if (flange_tip(points))
-    return;
-  flip_z(points);
-  if (flange_tip(points))
+void look_at_stated_wheel(const std::vector<Point2>& points, const std::string& source) {
+  if (wheel_z(points) == WheelZ::up)
     messages()->warn(
         "{}: the flange points up, as the format states its axes: it is not turned (profile_z = \"up\" "
         "turns it)",
@@ -120,6 +224,8 @@ void orient(MeasuredPoints& measured, const std::string& source, ProfileKind kin
   std::vector<Point2>& points = measured.points;
   if (reading.mirror)
     mirror(measured);
+  else if (rail && !reading.keep_origin)
+    mend_rail_side(measured, source);
   if (reading.profile_z == ProfileZ::up)
     flip_z(points);
   // The signs are judged on a walk towards +y.

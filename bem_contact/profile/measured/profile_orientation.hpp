@@ -12,9 +12,10 @@ namespace bem_contact {
 /// flange at y < 0, a rail walked towards +y and a wheel towards -y.
 ///
 /// reading.mirror and reading.profile_z come first. What they leave open is decided by the shape, with a
-/// warning that names `source`, unless the format states its axes; then a flange that contradicts them gives
-/// a warning. Throws InputError if the points of a "rail" are those of a wheel, and if mirror puts a flange
-/// on the field side.
+/// warning that names `source`, unless the format states its axes; then a shape that contradicts them gives
+/// a warning. A rail that lies at y < 0 of the track's centre is mirrored.
+/// Throws InputError if the shape can be read either way up, if the points of a "rail" are those of a wheel,
+/// and if mirror puts a flange on the field side.
 void orient(MeasuredPoints& measured, const std::string& source, ProfileKind kind,
             const ProfileReading& reading);
 

@@ -2,12 +2,15 @@
 
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/profile/measured/closed_outline.hpp"
+#include "bem_contact/profile/measured/dense_scan.hpp"
+#include "bem_contact/profile/measured/missing_values.hpp"
 #include "bem_contact/profile/measured/profile_orientation.hpp"
 #include "bem_contact/profile/measured/settings.hpp"
+#include "bem_contact/profile/measured/walk.hpp"
 #include "bem_contact/profile/median.hpp"
 #include "bem_contact/profile/messages.hpp"
 #include "bem_contact/profile/settings.hpp"
-#include "bem_contact/profile/turn_at.hpp"
 #include "bem_contact/profile/wheel_datum.hpp"
 
 #include <fmt/format.h>
@@ -20,21 +23,6 @@
 namespace bem_contact {
 
 namespace {
-
-double path_length(const std::vector<Point2>& p) {
-  double sum = 0;
-  for (std::size_t i = 1; i < p.size(); ++i)
-    sum += norm(p[i] - p[i - 1]);
-  return sum;
-}
-
-/// The first point where the walk turns back, if any.
-std::optional<std::size_t> first_zig_zag(const std::vector<Point2>& p) {
-  for (std::size_t i = 1; i + 1 < p.size(); ++i)
-    if (turn_at(p, i) > zig_zag)
-      return i;
-  return std::nullopt;
-}
 
 double millimetres(ProfileUnit unit) {
   switch (unit) {
@@ -91,17 +79,6 @@ void mend_units(std::vector<Point2>& points, const std::string& source, ProfileU
                          : fmt::format("hardly a rail or wheel is; {}", guess.reason),
                      guess.keys.empty() ? "Convert it to mm."
                                         : fmt::format("Convert it to mm, or say the unit: {}.", guess.keys));
-}
-
-/// Whether the walk goes over the same ground twice. A profile does not, even with under-head or flange back.
-bool runs_back(const std::vector<Point2>& p) {
-  double travelled = 0, low = p.front().y, high = low;
-  for (std::size_t i = 1; i < p.size(); ++i) {
-    travelled += std::abs(p[i].y - p[i - 1].y);
-    low = std::min(low, p[i].y);
-    high = std::max(high, p[i].y);
-  }
-  return travelled > doubled_walk * (high - low);
 }
 
 const char* points_text(std::size_t count) {
@@ -167,7 +144,7 @@ void mend_order(std::vector<Point2>& points, const std::string& source) {
     points = std::move(sorted);
     return;
   }
-  if (runs_back(points) || !drop_stray(points, source)) {
+  if ((runs_back(points) || !drop_stray(points, source)) && !thin_scan(points, source)) {
     const Point2 where = at ? points[*at] : points[points.size() / 2];
     throw InputError(fmt::format("{}: the profile runs back and forth near y = {:.4g}, z = {:.4g}", source,
                                  where.y, where.z),
@@ -252,9 +229,11 @@ std::vector<Point2> repaired(MeasuredPoints measured, const std::string& source,
                        points.empty() ? "The file is empty or holds no numbers." : "Give more points.");
   };
   require_some();
+  drop_missing_values(points, source);
   mend_units(points, source, reading.unit);
   drop_crowded(points, source);
   require_some();
+  open_outline(points, source, kind);
   mend_order(points, source);
   drop_crowded(points, source); // sorting brings doubled points together
   require_some();

@@ -2,10 +2,22 @@
 
 #include "bem_contact/base/tuned.hpp"
 
+#include <cstddef>
 #include <numbers>
 
 /// Tuned numbers of profile/measured. For the words see base/tuned.hpp.
 namespace bem_contact {
+
+// Marks of missing values.
+
+/// 1 (median distances from the median). A point farther away may mark a missing value: on a line the ends
+/// are two such distances away, and where most points lie on the flange its tread ends at some twenty.
+/// Chosen.
+BEM_CONTACT_TUNED(double, farthest_point, 30.0);
+/// 1 (median distances of neighbouring points). A mark of a missing value lies behind such a jump. Chosen.
+BEM_CONTACT_TUNED(double, jump_to_mark, 10.0);
+/// 1. In fewer points there is no median to trust.
+BEM_CONTACT_TUNED(std::size_t, least_points_with_marks, 8);
 
 // Repair of measured points.
 
@@ -37,6 +49,24 @@ BEM_CONTACT_TUNED(double, doubled_walk, 1.9);
 /// 1. Points are out of order if sorting by y shortens the walk by this factor. Chosen: two shuffled points
 /// of a short file already do.
 BEM_CONTACT_TUNED(double, shuffled_walk, 1.5);
+
+// Dense scans, and closed outlines.
+
+/// mm. Means of neighbours lie no farther apart: over 1 mm a mean lies 3 um inside an arc of 13 mm radius.
+BEM_CONTACT_TUNED(double, farthest_means, 1.0);
+/// 1. Fewer means are no scan. Chosen.
+BEM_CONTACT_TUNED(std::size_t, least_means, 20);
+/// mm. Points that scatter by more are no scan of one surface. Chosen: laser scanners scatter by .1 mm.
+BEM_CONTACT_TUNED(double, largest_scan_scatter, 0.3);
+/// 1 (median distances of neighbours). An outline whose ends are this near is closed. Chosen.
+BEM_CONTACT_TUNED(double, closing_spacings, 3.0);
+BEM_CONTACT_TUNED(double, widest_closing, 0.1); ///< 1 (share of its length). As above, of few points.
+/// 1 (share of the square of the length). A closed outline encloses more: a rail .017, a scan there and back
+/// .001.
+BEM_CONTACT_TUNED(double, least_enclosed, 0.005);
+/// 1 (share of the height). Within so much of its end in z a rail's base has its whole width.
+BEM_CONTACT_TUNED(double, base_band, 0.02);
+BEM_CONTACT_TUNED(double, least_base, 0.9); ///< 1 (share of that width). As above.
 
 // Noise of measured points, and smoothing.
 
@@ -99,11 +129,44 @@ BEM_CONTACT_TUNED(double, neighbour_share, 0.05);
 /// 1 (scatters). Noise alone may move a neighbour so far from its line. Chosen.
 BEM_CONTACT_TUNED(double, neighbour_scatters, 5.0);
 
+// Which side of a rail's head is worn. Both flanks are looked at as they lie at equal depths below the top.
+
+/// mm. So far below the top the crown tells its axis; above it is too flat for a comparison along y.
+BEM_CONTACT_TUNED(double, crown_depth, 2.0);
+/// mm. New heads are convex. A flank that lies farther behind the line between two of its points is worn;
+/// noise and the rounding of drawings stay below. Chosen.
+BEM_CONTACT_TUNED(double, deepest_recess, 0.15);
+/// mm. Heads of rails are no deeper; below lie fishing surface and web.
+BEM_CONTACT_TUNED(double, largest_flank_depth, 34.0);
+/// mm. Where a flank leads inwards by more, the head ends. What lies farther outwards, and higher than that,
+/// is a keeper or another rail.
+BEM_CONTACT_TUNED(double, under_head, 3.0);
+/// mm. What the lowest part of the flanks is: below the wear, which ends where the flange does. It tells the
+/// axis.
+BEM_CONTACT_TUNED(double, unworn_flank, 6.0);
+/// mm. A scan that shows less of the flanks does not tell which is worn.
+BEM_CONTACT_TUNED(double, least_flanks, 16.0);
+/// rad. Flanks whose axis leans by more are not inclined in the track (1:20), but one of them is worn down to
+/// the end of the scan.
+BEM_CONTACT_TUNED(double, largest_lean, 0.07);
+/// mm. Less wear of one side than of the other tells nothing: rolling tolerances are .5 mm. Chosen.
+BEM_CONTACT_TUNED(double, least_side_wear, 1.0);
+
 // Orientation of measured points.
 
 /// 1 (share of the chord between the ends). A rail's head that bulges down by more has its z upside down.
 /// Chosen: a rail's head bulges by more than a tenth of its width.
 BEM_CONTACT_TUNED(double, least_bulge, 0.005);
+/// 1. A profile that bulges to the other side of that chord by more than this share has no side that is up: a
+/// head beside a groove has a half. Chosen; worn heads stay below a twentieth.
+BEM_CONTACT_TUNED(double, both_bulges, 0.2);
+/// mm. The middle of a rail that is measured from the centre of the track lies between these, for gauges from
+/// 600 to 1676 mm.
+BEM_CONTACT_TUNED(double, nearest_rail_to_centre, 250.0);
+BEM_CONTACT_TUNED(double, farthest_rail_from_centre, 950.0); ///< mm. As above.
+/// rad. The flank of a flange is as steep as 60 to 78 degrees, chamfers are 45, and faces of rims vertical.
+BEM_CONTACT_TUNED(double, flattest_flank, 50 * std::numbers::pi / 180);
+BEM_CONTACT_TUNED(double, steepest_flank, 82 * std::numbers::pi / 180); ///< rad. As above.
 /// mm. Something wider than a rail's head whose top is narrower than this, so far below its highest point, is
 /// a wheel with its flange up. The head of 60E1 is 72 mm wide, and 56 mm at this depth.
 BEM_CONTACT_TUNED(double, top_depth, 3.0);
