@@ -33,7 +33,7 @@ void look_at_lateral(const SceneFile& scene, std::vector<std::string>& out) {
   const double away =
       p.side == WheelSide::left ? p.lateral : -p.lateral; // of this wheel's flange from its rail
   const double room = (p.gauge - p.back_to_back) / 2 - thinnest_flange;
-  if (scene.rail.place == BodyPlace::gauge && scene.wheel.place == BodyPlace::gauge && away > room)
+  if (by_gauge_and_flange(scene) && away > room)
     out.push_back(
         fmt::format("position.lateral = {:g} mm moves this wheel's flange away from its rail, and the other "
                     "wheel's flange over "
@@ -64,6 +64,14 @@ void look_at_motion(const SceneFile& scene, double rolling_radius, std::vector<s
                                 std::abs(velocity) / *m.speed));
 }
 
+/// The flange's tip; the wheel's section as its table has it.
+std::optional<Point2> flange_tip_of(const TabulatedProfile& wheel) {
+  std::vector<Point2> points;
+  for (const TabulatedProfile::Node& node : wheel.nodes())
+    points.push_back(node.position);
+  return flange_tip(points);
+}
+
 /// Where the tip of the flange is, if the wheel stands on it.
 std::optional<Point2> flange_tip_below(const WheelRailGeometry& placed) {
   const TabulatedProfile& wheel = placed.pair.wheel;
@@ -71,13 +79,36 @@ std::optional<Point2> flange_tip_below(const WheelRailGeometry& placed) {
   const double deepest = depth(std::ranges::max(wheel.nodes(), {}, depth));
   if (wheel.at(placed.touch.front().wheel_s).position.z <= deepest - flange_tip_depth)
     return std::nullopt;
-  std::vector<Point2> points;
-  for (const TabulatedProfile::Node& node : wheel.nodes())
-    points.push_back(node.position);
-  return flange_tip(points);
+  return flange_tip_of(wheel);
 }
 
 } // namespace
+
+bool by_gauge_and_flange(const SceneFile& scene) {
+  return scene.rail.place == BodyPlace::gauge && scene.wheel.place == BodyPlace::gauge;
+}
+
+std::string no_play(const WheelsetPosition& position, const TabulatedProfile& wheel) {
+  const std::optional<Point2> tip = flange_tip_of(wheel);
+  if (!tip)
+    return "";
+  // The flank of the flange where the gauge is measured, or at half its height if it is as low as that.
+  const double depth = std::min(position.gauge_height, tip->z / 2);
+  const double tape_circle = position.back_to_back / 2 + flange_back_to_tape_circle;
+  double flank = tip->y;
+  for (const TabulatedProfile::Node& node : wheel.nodes())
+    if (node.position.z < depth && node.position.y > tip->y)
+      flank = node.position.y; // walked towards the flange: the last one counts
+  const double play = position.gauge / 2 - (tape_circle + flank);
+  if (play >= 0)
+    return "";
+  return fmt::format(
+      "there is no play: at lateral displacement 0 the flange stands {:.1f} mm beyond the gauge face, {:g} "
+      "mm below "
+      "the top of the rail, and so does that of the other wheel: the wheelset stands on both flanges (check "
+      "position.gauge and position.back_to_back, and with wheel.flange_back where the file's y = 0 is)",
+      -play, depth);
+}
 
 void warn_of_kilonewtons(const char* key, double force, int wheels, std::vector<std::string>& warnings) {
   if (force > 0 && force < wheels * least_wheel_load)
@@ -114,6 +145,9 @@ std::vector<std::string> input_warnings(const SceneFile& scene, const ContactSet
     if (std::string twice = inclined_twice(placed->rail_inclination, scene.position.cant); !twice.empty())
       out.push_back(std::move(twice));
     look_at_lateral(scene, out);
+    if (std::string none = by_gauge_and_flange(scene) ? no_play(scene.position, placed->pair.wheel) : "";
+        !none.empty())
+      out.push_back(std::move(none));
     look_at_motion(scene, setup.motion.creepage.rolling_radius, out);
     if (scene.position.wheel_radius > largest_wheel_radius)
       out.push_back(fmt::format("position.wheel_radius = {:g} mm: the radius is asked for, not the diameter",

@@ -112,6 +112,15 @@ TEST(Warnings, AWheelOnItsFlangeIsSaid) {
               ElementsAre(testing::AllOf(HasSubstr("y = -55."), HasSubstr("wheel.flange_back"))));
 }
 
+/// S1002 leaves 6 mm between its flange and the gauge face of 60E1.
+TEST(Warnings, AWheelsetWithoutPlayIsSaid) {
+  EXPECT_THAT(warnings_of("position.back_to_back = 1365"), IsEmpty());
+  EXPECT_THAT(warnings_of("position.gauge = 1426"), IsEmpty());
+  EXPECT_THAT(warnings_of("position.back_to_back = 1380"),
+              ElementsAre(testing::AllOf(HasSubstr("there is no play"), HasSubstr("wheel.flange_back"))));
+  EXPECT_THAT(warnings_of("position.gauge = 1415"), ElementsAre(HasSubstr("there is no play")));
+}
+
 TEST(Warnings, KeysOfProfileFilesHaveNoEffectOnStandards) {
   EXPECT_THAT(warnings_of("rail.smoothing = 5"),
               ElementsAre(HasSubstr("rail.smoothing: without effect (60E1 is no profile file)")));

@@ -7,6 +7,7 @@
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/influence/file_kinds.hpp"
 #include "bem_contact/profile/read_profile.hpp"
+#include "bem_contact/profile/standard_profiles.hpp"
 #include "bem_contact/uses/conicity/wheelset_conicity.hpp"
 
 #include <CLI/CLI.hpp>
@@ -48,7 +49,7 @@ struct ConicityArguments {
 /// A profile's name as a scene understands it from any folder: files are given from the working directory.
 std::string from_here(const std::string& name) {
   const ProfileFileName given = profile_file_name(name);
-  if (!std::filesystem::exists(given.file))
+  if (is_standard_profile(name) || !std::filesystem::exists(given.file))
     return name;
   const std::string file = std::filesystem::absolute(given.file).string();
   return given.part > 0 ? fmt::format("{}#{}", file, given.part) : file;

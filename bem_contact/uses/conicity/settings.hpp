@@ -23,4 +23,9 @@ BEM_CONTACT_TUNED(double, height_difference, 1e-9);
 /// none of this amplitude.
 BEM_CONTACT_TUNED(double, width_tolerance, 1e-6);
 
+/// mm. The cone in the middle is looked at so far to either side: the smallest amplitude that is usual.
+BEM_CONTACT_TUNED(double, middle_reach, 1.0);
+/// 1. tan gamma in the middle below which the cone is called negative: less is a cylinder, and rounding.
+BEM_CONTACT_TUNED(double, least_negative_cone, -1e-5);
+
 } // namespace bem_contact

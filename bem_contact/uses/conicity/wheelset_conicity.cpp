@@ -8,6 +8,8 @@
 #include "bem_contact/scene/wheel_rail_geometry.hpp"
 #include "bem_contact/uses/conicity/settings.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 
@@ -19,6 +21,50 @@ template <double EquivalentConicity::*member> double of_motion(const WheelsetCon
   return v.motion ? (*v.motion).*member : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// The difference at a displacement, between the values of the table; the table's last value beyond it.
+double difference_at(std::span<const RadiusDifference> f, double lateral) {
+  const auto after = std::ranges::lower_bound(f, lateral, {}, &RadiusDifference::lateral);
+  if (after == f.begin() || after == f.end())
+    return after == f.begin() ? f.front().difference : f.back().difference;
+  const RadiusDifference &a = *(after - 1), &b = *after;
+  const double h = b.lateral - a.lateral;
+  return h > 0 ? a.difference + (b.difference - a.difference) * (lateral - a.lateral) / h : b.difference;
+}
+
+/// The place nearest to displacement 0 at which both wheels roll on equal radii, if there is one.
+std::optional<double> middle_of_motion(std::span<const RadiusDifference> f) {
+  std::optional<double> nearest;
+  const auto offer = [&](double lateral) {
+    if (!nearest || std::abs(lateral) < std::abs(*nearest))
+      nearest = lateral;
+  };
+  for (std::size_t k = 0; k < f.size(); ++k) {
+    if (f[k].difference == 0)
+      offer(f[k].lateral);
+    if (k > 0 && f[k - 1].difference * f[k].difference < 0)
+      offer(f[k - 1].lateral + (f[k].lateral - f[k - 1].lateral) * f[k - 1].difference /
+                                   (f[k - 1].difference - f[k].difference));
+  }
+  return nearest;
+}
+
+void warn_of_negative_cone(std::span<const RadiusDifference> function) {
+  const std::optional<double> middle = middle_of_motion(function);
+  if (!middle)
+    return;
+  const double rise =
+      difference_at(function, *middle + middle_reach) - difference_at(function, *middle - middle_reach);
+  const double tan_gamma = rise / (4 * middle_reach);
+  if (tan_gamma < least_negative_cone)
+    messages()->warn("the cone is negative in the middle: at a lateral displacement of {:.2f} mm tan gamma "
+                     "is {:.4f} (over {:g} mm "
+                     "to either side), so that nothing holds the wheelset there, and it runs to one side "
+                     "until its flange root "
+                     "steers it back. A conicity whose motion does not pass this place is about another one, "
+                     "beside the middle",
+                     *middle, tan_gamma, middle_reach);
+}
+
 } // namespace
 
 WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
@@ -26,11 +72,11 @@ WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
     throw InputError("This scene has no wheelset", "its kind is \"patch\"",
                      "Give a scene with kind = \"wheel_rail\".");
   const WheelRailProfiles right = read_profiles(scene);
-  const auto warn_of_inclination = [&](const char* side, const RailInclination& inclination) {
-    if (const std::string twice = inclined_twice(inclination, scene.position.cant); !twice.empty())
-      messages()->warn("{}{}", side, twice);
+  const auto warn = [&](const char* side, const std::string& text) {
+    if (!text.empty())
+      messages()->warn("{}{}", side, text);
   };
-  warn_of_inclination("", right.rail_inclination);
+  warn("", inclined_twice(right.rail_inclination, scene.position.cant));
   WheelsetOnTrack out{.right_rail = right.rail,
                       .right_wheel = right.wheel,
                       .left_rail = right.rail,
@@ -38,12 +84,17 @@ WheelsetOnTrack wheelset_of(const SceneFile& scene, const LeftProfiles& left) {
                       .position = scene.position};
   if (!left.rail.empty()) {
     const ProfileCurve rail = named_profile(left.rail, ProfileKind::rail, scene.folder, scene.rail.reading);
-    warn_of_inclination("left rail: ", inclination_of_rail(left.rail, rail));
+    warn("left rail: ", inclined_twice(inclination_of_rail(left.rail, rail), scene.position.cant));
     out.left_rail = TabulatedProfile(rail);
   }
   if (!left.wheel.empty())
     out.left_wheel =
         TabulatedProfile(named_profile(left.wheel, ProfileKind::wheel, scene.folder, scene.wheel.reading));
+  if (by_gauge_and_flange(scene)) {
+    warn("", no_play(scene.position, out.right_wheel));
+    if (!left.wheel.empty())
+      warn("left wheel: ", no_play(scene.position, out.left_wheel));
+  }
   return out;
 }
 
@@ -67,6 +118,7 @@ WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplit
   std::vector<RadiusDifference> function;
   for (const WheelsetStand& s : out.stands)
     function.push_back({s.lateral, s.difference()});
+  warn_of_negative_cone(function);
   const int count = static_cast<int>(largest / step + 1e-9);
   for (int k = 1; k <= count; ++k) {
     end_if_stopped(stop);

@@ -44,6 +44,7 @@ struct WheelsetConicity {
   std::vector<Value> values;         ///< in rising order of the amplitude
 };
 
+/// A wheelset that nothing holds in the middle, because the cone is negative there, gives a warning.
 /// Throws InputError where a wheel finds no touch point at displacement 0, for amplitudes beyond 45 mm, and
 /// for more than 10000 of them; Stopped soon after another thread sets `stop`.
 WheelsetConicity wheelset_conicity(const WheelsetOnTrack& wheelset, const Amplitudes& amplitudes = {},
