@@ -1,6 +1,7 @@
 #include "bem_contact/influence/h5_entries.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/h5_dataset.hpp"
 #include "bem_contact/influence/h5_handle.hpp"
 
 #include <algorithm>
@@ -14,38 +15,44 @@ namespace bem_contact {
 
 namespace {
 
-/// Text (fixed or variable length) or number; nothing for any other attribute.
-void read_attribute(hid_t object, const std::string& name, const std::string& key, H5Table& table) {
+/// Text (fixed or variable length) or number; nothing for any other attribute. False where it cannot be read.
+bool read_attribute(hid_t object, const std::string& name, const std::string& key, H5Table& table) {
   const H5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
   const H5Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
-  if (attribute < 0 || H5Sget_simple_extent_npoints(space) != 1)
-    return;
+  if (attribute < 0 || type < 0 || space < 0)
+    return false;
+  if (H5Sget_simple_extent_npoints(space) != 1)
+    return true;
   const H5T_class_t kind = H5Tget_class(type);
   if (kind == H5T_STRING) {
-    if (auto text = read_text(attribute))
+    auto text = read_text(attribute);
+    if (text)
       table.attributes[key] = std::move(*text);
-  } else if (kind == H5T_FLOAT || kind == H5T_INTEGER) {
-    double value = 0;
-    if (H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) >= 0)
-      table.attributes[key] = value;
+    return text.has_value();
   }
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER)
+    return true;
+  double value = 0;
+  const bool read = H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) >= 0;
+  table.attributes[key] = value;
+  return read;
 }
 
-std::vector<std::string> attribute_names(hid_t object) {
-  std::vector<std::string> names;
+bool find_attributes(hid_t object, std::vector<std::string>& names) {
   const auto add = [](hid_t, const char* name, const H5A_info_t*, void* data) -> herr_t {
     static_cast<std::vector<std::string>*>(data)->emplace_back(name);
     return 0;
   };
-  H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names);
-  return names;
+  return H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add, &names) >= 0;
 }
 
-std::string text_of(hid_t object, const std::string& name) {
+/// "" where there is no such text. False where it cannot be read.
+bool read_text_attribute(hid_t object, const std::string& name, std::string& text) {
   H5Table one;
-  if (H5Aexists(object, name.c_str()) > 0)
-    read_attribute(object, name, name, one);
-  return text_attribute(one, name);
+  const htri_t there = H5Aexists(object, name.c_str());
+  const bool read = there == 0 || (there > 0 && read_attribute(object, name, name, one));
+  text = text_attribute(one, name);
+  return read;
 }
 
 /// A dataset of one text of fixed length; false where it cannot be read. Any other text is passed over.
@@ -57,11 +64,12 @@ bool read_text_dataset(hid_t set, const std::string& path, H5Table& table) {
   if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
     return false;
   text.erase(std::min(text.find('\0'), text.size()));
-  table.texts[path] = {std::move(text), text_of(set, "description")};
-  return true;
+  H5Text& stored = table.texts[path];
+  stored.text = std::move(text);
+  return read_text_attribute(set, "description", stored.description);
 }
 
-bool read_dataset(hid_t set, const std::string& path, H5Table& table) {
+bool read_open_dataset(hid_t set, const std::string& path, H5Table& table) {
   const H5Handle space(H5Dget_space(set), H5Sclose), type(H5Dget_type(set), H5Tclose);
   const H5T_class_t kind = H5Tget_class(type);
   if (kind == H5T_STRING)
@@ -75,10 +83,11 @@ bool read_dataset(hid_t set, const std::string& path, H5Table& table) {
     H5Sget_simple_extent_dims(space, shape.data(), nullptr);
   data.shape.assign(shape.begin(), shape.end());
   data.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-  data.unit = text_of(set, "unit");
-  data.description = text_of(set, "description");
-  return data.values.empty() ||
-         H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) >= 0;
+  const bool said = read_text_attribute(set, "unit", data.unit) &&
+                    read_text_attribute(set, "description", data.description);
+  table.checksums = table.checksums && (data.values.empty() || has_checksum(set));
+  return said && (data.values.empty() ||
+                  H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) >= 0);
 }
 
 } // namespace
@@ -104,19 +113,25 @@ void write_texts(hid_t root, hid_t links, const H5Table& table, const std::files
   }
 }
 
-} // namespace
+/// A single number lies in the dataset's header, which has a checksum; all others are one chunk with its own.
+bool ask_for_checksum(hid_t list, const std::vector<hsize_t>& shape) {
+  if (shape.empty())
+    return H5Pset_layout(list, H5D_COMPACT) >= 0;
+  return H5Pset_chunk(list, static_cast<int>(shape.size()), shape.data()) >= 0 &&
+         H5Pset_fletcher32(list) >= 0;
+}
 
-void write_entries(hid_t root, const H5Table& table, const std::filesystem::path& file) {
-  const H5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(links, 1);
-  write_texts(root, links, table, file);
+void write_numbers(hid_t root, hid_t links, const H5Table& table, const std::filesystem::path& file) {
   for (const auto& [name, data] : table.datasets) {
-    std::vector<hsize_t> shape(data.shape.begin(), data.shape.end());
+    const std::vector<hsize_t> shape(data.shape.begin(), data.shape.end());
     const auto size =
         std::accumulate(data.shape.begin(), data.shape.end(), std::size_t{1}, std::multiplies<>());
     check_writing(size == data.values.size(), file, "the shape of " + name + " does not fit its values");
+    const H5Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    check_writing(!table.checksums || data.values.empty() || ask_for_checksum(list, shape), file,
+                  "the checksum of " + name);
     const H5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
-    const H5Handle set(H5Dcreate2(root, name.c_str(), H5T_IEEE_F64LE, space, links, H5P_DEFAULT, H5P_DEFAULT),
+    const H5Handle set(H5Dcreate2(root, name.c_str(), H5T_IEEE_F64LE, space, links, list, H5P_DEFAULT),
                        H5Dclose);
     check_writing(set >= 0, file, "dataset " + name);
     check_writing(data.values.empty() || H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
@@ -125,6 +140,9 @@ void write_entries(hid_t root, const H5Table& table, const std::filesystem::path
     check_writing(write_attribute(set, "unit", data.unit), file, "attribute unit");
     check_writing(write_attribute(set, "description", data.description), file, "attribute description");
   }
+}
+
+void write_attributes(hid_t root, hid_t links, const H5Table& table, const std::filesystem::path& file) {
   for (const auto& [path, value] : table.attributes) {
     const auto slash = path.rfind('/');
     const std::string group = slash == std::string::npos ? "/" : path.substr(0, slash);
@@ -140,18 +158,28 @@ void write_entries(hid_t root, const H5Table& table, const std::filesystem::path
   }
 }
 
-bool read_entry(hid_t root, const std::string& path, H5Table& table) {
-  const H5Handle object(H5Oopen(root, path.c_str(), H5P_DEFAULT), H5Oclose);
-  if (object < 0)
-    return false;
-  const H5I_type_t kind = H5Iget_type(object);
-  if (kind == H5I_DATASET)
-    return read_dataset(object, path, table);
-  if (kind == H5I_GROUP) {
-    for (const std::string& name : attribute_names(object))
-      read_attribute(object, name, path == "." ? name : path + "/" + name, table);
-  }
-  return true;
+} // namespace
+
+void write_entries(hid_t root, const H5Table& table, const std::filesystem::path& file) {
+  const H5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links, 1);
+  write_texts(root, links, table, file);
+  write_numbers(root, links, table, file);
+  write_attributes(root, links, table, file);
+}
+
+bool read_dataset(hid_t root, const std::string& path, H5Table& table) {
+  const H5Handle set = open_dataset(root, path);
+  return set >= 0 && read_open_dataset(set, path, table);
+}
+
+bool read_attributes(hid_t root, const std::string& path, H5Table& table) {
+  const H5Handle group(H5Gopen2(root, path.c_str(), H5P_DEFAULT), H5Gclose);
+  std::vector<std::string> names;
+  bool read = group >= 0 && find_attributes(group, names);
+  for (const std::string& name : names)
+    read = read && read_attribute(group, name, path == "." ? name : path + "/" + name, table);
+  return read;
 }
 
 } // namespace bem_contact

@@ -16,8 +16,10 @@ void check_writing(bool success, const std::filesystem::path& file, const std::s
 /// Writes all datasets, texts and attributes; groups come into being with them. `file` is for messages.
 void write_entries(hid_t root, const H5Table& table, const std::filesystem::path& file);
 
-/// Adds the entry at `path` to `table`: a dataset of numbers or one text, or the attributes of a group. False
-/// where HDF5 fails.
-bool read_entry(hid_t root, const std::string& path, H5Table& table);
+/// Adds the dataset at `path`, of numbers or one text, to `table`. False where HDF5 fails; throws what
+/// open_dataset() does.
+bool read_dataset(hid_t root, const std::string& path, H5Table& table);
+/// Adds the attributes of the group at `path`. False where HDF5 fails.
+bool read_attributes(hid_t root, const std::string& path, H5Table& table);
 
 } // namespace bem_contact

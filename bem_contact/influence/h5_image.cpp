@@ -17,7 +17,7 @@ void check(bool good, const char* what) {
                      "Close other programs, or write a smaller file.");
 }
 
-/// The buffer grows in steps; where the file ends is said by its superblock (version 2, byte 28).
+/// The buffer grows in steps; where the file ends is said by its superblock (version 2 or 3, byte 28).
 std::size_t end_of_file(const char* superblock) {
   std::uint64_t end = 0;
   std::memcpy(&end, superblock + 28, sizeof end);
@@ -51,12 +51,13 @@ herr_t keep(void*) {
 
 } // namespace
 
-H5Image::H5Image(std::size_t user_block, const std::function<void(hid_t root)>& fill) {
+H5Image::H5Image(const H5ImageForm& form, const std::function<void(hid_t root)>& fill) {
+  const H5F_libver_t layout = form.checksums ? H5F_LIBVER_V110 : H5F_LIBVER_V18;
   H5FD_file_image_callbacks_t callbacks{allocate, copy, reallocate, take, share, keep, &memory_};
   const H5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose), access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  check(creation >= 0 && access >= 0 && H5Pset_userblock(creation, user_block) >= 0 &&
+  check(creation >= 0 && access >= 0 && H5Pset_userblock(creation, form.user_block) >= 0 &&
             H5Pset_obj_track_times(creation, false) >= 0 &&
-            H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18) >= 0 &&
+            H5Pset_libver_bounds(access, layout, layout) >= 0 &&
             H5Pset_fapl_core(access, image_increment, false) >= 0 &&
             H5Pset_file_image_callbacks(access, &callbacks) >= 0,
         "its property lists");
@@ -67,7 +68,7 @@ H5Image::H5Image(std::size_t user_block, const std::function<void(hid_t root)>& 
     check(H5Fflush(root, H5F_SCOPE_GLOBAL) >= 0, "flushing a file in memory");
   }
   check(memory_ != nullptr, "closing a file in memory");
-  size_ = end_of_file(memory_.get() + user_block);
+  size_ = end_of_file(memory_.get() + form.user_block);
 }
 
 std::ostream& operator<<(std::ostream& out, const H5Image& image) {

@@ -12,13 +12,19 @@
 /// Private to this room.
 namespace bem_contact {
 
-/// The bytes of an HDF5 file that `fill` makes, with `user_block` zeros before it. It is made in memory:
-/// after a failed write to a full disk the library cannot even close its file. Throws InputError where `fill`
-/// does or HDF5 fails. Layout of HDF5 1.8, the oldest whose headers carry checksums: the library is not safe
-/// on damaged ones without.
+struct H5ImageForm {
+  std::size_t user_block = 0; ///< bytes, zeros, before the file
+  /// Whether the layout is that of HDF5 1.10: there the place of a dataset's only chunk lies in its header,
+  /// and has a checksum with it.
+  bool checksums = false;
+};
+
+/// The bytes of an HDF5 file that `fill` makes. It is made in memory: after a failed write to a full disk the
+/// library cannot even close its file. Throws InputError where `fill` does or HDF5 fails. Layout of HDF5 1.8,
+/// the oldest whose headers carry checksums: the library is not safe on damaged ones without.
 class H5Image {
 public:
-  H5Image(std::size_t user_block, const std::function<void(hid_t root)>& fill);
+  H5Image(const H5ImageForm& form, const std::function<void(hid_t root)>& fill);
 
   std::span<char> bytes() const { return {memory_.get(), size_}; }
 

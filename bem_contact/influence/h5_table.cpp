@@ -28,20 +28,22 @@ H5Table read_paths(const std::filesystem::path& file, const std::function<bool(c
                      file_exists(file) ? "Name a file, such as wear.h5 in the folder of bem_contact wear."
                                        : "Check the path.");
   const H5Handle root(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  struct Found {
-    std::string path;
-    bool group;
-  };
-  std::vector<Found> found;
+  std::map<std::string, H5O_type_t> found;
   const auto add = [](hid_t, const char* name, const auto* info, void* data) -> herr_t {
-    static_cast<std::vector<Found>*>(data)->push_back({name, info->type == H5O_TYPE_GROUP});
+    static_cast<std::map<std::string, H5O_type_t>*>(data)->emplace(name, info->type);
     return 0;
   };
-  bool whole = root >= 0 && H5Ovisit2(root, H5_INDEX_NAME, H5_ITER_INC, add, &found, H5O_INFO_BASIC) >= 0;
+  // In the order of the file: to sort, HDF5 1.10.8 makes a list, and frees it unwritten where a link is
+  // damaged.
+  bool whole = root >= 0 && H5Ovisit2(root, H5_INDEX_NAME, H5_ITER_NATIVE, add, &found, H5O_INFO_BASIC) >= 0;
   H5Table table;
-  for (const auto& [path, group] : found)
-    if (group || wanted(path)) // to open what is not wanted took as long as to visit it
-      whole = whole && read_entry(root, path, table);
+  table.checksums = true;
+  for (const auto& [path, kind] : found)
+    if (kind == H5O_TYPE_GROUP)
+      whole = whole && read_attributes(root, path, table);
+    else if (kind == H5O_TYPE_DATASET &&
+             wanted(path)) // to open what is not wanted took as long as to visit it
+      whole = whole && read_dataset(root, path, table);
   if (!whole)
     throw InputError("The file '" + file.string() + "' cannot be read", "it is not HDF5, or truncated",
                      "Name a result or an influence file, or make it again.");
@@ -83,7 +85,7 @@ const H5Dataset& dataset_of(const H5Table& table, const std::string& name, const
 
 void write_h5(const std::filesystem::path& file, const H5Table& table) {
   const QuietHdf5 silence;
-  const H5Image image(0, [&](hid_t root) { write_entries(root, table, file); });
+  const H5Image image({.checksums = table.checksums}, [&](hid_t root) { write_entries(root, table, file); });
   write_whole(file, [&](std::ostream& out) { out << image; });
 }
 
@@ -131,10 +133,13 @@ struct H5Writer::Impl {
 H5Writer::H5Writer(const std::filesystem::path& file) : impl_(std::make_unique<Impl>(file)) {
   const QuietHdf5 silence;
   const std::filesystem::path& temporary = impl_->whole.temporary();
-  const H5Image empty(0, [](hid_t) {});
+  const H5Image empty({}, [](hid_t) {});
   write_whole(temporary, [&](std::ostream& out) { out << empty; });
   impl_->descriptor = open(temporary.c_str(), O_WRONLY | O_CLOEXEC);
-  impl_->root = H5Fopen(temporary.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_libver_bounds(access, H5F_LIBVER_V18,
+                       H5F_LIBVER_V18); // headers with checksums, as those of an image
+  impl_->root = H5Fopen(temporary.c_str(), H5F_ACC_RDWR, access);
   impl_->check(impl_->descriptor >= 0 && impl_->root >= 0, "it cannot be created");
 }
 

@@ -61,6 +61,9 @@ struct H5Table {
   std::map<std::string, H5Dataset> datasets;     ///< of numbers, by path
   std::map<std::string, H5Attribute> attributes; ///< by path; those of datasets are in H5Dataset
   std::map<std::string, H5Text> texts;           ///< datasets of one text (UTF-8)
+  /// Writing: whether the numbers of each dataset get a checksum, so that no changed bit is read. HDF5 before
+  /// 1.10 cannot read such a file. Reading: whether all of them had one.
+  bool checksums = false;
 };
 
 /// Adds all of `members` as a group, "right/" say.

@@ -203,7 +203,7 @@ double InfluenceFile::megabytes() const {
 void write_influence_file(const std::filesystem::path& file, const InfluenceFunction& function) {
   validate(function);
   const QuietHdf5 quiet;
-  const H5Image image(seal_size, [&](hid_t root) { write_contents(root, function); });
+  const H5Image image({.user_block = seal_size}, [&](hid_t root) { write_contents(root, function); });
   seal(std::as_writable_bytes(image.bytes()), influence_format_major, format_minor_of(function));
   write_whole(file, [&](std::ostream& out) { out << image; });
 }

@@ -1,6 +1,7 @@
 #include "bem_contact/influence/strict_h5.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/influence/h5_dataset.hpp"
 #include "bem_contact/influence/settings.hpp"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ struct OpenTable {
 
 /// `shape`: the extents wanted, 0 where any will do.
 OpenTable open_table(hid_t at, const char* name, Shape shape) {
-  Handle set(H5Dopen2(at, name, H5P_DEFAULT), H5Dclose, std::string("the table ") + name);
+  Handle set(open_dataset(at, name), std::string("the table ") + name);
   const Handle space(H5Dget_space(set), H5Sclose, name);
   const Handle type(H5Dget_type(set), H5Tclose, name);
   Shape found(shape.size());
@@ -39,8 +40,8 @@ OpenTable open_table(hid_t at, const char* name, Shape shape) {
 
 } // namespace
 
-Handle::Handle(hid_t id, herr_t (*close)(hid_t), std::string_view what) : H5Handle(id, close) {
-  if (id < 0)
+Handle::Handle(H5Handle&& made, std::string_view what) : H5Handle(std::move(made)) {
+  if (*this < 0)
     throw InputError("HDF5 failed at " + std::string(what),
                      "what data/INFLUENCE_FORMAT.md asks for is missing or of another type",
                      "Compute the influence file again.");

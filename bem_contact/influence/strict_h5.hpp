@@ -14,7 +14,8 @@ namespace bem_contact::strict_h5 {
 /// A handle that throws when the call that made it failed.
 class Handle : public H5Handle {
 public:
-  Handle(hid_t id, herr_t (*close)(hid_t), std::string_view what);
+  Handle(hid_t id, herr_t (*close)(hid_t), std::string_view what) : Handle(H5Handle(id, close), what) {}
+  Handle(H5Handle&& made, std::string_view what);
 };
 
 using Shape = std::vector<hsize_t>;

@@ -14,7 +14,8 @@ pkg_check_modules(OPENBLAS REQUIRED IMPORTED_TARGET openblas)
 # Only bem_contact/influence sees HDF5. It is the serial library in every build: deal.II brings the
 # OpenMPI one, and Debian gives the two different symbol versions, so that both may live in one
 # process as long as the room is linked as a shared library of its own.
-pkg_check_modules(HDF5_SERIAL REQUIRED IMPORTED_TARGET hdf5-serial)
+# zlib comes with it.
+pkg_check_modules(HDF5_SERIAL REQUIRED IMPORTED_TARGET hdf5-serial zlib)
 
 find_file(TOMLPLUSPLUS_HEADER toml++/toml.h)
 if(NOT TOMLPLUSPLUS_HEADER)
