@@ -9,13 +9,16 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <climits>
+#include <csignal>
 #include <cstdio>
 #include <fmt/format.h>
 #include <fstream>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -25,7 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_links = 40; // as many as Linux follows
+constexpr int most_links = 40;                 // as many as Linux follows
+constexpr const char* temporary_mark = ".tmp"; // then comes the number of the process
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why, const std::string& what_to_do) {
   throw InputError("The file '" + file.string() + "' cannot be written", why, what_to_do);
@@ -78,7 +82,7 @@ void refuse_overwriting(const Output& output, const fs::path& taken, const std::
 
 /// Beside the file. A long name loses its end for it, since no name has more than NAME_MAX bytes.
 fs::path temporary_name(const fs::path& file, const std::string& ending) {
-  const std::string tail = fmt::format(".tmp{}{}", getpid(), ending);
+  const std::string tail = fmt::format("{}{}{}", temporary_mark, getpid(), ending);
   const std::string name = file.filename().string();
   return file.parent_path() / (name.substr(0, std::min(name.size(), NAME_MAX - tail.size())) + tail);
 }
@@ -144,6 +148,29 @@ void replace(const fs::path& file, const std::function<void(std::ostream&)>& wri
   whole.commit();
 }
 
+/// Whether `text` is the number of a process that has ended.
+bool is_of_ended_process(std::string_view text) {
+  pid_t process = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), process);
+  return failed == std::errc() && end == text.data() + text.size() && process > 0 && kill(process, 0) != 0 &&
+         errno == ESRCH;
+}
+
+/// Removes what killed processes have left of the same file.
+void remove_leftovers(const fs::path& file, const std::string& ending) {
+  const std::string begin = file.filename().string() + temporary_mark;
+  std::error_code ignored;
+  for (fs::directory_iterator at(folder_of(file), ignored), end; !ignored && at != end;
+       at.increment(ignored)) {
+    const std::string name = at->path().filename().string();
+    if (name.size() > begin.size() + ending.size() && name.starts_with(begin) && name.ends_with(ending) &&
+        is_of_ended_process(
+            std::string_view(name).substr(begin.size(), name.size() - begin.size() - ending.size())) &&
+        at->symlink_status(ignored).type() == fs::file_type::regular)
+      fs::remove(at->path(), ignored);
+  }
+}
+
 } // namespace
 
 void require_outputs(const std::vector<fs::path>& inputs, const std::vector<Output>& outputs) {
@@ -190,7 +217,9 @@ OutputTarget output_target(const fs::path& output, OutputForm form) {
 }
 
 WholeFile::WholeFile(fs::path file, const std::string& ending)
-    : file_(std::move(file)), temporary_(temporary_name(file_, ending)) {}
+    : file_(std::move(file)), temporary_(temporary_name(file_, ending)) {
+  remove_leftovers(file_, ending);
+}
 
 WholeFile::~WholeFile() {
   std::error_code ignored; // of a file that was committed nothing is left here

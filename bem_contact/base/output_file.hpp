@@ -41,7 +41,8 @@ struct OutputTarget {
 OutputTarget output_target(const std::filesystem::path& output, OutputForm form);
 
 /// A file that is whole or absent. It is written under a temporary name beside it, and commit() renames it.
-/// What was not committed is removed with the object.
+/// What was not committed is removed with the object; what a killed process has left, by the next one that
+/// writes the same file.
 class WholeFile {
 public:
   /// `file`: where a link leads to (output_target()). The temporary name ends with `ending`, for a writer

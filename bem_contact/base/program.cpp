@@ -4,6 +4,7 @@
 #include "bem_contact/base/large_table.hpp"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -82,6 +83,10 @@ void leave_blas_threads_where_memory_is_limited(char** argv) {
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
   if (!unknown && setenv(threads, "1", 1) == 0)
     execv(program.c_str(), argv); // where that fails, all is as before
+}
+
+void meet_file_size_limit() {
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 int checked_exit_code(int code) {

@@ -19,6 +19,10 @@ void hold_standard_streams();
 /// Under such a limit the program begins anew without them; none of ours uses them.
 void leave_blas_threads_where_memory_is_limited(char** argv);
 
+/// A write beyond the limit on the size of files (ulimit -f) becomes an error that says so. Without this a
+/// signal ends the program without a word.
+void meet_file_size_limit();
+
 /// The last thing a program does: `code` if all that was printed has reached standard output. Otherwise (a
 /// full disk) 1, with a message on standard error.
 int checked_exit_code(int code);

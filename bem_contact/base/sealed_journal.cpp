@@ -1,6 +1,7 @@
 #include "bem_contact/base/sealed_journal.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/sha256.hpp"
 
@@ -31,6 +32,8 @@ std::string header_of(const JournalKind& kind, const std::string& digest) {
 
 std::size_t read_journal(const std::filesystem::path& file, const JournalKind& kind,
                          const std::string& digest, const RecordReader& seen) {
+  if (!is_regular(file)) // before it is opened, because a pipe would wait
+    return 0;
   std::ifstream in(file, std::ios::binary);
   if (!in)
     return 0;
@@ -59,6 +62,14 @@ std::size_t read_journal(const std::filesystem::path& file, const JournalKind& k
     seen(record);
     good += sizeof bytes + bytes + sha256_size;
   }
+}
+
+bool is_journal(const std::filesystem::path& file, const JournalKind& kind) {
+  if (!is_regular(file))
+    return false;
+  std::string first(kind.magic.size(), '\0');
+  std::ifstream in(file, std::ios::binary);
+  return in.read(first.data(), static_cast<std::streamsize>(first.size())) && first == kind.magic;
 }
 
 SealedJournal::SealedJournal(const std::filesystem::path& file, const JournalKind& kind,

@@ -51,6 +51,9 @@ private:
   int handle_ = -1;
 };
 
+/// Whether a file begins as such a journal does; false for all but regular files.
+bool is_journal(const std::filesystem::path& file, const JournalKind& kind);
+
 /// Calls `seen` with each complete record of a journal. Returns how many bytes are whole (0: none, or no
 /// journal). Throws InputError as the constructor of SealedJournal does.
 std::size_t read_journal(const std::filesystem::path& file, const JournalKind& kind,

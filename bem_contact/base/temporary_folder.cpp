@@ -2,6 +2,7 @@
 
 #include "bem_contact/base/error.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -28,6 +29,9 @@ TemporaryFolder::~TemporaryFolder() {
 
 std::filesystem::path TemporaryFolder::write(const std::filesystem::path& name,
                                              const std::string& text) const {
+  if (name.is_absolute() || std::ranges::find(name, "..") != name.end())
+    throw InputError(fmt::format("'{}' cannot be the name of a copy", name.string()),
+                     "it leads out of the folder of the copies", "Copy the file that names it again.");
   std::filesystem::path file = path_ / name;
   std::filesystem::create_directories(file.parent_path());
   std::ofstream out(file, std::ios::binary);

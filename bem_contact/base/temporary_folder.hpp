@@ -16,7 +16,8 @@ public:
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
-  /// Writes a file of that name, which may hold folders, and returns its path. Throws Error where it cannot.
+  /// Writes a file of that name, which may hold folders, and returns its path. Throws InputError for a name
+  /// that leads out of the folder, Error where it cannot write.
   std::filesystem::path write(const std::filesystem::path& name, const std::string& text) const;
 
 private:

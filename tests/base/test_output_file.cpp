@@ -3,11 +3,13 @@
 #include "message.hpp"
 #include "temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 #include <sys/un.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <stdexcept>
@@ -82,6 +84,27 @@ TEST(WholeFile, WhatIsNotCommittedLeavesNothing) {
   EXPECT_EQ(text_of(file), "new");
   EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
   EXPECT_EQ(files_in(folder / ""), 1);
+}
+
+/// What a process that was killed has left goes with the next one that writes the file; all else stays.
+TEST(WholeFile, RemovesWhatKilledProcessesHaveLeft) {
+  const TemporaryFolder folder;
+  const pid_t ended = fork();
+  if (ended == 0)
+    _exit(0);
+  waitpid(ended, nullptr, 0);
+  const auto mine = {fmt::format("a.tmp{}", getppid()), std::string("a.tmp"),
+                     fmt::format("a.tmp{}.msh", ended), fmt::format("a.tmp{}x", ended),
+                     fmt::format("b.tmp{}", ended),     std::string("a.tmp-1")};
+  for (const std::string& name : mine)
+    folder.write(name, "mine");
+  folder.write(fmt::format("a.tmp{}", ended), "half");
+  write_whole(folder / "a", write_word);
+  EXPECT_FALSE(fs::exists(folder / fmt::format("a.tmp{}", ended)));
+  for (const std::string& name : mine)
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+  { const WholeFile mesh(folder / "a", ".msh"); }
+  EXPECT_FALSE(fs::exists(folder / fmt::format("a.tmp{}.msh", ended)));
 }
 
 TEST(WholeFile, ARenameThatFailsLeavesNothing) {

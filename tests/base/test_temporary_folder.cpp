@@ -18,6 +18,15 @@ TEST(TemporaryFolder, IsGoneWithAllThatItHoldsWhenItsObjectIs) {
   EXPECT_FALSE(fs::exists(place));
 }
 
+TEST(TemporaryFolder, WritesNothingOutsideOfIt) {
+  const TemporaryFolder folder;
+  const std::filesystem::path outside = folder / "outside";
+  for (const char* name : {"../x", "a/../../x", "..", "/tmp/x"})
+    EXPECT_THROW(folder.write(name, "text"), bem_contact::InputError) << name;
+  EXPECT_THROW(folder.write(outside, "text"), bem_contact::InputError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 TEST(TemporaryFolder, SaysWhyNoneCanBeMade) {
   const char* before = std::getenv("TMPDIR");
   const std::string kept = before ? before : "";
