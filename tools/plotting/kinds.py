@@ -1,5 +1,6 @@
 """What is FILE? Results by their attribute "format", tables by their first line, a folder by what lies in it."""
 
+import math
 import os
 import re
 import sys
@@ -9,6 +10,8 @@ import h5py
 
 STANDARDS = ("60E1", "60E2", "54E1", "46E3", "S1002")
 FORMATS = ("result", "comparison", "sweep", "creep curves", "conicity", "wheelset", "table", "wear", "fatigue")
+MOST_DEFLATED = 1032  # bytes of one: deflate stores 258 bytes in 2 bits
+CHECKSUM = 4  # bytes of Fletcher's behind each chunk
 HEADS = {"FI_surf": "fatigue", "s_mm,y_mm,z_mm,inclination_rad": "profile table"}
 
 
@@ -62,8 +65,42 @@ def require_columns(group):
                    "Copy it again from where it was whole, or make it again.")
 
 
+def fault_of(data):
+    """Why HDF5 may not read a dataset, as bem_contact has it (influence/h5_dataset.cpp); "": it may."""
+    if data.external or data.is_virtual:
+        return "lies in another file"
+    stored, packed = data.id.get_storage_size(), data.compression is not None
+    if data.shape is not None and data.nbytes > stored * (MOST_DEFLATED if packed else 1):
+        return f"has {data.nbytes} bytes, of which {stored} are stored"
+    if data.chunks and data.size:
+        whole = 0 if packed else math.prod(data.chunks) * data.dtype.itemsize
+        sizes = [data.id.get_chunk_info(i).size - CHECKSUM * data.fletcher32 for i in range(data.id.get_num_chunks())]
+        if any(size < 0 if packed else size != whole for size in sizes):
+            return "has a chunk that is not as long as it must be"
+    return ""
+
+
+def require_own_numbers(group, seen=frozenset()):
+    """Refuses a file with datasets that lie elsewhere or are not whole. The fields of a sweep's cases are not looked at."""
+    address = h5py.h5o.get_info(group.id).addr  # a group may lie in itself
+    for name in group if address not in seen else ():
+        link = group.get(name, getlink=True)
+        whole_name = f"{group.name}/{name}".lstrip("/")
+        why = "" if isinstance(link, h5py.HardLink) else "is a link to another place"
+        if not why and whole_name != "cases":
+            item = group[name]
+            if isinstance(item, h5py.Group):
+                require_own_numbers(item, seen | {address})
+            elif isinstance(item, h5py.Dataset):
+                why = fault_of(item)
+        if why:
+            refuse(f"The file '{group.file.filename}' is damaged", f"its dataset '{whole_name}' {why}",
+                   "Copy it again from where it was whole, or make it again.")
+
+
 def of_hdf5(file):
     with h5py.File(file) as opened:
+        require_own_numbers(opened)
         name = text(opened.attrs.get("format", "")).removeprefix("bem_contact ")
     for kind in FORMATS:
         if name.startswith(kind):
