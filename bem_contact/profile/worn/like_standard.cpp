@@ -87,10 +87,15 @@ std::optional<LikeStandard> like_standard(const ProfileCurve& curve, ProfileKind
 double rail_inclination(const ProfileCurve& rail, double scatter) {
   if (rail.at(rail.s_end()).delta - rail.at(rail.s_begin()).delta < least_head_turn)
     return 0;
-  std::optional<double> turn = turn_by_symmetry(rail);
-  if (!turn)
-    turn = turn_by_standards(candidates(rail, ProfileKind::rail, turn, scatter));
-  return turn && -*turn >= least_inclination ? -*turn : 0;
+  const std::optional<double> by_symmetry = turn_by_symmetry(rail);
+  if (by_symmetry && -*by_symmetry < least_inclination - symmetry_slack)
+    return 0;
+  std::vector<Candidate> near = candidates(rail, ProfileKind::rail, by_symmetry, scatter);
+  if (by_symmetry) // a standard on which most of the head lies tells more precisely
+    std::erase_if(near, [](const Candidate& c) { return c.fit.share < surely_like_share; });
+  const std::optional<double> by_standards = turn_by_standards(near);
+  const double turn = by_standards ? *by_standards : by_symmetry.value_or(0);
+  return -turn >= least_inclination ? -turn : 0;
 }
 
 std::string inclination_text(double inclination) {
