@@ -323,7 +323,8 @@ TEST(ClosedOutline, OfARailIsOpenedAtItsBase) {
   // A head on a web and a foot 150 mm wide, as a CAD program writes it: from the top round to the top.
   Points right{{8, 50}, {8, 140}, {70, 152}, {75, 156}, {75, 171}, {74, 172}, {0, 172}};
   Points half = sampled_curve(standard_profile("60E1"), 0.5);
-  std::erase_if(half, [](Point2 p) { return p.y < 0; });
+  std::erase_if(half, [](Point2 p) { return p.y < 0.1; });
+  half.insert(half.begin(), Point2{0, 0}); // the first and the last point of the outline
   std::ranges::copy(right, std::back_inserter(half));
   const auto outline = [&](std::size_t begin, double z) {
     Points all;

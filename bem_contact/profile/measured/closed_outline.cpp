@@ -5,6 +5,7 @@
 #include "bem_contact/profile/measured/walk.hpp"
 #include "bem_contact/profile/median.hpp"
 #include "bem_contact/profile/messages.hpp"
+#include "bem_contact/profile/settings.hpp"
 
 #include <fmt/format.h>
 
@@ -66,6 +67,8 @@ void open_outline(std::vector<Point2>& points, const std::string& source, Profil
   const auto [low, high] = std::ranges::minmax(points, {}, &Point2::z);
   const double half = (high.z - low.z) / 2;
   const auto below = [&](Point2 p) { return std::abs(p.z - *base) < half; };
+  if (norm(points.back() - points.front()) < crowded)
+    points.pop_back(); // where the walk closes there is one point
   // Walked from the base on, so that what is left is in one piece.
   std::ranges::rotate(points, std::ranges::find_if(points, below));
   std::rotate(points.begin(), std::ranges::find_if_not(points, below), points.end());
