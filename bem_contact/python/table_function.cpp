@@ -119,6 +119,7 @@ using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
 py::dict look_up(const PythonTable& self, const Points& at) {
   const std::vector<table::Column>& columns = self.table.columns;
   const auto width = static_cast<std::size_t>(at.ndim() > 0 ? at.shape(at.ndim() - 1) : 1);
+  table::require_coordinates(self.table, width); // of no points, too
   std::vector<std::vector<double>> found(columns.size());
   for (std::size_t first = 0; first < static_cast<std::size_t>(at.size()); first += width) {
     const std::vector<double> values = table::look_up(self.table, {at.data() + first, width});

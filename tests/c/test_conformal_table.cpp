@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <regex>
 #include <set>
@@ -138,9 +139,15 @@ TEST(CTable, SaysWhatIsWrong) {
       refused(conformal_table_creep_forces(t.get(), ellipse, values, nullptr, message, sizeof message)),
       HasSubstr("one of a scene"));
   const TableHandle creep = opened(slipping());
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, CONFORMAL_ELLIPSE_VALUES> wrong;
   for (const auto& [index, value, words] : {std::tuple(CONFORMAL_ELLIPSE_A, 1e4, "is outside the table"),
                                             {CONFORMAL_ELLIPSE_B, 0.0, "must be positive"},
+                                            {CONFORMAL_ELLIPSE_A, infinity, "must be positive"},
+                                            {CONFORMAL_ELLIPSE_MODULUS, infinity, "must be positive"},
+                                            {CONFORMAL_ELLIPSE_BOUND, infinity, "must be positive"},
+                                            {CONFORMAL_ELLIPSE_XI, infinity, "creepages finite"},
+                                            {CONFORMAL_ELLIPSE_MODULUS, 1e308, "the largest number"},
                                             {CONFORMAL_ELLIPSE_PHI, std::nan(""), "creepages finite"}}) {
     std::ranges::copy(ellipse, wrong.begin());
     wrong[index] = value;

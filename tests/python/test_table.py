@@ -29,10 +29,11 @@ class TableOfForces(unittest.TestCase):
         self.assertAlmostEqual(own.look_up((1e-3, 4e3))["Fx"], alone.Fx, delta=1e-3 * 4e3)
         many = own.look_up([[[0, 2e3], [1e-3, 4e3]], [[2e-3, 2e3], [5e-4, 3e3]]])["Fx"]
         self.assertEqual(many.shape, (2, 2))
+        self.assertEqual(own.look_up(np.zeros((0, 2)))["Fx"].shape, (0,))
         self.assertEqual(many[1, 1], own.look_up((5e-4, 3e3))["Fx"])
         self.assertEqual(own.errors["pmax"]["interpolation"], t["errors"]["pmax"]["interpolation"])
         self.assertIsNone(own.creep_scale)
-        for wrong in ((3e-3, 3e3), (1e-3, float("nan")), (1e-3,), 1e-3):
+        for wrong in ((3e-3, 3e3), (1e-3, float("nan")), (1e-3,), 1e-3, [], np.zeros((3, 0)), np.zeros((0, 3))):
             with self.assertRaisesRegex(bem_contact.InputError, "outside the table|not in the table"):
                 own.look_up(wrong)
         with self.assertRaisesRegex(bem_contact.InputError, "the table is one of a scene"):
@@ -49,6 +50,11 @@ class TableOfForces(unittest.TestCase):
         slipping = own.creep_forces(5, 5, 8e4, 3e4, xi=-1e3)
         self.assertAlmostEqual(slipping["Fx"], -3e4, delta=1)  # full slip: the friction bound
         self.assertAlmostEqual(slipping["errors"]["Fx"], 3e4 * t["errors"]["Fx"]["interpolation"], delta=1e-6)
+        for place, wrong in ((0, "inf"), (1, "nan"), (2, "inf"), (3, "inf"), (4, "inf"), (5, "nan"), (2, "1e308")):
+            numbers = [5, 5, 8e4, 3e4, 1e-3, 0, 0]
+            numbers[place] = float(wrong)
+            with self.assertRaisesRegex(bem_contact.InputError, "must be positive and finite|the largest number"):
+                own.creep_forces(*numbers)
         self.assertEqual(list(t["values"]), ["Fx", "Fy", "Mz"])
         self.assertLess(t["errors"]["Mz"]["interpolation"], 0.29)
         self.assertAlmostEqual(t["creep_scale"]["C11"][len(t["creep_scale"]["C11"]) // 2], 4.2, delta=0.2)

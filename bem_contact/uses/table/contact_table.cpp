@@ -114,11 +114,15 @@ const Column& ContactTable::column(std::string_view name) const {
                    fmt::format("it has {}", fmt::join(names, ", ")), "Use one of these.");
 }
 
-std::vector<PointWeight> weights_at(const ContactTable& table, std::span<const double> at) {
-  if (at.size() != table.axes.size())
+void require_coordinates(const ContactTable& table, std::size_t count) {
+  if (count != table.axes.size())
     throw InputError(
-        fmt::format("A point with {} is not in the table", counted(at.size(), "coordinate", "coordinates")),
+        fmt::format("A point with {} is not in the table", counted(count, "coordinate", "coordinates")),
         "it has " + counted(table.axes.size(), "axis", "axes"), "Give one for each axis.");
+}
+
+std::vector<PointWeight> weights_at(const ContactTable& table, std::span<const double> at) {
+  require_coordinates(table, at.size());
   std::vector<PointWeight> out{{0, 1}};
   for (std::size_t a = 0; a < at.size(); ++a) {
     std::vector<PointWeight> finer;

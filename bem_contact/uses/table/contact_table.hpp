@@ -81,6 +81,9 @@ struct PointWeight {
   double weight;     ///< 1
 };
 
+/// Throws InputError unless the table has so many axes, one for each coordinate of a point.
+void require_coordinates(const ContactTable& table, std::size_t count);
+
 /// How the points of a table make the value at a place, one coordinate for each axis. In each coordinate it
 /// is cubic between two points, with the slopes there of parabolas through three neighbours (linear, where
 /// there are only two points), and constant beyond the ends. Coordinates are taken one after the other: at

@@ -231,11 +231,15 @@ TabulatedForces creep_forces(const ContactTable& table, const CreepContact& cont
   if (!table.scale)
     throw InputError("Forces over creepages cannot be looked up", "the table is one of a scene",
                      "Make one with bem_contact table --creep-forces.");
-  if (!(contact.a > 0 && contact.b > 0 && contact.shear_modulus > 0 && contact.bound > 0 &&
-        std::isfinite(xi + eta + phi)))
-    throw InputError("Forces of this contact cannot be looked up",
-                     "a, b, G and mu N must be positive, and creepages finite",
-                     "Give mm, MPa, N; creepages without unit, spin in 1/mm.");
+  const auto require_contact = [](bool fine, const char* why) {
+    if (!fine)
+      throw InputError("Forces of this contact cannot be looked up", why,
+                       "Give mm, MPa, N; creepages without unit, spin in 1/mm.");
+  };
+  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
+  require_contact(positive(contact.a) && positive(contact.b) && positive(contact.shear_modulus) &&
+                      positive(contact.bound) && std::isfinite(xi + eta + phi),
+                  "a, b, G and mu N must be positive and finite, and creepages finite");
   const double log_ratio = std::log10(contact.a / contact.b), c = std::sqrt(contact.a * contact.b);
   require_inside(table.axes[0], log_ratio);
   const ScalesOfCreepage k(*table.scale, log_ratio);
@@ -246,6 +250,8 @@ TabulatedForces creep_forces(const ContactTable& table, const CreepContact& cont
   const double sign = eta < 0 ? -1 : 1;
   const double y = unit * k.eta * sign * eta, z = unit * c * k.phi * sign * phi;
   const double w = std::hypot(x, y, z);
+  require_contact(std::isfinite(w) && std::isfinite(contact.bound * radius),
+                  "a product of these numbers is larger than the largest number");
   double at[4] = {log_ratio};
   at[along_alpha] = std::atan2(std::hypot(y, z), x), at[along_beta] = std::atan2(z, y),
   at[along_t] = w / (1 + w);

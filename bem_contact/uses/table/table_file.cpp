@@ -3,8 +3,10 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/provenance.hpp"
 #include "bem_contact/influence/file_kinds.hpp"
+#include "bem_contact/profile/messages.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sstream>
@@ -46,6 +48,13 @@ void require_lines(const ContactTable& table) {
     throw std::out_of_range(axis.name);
 }
 
+void require_finite(const H5Dataset& data, const std::string& name, const std::filesystem::path& file) {
+  if (!std::ranges::all_of(data.values, [](double value) { return std::isfinite(value); }))
+    throw InputError(fmt::format("The file '{}' is damaged", file.string()),
+                     fmt::format("its dataset '{}' has a number that is not finite", name),
+                     "Copy it again from where it was whole, or make it again.");
+}
+
 ContactTable table_of(const H5Table& file, const std::filesystem::path& path) {
   const auto data = [&](const std::string& name, std::optional<std::size_t> count = {}) -> const H5Dataset& {
     return dataset_of(file, name, path, count);
@@ -54,6 +63,7 @@ ContactTable table_of(const H5Table& file, const std::filesystem::path& path) {
   ContactTable table;
   for (const std::string& name : words(file, "axes")) {
     const H5Dataset& axis = data("axes/" + name);
+    require_finite(axis, "axes/" + name, path);
     table.axes.push_back({name, axis.unit, axis.description, axis.values});
     if (const auto first = file.datasets.find("first/" + name); first != file.datasets.end())
       table.axes.back().first.assign(first->second.values.begin(), first->second.values.end());
@@ -82,6 +92,7 @@ ContactTable table_of(const H5Table& file, const std::filesystem::path& path) {
 
 H5Table to_h5(const ContactTable& table) {
   H5Table out;
+  out.checksums = true;
   std::vector<std::size_t> shape;
   for (const Axis& axis : table.axes) {
     shape.push_back(axis.points.size());
@@ -148,8 +159,15 @@ ContactTable read_table(const std::filesystem::path& file) {
   const H5Table stored = read_h5(file);
   const auto format = stored.attributes.find("format");
   try {
-    if (format != stored.attributes.end() && format->second == H5Attribute(std::string(table_format)))
-      return table_of(stored, file);
+    if (format != stored.attributes.end() && format->second == H5Attribute(std::string(table_format))) {
+      ContactTable table = table_of(stored, file);
+      if (!stored.checksums)
+        messages()->warn(
+            "The table '{}' has no checksums (an earlier version made it, or it was written again) "
+            "Whether a number in it has changed since cannot be known; make it again to know it.",
+            file.string());
+      return table;
+    }
   } catch (const std::out_of_range&) {       // an attribute is missing
   } catch (const std::bad_variant_access&) { // or is of another kind
   }

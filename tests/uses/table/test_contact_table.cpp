@@ -8,7 +8,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <random>
+#include <sstream>
 #include <unistd.h>
 
 namespace {
@@ -65,8 +67,11 @@ TEST(ContactTable, LooksUpWithinItsAxesOnly) {
   const ContactTable t = refined(quadratic, {});
   EXPECT_NEAR(look_up(t, Point{0.3, 2.7}).at(0), quadratic({0.3, 2.7}), 1e-14);
   EXPECT_NEAR(look_up(t, Point{1, 4 + 1e-15}).at(0), quadratic({1, 4}), 1e-14);
-  for (const Point& p : {Point{-0.1, 3}, Point{1.1, 3}, Point{0.5, 4.1}, Point{std::nan(""), 3}, Point{1}})
+  for (const Point& p :
+       {Point{-0.1, 3}, Point{1.1, 3}, Point{0.5, 4.1}, Point{std::nan(""), 3}, Point{1}, Point{}})
     EXPECT_THROW(look_up(t, p), InputError);
+  EXPECT_THROW(require_coordinates(t, 0), InputError);
+  EXPECT_NO_THROW(require_coordinates(t, 2));
   try {
     look_up(t, Point{0.5, 5});
     FAIL();
@@ -196,6 +201,45 @@ TEST(Refine, SaysWhereTheToleranceIsNotMet) {
   EXPECT_THROW(refined(jump, {.most_points = 8}), InputError);
   EXPECT_THROW(refined(jump, {.tolerance = 0}), InputError);
   EXPECT_THROW(refined([](const Point&) { return std::nan(""); }, {}), InputError);
+}
+
+/// A table is looked up for years: no bit of a number changes unseen. One without checksums is read, with a
+/// remark.
+TEST(TableFile, HasAChecksumForEachNumber) {
+  const ContactTable t = refined(steep, {.tolerance = 0.1});
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / fmt::format("checked_{}.h5", getpid());
+  write_h5(file, to_h5(t));
+  std::ostringstream bytes;
+  bytes << std::ifstream(file, std::ios::binary).rdbuf();
+  const std::string whole = bytes.str();
+  const auto read_with = [&](std::size_t at, int bit) {
+    std::string flipped = whole;
+    flipped[at] = static_cast<char>(flipped[at] ^ (1 << bit));
+    std::ofstream(file, std::ios::binary) << flipped;
+    return read_table(file);
+  };
+  for (const Column& column : t.columns)
+    for (const double number : {column.values.front(), column.values.back(), column.scale}) {
+      const std::string stored(reinterpret_cast<const char*>(&number), sizeof number);
+      const std::size_t at = whole.find(stored);
+      ASSERT_NE(at, std::string::npos);
+      for (int bit = 0; bit < 64; bit += 3)
+        EXPECT_THROW(read_with(at + bit / 8, bit % 8), InputError) << bit;
+    }
+  H5Table old = to_h5(t);
+  old.checksums = false;
+  write_h5(file, old);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(read_table(file).columns[0].values, t.columns[0].values);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("has no checksums"));
+  old.datasets["values/" + t.columns[0].name].values[0] = std::nan(""); // not known there
+  write_h5(file, old);
+  EXPECT_TRUE(std::isnan(read_table(file).columns[0].values[0]));
+  old.datasets["axes/x"].values[0] = std::nan("");
+  write_h5(file, old);
+  EXPECT_THROW(read_table(file), InputError);
+  std::filesystem::remove(file);
 }
 
 TEST(TableFile, IsReadAsItWasWritten) {
