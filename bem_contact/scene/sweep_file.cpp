@@ -3,6 +3,7 @@
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/base/toml.hpp"
+#include "bem_contact/profile/messages.hpp"
 #include "bem_contact/scene/case_table.hpp"
 
 #include <algorithm>
@@ -19,6 +20,8 @@ namespace {
 
 /// More is a typing error: the records of the cases alone would need gigabytes.
 constexpr std::size_t most_cases = 10'000'000;
+/// Checking so many scenes takes a second (0.1 ms each), and users are told what takes so long.
+constexpr std::size_t many_scenes = 10'000;
 
 /// 6.3, not 6.300000000000001.
 double rounded(double value) {
@@ -53,7 +56,7 @@ struct Reader {
       else if (is_sweep && key == "table")
         case_table(node, line);
       else if (inner && (inner->contains("from") || inner->contains("to")))
-        sweep.axes.push_back({key, range(*inner, key, line), line});
+        sweep.axes.push_back({key, range(*inner, key, line), line, true});
       else if (inner)
         this->table(*inner, key);
       else if (const toml::array* list = node.as_array())
@@ -260,17 +263,29 @@ SweepFile read_sweep_file(const std::filesystem::path& file) {
   return parse_sweep_file(read_scene_text(file));
 }
 
+namespace {
+
+/// Adds `stride` times the values to be checked. Keys allow intervals, so the ends of a range say whether all
+/// of it is allowed; the second value says whether it is a whole number.
+void add_checked(std::set<std::size_t>& cases, std::size_t values, bool range, std::size_t stride) {
+  for (std::size_t k = 0; k < values; k += range && k == 1 ? std::max<std::size_t>(values - 2, 1) : 1)
+    cases.insert(k * stride);
+}
+
+} // namespace
+
 void check_values(const SweepFile& sweep) {
   std::set<std::size_t> cases{0};
   if (sweep.zip)
-    for (std::size_t i = 0; i < sweep.size(); ++i)
-      cases.insert(i);
+    add_checked(cases, sweep.size(), std::ranges::all_of(sweep.axes, &SweepFile::Axis::range), 1);
   std::size_t stride = sweep.size();
   for (const SweepFile::Axis& axis : sweep.axes) {
     stride /= axis.values.size();
-    for (std::size_t k = 0; k < axis.values.size() && !sweep.zip; ++k)
-      cases.insert(k * stride);
+    if (!sweep.zip)
+      add_checked(cases, axis.values.size(), axis.range, stride);
   }
+  if (cases.size() >= many_scenes)
+    messages()->info("{} scenes of '{}' are checked before one is solved", cases.size(), sweep.text.source);
   for (const std::size_t index : cases)
     sweep.scene(index);
 }

@@ -29,6 +29,7 @@ struct SweepFile {
     std::string key;
     std::vector<SchemaValue> values;
     int line = 0;
+    bool range = false; ///< given by its ends
   };
 
   SceneText text;              ///< with the table
@@ -63,7 +64,8 @@ SweepFile read_sweep_file(const std::filesystem::path& file);
 SweepFile parse_sweep_file(SceneText given, std::string_view section = "sweep");
 
 /// Parses the scene of every value of every list, and all cases of a zip, so that wrong input is found before
-/// anything is computed. Throws InputError.
+/// anything is computed; of a range that of its first two values and its last. Says how many they are where
+/// that takes long. Throws InputError.
 void check_values(const SweepFile& sweep);
 
 /// As TOML writes it; numbers with the fewest digits that give them back.

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 namespace {
 
@@ -192,6 +193,36 @@ TEST_F(Repeat, ADamagedCopyIsRefused) {
   table.texts.at("inputs/rail.profile/content").text += "0 0\n";
   write_h5(folder_ / "r.h5", table);
   expect_refused("", {"copy of 'worn_rail.txt' is damaged"});
+}
+
+/// Names of a result file become names of files: they lead nowhere else, and nothing is written before all
+/// are known to be fine.
+TEST_F(Repeat, NamesThatLeadElsewhereAreRefused) {
+  measured();
+  solve("s.toml");
+  const H5Table whole = read_h5(folder_ / "r.h5");
+  const fs::path victim = write("victim.txt", "precious");
+  const std::string up = "../../../../../../../.." + victim.parent_path().string(), content = "not precious";
+  const auto with = [&](const std::string& key, const std::string& name) {
+    H5Table table = whole;
+    const std::string group = "inputs/" + key + "/";
+    table.texts[group + "content"] = {content, "a file"};
+    table.attributes[group + "name"] = name;
+    table.attributes[group + "sha256"] = sha256sum(write("content", content));
+    write_h5(folder_ / "r.h5", table);
+  };
+  for (const auto& [key, name, words] : {std::tuple{"../x", "victim.txt", "unknown key"},
+                                         {"a/b", "victim.txt", "unknown key"},
+                                         {"rail.profil", "victim.txt", "unknown key"},
+                                         {"rail.profile", "..", "the file of its input rail.profile"},
+                                         {"wheel.profile", "a/", "the file of its input wheel.profile"}}) {
+    with(key, name);
+    expect_refused("", {words});
+    EXPECT_EQ(text_of(victim), "precious");
+  }
+  with("rail.profile", up + "/victim.txt"); // only the last part of a name is used
+  EXPECT_NE(repeat().code, 1);
+  EXPECT_EQ(text_of(victim), "precious");
 }
 
 TEST_F(Repeat, WhatIsNoResultIsRefusedWithTheWayOut) {

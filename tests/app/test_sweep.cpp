@@ -13,6 +13,7 @@
 #include <map>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
 
@@ -160,6 +161,57 @@ TEST_F(Sweep, AJournalCutAnywhereLosesOnlyTheLastCase) {
   std::ofstream(journal(), std::ios::binary) << wrong;
   ASSERT_EQ(sweep(few).code, 0);
   expect_equal(whole, found(out()));
+}
+
+/// Memory may have run out, and the next run may have more of it.
+TEST_F(Sweep, ACaseWhoseProcessDiedIsSolvedAgainByTheSameCommand) {
+  const std::string few = patch + "load.force = [4e3, 5e3, 6e3]\n";
+  ASSERT_EQ(sweep(few).code, 0);
+  const H5Table whole = found(out());
+  for (const char* name : {"o.h5.part", "o.h5.part-1-of-2"}) {
+    SCOPED_TRACE(name);
+    fs::remove(out());
+    {
+      const std::string digest = app::digest_of(read_sweep_file(write("s.toml", few)), "");
+      app::SweepJournal died(folder_ / name, digest, [](const app::CaseRecord&) {});
+      died.append(app::to_bytes({{.index = 1, .status = CaseStatus::died, .reason = "by signal 9"}}));
+    }
+    // A file that says so is not complete.
+    const Outcome merged = sweep(few, "--merge");
+    EXPECT_EQ(merged.code, 3) << merged.err;
+    EXPECT_THAT(merged.out, HasSubstr("1 died"));
+    EXPECT_EQ(text_attribute(read_h5(out()), "cases/000001/reason"), "by signal 9");
+    const Outcome again = sweep(few);
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_THAT(again.out, HasSubstr("3 certified, of 3 cases"));
+    expect_equal(whole, found(out()));
+    EXPECT_FALSE(fs::exists(folder_ / name));
+  }
+}
+
+/// What others have beside the output is neither read nor removed.
+TEST_F(Sweep, OnlyItsOwnJournalsAreJournals) {
+  const fs::path pipe = folder_ / "o.h5.part-1-of-2", folder = folder_ / "o.h5.part-2-of-2";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  fs::create_directory(folder);
+  const std::string few = patch + "load.force = [4e3]\n";
+  const auto names = {"o.h5.part-empty-of-mine", "o.h5.part-01-of-2", "o.h5.part-1-of-2.old",
+                      "o.h5.part-3-of-4"};
+  for (const char* name : names)
+    write(name, name == std::string("o.h5.part-3-of-4") ? "mine" : "");
+  EXPECT_EQ(sweep(few, "--merge").code, 3); // its case is missing
+  const Outcome solved = sweep(few);
+  EXPECT_EQ(solved.code, 0) << solved.err;
+  for (const char* name : names)
+    EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+  EXPECT_TRUE(fs::is_fifo(pipe) && fs::is_directory(folder));
+  fs::remove(out());
+  const Outcome share = sweep(few, "--part 1/2");
+  EXPECT_EQ(share.code, 2);
+  EXPECT_THAT(share.err, HasSubstr("a pipe"));
+  const Outcome other = sweep(few, "--part 2/2");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("it is a folder"));
 }
 
 TEST_F(Sweep, FinishedItSolvesNothingAndSaysSo) {

@@ -53,6 +53,27 @@ TEST(SweepFile, ARangeHasBothEndsAndRoundNumbers) {
   EXPECT_EQ(values("{ from = 1, to = 1.95, step = 0.5 }"), (std::vector<double>{1, 1.5})); // 2 is beyond
 }
 
+/// A million scenes would take two minutes, without a word.
+TEST(SweepFile, ARangeIsCheckedAtItsEnds) {
+  const auto checked = [](const std::string& lists) {
+    const SweepFile sweep = parse_sweep_file(scene + lists);
+    return message_of([&] { check_values(sweep); });
+  };
+  const std::string million = "load.force = { from = 1, to = 1e6, count = 1000000 }\n";
+  EXPECT_EQ(checked(million), "no error");
+  EXPECT_EQ(checked("mode = \"zip\"\n" + million + "motion.xi = { from = 0, to = 1e-3, count = 1000000 }\n"),
+            "no error");
+  EXPECT_THAT(checked("load.force = { from = 1e3, to = -1e3, step = -1e-3 }\n"),
+              HasSubstr("load.force = -1000"));
+  EXPECT_THAT(checked("motion.friction = { from = -1, to = 1, count = 7 }\nload.force = [1e3]\n"),
+              HasSubstr("motion.friction = -1"));
+  EXPECT_THAT(checked("load.force = [1e3]\ngrid.mx = { from = 8, to = 16, count = 4 }\n"),
+              HasSubstr("grid.mx"));
+  EXPECT_THAT(checked("load.force = [1e3, 2e3, -1, 3e3]\n"), HasSubstr("load.force = -1")); // each of a list
+  EXPECT_EQ(checked("load.force = { from = 1e3, to = 2e3, count = 2 }\n"), "no error");
+  EXPECT_EQ(checked("load.force = { from = 1e3, to = 1e3, count = 1 }\n"), "no error");
+}
+
 TEST(SweepFile, WholeNumbersStayWhole) {
   const SweepFile sweep =
       parse_sweep_file(scene + "load.force = [1e3]\ngrid.mx = { from = 8, to = 16, step = 4 }\n");

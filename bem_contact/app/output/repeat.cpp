@@ -75,6 +75,8 @@ public:
       : inputs_(stored_inputs(table)), folder_(std::move(folder)) {}
 
   void point_to(SceneReader& reader, std::vector<std::string>& warnings) {
+    for (const InputRecord& input : inputs_) // all of them before one is written
+      require_names(input, reader);
     for (const InputRecord& input : inputs_) {
       if (input.sha256.empty()) // a standard profile
         continue;
@@ -91,6 +93,17 @@ public:
   }
 
 private:
+  /// The names of a result file may be anybody's, and become those of a copy's folder and file.
+  static void require_names(const InputRecord& input, const SceneReader& reader) {
+    if (input.content)
+      reader.require_key(input.key);
+    const fs::path name = fs::path(input.name).filename();
+    if (name.empty() || name == "." || name == "..")
+      throw InputError("The result file is damaged",
+                       fmt::format("the file of its input {} is '{}'", input.key, input.name),
+                       "Copy the result file again from where it was whole.");
+  }
+
   fs::path body_of(const InputRecord& points) const {
     const std::string key =
         points.key.substr(0, points.key.size() - std::string_view(".body.profile").size());

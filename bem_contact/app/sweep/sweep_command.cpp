@@ -37,7 +37,7 @@ constexpr const char* sweep_help =
 Example, 64 contacts from tread to flange:
     bem_contact sweep data/scenes/cases_halfspace.toml -o sweep.h5 --csv sweep.csv
 You should see the progress, then `64 certified, of 64 cases`. If the program is stopped, call it again: sweep.h5.part
-holds the finished cases, and only the others are solved.
+holds the finished cases, and only the others are solved. So is a case whose process died, as when memory ran out.
 
 Machines that see the same folder can share the cases (tools/cluster/slurm_sweep). Join the shares when all are done:
     bem_contact sweep SCENE.toml -o SWEEP.h5 --part 1/8        # ... --part 8/8
@@ -58,7 +58,8 @@ struct SweepRequest {
   std::string options() const { return model + (strict ? " strict" : ""); }
 };
 
-/// Whether the output is there with all cases. Throws InputError if it is not a file of this sweep.
+/// Whether the output is there with all cases, none of which died. Throws InputError if it is not a file of
+/// this sweep.
 bool is_complete(const std::filesystem::path& output, const std::string& digest) {
   if (!file_exists(output))
     return false;
@@ -74,7 +75,7 @@ bool is_complete(const std::filesystem::path& output, const std::string& digest)
     throw InputError(fmt::format("The output '{}' exists and is not of this sweep", output.string()),
                      is("format", sweep_format) ? digest_changed : "it was not made by bem_contact sweep",
                      "Give another output, or remove the file.");
-  return top.attributes["missing"] == H5Attribute(0.0);
+  return top.attributes["missing"] == H5Attribute(0.0) && top.attributes["died"] == H5Attribute(0.0);
 }
 
 CaseRecord solved(SweepSolver& solver, const SweepFile& sweep, std::size_t index,
@@ -140,7 +141,9 @@ void write_file(const std::filesystem::path& file, const std::vector<std::filesy
   std::vector<char> written(cases, 0);
   for (const std::filesystem::path& journal : journals)
     read_journal(journal, digest, [&](const CaseRecord& record) {
-      if (record.index >= cases || std::exchange(written[record.index], 1))
+      // A later run may have solved what died.
+      if (record.index >= cases || record.status != output.status(record.index) ||
+          std::exchange(written[record.index], 1))
         return;
       writer.add(group_of(record));
     });
@@ -211,7 +214,7 @@ SweepSummary run_sweep(const SweepRequest& request) {
           results.top(), share,
           fmt::format("share {} of {} is solved: --merge makes the file of all\n", share.part, share.parts));
     write_file(output, journals_of(output), digest, results, given);
-    if (results.count(CaseStatus::missing) == 0)
+    if (results.count(CaseStatus::missing) == 0 && results.count(CaseStatus::died) == 0)
       remove_journals(output);
   }
   const H5Table top = read_sweep_top(output, sweep, columns);

@@ -3,6 +3,7 @@
 #include "bem_contact/app/output/scene_record.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <fmt/format.h>
 
 namespace bem_contact::app {
@@ -16,6 +17,13 @@ constexpr JournalKind sweep_journals{
     .of_nobody = "it was not made by bem_contact sweep",
     .what_to_do = "Finish that sweep with what it began with, give another output, or remove the file.",
     .if_in_use = "Wait for it, or solve another --part."};
+
+/// "" or "-2-of-8".
+bool is_ending_of_share(const std::string& ending) {
+  int part = 0, parts = 0;
+  return ending.empty() || (std::sscanf(ending.c_str(), "-%d-of-%d", &part, &parts) == 2 &&
+                            ending == fmt::format("-{}-of-{}", part, parts));
+}
 
 RecordReader decoded(const std::function<void(const CaseRecord&)>& seen) {
   return [&seen](std::string_view record) { seen(from_bytes(record)); };
@@ -39,11 +47,12 @@ std::filesystem::path journal_name(const std::filesystem::path& output, int part
 std::vector<std::filesystem::path> journals_of(const std::filesystem::path& output) {
   std::vector<std::filesystem::path> found;
   const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
-  const std::string whole = output.filename().string() + ".part", parts = whole + "-";
+  const std::string whole = output.filename().string() + ".part";
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
-    if (name == whole || (name.starts_with(parts) && name.find("-of-") != std::string::npos))
+    if (name.starts_with(whole) && is_ending_of_share(name.substr(whole.size())) &&
+        is_journal(entry.path(), sweep_journals)) // others may have files of such names
       found.push_back(output.has_parent_path() ? entry.path() : entry.path().filename());
   }
   std::ranges::sort(found);

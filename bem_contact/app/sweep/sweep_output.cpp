@@ -58,7 +58,7 @@ SweepOutput::SweepOutput(const SweepFile& sweep, const SweepColumns& columns, st
 }
 
 void SweepOutput::add(const SweepCase& r) {
-  if (r.index < cases_.size() && status(r.index) == CaseStatus::missing)
+  if (r.index < cases_.size() && !finished(r.index))
     cases_[r.index] = {r.index, r.status, {}, r.seconds, r.cpu_seconds, r.summary, r.patches};
 }
 

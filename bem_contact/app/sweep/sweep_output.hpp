@@ -23,10 +23,15 @@ class SweepOutput {
 public:
   SweepOutput(const SweepFile& sweep, const SweepColumns& columns, std::string digest);
 
-  void add(const SweepCase& record); ///< the first record of a case counts; its reason is not kept
+  /// The first record of a case counts, unless its process died. Its reason is not kept.
+  void add(const SweepCase& record);
   std::size_t size() const { return cases_.size(); } ///< cases
   CaseStatus status(std::size_t index) const { return cases_[index].status; }
   std::size_t count(CaseStatus status) const;
+  /// False also where the process died that solved it: memory may have run out, and the next may live.
+  bool finished(std::size_t index) const {
+    return status(index) != CaseStatus::missing && status(index) != CaseStatus::died;
+  }
 
   /// What is written at the file's top, but for scene and inputs.
   H5Table top() const;

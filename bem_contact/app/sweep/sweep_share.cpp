@@ -32,9 +32,7 @@ bool belongs(std::size_t index, std::size_t cases, const Share& share) {
 std::vector<Chunk> chunks_of(const SweepOutput& output, std::size_t cases, const Share& share) {
   std::vector<Chunk> chunks = chunks_of(cases);
   for (Chunk& chunk : chunks)
-    std::erase_if(chunk, [&](std::size_t i) {
-      return output.status(i) != CaseStatus::missing || !belongs(i, cases, share);
-    });
+    std::erase_if(chunk, [&](std::size_t i) { return output.finished(i) || !belongs(i, cases, share); });
   std::erase_if(chunks, [](const Chunk& chunk) { return chunk.empty(); });
   return chunks;
 }

@@ -19,8 +19,8 @@ Share share_of(const std::string& text);
 
 bool belongs(std::size_t index, std::size_t cases, const Share& share);
 
-/// The missing cases of a share, cut into chunks. The chunks do not depend on --jobs, so the results do not
-/// either.
+/// The cases of a share that are not finished, cut into chunks. The chunks do not depend on --jobs, so the
+/// results do not either.
 std::vector<Chunk> chunks_of(const SweepOutput& output, std::size_t cases, const Share& share);
 
 struct SweepSummary {
