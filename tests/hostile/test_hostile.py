@@ -296,9 +296,9 @@ class LittleMemory(Hostile):
                 self.assertIn(self.limited(megabytes, "--version")[0], (0, 127) if megabytes < 100 else (0,))
                 if megabytes >= 100:
                     self.refused(self.limited(megabytes, "solve", large), "Memory ran out", "fewer elements", code=1)
-        for megabytes in (100, 200):
+        for megabytes in (100, 150):
             code, message = self.limited(megabytes, "sweep", sweep, "-o", self.folder / f"m{megabytes}.h5", "--jobs", "1")
-            self.assertEqual(code, 3, message)
+            self.assertIn(code, (0, 3), message)  # a case that found no memory has died, the others are there
 
 
 class Names(Hostile):
