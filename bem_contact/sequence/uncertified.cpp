@@ -21,7 +21,10 @@ std::string why_uncertified(const SceneResult& result) {
 
 ConvergenceError uncertified_error(const SceneResult& result) {
   return {fmt::format("The {} result is not a solution", name_of(result.model)), why_uncertified(result),
-          "Coarsen the grid, lower solver.tolerance, or raise solver.max_outer."};
+          result.problem.kinetic < 1
+              ? "Friction that drops at once lets forces jump: give motion.falling_friction in place of "
+                "motion.kinetic_friction (rolling), or other elements."
+              : "Coarsen the grid, lower solver.tolerance, or raise solver.max_outer."};
 }
 
 } // namespace bem_contact

@@ -43,6 +43,23 @@ TEST(FrictionLaw, OneCoefficientForAllRowsIsTheSame) {
   EXPECT_NEAR(each.discretisation->tangential, one.discretisation->tangential, 1e-9);
 }
 
+/// On a flange the forces jump with every element that starts to slip, and outer iterations begin with rough
+/// tractions. What a rough solution leaves of slip tells no element's state.
+TEST(FrictionLaw, SlipIsKineticOnAFlange) {
+  ContactProblem problem = scenes::flat(scenes::steel, scenes::steel, 40, 40, 0.25, 0.25, 1e-3, 1e-3);
+  scenes::bend(problem, 12);
+  for (ContactRow& row : problem.rows)
+    row.delta -= 0.7;
+  problem.force = 2e4;
+  problem.kinetic = 0.5;
+  for (const double xi : {2e-3, 3e-3}) {
+    scenes::set_creepage(problem, 0.5, xi, 2e-3, 0);
+    const ContactResult result = solve(problem, scenes::without_estimate);
+    EXPECT_TRUE(result.converged) << xi << ' ' << result.certificate.worst() << ' ' << result.remark;
+    EXPECT_LT(result.outer_iterations, 25) << xi;
+  }
+}
+
 /// What sticks may carry mu p_n, what slips has kinetic mu p_n against it.
 TEST(FrictionLaw, SlipIsKinetic) {
   ContactProblem problem = rolling(24);

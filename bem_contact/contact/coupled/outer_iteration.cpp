@@ -121,6 +121,8 @@ void iterate_once(const CoupledSystem& system, const SolverOptions& options, con
     return;
   if (before.size() == solution.normal.p.size())
     follow(before, solution.normal.p, solution.shear.p);
+  if (solution.outer_iterations > most_fresh_slips)
+    solution.shear.held = solution.shear.slipped;
   const double floor = slip_rounding * solution.normal.p.maxCoeff() * system.normal.self;
   solution.task = make_task(system.problem, *system.shear, solution.normal.p, floor);
   solve_varying_friction(system.shear->system, options, work, solution.task, solution.shear,

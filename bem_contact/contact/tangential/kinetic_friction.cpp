@@ -3,6 +3,7 @@
 #include "bem_contact/contact/tangential/settings.hpp"
 #include "bem_contact/contact/tangential/solve_tangential.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -14,14 +15,21 @@ void solve_with_kinetic_friction(const TangentialSystem& system, const SolverOpt
   if (kinetic == 1)
     return solve_tangential(system, task, options, work, state);
   const int n = system.size();
-  std::vector<char> slipped(n, 0);
+  std::vector<char>& slipped = state.slipped = state.held;
+  slipped.resize(n, 0);
+  for (const int i : task.contact)
+    if (slipped[i])
+      task.bound[i] *= kinetic;
   for (bool grown = true; grown;) {
     solve_tangential(system, task, options, work, state);
+    if (!state.converged)
+      return;
     const double scale = largest_slip(task.rigid, task.contact, state.slip, task.slip_floor);
+    const double slips =
+        std::max(at_the_bound, options.tolerance) * scale; // less may be left where it sticks
     grown = false;
     for (const int i : task.contact)
-      if (!slipped[i] && std::hypot(state.p[i], state.p[n + i]) > (1 - at_the_bound) * task.bound[i] &&
-          std::hypot(state.slip[i], state.slip[n + i]) > at_the_bound * scale) {
+      if (!slipped[i] && std::hypot(state.slip[i], state.slip[n + i]) > slips) {
         slipped[i] = 1;
         task.bound[i] *= kinetic;
         grown = true;

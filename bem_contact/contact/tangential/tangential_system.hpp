@@ -51,6 +51,9 @@ struct TangentialState {
   bool converged = false;
   double violation = 0;
   std::string solver, remark;
+  /// kinetic_friction.hpp: elements that have the kinetic bound, and those that had it from the start;
+  /// fields, or empty.
+  std::vector<char> slipped = {}, held = {};
   /// coupled/varying_friction.hpp: mu over mu(0) as used last, and as the slip velocity alone has it; fields,
   /// empty before the first iteration.
   Eigen::VectorXd factor, by_slip;
