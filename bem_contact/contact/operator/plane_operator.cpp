@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <span>
 #include <tuple>
 
 namespace bem_contact::contact {
@@ -52,6 +53,12 @@ BEM_CONTACT_WIDE void multiply(const float* a, const float* b, int n, bool add, 
 
 template <class Real> Real* parts(Complex<Real>* p) {
   return reinterpret_cast<Real*>(p);
+}
+
+/// The symbol of sum_k step[k] u(x + k dx) at a frequency.
+std::complex<double> symbol_of_steps(const std::array<double, 3>& step, int frequency, int length) {
+  const std::complex<double> ahead = std::polar(1.0, 2 * std::numbers::pi * frequency / length);
+  return step[0] + ahead * (step[1] + ahead * step[2]);
 }
 
 } // namespace
@@ -290,13 +297,25 @@ template <class Real> void BasicPlaneOperator<Real>::mirror() {
     o.symbol[k] = -o.symbol[k];
 }
 
+template <class Real> void BasicPlaneOperator<Real>::change_to_steps(const std::array<double, 3>& step) {
+  const Impl& o = *impl_;
+  for (int k = 0; k < o.frequencies; ++k) {
+    const Complex<Real> factor(symbol_of_steps(step, k, o.length_x));
+    for (int a = 0; a < o.outputs; ++a)
+      for (int b = 0; b < o.inputs; ++b)
+        if (!o.zero[a * o.inputs + b])
+          for (Complex<Real>& z : std::span(o.symbol_at(k, a, b), o.length_s))
+            z = {z.real() * factor.real() - z.imag() * factor.imag(),
+                 z.real() * factor.imag() + z.imag() * factor.real()};
+  }
+}
+
 template <class Real>
 void BasicPlaneOperator<Real>::invert_shifted(const BasicPlaneOperator& of, Real shift, Real scale,
                                               const std::array<double, 3>& step) {
   const Impl& o = *impl_;
   for (int k = 0; k < o.frequencies; ++k) {
-    const std::complex<double> ahead = std::polar(1.0, 2 * std::numbers::pi * k / o.length_x);
-    const Complex<Real> factor(static_cast<double>(scale) * (step[0] + ahead * (step[1] + ahead * step[2])));
+    const Complex<Real> factor(static_cast<double>(scale) * symbol_of_steps(step, k, o.length_x));
     const Complex<Real>* from = of.impl_->symbol_at(k, 0, 0);
     Complex<Real>* to = o.symbol_at(k, 0, 0);
     for (int l = 0; l < o.length_s; ++l) {

@@ -318,6 +318,12 @@ void BasicStripOperator<Real>::apply_step(std::span<const Real> p, std::span<Rea
   o.write(o.apply(p), step, u);
 }
 
+template <class Real> bool BasicStripOperator<Real>::change_to_steps(const std::array<double, 3>& step) {
+  if (impl_->plane)
+    impl_->plane->change_to_steps(step);
+  return impl_->plane.has_value();
+}
+
 template class BasicStripOperator<double>;
 template class BasicStripOperator<float>;
 template BasicStripOperator<float>::BasicStripOperator(const BasicStripOperator<double>&, TransformPool*);

@@ -3,6 +3,7 @@
 #include "bem_contact/contact/grid/boxes.hpp"
 #include "bem_contact/influence/influence_numbers.hpp"
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -41,6 +42,9 @@ public:
 
   /// sum_k rolling_step[k] u(x + k dx) (slip_step.hpp). Needs numbers of mx + 2 offsets.
   void apply_step(std::span<const Real> p, std::span<Real> u) const;
+
+  /// BasicPlaneOperator::change_to_steps(). False where the numbers are not translational: nothing changes.
+  bool change_to_steps(const std::array<double, 3>& step);
 
 private:
   template <class Other> friend class BasicStripOperator;

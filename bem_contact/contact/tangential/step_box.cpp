@@ -45,7 +45,8 @@ ElementPlaces::ElementPlaces(const std::vector<int>& elements, int mx) : first_c
 StepBox::StepBox(const InfluenceNumbers& numbers, const Boxes& boxes, const std::array<double, 3>& present,
                  TransformPool* pool)
     : boxes_(boxes), present_(present),
-      tt_(numbers, boxes, {component_x, component_s}, {component_x, component_s}, pool), fast_(tt_, pool) {
+      tt_(numbers, boxes, {component_x, component_s}, {component_x, component_s}, pool), fast_(tt_, pool),
+      fast_has_steps_(fast_.change_to_steps(present)) {
   using Inverse = BasicPlaneOperator<float>;
   for (const int c : {component_x, component_s}) {
     periodic_.emplace_back(numbers, Boxes{{boxes.boxes.front()}}, std::vector{c}, std::vector{c},
@@ -77,6 +78,8 @@ void StepBox::step(std::span<const double> in, std::span<double> out) const {
 }
 
 void StepBox::step(std::span<const float> in, std::span<float> out) const {
+  if (fast_has_steps_)
+    return fast_.apply(in, out);
   step_by(fast_, in, out);
 }
 

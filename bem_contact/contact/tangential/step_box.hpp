@@ -98,7 +98,8 @@ private:
   Boxes boxes_;
   std::array<double, 3> present_;
   StripOperator tt_;
-  BasicStripOperator<float> fast_;
+  BasicStripOperator<float> fast_;                                   ///< of B, or of A as tt_
+  bool fast_has_steps_;                                              ///< of B
   std::vector<BasicPlaneOperator<float>> behind_, ahead_, periodic_; ///< of A_xx, A_ss
 };
 
