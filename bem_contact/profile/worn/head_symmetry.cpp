@@ -131,7 +131,7 @@ std::optional<double> settle_axis(Axis& axis, const OutlineTable& head) {
 
 } // namespace
 
-std::optional<double> turn_by_symmetry(const ProfileCurve& rail) {
+std::optional<HeadTurn> turn_by_symmetry(const ProfileCurve& rail) {
   const OutlineTable head = OutlineTable::of_equal(rail, symmetry_chords);
   for (const double start : symmetry_starts) {
     Axis axis = axis_at(head, start);
@@ -140,7 +140,7 @@ std::optional<double> turn_by_symmetry(const ProfileCurve& rail) {
       continue;
     const Symmetric found = symmetric_parts(head, axis, symmetric_widths * *width);
     if (found.steep >= least_symmetric_sides && found.flat >= least_symmetric_top)
-      return axis.angle;
+      return HeadTurn{axis.angle, found.flat >= whole_top};
   }
   return std::nullopt;
 }

@@ -30,7 +30,8 @@ std::vector<Point2> points_along(const ProfileCurve& curve) {
 
 /// By the symmetry of a rail's head, if that tells it.
 std::optional<double> turn_of(const ProfileCurve& curve, ProfileKind kind) {
-  return kind == ProfileKind::rail ? turn_by_symmetry(curve) : std::nullopt;
+  const std::optional<HeadTurn> turn = kind == ProfileKind::rail ? turn_by_symmetry(curve) : std::nullopt;
+  return turn ? std::optional(turn->angle) : std::nullopt;
 }
 
 /// Standards from which the curve may be worn, the most like first. `turn`: of a rail, by its symmetry.
@@ -87,9 +88,10 @@ std::optional<LikeStandard> like_standard(const ProfileCurve& curve, ProfileKind
 double rail_inclination(const ProfileCurve& rail, double scatter) {
   if (rail.at(rail.s_end()).delta - rail.at(rail.s_begin()).delta < least_head_turn)
     return 0;
-  const std::optional<double> by_symmetry = turn_by_symmetry(rail);
-  if (by_symmetry && -*by_symmetry < least_inclination - symmetry_slack)
-    return 0;
+  const std::optional<HeadTurn> head = turn_by_symmetry(rail);
+  const std::optional<double> by_symmetry = head ? std::optional(head->angle) : std::nullopt;
+  if (head && (head->whole || -head->angle < least_inclination - symmetry_slack))
+    return -head->angle >= least_inclination ? -head->angle : 0;
   std::vector<Candidate> near = candidates(rail, ProfileKind::rail, by_symmetry, scatter);
   if (by_symmetry) // a standard on which most of the head lies tells more precisely
     std::erase_if(near, [](const Candidate& c) { return c.fit.share < surely_like_share; });

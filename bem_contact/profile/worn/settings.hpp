@@ -116,6 +116,7 @@ BEM_CONTACT_TUNED(double, steep_cosine, 0.44);
 /// the top and .6 mm off the gauge corner of 39 standards leave .15 and more.
 BEM_CONTACT_TUNED(double, least_symmetric_sides, 0.5);
 BEM_CONTACT_TUNED(double, least_symmetric_top, 0.15); ///< 1. As above.
+BEM_CONTACT_TUNED(double, whole_top, 0.9); ///< 1. Share of a top that is not worn on one side. Chosen.
 
 // The depth of wear.
 
