@@ -255,6 +255,128 @@ class Files(Hostile):
                                                        motion__friction_table="none.csv")), "no such file")
 
 
+@unittest.skipUnless(doors.HAS_PYTHON, "the Python module is not built")
+class Storage(Hostile):
+    """HDF5 files that somebody damaged or made to do harm, all read in this process: a crash ends it."""
+
+    LONG = "halfspace/p_n"
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        import bem_contact
+        import h5py
+        cls.b, cls.h5py = bem_contact, h5py
+        cls.result, cls.table = cls.folder / "result.h5", cls.folder / "table.h5"
+        code, message = doors.program("solve", SCENES / "steady_rolling.toml", "-o", cls.result)
+        assert code == 0, message
+        cls.b.table(PATCH | {"grid.mx": 16, "grid.ms": 16, "solver.model": "halfspace"}, {"load.force": [1e3, 2e3]},
+                    tolerance=1, output=cls.table)
+
+    def answer(self, action):
+        try:
+            action()
+        except self.b.InputError as error:
+            return 2, str(error)
+        return 0, ""
+
+    def report(self, file):
+        return self.answer(lambda: self.b.report(file, self.folder / "page.html"))
+
+    def changed(self, how):
+        file = self.write("changed.h5", self.result.read_bytes())
+        with self.h5py.File(file, "r+") as h5:
+            del h5[self.LONG]
+            how(h5)
+        return file
+
+    def test_foreign_storage(self):
+        pipe, secret = self.folder / "storage.pipe", self.write("secret", "stolen words, " * 200)
+        os.mkfifo(pipe)
+        (self.folder / "page.html").unlink(missing_ok=True)
+        for name in (pipe, secret):
+            self.refused(self.report(self.changed(lambda h5: h5.create_dataset(
+                self.LONG, (100,), "f8", external=[(str(name), 0, 800)]))), "lies in another file")
+            layout = self.h5py.VirtualLayout((100,), "f8")
+            layout[:] = self.h5py.VirtualSource(str(name), "x", (100,))
+            self.refused(self.report(self.changed(lambda h5: h5.create_virtual_dataset(self.LONG, layout))),
+                         "lies in another file")
+        self.assertFalse((self.folder / "page.html").exists())
+
+    def test_bombs(self):
+        for options in ({}, {"chunks": (1000,)}, {"chunks": (1000,), "compression": "gzip"},
+                        {"chunks": (1000,), "fletcher32": True}):
+            self.refused(self.report(self.changed(lambda h5: h5.create_dataset(
+                self.LONG, (20_000_000_000,), "f8", fillvalue=1.0, **options))), self.LONG, "are stored")
+
+    def test_short_chunks(self):
+        for size in (1, 2, 3, 4, 12, 803):
+            def short(h5, size=size):
+                data = h5.create_dataset(self.LONG, (100,), "f8", chunks=(100,), fletcher32=True)
+                data.id.write_direct_chunk((0,), b"x" * size)
+            self.refused(self.report(self.changed(short)), self.LONG, "damaged")
+
+        import zlib
+        def short_deflated(h5):
+            data = h5.create_dataset(self.LONG, (100_000,), "f8", chunks=(100_000,), compression="gzip")
+            data.id.write_direct_chunk((0,), zlib.compress(b"12345678"))
+        self.refused(self.report(self.changed(short_deflated)), self.LONG, "damaged")
+
+    def test_a_kernel_elsewhere(self):
+        import hashlib
+        small = SCENES.parent / "influence" / "small_rail.h5"
+        self.write("kernel.h5", small.read_bytes())
+        with self.h5py.File(self.folder / "kernel.h5", "r+") as h5:
+            h5["kernel"][...] *= 1.5
+        linked = self.write("linked.h5", small.read_bytes())
+        with self.h5py.File(linked, "r+") as h5:
+            del h5["kernel"]
+            h5["kernel"] = self.h5py.ExternalLink(str(self.folder / "kernel.h5"), "/kernel")
+        data = linked.read_bytes()
+        lines = data[:512].rstrip(b"\0").decode().splitlines()
+        lines[2:4] = [f"bytes {len(data)}", f"sha256 {hashlib.sha256(data[512:]).hexdigest()}"]
+        linked.write_bytes("\n".join([*lines, ""]).encode().ljust(512, b"\0") + data[512:])
+        text = (SCENES / "conformal_small.toml").read_text().replace("../influence/small_rail.h5", "linked.h5").replace(
+            "../influence", str(SCENES.parent / "influence"))
+        self.refused(doors.python(self.write("linked.toml", text), {}), "'kernel'", "a link to another place")
+
+    def test_flipped_bits(self):
+        table, result = self.table.read_bytes(), self.result.read_bytes()
+        whole = self.b.read_table(self.table)
+        for at in range(0, len(table), 197):
+            file = self.write("flip.h5", table[:at] + bytes([table[at] ^ 1 << at % 8]) + table[at + 1:])
+            try:
+                read = self.b.read_table(file)
+                self.assertEqual(str(read.errors), str(whole.errors))  # nan is nan
+                self.assertEqual(*(str({k: v.tolist() for k, v in t.values.items()}) for t in (read, whole)))
+            except self.b.InputError as error:
+                self.refused((2, str(error)), "flip.h5")
+        for at in range(0, len(result), 9973):  # no checksums yet: numbers may be others, and nothing crashes
+            file = self.write("flip.h5", result[:at] + bytes([result[at] ^ 1 << at % 8]) + result[at + 1:])
+            code, message = self.report(file)
+            self.assertIn(code, (0, 2), message)
+
+
+class Limits(Hostile):
+    """A limit on the size of files (ulimit -f) is an error with words."""
+
+    def test_file_size(self):
+        result, page = self.folder / "whole.h5", self.folder / "page.html"
+        self.assertEqual(doors.program("solve", SCENES / "hertz.toml", "-o", result)[0], 0)
+        sweep = self.write("limited.toml", toml_of(PATCH) + "[sweep]\nload.force = [1e5, 2e5]\n")
+        wear = self.write("wear.toml", toml_of(WHEEL_RAIL | {
+            "motion.xi": 2e-3, "motion.free_rolling": False, "grid.dx": 2.0, "grid.ds": 1.0}) +
+                          "[sweep]\nposition.lateral = [0.0]\n")
+        limited = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))}
+        for command in (["solve", SCENES / "hertz.toml", "-o", self.folder / "limited.h5"],
+                        ["sweep", sweep, "-o", self.folder / "limited.h5"], ["report", result, "-o", page],
+                        ["wear", wear, "-o", self.folder / "worn", "--depth", "0.02"]):
+            with self.subTest(command[0]):
+                self.refused(doors.program(*command, **limited), "File too large", code=1)
+        self.assertFalse((self.folder / "limited.h5").exists() or page.exists())
+        self.assertEqual(doors.program("sweep", sweep, "-o", self.folder / "limited.h5")[0], 0)  # goes on
+
+
 class CommandLine(Hostile):
     def test_arguments(self):
         hertz = SCENES / "hertz.toml"
