@@ -4,6 +4,8 @@
 #include "bem_contact/scene/choices.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 namespace bem_contact::app {
@@ -32,6 +34,24 @@ void add_output(CLI::App& line, std::string& output) {
 
 void add_json(CLI::App& line, bool& json) {
   line.add_flag("--json", json, "Print one JSON object instead of the text");
+}
+
+void refuse_odd_numbers(CLI::App& line) {
+  for (CLI::Option* option : line.get_options()) {
+    const std::string type = option->get_type_name();
+    if (type.starts_with(CLI::detail::type_name<double>()))
+      option->check([](const std::string& text) {
+        double number = 0;
+        const bool read = CLI::detail::lexical_cast(text, number); // the library says what is no number
+        return read && !std::isfinite(number) ? fmt::format("{} is no finite number", text) : std::string();
+      });
+    else if (type.starts_with(CLI::detail::type_name<std::size_t>()))
+      option->check([](const std::string& text) {
+        return text.starts_with('-') ? fmt::format("{} is below 0", text) : std::string();
+      });
+  }
+  for (CLI::App* command : line.get_subcommands(nullptr))
+    refuse_odd_numbers(*command);
 }
 
 void warn(const std::vector<std::string>& warnings) {

@@ -77,6 +77,7 @@ int parse_and_run(int argc, char** argv) {
       add_solve(cli),   add_compare(cli), add_check(cli),    add_info(cli),         add_influence(cli),
       add_profile(cli), add_sweep(cli),   add_conicity(cli), add_creep_curves(cli), add_table(cli),
       add_wear(cli),    add_fatigue(cli), add_wheelset(cli), add_report(cli)};
+  refuse_odd_numbers(cli);
   try {
     refuse_unknown_command(cli, argc > 1 ? argv[1] : "");
     cli.parse(argc, argv);

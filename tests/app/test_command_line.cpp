@@ -379,6 +379,30 @@ TEST_F(CommandLine, NotANumberIsRefused) {
   refused(run("solve '" + write("s.toml", scene).string() + "' --json"), {"gap.a"});
 }
 
+/// Whatever option takes a number: the library reads nan and inf, and -1 as the largest count.
+TEST_F(CommandLine, OptionsRefuseNumbersThatAreNone) {
+  const std::string wear = "wear '" CONFORMAL_SOURCE_DIR "/data/scenes/wear_collective.toml' -o w ";
+  for (const auto& [arguments, words] :
+       {std::pair<std::string, const char*>{"profile S1002 --step nan", "--step: nan is no finite number"},
+        {"profile S1002 --smoothing=-nan", "-nan is no finite number"},
+        {wear + "--kept-turn nan", "--kept-turn: nan is no finite number"},
+        {wear + "--cap inf", "--cap: Value inf not in range"},
+        {wear + "--smoothing NAN", "NAN is no finite number"},
+        {"conicity --wheel S1002 --rail 60E1 --gauge 1e999", "1e999 is no finite number"},
+        {"conicity --wheel S1002 --rail 60E1 --step nan", "nan is no finite number"},
+        {"fatigue s.toml --nodes nan 1 2", "nan is no finite number"},
+        {"fatigue s.toml --yield-shear nan", "nan is no finite number"},
+        {"influence expand a.h5 --dx nan --ds 1 --mx 2 --my 2 -o x", "nan is no finite number"},
+        {"table --creep-forces -o o.h5 --tolerance nan", "nan is no finite number"},
+        {"table --creep-forces -o o.h5 --ratio 0.5:nan", "--ratio '0.5:nan' cannot be read"},
+        {"table --creep-forces -o o.h5 --most-points -1", "-1 is below 0"},
+        {"table --creep-forces -o o.h5 --most-points=-1", "-1 is below 0"}}) {
+    const Outcome refused = run(arguments);
+    EXPECT_EQ(refused.code, 2) << arguments;
+    EXPECT_THAT(refused.err, HasSubstr(words)) << arguments;
+  }
+}
+
 TEST_F(CommandLine, ZeroFrictionIsRefused) {
   std::string scene = hertz;
   scene.replace(scene.find("friction = 0.3"), 14, "friction = 0.0");
