@@ -1,12 +1,12 @@
 #include "bem_contact/base/sealed_journal.hpp"
 
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/file_lock.hpp"
 #include "bem_contact/base/input_file.hpp"
 #include "bem_contact/base/output_file.hpp"
 #include "bem_contact/base/sha256.hpp"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -79,10 +79,7 @@ SealedJournal::SealedJournal(const std::filesystem::path& file, const JournalKin
   if (handle_ < 0)
     fail_writing(file_);
   try {
-    // Some file systems of clusters have no locks: there nothing can be said.
-    if (flock(handle_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-      throw InputError(fmt::format("The file '{}' is in use", file_.string()), "another process writes it",
-                       kind.if_in_use);
+    warning_ = lock_file(handle_, file_, kind.if_in_use);
     const std::size_t good = read_journal(file_, kind, digest, seen);
     if (ftruncate(handle_, static_cast<off_t>(good)) != 0 || lseek(handle_, 0, SEEK_END) < 0)
       fail_writing(file_);

@@ -40,6 +40,7 @@ public:
   SealedJournal& operator=(const SealedJournal&) = delete;
 
   const std::filesystem::path& file() const { return file_; }
+  const std::string& warning() const { return warning_; } ///< of lock_file(): nothing keeps others away
   void append(std::string_view record);
   /// When all is in another file.
   void remove();
@@ -49,6 +50,7 @@ private:
 
   std::filesystem::path file_;
   int handle_ = -1;
+  std::string warning_;
 };
 
 /// Whether a file begins as such a journal does; false for all but regular files.

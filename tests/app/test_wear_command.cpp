@@ -1,4 +1,5 @@
 // `bem_contact wear` and `bem_contact fatigue` as a user runs them.
+#include "bem_contact/base/file_lock.hpp"
 #include "bem_contact/influence/h5_table.hpp"
 #include "bem_contact/influence/influence_file.hpp"
 #include "bem_contact/profile/read_profile.hpp"
@@ -102,6 +103,51 @@ TEST_F(WearCommand, RefusesAFolderOfOtherFiles) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "mine/rail_0000.txt"));
   std::filesystem::create_directory(folder_ / "empty");
   EXPECT_EQ(run(command + path("empty")).code, 0);
+}
+
+/// A second run would overwrite what the first has finished since.
+TEST_F(WearCommand, OneRunAtATimeWritesAFolder) {
+  write("scene.toml", scene);
+  std::filesystem::create_directory(folder_ / "worn");
+  const std::string command = "wear " + path("scene.toml") + " --depth 0.01 -o " + path("worn");
+  {
+    const LockFile first(folder_ / "worn/wear.lock", "");
+    const Outcome refused = run(command);
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("wear.lock' is in use (another process writes it) Wait for it"));
+  }
+  EXPECT_EQ(run(command).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "worn/wear.lock"));
+}
+
+/// A kill while the first state is written leaves some of its files, perhaps under a temporary name, and the
+/// lock. The same command goes on.
+TEST_F(WearCommand, GoesOnAfterAStopInTheFirstStep) {
+  write("scene.toml", scene);
+  const std::string command = "wear " + path("scene.toml") + " --depth 0.01 -o ";
+  std::filesystem::create_directory(folder_ / "worn");
+  for (const char* left : {"wear.lock", "rail_0000.txt", "wheel_0000.txt.tmp123"})
+    write(std::string("worn/") + left, "0 0");
+  EXPECT_EQ(run(command + path("worn")).code, 0);
+  std::filesystem::create_directory(folder_ / "later");
+  for (const char* left : {"rail_0000.txt", "wheel_0000.txt", "wear.csv", "rail_0001.txt"})
+    write(std::string("later/") + left, "0 0");
+  EXPECT_THAT(run(command + path("later")).err, HasSubstr("exists and is not of this wear"));
+}
+
+/// Text, CSV and HDF5 say how each step was smoothed; too much of it is a warning.
+TEST_F(WearCommand, SaysWhatSmoothingTook) {
+  write("scene.toml", scene);
+  const Outcome fine = run("wear " + path("scene.toml") + " --depth 0.01 -o " + path("fine"));
+  EXPECT_THAT(fine.out, HasSubstr("% off the deepest place"));
+  const Outcome coarse =
+      run("wear " + path("scene.toml") + " --depth 0.01 --smoothing 9 -o " + path("coarse"));
+  EXPECT_THAT(coarse.out, HasSubstr("smoothed at 9.00 mm"));
+  EXPECT_THAT(coarse.err, HasSubstr("give a smaller --smoothing"));
+  const std::vector<double> taken = read_h5(path("coarse/wear.h5")).datasets.at("smoothed_off").values;
+  EXPECT_EQ(taken.front(), 0);
+  EXPECT_GT(taken.back(), 0.05);
+  EXPECT_THAT(text("coarse/wear.csv"), HasSubstr("smoothing_mm,smoothed_off"));
 }
 
 /// A table of the same cases wears the same, and so does the table that a sweep writes of them.

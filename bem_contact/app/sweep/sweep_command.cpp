@@ -177,6 +177,8 @@ SweepOutput results_of(const SweepFile& sweep, const SweepColumns& columns, cons
       read_journal(journal, digest, add);
   if (!request.merge) {
     SweepJournal journal(own_journal, digest, add);
+    if (!journal.warning().empty())
+      warn({journal.warning()});
     solve_missing(sweep, request, share, journal, results);
   }
   return results;

@@ -6,12 +6,14 @@
 #include "bem_contact/base/argument_error.hpp"
 #include "bem_contact/base/counted.hpp"
 #include "bem_contact/base/error.hpp"
+#include "bem_contact/base/file_lock.hpp"
 #include "bem_contact/base/progress.hpp"
 #include "bem_contact/base/stopwatch.hpp"
 #include "bem_contact/scene/settings.hpp"
 #include "bem_contact/uses/wear/study.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 
@@ -41,7 +43,7 @@ struct WearArguments {
   /// All that the result depends on but --depth and --influence: a run may go deeper later.
   std::string digest_text() const {
     const wear::EvolutionOptions& steps = study.steps;
-    return fmt::format("wear {} {} {} {} {} {} {} {} {}", model, study.law, study.body, study.hardness,
+    return fmt::format("wear 2 {} {} {} {} {} {} {} {} {}", model, study.law, study.body, study.hardness,
                        study.speed, steps.cap, steps.smoothing, steps.passages, steps.kept_turn);
   }
 };
@@ -55,9 +57,19 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 void print_step(const wear::WearRow& row) {
-  fmt::print("step {:g}: {:.4g} km, rail {:.4f} mm deep, {:.4f} mm2; wheel {:.4f} mm deep, {:.4f} mm2\n",
-             row.step, row.mileage, row.rail_depth, row.rail_area, row.wheel_depth, row.wheel_area);
+  fmt::print("step {:g}: {:.4g} km, rail {:.4f} mm deep, {:.4f} mm2; wheel {:.4f} mm deep, {:.4f} mm2; "
+             "smoothed at {:.2f} mm, {:.1f} % off the deepest place\n",
+             row.step, row.mileage, row.rail_depth, row.rail_area, row.wheel_depth, row.wheel_area,
+             row.smoothing, 100 * row.smoothed_off);
   std::fflush(stdout);
+}
+
+void warn_of_smoothing(const std::vector<wear::WearRow>& history) {
+  const double most = std::ranges::max(history, {}, &wear::WearRow::smoothed_off).smoothed_off;
+  if (most > wear::most_smoothed_off)
+    warn({fmt::format("smoothing took up to {:.1f} % of the depth at the deepest place of a step: give a "
+                      "smaller --smoothing, and a smaller --cap with it",
+                      100 * most)});
 }
 
 ExitCode run(const WearArguments& arguments) {
@@ -69,6 +81,9 @@ ExitCode run(const WearArguments& arguments) {
   const std::string digest = digest_of(sweep, arguments.digest_text());
   const std::filesystem::path folder = arguments.output;
   make_folder(folder);
+  const LockFile lock(folder / lock_file_name, "Wait for it, or give another folder.");
+  if (!lock.warning().empty())
+    warn({lock.warning()});
   const wear::WornPair unworn = wear::unworn(study.scene());
   WearState state = read_wear(folder, digest).value_or(WearState{});
   WearInfluence influence(study.scene(), unworn, folder, arguments.influence);
@@ -90,6 +105,7 @@ ExitCode run(const WearArguments& arguments) {
         keep(pair);
         print_step(state.history.back());
       });
+  warn_of_smoothing(state.history);
   const int steps = state.step() - before;
   fmt::print("{}, {}, {}\n", counted(steps, "step", "steps"),
              counted(steps * study.cases.size(), "contact problem", "contact problems"),

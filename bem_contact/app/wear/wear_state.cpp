@@ -11,12 +11,13 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <ostream>
+#include <set>
 
 namespace bem_contact::app {
 
 namespace {
 
-constexpr const char* state_file = "wear.h5";
+constexpr const char *table_file = "wear.csv", *state_file = "wear.h5";
 
 /// All of the state: the last row of the history has what WearState holds beside it.
 H5Table table_of(const WearState& state, const std::string& digest) {
@@ -45,6 +46,22 @@ wear::WornBody body_of(const H5Table& table, const std::string& name, const std:
   return out;
 }
 
+/// Whether a folder without a state is empty but for what a wear leaves that was stopped while it wrote its
+/// first step: the files of write_wear() from the first on, whole or under their temporary names.
+bool may_begin_in(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (const std::string name = entry.path().filename().string(); name != lock_file_name)
+      names.insert(name);
+  for (const std::string& own : {step_file("rail", 0, "txt"), step_file("wheel", 0, "txt"),
+                                 std::string(table_file), std::string(state_file)}) {
+    std::erase_if(names, [&](const std::string& name) { return name.starts_with(own + ".tmp"); });
+    if (names.erase(own) == 0)
+      break;
+  }
+  return names.empty();
+}
+
 } // namespace
 
 std::string step_file(std::string_view body, int step, std::string_view extension) {
@@ -54,7 +71,7 @@ std::string step_file(std::string_view body, int step, std::string_view extensio
 void write_wear(const std::filesystem::path& folder, const std::string& digest, const WearState& state) {
   wear::write_profile(folder / step_file("rail", state.step(), "txt"), state.pair.rail.points);
   wear::write_profile(folder / step_file("wheel", state.step(), "txt"), state.pair.wheel.points);
-  write_whole(folder / "wear.csv",
+  write_whole(folder / table_file,
               [&](std::ostream& out) { write_csv(out, wear::wear_columns(), state.history); });
   write_h5(folder / state_file, table_of(state, digest));
 }
@@ -65,7 +82,7 @@ std::optional<WearState> read_wear(const std::filesystem::path& folder, const st
                      what_to_do);
   };
   if (!file_exists(folder / state_file)) {
-    if (!std::filesystem::is_empty(folder))
+    if (!may_begin_in(folder))
       refuse(fmt::format("it is not empty, and there is no {} in it: its files might be overwritten",
                          state_file),
              "Give a new folder, or an empty one.");
@@ -84,7 +101,7 @@ std::optional<WearState> read_wear(const std::filesystem::path& folder, const st
   }
   const wear::WearRow& last = state.history.back();
   state.pair = {body_of(table, "rail", file, last.rail_area), body_of(table, "wheel", file, last.wheel_area),
-                last.revolutions};
+                last.revolutions, last.smoothing, last.smoothed_off};
   return state;
 }
 

@@ -18,6 +18,9 @@ struct WearState {
   int step() const { return static_cast<int>(history.size()) - 1; } ///< the last one; -1: none
 };
 
+/// Is in the folder while a run writes there (base/file_lock.hpp).
+inline constexpr std::string_view lock_file_name = "wear.lock";
+
 /// The name of a body's file of a step: rail_0001.txt. `extension`: txt, h5 or toml.
 std::string step_file(std::string_view body, int step, std::string_view extension);
 
@@ -25,7 +28,8 @@ std::string step_file(std::string_view body, int step, std::string_view extensio
 /// at all: a kill at any moment leaves the state of a finished step.
 void write_wear(const std::filesystem::path& folder, const std::string& digest, const WearState& state);
 
-/// The state of a folder; nothing if the folder is empty. Throws InputError if the state is of another scene
+/// The state of a folder; nothing if the folder is empty, or holds only what a wear left that was stopped
+/// before its first state was written. Throws InputError if the state is of another scene
 /// or damaged, and if there are only other files: writing would overwrite those of the same name.
 std::optional<WearState> read_wear(const std::filesystem::path& folder, const std::string& digest);
 

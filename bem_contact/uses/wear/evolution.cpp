@@ -99,7 +99,7 @@ WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases
   write_profile(folder / "rail.txt", now.rail.points);
   write_profile(folder / "wheel.txt", now.wheel.points);
   Sequence sequence({.displacements = false, .own_shape = false});
-  Depths rail(now.rail.points, options.smoothing), wheel(now.wheel.points, options.smoothing);
+  Depths rail(now.rail.points), wheel(now.wheel.points);
   double weights = 0;
   for (const CollectiveCase& one : cases)
     weights += one.weight;
@@ -115,8 +115,8 @@ WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases
                                          scene.position.lateral, now.revolutions),
                              "Solve it alone with these profiles to see why.");
     const Wear wear = wear_of(result, options.law);
-    rail.add(wear.rail, options.passages * one.weight / weights);
-    wheel.add(wear.wheel, one.weight / weights);
+    rail.add(wear.rail, options.passages * one.weight / weights, options.smoothing);
+    wheel.add(wear.wheel, one.weight / weights, options.smoothing);
   }
   double times = std::numeric_limits<double>::infinity();
   const auto limit = [&](const WornBody& body, const Depths& rate) {
@@ -132,6 +132,9 @@ WornPair wear_step(const WornPair& now, const std::vector<CollectiveCase>& cases
                      "Give creepages or a position that makes the wheel slide.");
   WornPair out = now;
   out.revolutions += times;
+  out.smoothing = options.smoothing;
+  out.smoothed_off =
+      std::max(options.rail ? rail.smoothed_off() : 0.0, options.wheel ? wheel.smoothed_off() : 0.0);
   if (options.rail)
     out.rail = after(now.rail, rail, times);
   if (options.wheel)
@@ -158,12 +161,12 @@ void validate(const std::vector<CollectiveCase>& cases, const EvolutionOptions& 
     throw InputError(fmt::format("Wear cannot end at a depth of {} mm", depth),
                      "depths are positive and finite",
                      "Give the depth at the deepest place at which to end.");
-  if (!positive(o.cap) || !positive(o.passages) || !std::isfinite(o.smoothing) || o.smoothing < 0 ||
-      !(o.rail || o.wheel))
-    throw InputError(
-        "Wear cannot be computed with these options",
-        "depth of a step and passages must be positive, smoothing not negative, and one body must wear",
-        as_given);
+  if (!positive(o.cap) || !positive(o.passages) || !positive(o.kept_turn) || !std::isfinite(o.smoothing) ||
+      o.smoothing < 0 || !(o.rail || o.wheel))
+    throw InputError("Wear cannot be computed with these options",
+                     "depth of a step, passages and kept turn must be positive, smoothing not negative, and "
+                     "one body must wear",
+                     as_given);
   if (cases.empty())
     throw InputError("The load collective is empty", "there is nothing to solve", "Give at least one case.");
   for (const CollectiveCase& one : cases) {
@@ -190,7 +193,10 @@ std::span<const WearColumn> wear_columns() {
       wear_column<&WearRow::rail_depth>("rail_depth", "mm", "largest depth gone from the rail"),
       wear_column<&WearRow::wheel_depth>("wheel_depth", "mm", "largest depth gone from the wheel"),
       wear_column<&WearRow::rail_area>("rail_area", "mm2", "gone from the rail's section"),
-      wear_column<&WearRow::wheel_area>("wheel_area", "mm2", "gone from the wheel's section")};
+      wear_column<&WearRow::wheel_area>("wheel_area", "mm2", "gone from the wheel's section"),
+      wear_column<&WearRow::smoothing>("smoothing", "mm", "shortest wavelength of the wear of this step"),
+      wear_column<&WearRow::smoothed_off>("smoothed_off", "1",
+                                          "what smoothing took of the deepest place of this step")};
   return columns;
 }
 
@@ -201,7 +207,9 @@ WearRow history_row(int step, const WornPair& pair, double wheel_radius) {
           .rail_depth = pair.rail.largest(),
           .wheel_depth = pair.wheel.largest(),
           .rail_area = pair.rail.area,
-          .wheel_area = pair.wheel.area};
+          .wheel_area = pair.wheel.area,
+          .smoothing = pair.smoothing,
+          .smoothed_off = pair.smoothed_off};
 }
 
 } // namespace bem_contact::wear

@@ -47,6 +47,9 @@ struct WornBody {
 struct WornPair {
   WornBody rail, wheel;   ///< the bodies
   double revolutions = 0; ///< of the wheel
+  /// Of the step that led here: wavelength of its smoothing, mm, and how much that took of the deepest place
+  /// of either body, over its depth.
+  double smoothing = 0, smoothed_off = 0;
 
   double largest() const { return std::max(rail.largest(), wheel.largest()); } ///< depth of both, mm
 };
@@ -86,6 +89,7 @@ struct WearRow {
   double step = 0, revolutions = 0, mileage = 0; ///< 1, 1, km
   double rail_depth = 0, wheel_depth = 0;        ///< largest depth of each body, mm
   double rail_area = 0, wheel_area = 0;          ///< gone from each section, mm^2
+  double smoothing = 0, smoothed_off = 0;        ///< mm, 1; as WornPair
 };
 
 /// A column of wear.csv, a dataset of wear.h5, an array of Python's wear().

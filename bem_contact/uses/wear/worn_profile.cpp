@@ -6,19 +6,22 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <numeric>
 #include <ostream>
+#include <utility>
 
 namespace bem_contact::wear {
 
 namespace {
 
-/// Cubic B-spline with knots -2, -1, 0, 1, 2.
-double b_spline(double t) {
-  t = std::abs(t);
+/// Integral from -infinity to t of the cubic B-spline with knots -2, -1, 0, 1, 2.
+double b_spline_until(double t) {
+  if (t < 0)
+    return 1 - b_spline_until(-t);
   if (t >= 2)
-    return 0;
-  return t >= 1 ? (2 - t) * (2 - t) * (2 - t) / 6 : 2.0 / 3 - t * t * (1 - t / 2);
+    return 1;
+  return t >= 1 ? 1 - std::pow(2 - t, 4) / 24 : 0.5 + t * (2.0 / 3 - t * t * (1.0 / 3 - t / 8));
 }
 
 /// Half the distances to both neighbours, mm.
@@ -43,24 +46,55 @@ std::vector<Point2> points_of(const ProfileCurve& curve) {
   return out;
 }
 
-Depths::Depths(std::span<const Point2> points, double smoothing)
+Depths::Depths(std::span<const Point2> points)
     : s_(ProfileCurve::through_points("worn", points).joints()), length_(lengths(points)),
-      depth_(points.size(), 0.0), knot_spacing_(std::max(smoothing / knots_per_wavelength, profile_spacing)) {
-}
+      depth_(points.size(), 0.0) {}
 
-void Depths::add(const DepthOverS& wear, double weight) {
+void Depths::add(const DepthOverS& wear, double weight, double smoothing) {
+  const double half = wear.width / 2;
+  const double knots = std::max(smoothing / knots_per_wavelength, double(profile_spacing));
   for (std::size_t row = 0; row < wear.s.size(); ++row) {
     if (wear.depth[row] == 0)
       continue;
     const double s = std::clamp(wear.s[row], s_.front(), s_.back());
-    const std::size_t first = std::ranges::upper_bound(s_, s - 2 * knot_spacing_) - s_.begin(),
-                      last = std::ranges::lower_bound(s_, s + 2 * knot_spacing_) - s_.begin();
+    const std::size_t first = std::ranges::upper_bound(s_, s - half - 2 * knots) - s_.begin(),
+                      last = std::ranges::lower_bound(s_, s + half + 2 * knots) - s_.begin();
+    const auto share = [&](std::size_t i) {
+      return b_spline_until((s_[i] - s + half) / knots) - b_spline_until((s_[i] - s - half) / knots);
+    };
     double sum = 0;
     for (std::size_t i = first; i < last; ++i)
-      sum += b_spline((s_[i] - s) / knot_spacing_) * length_[i];
+      sum += share(i) * length_[i];
     for (std::size_t i = first; i < last; ++i)
-      depth_[i] += weight * wear.depth[row] * wear.width * b_spline((s_[i] - s) / knot_spacing_) / sum;
+      depth_[i] += weight * wear.depth[row] * wear.width * share(i) / sum;
   }
+  Contact contact;
+  for (std::size_t row = 0; row < wear.s.size(); ++row)
+    contact.rows.push_back({wear.s[row], weight * wear.depth[row]});
+  std::ranges::sort(contact.rows);
+  contacts_.push_back(std::move(contact));
+}
+
+double Depths::Contact::at(double s) const {
+  const auto above = std::ranges::lower_bound(rows, s, {}, &std::pair<double, double>::first);
+  if (above == rows.end() || (above == rows.begin() && above->first > s))
+    return 0;
+  if (above->first == s)
+    return above->second;
+  const auto below = std::prev(above);
+  return std::lerp(below->second, above->second, (s - below->first) / (above->first - below->first));
+}
+
+double Depths::smoothed_off() const {
+  double deepest = 0;
+  for (const Contact& contact : contacts_)
+    for (const auto& [s, own] : contact.rows) {
+      double depth = 0;
+      for (const Contact& other : contacts_)
+        depth += other.at(s);
+      deepest = std::max(deepest, depth);
+    }
+  return deepest > 0 ? std::max(0.0, 1 - largest() / deepest) : 0.0;
 }
 
 double Depths::largest() const {

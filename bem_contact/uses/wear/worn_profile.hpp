@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace bem_contact::wear {
@@ -15,21 +16,30 @@ std::vector<Point2> points_of(const ProfileCurve& curve);
 /// Depths of several contacts on one body, each times its weight, at the points of a profile.
 class Depths {
 public:
-  /// `smoothing`: waves shorter than this are removed, mm.
-  Depths(std::span<const Point2> points, double smoothing);
+  explicit Depths(std::span<const Point2> points);
 
-  /// Spreads the depth of each row over the points near it by a cubic B-spline. This is smoothing that keeps
-  /// the volume exactly, and no point grows. (A smoothing spline through the worn points would keep it too,
-  /// but overshoots beside a worn band, and would smooth the unworn shape at every step.)
-  void add(const DepthOverS& wear, double weight);
+  /// Spreads the depth of each row, which is constant over its width, over the points near it by a cubic
+  /// B-spline. This is smoothing that keeps the volume exactly, and no point grows. (A smoothing spline
+  /// through the worn points would keep it too, but overshoots beside a worn band, and would smooth the
+  /// unworn shape at every step.) `smoothing`: waves shorter than this are removed, mm; 0: only those that
+  /// the points do not show.
+  void add(const DepthOverS& wear, double weight, double smoothing);
 
   const std::vector<double>& values() const { return depth_; } ///< mm, one a point
   double largest() const;                                      ///< mm
   double area() const;                                         ///< mm^2
+  /// How much of the deepest place of the rows smoothing took, over its depth. 0 where nothing wears.
+  double smoothed_off() const;
 
 private:
+  /// The depths of one contact, times its weight, over rising s.
+  struct Contact {
+    std::vector<std::pair<double, double>> rows; ///< s and depth, mm
+    double at(double s) const;                   ///< linear between rows, 0 beyond them
+  };
+
   std::vector<double> s_, length_, depth_;
-  double knot_spacing_;
+  std::vector<Contact> contacts_;
 };
 
 /// The points moved along their normals into the body by the depths times a factor near 1, such that the

@@ -40,8 +40,8 @@ DepthOverS band(double middle, double half, double depth) {
 TEST(WornProfile, KeepsTheVolume) {
   const std::vector<Point2> before = circle(13);
   const DepthOverS wear = band(1, 3, 0.1);
-  Depths depths(before, 2);
-  depths.add(wear, 0.7);
+  Depths depths(before);
+  depths.add(wear, 0.7, 2);
   EXPECT_NEAR(depths.area(), 0.7 * wear.area(), 1e-9 * wear.area());
   const std::vector<Point2> after = worn(before, depths.values(), depths.area());
   EXPECT_NEAR(area_between(before, after), depths.area(), 1e-9 * depths.area());
@@ -50,8 +50,8 @@ TEST(WornProfile, KeepsTheVolume) {
 /// Nothing grows, and what lies far from the worn band stays where it is.
 TEST(WornProfile, OnlyLosesMaterialWhereItIsWorn) {
   const std::vector<Point2> before = circle(13);
-  Depths depths(before, 2);
-  depths.add(band(1, 1, 0.1), 1);
+  Depths depths(before);
+  depths.add(band(1, 1, 0.1), 1, 2);
   for (const double depth : depths.values())
     EXPECT_GE(depth, 0);
   const std::vector<Point2> after = worn(before, depths.values(), depths.area());
@@ -62,9 +62,44 @@ TEST(WornProfile, OnlyLosesMaterialWhereItIsWorn) {
 /// A smooth depth comes through the spreading with little change: 2 % for a band of six wavelengths.
 TEST(WornProfile, KeepsTheShapeOfWideBands) {
   const std::vector<Point2> before = circle(100);
-  Depths depths(before, 2);
-  depths.add(band(0, 12, 0.1), 1);
+  Depths depths(before);
+  depths.add(band(0, 12, 0.1), 1, 2);
   EXPECT_NEAR(depths.largest(), 0.1, 0.002);
+}
+
+/// A parabola over a half width a, spread by a kernel of variance v, is shallower by v / a^2: rows have
+/// width^2 / 12, a cubic B-spline a third of the square of its knots' distance, a third of the wavelength.
+TEST(WornProfile, SaysHowMuchOfTheDeepestPlaceSmoothingTakes) {
+  const std::vector<Point2> before = points_of(ProfileCurve::through_points("circle", circle(13)));
+  const double half = 1.4;
+  for (const double wavelength : {0.7, 3.0}) {
+    Depths depths(before);
+    DepthOverS wear = band(1, half, 0.1);
+    for (const double weight : {0.3, 0.7}) // two contacts in one place are one
+      depths.add(wear, weight, wavelength);
+    const double variance = std::pow(wavelength / 3, 2) / 3 + wear.width * wear.width / 12;
+    const double taken = variance / (half * half);
+    EXPECT_NEAR(depths.smoothed_off(), taken, 0.15 * taken) << wavelength; // of 3 mm the parabola ends
+    EXPECT_NEAR(depths.largest(), 0.1 * (1 - depths.smoothed_off()), 1e-9) << wavelength;
+  }
+}
+
+/// Rows of one depth stay even, however short the smoothing: what rows do not show is not made.
+TEST(WornProfile, MakesNoWavesOfItsOwn) {
+  DepthOverS wear;
+  wear.width = 0.4;
+  for (double s = -5; s <= 5; s += wear.width) {
+    wear.s.push_back(s);
+    wear.depth.push_back(0.1);
+  }
+  const std::vector<Point2> before = circle(13);
+  Depths depths(before);
+  depths.add(wear, 1, 0.8);
+  const std::vector<double> s = ProfileCurve::through_points("circle", before).joints();
+  for (std::size_t i = 0; i < s.size(); ++i)
+    if (std::abs(s[i]) < 4) {
+      EXPECT_NEAR(depths.values()[i], 0.1, 3e-3) << s[i];
+    }
 }
 
 std::vector<CollectiveCase> collective() {
@@ -87,6 +122,7 @@ std::filesystem::path folder() {
 }
 
 /// Half steps halve the error: depths after the same revolutions, with steps of 1, 1/2 and 1/4 of the cap.
+/// The smoothing is the same in all of them.
 TEST(Evolution, IsOfFirstOrder) {
   const auto depth_with = [](int steps) {
     EvolutionOptions options{.law = EnergyLaw{.mild_until = 1e9, .severe_until = 1e9}, .cap = 1};
@@ -98,6 +134,27 @@ TEST(Evolution, IsOfFirstOrder) {
   const double one = depth_with(2), two = depth_with(4), four = depth_with(8);
   RecordProperty("ratio", std::to_string((one - two) / (two - four)));
   EXPECT_NEAR((one - two) / (two - four), 2, 0.7) << one << " " << two << " " << four;
+}
+
+/// A step says what its smoothing took of the deepest place, on the flange more than elsewhere.
+TEST(Evolution, SaysWhatSmoothingTook) {
+  std::vector<CollectiveCase> cases = collective();
+  cases.pop_back();
+  cases[0].scene.position.lateral = 6.6;
+  cases[0].scene.position.cant = 0.025;
+  cases[0].scene.grid.dx = 0.3;
+  cases[0].scene.grid.ds = 0.1;
+  const WornPair before = unworn(cases.front().scene);
+  const WornPair fine = wear_step(before, cases, {.smoothing = 0.3}, 1, folder());
+  const WornPair coarse = wear_step(before, cases, {.smoothing = 3}, 1, folder());
+  EXPECT_LT(fine.smoothed_off, 0.5 * coarse.smoothed_off);
+  EXPECT_GT(coarse.smoothed_off, 0.05);
+  const WearRow row = history_row(1, coarse, 460);
+  EXPECT_EQ(row.smoothing, 3);
+  EXPECT_EQ(row.smoothed_off, coarse.smoothed_off);
+  // as much goes in as many revolutions, but spread wider: it takes longer until the deepest is as deep
+  EXPECT_NEAR(coarse.revolutions / fine.revolutions, (1 - fine.smoothed_off) / (1 - coarse.smoothed_off),
+              0.02);
 }
 
 /// The volume that has gone is what lies between the profiles.
@@ -158,6 +215,8 @@ TEST(Evolution, RefusesWhatCannotWear) {
   cases[1].scene.rail.profile = "54E1";
   EXPECT_THAT(message_of(cases), HasSubstr("different bodies"));
   EXPECT_THAT(message_of(collective(), {.cap = 0}), HasSubstr("depth of a step"));
+  EXPECT_THAT(message_of(collective(), {.kept_turn = std::nan("")}), HasSubstr("kept turn"));
+  EXPECT_THAT(message_of(collective(), {.smoothing = std::nan("")}), HasSubstr("smoothing"));
 }
 
 } // namespace

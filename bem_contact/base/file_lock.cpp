@@ -1,0 +1,63 @@
+#include "bem_contact/base/file_lock.hpp"
+
+#include "bem_contact/base/error.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fmt/format.h>
+#include <utility>
+
+namespace bem_contact {
+
+namespace {
+
+/// Whether the name still leads to the open file: who held the lock before may have removed it.
+bool is_named(int handle, const std::filesystem::path& file) {
+  struct stat open {
+  }, named{};
+  return fstat(handle, &open) == 0 && stat(file.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+         open.st_ino == named.st_ino;
+}
+
+} // namespace
+
+std::string lock_file(int handle, const std::filesystem::path& file, std::string_view if_in_use) {
+  if (flock(handle, LOCK_EX | LOCK_NB) == 0)
+    return "";
+  if (errno == EWOULDBLOCK)
+    throw InputError(fmt::format("The file '{}' is in use", file.string()), "another process writes it",
+                     std::string(if_in_use));
+  return fmt::format("'{}' cannot be locked ({}; not every file system has locks), so a second run that "
+                     "writes the same files would not be noticed: do not start one",
+                     file.string(), std::strerror(errno));
+}
+
+LockFile::LockFile(std::filesystem::path file, std::string_view if_in_use) : file_(std::move(file)) {
+  do {
+    if (handle_ >= 0)
+      close(handle_);
+    handle_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+    if (handle_ < 0)
+      throw InputError(fmt::format("The file '{}' cannot be made", file_.string()), std::strerror(errno),
+                       "Give a folder in which you may write.");
+    try {
+      warning_ = lock_file(handle_, file_, if_in_use);
+    } catch (...) {
+      close(handle_);
+      throw;
+    }
+  } while (!is_named(handle_, file_));
+}
+
+LockFile::~LockFile() {
+  std::error_code ignored;
+  std::filesystem::remove(file_, ignored); // before it is unlocked, so that nobody's new file is removed
+  close(handle_);
+}
+
+} // namespace bem_contact
