@@ -35,7 +35,7 @@ constexpr const char* wheelset_help =
 Example:
     bem_contact wheelset data/scenes/wheelset.toml
 You should see that a lateral force of 20000 N moves the wheelset by 6.07 mm to the right, where the right wheel bears
-0.547 of the vertical force and the axle rolls on a radius of 461.93 mm. The first table is in the track frame for both
+0.547 of the vertical force and the axle rolls on a radius of 461.92 mm. The first table is in the track frame for both
 wheels. Then comes what solve prints of each wheel; the left one counts y, s, Fy, Mz, eta and phi to the left.
 
 More, and which moments give the roll: data/tutorial/wheelset.md.
@@ -81,11 +81,12 @@ std::string line_of(const WheelQuantity& q, const WheelsetResult& r) {
 std::string pose_text(const WheelsetResult& r) {
   const WheelsetPose& pose = r.state.pose;
   std::string out =
-      fmt::format("Wheelset: lateral {:.4f} mm{}, roll {:.4e} rad (right side down), yaw {:g} rad; its "
+      fmt::format("Wheelset: lateral {:.4f}{} mm{}, roll {:.4e} rad (right side down), yaw {:g} rad; its "
                   "centre is {:.4f} mm "
                   "above the rails\n",
-                  pose.lateral, std::isnan(r.lateral_residual) ? "" : " (found for the lateral force)",
-                  pose.roll, r.state.yaw, r.state.wheel_radius - pose.vertical);
+                  pose.lateral, plus_minus(r.lateral_error),
+                  std::isnan(r.lateral_residual) ? "" : " (found for the lateral force)", pose.roll,
+                  r.state.yaw, r.state.wheel_radius - pose.vertical);
   if (pose.rolling_radius)
     out +=
         fmt::format("the axle rolls on a radius of {:.3f} mm (found for the torque)\n", *pose.rolling_radius);

@@ -254,23 +254,30 @@ EquilibriumStart Equilibrium::start() const {
           state.pose.rolling_radius};
 }
 
-Equilibrium find_equilibrium(WheelPair& wheels, double lateral, const EquilibriumStart& start,
-                             double tolerance) {
-  const WheelsetPose first = stand(wheels, lateral, start);
-  Balance balance(wheels, lateral, first);
+namespace {
+
+/// `slope`: null: by the model of the stiffness. `solved`: at `first`; null: it is solved here.
+Equilibrium search_equilibrium(WheelPair& wheels, const WheelsetPose& first, double tolerance,
+                               const std::vector<double>* slope, const WheelsetState* solved) {
+  Balance balance(wheels, first.lateral, first);
   Search search{balance, tolerance};
   search.u = balance.none();
-  std::optional<WheelsetState> begin = balance.at(search.u);
+  std::optional<WheelsetState> begin = solved ? std::optional(*solved) : balance.at(search.u);
   if (!begin)
     begin = wheels.at(first); // says why
   WheelsetState here = std::move(*begin);
   balance.set_arm(here);
   search.f = balance.residual(here);
-  search.slope = balance.model(here);
+  const Eigen::Index size = search.f.size();
+  search.slope =
+      slope ? MatrixXd(Eigen::Map<const MatrixXd>(slope->data(), size, size)) : balance.model(here);
   for (int i = 0; i < equilibrium_steps; ++i) {
     const double residual = search.f.lpNorm<Eigen::Infinity>();
     if (residual <= tolerance)
-      return {std::move(here), residual, balance.evaluations};
+      return {std::move(here),
+              residual,
+              balance.evaluations,
+              {search.slope.data(), search.slope.data() + search.slope.size()}};
     if (search.step(here))
       continue;
     const double approach = std::min(here.right.result.approach, here.left.result.approach);
@@ -282,6 +289,18 @@ Equilibrium find_equilibrium(WheelPair& wheels, double lateral, const Equilibriu
     search.exact = true;
   }
   refuse_search(here, wheels.scene().wheelset, search.f.lpNorm<Eigen::Infinity>());
+}
+
+} // namespace
+
+Equilibrium find_equilibrium(WheelPair& wheels, double lateral, const EquilibriumStart& start,
+                             double tolerance) {
+  return search_equilibrium(wheels, stand(wheels, lateral, start), tolerance, nullptr, nullptr);
+}
+
+Equilibrium find_equilibrium(WheelPair& wheels, const WheelsetPose& first, double tolerance,
+                             const std::vector<double>& slope, const WheelsetState* solved) {
+  return search_equilibrium(wheels, first, tolerance, &slope, solved);
 }
 
 } // namespace bem_contact

@@ -3,6 +3,8 @@
 #include "bem_contact/base/error.hpp"
 #include "bem_contact/uses/wheelset/wheel_pair.hpp"
 
+#include <vector>
+
 namespace bem_contact {
 
 /// A wheel lifts from its rail.
@@ -26,7 +28,8 @@ struct Equilibrium {
   WheelsetState state;
   /// Largest residual: sums of forces over the vertical force, moments over that times their lever arm.
   double residual = 0;
-  int evaluations = 0; ///< poses at which both wheels were solved
+  int evaluations = 0;       ///< poses at which both wheels were solved
+  std::vector<double> slope; ///< of the equations over their unknowns, by the last steps; column by column
 
   /// To begin the search at a neighbouring lateral displacement.
   EquilibriumStart start() const;
@@ -45,5 +48,9 @@ struct Equilibrium {
 /// if no equilibrium was found.
 Equilibrium find_equilibrium(WheelPair& wheels, double lateral, const EquilibriumStart& start,
                              double tolerance);
+/// The same from a pose and the slope of the equations there. `solved`: both wheels at this pose; null: they
+/// are not solved yet.
+Equilibrium find_equilibrium(WheelPair& wheels, const WheelsetPose& first, double tolerance,
+                             const std::vector<double>& slope, const WheelsetState* solved = nullptr);
 
 } // namespace bem_contact

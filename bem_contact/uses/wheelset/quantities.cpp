@@ -65,6 +65,10 @@ template <Name name> WheelQuantity as_in_result() {
 constexpr WheelsetQuantity of_wheelset[] = {
     {"lateral", "mm", "lateral displacement, to the right",
      [](const Result& r) { return r.state.pose.lateral; }},
+    {"lateral_error", "mm",
+     "estimated error of a lateral displacement that was found, by the size of the elements; nan: not known, "
+     "or given",
+     [](const Result& r) { return r.lateral_error; }},
     {"vertical", "mm", "of the centre below wheel_radius above the rails",
      [](const Result& r) { return r.state.pose.vertical; }},
     {"roll", "rad", "right side down", [](const Result& r) { return r.state.pose.roll; }},

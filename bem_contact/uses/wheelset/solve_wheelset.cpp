@@ -6,15 +6,18 @@
 #include "bem_contact/sequence/asked_error.hpp"
 #include "bem_contact/sequence/lateral/lateral_curve.hpp"
 #include "bem_contact/sequence/lateral/lateral_force.hpp"
+#include "bem_contact/sequence/lateral/settings.hpp"
+#include "bem_contact/sequence/quantities.hpp"
 #include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/sequence.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
-#include "bem_contact/uses/wheelset/equilibrium.hpp"
+#include "bem_contact/uses/wheelset/equilibrium_finder.hpp"
 #include "bem_contact/uses/wheelset/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <utility>
 
 namespace bem_contact {
@@ -87,90 +90,77 @@ void climb(const LateralForce& force, double side, double wanted, LateralSample&
   }
 }
 
-/// The first displacement from `start` on at which the lateral forces on both rails add up to about
-/// `wanted`, N; within rough_lateral_width. `force`: this sum at a displacement, nothing where the wheelset
-/// does not stand. The force grows with the displacement until a wheel climbs its rail, so the search goes
-/// to that side. `best` is the one on the way that is nearest to the wanted one; nothing if that is not
-/// met.
+/// Steps from the start of a search to one side, until the force passes the wanted one.
+class Walk {
+public:
+  /// `side`: -1 or 1; `up`: 1 where the force must grow from the start to be met, else -1.
+  Walk(const LateralForce& force, const LateralSample& start, double side, double up, double wanted)
+      : best(start), force_(force), start_(start), here_(start), side_(side), up_(up), wanted_(wanted) {}
+
+  /// One step. True if the force passes the wanted one between `before` and `beyond`.
+  bool step() {
+    const double at = here_.lateral + side_ * step_;
+    const std::optional<double> there = force_(at);
+    if (!there) {
+      step_ *= 0.5;
+      ended |= step_ < least_lateral_step;
+      return false;
+    }
+    beyond = {at, *there};
+    ended |= std::abs(at - start_.lateral) >= lateral_search_reach;
+    if (up_ * (*there - wanted_) >= 0) {
+      before = here_;
+      return true;
+    }
+    if (up_ * (*there - best.force) > 0) {
+      before = here_;
+      best = beyond;
+    }
+    here_ = beyond;
+    step_ = std::min(lateral_step_growth * step_, largest_lateral_step);
+    return false;
+  }
+
+  bool ended = false;
+  LateralSample best, before = best, beyond = best; ///< the best so far, and the one before it
+
+private:
+  const LateralForce& force_;
+  LateralSample start_, here_;
+  double side_, up_, wanted_;
+  double step_ = first_lateral_step;
+};
+
+/// The displacement nearest to `start` at which the lateral forces on both rails add up to about `wanted`, N;
+/// within rough_lateral_width. `force`: this sum at a displacement, nothing where the wheelset does not
+/// stand. The force grows with the displacement until a wheel climbs its rail, so the search goes to that
+/// side; and to the other one too where the force at first does not do so. `best` is the one on the way that
+/// is nearest to the wanted one; nothing if that is not met.
 std::optional<LateralRoot> search_lateral(const LateralForce& force, const LateralSample& start,
                                           double wanted, LateralSample& best) {
-  const double side = start.force < wanted ? 1 : -1;
-  LateralSample here = start, before = start; // before the best one
-  best = start;
-  double step = first_lateral_step;
-  while (std::abs(here.lateral - start.lateral) < lateral_search_reach) {
-    const double at = here.lateral + side * step;
-    const std::optional<double> there = force(at);
-    if (there && side * (*there - wanted) >= 0)
-      return narrow(force, here, {at, *there}, wanted);
-    if (!there) {
-      step *= 0.5;
-      if (step < least_lateral_step)
-        break;
-      continue;
-    }
-    if (side * (*there - best.force) > 0) {
-      before = here;
-      best = {at, *there};
-    }
-    here = {at, *there};
-    step = std::min(lateral_step_growth * step, largest_lateral_step);
+  const double up = start.force < wanted ? 1 : -1;
+  Walk walk(force, start, up, up, wanted), back(force, start, -up, up, wanted);
+  const auto bracketed = [&](const Walk& w) { return narrow(force, w.before, w.beyond, wanted); };
+  bool falls = false, first = true;
+  while (!walk.ended || (falls && !back.ended)) {
+    if (!walk.ended && walk.step())
+      return bracketed(walk);
+    falls |= first && up * (walk.beyond.force - start.force) < 0;
+    first &= walk.beyond.lateral == start.lateral;
+    if (falls && !back.ended && back.step())
+      return bracketed(back);
   }
-  climb(force, side, wanted, best);
-  return side * (best.force - wanted) >= 0 ? std::optional(narrow(force, before, best, wanted))
-                                           : std::nullopt;
-}
-
-/// Whether the rolling radius of the axle follows from its torque.
-bool finds_rolling_radius(const SceneFile& scene) {
-  const SceneFile::Motion& m = scene.motion;
-  return !m.frictionless && !m.rolling_radius && !m.pitch_rate;
-}
-
-/// Of the wheel where its largest patch lies, mm.
-double radius_at_contact(const SceneResult& r, double wheel_radius) {
-  return wheel_radius + (r.patch_places.empty() ? 0.0 : r.patch_places.front().wheel_z);
-}
-
-/// Approaches and rolling radius by rule of thumb.
-EquilibriumStart first_guess(const SceneFile& scene) {
-  const double softer = std::min(scene.rail.material.young(), scene.wheel.material.young());
-  const double share = 0.5 * *scene.wheelset.force / 1e5 * Material().young() / softer;
-  const double approach = usual_approach * std::pow(share, 1 / hertz_exponent);
-  return {approach, approach, 0, {}};
-}
-
-/// The start for the equations, from a solution at the guess: elements are chosen there and kept, `factor`
-/// times as large.
-EquilibriumStart begin(WheelPair& wheels, double lateral, double factor = 1) {
-  EquilibriumStart start = first_guess(wheels.scene());
-  const WheelsetState s = wheels.choose_elements(stand(wheels, lateral, start), factor);
-  start.roll = s.pose.roll;
-  const double half = 0.5 * *wheels.scene().wheelset.force;
-  const auto nearer = [&](const SceneResult& r) {
-    const double ratio = std::clamp(half / std::max(r.result.Fz, 0.1 * half), 0.1, 10.0);
-    return r.result.approach * std::pow(ratio, 1 / hertz_exponent);
-  };
-  start.right = nearer(s.right);
-  start.left = nearer(s.left);
-  if (finds_rolling_radius(wheels.scene()))
-    start.rolling_radius =
-        0.5 * (radius_at_contact(s.right, s.wheel_radius) + radius_at_contact(s.left, s.wheel_radius));
-  return start;
-}
-
-/// The same question for half-spaces.
-SceneFile rough_scene(const SceneFile& scene) {
-  SceneFile out = with_model(scene, Model::halfspace);
-  out.stresses.depths.clear();
-  return out;
+  best = walk.best;
+  climb(force, up, wanted, best);
+  return up * (best.force - wanted) >= 0 ? std::optional(narrow(force, walk.before, best, wanted))
+                                         : std::nullopt;
 }
 
 /// An equilibrium at each displacement that is tried, from the nearest one before.
 class Follower {
 public:
-  Follower(WheelPair& wheels, double lateral, const EquilibriumStart& start, double tolerance)
-      : wheels_(wheels), tolerance_(tolerance), known_{{lateral, start}} {}
+  Follower(EquilibriumFinder& finder, double lateral, const EquilibriumStart& start, double tolerance)
+      : finder_(finder), tolerance_(tolerance), known_{{lateral, start, {}}} {}
 
   std::optional<double> force(double lateral) {
     lifts_ = false;
@@ -186,9 +176,24 @@ public:
 
   /// The same; throws what find_equilibrium() throws.
   double required_force(double lateral) {
-    last_ = find_equilibrium(wheels_, lateral, near(lateral), tolerance_);
-    known_.push_back({lateral, last_->start()});
-    return last_->state.sum().force[1];
+    last_ = finder_.at(lateral, near(lateral), tolerance_);
+    const double force = last_->state.sum().force[1];
+    known_.push_back({lateral, last_->start(), force});
+    return force;
+  }
+
+  /// dFy/dy from `here` to the nearest displacement that was tried whose force differs by `telling`, N; N/mm.
+  std::optional<double> slope_beside(const LateralSample& here, double telling) const {
+    std::optional<double> slope;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Known& k : known_) {
+      const double apart = k.lateral - here.lateral, more = k.force.value_or(here.force) - here.force;
+      if (std::abs(more) < telling || std::abs(apart) >= nearest)
+        continue;
+      nearest = std::abs(apart);
+      slope = more / apart;
+    }
+    return slope;
   }
 
   bool lifts() const { return lifts_; } ///< whether a wheel lifted where a force was asked for last
@@ -202,8 +207,9 @@ private:
   struct Known {
     double lateral = 0;
     EquilibriumStart start;
+    std::optional<double> force; ///< N; nothing of the first one
   };
-  WheelPair& wheels_;
+  EquilibriumFinder& finder_;
   double tolerance_;
   std::vector<Known> known_;
   std::optional<Equilibrium> last_;
@@ -215,31 +221,66 @@ struct RoughPlace {
   LateralRoot guess;
   WheelsetPose pose;      ///< of the last equilibrium that was tried, near it
   EquilibriumStart start; ///< there
-  int contact_problems = 0;
 };
-RoughPlace search_roughly(const SceneFile& scene, const std::atomic<bool>* stop,
-                          const std::shared_ptr<SequenceFiles>& files) {
-  WheelPair wheels(rough_scene(scene), stop, files);
-  const double start = scene.position.lateral, wanted = *scene.wheelset.force_y;
-  Follower follower(wheels, start, begin(wheels, start, rough_elements), rough_tolerance);
-  LateralSample best;
-  const std::optional<LateralRoot> guess = search_lateral(
-      [&](double y) { return follower.force(y); }, {start, follower.required_force(start)}, wanted, best);
-  if (!guess)
-    refuse_lateral({wanted, start, best, follower.lifts(), scene.wheelset.roll_moment});
-  return {*guess, follower.last().state.pose, follower.near(guess->lateral), wheels.contact_problems()};
+
+/// The same question on larger elements, with half-spaces.
+class RoughSearch {
+public:
+  RoughSearch(const SceneFile& scene, const std::atomic<bool>* stop,
+              const std::shared_ptr<SequenceFiles>& files)
+      : finder_(with_half_spaces(scene), stop, files),
+        follower_(finder_, scene.position.lateral, finder_.begin(scene.position.lateral, rough_elements),
+                  rough_tolerance),
+        start_{scene.position.lateral, follower_.required_force(scene.position.lateral)},
+        wanted_(*scene.wheelset.force_y) {}
+
+  double start_misses() const { return std::abs(start_.force - wanted_); } ///< N
+
+  RoughPlace place() {
+    LateralSample best;
+    const std::optional<LateralRoot> guess =
+        search_lateral([&](double y) { return follower_.force(y); }, start_, wanted_, best);
+    if (!guess)
+      refuse_lateral(
+          {wanted_, start_.lateral, best, follower_.lifts(), finder_.scene().wheelset.roll_moment});
+    return {*guess, follower_.last().state.pose, follower_.near(guess->lateral)};
+  }
+  int contact_problems() const { return finder_.contact_problems(); }
+
+private:
+  EquilibriumFinder finder_;
+  Follower follower_;
+  LateralSample start_;
+  double wanted_;
+};
+
+/// An equilibrium, with the error of its lateral displacement where that was found (WheelsetResult).
+struct FoundEquilibrium {
+  Equilibrium equilibrium;
+  double lateral_error = unknown_error;
+};
+
+/// How far the displacement is off where the forces are off by their stated errors, mm.
+double error_of_lateral(Follower& follower, const Equilibrium& found, double resultant) {
+  const Quantity& lateral = quantity("Fy");
+  const double error = std::hypot(lateral.error(found.state.right), lateral.error(found.state.left));
+  if (std::isnan(error))
+    return unknown_error;
+  const LateralSample here{found.state.pose.lateral, found.state.sum().force[1]};
+  const double telling = telling_lateral_force * resultant;
+  std::optional<double> slope = follower.slope_beside(here, telling);
+  for (double away = first_lateral_step; !slope && away <= lateral_search_reach; away *= 2) {
+    for (const double side : {+away, -away})
+      follower.force(here.lateral + side);
+    slope = follower.slope_beside(here, telling);
+  }
+  return slope ? error / std::abs(*slope) : unknown_error;
 }
 
-/// The equilibrium under wheelset.force_y.
-Equilibrium at_lateral_force(WheelPair& wheels, const EquilibriumStart& start, const LateralRoot& guess) {
-  const SceneFile::Wheelset& given = wheels.scene().wheelset;
-  Follower follower(wheels, guess.lateral, start, equilibrium_tolerance / 10);
-  const double lateral =
-      solve_lateral_force([&](double y) { return follower.force(y); }, *given.force_y, guess,
-                          lateral_balance * std::hypot(*given.force, *given.force_y));
-  if (follower.last().state.pose.lateral != lateral)
-    return find_equilibrium(wheels, lateral, follower.near(lateral), equilibrium_tolerance / 10);
-  return follower.last();
+/// Whether the lateral force is met.
+bool meets(const SceneFile::Wheelset& given, const Equilibrium& e) {
+  return std::abs(e.state.sum().force[1] - *given.force_y) <=
+         lateral_balance * std::hypot(*given.force, *given.force_y);
 }
 
 /// Whether some wheel's elements are too large for the accuracy asked for, or to tell.
@@ -249,6 +290,27 @@ bool too_coarse(const SceneFile& scene, const WheelsetState& s) {
     return error < 0 || error > *scene.grid.accuracy;
   };
   return scene.grid.accuracy && (coarse(s.right) || coarse(s.left));
+}
+
+/// The equilibrium under wheelset.force_y. `guess` without a slope: that of the first step is taken.
+FoundEquilibrium at_lateral_force(EquilibriumFinder& finder, const SceneFile& scene,
+                                  const EquilibriumStart& start, LateralRoot guess, bool last_round) {
+  const SceneFile::Wheelset& given = scene.wheelset;
+  const double resultant = std::hypot(*given.force, *given.force_y);
+  Follower follower(finder, guess.lateral, start, equilibrium_tolerance / 10);
+  const LateralForce force = [&](double y) { return follower.force(y); };
+  if (guess.slope == 0 && follower.force(guess.lateral) && !meets(given, follower.last())) {
+    const double here = follower.last().state.sum().force[1];
+    if (const auto beside = follower.force(guess.lateral + first_lateral_step))
+      guess.slope = (*beside - here) / first_lateral_step;
+  }
+  const double lateral = solve_lateral_force(force, *given.force_y, guess, lateral_balance * resultant);
+  if (follower.last().state.pose.lateral != lateral)
+    follower.required_force(lateral);
+  FoundEquilibrium out{follower.last()};
+  if (last_round || !too_coarse(scene, out.equilibrium.state))
+    out.lateral_error = error_of_lateral(follower, out.equilibrium, resultant);
+  return out;
 }
 
 void add_warnings(const SceneFile& scene, WheelsetResult& out) {
@@ -299,36 +361,70 @@ SceneDescription describe_scene(const SceneFile& scene) {
   return out;
 }
 
+namespace {
+
+/// Where the search for the equilibrium begins; elements are chosen there. Under a lateral force that is
+/// where rough solutions meet it, or the start itself where that meets it.
+RoughPlace first_place(EquilibriumFinder& finder, const std::atomic<bool>* stop,
+                       const std::shared_ptr<SequenceFiles>& files, int& contact_problems) {
+  const SceneFile& scene = finder.scene();
+  const double start = scene.position.lateral;
+  RoughPlace out{{start, 0}, {}, {}};
+  if (!scene.wheelset.force_y) {
+    out.start = finder.begin(start);
+    return out;
+  }
+  const SceneFile::Wheelset& given = scene.wheelset;
+  RoughSearch rough(scene, stop, files);
+  contact_problems = rough.contact_problems();
+  if (rough.start_misses() <= near_lateral_force * std::hypot(*given.force, *given.force_y)) {
+    try {
+      out.start = finder.begin(start);
+      const Equilibrium there = finder.at(start, out.start, equilibrium_tolerance / 10);
+      out.start = there.start();
+      if (meets(given, there))
+        return out;
+    } catch (const InputError&) { // the search may lead to where there is one
+    } catch (const ConvergenceError&) {
+    }
+  }
+  out = rough.place();
+  contact_problems = rough.contact_problems();
+  finder.choose_elements(out.pose);
+  return out;
+}
+
+} // namespace
+
 WheelsetResult solve_wheelset(const SceneFile& scene, const std::atomic<bool>* stop,
                               std::shared_ptr<SequenceFiles> files) {
   require_wheelset(scene);
   const Stopwatch clock;
   if (!files)
     files = shared_files();
-  WheelPair wheels(scene, stop, files);
-  RoughPlace rough{{scene.position.lateral, 0}, {}, {}};
-  if (scene.wheelset.force_y) {
-    rough = search_roughly(scene, stop, files);
-    wheels.choose_elements(rough.pose);
-  } else {
-    rough.start = begin(wheels, scene.position.lateral);
-  }
-  std::optional<Equilibrium> found;
+  EquilibriumFinder finder(scene, stop, files);
+  int rough_problems = 0;
+  RoughPlace place = first_place(finder, stop, files, rough_problems);
+  std::optional<FoundEquilibrium> found;
   for (int round = 1;; ++round) {
     found = scene.wheelset.force_y
-                ? at_lateral_force(wheels, rough.start, rough.guess)
-                : find_equilibrium(wheels, rough.guess.lateral, rough.start, equilibrium_tolerance);
-    if (round == most_element_rounds || !too_coarse(scene, found->state))
+                ? at_lateral_force(finder, scene, place.start, place.guess, round == most_element_rounds)
+                : FoundEquilibrium{finder.at(place.guess.lateral, place.start, equilibrium_tolerance)};
+    const Equilibrium& there = found->equilibrium;
+    if (round == most_element_rounds || !too_coarse(scene, there.state))
       break;
-    wheels.choose_elements(found->state.pose);
-    rough.start = found->start();
-    rough.guess.lateral = found->state.pose.lateral;
+    finder.choose_elements_again(there.state.pose);
+    place.start = there.start();
+    place.guess.lateral = there.state.pose.lateral;
   }
-  WheelsetResult out{.state = std::move(found->state), .residual = found->residual};
-  if (scene.wheelset.force_y)
+  Equilibrium& there = found->equilibrium;
+  WheelsetResult out{.state = std::move(there.state), .residual = there.residual};
+  if (scene.wheelset.force_y) {
     out.lateral_residual =
         std::abs(out.state.sum().force[1] - *scene.wheelset.force_y) / *scene.wheelset.force;
-  out.contact_problems = wheels.contact_problems() + rough.contact_problems;
+    out.lateral_error = found->lateral_error;
+  }
+  out.contact_problems = finder.contact_problems() + rough_problems;
   add_warnings(scene, out);
   out.seconds = clock.seconds();
   return out;

@@ -21,6 +21,9 @@ struct WheelsetResult {
   double residual = 0; ///< largest of the equilibrium's (Equilibrium::residual)
   /// |sum Fy - force_y| over force; nan where the displacement is given.
   double lateral_residual = std::numeric_limits<double>::quiet_NaN();
+  /// By how much the lateral displacement that was found may be off, because forces are off by their stated
+  /// errors, mm; nan: not known, or the displacement is given.
+  double lateral_error = std::numeric_limits<double>::quiet_NaN();
   int contact_problems = 0;               ///< solved on the way, both wheels
   std::vector<std::string> warnings = {}; ///< of both wheels
   double seconds = 0;                     ///< of the call

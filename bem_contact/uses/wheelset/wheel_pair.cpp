@@ -2,10 +2,13 @@
 
 #include "bem_contact/geometry/contact_search.hpp"
 #include "bem_contact/scene/wheel_rail_geometry.hpp"
+#include "bem_contact/sequence/result_warnings.hpp"
 #include "bem_contact/sequence/shared_files.hpp"
 #include "bem_contact/uses/wheelset/settings.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bem_contact {
 
@@ -52,9 +55,18 @@ double dot(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-SceneFile with_elements_of(const SceneFile& scene, const SceneResult& like, double factor) {
-  const auto& grid = like.problem.grid;
-  return with_elements(with_model(scene, like.model), factor * grid.dx, factor * grid.ds);
+struct Elements {
+  double dx = 0, ds = 0; ///< mm
+};
+
+/// Those that were chosen for each wheel; the smaller ones for both if they are alike.
+std::pair<Elements, Elements> chosen_elements(const WheelsetState& s) {
+  const Elements right{s.right.problem.grid.dx, s.right.problem.grid.ds},
+      left{s.left.problem.grid.dx, s.left.problem.grid.ds};
+  const Elements least{std::min(right.dx, left.dx), std::min(right.ds, left.ds)},
+      most{std::max(right.dx, left.dx), std::max(right.ds, left.ds)};
+  const bool alike = most.dx <= alike_elements * least.dx && most.ds <= alike_elements * least.ds;
+  return alike ? std::pair{least, least} : std::pair{right, left};
 }
 
 } // namespace
@@ -95,6 +107,8 @@ WheelsetState WheelPair::at(const WheelsetPose& pose) {
                     .wheel_radius = radius,
                     .right = right_.solve(wheel_scene(WheelSide::right, pose), stop_),
                     .left = left_.solve(wheel_scene(WheelSide::left, pose), stop_)};
+  tell_choice(right_choice_, out.right);
+  tell_choice(left_choice_, out.left);
   const double height = pose.vertical - radius;
   out.right_wrench = wrench_of(out.right, {pose.lateral, height});
   out.left_wrench = mirrored(wrench_of(out.left, {-pose.lateral, height}));
@@ -108,12 +122,43 @@ SceneDescription WheelPair::check(WheelSide side, const WheelsetPose& pose) {
 WheelsetState WheelPair::choose_elements(const WheelsetPose& pose, double factor) {
   free_elements();
   WheelsetState out = at(pose);
-  right_scene_ = with_elements_of(right_scene_, out.right, factor);
-  left_scene_ = with_elements_of(left_scene_, out.left, factor);
+  const auto [right, left] = chosen_elements(out);
+  right_scene_ = with_elements(std::move(right_scene_), factor * right.dx, factor * right.ds);
+  left_scene_ = with_elements(std::move(left_scene_), factor * left.dx, factor * left.ds);
+  keep_models(out);
   return out;
 }
 
+WheelsetState WheelPair::choose_model(const WheelsetPose& pose, const WheelPair& like) {
+  free_elements();
+  const SceneFile::Grid &right = like.right_scene_.grid, &left = like.left_scene_.grid;
+  right_scene_ = with_elements(std::move(right_scene_), right.dx, right.ds);
+  left_scene_ = with_elements(std::move(left_scene_), left.dx, left.ds);
+  WheelsetState out = at(pose);
+  keep_models(out);
+  return out;
+}
+
+void WheelPair::keep_models(const WheelsetState& s) {
+  right_scene_ = with_model(std::move(right_scene_), s.right.model);
+  left_scene_ = with_model(std::move(left_scene_), s.left.model);
+  if (scene_.solver.model)
+    return;
+  right_choice_ = {s.right.reason, s.right.model_enough};
+  left_choice_ = {s.left.reason, s.left.model_enough};
+}
+
+void WheelPair::tell_choice(const std::optional<Choice>& choice, SceneResult& out) const {
+  if (!choice)
+    return;
+  out.reason = choice->reason;
+  out.model_enough = choice->enough;
+  warn_of_model(out);
+}
+
 void WheelPair::free_elements() {
+  right_choice_.reset();
+  left_choice_.reset();
   right_scene_ = one_wheel(scene_, WheelSide::right);
   left_scene_ = one_wheel(scene_, WheelSide::left);
   for (SceneFile* scene : {&right_scene_, &left_scene_})

@@ -4,6 +4,8 @@
 #include "bem_contact/sequence/sequence.hpp"
 
 #include <atomic>
+#include <optional>
+#include <string>
 
 namespace bem_contact {
 
@@ -80,11 +82,15 @@ public:
   /// What would be solved of one wheel. Throws what Sequence::check() throws.
   SceneDescription check(WheelSide side, const WheelsetPose& pose);
   /// As at(), with the elements and models that the scene asks for. From here on the models found here are
-  /// kept, and the elements, `factor` times as long and wide.
+  /// kept, and the elements, `factor` times as long and wide. Both wheels get the same elements if those of
+  /// one would nearly do for the other: in the mirror nothing then distinguishes the sides.
   WheelsetState choose_elements(const WheelsetPose& pose, double factor = 1);
   /// How far the wheelset is lowered from vertical = 0 until that wheel touches its rail, mm, at a lateral
   /// displacement (mm) and a roll (rad). Throws InputError where it does not touch.
   double lowered(WheelSide side, double lateral, double roll);
+
+  /// The same, with the model that the scene asks for and the elements that `like` has.
+  WheelsetState choose_model(const WheelsetPose& pose, const WheelPair& like);
 
   const SceneFile& scene() const { return scene_; } ///< as given
   int contact_problems() const;                     ///< solved so far, of both wheels
@@ -93,8 +99,17 @@ private:
   void free_elements(); ///< elements and models are those that the scene asks for
   SceneFile wheel_scene(WheelSide side, const WheelsetPose& pose) const;
 
+  /// Why a model was chosen.
+  struct Choice {
+    std::string reason;
+    bool enough = true; ///< SceneResult::model_enough
+  };
+  void keep_models(const WheelsetState& s);
+  void tell_choice(const std::optional<Choice>& choice, SceneResult& out) const;
+
   SceneFile scene_;
-  SceneFile right_scene_, left_scene_; ///< perhaps with elements and model fixed
+  SceneFile right_scene_, left_scene_;               ///< perhaps with elements and model fixed
+  std::optional<Choice> right_choice_, left_choice_; ///< where the scene left it open and it is fixed
   const std::atomic<bool>* stop_;
   std::shared_ptr<SequenceFiles> files_;
   Sequence right_, left_;

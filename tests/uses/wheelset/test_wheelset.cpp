@@ -1,8 +1,11 @@
+#include "bem_contact/sequence/quantities.hpp"
+#include "bem_contact/uses/wheelset/equilibrium_finder.hpp"
 #include "bem_contact/uses/wheelset/quantities.hpp"
 #include "tests/uses/wheelset/scenes.hpp"
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -194,6 +197,82 @@ TEST(Wheelset, FindsTheDisplacementOfAForceOnTheFlange) {
     EXPECT_NEAR(of_wheelset(r, "Fy"), force, 0.4);
     EXPECT_LT(r.state.pose.lateral, 6.5) << "before the wheelset climbs";
   }
+}
+
+/// Without a lateral force nothing moves a wheelset whose sides are alike out of the middle, whatever
+/// elements an accuracy leads to. A search from beside it comes back, to within the error that it states.
+TEST(Wheelset, StaysInTheMiddleUnderNoLateralForce) {
+  for (const char* wheel : {"S1002", CONFORMAL_SOURCE_DIR "/data/bodies/hollow_wheel.txt"}) {
+    SceneFile scene = standard("wheelset.force_y = 0\n");
+    scene.grid.accuracy = 0.05;
+    scene.wheel.profile = wheel;
+    const WheelsetResult r = solve_wheelset(scene);
+    EXPECT_EQ(r.state.pose.lateral, 0) << wheel;
+    EXPECT_NEAR(r.state.pose.roll, 0, 1e-12) << wheel;
+    EXPECT_GT(r.lateral_error, 0) << wheel;
+    EXPECT_EQ(of_wheelset(r, "lateral_error"), r.lateral_error);
+  }
+  for (const double start : {-0.3, 0.3}) {
+    SceneFile scene = standard("wheelset.force_y = 0\n");
+    scene.grid.accuracy = 0.05;
+    scene.position.lateral = start;
+    const WheelsetResult r = solve_wheelset(scene);
+    EXPECT_LT(std::abs(r.state.pose.lateral), std::max(r.lateral_error, 1e-3)) << start;
+  }
+}
+
+/// Where the start already bears the force it is the answer, on the flange too.
+TEST(Wheelset, AStartThatIsASolutionIsKept) {
+  SceneFile scene = standard("wheelset.force_y = 1e4\nposition.lateral = 5.5\n");
+  const WheelsetResult found = solve_wheelset(scene);
+  scene.position.lateral = found.state.pose.lateral;
+  const WheelsetResult again = solve_wheelset(scene);
+  EXPECT_NEAR(again.state.pose.lateral, found.state.pose.lateral, 1e-4);
+}
+
+/// The stated error of a displacement is what the errors of the forces make of it: on a cone on circles the
+/// force grows by the gravitational stiffness.
+TEST(Wheelset, StatesTheErrorOfTheDisplacementItFinds) {
+  const auto solved = [](const std::string& more) {
+    SceneFile scene = cones(more + "motion.frictionless = true\n");
+    scene.grid.dx = scene.grid.ds = 0.4;
+    return solve_wheelset(scene);
+  };
+  const auto at = [&](double y) { return solved(fmt::format("position.lateral = {}\n", y)); };
+  const double slope = (of_wheelset(at(1.2), "Fy") - of_wheelset(at(0.8), "Fy")) / 0.4;
+  const WheelsetResult there = at(1);
+  const WheelsetResult found =
+      solved(fmt::format("position.lateral = 0.5\nwheelset.force_y = {}\n", of_wheelset(there, "Fy")));
+  const auto error = [&](WheelSide side) { return quantity("Fy").error(found.state.solved(side)); };
+  const double expected = std::hypot(error(WheelSide::right), error(WheelSide::left)) / slope;
+  EXPECT_NEAR(found.lateral_error, expected, 0.2 * expected);
+  EXPECT_LT(std::abs(found.state.pose.lateral - 1), found.lateral_error);
+  EXPECT_TRUE(std::isnan(there.lateral_error));
+}
+
+/// A model that was chosen says why, as for one wheel, and costs few solutions more than half-spaces: these
+/// find where the wheelset stands, and the model takes the last steps.
+TEST(Wheelset, AChosenModelSaysWhyAndIsSolvedFewTimes) {
+  const SceneFile scene =
+      parse_scene_file("rail.profile = '54E1'\nwheel.profile = 'S1002'\nposition.lateral = 3\n"
+                       "wheelset.force = 8e4\nmotion.friction = 0.3\n");
+  const WheelsetResult r = solve_wheelset(scene);
+  EXPECT_EQ(r.state.right.model, Model::tangent_plane);
+  EXPECT_THAT(r.state.right.reason, testing::HasSubstr("the normal turns by"));
+  EXPECT_THAT(r.state.left.reason, testing::HasSubstr("the normal turns by"));
+  EXPECT_LE(r.residual, 1e-6);
+
+  WheelPair others(scene);
+  const EquilibriumStart start{0.07, 0.07, 0, 460};
+  others.choose_elements(stand(others, 3, start));
+  const Equilibrium slow = find_equilibrium(others, 3, start, 1e-6);
+  EquilibriumFinder finder(scene, nullptr, nullptr);
+  const Equilibrium quick = finder.at(3, finder.begin(3), 1e-6);
+  EXPECT_LE(finder.model_problems(), 2 * 4);
+  EXPECT_LT(finder.model_problems(), others.contact_problems());
+  EXPECT_GT(finder.contact_problems(), finder.model_problems());
+  EXPECT_NEAR(quick.state.pose.roll, slow.state.pose.roll, 1e-8);
+  EXPECT_NEAR(quick.state.pose.vertical, slow.state.pose.vertical, 1e-6);
 }
 
 /// Naming the left side's profiles changes nothing if they are the right side's; its friction is its own.
