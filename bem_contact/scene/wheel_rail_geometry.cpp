@@ -29,8 +29,9 @@ void take_back(const WheelRailGeometry& placed, const std::vector<ContactRow>& r
 } // namespace
 
 RailInclination inclination_of_rail(const std::string& name, const ProfileCurve& rail) {
-  return std::async(std::launch::deferred,
-                    [standard = is_standard_profile(name), rail] { return standard ? 0 : rail_inclination(rail); });
+  return std::async(std::launch::deferred, [standard = is_standard_profile(name), rail] {
+    return standard ? 0 : rail_inclination(rail);
+  });
 }
 
 WheelRailProfiles read_profiles(const SceneFile& scene) {
