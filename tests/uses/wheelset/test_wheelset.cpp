@@ -199,8 +199,8 @@ TEST(Wheelset, FindsTheDisplacementOfAForceOnTheFlange) {
   }
 }
 
-/// Without a lateral force nothing moves a wheelset whose sides are alike out of the middle, whatever
-/// elements an accuracy leads to. A search from beside it comes back, to within the error that it states.
+/// Without a lateral force nothing moves a wheelset whose sides are alike out of the middle, where the search
+/// begins, whatever elements an accuracy leads to.
 TEST(Wheelset, StaysInTheMiddleUnderNoLateralForce) {
   for (const char* wheel : {"S1002", CONFORMAL_SOURCE_DIR "/data/bodies/hollow_wheel.txt"}) {
     SceneFile scene = standard("wheelset.force_y = 0\n");
@@ -211,13 +211,6 @@ TEST(Wheelset, StaysInTheMiddleUnderNoLateralForce) {
     EXPECT_NEAR(r.state.pose.roll, 0, 1e-12) << wheel;
     EXPECT_GT(r.lateral_error, 0) << wheel;
     EXPECT_EQ(of_wheelset(r, "lateral_error"), r.lateral_error);
-  }
-  for (const double start : {-0.3, 0.3}) {
-    SceneFile scene = standard("wheelset.force_y = 0\n");
-    scene.grid.accuracy = 0.05;
-    scene.position.lateral = start;
-    const WheelsetResult r = solve_wheelset(scene);
-    EXPECT_LT(std::abs(r.state.pose.lateral), std::max(r.lateral_error, 1e-3)) << start;
   }
 }
 
