@@ -55,7 +55,7 @@ BEM_CONTACT_TUNED(double, outline_chord, 0.5);
 /// 1. Of so many chords one is looked at where a point is far from the one before.
 BEM_CONTACT_TUNED(std::size_t, looked_at_chords, 6);
 /// mm. A point that is farther from the chord of the point before may be nearer to another part of the curve.
-BEM_CONTACT_TUNED(double, far_from_chord, 2.0);
+BEM_CONTACT_TUNED(double, far_from_chord, 6.0);
 /// mm. Points this near to the top (of a wheel: to the tip) say where the middle of it is. Chosen.
 BEM_CONTACT_TUNED(double, placing_top, 2.0);
 /// mm. So far beyond its end a point still belongs to a nominal profile: noise may move the last one.
