@@ -178,7 +178,7 @@ TEST_F(Run, the_program_gives_the_same_file_on_one_two_and_four_processes) {
     // A clean environment: this program is an MPI process itself, and mpirun would take its settings over.
     const char* path = std::getenv("PATH");
     const std::string command = std::string("env -i PATH='") + (path ? path : "") + "' HOME='" +
-                                folder_.string() + "' " + // OpenMPI 5 wants a home
+                                (folder_ / "").string() + "' " + // OpenMPI 5 wants a home
                                 "OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 "
                                 "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " MPIEXEC " --oversubscribe -n " +
                                 std::to_string(processes) + " " FEM_INFLUENCE_PROGRAM " " +
