@@ -138,6 +138,28 @@ sweep.load.force = [1e3, 2e3]
                                 opened[name].attrs.update(attributes)
                         self.assertIn(tool("plot", file, "-o", picture), (0, 2))
 
+    def test_numbers_that_lie_elsewhere_or_are_not_whole(self):
+        with tempfile.TemporaryDirectory() as temporary:
+            whole, file, picture, pipe = (Path(temporary) / name for name in ("whole.h5", "c.h5", "c.png", "pipe"))
+            os.mkfifo(pipe)  # to open it would wait
+
+            def short(opened):
+                data = opened.create_dataset("lateral", (9,), "f8", chunks=(9,), fletcher32=True)
+                data.id.write_direct_chunk((0,), b"xy")
+
+            with h5py.File(whole, "w") as opened:
+                opened.attrs["format"] = "bem_contact sweep 2"
+                opened["itself"] = opened["/"]
+            for how in (lambda h5: h5.create_dataset("lateral", (9,), "f8", external=[(str(pipe), 0, 72)]),
+                        lambda h5: h5.create_dataset("lateral", (10**10,), "f8", fillvalue=1.0),
+                        lambda h5: h5.create_dataset("lateral", (10**10,), "f8", chunks=(1000,), compression="gzip"), short,
+                        lambda h5: h5.__setitem__("lateral", h5py.ExternalLink(str(pipe), "x"))):
+                shutil.copy(whole, file)
+                with h5py.File(file, "r+") as opened:
+                    how(opened)
+                self.assertEqual(tool("plot", file, "-o", picture), 2)
+                self.assertFalse(picture.exists())
+
 
 class Results(unittest.TestCase):
     """tools/paraview and tools/plot on a result: what they write over, names, and damaged files."""
@@ -231,28 +253,6 @@ class Results(unittest.TestCase):
             file.write_bytes(whole[:length])
             for name, output in both:
                 self.refused("damaged.h5", name, file, "-o", self.folder / output)
-
-    def test_numbers_that_lie_elsewhere_or_are_not_whole(self):
-        with tempfile.TemporaryDirectory() as temporary:
-            whole, file, picture, pipe = (Path(temporary) / name for name in ("whole.h5", "c.h5", "c.png", "pipe"))
-            os.mkfifo(pipe)  # to open it would wait
-
-            def short(opened):
-                data = opened.create_dataset("lateral", (9,), "f8", chunks=(9,), fletcher32=True)
-                data.id.write_direct_chunk((0,), b"xy")
-
-            with h5py.File(whole, "w") as opened:
-                opened.attrs["format"] = "bem_contact sweep 2"
-                opened["itself"] = opened["/"]
-            for how in (lambda h5: h5.create_dataset("lateral", (9,), "f8", external=[(str(pipe), 0, 72)]),
-                        lambda h5: h5.create_dataset("lateral", (10**10,), "f8", fillvalue=1.0),
-                        lambda h5: h5.create_dataset("lateral", (10**10,), "f8", chunks=(1000,), compression="gzip"), short,
-                        lambda h5: h5.__setitem__("lateral", h5py.ExternalLink(str(pipe), "x"))):
-                shutil.copy(whole, file)
-                with h5py.File(file, "r+") as opened:
-                    how(opened)
-                self.assertEqual(self.plot(file, "-o", picture), 2)
-                self.assertFalse(picture.exists())
 
 
 if __name__ == "__main__":

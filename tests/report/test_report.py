@@ -107,8 +107,9 @@ class Report(unittest.TestCase):
         self.assertEqual(page["words"], self.profile.stdout)
         self.assertEqual([p["name"] for p in page["profiles"]], ["hollow_wheel.txt", "hollow_wheel.txt, as measured", "S1002"])
         table = self.folder / "profile.csv"
-        self.assertEqual(program("profile", "S1002", "--csv", table, "--plot", self.folder / "standard.html").returncode, 0)
-        _, y, z, _, curvature = np.loadtxt(table, delimiter=",", skiprows=1, unpack=True)
+        self.assertEqual(program("profile", "S1002", "--on", ROOT / "data" / "bodies" / "hollow_wheel.txt", "--smoothing", 8,
+                                 "--csv", table, "--plot", self.folder / "standard.html").returncode, 0)
+        _, y, z, _, curvature, _ = np.loadtxt(table, delimiter=",", skiprows=1, unpack=True)
         for name, column in (("y", y), ("z", z), ("curvature", curvature)):
             np.testing.assert_allclose(page["profiles"][2][name], column, rtol=1e-7, atol=1e-6)
         depth = np.subtract(page["profiles"][0]["z"], page["profiles"][1]["z"])
