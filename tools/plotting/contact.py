@@ -163,6 +163,7 @@ def draw_section(axis, contacts):
     axis.locator_params(nbins=6)
     axis.set(xlim=(first.y.mean() - half, first.y.mean() + half), ylim=(first.z.mean() + half, first.z.mean() - half),
              aspect="equal", adjustable="datalim", xlabel=f"y to the {side}, mm; contact is drawn inside the rail", ylabel="z down, mm", title="Section across the track")
+    axis.set_autoscale_on(True)  # one pair of limits gives way to the equal scales; matplotlib 3.10 remarks that of fixed ones
     axis.legend(loc="best", fontsize=8.5)
 
 
