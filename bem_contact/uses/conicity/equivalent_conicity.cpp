@@ -19,18 +19,6 @@ struct Node {
 };
 using Flank = std::vector<Node>;
 
-/// With the zeros of the difference as values of their own, so that S rises or falls all along a stretch.
-std::vector<RadiusDifference> with_zeros(std::span<const RadiusDifference> function) {
-  std::vector<RadiusDifference> out{function.front()};
-  for (std::size_t k = 1; k < function.size(); ++k) {
-    const RadiusDifference &a = function[k - 1], &b = function[k];
-    if (a.difference * b.difference < 0)
-      out.push_back({a.lateral + (b.lateral - a.lateral) * a.difference / (a.difference - b.difference), 0});
-    out.push_back(b);
-  }
-  return out;
-}
-
 std::vector<double> potential_of(const std::vector<RadiusDifference>& f) {
   std::vector<double> s{0};
   for (std::size_t k = 1; k < f.size(); ++k)
@@ -81,6 +69,17 @@ double time_on(const Flank& flank, double level, double end) {
 }
 
 } // namespace
+
+std::vector<RadiusDifference> with_zeros(std::span<const RadiusDifference> function) {
+  std::vector<RadiusDifference> out;
+  for (const RadiusDifference& b : function) {
+    const RadiusDifference a = out.empty() ? b : out.back();
+    if (a.difference * b.difference < 0)
+      out.push_back({a.lateral + (b.lateral - a.lateral) * a.difference / (a.difference - b.difference), 0});
+    out.push_back(b);
+  }
+  return out;
+}
 
 std::optional<EquivalentConicity> equivalent_conicity(std::span<const RadiusDifference> function,
                                                       double amplitude, const KlingelLengths& lengths) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace bem_contact {
 
@@ -10,6 +11,10 @@ struct RadiusDifference {
   double lateral = 0;    ///< mm
   double difference = 0; ///< right less left, mm
 };
+
+/// With the zeros of the difference, which is linear between its values, as values of their own. `function`
+/// rises in `lateral`.
+std::vector<RadiusDifference> with_zeros(std::span<const RadiusDifference> function);
 
 /// The free lateral motion of a wheelset with one amplitude (EN 15302).
 struct EquivalentConicity {

@@ -34,17 +34,9 @@ double difference_at(std::span<const RadiusDifference> f, double lateral) {
 /// The place nearest to displacement 0 at which both wheels roll on equal radii, if there is one.
 std::optional<double> middle_of_motion(std::span<const RadiusDifference> f) {
   std::optional<double> nearest;
-  const auto offer = [&](double lateral) {
-    if (!nearest || std::abs(lateral) < std::abs(*nearest))
-      nearest = lateral;
-  };
-  for (std::size_t k = 0; k < f.size(); ++k) {
-    if (f[k].difference == 0)
-      offer(f[k].lateral);
-    if (k > 0 && f[k - 1].difference * f[k].difference < 0)
-      offer(f[k - 1].lateral + (f[k].lateral - f[k - 1].lateral) * f[k - 1].difference /
-                                   (f[k - 1].difference - f[k].difference));
-  }
+  for (const RadiusDifference& at : with_zeros(f))
+    if (at.difference == 0 && (!nearest || std::abs(at.lateral) < std::abs(*nearest)))
+      nearest = at.lateral;
   return nearest;
 }
 
