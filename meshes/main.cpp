@@ -129,8 +129,6 @@ int run_program(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
-  hold_standard_streams();
-  leave_blas_threads_where_memory_is_limited(argv);
-  meet_file_size_limit();
+  begin_program(argv);
   return checked_exit_code(run_program(argc, argv));
 }

@@ -53,16 +53,9 @@ void reserve_large_pages() {
 #endif
 }
 
-} // namespace
-
-void keep_freed_memory() {
-#ifdef M_TRIM_THRESHOLD
-  mallopt(M_TRIM_THRESHOLD, static_cast<int>(kept));
-  mallopt(M_MMAP_THRESHOLD, largest_piece); // a larger piece is given back
-#endif
-  reserve_large_pages();
-}
-
+/// If standard input, output or error is closed, the next file that the program opens would take its place,
+/// and messages would be written into that file. Whatever is closed is held open in a way that lets no byte
+/// through: to write to a closed standard output stays an error.
 void hold_standard_streams() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
@@ -70,6 +63,9 @@ void hold_standard_streams() {
       static_cast<void>(open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
 }
 
+/// OpenBLAS starts a thread for each core before main(), and where memory is limited (`ulimit -v`) and short,
+/// these threads look for it for ever, also when the program ends. Under such a limit the program begins anew
+/// without them; none of ours uses them.
 void leave_blas_threads_where_memory_is_limited(char** argv) {
   const auto limited = [](decltype(RLIMIT_AS) resource) {
     rlimit limit{};
@@ -85,8 +81,26 @@ void leave_blas_threads_where_memory_is_limited(char** argv) {
     execv(program.c_str(), argv); // where that fails, all is as before
 }
 
+/// A write beyond the limit on the size of files (ulimit -f) becomes an error that says so. Without this a
+/// signal ends the program without a word.
 void meet_file_size_limit() {
   std::signal(SIGXFSZ, SIG_IGN);
+}
+
+} // namespace
+
+void keep_freed_memory() {
+#ifdef M_TRIM_THRESHOLD
+  mallopt(M_TRIM_THRESHOLD, static_cast<int>(kept));
+  mallopt(M_MMAP_THRESHOLD, largest_piece); // a larger piece is given back
+#endif
+  reserve_large_pages();
+}
+
+void begin_program(char** argv) {
+  hold_standard_streams();
+  leave_blas_threads_where_memory_is_limited(argv);
+  meet_file_size_limit();
 }
 
 int checked_exit_code(int code) {
